@@ -1,1 +1,64 @@
-//! x
+//! Sphere-based three-dimensional discontinuous deformation analysis (DDA) with
+//! augmented-Lagrangian contact.
+//!
+//! Source of the method: S. A. R. Beyabanaki and A. C. Bagtzoglou, *Modified contact constraints in
+//! sphere-based 3-D DDA*, American Journal of Engineering Research 9(4), 2020, pp. 171-180
+//! ("the paper" in these pages).
+//!
+//! # What is solved
+//!
+//! Rigid spheres `i` with centre `c` \[m\], radius `R` \[m\], mass `m = 4/3 pi rho R^3` \[kg\] and moment of
+//! inertia `I = 2/5 m R^2` \[kg m^2\] move by the increment `D = (u, r)`: three translations \[m\] and three
+//! rotations \[rad\]. Every time step finds the increment and the contact multipliers `p` that satisfy
+//!
+//! ```text
+//! K D = F                                   equilibrium of the step        (paper eq 5)
+//! 0 <= p_n  perpendicular to  d_n >= 0      unilateral normal contact      (paper eq 8, projected)
+//! p_t = Proj_{|.| <= mu p_n}(p_t - P_t d_t) Coulomb friction, exact cone
+//! d_n = M + H_i D_i - Q_j D_j               gap at the end of the step     (paper eq 9)
+//! ```
+//!
+//! # Sign law
+//!
+//! The unit normal `n` points from body B to body A (for a sphere on a boundary: from the boundary to the
+//! sphere). A gap `g < 0` is an overlap. Multipliers `p_n >= 0` push the bodies apart; `p_t` lies in the
+//! tangent plane. `p` acts on A, `-p` on B.
+//!
+//! # Notation
+//!
+//! | paper | DDA term | identifier | unit |
+//! |---|---|---|---|
+//! | `D_i` | displacement increment | `dt * velocity` | m, rad |
+//! | `T_i` | first-order displacement function | [`particles`] | - |
+//! | `K_ij`, `F_i` | stiffness sub-matrix, force sub-vector | [`problem::assemble`], [`solver`] | N/m, N |
+//! | `M` | gap before the step | `gap`, [`contacts::Contact::gap`] | m |
+//! | `n` | contact normal | [`contacts::Contact::normal`] | - |
+//! | `H_i`, `Q_j` | rows of the normal displacement | `normal`, `arm` of [`problem::Row`] | - |
+//! | `-lambda*` | multiplier, contact force | `impulse / dt` | N |
+//! | `P_n` | penalty number, contact spring | `penalty` | N/m |
+//! | `d_n` | normal distance after the step | `gap + dt u_n` | m |
+//! | `phi` | friction angle | `friction = tan(phi)` | - |
+//! | `dt` | time step | `step` | s |
+//!
+//! # Pipeline of one step
+//!
+//! [`contacts`] finds the candidate pairs, [`problem`] writes the step as algebra, [`solver`] solves it,
+//! [`step`] checks the true gaps and commits, [`simulation`] owns the state.
+//! [`scene`] comes before all of this, [`observe`] after.
+
+pub mod boundaries;
+pub mod contacts;
+pub mod error;
+pub mod linalg;
+pub mod materials;
+pub mod motion;
+pub mod observe;
+pub mod particles;
+pub mod problem;
+pub mod scene;
+pub mod simulation;
+pub mod solver;
+pub mod step;
+
+/// A vector in space: metres, newtons, metres per second ... as the field says.
+pub type Vec3 = nalgebra::Vector3<f64>;

@@ -1,0 +1,62 @@
+//! Boundaries: named rigid bodies made of faces, and the closest-point queries on them.
+//!
+//! For a sphere of centre `c` and radius `R` the closest point `P0` on a face, edge or vertex gives the
+//! normal `n = (c - P0)/|c - P0|` and the gap `g = |c - P0| - R` (paper eqs 9-10, section IV).
+
+use serde::{Deserialize, Serialize};
+
+use crate::Vec3;
+use crate::motion::Motion;
+
+/// One place where a sphere may touch a boundary.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Touch {
+    /// Stable number of the feature inside its boundary; coplanar facets that share an edge share it.
+    pub feature: u32,
+    /// Closest point `P0` \[m\].
+    pub point: Vec3,
+    /// Unit normal, from the boundary to the sphere.
+    pub normal: Vec3,
+    /// Distance of the centre along `normal` minus the radius \[m\]; negative: overlap.
+    pub gap: f64,
+    /// Largest principal curvature of the surface on which the centre moves while the gap stays constant
+    /// \[1/m\]: 0 on a plane, `1/|c - P0|` at an edge or vertex, `1/(R_b - R)` inside a cylinder.
+    pub curvature: f64,
+}
+
+/// A named rigid boundary.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Boundary {
+    /// Name, unique in the scene.
+    pub name: String,
+    /// Index into the scene's materials.
+    pub material: u16,
+    /// Its faces, in scene coordinates.
+    pub geometry: Geometry,
+    /// How it moves.
+    pub motion: Motion,
+    /// Point of action `a` \[m\], scene coordinates: centre of rotation, reference of the torque.
+    pub point_of_action: Vec3,
+    /// Contact stiffness `k` \[N/m\]; `None` is rigid.
+    pub stiffness: Option<f64>,
+}
+
+/// The faces of a boundary in its own frame (the scene's at t = 0).
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct Geometry {}
+
+impl Geometry {
+    /// Appends every distinct place where a sphere of `radius` \[m\] around `centre` \[m\] comes within
+    /// `reach` \[m\] of gap. Sorted by feature; an edge or vertex inside a neighbour's face is left out.
+    pub fn touches(&self, centre: Vec3, radius: f64, reach: f64, out: &mut Vec<Touch>) {
+        let _ = (centre, radius, reach, out);
+    }
+
+    /// Follows one feature: the gap of a sphere at `centre` to it, keeping the side of `normal` (a face keeps
+    /// its side if the centre crosses it).
+    #[must_use]
+    pub fn follow(&self, feature: u32, normal: Vec3, centre: Vec3, radius: f64) -> Touch {
+        let _ = (feature, normal, centre, radius);
+        unimplemented!()
+    }
+}

@@ -1,0 +1,43 @@
+//! Contacts: broad phase, narrow phase, history (contact transfer).
+
+use serde::{Deserialize, Serialize};
+
+use crate::Vec3;
+
+/// Identity of a contact over steps; its order is the canonical order of contacts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+pub struct Key {
+    /// The sphere (body A); of two spheres the one with the smaller index.
+    pub sphere: u32,
+    /// What it touches (body B).
+    pub partner: Partner,
+}
+
+/// Body B of a contact.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+pub enum Partner {
+    /// Another sphere, of larger index than body A.
+    Sphere(u32),
+    /// A feature (face, edge, vertex) of a boundary.
+    Boundary {
+        /// Index of the boundary.
+        boundary: u16,
+        /// Feature number inside the boundary.
+        feature: u32,
+    },
+}
+
+/// A candidate contact at the start of a step and, after the step, its force.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Contact {
+    /// Identity.
+    pub key: Key,
+    /// Closest point \[m\] on body B at the start of the step.
+    pub point: Vec3,
+    /// Unit normal from B to A at the start of the step.
+    pub normal: Vec3,
+    /// True geometric gap \[m\]; negative: overlap.
+    pub gap: f64,
+    /// Force on A \[N\], mean over the last internal step.
+    pub force: Vec3,
+}

@@ -1,0 +1,93 @@
+//! Errors and outcomes of the solver.
+
+use thiserror::Error;
+
+/// Evidence for a step that could not be taken.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
+pub enum StepError {
+    /// The tolerances were not met, also after the step had been cut as often as allowed.
+    #[error(
+        "step from t = {time} s, dt = {step:e} s: {what} {residual:e} stays above {tolerance:e} at {contact} after {cuts} cuts; \
+         loosen tolerance.{what}, reduce simulation.step or raise simulation.max_iterations"
+    )]
+    NotConverged {
+        /// Start of the step \[s\].
+        time: f64,
+        /// Last step tried \[s\].
+        step: f64,
+        /// Which residual: `gap`, `slip` or `force`.
+        what: &'static str,
+        /// Its value \[-\].
+        residual: f64,
+        /// What was asked for \[-\].
+        tolerance: f64,
+        /// The worst contact, in words.
+        contact: String,
+        /// How often the step was halved.
+        cuts: u32,
+    },
+    /// A sphere is squeezed between boundaries whose motion is prescribed.
+    #[error(
+        "step from t = {time} s: sphere {sphere} is pinched between {boundaries}; \
+         give one of them `stiffness` (N/m) or drive it by force"
+    )]
+    Pinched {
+        /// Start of the step \[s\].
+        time: f64,
+        /// Sphere index.
+        sphere: usize,
+        /// The boundaries, in words.
+        boundaries: String,
+    },
+    /// A commanded boundary would jump.
+    #[error(
+        "input of boundary `{boundary}` moves it by {jump:e} m in one internal step; at most the smallest radius {limit:e} m is allowed: \
+         use a smaller communication step or a smoother command"
+    )]
+    Jump {
+        /// Boundary name.
+        boundary: String,
+        /// Largest displacement per internal step \[m\].
+        jump: f64,
+        /// Limit \[m\].
+        limit: f64,
+    },
+    /// The caller asked for something impossible.
+    #[error("{what}: found {found}, expected {expected}")]
+    Argument {
+        /// Name of the argument.
+        what: &'static str,
+        /// Value found.
+        found: String,
+        /// What is allowed.
+        expected: &'static str,
+    },
+    /// A state stopped being finite.
+    #[error("sphere {sphere} has a non-finite {what} at t = {time} s")]
+    NotFinite {
+        /// Time \[s\].
+        time: f64,
+        /// Sphere index.
+        sphere: usize,
+        /// Quantity.
+        what: &'static str,
+    },
+}
+
+/// A snapshot that cannot be restored.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[non_exhaustive]
+pub enum SnapshotError {
+    /// Not one of ours, or cut short.
+    #[error("not a sphere-dda state: {0}")]
+    Format(&'static str),
+    /// Written for another scene or version.
+    #[error("state belongs to {found}, this is {expected}")]
+    Mismatch {
+        /// What the blob says.
+        found: String,
+        /// What is expected.
+        expected: String,
+    },
+}

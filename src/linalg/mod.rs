@@ -1,0 +1,1 @@
+//! Sparse algebra over 6x6 blocks.

@@ -1,0 +1,51 @@
+//! Materials and the table of pair properties.
+
+use serde::{Deserialize, Serialize};
+
+/// A material.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Material {
+    /// Name, unique in the scene.
+    pub name: String,
+    /// Density \[kg/m^3\]; only spheres use it.
+    pub density: f64,
+}
+
+/// How two materials touch.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+pub struct Pair {
+    /// Coulomb friction coefficient `mu = tan(phi)` \[-\], >= 0.
+    pub friction: f64,
+    /// Newton's coefficient of restitution `e` \[-\], 0..=1.
+    pub restitution: f64,
+}
+
+/// Symmetric table of [`Pair`]s for `n` materials.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct PairTable {
+    materials: usize,
+    pairs: Vec<Pair>,
+}
+
+impl PairTable {
+    /// A table for `materials` materials, every pair set to `default`.
+    #[must_use]
+    pub fn new(materials: usize, default: Pair) -> Self {
+        Self {
+            materials,
+            pairs: vec![default; materials * materials],
+        }
+    }
+
+    /// The pair of materials `a` and `b`, in either order.
+    #[must_use]
+    pub fn get(&self, a: u16, b: u16) -> Pair {
+        self.pairs[usize::from(a) * self.materials + usize::from(b)]
+    }
+
+    /// Sets the pair of `a` and `b`, in both orders.
+    pub fn set(&mut self, a: u16, b: u16, pair: Pair) {
+        self.pairs[usize::from(a) * self.materials + usize::from(b)] = pair;
+        self.pairs[usize::from(b) * self.materials + usize::from(a)] = pair;
+    }
+}

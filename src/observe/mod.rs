@@ -1,0 +1,1 @@
+//! Results: read-only views of a simulation.

@@ -1,0 +1,117 @@
+//! The spheres: structure of arrays, all of length `N`, index = rank in the scene.
+
+use nalgebra::{UnitQuaternion, Vector3};
+use serde::{Deserialize, Serialize};
+
+use crate::Vec3;
+
+/// Degrees of freedom of a sphere that are held at zero velocity, in world axes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+pub struct Locks {
+    /// Translation along x, y, z.
+    pub translation: [bool; 3],
+    /// Rotation about x, y, z.
+    pub rotation: [bool; 3],
+}
+
+impl Locks {
+    /// All three rotations held: a sphere that slides like a block.
+    pub const ROTATIONS: Self = Self {
+        translation: [false; 3],
+        rotation: [true; 3],
+    };
+
+    /// One where a component is free, zero where it is locked.
+    fn free(locked: [bool; 3]) -> Vec3 {
+        Vector3::from(locked.map(|l| if l { 0.0 } else { 1.0 }))
+    }
+}
+
+/// What never changes during a run, one entry per sphere.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct Particles {
+    /// Radius \[m\], `[N]`.
+    pub radius: Vec<f64>,
+    /// Mass \[kg\], `[N]`.
+    pub mass: Vec<f64>,
+    /// Index into the scene's materials, `[N]`.
+    pub material: Vec<u16>,
+    /// Held degrees of freedom, `[N]`.
+    pub locks: Vec<Locks>,
+}
+
+/// What moves, one entry per sphere.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct Kinematics {
+    /// Centre \[m\], `[N]`.
+    pub position: Vec<Vec3>,
+    /// Orientation, body to world, `[N]`.
+    pub orientation: Vec<UnitQuaternion<f64>>,
+    /// Velocity of the centre \[m/s\], `[N]`: the integrator's own (half step for Moreau).
+    pub velocity: Vec<Vec3>,
+    /// Angular velocity in world axes \[rad/s\], `[N]`.
+    pub spin: Vec<Vec3>,
+}
+
+impl Particles {
+    /// Number of spheres `N`.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.radius.len()
+    }
+
+    /// Whether there is no sphere at all.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.radius.is_empty()
+    }
+
+    /// Adds a sphere of the given radius \[m\], density \[kg/m^3\] and material.
+    pub fn push(&mut self, radius: f64, density: f64, material: u16, locks: Locks) {
+        self.radius.push(radius);
+        self.mass
+            .push(4.0 / 3.0 * std::f64::consts::PI * density * radius.powi(3));
+        self.material.push(material);
+        self.locks.push(locks);
+    }
+
+    /// Moment of inertia `2/5 m R^2` \[kg m^2\] of sphere `i`.
+    #[must_use]
+    pub fn inertia(&self, i: usize) -> f64 {
+        0.4 * self.mass[i] * self.radius[i] * self.radius[i]
+    }
+
+    /// Inverse mass \[1/kg\] of sphere `i` along x, y, z; zero where locked.
+    #[must_use]
+    pub fn inverse_mass(&self, i: usize) -> Vec3 {
+        Locks::free(self.locks[i].translation) / self.mass[i]
+    }
+
+    /// Inverse inertia \[1/(kg m^2)\] of sphere `i` about x, y, z; zero where locked.
+    #[must_use]
+    pub fn inverse_inertia(&self, i: usize) -> Vec3 {
+        Locks::free(self.locks[i].rotation) / self.inertia(i)
+    }
+}
+
+impl Kinematics {
+    /// Adds a sphere at `position` \[m\] with `velocity` \[m/s\] and `spin` \[rad/s\].
+    pub fn push(&mut self, position: Vec3, velocity: Vec3, spin: Vec3) {
+        self.position.push(position);
+        self.orientation.push(UnitQuaternion::identity());
+        self.velocity.push(velocity);
+        self.spin.push(spin);
+    }
+
+    /// Number of spheres `N`.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.position.len()
+    }
+
+    /// Whether there is no sphere at all.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.position.is_empty()
+    }
+}

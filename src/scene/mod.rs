@@ -1,0 +1,193 @@
+//! Scenes: [`file`] is the TOML as typed, [`build`] turns it into a validated [`Scene`].
+
+use serde::{Deserialize, Serialize};
+
+use crate::Vec3;
+use crate::boundaries::Boundary;
+use crate::materials::{Material, PairTable};
+use crate::particles::{Kinematics, Particles};
+
+/// How contact constraints are enforced.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Method {
+    /// Augmented Lagrangian: overlap within the tolerance whatever the penalty.
+    #[default]
+    Alm,
+    /// Contact springs of stiffness `penalty`: the original DDA.
+    Penalty,
+}
+
+/// Time integration.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Integrator {
+    /// Velocity-level Moreau-Jean step on staggered velocities.
+    #[default]
+    Moreau,
+    /// Constant acceleration over the step, as Shi (1988) and the paper.
+    Shi,
+}
+
+/// Which solver takes the step's problem.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum SolverKind {
+    /// Gauss-Seidel first, direct where it does not converge.
+    #[default]
+    Auto,
+    /// Sparse Cholesky of `K D = F`, open-close iterations, augmented-Lagrangian outer loop.
+    Direct,
+    /// Block Gauss-Seidel on the multipliers.
+    GaussSeidel,
+}
+
+/// Dimensionless tolerances of one step.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Tolerance {
+    /// True geometric overlap over the smaller radius of the pair \[-\], 1e-12..=1e-1.
+    pub gap: f64,
+    /// Slip distance of a sticking contact over the smaller radius \[-\], same range.
+    pub slip: f64,
+    /// Force residual over the contact's force scale \[-\], same range.
+    pub force: f64,
+}
+
+/// Everything a run needs beside bodies and boundaries.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Settings {
+    /// Gravity \[m/s^2\].
+    pub gravity: Vec3,
+    /// End time of a run \[s\].
+    pub duration: f64,
+    /// Largest internal time step \[s\].
+    pub step: f64,
+    /// Communication step of `run` and of the FMU's DefaultExperiment \[s\].
+    pub communication_step: f64,
+    /// Contact enforcement.
+    pub method: Method,
+    /// Time integration.
+    pub integrator: Integrator,
+    /// Solver.
+    pub solver: SolverKind,
+    /// Penalty number `P_n` \[N/m\]; `None`: chosen from mass and step. The penalty method needs it.
+    pub penalty: Option<f64>,
+    /// Whether the augmented-Lagrangian loop may change the penalty.
+    pub adapt_penalty: bool,
+    /// Tolerances of every step.
+    pub tolerance: Tolerance,
+    /// Initial overlap over the smaller radius that is removed by displacement before t = 0 \[-\].
+    pub max_initial_overlap: f64,
+    /// Approach speed below which an impact does not rebound \[m/s\]; the scheme's own bound is added.
+    pub threshold_velocity: f64,
+    /// Dynamic coefficient `k` of the Shi integrator: share of the velocity kept by the next step, 0..=1.
+    pub dynamic_coefficient: f64,
+    /// Most iterations a solver may spend on one problem (sweeps, or factorizations times 100).
+    pub max_iterations: usize,
+    /// How often a step may be halved before it is given up.
+    pub max_cuts: u32,
+}
+
+/// A force on a sphere at a point that moves with it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct PointLoad {
+    /// Sphere index.
+    pub sphere: usize,
+    /// Point of the sphere, from its centre in its initial orientation \[m\].
+    pub arm: Vec3,
+    /// Force \[N\], world axes.
+    pub force: Vec3,
+}
+
+/// A constrained point: a spring from a point of a sphere to a fixed or driven target.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Spring {
+    /// Sphere index.
+    pub sphere: usize,
+    /// Point of the sphere, from its centre in its initial orientation \[m\].
+    pub arm: Vec3,
+    /// Stiffness `P_c` \[N/m\].
+    pub stiffness: f64,
+    /// Target at t = 0 \[m\].
+    pub target: Vec3,
+    /// Motion of the target (`translation` only); not [`crate::motion::Motion::Input`].
+    pub motion: crate::motion::Motion,
+}
+
+/// What a named sensor measures.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub enum Measure {
+    /// Mass \[kg\] of the spheres whose centre lies in an axis-parallel box.
+    MassInBox {
+        /// Lower corner \[m\].
+        min: Vec3,
+        /// Upper corner \[m\].
+        max: Vec3,
+    },
+    /// Cumulated mass \[kg\] and mean flow \[kg/s\] of centres that cross a plane along its normal
+    /// (crossings against it count negative).
+    MassFlow {
+        /// A point of the plane \[m\].
+        point: Vec3,
+        /// Unit normal.
+        normal: Vec3,
+    },
+}
+
+/// A named sensor. Every boundary's wrench and every probe are outputs without being named here.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Sensor {
+    /// Name, unique in the scene.
+    pub name: String,
+    /// What it measures.
+    pub measure: Measure,
+}
+
+/// A sphere whose state is an output.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Probe {
+    /// Name in the outputs.
+    pub name: String,
+    /// Sphere index.
+    pub sphere: usize,
+}
+
+/// Which result files are written, and how often.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Output {
+    /// Seconds between VTU frames \[s\]; 0: none.
+    pub vtu_interval: f64,
+    /// Seconds between rows of the CSV history \[s\]; 0: every communication step.
+    pub csv_interval: f64,
+    /// Write Float64 instead of Float32 arrays.
+    pub float64: bool,
+}
+
+/// A validated scene: every index in range, every number finite, units SI.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Scene {
+    /// Title, one line.
+    pub title: String,
+    /// Settings of the run.
+    pub settings: Settings,
+    /// Materials.
+    pub materials: Vec<Material>,
+    /// Friction and restitution of each pair of materials.
+    pub pairs: PairTable,
+    /// The spheres.
+    pub particles: Particles,
+    /// Their placement and velocity at t = 0.
+    pub initial: Kinematics,
+    /// Boundaries.
+    pub boundaries: Vec<Boundary>,
+    /// Point loads.
+    pub loads: Vec<PointLoad>,
+    /// Constrained points.
+    pub springs: Vec<Spring>,
+    /// Sensors.
+    pub sensors: Vec<Sensor>,
+    /// Probed spheres.
+    pub probes: Vec<Probe>,
+    /// Result files.
+    pub output: Output,
+}

@@ -1,0 +1,1 @@
+//! One internal time step.
