@@ -53,16 +53,26 @@ impl Path {
                 to(target(kind, command).unwrap_or(from))
             }
         };
-        Self { start, end, from, by }
+        Self {
+            start,
+            end,
+            from,
+            by,
+        }
     }
 
     /// Pose at time `t` \[s\] of the path.
     #[must_use]
     pub fn at(&self, t: f64) -> Pose {
-        let share = if t >= self.end { 1.0 } else { (t - self.start) / (self.end - self.start) };
+        let share = if t >= self.end {
+            1.0
+        } else {
+            (t - self.start) / (self.end - self.start)
+        };
         Pose {
             translation: self.from.translation + self.by.linear * share,
-            rotation: UnitQuaternion::from_scaled_axis(self.by.angular * share) * self.from.rotation,
+            rotation: UnitQuaternion::from_scaled_axis(self.by.angular * share)
+                * self.from.rotation,
         }
     }
 }
@@ -74,7 +84,9 @@ pub fn target(kind: InputKind, command: &Command) -> Option<Pose> {
         InputKind::Pose | InputKind::Motion => (command.translation, command.rotation),
         InputKind::Slide { axis } => (axis * command.scalar, Vec3::zeros()),
         InputKind::Hinge { axis } => (Vec3::zeros(), axis * command.scalar),
-        InputKind::Twist | InputKind::SlideSpeed { .. } | InputKind::HingeSpeed { .. } => return None,
+        InputKind::Twist | InputKind::SlideSpeed { .. } | InputKind::HingeSpeed { .. } => {
+            return None;
+        }
     };
     Some(Pose {
         translation,
@@ -99,11 +111,16 @@ impl<'a> Drive<'a> {
         start: f64,
         end: f64,
     ) -> Self {
-        let path = |(boundary, (command, pose)): (&Boundary, (&Command, &Pose))| match boundary.motion {
-            Motion::Input(kind) => Some(Path::commanded(kind, command, *pose, start, end)),
-            _ => None,
-        };
-        let paths = boundaries.iter().zip(commands.iter().zip(poses)).map(path).collect();
+        let path =
+            |(boundary, (command, pose)): (&Boundary, (&Command, &Pose))| match boundary.motion {
+                Motion::Input(kind) => Some(Path::commanded(kind, command, *pose, start, end)),
+                _ => None,
+            };
+        let paths = boundaries
+            .iter()
+            .zip(commands.iter().zip(poses))
+            .map(path)
+            .collect();
         Self { boundaries, paths }
     }
 

@@ -76,6 +76,12 @@ impl Geometry {
     pub fn follow(&self, feature: u32, _normal: Vec3, centre: Vec3, radius: f64) -> Touch {
         let (p, n) = self.planes[feature as usize];
         let d = n.dot(&(centre - p));
-        Touch { feature, point: centre - n * d, normal: n, gap: d - radius, curvature: 0.0 }
+        Touch {
+            feature,
+            point: centre - n * d,
+            normal: n,
+            gap: d - radius,
+            curvature: 0.0,
+        }
     }
 }
