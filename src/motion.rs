@@ -163,14 +163,14 @@ pub enum Motion {
 }
 
 impl Motion {
-    /// The pose that the scene prescribes at time `t` \[s\]; `None` for a motion driven from outside.
+    /// The pose that the scene prescribes at time `t` \[s\]; as in the scene for a motion driven from outside.
     ///
     /// A table interpolates its rotation vectors linearly, so that several turns about one axis are kept.
     #[must_use]
-    pub fn pose_at(&self, t: f64) -> Option<Pose> {
+    pub fn pose_at(&self, t: f64) -> Pose {
         match self {
-            Self::Fixed => Some(Pose::default()),
-            Self::Constant(twist) => Some(Pose::default().advanced(twist, t)),
+            Self::Fixed | Self::Input(_) => Pose::default(),
+            Self::Constant(twist) => Pose::default().advanced(twist, t),
             Self::Sinusoid {
                 translation,
                 rotation,
@@ -178,20 +178,16 @@ impl Motion {
                 phase,
             } => {
                 let factor = (TAU * frequency * t + phase).sin() - phase.sin();
-                Some(Pose::from_rotation_vector(
-                    translation * factor,
-                    rotation * factor,
-                ))
+                Pose::from_rotation_vector(translation * factor, rotation * factor)
             }
             Self::Table {
                 time,
                 translation,
                 rotation,
-            } => Some(Pose::from_rotation_vector(
+            } => Pose::from_rotation_vector(
                 interpolate(time, translation, t),
                 interpolate(time, rotation, t),
-            )),
-            Self::Input(_) => None,
+            ),
         }
     }
 }
