@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::Vec3;
 use crate::contacts::{Contact, Key, Partner};
-use crate::drive::{Drive, target, twist_between};
+use crate::drive::{Drive, displacement, target};
 use crate::error::{SnapshotError, StepError};
 use crate::motion::{Command, Motion, Pose, Twist};
 use crate::particles::Kinematics;
@@ -103,7 +103,7 @@ impl Simulation {
             twists: poses
                 .iter()
                 .zip(&next)
-                .map(|(a, b)| twist_between(a, b, settings.step))
+                .map(|(a, b)| a.twist_to(b, settings.step))
                 .collect(),
             poses,
             commands: vec![Command::default(); boundaries],
@@ -378,7 +378,7 @@ impl Simulation {
             if !matches!(boundary.motion, Motion::Input(_)) || from == to {
                 continue;
             }
-            let jump = (to.translation - from.translation).norm();
+            let jump = displacement(boundary, from, to);
             if jump > limit {
                 return Err(StepError::Jump {
                     boundary: boundary.name.clone(),

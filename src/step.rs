@@ -4,7 +4,6 @@ use crate::Vec3;
 use crate::contacts::broad_phase::NeighborList;
 use crate::contacts::narrow_phase::{Candidate, Placement};
 use crate::contacts::{Contact, Partner, history};
-use crate::drive::twist_between;
 use crate::integrate::turned;
 use crate::motion::Pose;
 use crate::particles::Kinematics;
@@ -111,7 +110,7 @@ pub fn step(
         .poses
         .iter()
         .zip(&poses)
-        .map(|(from, to)| twist_between(from, to, dt))
+        .map(|(from, to)| from.twist_to(to, dt))
         .collect();
     state.poses = poses;
     state.last_step = dt;

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use sphere_dda::Vec3;
-use sphere_dda::boundaries::{Boundary, Geometry};
+use sphere_dda::boundaries::{Boundary, Geometry, HalfSpace, Shape};
 use sphere_dda::materials::{Material, Pair, PairTable};
 use sphere_dda::motion::Motion;
 use sphere_dda::particles::{Kinematics, Locks, Particles};
