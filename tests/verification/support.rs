@@ -104,9 +104,10 @@ impl Case {
         self.scene.boundaries.push(Boundary {
             name: format!("plane{}", self.scene.boundaries.len()),
             material: 1,
-            geometry: Geometry {
-                planes: vec![(point, normal.normalize())],
-            },
+            geometry: Geometry::new(vec![Shape::HalfSpace(
+                HalfSpace::new(point, normal).expect("a plane"),
+            )])
+            .expect("a geometry"),
             motion: Motion::Fixed,
             point_of_action: Vec3::zeros(),
             stiffness: None,
