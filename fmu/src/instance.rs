@@ -333,10 +333,9 @@ impl Instance {
             let found = format!("none in state {}", self.run.stage);
             return Err(StepError::Argument { what: "simulation", found, expected: "one" });
         };
-        simulation.set_gravity(self.run.parameters.gravity);
+        simulation.set_gravity(self.run.parameters.gravity)?;
         command(simulation, &self.run.commands)?;
-        let step = end - self.run.start - simulation.time();
-        simulation.advance(step).map(|_| ())
+        simulation.advance_to(end - self.run.start).map(|_| ())
     }
 
     /// Ends the run; values stay readable, result files are complete.
@@ -426,9 +425,13 @@ impl Instance {
     fn prepare(&mut self) -> Result<(), Refusal> {
         self.outputs = None;
         let mut simulation = self.simulate(&self.run.parameters)?;
-        simulation.set_gravity(self.run.parameters.gravity);
-        command(&mut simulation, &self.run.commands)?;
-        simulation.place()?;
+        let gravity = self.run.parameters.gravity;
+        // A start that is the scene's own is left alone: the FMU then gives the bytes that the library gives.
+        if gravity != simulation.gravity() || self.run.commands.iter().any(|c| *c != Command::default()) {
+            simulation.set_gravity(gravity)?;
+            command(&mut simulation, &self.run.commands)?;
+            simulation.place()?;
+        }
         self.simulation = Some(simulation);
         self.run.pending = false;
         Ok(())

@@ -41,11 +41,10 @@ impl Model {
         let loaded = Scene::from_file(path).map_err(Box::new)?;
         let table = Table::new(&loaded.scene);
         let guid = description::guid(&loaded.scene, &table, &loaded.hash)?;
-        let name = path.display().to_string();
         Ok(Self {
             table,
             guid,
-            warnings: loaded.warnings.iter().map(|problem| problem.plain(&name)).collect(),
+            warnings: loaded.warnings.iter().map(|problem| problem.plain(&loaded.name)).collect(),
             scene: Arc::new(loaded.scene),
             hash: loaded.hash,
             text: loaded.text,
