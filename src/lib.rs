@@ -48,7 +48,9 @@
 
 pub mod boundaries;
 pub mod contacts;
+pub mod drive;
 pub mod error;
+pub mod integrate;
 pub mod linalg;
 pub mod materials;
 pub mod motion;
@@ -58,6 +60,7 @@ pub mod problem;
 pub mod scene;
 pub mod simulation;
 pub mod solver;
+pub mod state;
 pub mod step;
 
 /// A vector in space: metres, newtons, metres per second ... as the field says.

@@ -114,3 +114,16 @@ pub struct Command {
     /// Displacement \[m\], speed \[m/s\], angle \[rad\] or angular speed \[rad/s\] of a slide or hinge.
     pub scalar: f64,
 }
+
+impl Motion {
+    /// stand-in
+    pub fn pose_at(&self, t: f64) -> Pose {
+        match self {
+            Self::Constant(w) => Pose {
+                translation: w.linear * t,
+                rotation: UnitQuaternion::from_scaled_axis(w.angular * t),
+            },
+            _ => Pose::default(),
+        }
+    }
+}

@@ -43,20 +43,39 @@ pub struct Boundary {
 
 /// The faces of a boundary in its own frame (the scene's at t = 0).
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-pub struct Geometry {}
+pub struct Geometry {
+    /// stand-in
+    pub planes: Vec<(Vec3, Vec3)>,
+}
+
+impl Boundary {
+    /// frame
+    pub fn to_frame(&self, pose: &crate::motion::Pose, x: Vec3) -> Vec3 {
+        self.point_of_action
+            + pose.rotation.inverse() * (x - self.point_of_action - pose.translation)
+    }
+    /// world
+    pub fn from_frame(&self, pose: &crate::motion::Pose, x: Vec3) -> Vec3 {
+        self.point_of_action + pose.translation + pose.rotation * (x - self.point_of_action)
+    }
+}
 
 impl Geometry {
-    /// Appends every distinct place where a sphere of `radius` \[m\] around `centre` \[m\] comes within
-    /// `reach` \[m\] of gap. Sorted by feature; an edge or vertex inside a neighbour's face is left out.
+    /// Appends every distinct place
     pub fn touches(&self, centre: Vec3, radius: f64, reach: f64, out: &mut Vec<Touch>) {
-        let _ = (centre, radius, reach, out);
+        for k in 0..self.planes.len() {
+            let t = self.follow(k as u32, Vec3::z(), centre, radius);
+            if t.gap <= reach {
+                out.push(t);
+            }
+        }
     }
 
-    /// Follows one feature: the gap of a sphere at `centre` to it, keeping the side of `normal` (a face keeps
-    /// its side if the centre crosses it).
+    /// Follows one feature
     #[must_use]
-    pub fn follow(&self, feature: u32, normal: Vec3, centre: Vec3, radius: f64) -> Touch {
-        let _ = (feature, normal, centre, radius);
-        unimplemented!()
+    pub fn follow(&self, feature: u32, _normal: Vec3, centre: Vec3, radius: f64) -> Touch {
+        let (p, n) = self.planes[feature as usize];
+        let d = n.dot(&(centre - p));
+        Touch { feature, point: centre - n * d, normal: n, gap: d - radius, curvature: 0.0 }
     }
 }

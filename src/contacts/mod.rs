@@ -1,5 +1,10 @@
 //! Contacts: broad phase, narrow phase, history (contact transfer).
 
+pub mod broad_phase;
+pub mod history;
+pub mod law;
+pub mod narrow_phase;
+
 use serde::{Deserialize, Serialize};
 
 use crate::Vec3;

@@ -1,1 +1,29 @@
-//! Sparse algebra over 6x6 blocks.
+//! Sparse algebra over 6x6 blocks: symmetric block matrix and its Cholesky factor.
+//!
+//! Uses nothing of the solver's own; checked against a dense factorization in the tests below.
+
+mod block_matrix;
+mod cholesky;
+
+pub use block_matrix::{BlockMatrix, BlockPattern};
+pub use cholesky::{Factor, Symbolic};
+
+use thiserror::Error;
+
+/// Why a linear system could not be solved.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[non_exhaustive]
+pub enum LinearError {
+    /// The matrix is not positive definite to working precision.
+    #[error("the matrix of {rows} rows is not positive definite to working precision; lower the penalty")]
+    NotPositiveDefinite {
+        /// Number of scalar rows.
+        rows: usize,
+    },
+    /// The factor does not fit into memory.
+    #[error("no memory for the sparse factor of {rows} rows; use solver = \"gauss-seidel\"")]
+    Memory {
+        /// Number of scalar rows.
+        rows: usize,
+    },
+}

@@ -12,6 +12,8 @@
 //! (`c = 0`: rigid). Moreau has `W = M^-1`, Shi `W = (2M)^-1` and `v1` the mean velocity of the step.
 //! The penalty method is the rigid problem with `k = P` on every contact.
 
+pub mod assemble;
+
 use serde::{Deserialize, Serialize};
 
 use crate::Vec3;
@@ -84,3 +86,93 @@ pub struct Problem {
 
 /// Impulses on body A \[N s\], world axes, `[C]`: what every solver returns and starts from.
 pub type Impulses = Vec<Vec3>;
+
+impl Dof6 {
+    /// Zero in all six components.
+    pub const ZERO: Self = Self {
+        linear: Vec3::new(0.0, 0.0, 0.0),
+        angular: Vec3::new(0.0, 0.0, 0.0),
+    };
+
+    /// Adds `W (impulse at arm)`.
+    pub fn kick(&mut self, inverse_mass: &Self, impulse: Vec3, arm: Vec3) {
+        self.linear += inverse_mass.linear.component_mul(&impulse);
+        self.angular += inverse_mass.angular.component_mul(&arm.cross(&impulse));
+    }
+
+    /// Velocity of the point at `arm` from the centre.
+    #[must_use]
+    pub fn at(&self, arm: Vec3) -> Vec3 {
+        self.linear + self.angular.cross(&arm)
+    }
+}
+
+impl Row {
+    /// Relative velocity `u` \[m/s\] of A against B for the given body velocities.
+    #[must_use]
+    pub fn relative_velocity(&self, velocity: &[Dof6]) -> Vec3 {
+        let u = velocity[self.a as usize].at(self.arm_a) + self.drift;
+        if self.b == GROUND {
+            u
+        } else {
+            u - velocity[self.b as usize].at(self.arm_b)
+        }
+    }
+
+    /// Adds the effect of `impulse` \[N s\] on A and its opposite on B.
+    pub fn apply(&self, inverse_mass: &[Dof6], velocity: &mut [Dof6], impulse: Vec3) {
+        let a = self.a as usize;
+        velocity[a].kick(&inverse_mass[a], impulse, self.arm_a);
+        if self.b != GROUND {
+            let b = self.b as usize;
+            velocity[b].kick(&inverse_mass[b], -impulse, self.arm_b);
+        }
+    }
+
+    /// Diagonal of the row's Delassus operator \[1/kg\]: along the normal, and an upper bound across it
+    /// (exact for free spheres: `w_t = 3.5 w_n`).
+    #[must_use]
+    pub fn delassus(&self, inverse_mass: &[Dof6]) -> (f64, f64) {
+        let mut operator = point_compliance(&inverse_mass[self.a as usize], self.arm_a);
+        if self.b != GROUND {
+            operator += point_compliance(&inverse_mass[self.b as usize], self.arm_b);
+        }
+        let n = self.normal;
+        let w_n = (n.transpose() * operator * n)[0];
+        // Largest eigenvalue of the 2x2 tangential block from its trace and determinant.
+        let [t1, t2] = tangents(n);
+        let (a, b, c) = (
+            t1.dot(&(operator * t1)),
+            t2.dot(&(operator * t2)),
+            t1.dot(&(operator * t2)),
+        );
+        let w_t = 0.5 * (a + b) + (0.25 * (a - b) * (a - b) + c * c).sqrt();
+        (w_n, w_t)
+    }
+}
+
+/// `d(velocity at arm) / d(impulse at arm)` of one body, 3x3 \[1/kg\].
+fn point_compliance(inverse_mass: &Dof6, arm: Vec3) -> nalgebra::Matrix3<f64> {
+    let cross = arm.cross_matrix();
+    nalgebra::Matrix3::from_diagonal(&inverse_mass.linear)
+        - cross * nalgebra::Matrix3::from_diagonal(&inverse_mass.angular) * cross
+}
+
+/// Two unit vectors that complete the unit vector `n` to an orthonormal frame.
+fn tangents(n: Vec3) -> [Vec3; 2] {
+    let helper = if n.x.abs() < 0.6 { Vec3::x() } else { Vec3::y() };
+    let t1 = n.cross(&helper).normalize();
+    [t1, n.cross(&t1)]
+}
+
+impl Problem {
+    /// Velocities `v_free + W J^T p` \[m/s\], \[rad/s\], `[N]`.
+    #[must_use]
+    pub fn velocities(&self, impulses: &[Vec3]) -> Vec<Dof6> {
+        let mut velocity = self.free.clone();
+        for (row, &impulse) in self.rows.iter().zip(impulses) {
+            row.apply(&self.inverse_mass, &mut velocity, impulse);
+        }
+        velocity
+    }
+}

@@ -168,6 +168,8 @@ pub struct Output {
 pub struct Scene {
     /// Title, one line.
     pub title: String,
+    /// SHA-256 of the scene text and the files it names, hexadecimal.
+    pub hash: String,
     /// Settings of the run.
     pub settings: Settings,
     /// Materials.

@@ -1,1 +1,84 @@
-//! Solvers of the step problem.
+//! Solvers of the step problem, all judged by the one [`residual`].
+//!
+//! [`gauss_seidel`] updates one contact's multiplier at a time with its closed-form local solution;
+//! [`augmented_lagrangian`] is the paper's loop: `K D = F` by sparse Cholesky, open-close iterations inside,
+//! multiplier updates outside. Both leave impulses that satisfy the same conditions
+//! ([`crate::problem`]); a faster solver is one more function of the same shape.
+
+pub mod augmented_lagrangian;
+pub mod gauss_seidel;
+pub mod residual;
+
+use crate::Vec3;
+use crate::problem::Problem;
+use crate::scene::{SolverKind, Tolerance};
+use augmented_lagrangian::Workspace;
+use residual::Residual;
+
+/// What a solver is asked for.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Params {
+    /// Which solver.
+    pub kind: SolverKind,
+    /// Residuals to reach \[-\].
+    pub tolerance: Tolerance,
+    /// Most Gauss-Seidel sweeps.
+    pub max_sweeps: usize,
+    /// Most factorizations.
+    pub max_factorizations: usize,
+    /// Penalty number `P_n` \[N/m\] at the start of the augmented-Lagrangian loop.
+    pub penalty: f64,
+    /// Whether that loop may raise it.
+    pub adapt_penalty: bool,
+}
+
+/// What a solver did.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Report {
+    /// Whether every residual is within its tolerance.
+    pub converged: bool,
+    /// Residual reached.
+    pub residual: Residual,
+    /// Gauss-Seidel sweeps.
+    pub sweeps: usize,
+    /// Multiplier updates of the augmented-Lagrangian loop.
+    pub augmentations: usize,
+    /// Factorizations: open-close iterations over all augmentations.
+    pub factorizations: usize,
+    /// Penalty number at the end \[N/m\]; zero if the augmented-Lagrangian loop did not run.
+    pub penalty: f64,
+}
+
+impl Report {
+    /// Adds the work of a second solve; residual and verdict are those of the second.
+    #[must_use]
+    pub fn then(self, next: Self) -> Self {
+        Self {
+            sweeps: self.sweeps + next.sweeps,
+            augmentations: self.augmentations + next.augmentations,
+            factorizations: self.factorizations + next.factorizations,
+            ..next
+        }
+    }
+}
+
+/// Solves `problem` from the impulses given and leaves the solution in them, `[C]` \[N s\].
+pub fn solve(
+    problem: &Problem,
+    params: &Params,
+    workspace: &mut Workspace,
+    impulses: &mut [Vec3],
+) -> Report {
+    match params.kind {
+        SolverKind::GaussSeidel => gauss_seidel::solve(problem, params, impulses),
+        SolverKind::Direct => augmented_lagrangian::solve(problem, params, workspace, impulses),
+        SolverKind::Auto => {
+            let first = gauss_seidel::solve(problem, params, impulses);
+            if first.converged {
+                return first;
+            }
+            let second = augmented_lagrangian::solve(problem, params, workspace, impulses);
+            first.then(second)
+        }
+    }
+}

@@ -1,0 +1,172 @@
+//! Broad phase: the pairs that may touch before the next rebuild.
+//!
+//! Spheres are sorted by the cell of a uniform grid; five runs of cells hold all forward neighbours of a
+//! sphere, and as cells are visited in order each run is a pair of advancing pointers. The list keeps every
+//! pair whose gap is below a skin, so it serves until something has moved by half of what the skin leaves.
+//! What is in the list never shows in results: the narrow phase takes from it the pairs within reach, in
+//! canonical order.
+
+use super::narrow_phase::Placement;
+use crate::Vec3;
+use crate::motion::Pose;
+
+/// Skin over the smallest radius when nothing moves.
+const SKIN: f64 = 0.1;
+/// Skin over the reach asked for: how many steps a list should serve in fast motion.
+const STEPS: f64 = 4.0;
+/// Most cells along an axis; the grid coarsens beyond.
+const CELLS: f64 = 1e6;
+
+/// Pairs with a gap below the skin when the list was built.
+#[derive(Debug, Clone, Default)]
+pub struct NeighborList {
+    skin: f64,
+    built_at: Vec<Vec3>,
+    built_poses: Vec<Pose>,
+    /// Sphere pairs `(i, j)`, `i < j`, ascending.
+    pub pairs: Vec<(u32, u32)>,
+    /// Spheres near boundaries `(sphere, boundary)`, ascending.
+    pub walls: Vec<(u32, u16)>,
+}
+
+impl NeighborList {
+    /// Makes sure that every pair with a gap of at most `reach` \[m\] in `now` is listed.
+    pub fn ensure(&mut self, now: &Placement, reach: f64) {
+        if self.built_at.len() != now.position.len() || self.moved(now) + reach > self.skin {
+            self.build(now, reach);
+        }
+    }
+
+    /// Bound of how much any gap can have shrunk since the list was built \[m\].
+    fn moved(&self, now: &Placement) -> f64 {
+        let spheres = self
+            .built_at
+            .iter()
+            .zip(now.position)
+            .map(|(then, now)| (now - then).norm_squared())
+            .fold(0.0, f64::max)
+            .sqrt();
+        // A rigid displacement is largest at a corner of the box around the spheres.
+        let corners = corners(now.position);
+        let walls = now
+            .boundaries
+            .iter()
+            .zip(self.built_poses.iter().zip(now.poses))
+            .filter(|(_, (then, now))| then != now)
+            .flat_map(|(boundary, (then, pose))| {
+                corners.map(|corner| {
+                    let x = boundary.to_frame(pose, corner);
+                    (boundary.from_frame(then, x) - corner).norm()
+                })
+            })
+            .fold(0.0, f64::max);
+        spheres + spheres.max(walls)
+    }
+
+    fn build(&mut self, now: &Placement, reach: f64) {
+        let smallest = now.particles.radius.iter().copied().fold(f64::INFINITY, f64::min);
+        self.skin = (SKIN * smallest).max(STEPS * reach);
+        self.built_at.clear();
+        self.built_at.extend_from_slice(now.position);
+        self.built_poses.clear();
+        self.built_poses.extend_from_slice(now.poses);
+        self.pairs = sphere_pairs(now.position, &now.particles.radius, self.skin);
+        self.walls.clear();
+        let mut touches = Vec::new();
+        for (i, (&centre, &radius)) in now.position.iter().zip(&now.particles.radius).enumerate() {
+            for (b, (boundary, pose)) in now.boundaries.iter().zip(now.poses).enumerate() {
+                touches.clear();
+                let centre = boundary.to_frame(pose, centre);
+                boundary.geometry.touches(centre, radius, self.skin, &mut touches);
+                if !touches.is_empty() {
+                    self.walls.push((i as u32, b as u16));
+                }
+            }
+        }
+    }
+}
+
+/// The corners of the box around `points`.
+fn corners(points: &[Vec3]) -> [Vec3; 8] {
+    let low = points.iter().fold(Vec3::repeat(f64::INFINITY), |a, p| a.inf(p));
+    let high = points.iter().fold(Vec3::repeat(f64::NEG_INFINITY), |a, p| a.sup(p));
+    std::array::from_fn(|k| {
+        Vec3::from_fn(|axis, _| if k >> axis & 1 == 0 { low[axis] } else { high[axis] })
+    })
+}
+
+/// All pairs `i < j` whose gap is below `skin` \[m\], ascending.
+#[must_use]
+pub fn sphere_pairs(position: &[Vec3], radius: &[f64], skin: f64) -> Vec<(u32, u32)> {
+    if position.is_empty() {
+        return Vec::new();
+    }
+    let [low, .., high] = corners(position);
+    let largest = radius.iter().copied().fold(0.0, f64::max);
+    let cell = (2.0 * largest + skin).max((high - low).max() / CELLS);
+    // One empty layer on either side keeps the runs of cells from wrapping around.
+    let index = |x: f64, low: f64| ((x - low) / cell) as i64 + 1;
+    let [nx, ny] = [0, 1].map(|k| index(high[k], low[k]) + 2);
+    let mut cells: Vec<(i64, u32)> = position
+        .iter()
+        .enumerate()
+        .map(|(i, p)| {
+            let [x, y, z] = std::array::from_fn(|k| index(p[k], low[k]));
+            ((z * ny + y) * nx + x, i as u32)
+        })
+        .collect();
+    cells.sort_unstable();
+
+    let mut pairs = Vec::new();
+    let mut test = |i: u32, j: u32| {
+        let [a, b] = [i as usize, j as usize];
+        let reach = radius[a] + radius[b] + skin;
+        if (position[a] - position[b]).norm_squared() < reach * reach {
+            pairs.push((i.min(j), i.max(j)));
+        }
+    };
+    // Rows of three cells ahead of the own one, as offsets of their middle.
+    let rows = [nx, nx * ny - nx, nx * ny, nx * ny + nx];
+    let mut starts = [0; 4];
+    for (rank, &(key, i)) in cells.iter().enumerate() {
+        for &(_, j) in cells[rank + 1..].iter().take_while(|(other, _)| *other <= key + 1) {
+            test(i, j);
+        }
+        for (start, offset) in starts.iter_mut().zip(rows) {
+            while *start < cells.len() && cells[*start].0 < key + offset - 1 {
+                *start += 1;
+            }
+            for &(_, j) in cells[*start..].iter().take_while(|(other, _)| *other <= key + offset + 1) {
+                test(i, j);
+            }
+        }
+    }
+    pairs.sort_unstable();
+    pairs
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn the_grid_finds_what_all_pairs_find(
+            spheres in prop::collection::vec((prop::array::uniform3(-3.0..3.0f64), 0.05..0.6f64), 0..60),
+            skin in 0.0..0.3f64,
+        ) {
+            let position: Vec<Vec3> = spheres.iter().map(|(p, _)| Vec3::from(*p)).collect();
+            let radius: Vec<f64> = spheres.iter().map(|(_, r)| *r).collect();
+            let mut expected = Vec::new();
+            for i in 0..position.len() {
+                for j in i + 1..position.len() {
+                    if (position[i] - position[j]).norm() < radius[i] + radius[j] + skin {
+                        expected.push((i as u32, j as u32));
+                    }
+                }
+            }
+            prop_assert_eq!(sphere_pairs(&position, &radius, skin), expected);
+        }
+    }
+}

@@ -1,0 +1,57 @@
+//! The Signorini-Coulomb law in augmented form: projections, pure functions.
+//!
+//! ```text
+//! p_n = max(0, p_n - s_n d_n)                        unilateral contact
+//! p_t = Proj_{|.| <= mu p_n}(p_t - s_t d_t)          Coulomb friction: open / stick / slip in one formula
+//! ```
+//!
+//! With a compliance `c` the gap is `d + c p`, and the fixed point is `max(0, (p - s d)/(1 + s c))`.
+//! `s > 0` is any scale: the fixed points do not depend on it. Source: Alart and Curnier (1991); the paper's
+//! eq 8 with the projection that print leaves out.
+
+use crate::Vec3;
+
+/// Projects a tangential vector on the disc of radius `r >= 0`.
+#[must_use]
+pub fn project_disc(y: Vec3, r: f64) -> Vec3 {
+    let length = y.norm();
+    if length <= r { y } else { y * (r / length) }
+}
+
+/// The part of `x` along the unit normal `n`, and the rest across it.
+#[must_use]
+pub fn split(x: Vec3, n: Vec3) -> (f64, Vec3) {
+    let along = n.dot(&x);
+    (along, x - n * along)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn vector() -> impl Strategy<Value = Vec3> {
+        prop::array::uniform3(-10.0..10.0f64).prop_map(Vec3::from)
+    }
+
+    proptest! {
+        #[test]
+        fn the_projection_is_idempotent_inside_and_nearest(y in vector(), z in vector(), r in 0.0..5.0f64) {
+            let p = project_disc(y, r);
+            prop_assert!(p.norm() <= r * (1.0 + 1e-15));
+            prop_assert!((project_disc(p, r) - p).norm() <= 1e-15 * (1.0 + r));
+            // No other point of the disc is nearer: (y - p).(q - p) <= 0 for all q in the disc.
+            let q = project_disc(z, r);
+            prop_assert!((y - p).dot(&(q - p)) <= 1e-12);
+        }
+
+        #[test]
+        fn split_is_orthogonal_and_complete(x in vector(), m in vector()) {
+            prop_assume!(m.norm() > 1e-3);
+            let n = m.normalize();
+            let (along, across) = split(x, n);
+            prop_assert!((n * along + across - x).norm() < 1e-13);
+            prop_assert!(across.dot(&n).abs() < 1e-12);
+        }
+    }
+}

@@ -1,0 +1,124 @@
+//! Narrow phase: gaps and normals of the pairs within reach, and the true gap after a motion.
+
+use super::broad_phase::NeighborList;
+use super::{Key, Partner};
+use crate::Vec3;
+use crate::boundaries::{Boundary, Touch};
+use crate::motion::Pose;
+use crate::particles::Particles;
+
+/// Where everything is at one instant.
+#[derive(Debug, Clone, Copy)]
+pub struct Placement<'a> {
+    /// The spheres.
+    pub particles: &'a Particles,
+    /// Their centres \[m\], `[N]`.
+    pub position: &'a [Vec3],
+    /// The boundaries, `[B]`.
+    pub boundaries: &'a [Boundary],
+    /// Their poses, `[B]`.
+    pub poses: &'a [Pose],
+}
+
+/// A pair within reach at the start of a step.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Candidate {
+    /// Identity.
+    pub key: Key,
+    /// Closest point on body B \[m\].
+    pub point: Vec3,
+    /// Unit normal from B to A.
+    pub normal: Vec3,
+    /// Gap \[m\].
+    pub gap: f64,
+    /// Largest curvature of the constant-gap surface of the pair \[1/m\].
+    pub curvature: f64,
+}
+
+impl Placement<'_> {
+    /// Radius of the smaller partner \[m\]: the scale of a pair's overlap.
+    #[must_use]
+    pub fn scale(&self, key: Key) -> f64 {
+        let radius = self.particles.radius[key.sphere as usize];
+        match key.partner {
+            Partner::Sphere(j) => radius.min(self.particles.radius[j as usize]),
+            Partner::Boundary { .. } => radius,
+        }
+    }
+
+    fn pair(&self, i: u32, j: u32) -> Candidate {
+        let [a, b] = [i as usize, j as usize];
+        let [ra, rb] = [a, b].map(|k| self.particles.radius[k]);
+        let distance = self.position[a] - self.position[b];
+        let length = distance.norm();
+        // Concentric centres have no normal: take a fixed one, so that the step goes on to resolve them.
+        let normal = if length > 0.0 { distance / length } else { Vec3::z() };
+        Candidate {
+            key: Key { sphere: i, partner: Partner::Sphere(j) },
+            point: self.position[b] + normal * rb,
+            normal,
+            gap: length - ra - rb,
+            curvature: 1.0 / (ra + rb),
+        }
+    }
+
+    fn wall(&self, sphere: u32, boundary: u16, touch: &Touch) -> Candidate {
+        let b = usize::from(boundary);
+        let pose = &self.poses[b];
+        Candidate {
+            key: Key {
+                sphere,
+                partner: Partner::Boundary { boundary, feature: touch.feature },
+            },
+            point: self.boundaries[b].from_frame(pose, touch.point),
+            normal: pose.rotation * touch.normal,
+            gap: touch.gap,
+            curvature: touch.curvature,
+        }
+    }
+
+    /// The pair of `candidate`, seen at this placement: the same feature, the same side.
+    #[must_use]
+    pub fn follow(&self, candidate: &Candidate) -> Candidate {
+        let i = candidate.key.sphere;
+        match candidate.key.partner {
+            Partner::Sphere(j) => self.pair(i, j),
+            Partner::Boundary { boundary, feature } => {
+                let b = usize::from(boundary);
+                let (wall, pose) = (&self.boundaries[b], &self.poses[b]);
+                let normal = pose.rotation.inverse() * candidate.normal;
+                let centre = wall.to_frame(pose, self.position[i as usize]);
+                let radius = self.particles.radius[i as usize];
+                let touch = wall.geometry.follow(feature, normal, centre, radius);
+                self.wall(i, boundary, &touch)
+            }
+        }
+    }
+
+    /// Every pair of `list` whose gap is at most `reach(key)` \[m\], in canonical order.
+    pub fn candidates(
+        &self,
+        list: &NeighborList,
+        reach_pair: impl Fn(u32, u32) -> f64,
+        reach_wall: impl Fn(u32, u16) -> f64,
+    ) -> Vec<Candidate> {
+        let mut found = Vec::new();
+        for &(i, j) in &list.pairs {
+            let pair = self.pair(i, j);
+            if pair.gap <= reach_pair(i, j) {
+                found.push(pair);
+            }
+        }
+        let mut touches = Vec::new();
+        for &(i, b) in &list.walls {
+            let (wall, pose) = (&self.boundaries[usize::from(b)], &self.poses[usize::from(b)]);
+            let centre = wall.to_frame(pose, self.position[i as usize]);
+            let radius = self.particles.radius[i as usize];
+            touches.clear();
+            wall.geometry.touches(centre, radius, reach_wall(i, b), &mut touches);
+            found.extend(touches.iter().map(|touch| self.wall(i, b, touch)));
+        }
+        found.sort_unstable_by_key(|candidate| candidate.key);
+        found
+    }
+}

@@ -1,0 +1,211 @@
+//! From bodies and contacts to algebra: the only place that reads particles and contacts and writes a
+//! [`Problem`].
+//!
+//! Terms of the paper's potential energy (eq 6) and where they are:
+//!
+//! | term | here |
+//! |---|---|
+//! | inertia | `inverse_mass`, `free` |
+//! | body force, point load | `free`, by the external acceleration |
+//! | constrained spring | a bilateral row of compliance `1/(P_c dt^2)` and bias `(x - target)/dt` |
+//! | normal contact, shear contact, friction | a contact row |
+//! | elastic strain, initial stress | vanish: the spheres are rigid |
+//!
+//! A contact that approaches faster than the threshold velocity and whose free motion closes the gap is an
+//! impact: `n.u1 >= -e n.u^-`. Every other candidate carries `n.u1 >= -g/dt`. With `e = 0` an impact keeps the
+//! gap constraint: it lands on the surface instead of stopping above it.
+
+use super::{Dof6, GROUND, Law, Problem, Row};
+use crate::Vec3;
+use crate::contacts::Partner;
+use crate::contacts::law::split;
+use crate::contacts::narrow_phase::Candidate;
+use crate::materials::Pair;
+use crate::motion::{Pose, Twist};
+use crate::particles::Kinematics;
+use crate::scene::{Method, Scene};
+use crate::solver::augmented_lagrangian::SHEAR_RATIO;
+
+/// What a step's problem is made from.
+#[derive(Debug, Clone, Copy)]
+pub struct Inputs<'a> {
+    /// The scene.
+    pub scene: &'a Scene,
+    /// State at the start; velocities already match `step`.
+    pub kinematics: &'a Kinematics,
+    /// External acceleration, `[N]`.
+    pub external: &'a [Dof6],
+    /// Time step \[s\].
+    pub step: f64,
+    /// Boundary poses at the start and at the end, `[B]`.
+    pub poses: [&'a [Pose]; 2],
+    /// Boundary twists over the previous step, `[B]`.
+    pub twists: &'a [Twist],
+    /// Gravity \[m/s^2\].
+    pub gravity: Vec3,
+    /// Spring targets at the end of the step \[m\], `[S]`.
+    pub targets: &'a [Vec3],
+}
+
+impl Inputs<'_> {
+    /// The problem without rows: free velocities and inverse masses.
+    #[must_use]
+    pub fn bodies(&self) -> Problem {
+        let integrator = self.scene.settings.integrator;
+        let n = self.kinematics.len();
+        let free = (0..n)
+            .map(|i| integrator.free(&self.velocity(i), &self.external[i], self.step))
+            .collect();
+        let inverse_mass = (0..n)
+            .map(|i| Dof6 {
+                linear: self.scene.particles.inverse_mass(i) * integrator.mobility(),
+                angular: self.scene.particles.inverse_inertia(i) * integrator.mobility(),
+            })
+            .collect();
+        Problem { step: self.step, free, inverse_mass, rows: Vec::new() }
+    }
+
+    fn velocity(&self, i: usize) -> Dof6 {
+        Dof6 {
+            linear: self.kinematics.velocity[i],
+            angular: self.kinematics.spin[i],
+        }
+    }
+
+    /// Velocity of a boundary's material point at `x` \[m\], over this step and over the previous one.
+    fn wall_velocity(&self, boundary: usize, x: Vec3) -> [Vec3; 2] {
+        let wall = &self.scene.boundaries[boundary];
+        let [start, end] = self.poses.map(|poses| &poses[boundary]);
+        let now = if start == end {
+            Vec3::zeros()
+        } else {
+            (wall.from_frame(end, wall.to_frame(start, x)) - x) / self.step
+        };
+        let twist = &self.twists[boundary];
+        let pivot = wall.point_of_action + start.translation;
+        [now, twist.linear + twist.angular.cross(&(x - pivot))]
+    }
+
+    /// The row of a candidate, and whether it is an impact. `force` \[N\] is the contact's last one.
+    #[must_use]
+    pub fn contact(&self, free: &[Dof6], candidate: &Candidate, force: Vec3) -> (Row, bool) {
+        let (scene, settings) = (self.scene, &self.scene.settings);
+        let particles = &scene.particles;
+        let a = candidate.key.sphere as usize;
+        let n = candidate.normal;
+        let arm_a = n * -particles.radius[a];
+        let mut row = Row {
+            a: a as u32,
+            b: GROUND,
+            normal: n,
+            arm_a,
+            arm_b: Vec3::zeros(),
+            drift: Vec3::zeros(),
+            bias: Vec3::zeros(),
+            compliance_n: 0.0,
+            compliance_t: 0.0,
+            law: Law::Contact { mu: 0.0 },
+            radius: particles.radius[a],
+            impulse_scale: 0.0,
+        };
+        let mut before = self.velocity(a).at(arm_a);
+        let mut acceleration = self.gravity.norm();
+        acceleration = acceleration.max(self.external[a].linear.norm());
+        let mut lightest = particles.mass[a];
+        let mut stiffness = None;
+        let material_b = match candidate.key.partner {
+            Partner::Sphere(j) => {
+                let b = j as usize;
+                row.b = j;
+                row.arm_b = n * particles.radius[b];
+                row.radius = row.radius.min(particles.radius[b]);
+                before -= self.velocity(b).at(row.arm_b);
+                acceleration = acceleration.max(self.external[b].linear.norm());
+                lightest = lightest.min(particles.mass[b]);
+                particles.material[b]
+            }
+            Partner::Boundary { boundary, .. } => {
+                let boundary = usize::from(boundary);
+                let [now, previous] =
+                    self.wall_velocity(boundary, self.kinematics.position[a] + arm_a);
+                row.drift = -now;
+                before -= previous;
+                acceleration = acceleration.max((now - previous).norm() / self.step);
+                stiffness = scene.boundaries[boundary].stiffness;
+                scene.boundaries[boundary].material
+            }
+        };
+        let Pair { friction, restitution } = scene.pairs.get(particles.material[a], material_b);
+        row.law = Law::Contact { mu: friction };
+        let (approach, sliding) = split(before, n);
+        acceleration = acceleration.max(sliding.norm_squared() * candidate.curvature);
+        let threshold = settings.threshold_velocity.max(2.0 * self.step * acceleration);
+        let closes = candidate.gap + self.step * n.dot(&row.relative_velocity(free)) < 0.0;
+        let impact = approach < -threshold && closes;
+        let rebounds = impact
+            && restitution > 0.0
+            && settings.integrator == crate::scene::Integrator::Moreau;
+        let normal_bias = if rebounds { restitution * approach } else { candidate.gap / self.step };
+        row.bias = n * normal_bias;
+        row.impulse_scale = lightest * acceleration * self.step;
+
+        let dt2 = self.step * self.step;
+        if let (Method::Penalty, Some(penalty)) = (settings.method, settings.penalty) {
+            row.compliance_n = 1.0 / (penalty * dt2);
+            row.compliance_t = 1.0 / (SHEAR_RATIO * penalty * dt2);
+            row.bias = n * (candidate.gap / self.step);
+            // The shear spring keeps the stretch that carried the last force.
+            row.bias -= split(force * self.step, n).1 * row.compliance_t;
+        } else if let Some(stiffness) = stiffness {
+            row.compliance_n = 1.0 / (stiffness * dt2);
+        }
+        (row, impact)
+    }
+
+    /// The row of constrained point `s`.
+    #[must_use]
+    pub fn spring(&self, s: usize) -> Row {
+        let spring = &self.scene.springs[s];
+        let i = spring.sphere;
+        let arm = self.kinematics.orientation[i] * spring.arm;
+        let compliance = 1.0 / (spring.stiffness * self.step * self.step);
+        let stretch = self.kinematics.position[i] + arm - self.targets[s];
+        Row {
+            a: i as u32,
+            b: GROUND,
+            normal: Vec3::z(),
+            arm_a: arm,
+            arm_b: Vec3::zeros(),
+            drift: Vec3::zeros(),
+            bias: stretch / self.step,
+            compliance_n: compliance,
+            compliance_t: compliance,
+            law: Law::Bilateral,
+            radius: self.scene.particles.radius[i],
+            impulse_scale: self.scene.particles.mass[i]
+                * self.external[i].linear.norm()
+                * self.step,
+        }
+    }
+}
+
+/// External acceleration of every sphere: gravity and point loads, `[N]`; zero where locked.
+#[must_use]
+pub fn external_acceleration(scene: &Scene, kinematics: &Kinematics, gravity: Vec3) -> Vec<Dof6> {
+    let particles = &scene.particles;
+    let mut external: Vec<Dof6> = (0..particles.len())
+        .map(|i| Dof6 {
+            linear: particles.inverse_mass(i).component_mul(&(gravity * particles.mass[i])),
+            angular: Vec3::zeros(),
+        })
+        .collect();
+    for load in &scene.loads {
+        let i = load.sphere;
+        let w = Dof6 {
+            linear: particles.inverse_mass(i),
+            angular: particles.inverse_inertia(i),
+        };
+        external[i].kick(&w, load.force, kinematics.orientation[i] * load.arm);
+    }
+    external
+}

@@ -1,0 +1,356 @@
+//! The paper's solver: augmented-Lagrangian outer loop, open-close iterations on `K D = F` inside.
+//!
+//! For multipliers `p` held, the velocities `v` of the step minimise (paper eqs 6, 13, in velocities and
+//! impulses: `sigma = P dt^2`, `A = W^-1`)
+//!
+//! ```text
+//! 1/2 (v - v_free)^T A (v - v_free) + sum_c s_c/2 |p^_c(v)|^2-like envelope of
+//! p^_n = max(0, (p_n - sigma (u_n + b_n)) / (1 + sigma c_n))          open / closed
+//! p^_t = Proj_{mu p_n}((p_t - sigma_t (u_t + b_t)) / (1 + sigma_t c_t))   stick / slip
+//! ```
+//!
+//! Each open-close iteration solves `K dv = F` with `K = A + J^T diag(dp^/du) J` (paper eqs 19-24 with the
+//! signs put right) by sparse Cholesky. The friction disc's radius is that of the last iterate (Tresca), so `K`
+//! stays symmetric and the inner problem convex; a line search on its energy makes the open-close iteration
+//! safe. The multiplier update is `p <- p^` (paper eq 8 with the projection). The penalty is raised when an
+//! update gains too little, and only after the inner problem has converged (Mijar and Arora 2004).
+
+use std::sync::Arc;
+
+use nalgebra::{Matrix3, Matrix6};
+
+use super::residual::{Scale, evaluate};
+use super::{Params, Report};
+use crate::Vec3;
+use crate::contacts::law::{project_disc, split};
+use crate::linalg::{BlockMatrix, BlockPattern, LinearError, Symbolic};
+use crate::problem::{Dof6, GROUND, Law, Problem, Row};
+
+/// Shear penalty over normal penalty, `P_t = P_n / 2.5` (Shi's constant).
+pub const SHEAR_RATIO: f64 = 0.4;
+/// Most open-close iterations for one multiplier update.
+const OPEN_CLOSE: usize = 40;
+/// An update that leaves more than this share of the residual asks for a larger penalty.
+const GAIN: f64 = 0.25;
+/// Factor of a penalty increase.
+const RAISE: f64 = 8.0;
+/// Largest penalty over the mass scale `m/dt^2`: beyond it the factor loses the digits the tolerance needs.
+const CEILING: f64 = 1e9;
+
+/// What is kept between solves: the symbolic analysis, while the contact pattern stays.
+#[derive(Debug, Default)]
+pub struct Workspace {
+    symbolic: Option<Symbolic>,
+}
+
+impl Workspace {
+    /// The analysis of `pattern`, reused if it is the last one's.
+    fn analyse(&mut self, pattern: BlockPattern) -> Result<&Symbolic, LinearError> {
+        let reuse = self
+            .symbolic
+            .as_ref()
+            .is_some_and(|s| **s.pattern() == pattern);
+        if !reuse {
+            self.symbolic = None;
+        }
+        match &mut self.symbolic {
+            Some(symbolic) => Ok(symbolic),
+            empty => Ok(empty.insert(Symbolic::new(&Arc::new(pattern))?)),
+        }
+    }
+}
+
+/// One row's augmented multiplier at a velocity: value, tangent and energy.
+struct Augmented {
+    /// `p^` \[N s\].
+    impulse: Vec3,
+    /// `-d p^ / d u`, symmetric \[kg\].
+    tangent: Matrix3<f64>,
+    /// Its share of the inner energy \[J\].
+    energy: f64,
+}
+
+/// Evaluates a row for multipliers `p`, penalty `sigma` \[kg\] and friction radius `mu p_n` at velocity `u`.
+fn augmented(row: &Row, u: Vec3, p: Vec3, sigma: f64, radius: f64) -> Augmented {
+    let n = row.normal;
+    let (d_n, d_t) = split(u + row.bias, n);
+    let (p_n, p_t) = split(p, n);
+    // 1/sigma is the multiplier's own compliance; infinite sigma leaves the contact spring alone.
+    let soft_n = 1.0 / sigma;
+    let soft_t = soft_n / SHEAR_RATIO;
+    let stiff_n = 1.0 / (soft_n + row.compliance_n);
+    let stiff_t = 1.0 / (soft_t + row.compliance_t);
+    let y_n = (p_n * soft_n - d_n) * stiff_n;
+    let y_t = (p_t * soft_t - d_t) * stiff_t;
+    let nn = n * n.transpose();
+    let across = Matrix3::identity() - nn;
+    let (q_n, t_n, q_t, t_t, e_t) = match row.law {
+        Law::Bilateral => (y_n, stiff_n, y_t, across * stiff_t, 0.5 * y_t.norm_squared()),
+        Law::Contact { .. } => {
+            let (q_n, t_n) = if y_n > 0.0 { (y_n, stiff_n) } else { (0.0, 0.0) };
+            let length = y_t.norm();
+            if length <= radius {
+                (q_n, t_n, y_t, across * stiff_t, 0.5 * length * length)
+            } else {
+                let along = y_t / length;
+                let turn = (across - along * along.transpose()) * (stiff_t * radius / length);
+                let energy = radius * length - 0.5 * radius * radius;
+                (q_n, t_n, project_disc(y_t, radius), turn, energy)
+            }
+        }
+    };
+    Augmented {
+        impulse: n * q_n + q_t,
+        tangent: nn * t_n + t_t,
+        energy: 0.5 * q_n * q_n / stiff_n + e_t / stiff_t,
+    }
+}
+
+/// `d(u)/d(v)` of body A: `[1, -[arm]x]`, with locked degrees of freedom taken out.
+fn jacobian(arm: Vec3, inverse_mass: &Dof6) -> nalgebra::Matrix3x6<f64> {
+    let mut j = nalgebra::Matrix3x6::zeros();
+    j.fixed_view_mut::<3, 3>(0, 0).copy_from(&Matrix3::identity());
+    j.fixed_view_mut::<3, 3>(0, 3).copy_from(&-arm.cross_matrix());
+    for k in 0..3 {
+        if inverse_mass.linear[k] == 0.0 {
+            j.column_mut(k).fill(0.0);
+        }
+        if inverse_mass.angular[k] == 0.0 {
+            j.column_mut(k + 3).fill(0.0);
+        }
+    }
+    j
+}
+
+/// Mass of each degree of freedom; one where it is locked, so that `K` stays regular.
+fn masses(inverse_mass: &Dof6) -> [f64; 6] {
+    let w = [inverse_mass.linear, inverse_mass.angular];
+    std::array::from_fn(|k| {
+        let w = w[k / 3][k % 3];
+        if w > 0.0 { 1.0 / w } else { 1.0 }
+    })
+}
+
+/// The inner problem: everything that does not change during one solve.
+struct Inner<'a> {
+    problem: &'a Problem,
+    masses: Vec<[f64; 6]>,
+}
+
+impl Inner<'_> {
+    /// Energy \[J\] and out-of-balance impulse `A (v - v_free) - J^T p^` \[N s\], `[6 N]`, at `velocity`.
+    fn balance(&self, velocity: &[Dof6], rows: &[Augmented]) -> (f64, Vec<f64>) {
+        let mut energy = 0.0;
+        let mut gradient = vec![0.0; 6 * velocity.len()];
+        for (i, (v, free)) in velocity.iter().zip(&self.problem.free).enumerate() {
+            let difference = [v.linear - free.linear, v.angular - free.angular];
+            for k in 0..6 {
+                let d = difference[k / 3][k % 3];
+                energy += 0.5 * self.masses[i][k] * d * d;
+                gradient[6 * i + k] = self.masses[i][k] * d;
+            }
+        }
+        for (row, augmented) in self.problem.rows.iter().zip(rows) {
+            energy += augmented.energy;
+            let p = augmented.impulse;
+            self.scatter(&mut gradient, row.a, row.arm_a, -p);
+            if row.b != GROUND {
+                self.scatter(&mut gradient, row.b, row.arm_b, p);
+            }
+        }
+        (energy, gradient)
+    }
+
+    /// Adds an impulse at `arm` of a body to `gradient`; locked degrees of freedom do not feel it.
+    fn scatter(&self, gradient: &mut [f64], body: u32, arm: Vec3, impulse: Vec3) {
+        let body = body as usize;
+        let w = &self.problem.inverse_mass[body];
+        let moment = arm.cross(&impulse);
+        for k in 0..3 {
+            if w.linear[k] > 0.0 {
+                gradient[6 * body + k] += impulse[k];
+            }
+            if w.angular[k] > 0.0 {
+                gradient[6 * body + 3 + k] += moment[k];
+            }
+        }
+    }
+
+    /// Assembles `K = A + J^T T J` from 6x6 blocks.
+    fn assemble(&self, matrix: &mut BlockMatrix, rows: &[Augmented]) {
+        matrix.clear();
+        for (i, mass) in self.masses.iter().enumerate() {
+            matrix.add(i, i, &Matrix6::from_diagonal(&(*mass).into()));
+        }
+        for (row, augmented) in self.problem.rows.iter().zip(rows) {
+            let w = &self.problem.inverse_mass;
+            let a = row.a as usize;
+            let h = jacobian(row.arm_a, &w[a]);
+            let th = augmented.tangent * h;
+            matrix.add(a, a, &(h.transpose() * th));
+            if row.b != GROUND {
+                let b = row.b as usize;
+                let q = jacobian(row.arm_b, &w[b]);
+                matrix.add(b, b, &(q.transpose() * augmented.tangent * q));
+                matrix.add(b, a, &(-q.transpose() * th));
+            }
+        }
+    }
+}
+
+/// `velocity + scale * step`.
+fn moved(velocity: &[Dof6], step: &[f64], scale: f64) -> Vec<Dof6> {
+    let part = |i: usize| Vec3::new(step[i], step[i + 1], step[i + 2]) * scale;
+    velocity
+        .iter()
+        .enumerate()
+        .map(|(i, v)| Dof6 {
+            linear: v.linear + part(6 * i),
+            angular: v.angular + part(6 * i + 3),
+        })
+        .collect()
+}
+
+/// Solves `problem` from the impulses given; see [`super::solve`].
+pub fn solve(
+    problem: &Problem,
+    params: &Params,
+    workspace: &mut Workspace,
+    impulses: &mut [Vec3],
+) -> Report {
+    let scales = Scale::of(problem);
+    let mut report = Report {
+        residual: evaluate(problem, &scales, impulses),
+        penalty: params.penalty,
+        ..Report::default()
+    };
+    // A failed factorization leaves the residual above its tolerance: the verdict below tells.
+    let _ = outer_loop(problem, params, workspace, impulses, &scales, &mut report);
+    report.residual = evaluate(problem, &scales, impulses);
+    report.converged = report.residual.within(&params.tolerance);
+    report
+}
+
+/// The augmented-Lagrangian loop; returns at convergence or when the work allowed is spent.
+fn outer_loop(
+    problem: &Problem,
+    params: &Params,
+    workspace: &mut Workspace,
+    impulses: &mut [Vec3],
+    scales: &[Scale],
+    report: &mut Report,
+) -> Result<(), LinearError> {
+    let pairs = problem
+        .rows
+        .iter()
+        .filter(|row| row.b != GROUND)
+        .map(|row| (row.a, row.b));
+    let pattern = BlockPattern::new(problem.free.len(), pairs);
+    let symbolic = workspace.analyse(pattern)?;
+    let mut matrix = BlockMatrix::zeros(Arc::clone(symbolic.pattern()));
+    let inner = Inner {
+        problem,
+        masses: problem.inverse_mass.iter().map(masses).collect(),
+    };
+    let heaviest = inner.masses.iter().map(|m| m[0]).fold(0.0, f64::max);
+    let dt2 = problem.step * problem.step;
+    let mut velocity = problem.velocities(impulses);
+
+    while !report.residual.within(&params.tolerance)
+        && report.factorizations < params.max_factorizations
+    {
+        let sigma = report.penalty * dt2;
+        // The friction discs follow the normal impulse within the inner loop, between its iterations.
+        let mut radii: Vec<f64> = problem
+            .rows
+            .iter()
+            .zip(&*impulses)
+            .map(|(row, p)| friction_radius(row, *p))
+            .collect();
+        let evaluate_rows = |velocity: &[Dof6], radii: &[f64], impulses: &[Vec3]| -> Vec<Augmented> {
+            problem
+                .rows
+                .iter()
+                .zip(impulses)
+                .zip(radii)
+                .map(|((row, &p), &r)| augmented(row, row.relative_velocity(velocity), p, sigma, r))
+                .collect()
+        };
+        let mut settled = false;
+        for _ in 0..OPEN_CLOSE {
+            let rows = evaluate_rows(&velocity, &radii, impulses);
+            for ((radius, row), current) in radii.iter_mut().zip(&problem.rows).zip(&rows) {
+                *radius = friction_radius(row, current.impulse);
+            }
+            let rows = evaluate_rows(&velocity, &radii, impulses);
+            let (energy, mut step) = inner.balance(&velocity, &rows);
+            let size = step.iter().map(|x| x * x).sum::<f64>();
+            inner.assemble(&mut matrix, &rows);
+            let factor = symbolic.factorize(&matrix)?;
+            report.factorizations += 1;
+            let gradient = step.clone();
+            for x in &mut step {
+                *x = -*x;
+            }
+            factor.solve(&mut step);
+            let slope: f64 = gradient.iter().zip(&step).map(|(g, s)| g * s).sum();
+            let mut scale = 1.0;
+            loop {
+                let trial = moved(&velocity, &step, scale);
+                let rows = evaluate_rows(&trial, &radii, impulses);
+                let (trial_energy, _) = inner.balance(&trial, &rows);
+                if trial_energy <= energy + 1e-4 * scale * slope + 1e-13 * energy.abs()
+                    || scale < 1e-3
+                {
+                    velocity = trial;
+                    break;
+                }
+                scale *= 0.5;
+            }
+            let largest = motion(problem, &step) * scale;
+            let small = 0.1 * params.tolerance.gap.min(params.tolerance.slip);
+            if largest <= small || size == 0.0 {
+                settled = true;
+                break;
+            }
+            if report.factorizations >= params.max_factorizations {
+                break;
+            }
+        }
+        let rows = evaluate_rows(&velocity, &radii, impulses);
+        for (p, row) in impulses.iter_mut().zip(&rows) {
+            *p = row.impulse;
+        }
+        report.augmentations += 1;
+        let before = report.residual;
+        report.residual = evaluate(problem, scales, impulses);
+        let gained = report.residual.gap <= GAIN * before.gap
+            && report.residual.slip <= GAIN * before.slip
+            && report.residual.force <= GAIN * before.force;
+        if params.adapt_penalty && settled && !gained {
+            report.penalty = (report.penalty * RAISE).min(CEILING * heaviest / dt2);
+        }
+    }
+    Ok(())
+}
+
+/// `mu p_n` of a contact; a bilateral row has no disc.
+fn friction_radius(row: &Row, p: Vec3) -> f64 {
+    match row.law {
+        Law::Contact { mu } => mu * p.dot(&row.normal).max(0.0),
+        Law::Bilateral => f64::INFINITY,
+    }
+}
+
+/// Largest change of a row's relative displacement over its radius for a velocity change \[-\].
+fn motion(problem: &Problem, step: &[f64]) -> f64 {
+    let zero = vec![Dof6::ZERO; problem.free.len()];
+    let change = moved(&zero, step, 1.0);
+    problem
+        .rows
+        .iter()
+        .map(|row| {
+            (row.relative_velocity(&change) - row.drift).norm() * problem.step / row.radius
+        })
+        .fold(0.0, f64::max)
+}

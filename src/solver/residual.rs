@@ -1,0 +1,139 @@
+//! The residual that judges every solver.
+//!
+//! For each row the natural map of its law, with the row's own operator `w` as scale:
+//!
+//! ```text
+//! r_n = p_n - max(0, p_n - d_n/w_n),  d_n = u_n + b_n + c_n p_n
+//! r_t = p_t - Proj_{mu p_n}(p_t - d_t/w_t),  d_t = u_t + b_t + c_t p_t
+//! gap   = |r_n| w_n dt / R      an overlap, or a gap under load, over the smaller radius [-]
+//! slip  = |r_t| w_t dt / R      slip distance of a sticking contact over the smaller radius [-]
+//! force = |r| / max(|p|, m_min |a_f| dt)                                                  [-]
+//! ```
+//!
+//! It vanishes exactly at a solution. Velocities are those of the impulses, never a solver's own.
+
+use crate::Vec3;
+use crate::contacts::law::{project_disc, split};
+use crate::problem::{Law, Problem, Row};
+use crate::scene::Tolerance;
+
+/// Largest residual of each kind \[-\], and the rows where they occur.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Residual {
+    /// Gap residual.
+    pub gap: f64,
+    /// Slip residual.
+    pub slip: f64,
+    /// Force residual.
+    pub force: f64,
+    /// Row of the largest gap, slip and force residual.
+    pub worst: [usize; 3],
+}
+
+impl Residual {
+    /// Whether each kind is within its tolerance. NaN is not.
+    #[must_use]
+    pub fn within(&self, tolerance: &Tolerance) -> bool {
+        self.gap <= tolerance.gap && self.slip <= tolerance.slip && self.force <= tolerance.force
+    }
+
+    /// Takes row `index`'s residuals into the maxima.
+    pub(super) fn include(&mut self, index: usize, values: [f64; 3]) {
+        let maxima = [&mut self.gap, &mut self.slip, &mut self.force];
+        for ((maximum, value), worst) in maxima.into_iter().zip(values).zip(&mut self.worst) {
+            // `!(<=)` lets a NaN through to the verdict.
+            if !(value <= *maximum) {
+                *maximum = value;
+                *worst = index;
+            }
+        }
+    }
+}
+
+/// A row's operator with its compliance, the scale of its multiplier update \[1/kg\].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Scale {
+    /// `w_n + c_n`.
+    pub normal: f64,
+    /// `w_t + c_t`.
+    pub tangential: f64,
+}
+
+impl Scale {
+    /// The scales of all rows, `[C]`.
+    #[must_use]
+    pub fn of(problem: &Problem) -> Vec<Self> {
+        let scale = |row: &Row| {
+            let (normal, tangential) = row.delassus(&problem.inverse_mass);
+            Self {
+                normal: normal + row.compliance_n,
+                tangential: tangential + row.compliance_t,
+            }
+        };
+        problem.rows.iter().map(scale).collect()
+    }
+
+    /// Change of the row's impulse by its law at relative velocity `u` and impulse `p`: normal first, then
+    /// tangential on the disc of the updated normal impulse. Zero at a solution.
+    ///
+    /// A row that nothing can move (`w = 0`) keeps its impulse.
+    #[must_use]
+    pub fn correction(&self, row: &Row, u: Vec3, p: Vec3) -> Correction {
+        let n = row.normal;
+        let (u_n, u_t) = split(u + row.bias, n);
+        let (p_n, p_t) = split(p, n);
+        let d_n = u_n + row.compliance_n * p_n;
+        let d_t = u_t + p_t * row.compliance_t;
+        let free_n = if self.normal > 0.0 { p_n - d_n / self.normal } else { p_n };
+        let free_t = if self.tangential > 0.0 { p_t - d_t / self.tangential } else { p_t };
+        let (new_n, new_t) = match row.law {
+            Law::Contact { mu } => {
+                let new_n = free_n.max(0.0);
+                (new_n, project_disc(free_t, mu * new_n))
+            }
+            Law::Bilateral => (free_n, free_t),
+        };
+        Correction {
+            normal: new_n - p_n,
+            tangential: new_t - p_t,
+            magnitude: (new_n * new_n + new_t.norm_squared()).sqrt(),
+        }
+    }
+
+    /// The three dimensionless residuals of a row whose impulse is off by `correction`.
+    #[must_use]
+    pub fn residuals(&self, row: &Row, step: f64, correction: &Correction) -> [f64; 3] {
+        let tangential = correction.tangential.norm();
+        let normal = correction.normal.abs();
+        let force = (normal * normal + tangential * tangential).sqrt();
+        let length = step / row.radius;
+        [
+            normal * self.normal * length,
+            tangential * self.tangential * length,
+            force / correction.magnitude.max(row.impulse_scale).max(f64::MIN_POSITIVE),
+        ]
+    }
+}
+
+/// How far a row's impulse is from its law \[N s\].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Correction {
+    /// Along the normal.
+    pub normal: f64,
+    /// Across it.
+    pub tangential: Vec3,
+    /// Size of the corrected impulse.
+    pub magnitude: f64,
+}
+
+/// The residual of `impulses`, `[C]`.
+#[must_use]
+pub fn evaluate(problem: &Problem, scales: &[Scale], impulses: &[Vec3]) -> Residual {
+    let velocity = problem.velocities(impulses);
+    let mut residual = Residual::default();
+    for (index, ((row, scale), &p)) in problem.rows.iter().zip(scales).zip(impulses).enumerate() {
+        let correction = scale.correction(row, row.relative_velocity(&velocity), p);
+        residual.include(index, scale.residuals(row, problem.step, &correction));
+    }
+    residual
+}
