@@ -238,10 +238,7 @@ impl Surface {
             .points
             .iter()
             .zip(&self.owner)
-            .map(|(x0, &b)| {
-                let pose = of(b).pose;
-                pivot(b) + pose.translation + pose.rotation * (x0 - pivot(b))
-            })
+            .map(|(x0, &b)| state.scene.boundaries[usize::from(b)].from_frame(&of(b).pose, *x0))
             .collect();
         let velocity: Vec<Vec3> = points
             .iter()

@@ -9,12 +9,13 @@
 //! | `sensor.NAME [kg]` | mass in the box |
 //! | `sensor.NAME.mass [kg]`, `sensor.NAME.rate [kg/s]` | cumulated mass, mean flow over the communication step |
 //! | `boundary.NAME.averageForce[k] [N]`, `.averageTorque[k] [N m]` | contact wrench on the boundary about its point of action, mean over the communication step; k = 1, 2, 3 |
-//! | `kineticEnergy [J]`, `potentialEnergy [J]`, `dissipatedEnergy [J]` | see [`super::energy`] |
+//! | `kineticEnergy [J]`, `potentialEnergy [J]` | see [`super::energy`] |
+//! | `dissipatedEnergy [J]`, `boundaryWork [J]`, `loadWork [J]`, `springWork [J]` | since t = 0, see [`crate::state::Work`] |
 //! | `momentum[k] [N s]`, `angularMomentum[k] [N m s]` | half-step velocities, about the origin |
 //! | `contactCount [-]` | contacts that carry a force or overlap |
 //! | `maxOverlap [-]` | largest overlap over the smaller radius at the end of any internal step of the communication step |
 //! | `solver.internalSteps`, `.cuts`, `.sweeps`, `.augmentations`, `.factorizations` `[-]` | cost of the communication step |
-//! | `solver.slipResidual [-]`, `solver.forceResidual [-]` | largest residuals |
+//! | `solver.gapResidual [-]`, `solver.slipResidual [-]`, `solver.forceResidual [-]` | largest residuals |
 
 use std::fs::File;
 use std::io::{Seek, SeekFrom, Write};
@@ -49,9 +50,15 @@ pub fn columns(scene: &Scene) -> Vec<String> {
         vector(&mut names, &format!("boundary.{name}.averageForce"), "N");
         vector(&mut names, &format!("boundary.{name}.averageTorque"), "N m");
     }
-    for energy in ["kinetic", "potential", "dissipated"] {
-        names.push(format!("{energy}Energy [J]"));
-    }
+    let energies = [
+        "kineticEnergy",
+        "potentialEnergy",
+        "dissipatedEnergy",
+        "boundaryWork",
+        "loadWork",
+        "springWork",
+    ];
+    names.extend(energies.map(|name| format!("{name} [J]")));
     vector(&mut names, "momentum", "N s");
     vector(&mut names, "angularMomentum", "N m s");
     names.extend(
@@ -63,6 +70,7 @@ pub fn columns(scene: &Scene) -> Vec<String> {
             "solver.sweeps",
             "solver.augmentations",
             "solver.factorizations",
+            "solver.gapResidual",
             "solver.slipResidual",
             "solver.forceResidual",
         ]
@@ -76,13 +84,13 @@ pub fn columns(scene: &Scene) -> Vec<String> {
 pub fn row(state: &Observation) -> Vec<f64> {
     let mut values = vec![state.time];
     let vector = |values: &mut Vec<f64>, v: Vec3| values.extend_from_slice(v.as_slice());
-    for (sensor, flow) in state.scene.sensors.iter().zip(&state.flows) {
+    for (s, sensor) in state.scene.sensors.iter().enumerate() {
         match sensor.measure {
             Measure::MassInBox { min, max } => {
                 let centre = &state.kinematics.position;
                 values.push(mass_in_box(&state.scene.particles, centre, min, max));
             }
-            Measure::MassFlow { .. } => values.extend([flow.mass, flow.rate]),
+            Measure::MassFlow { .. } => values.extend([state.passed[s], state.flow[s]]),
         }
     }
     for boundary in &state.boundaries {
@@ -90,7 +98,9 @@ pub fn row(state: &Observation) -> Vec<f64> {
         vector(&mut values, boundary.mean_wrench.torque);
     }
     let energy = Energy::of(state);
-    values.extend([energy.kinetic(), energy.potential(), state.dissipated]);
+    let work = &state.work;
+    values.extend([energy.kinetic(), energy.potential()]);
+    values.extend([work.dissipated, work.boundaries, work.loads, work.springs]);
     let momentum = Momentum::of(state);
     vector(&mut values, momentum.linear);
     vector(&mut values, momentum.angular);
@@ -103,6 +113,7 @@ pub fn row(state: &Observation) -> Vec<f64> {
         report.sweeps as f64,
         report.augmentations as f64,
         report.factorizations as f64,
+        report.gap_residual,
         report.slip_residual,
         report.force_residual,
     ]);

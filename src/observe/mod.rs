@@ -22,7 +22,7 @@ use crate::motion::{Pose, Twist};
 use crate::particles::Kinematics;
 use crate::scene::Scene;
 use crate::simulation::{Simulation, StepReport, Wrench};
-use sensors::Flow;
+use crate::state::Work;
 
 /// A boundary at the end of a communication step.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -50,14 +50,16 @@ pub struct Observation<'a> {
     pub kinematics: &'a Kinematics,
     /// Reported velocity \[m/s\] and angular velocity \[rad/s\] at `time`, `[N]`.
     pub velocity: Vec<Twist>,
-    /// Candidate contacts in canonical order.
+    /// Loaded contacts in canonical order: gap and point at `time`, mean force of the last internal step.
     pub contacts: &'a [Contact],
     /// `[B]`.
     pub boundaries: Vec<BoundaryState>,
-    /// Mass flow of each sensor, `[S]`; zero for sensors of another kind.
-    pub flows: Vec<Flow>,
-    /// Energy dissipated by impacts and friction since t = 0 \[J\].
-    pub dissipated: f64,
+    /// Mass that has passed each sensor \[kg\], `[S]`; zero for sensors that do not cumulate.
+    pub passed: &'a [f64],
+    /// Mean flow of each sensor over the last communication step \[kg/s\], `[S]`; likewise.
+    pub flow: &'a [f64],
+    /// Work since t = 0.
+    pub work: Work,
     /// Report of the last communication step.
     pub report: StepReport,
 }
@@ -84,10 +86,9 @@ impl<'a> Observation<'a> {
                     mean_wrench: simulation.mean_wrench(b),
                 })
                 .collect(),
-            flows: (0..scene.sensors.len())
-                .map(|s| simulation.flow(s))
-                .collect(),
-            dissipated: simulation.dissipated_energy(),
+            passed: &simulation.state().passed,
+            flow: &simulation.state().flow,
+            work: *simulation.work(),
             report: *simulation.report(),
         }
     }

@@ -13,15 +13,6 @@
 use crate::Vec3;
 use crate::particles::Particles;
 
-/// Reading of a mass-flow sensor.
-#[derive(Debug, Clone, Copy, PartialEq, Default, serde::Serialize, serde::Deserialize)]
-pub struct Flow {
-    /// Cumulated mass through the plane, along its normal \[kg\].
-    pub mass: f64,
-    /// Mean over the last communication step \[kg/s\].
-    pub rate: f64,
-}
-
 /// An oriented plane.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Plane {

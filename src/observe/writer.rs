@@ -411,12 +411,11 @@ fn is_result(name: &str) -> bool {
 fn describe(scene: &Scene, options: &Options, path: &Path) -> Result<Vec<u8>, OutputError> {
     let refuse =
         |error: serde_json::Error| OutputError::io("describe the run in", path)(error.into());
-    let text = serde_json::to_vec(scene).map_err(refuse)?;
     let about = json!({
         "generator": env!("CARGO_PKG_NAME"),
         "version": env!("CARGO_PKG_VERSION"),
         "title": scene.title,
-        "scene_hash": format!("{:08x}", crc32fast::hash(&text)),
+        "scene_hash": scene.hash,
         "spheres": scene.particles.len(),
         "materials": scene.materials.iter().map(|m| &m.name).collect::<Vec<_>>(),
         "boundaries": scene.boundaries.iter().map(|b| &b.name).collect::<Vec<_>>(),
