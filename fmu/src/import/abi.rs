@@ -40,6 +40,11 @@ pub(super) struct Callbacks {
     pub(super) component_environment: *mut c_void,
 }
 
+// SAFETY: nothing of it ever changes, and the environment is a `Log`, which threads may share.
+unsafe impl Send for Callbacks {}
+// SAFETY: as above.
+unsafe impl Sync for Callbacks {}
+
 pub(super) type Get<T> =
     unsafe extern "C" fn(Component, *const ValueReference, usize, *mut T) -> RawStatus;
 pub(super) type Set<T> =
@@ -50,11 +55,13 @@ pub(super) type Query<T> = unsafe extern "C" fn(Component, c_int, *mut T) -> Raw
 pub(super) type Plain = unsafe extern "C" fn(Component) -> RawStatus;
 
 /// Declares the table of functions: name in C, field, type. Those that no simulation can do without are
-/// `required`; a missing `optional` one is an error only when it is called.
+/// `required`; a missing `optional` one is an error only when it is called; one of the `rest` serves steps that return
+/// before they are done, which this importer never asks for, and is looked up only to tell whether it is there.
 macro_rules! functions {
     (
         required { $($required:ident $required_name:literal: $required_type:ty,)* }
         optional { $($optional:ident $optional_name:literal: $optional_type:ty,)* }
+        rest { $($rest_name:literal: $rest_type:ty,)* }
     ) => {
         /// The 34 functions of FMI 2.0 for co-simulation.
         pub(super) struct Functions {
@@ -77,6 +84,13 @@ macro_rules! functions {
             /// called after `library` is closed.
             pub(super) unsafe fn resolve(library: &libloading::Library) -> Result<Self, &'static str> {
                 let mut missing = Vec::new();
+                $({
+                    // SAFETY: the caller vouches for the type.
+                    let symbol = unsafe { library.get::<$rest_type>($rest_name) };
+                    if symbol.is_err() {
+                        missing.push($rest_name);
+                    }
+                })*
                 Ok(Self {
                     $($required: {
                         // SAFETY: the caller vouches for the type.
@@ -138,11 +152,13 @@ functions! {
         ) -> RawStatus,
         set_real_input_derivatives "fmi2SetRealInputDerivatives": Derivatives<*const f64>,
         get_real_output_derivatives "fmi2GetRealOutputDerivatives": Derivatives<*mut f64>,
-        cancel_step "fmi2CancelStep": Plain,
-        get_status "fmi2GetStatus": Query<RawStatus>,
         get_real_status "fmi2GetRealStatus": Query<f64>,
-        get_integer_status "fmi2GetIntegerStatus": Query<c_int>,
         get_boolean_status "fmi2GetBooleanStatus": Query<Boolean>,
-        get_string_status "fmi2GetStringStatus": Query<Text>,
+    }
+    rest {
+        "fmi2CancelStep": Plain,
+        "fmi2GetStatus": Query<RawStatus>,
+        "fmi2GetIntegerStatus": Query<c_int>,
+        "fmi2GetStringStatus": Query<Text>,
     }
 }

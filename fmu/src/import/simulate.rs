@@ -5,7 +5,6 @@
 
 use std::ops::ControlFlow;
 
-use sphere_dda_model_description::fmi2::DefaultExperiment;
 use thiserror::Error;
 
 use super::values::{Value, check_settable_at_start, find, parse, set};
@@ -73,7 +72,7 @@ pub enum Event<'a> {
 pub enum SimulateError {
     /// The FMU cannot be loaded or instantiated.
     #[error(transparent)]
-    Import(#[from] ImportError),
+    Import(#[from] Box<ImportError>),
     /// A variable to set or to record is not there, or not so.
     #[error(transparent)]
     Variable(#[from] VariableError),
@@ -110,7 +109,7 @@ pub enum SimulateError {
         /// The last communication point reached [s].
         time: f64,
         /// What failed.
-        source: ImportError,
+        source: Box<ImportError>,
         /// What was recorded so far.
         table: Box<Table>,
     },
@@ -180,7 +179,8 @@ pub fn simulate(
         ));
     }
     let name = options.instance_name.as_deref();
-    let instance = fmu.instantiate(name.unwrap_or(&description.model_name), options.logging)?;
+    let name = name.unwrap_or(&description.model_name);
+    let instance = fmu.instantiate(name, options.logging).map_err(Box::new)?;
 
     let mut run = Run {
         fmu,
@@ -189,7 +189,7 @@ pub fn simulate(
         instance,
         table: &mut table,
     };
-    let result = run.to_end(&start_values, &mut observe);
+    let result = run.drive(&start_values, &mut observe);
     // What it logged last belongs to the failure.
     let _ended = forward(&run.instance, &mut observe);
     drop(run);
@@ -239,7 +239,7 @@ impl Grid {
         let default = fmu
             .description()
             .default_experiment
-            .unwrap_or(DefaultExperiment::default());
+            .unwrap_or_default();
         let start = options.start.or(default.start_time).unwrap_or(0.0);
         let stop = options.stop.or(default.stop_time);
         let stop = stop.ok_or(SimulateError::NoStop)?;
@@ -291,7 +291,7 @@ impl Grid {
 
 /// Why a run does not go on.
 enum Halt {
-    Call(ImportError),
+    Call(Box<ImportError>),
     Nan(String),
     Discarded {
         time: f64,
@@ -302,7 +302,7 @@ enum Halt {
 
 impl From<ImportError> for Halt {
     fn from(error: ImportError) -> Self {
-        Self::Call(error)
+        Self::Call(Box::new(error))
     }
 }
 
@@ -315,7 +315,7 @@ struct Run<'a> {
 }
 
 impl Run<'_> {
-    fn to_end(
+    fn drive(
         &mut self,
         start_values: &[(u32, Value)],
         observe: &mut impl FnMut(Event<'_>) -> ControlFlow<()>,
