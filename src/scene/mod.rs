@@ -75,6 +75,38 @@ pub struct Tolerance {
     pub force: f64,
 }
 
+impl Default for Tolerance {
+    fn default() -> Self {
+        Self {
+            gap: 1e-6,
+            slip: 1e-6,
+            force: 1e-6,
+        }
+    }
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self {
+            gravity: Vec3::new(0.0, 0.0, -9.81),
+            duration: 1.0,
+            step: 1e-3,
+            communication_step: 1e-3,
+            method: Method::default(),
+            integrator: Integrator::default(),
+            solver: SolverKind::default(),
+            penalty: None,
+            adapt_penalty: true,
+            tolerance: Tolerance::default(),
+            max_initial_overlap: 0.05,
+            threshold_velocity: 0.0,
+            dynamic_coefficient: 1.0,
+            max_iterations: 4000,
+            max_cuts: 6,
+        }
+    }
+}
+
 /// Everything a run needs beside bodies and boundaries.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Settings {
