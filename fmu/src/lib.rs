@@ -13,6 +13,7 @@ pub mod description;
 pub mod documentation;
 pub mod export;
 pub mod ffi;
+pub mod import;
 pub mod instance;
 pub mod log;
 pub mod model;
