@@ -306,7 +306,9 @@ fn stl(
     );
     let key = format!("{path}.file");
     resources.read(document, &key, &mesh.file)?;
-    let facets = accept(document, &key, Facets::stl(&resources.place(&mesh.file)))?;
+    let mut facets = accept(document, &key, Facets::stl(&resources.place(&mesh.file)))?;
+    // The scene must not depend on where its folder lies.
+    facets.name.clone_from(&mesh.file);
     // Welding and non-manifold edges are judged per file, so that the message points at it.
     accept(document, &key, Geometry::new(vec![facets.clone().into()]))?;
     let placed = facets.placed(
