@@ -4,66 +4,47 @@
 //! communication step: continuous, one step late. Commanded speeds are held over the step, without lag.
 //! `Motion` (pose and twist together) reaches `pose + twist h`, without lag.
 
-use nalgebra::UnitQuaternion;
-
 use crate::Vec3;
 use crate::boundaries::Boundary;
 use crate::motion::{Command, InputKind, Motion, Pose, Twist};
 
-/// Path of one boundary from `start` \[s\] to `end` \[s\].
+/// Path of one boundary: a constant twist from where it stands.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Path {
     start: f64,
-    end: f64,
     from: Pose,
-    /// Displacement over the whole path; its rotation as a rotation vector \[rad\], so that it may exceed pi.
-    by: Twist,
+    twist: Twist,
 }
 
 impl Path {
-    /// The path of an input boundary that stands at `from`.
+    /// The path of an input boundary that stands at `from`, over a step from `start` to `end` \[s\].
     #[must_use]
     pub fn commanded(kind: InputKind, command: &Command, from: Pose, start: f64, end: f64) -> Self {
         let h = end - start;
-        let to = |pose: Pose| Twist {
-            linear: pose.translation - from.translation,
-            angular: (pose.rotation * from.rotation.inverse()).scaled_axis(),
+        let commanded = Twist {
+            linear: command.velocity,
+            angular: command.angular_velocity,
         };
-        let by = match kind {
-            InputKind::Twist => Twist {
-                linear: command.velocity * h,
-                angular: command.angular_velocity * h,
+        let twist = match (kind, target(kind, command)) {
+            (InputKind::Motion, Some(pose)) => from.twist_to(&pose.advanced(&commanded, h), h),
+            (_, Some(pose)) => from.twist_to(&pose, h),
+            (InputKind::SlideSpeed { axis }, None) => Twist {
+                linear: axis * command.scalar,
+                ..Twist::default()
             },
-            InputKind::SlideSpeed { axis } => Twist {
-                linear: axis * (command.scalar * h),
-                angular: Vec3::zeros(),
+            (InputKind::HingeSpeed { axis }, None) => Twist {
+                angular: axis * command.scalar,
+                ..Twist::default()
             },
-            InputKind::HingeSpeed { axis } => Twist {
-                linear: Vec3::zeros(),
-                angular: axis * (command.scalar * h),
-            },
-            InputKind::Motion => {
-                let mut pose = target(kind, command).unwrap_or(from);
-                pose.translation += command.velocity * h;
-                pose.rotation =
-                    UnitQuaternion::from_scaled_axis(command.angular_velocity * h) * pose.rotation;
-                to(pose)
-            }
-            InputKind::Pose | InputKind::Slide { .. } | InputKind::Hinge { .. } => {
-                to(target(kind, command).unwrap_or(from))
-            }
+            (_, None) => commanded,
         };
-        Self { start, end, from, by }
+        Self { start, from, twist }
     }
 
     /// Pose at time `t` \[s\] of the path.
     #[must_use]
     pub fn at(&self, t: f64) -> Pose {
-        let share = if t >= self.end { 1.0 } else { (t - self.start) / (self.end - self.start) };
-        Pose {
-            translation: self.from.translation + self.by.linear * share,
-            rotation: UnitQuaternion::from_scaled_axis(self.by.angular * share) * self.from.rotation,
-        }
+        self.from.advanced(&self.twist, t - self.start)
     }
 }
 
@@ -74,12 +55,11 @@ pub fn target(kind: InputKind, command: &Command) -> Option<Pose> {
         InputKind::Pose | InputKind::Motion => (command.translation, command.rotation),
         InputKind::Slide { axis } => (axis * command.scalar, Vec3::zeros()),
         InputKind::Hinge { axis } => (Vec3::zeros(), axis * command.scalar),
-        InputKind::Twist | InputKind::SlideSpeed { .. } | InputKind::HingeSpeed { .. } => return None,
+        InputKind::Twist | InputKind::SlideSpeed { .. } | InputKind::HingeSpeed { .. } => {
+            return None;
+        }
     };
-    Some(Pose {
-        translation,
-        rotation: UnitQuaternion::from_scaled_axis(rotation),
-    })
+    Some(Pose::from_rotation_vector(translation, rotation))
 }
 
 /// How all boundaries move during one communication step.
@@ -99,11 +79,16 @@ impl<'a> Drive<'a> {
         start: f64,
         end: f64,
     ) -> Self {
-        let path = |(boundary, (command, pose)): (&Boundary, (&Command, &Pose))| match boundary.motion {
-            Motion::Input(kind) => Some(Path::commanded(kind, command, *pose, start, end)),
-            _ => None,
-        };
-        let paths = boundaries.iter().zip(commands.iter().zip(poses)).map(path).collect();
+        let path =
+            |(boundary, (command, pose)): (&Boundary, (&Command, &Pose))| match boundary.motion {
+                Motion::Input(kind) => Some(Path::commanded(kind, command, *pose, start, end)),
+                _ => None,
+            };
+        let paths = boundaries
+            .iter()
+            .zip(commands.iter().zip(poses))
+            .map(path)
+            .collect();
         Self { boundaries, paths }
     }
 
@@ -121,11 +106,15 @@ impl<'a> Drive<'a> {
     }
 }
 
-/// Mean twist of the point of action between two poses `dt` \[s\] apart.
+/// Largest displacement \[m\] of a boundary between two poses: at a corner of its bounds, or of its point of
+/// action if it is unbounded.
 #[must_use]
-pub fn twist_between(from: &Pose, to: &Pose, dt: f64) -> Twist {
-    Twist {
-        linear: (to.translation - from.translation) / dt,
-        angular: (to.rotation * from.rotation.inverse()).scaled_axis() / dt,
-    }
+pub fn displacement(boundary: &Boundary, from: &Pose, to: &Pose) -> f64 {
+    let moved = |x: Vec3| (boundary.from_frame(to, x) - boundary.from_frame(from, x)).norm();
+    let Some((low, high)) = boundary.geometry.bounds() else {
+        return moved(boundary.point_of_action);
+    };
+    (0..8)
+        .map(|k| moved(Vec3::from_fn(|axis, _| if k >> axis & 1 == 0 { low[axis] } else { high[axis] })))
+        .fold(0.0, f64::max)
 }

@@ -79,7 +79,11 @@ impl Dof6 {
 /// Orientation after turning with `angular` \[rad/s\] for `dt` \[s\]: the exact exponential, not the paper's
 /// eq 4, which is not orthogonal when two angles are non-zero.
 #[must_use]
-pub fn turned(orientation: &UnitQuaternion<f64>, angular: &crate::Vec3, dt: f64) -> UnitQuaternion<f64> {
+pub fn turned(
+    orientation: &UnitQuaternion<f64>,
+    angular: &crate::Vec3,
+    dt: f64,
+) -> UnitQuaternion<f64> {
     UnitQuaternion::new_normalize(
         (UnitQuaternion::from_scaled_axis(angular * dt) * orientation).into_inner(),
     )

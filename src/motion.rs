@@ -4,6 +4,8 @@
 //! action \[m\], `s` the total translation \[m\] and `Q` the total rotation. Zero translation and identity
 //! rotation mean "as in the scene".
 
+use std::f64::consts::TAU;
+
 use nalgebra::UnitQuaternion;
 use serde::{Deserialize, Serialize};
 
@@ -23,6 +25,67 @@ impl Default for Pose {
         Self {
             translation: Vec3::zeros(),
             rotation: UnitQuaternion::identity(),
+        }
+    }
+}
+
+impl Pose {
+    /// Translation \[m\] and rotation vector \[rad\] from the scene; the vector may be longer than pi.
+    #[must_use]
+    pub fn from_rotation_vector(translation: Vec3, rotation: Vec3) -> Self {
+        Self {
+            translation,
+            rotation: UnitQuaternion::from_scaled_axis(rotation),
+        }
+    }
+
+    /// The rotation as a vector \[rad\] of length at most pi.
+    #[must_use]
+    pub fn rotation_vector(&self) -> Vec3 {
+        self.rotation.scaled_axis()
+    }
+
+    /// Where the point `x_0` of the scene is now: `a + s + Q (x_0 - a)` \[m\].
+    #[must_use]
+    pub fn apply(&self, point_of_action: Vec3, x_0: Vec3) -> Vec3 {
+        point_of_action + self.translation + self.rotation * (x_0 - point_of_action)
+    }
+
+    /// Which point of the scene is at `x` now: `a + Q^T (x - a - s)` \[m\].
+    #[must_use]
+    pub fn inverse_apply(&self, point_of_action: Vec3, x: Vec3) -> Vec3 {
+        point_of_action
+            + self
+                .rotation
+                .inverse_transform_vector(&(x - point_of_action - self.translation))
+    }
+
+    /// The pose at `fraction` of the way to `end`: translation linear, rotation by its logarithm (constant angular
+    /// velocity, the shorter way round). Fractions outside 0..=1 extrapolate.
+    #[must_use]
+    pub fn interpolate(&self, end: &Self, fraction: f64) -> Self {
+        let turn = (end.rotation * self.rotation.inverse()).scaled_axis();
+        Self {
+            translation: self.translation + (end.translation - self.translation) * fraction,
+            rotation: UnitQuaternion::from_scaled_axis(turn * fraction) * self.rotation,
+        }
+    }
+
+    /// The constant twist that leads to `end` within `duration` \[s\] along [`Pose::interpolate`].
+    #[must_use]
+    pub fn twist_to(&self, end: &Self, duration: f64) -> Twist {
+        Twist {
+            linear: (end.translation - self.translation) / duration,
+            angular: (end.rotation * self.rotation.inverse()).scaled_axis() / duration,
+        }
+    }
+
+    /// The pose after `duration` \[s\] of a constant twist.
+    #[must_use]
+    pub fn advanced(&self, twist: &Twist, duration: f64) -> Self {
+        Self {
+            translation: self.translation + twist.linear * duration,
+            rotation: UnitQuaternion::from_scaled_axis(twist.angular * duration) * self.rotation,
         }
     }
 }
@@ -99,6 +162,47 @@ pub enum Motion {
     Input(InputKind),
 }
 
+impl Motion {
+    /// The pose that the scene prescribes at time `t` \[s\]; as in the scene for a motion driven from outside.
+    ///
+    /// A table interpolates its rotation vectors linearly, so that several turns about one axis are kept.
+    #[must_use]
+    pub fn pose_at(&self, t: f64) -> Pose {
+        match self {
+            Self::Fixed | Self::Input(_) => Pose::default(),
+            Self::Constant(twist) => Pose::default().advanced(twist, t),
+            Self::Sinusoid {
+                translation,
+                rotation,
+                frequency,
+                phase,
+            } => {
+                let factor = (TAU * frequency * t + phase).sin() - phase.sin();
+                Pose::from_rotation_vector(translation * factor, rotation * factor)
+            }
+            Self::Table {
+                time,
+                translation,
+                rotation,
+            } => Pose::from_rotation_vector(
+                interpolate(time, translation, t),
+                interpolate(time, rotation, t),
+            ),
+        }
+    }
+}
+
+/// Piecewise linear value at `t`, held constant outside; zero from an empty table.
+fn interpolate(time: &[f64], value: &[Vec3], t: f64) -> Vec3 {
+    let after = time.partition_point(|&knot| knot <= t);
+    let knot = |i: usize| Some((*time.get(i)?, *value.get(i)?));
+    match (after.checked_sub(1).and_then(knot), knot(after)) {
+        (Some((t0, start)), Some((t1, end))) => start + (end - start) * ((t - t0) / (t1 - t0)),
+        (Some((_, held)), None) | (None, Some((_, held))) => held,
+        (None, None) => Vec3::zeros(),
+    }
+}
+
 /// A command for a boundary whose motion is [`Motion::Input`], held until the next one.
 /// Components that the boundary's [`InputKind`] does not use are ignored.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
@@ -113,17 +217,4 @@ pub struct Command {
     pub angular_velocity: Vec3,
     /// Displacement \[m\], speed \[m/s\], angle \[rad\] or angular speed \[rad/s\] of a slide or hinge.
     pub scalar: f64,
-}
-
-impl Motion {
-    /// stand-in
-    pub fn pose_at(&self, t: f64) -> Pose {
-        match self {
-            Self::Constant(w) => Pose {
-                translation: w.linear * t,
-                rotation: UnitQuaternion::from_scaled_axis(w.angular * t),
-            },
-            _ => Pose::default(),
-        }
-    }
 }

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::Vec3;
 use crate::contacts::{Contact, Key, Partner};
-use crate::drive::{Drive, target, twist_between};
+use crate::drive::{Drive, displacement, target};
 use crate::error::{SnapshotError, StepError};
 use crate::motion::{Command, Motion, Pose, Twist};
 use crate::observe::sensors::{Plane, crossings};
@@ -78,9 +78,20 @@ impl Simulation {
     pub fn new(scene: Arc<Scene>) -> Result<Self, StepError> {
         let settings = &scene.settings;
         let n = scene.particles.len();
-        let lightest = scene.particles.mass.iter().copied().fold(f64::INFINITY, f64::min);
+        let lightest = scene
+            .particles
+            .mass
+            .iter()
+            .copied()
+            .fold(f64::INFINITY, f64::min);
         let boundaries = scene.boundaries.len();
-        let pose_at = |t: f64| -> Vec<Pose> { scene.boundaries.iter().map(|b| b.motion.pose_at(t)).collect() };
+        let pose_at = |t: f64| -> Vec<Pose> {
+            scene
+                .boundaries
+                .iter()
+                .map(|b| b.motion.pose_at(t))
+                .collect()
+        };
         let (poses, next) = (pose_at(0.0), pose_at(settings.step));
         let state = State {
             time: 0.0,
@@ -90,7 +101,11 @@ impl Simulation {
             persisting: vec![Dof6::ZERO; n],
             contacts: Vec::new(),
             springs: vec![Vec3::zeros(); scene.springs.len()],
-            twists: poses.iter().zip(&next).map(|(a, b)| twist_between(a, b, settings.step)).collect(),
+            twists: poses
+                .iter()
+                .zip(&next)
+                .map(|(a, b)| a.twist_to(b, settings.step))
+                .collect(),
             poses,
             commands: vec![Command::default(); boundaries],
             wrenches: vec![Wrench::default(); boundaries],
@@ -100,10 +115,16 @@ impl Simulation {
             flow: vec![0.0; scene.sensors.len()],
             initial_overlap: 0.0,
             // One mass over dt^2: the penalty at which one augmentation halves a free contact's gap.
-            penalty: settings.penalty.unwrap_or(lightest / (settings.step * settings.step)),
+            penalty: settings
+                .penalty
+                .unwrap_or(lightest / (settings.step * settings.step)),
             report: StepReport::default(),
         };
-        let mut simulation = Self { scene, state, scratch: Scratch::default() };
+        let mut simulation = Self {
+            scene,
+            state,
+            scratch: Scratch::default(),
+        };
         simulation.settle_start()?;
         Ok(simulation)
     }
@@ -151,7 +172,11 @@ impl Simulation {
     /// # Errors
     /// [`StepError::Argument`] if the boundary is no input or a component is not finite.
     pub fn command(&mut self, b: usize, command: Command) -> Result<(), StepError> {
-        let motion = self.scene.boundaries.get(b).map(|boundary| &boundary.motion);
+        let motion = self
+            .scene
+            .boundaries
+            .get(b)
+            .map(|boundary| &boundary.motion);
         if !matches!(motion, Some(Motion::Input(_))) {
             return Err(StepError::Argument {
                 what: "boundary",
@@ -159,8 +184,19 @@ impl Simulation {
                 expected: "the index of a boundary with `input`",
             });
         }
-        let vectors = [command.translation, command.rotation, command.velocity, command.angular_velocity];
-        finite("command", vectors.iter().flat_map(|v| v.iter()).chain([&command.scalar]))?;
+        let vectors = [
+            command.translation,
+            command.rotation,
+            command.velocity,
+            command.angular_velocity,
+        ];
+        finite(
+            "command",
+            vectors
+                .iter()
+                .flat_map(|v| v.iter())
+                .chain([&command.scalar]),
+        )?;
         self.state.commands[b] = command;
         Ok(())
     }
@@ -218,13 +254,23 @@ impl Simulation {
         let h = end - start;
         // The margin keeps a communication step that is n internal steps but for rounding at n.
         let steps = (h / scene.settings.step * (1.0 - 1e-9)).ceil().max(1.0) as u64;
-        let drive = Drive::new(&scene.boundaries, &self.state.commands, &self.state.poses, start, end);
+        let drive = Drive::new(
+            &scene.boundaries,
+            &self.state.commands,
+            &self.state.poses,
+            start,
+            end,
+        );
         self.check_jump(&drive, start, end, steps)?;
         self.state.report = StepReport::default();
         let passed = self.state.passed.clone();
         let mut impulse = vec![Wrench::default(); scene.boundaries.len()];
         for k in 1..=steps {
-            let target = if k == steps { end } else { start + h * (k as f64 / steps as f64) };
+            let target = if k == steps {
+                end
+            } else {
+                start + h * (k as f64 / steps as f64)
+            };
             self.step_to(&scene, &drive, target, 0, &mut impulse)?;
         }
         for (mean, impulse) in self.state.mean_wrenches.iter_mut().zip(&impulse) {
@@ -248,7 +294,13 @@ impl Simulation {
         let start = self.state.time;
         let dt = target - start;
         let before = self.state.kinematics.position.clone();
-        match step(scene, &mut self.state, &mut self.scratch, dt, drive.poses(target)) {
+        match step(
+            scene,
+            &mut self.state,
+            &mut self.scratch,
+            dt,
+            drive.poses(target),
+        ) {
             Ok(outcome) => {
                 self.state.time = target;
                 self.state.report.include(&outcome);
@@ -289,7 +341,11 @@ impl Simulation {
             ];
             for (what, value) in kinds {
                 if !value.iter().all(|x| x.is_finite()) {
-                    return Err(StepError::NotFinite { time: self.state.time, sphere, what });
+                    return Err(StepError::NotFinite {
+                        time: self.state.time,
+                        sphere,
+                        what,
+                    });
                 }
             }
         }
@@ -298,15 +354,31 @@ impl Simulation {
 
     /// An input boundary must not move farther than the smallest radius in one internal step.
     fn check_jump(&self, drive: &Drive, start: f64, end: f64, steps: u64) -> Result<(), StepError> {
-        let limit = self.scene.particles.radius.iter().copied().fold(f64::INFINITY, f64::min);
+        let limit = self
+            .scene
+            .particles
+            .radius
+            .iter()
+            .copied()
+            .fold(f64::INFINITY, f64::min);
         let poses = drive.poses(start + (end - start) / steps as f64);
-        for ((boundary, from), to) in self.scene.boundaries.iter().zip(&self.state.poses).zip(&poses) {
+        for ((boundary, from), to) in self
+            .scene
+            .boundaries
+            .iter()
+            .zip(&self.state.poses)
+            .zip(&poses)
+        {
             if !matches!(boundary.motion, Motion::Input(_)) || from == to {
                 continue;
             }
-            let jump = (to.translation - from.translation).norm();
+            let jump = displacement(boundary, from, to);
             if jump > limit {
-                return Err(StepError::Jump { boundary: boundary.name.clone(), jump, limit });
+                return Err(StepError::Jump {
+                    boundary: boundary.name.clone(),
+                    jump,
+                    limit,
+                });
             }
         }
         Ok(())
@@ -318,7 +390,11 @@ impl Simulation {
         if let Some(key) = failure.contact
             && let Some(boundaries) = self.pinch(key)
         {
-            return StepError::Pinched { time, sphere: key.sphere as usize, boundaries };
+            return StepError::Pinched {
+                time,
+                sphere: key.sphere as usize,
+                boundaries,
+            };
         }
         let contact = failure.contact.map_or_else(
             || "the re-linearised gaps".to_owned(),
@@ -356,7 +432,10 @@ impl Simulation {
             .filter(|(b, _)| self.scene.boundaries[usize::from(*b)].stiffness.is_none())
             .collect();
         let (first, second) = normals.iter().enumerate().find_map(|(k, (a, n))| {
-            normals[k + 1..].iter().find(|(_, m)| n.dot(m) < -0.5).map(|(b, _)| (*a, *b))
+            normals[k + 1..]
+                .iter()
+                .find(|(_, m)| n.dot(m) < -0.5)
+                .map(|(b, _)| (*a, *b))
         })?;
         let name = |b: u16| &self.scene.boundaries[usize::from(b)].name;
         Some(format!("`{}` and `{}`", name(first), name(second)))
@@ -397,8 +476,12 @@ impl Simulation {
             angular: self.state.kinematics.spin[i],
         };
         let integrator = self.scene.settings.integrator;
-        let reported = integrator.reported(&velocity, &self.state.persisting[i], self.state.last_step);
-        Twist { linear: reported.linear, angular: reported.angular }
+        let reported =
+            integrator.reported(&velocity, &self.state.persisting[i], self.state.last_step);
+        Twist {
+            linear: reported.linear,
+            angular: reported.angular,
+        }
     }
 
     /// Loaded contacts in canonical order: gap and point at [`Self::time`], mean force of the last internal step.

@@ -103,7 +103,9 @@ pub fn from_blob(blob: &[u8], scene_hash: &str) -> Result<State, SnapshotError> 
             expected: format!("state format {VERSION}"),
         });
     }
-    let (hash, rest) = rest.split_first_chunk::<HASH>().ok_or(format("cut short"))?;
+    let (hash, rest) = rest
+        .split_first_chunk::<HASH>()
+        .ok_or(format("cut short"))?;
     let (length, rest) = rest.split_first_chunk().ok_or(format("cut short"))?;
     let (body, checksum) = rest
         .split_at_checked(u64::from_le_bytes(*length) as usize)

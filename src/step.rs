@@ -6,7 +6,6 @@ use crate::contacts::narrow_phase::{Candidate, Placement};
 use crate::contacts::{Contact, Partner, history};
 use crate::integrate::turned;
 use crate::motion::Pose;
-use crate::drive::twist_between;
 use crate::particles::Kinematics;
 use crate::problem::assemble::{Inputs, external_acceleration};
 use crate::problem::{Dof6, GROUND, Law, Problem};
@@ -111,7 +110,7 @@ pub fn step(
         .poses
         .iter()
         .zip(&poses)
-        .map(|(from, to)| twist_between(from, to, dt))
+        .map(|(from, to)| from.twist_to(to, dt))
         .collect();
     state.poses = poses;
     state.last_step = dt;
@@ -123,7 +122,11 @@ pub fn step(
 ///
 /// # Errors
 /// [`StepFailure`] if that problem has no solution within the tolerances.
-pub fn initial_forces(scene: &Scene, state: &mut State, scratch: &mut Scratch) -> Result<(), StepFailure> {
+pub fn initial_forces(
+    scene: &Scene,
+    state: &mut State,
+    scratch: &mut Scratch,
+) -> Result<(), StepFailure> {
     let dt = 0.5 * scene.settings.step;
     let kinematics = state.kinematics.clone();
     let external = external_acceleration(scene, &kinematics, state.gravity);
@@ -156,7 +159,11 @@ pub fn initial_forces(scene: &Scene, state: &mut State, scratch: &mut Scratch) -
 ///
 /// # Errors
 /// [`StepFailure`] if no such displacement is found.
-pub fn remove_overlaps(scene: &Scene, state: &mut State, scratch: &mut Scratch) -> Result<(), StepFailure> {
+pub fn remove_overlaps(
+    scene: &Scene,
+    state: &mut State,
+    scratch: &mut Scratch,
+) -> Result<(), StepFailure> {
     let start = Placement {
         particles: &scene.particles,
         position: &state.kinematics.position,
@@ -165,8 +172,13 @@ pub fn remove_overlaps(scene: &Scene, state: &mut State, scratch: &mut Scratch) 
     };
     scratch.neighbors.ensure(&start, 0.0);
     let closed = start.candidates(&scratch.neighbors, |_, _| 0.0, |_, _| 0.0);
-    state.initial_overlap = closed.iter().map(|c| -c.gap / start.scale(c.key)).fold(0.0, f64::max);
-    if scene.settings.method == Method::Penalty || state.initial_overlap <= scene.settings.tolerance.gap {
+    state.initial_overlap = closed
+        .iter()
+        .map(|c| -c.gap / start.scale(c.key))
+        .fold(0.0, f64::max);
+    if scene.settings.method == Method::Penalty
+        || state.initial_overlap <= scene.settings.tolerance.gap
+    {
         return Ok(());
     }
     let mut kinematics = state.kinematics.clone();
@@ -193,7 +205,10 @@ pub fn remove_overlaps(scene: &Scene, state: &mut State, scratch: &mut Scratch) 
 }
 
 fn dof(kinematics: &Kinematics, i: usize) -> Dof6 {
-    Dof6 { linear: kinematics.velocity[i], angular: kinematics.spin[i] }
+    Dof6 {
+        linear: kinematics.velocity[i],
+        angular: kinematics.spin[i],
+    }
 }
 
 impl<'a> Stage<'a> {
@@ -257,15 +272,27 @@ impl<'a> Stage<'a> {
             self.impact.push(impact);
         }
         let springs = 0..self.inputs.targets.len();
-        self.problem.rows.extend(springs.map(|s| self.inputs.spring(s)));
+        self.problem
+            .rows
+            .extend(springs.map(|s| self.inputs.spring(s)));
         let step = self.inputs.step;
-        let springs_held = state.springs.iter().copied().take(self.inputs.targets.len());
-        self.impulses = forces.into_iter().chain(springs_held).map(|f| f * step).collect();
+        let springs_held = state
+            .springs
+            .iter()
+            .copied()
+            .take(self.inputs.targets.len());
+        self.impulses = forces
+            .into_iter()
+            .chain(springs_held)
+            .map(|f| f * step)
+            .collect();
     }
 
     /// Keeps the candidates that are closed and neither approach nor part, with zero gap.
     fn keep_resting(&mut self, scene: &Scene) {
-        let velocity: Vec<Dof6> = (0..self.inputs.kinematics.len()).map(|i| dof(self.inputs.kinematics, i)).collect();
+        let velocity: Vec<Dof6> = (0..self.inputs.kinematics.len())
+            .map(|i| dof(self.inputs.kinematics, i))
+            .collect();
         let creep = scene.settings.gravity.norm() * self.inputs.step;
         let closed = scene.settings.tolerance.gap.max(1e-9);
         let contacts = self.candidates.len();
@@ -301,14 +328,27 @@ impl<'a> Stage<'a> {
             max_sweeps: settings.max_iterations,
             max_factorizations: settings.max_iterations.div_ceil(20),
             // Contact springs carry the penalty themselves: nothing is left to augment.
-            penalty: if penalty_method { f64::INFINITY } else { state.penalty },
+            penalty: if penalty_method {
+                f64::INFINITY
+            } else {
+                state.penalty
+            },
             adapt_penalty: settings.adapt_penalty && !penalty_method,
         };
-        solve(&self.problem, &params, &mut scratch.workspace, &mut self.impulses)
+        solve(
+            &self.problem,
+            &params,
+            &mut scratch.workspace,
+            &mut self.impulses,
+        )
     }
 
     /// Solves until the true geometry agrees: gaps are re-linearised, late contacts join.
-    fn resolve(&mut self, state: &State, scratch: &mut Scratch) -> Result<(Vec<Dof6>, StepOutcome), StepFailure> {
+    fn resolve(
+        &mut self,
+        state: &State,
+        scratch: &mut Scratch,
+    ) -> Result<(Vec<Dof6>, StepOutcome), StepFailure> {
         let mut total = Report::default();
         for _ in 0..PASSES {
             total = total.then(self.solve(state, scratch));
@@ -317,12 +357,27 @@ impl<'a> Stage<'a> {
             }
             let solution = self.problem.velocities(&self.impulses);
             let position = self.moved(&solution);
-            let end = Placement { position: &position, poses: self.inputs.poses[1], ..self.start };
+            let end = Placement {
+                position: &position,
+                poses: self.inputs.poses[1],
+                ..self.start
+            };
             scratch.neighbors.ensure(&end, 0.0);
             let closed = end.candidates(&scratch.neighbors, |_, _| 0.0, |_, _| 0.0);
-            let max_overlap = closed.iter().map(|c| -c.gap / end.scale(c.key)).fold(0.0, f64::max);
-            if self.inputs.scene.settings.method == Method::Penalty || !self.correct(&end, &closed, &solution, state) {
-                return Ok((solution, StepOutcome { solver: total, max_overlap }));
+            let max_overlap = closed
+                .iter()
+                .map(|c| -c.gap / end.scale(c.key))
+                .fold(0.0, f64::max);
+            if self.inputs.scene.settings.method == Method::Penalty
+                || !self.correct(&end, &closed, &solution, state)
+            {
+                return Ok((
+                    solution,
+                    StepOutcome {
+                        solver: total,
+                        max_overlap,
+                    },
+                ));
             }
         }
         Err(StepFailure {
@@ -336,7 +391,13 @@ impl<'a> Stage<'a> {
     /// Compares the linear gaps with the true ones at the end of the step. Re-linearises those that are off
     /// (the gap only: normals and arms keep the start of the step, as in SHAKE) and adds contacts that closed
     /// without being candidates. Returns whether anything changed.
-    fn correct(&mut self, end: &Placement, closed: &[Candidate], solution: &[Dof6], state: &State) -> bool {
+    fn correct(
+        &mut self,
+        end: &Placement,
+        closed: &[Candidate],
+        solution: &[Dof6],
+        state: &State,
+    ) -> bool {
         let tolerance = self.inputs.scene.settings.tolerance.gap;
         let step = self.inputs.step;
         let mut true_gaps = Vec::with_capacity(self.candidates.len());
@@ -347,14 +408,19 @@ impl<'a> Stage<'a> {
             let compression = self.impulses[k].dot(&row.normal) * row.compliance_n * step;
             let gap = end.follow(candidate).gap + compression;
             let overlaps = gap < -tolerance * row.radius;
-            let opens = self.impulses[k] != Vec3::zeros() && !self.impact[k] && gap > OPENING * row.radius;
+            let opens =
+                self.impulses[k] != Vec3::zeros() && !self.impact[k] && gap > OPENING * row.radius;
             off |= overlaps || opens;
             true_gaps.push(gap);
         }
         let late: Vec<Candidate> = closed
             .iter()
             .filter(|c| c.gap < -tolerance * end.scale(c.key))
-            .filter(|c| self.candidates.binary_search_by_key(&c.key, |known| known.key).is_err())
+            .filter(|c| {
+                self.candidates
+                    .binary_search_by_key(&c.key, |known| known.key)
+                    .is_err()
+            })
             .copied()
             .collect();
         if !off && late.is_empty() {
@@ -387,7 +453,8 @@ impl<'a> Stage<'a> {
         let force = history::transfer(&state.contacts, std::iter::once(found.key))[0];
         let (mut row, impact) = self.inputs.contact(&self.problem.free, &found, force);
         let linear = self.inputs.step * found.normal.dot(&row.relative_velocity(solution));
-        row.bias += row.normal * ((found.gap - linear) / self.inputs.step - row.bias.dot(&row.normal));
+        row.bias +=
+            row.normal * ((found.gap - linear) / self.inputs.step - row.bias.dot(&row.normal));
         let at = self.candidates.partition_point(|c| c.key < found.key);
         self.candidates.insert(at, found);
         self.problem.rows.insert(at, row);
@@ -397,7 +464,10 @@ impl<'a> Stage<'a> {
 
     fn moved(&self, solution: &[Dof6]) -> Vec<Vec3> {
         let start = self.inputs.kinematics.position.iter();
-        start.zip(solution).map(|(x, v)| x + v.linear * self.inputs.step).collect()
+        start
+            .zip(solution)
+            .map(|(x, v)| x + v.linear * self.inputs.step)
+            .collect()
     }
 
     fn failure(&self, report: &Report) -> StepFailure {
@@ -411,7 +481,12 @@ impl<'a> Stage<'a> {
         let excess = |(_, value, limit, _): &(_, f64, f64, _)| value / limit;
         let worst = kinds.iter().max_by(|a, b| excess(a).total_cmp(&excess(b)));
         let (what, residual, tolerance, row) = worst.copied().unwrap_or(kinds[0]);
-        StepFailure { what, residual, tolerance, contact: self.candidates.get(row).map(|c| c.key) }
+        StepFailure {
+            what,
+            residual,
+            tolerance,
+            contact: self.candidates.get(row).map(|c| c.key),
+        }
     }
 
     /// Contact forces and boundary wrenches into `state`.
@@ -444,7 +519,10 @@ impl<'a> Stage<'a> {
     }
 
     fn spring_forces(&self) -> Vec<Vec3> {
-        self.impulses[self.candidates.len()..].iter().map(|p| p / self.inputs.step).collect()
+        self.impulses[self.candidates.len()..]
+            .iter()
+            .map(|p| p / self.inputs.step)
+            .collect()
     }
 
     /// Acceleration by external forces and all contacts that are no impacts, `[N]`.
@@ -471,15 +549,26 @@ impl<'a> Stage<'a> {
         state.persisting = self.persisting_acceleration();
         let position = self.moved(solution);
         for (i, v1) in solution.iter().enumerate() {
-            let after = settings.integrator.finish(&dof(self.inputs.kinematics, i), v1, settings);
+            let after = settings
+                .integrator
+                .finish(&dof(self.inputs.kinematics, i), v1, settings);
             state.kinematics.velocity[i] = after.linear;
             state.kinematics.spin[i] = after.angular;
-            state.kinematics.orientation[i] = turned(&self.inputs.kinematics.orientation[i], &v1.angular, step);
+            state.kinematics.orientation[i] =
+                turned(&self.inputs.kinematics.orientation[i], &v1.angular, step);
         }
         state.kinematics.position = position;
-        let end = Placement { position: &state.kinematics.position, poses: self.inputs.poses[1], ..self.start };
+        let end = Placement {
+            position: &state.kinematics.position,
+            poses: self.inputs.poses[1],
+            ..self.start
+        };
         for (contact, candidate) in state.contacts.iter_mut().zip(
-            self.candidates.iter().zip(&self.impulses).filter(|(_, p)| **p != Vec3::zeros()).map(|(c, _)| c),
+            self.candidates
+                .iter()
+                .zip(&self.impulses)
+                .filter(|(_, p)| **p != Vec3::zeros())
+                .map(|(c, _)| c),
         ) {
             let now = end.follow(candidate);
             contact.point = now.point;
@@ -490,7 +579,9 @@ impl<'a> Stage<'a> {
     /// Adds the step's work. A contact's is `p . (u^- + u^+)/2` in the velocities the integrator carries.
     fn work(&self, state: &mut State, solution: &[Dof6]) {
         let settings = &self.inputs.scene.settings;
-        let before: Vec<Dof6> = (0..solution.len()).map(|i| dof(self.inputs.kinematics, i)).collect();
+        let before: Vec<Dof6> = (0..solution.len())
+            .map(|i| dof(self.inputs.kinematics, i))
+            .collect();
         let mean: Vec<Dof6> = before
             .iter()
             .zip(solution)

@@ -113,7 +113,7 @@ pub enum Rule {
     DeclaredType,
     /// The independent variable is real, and there is at most one.
     Independent,
-    /// `derivative` is the index of a continuous real variable, itself on one.
+    /// `derivative` is the index of another real variable.
     Derivative,
     /// An attribute for model exchange stands only where that is offered.
     ModelExchangeOnly,
@@ -135,7 +135,7 @@ pub enum Rule {
     Outputs,
     /// `Outputs` is in the order of the variables.
     OutputsOrder,
-    /// `Derivatives` has state derivatives, each once.
+    /// `Derivatives` has derivatives of continuous states, each once.
     Derivatives,
     /// `InitialUnknowns` has every unknown of the initialization, once, and
     /// nothing else.
@@ -163,7 +163,7 @@ impl Report {
         found: impl Into<String>,
         expected: impl Into<String>,
     ) {
-        self.push(Severity::Error, rule, place, found, expected);
+        self.add(Severity::Error, rule, place, found, expected);
     }
 
     pub(crate) fn warning(
@@ -173,10 +173,10 @@ impl Report {
         found: impl Into<String>,
         expected: impl Into<String>,
     ) {
-        self.push(Severity::Warning, rule, place, found, expected);
+        self.add(Severity::Warning, rule, place, found, expected);
     }
 
-    fn push(
+    pub(crate) fn add(
         &mut self,
         severity: Severity,
         rule: Rule,

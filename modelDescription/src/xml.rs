@@ -178,7 +178,7 @@ pub(crate) fn write<T: Serialize>(value: &T, root: &str) -> Result<String, Error
     match forbidden_character(&text) {
         None => Ok(text),
         Some((at, found)) => Err(Error::Character {
-            near: text[tag_before(&text, at)..at].to_owned(),
+            near: ending(&text[tag_before(&text, at)..at]),
             found,
         }),
     }
@@ -328,9 +328,17 @@ fn line_and_column(text: &str, offset: usize) -> (usize, usize) {
     (line, 1 + before.len() - line_start)
 }
 
+/// Most characters of the text that a message shows.
+const LENGTH: usize = 100;
+
+/// The last characters of `text`, for a message.
+fn ending(text: &str) -> String {
+    let start = text.char_indices().rev().take(LENGTH).last();
+    text[start.map_or(0, |(at, _)| at)..].to_owned()
+}
+
 /// The first characters of `text` on one line, for a message.
 fn excerpt(text: &str) -> String {
-    const LENGTH: usize = 100;
     let line = text.lines().next().unwrap_or_default();
     let mut shown: String = line.chars().take(LENGTH).collect();
     if shown.len() < line.len() {

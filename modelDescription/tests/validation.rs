@@ -49,10 +49,7 @@ fn every_rule_has_a_breakage() {
         .filter(|line| !line.starts_with("//"))
         .filter_map(|line| line.strip_suffix(','))
         .collect();
-    let broken: BTreeSet<String> = CASES
-        .iter()
-        .map(|case| format!("{:?}", case.rule))
-        .collect();
+    let broken: BTreeSet<String> = cases().map(|case| format!("{:?}", case.rule)).collect();
     assert!(declared.len() > 40);
     for rule in declared {
         assert!(broken.contains(rule), "no test breaks {rule}");

@@ -64,7 +64,12 @@ impl NeighborList {
     }
 
     fn build(&mut self, now: &Placement, reach: f64) {
-        let smallest = now.particles.radius.iter().copied().fold(f64::INFINITY, f64::min);
+        let smallest = now
+            .particles
+            .radius
+            .iter()
+            .copied()
+            .fold(f64::INFINITY, f64::min);
         self.skin = (SKIN * smallest).max(STEPS * reach);
         self.built_at.clear();
         self.built_at.extend_from_slice(now.position);
@@ -77,7 +82,9 @@ impl NeighborList {
             for (b, (boundary, pose)) in now.boundaries.iter().zip(now.poses).enumerate() {
                 touches.clear();
                 let centre = boundary.to_frame(pose, centre);
-                boundary.geometry.touches(centre, radius, self.skin, &mut touches);
+                boundary
+                    .geometry
+                    .touches(centre, radius, self.skin, &mut touches);
                 if !touches.is_empty() {
                     self.walls.push((i as u32, b as u16));
                 }
@@ -88,10 +95,20 @@ impl NeighborList {
 
 /// The corners of the box around `points`.
 fn corners(points: &[Vec3]) -> [Vec3; 8] {
-    let low = points.iter().fold(Vec3::repeat(f64::INFINITY), |a, p| a.inf(p));
-    let high = points.iter().fold(Vec3::repeat(f64::NEG_INFINITY), |a, p| a.sup(p));
+    let low = points
+        .iter()
+        .fold(Vec3::repeat(f64::INFINITY), |a, p| a.inf(p));
+    let high = points
+        .iter()
+        .fold(Vec3::repeat(f64::NEG_INFINITY), |a, p| a.sup(p));
     std::array::from_fn(|k| {
-        Vec3::from_fn(|axis, _| if k >> axis & 1 == 0 { low[axis] } else { high[axis] })
+        Vec3::from_fn(|axis, _| {
+            if k >> axis & 1 == 0 {
+                low[axis]
+            } else {
+                high[axis]
+            }
+        })
     })
 }
 
@@ -129,14 +146,20 @@ pub fn sphere_pairs(position: &[Vec3], radius: &[f64], skin: f64) -> Vec<(u32, u
     let rows = [nx, nx * ny - nx, nx * ny, nx * ny + nx];
     let mut starts = [0; 4];
     for (rank, &(key, i)) in cells.iter().enumerate() {
-        for &(_, j) in cells[rank + 1..].iter().take_while(|(other, _)| *other <= key + 1) {
+        for &(_, j) in cells[rank + 1..]
+            .iter()
+            .take_while(|(other, _)| *other <= key + 1)
+        {
             test(i, j);
         }
         for (start, offset) in starts.iter_mut().zip(rows) {
             while *start < cells.len() && cells[*start].0 < key + offset - 1 {
                 *start += 1;
             }
-            for &(_, j) in cells[*start..].iter().take_while(|(other, _)| *other <= key + offset + 1) {
+            for &(_, j) in cells[*start..]
+                .iter()
+                .take_while(|(other, _)| *other <= key + offset + 1)
+            {
                 test(i, j);
             }
         }

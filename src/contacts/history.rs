@@ -22,7 +22,10 @@ mod tests {
 
     #[test]
     fn forces_follow_their_keys() {
-        let key = |i, j| Key { sphere: i, partner: Partner::Sphere(j) };
+        let key = |i, j| Key {
+            sphere: i,
+            partner: Partner::Sphere(j),
+        };
         let contact = |key, f| Contact {
             key,
             point: Vec3::zeros(),
@@ -30,9 +33,16 @@ mod tests {
             gap: 0.0,
             force: Vec3::z() * f,
         };
-        let old = [contact(key(0, 1), 1.0), contact(key(0, 3), 2.0), contact(key(2, 4), 3.0)];
+        let old = [
+            contact(key(0, 1), 1.0),
+            contact(key(0, 3), 2.0),
+            contact(key(2, 4), 3.0),
+        ];
         let new = [key(0, 2), key(0, 3), key(1, 2), key(2, 4), key(5, 6)];
-        let force: Vec<f64> = transfer(&old, new.into_iter()).iter().map(|f| f.z).collect();
+        let force: Vec<f64> = transfer(&old, new.into_iter())
+            .iter()
+            .map(|f| f.z)
+            .collect();
         assert_eq!(force, [0.0, 2.0, 0.0, 3.0, 0.0]);
     }
 }

@@ -52,9 +52,16 @@ impl Placement<'_> {
         let distance = self.position[a] - self.position[b];
         let length = distance.norm();
         // Concentric centres have no normal: take a fixed one, so that the step goes on to resolve them.
-        let normal = if length > 0.0 { distance / length } else { Vec3::z() };
+        let normal = if length > 0.0 {
+            distance / length
+        } else {
+            Vec3::z()
+        };
         Candidate {
-            key: Key { sphere: i, partner: Partner::Sphere(j) },
+            key: Key {
+                sphere: i,
+                partner: Partner::Sphere(j),
+            },
             point: self.position[b] + normal * rb,
             normal,
             gap: length - ra - rb,
@@ -68,7 +75,10 @@ impl Placement<'_> {
         Candidate {
             key: Key {
                 sphere,
-                partner: Partner::Boundary { boundary, feature: touch.feature },
+                partner: Partner::Boundary {
+                    boundary,
+                    feature: touch.feature,
+                },
             },
             point: self.boundaries[b].from_frame(pose, touch.point),
             normal: pose.rotation * touch.normal,
@@ -111,11 +121,15 @@ impl Placement<'_> {
         }
         let mut touches = Vec::new();
         for &(i, b) in &list.walls {
-            let (wall, pose) = (&self.boundaries[usize::from(b)], &self.poses[usize::from(b)]);
+            let (wall, pose) = (
+                &self.boundaries[usize::from(b)],
+                &self.poses[usize::from(b)],
+            );
             let centre = wall.to_frame(pose, self.position[i as usize]);
             let radius = self.particles.radius[i as usize];
             touches.clear();
-            wall.geometry.touches(centre, radius, reach_wall(i, b), &mut touches);
+            wall.geometry
+                .touches(centre, radius, reach_wall(i, b), &mut touches);
             found.extend(touches.iter().map(|touch| self.wall(i, b, touch)));
         }
         found.sort_unstable_by_key(|candidate| candidate.key);

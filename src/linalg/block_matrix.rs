@@ -98,7 +98,10 @@ impl BlockMatrix {
         let start = self.pattern.starts[column];
         let rows = self.pattern.column(column);
         let found = rows.binary_search(&(row as u32));
-        debug_assert!(found.is_ok(), "block ({row}, {column}) is not in the pattern");
+        debug_assert!(
+            found.is_ok(),
+            "block ({row}, {column}) is not in the pattern"
+        );
         let Ok(rank) = found else { return };
         let height = 6 * rows.len();
         for c in 0..6 {

@@ -75,7 +75,8 @@ pub struct Factor(Llt<usize, f64>);
 impl Factor {
     /// Solves `K x = b` in place; `x` has `6 n` entries.
     pub fn solve(&self, x: &mut [f64]) {
-        self.0.solve_in_place(ColMut::from_slice_mut(x).as_mat_mut());
+        self.0
+            .solve_in_place(ColMut::from_slice_mut(x).as_mat_mut());
     }
 }
 
@@ -90,7 +91,7 @@ mod tests {
 
     #[test]
     fn agrees_with_the_dense_factor() {
-        let pairs = [(0, 3), (2, 1), (3, 1), (1, 3)];
+        let pairs = [(0u32, 3u32), (2, 1), (3, 1), (1, 3)];
         let pattern = Arc::new(BlockPattern::new(5, pairs));
         let mut matrix = BlockMatrix::zeros(Arc::clone(&pattern));
         let mut dense = DMatrix::<f64>::zeros(30, 30);
@@ -100,7 +101,12 @@ mod tests {
             matrix.add(i, i, &diagonal);
             dense.view_mut((6 * i, 6 * i), (6, 6)).copy_from(&diagonal);
         }
-        for (k, &(a, b)) in pairs.iter().take(3).enumerate() {
+        for (k, (a, b)) in pairs
+            .iter()
+            .take(3)
+            .map(|&(a, b)| (a as usize, b as usize))
+            .enumerate()
+        {
             let m = block(10 + k as u32);
             matrix.add(a, b, &m);
             let mut view = dense.view_mut((6 * a, 6 * b), (6, 6));

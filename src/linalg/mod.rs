@@ -15,7 +15,9 @@ use thiserror::Error;
 #[non_exhaustive]
 pub enum LinearError {
     /// The matrix is not positive definite to working precision.
-    #[error("the matrix of {rows} rows is not positive definite to working precision; lower the penalty")]
+    #[error(
+        "the matrix of {rows} rows is not positive definite to working precision; lower the penalty"
+    )]
     NotPositiveDefinite {
         /// Number of scalar rows.
         rows: usize,

@@ -62,7 +62,12 @@ impl Inputs<'_> {
                 angular: self.scene.particles.inverse_inertia(i) * integrator.mobility(),
             })
             .collect();
-        Problem { step: self.step, free, inverse_mass, rows: Vec::new() }
+        Problem {
+            step: self.step,
+            free,
+            inverse_mass,
+            rows: Vec::new(),
+        }
     }
 
     fn velocity(&self, i: usize) -> Dof6 {
@@ -135,19 +140,33 @@ impl Inputs<'_> {
                 scene.boundaries[boundary].material
             }
         };
-        let Pair { friction, restitution } = scene.pairs.get(particles.material[a], material_b);
+        let Pair {
+            friction,
+            restitution,
+        } = scene.pairs.get(particles.material[a], material_b);
         row.law = Law::Contact { mu: friction };
         let (approach, sliding) = split(before, n);
         acceleration = acceleration.max(sliding.norm_squared() * candidate.curvature);
-        let threshold = settings.threshold_velocity.max(2.0 * self.step * acceleration);
+        let threshold = settings
+            .threshold_velocity
+            .max(2.0 * self.step * acceleration);
         let closes = candidate.gap + self.step * n.dot(&row.relative_velocity(free)) < 0.0;
         let impact = approach < -threshold && closes;
-        let rebounds = impact
-            && restitution > 0.0
-            && settings.integrator == crate::scene::Integrator::Moreau;
-        let normal_bias = if rebounds { restitution * approach } else { candidate.gap / self.step };
+        let rebounds =
+            impact && restitution > 0.0 && settings.integrator == crate::scene::Integrator::Moreau;
+        let normal_bias = if rebounds {
+            restitution * approach
+        } else {
+            candidate.gap / self.step
+        };
         row.bias = n * normal_bias;
-        row.impulse_scale = lightest * acceleration * self.step;
+        // Where nothing accelerates, the speed of approach is the only scale there is.
+        let change = if acceleration > 0.0 {
+            acceleration * self.step
+        } else {
+            before.norm()
+        };
+        row.impulse_scale = lightest * change;
 
         let dt2 = self.step * self.step;
         if let (Method::Penalty, Some(penalty)) = (settings.method, settings.penalty) {
@@ -195,7 +214,9 @@ pub fn external_acceleration(scene: &Scene, kinematics: &Kinematics, gravity: Ve
     let particles = &scene.particles;
     let mut external: Vec<Dof6> = (0..particles.len())
         .map(|i| Dof6 {
-            linear: particles.inverse_mass(i).component_mul(&(gravity * particles.mass[i])),
+            linear: particles
+                .inverse_mass(i)
+                .component_mul(&(gravity * particles.mass[i])),
             angular: Vec3::zeros(),
         })
         .collect();

@@ -160,7 +160,11 @@ fn point_compliance(inverse_mass: &Dof6, arm: Vec3) -> nalgebra::Matrix3<f64> {
 
 /// Two unit vectors that complete the unit vector `n` to an orthonormal frame.
 fn tangents(n: Vec3) -> [Vec3; 2] {
-    let helper = if n.x.abs() < 0.6 { Vec3::x() } else { Vec3::y() };
+    let helper = if n.x.abs() < 0.6 {
+        Vec3::x()
+    } else {
+        Vec3::y()
+    };
     let t1 = n.cross(&helper).normalize();
     [t1, n.cross(&t1)]
 }

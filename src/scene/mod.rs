@@ -1,4 +1,26 @@
-//! Scenes: [`file`] is the TOML as typed, [`build`] turns it into a validated [`Scene`].
+//! Scenes: [`file`] is the TOML as typed, [`Scene::from_file`] turns it into a validated [`Scene`] in one step.
+//!
+//! Everything wrong with a scene is reported at once as a [`SceneError`]: line, key path, value found, value
+//! allowed. Files that a scene names (meshes, CSV) lie beside or below it and are returned with it.
+
+mod bodies;
+mod build;
+mod columns;
+mod decode;
+mod document;
+pub mod file;
+mod overlap;
+mod problem;
+mod resources;
+mod spheres;
+mod summary;
+
+use std::path::Path;
+
+pub use overlap::{Overlap, Overlaps};
+pub use problem::{Problem, SceneError};
+pub use resources::Attachment;
+pub use summary::Summary;
 
 use serde::{Deserialize, Serialize};
 
@@ -51,6 +73,38 @@ pub struct Tolerance {
     pub slip: f64,
     /// Force residual over the contact's force scale \[-\], same range.
     pub force: f64,
+}
+
+impl Default for Tolerance {
+    fn default() -> Self {
+        Self {
+            gap: 1e-6,
+            slip: 1e-6,
+            force: 1e-6,
+        }
+    }
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self {
+            gravity: Vec3::new(0.0, 0.0, -9.81),
+            duration: 1.0,
+            step: 1e-3,
+            communication_step: 1e-3,
+            method: Method::default(),
+            integrator: Integrator::default(),
+            solver: SolverKind::default(),
+            penalty: None,
+            adapt_penalty: true,
+            tolerance: Tolerance::default(),
+            max_initial_overlap: 0.05,
+            threshold_velocity: 0.0,
+            dynamic_coefficient: 1.0,
+            max_iterations: 4000,
+            max_cuts: 6,
+        }
+    }
 }
 
 /// Everything a run needs beside bodies and boundaries.
@@ -192,4 +246,53 @@ pub struct Scene {
     pub probes: Vec<Probe>,
     /// Result files.
     pub output: Output,
+}
+
+/// A scene with what a package needs to carry it elsewhere.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Loaded {
+    /// The scene.
+    pub scene: Scene,
+    /// Name of the scene file, as problems call it.
+    pub name: String,
+    /// Text of the scene file.
+    pub text: String,
+    /// Files it refers to, sorted by path, each once.
+    pub attachments: Vec<Attachment>,
+    /// SHA-256 of text and attachments, 64 hex digits: equal hashes, equal scenes.
+    pub hash: String,
+    /// What runs, but probably not as meant.
+    pub warnings: Vec<Problem>,
+}
+
+impl Scene {
+    /// Reads a scene file; the files it names are looked for in its folder.
+    ///
+    /// # Errors
+    /// All problems of the scene, or the one of reading the file.
+    pub fn from_file(path: impl AsRef<Path>) -> Result<Loaded, SceneError> {
+        let path = path.as_ref();
+        let name = path.display().to_string();
+        match std::fs::read(path).map(String::from_utf8) {
+            Ok(Ok(text)) => Self::from_toml(&name, &text, path.parent().unwrap_or(Path::new(""))),
+            Ok(Err(error)) => Err(SceneError::unreadable(
+                &name,
+                &error.to_string(),
+                "save it as UTF-8 text",
+            )),
+            Err(error) => Err(SceneError::unreadable(
+                &name,
+                &error.to_string(),
+                "check the path and its permissions",
+            )),
+        }
+    }
+
+    /// Reads a scene from its text; `name` is what problems call it, `folder` where the files it names lie.
+    ///
+    /// # Errors
+    /// All problems of the scene.
+    pub fn from_toml(name: &str, text: &str, folder: &Path) -> Result<Loaded, SceneError> {
+        build::load(name, text, folder)
+    }
 }

@@ -85,9 +85,19 @@ fn augmented(row: &Row, u: Vec3, p: Vec3, sigma: f64, radius: f64) -> Augmented 
     let nn = n * n.transpose();
     let across = Matrix3::identity() - nn;
     let (q_n, t_n, q_t, t_t, e_t) = match row.law {
-        Law::Bilateral => (y_n, stiff_n, y_t, across * stiff_t, 0.5 * y_t.norm_squared()),
+        Law::Bilateral => (
+            y_n,
+            stiff_n,
+            y_t,
+            across * stiff_t,
+            0.5 * y_t.norm_squared(),
+        ),
         Law::Contact { .. } => {
-            let (q_n, t_n) = if y_n > 0.0 { (y_n, stiff_n) } else { (0.0, 0.0) };
+            let (q_n, t_n) = if y_n > 0.0 {
+                (y_n, stiff_n)
+            } else {
+                (0.0, 0.0)
+            };
             let length = y_t.norm();
             if length <= radius {
                 (q_n, t_n, y_t, across * stiff_t, 0.5 * length * length)
@@ -109,8 +119,10 @@ fn augmented(row: &Row, u: Vec3, p: Vec3, sigma: f64, radius: f64) -> Augmented 
 /// `d(u)/d(v)` of body A: `[1, -[arm]x]`, with locked degrees of freedom taken out.
 fn jacobian(arm: Vec3, inverse_mass: &Dof6) -> nalgebra::Matrix3x6<f64> {
     let mut j = nalgebra::Matrix3x6::zeros();
-    j.fixed_view_mut::<3, 3>(0, 0).copy_from(&Matrix3::identity());
-    j.fixed_view_mut::<3, 3>(0, 3).copy_from(&-arm.cross_matrix());
+    j.fixed_view_mut::<3, 3>(0, 0)
+        .copy_from(&Matrix3::identity());
+    j.fixed_view_mut::<3, 3>(0, 3)
+        .copy_from(&-arm.cross_matrix());
     for k in 0..3 {
         if inverse_mass.linear[k] == 0.0 {
             j.column_mut(k).fill(0.0);
@@ -267,7 +279,10 @@ fn outer_loop(
             .zip(&*impulses)
             .map(|(row, p)| friction_radius(row, *p))
             .collect();
-        let evaluate_rows = |velocity: &[Dof6], radii: &[f64], impulses: &[Vec3]| -> Vec<Augmented> {
+        let evaluate_rows = |velocity: &[Dof6],
+                             radii: &[f64],
+                             impulses: &[Vec3]|
+         -> Vec<Augmented> {
             problem
                 .rows
                 .iter()
@@ -349,8 +364,6 @@ fn motion(problem: &Problem, step: &[f64]) -> f64 {
     problem
         .rows
         .iter()
-        .map(|row| {
-            (row.relative_velocity(&change) - row.drift).norm() * problem.step / row.radius
-        })
+        .map(|row| (row.relative_velocity(&change) - row.drift).norm() * problem.step / row.radius)
         .fold(0.0, f64::max)
 }

@@ -27,8 +27,12 @@ pub fn solve(problem: &Problem, params: &Params, impulses: &mut [Vec3]) -> Repor
             .find(|(after, _)| report.sweeps > *after)
             .map_or(1.0, |(_, damping)| *damping);
         let mut change = Residual::default();
-        for (index, ((row, scale), p)) in
-            problem.rows.iter().zip(&scales).zip(&mut *impulses).enumerate()
+        for (index, ((row, scale), p)) in problem
+            .rows
+            .iter()
+            .zip(&scales)
+            .zip(&mut *impulses)
+            .enumerate()
         {
             let correction = scale.correction(row, row.relative_velocity(&velocity), *p);
             change.include(index, scale.residuals(row, problem.step, &correction));

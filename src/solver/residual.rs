@@ -84,8 +84,16 @@ impl Scale {
         let (p_n, p_t) = split(p, n);
         let d_n = u_n + row.compliance_n * p_n;
         let d_t = u_t + p_t * row.compliance_t;
-        let free_n = if self.normal > 0.0 { p_n - d_n / self.normal } else { p_n };
-        let free_t = if self.tangential > 0.0 { p_t - d_t / self.tangential } else { p_t };
+        let free_n = if self.normal > 0.0 {
+            p_n - d_n / self.normal
+        } else {
+            p_n
+        };
+        let free_t = if self.tangential > 0.0 {
+            p_t - d_t / self.tangential
+        } else {
+            p_t
+        };
         let (new_n, new_t) = match row.law {
             Law::Contact { mu } => {
                 let new_n = free_n.max(0.0);
@@ -110,7 +118,11 @@ impl Scale {
         [
             normal * self.normal * length,
             tangential * self.tangential * length,
-            force / correction.magnitude.max(row.impulse_scale).max(f64::MIN_POSITIVE),
+            force
+                / correction
+                    .magnitude
+                    .max(row.impulse_scale)
+                    .max(f64::MIN_POSITIVE),
         ]
     }
 }

@@ -244,7 +244,8 @@ impl ModelDescription {
 
     /// Reads a description; a byte order mark in front is allowed.
     ///
-    /// Elements and attributes beyond the schema are skipped. The result is what
+    /// Elements and attributes beyond the schema are skipped. FMI 2.0 has no
+    /// namespaces: prefixes of names are not looked at. The result is what
     /// stands there, not necessarily valid: ask [`validate`](Self::validate).
     ///
     /// # Errors

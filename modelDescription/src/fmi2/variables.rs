@@ -16,7 +16,8 @@ pub struct ScalarVariable {
     /// Name, unique in the description.
     #[serde(rename = "@name")]
     pub name: String,
-    /// Handle of the value. Variables of one [`BaseType`] with one handle always
+    /// Handle of the value. Variables of one
+    /// [`BaseType`](super::BaseType) with one handle always
     /// have the same value.
     #[serde(rename = "@valueReference", with = "lexical")]
     pub value_reference: u32,

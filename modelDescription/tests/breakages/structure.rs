@@ -81,6 +81,30 @@ pub(crate) const CASES: &[Case] = &[
         },
     ),
     case(
+        "a derivative that is discrete",
+        Error,
+        Rule::Derivatives,
+        "Derivatives/Unknown 1",
+        |m| {
+            expose_a_state(m, state(), RealVariable::new().with_derivative(11));
+            variable(m, 12).variability = Variability::Discrete;
+        },
+    ),
+    case(
+        "a state that is fixed",
+        Error,
+        Rule::Derivatives,
+        "Derivatives/Unknown 1",
+        |m| {
+            let mut state = local("x", 20, RealVariable::new());
+            state.variability = Variability::Fixed;
+            expose_a_state(m, state, RealVariable::new().with_derivative(11));
+            m.model_structure
+                .initial_unknowns
+                .insert(3, Unknown::new(11));
+        },
+    ),
+    case(
         "a derivative twice",
         Error,
         Rule::Derivatives,
@@ -215,7 +239,7 @@ pub(crate) const CASES: &[Case] = &[
     ),
     case(
         "a factor of an integer",
-        Error,
+        Warning,
         Rule::DependenciesKind,
         "index 4 `contactCount`",
         |m| {

@@ -346,7 +346,7 @@ pub(crate) const CASES: &[Case] = &[
     ),
     case(
         "an alias without unit",
-        Error,
+        Warning,
         Rule::AliasUnit,
         "`f`",
         |m| add(m, local("f", 2, RealVariable::new())),

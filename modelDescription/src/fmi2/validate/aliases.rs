@@ -11,7 +11,7 @@ use super::super::{
 };
 use super::Context;
 use super::variables::place;
-use crate::finding::{Report, Rule};
+use crate::finding::{Report, Rule, Severity};
 
 /// Variables of one base type and one value reference.
 struct Aliases<'a> {
@@ -50,8 +50,9 @@ fn compare(
     report: &mut Report,
 ) {
     let first = aliases.first;
-    let mut conflict = |rule: Rule, other: &ScalarVariable, what: &str| {
-        report.error(
+    let mut conflict = |severity: Severity, rule: Rule, other: &ScalarVariable, what: &str| {
+        report.add(
+            severity,
             rule,
             place(index, variable),
             format!(
@@ -62,21 +63,45 @@ fn compare(
         );
     };
     if is_constant(first) != is_constant(variable) {
-        conflict(Rule::AliasConstant, first, "only one of them constant");
+        conflict(
+            Severity::Error,
+            Rule::AliasConstant,
+            first,
+            "only one of them constant",
+        );
     } else if is_constant(variable) && !same_start(first, variable) {
-        conflict(Rule::AliasConstant, first, "a constant of another value");
+        conflict(
+            Severity::Error,
+            Rule::AliasConstant,
+            first,
+            "a constant of another value",
+        );
     }
     if let Some(free) = aliases.free
         && is_free(variable)
     {
         conflict(
+            Severity::Error,
             Rule::AliasStart,
             free,
             "both with a start value or given from outside",
         );
     }
-    if context.unit_of(first) != context.unit_of(variable) {
-        conflict(Rule::AliasUnit, first, "with another unit");
+    match (context.unit_of(first), context.unit_of(variable)) {
+        (Some(one), Some(other)) if one != other => {
+            conflict(Severity::Error, Rule::AliasUnit, first, "with another unit");
+        }
+        // Modelica tools write this for a connector without unit, and importers
+        // take it.
+        (Some(_), None) | (None, Some(_)) => {
+            conflict(
+                Severity::Warning,
+                Rule::AliasUnit,
+                first,
+                "only one of them with a unit",
+            );
+        }
+        _ => {}
     }
 }
 

@@ -177,6 +177,17 @@ impl List<'_> {
                 );
                 continue;
             };
+            if variable.variability != Variability::Continuous {
+                report.error(
+                    Rule::Derivatives,
+                    &place,
+                    format!(
+                        "a derivative of variability {}",
+                        variable.variability.name()
+                    ),
+                    "a continuous one",
+                );
+            }
             // A wrong index is reported with the variable itself.
             if let Some(state) = variable_at(self.variables, state)
                 && (!matches!(state.causality, Causality::Local | Causality::Output)
@@ -290,7 +301,8 @@ impl List<'_> {
             } else if *kind != DependencyKind::Dependent
                 && !(is_real(index) && is_real(unknown.index))
             {
-                report.error(
+                // Even the reference units of the standard's authors do this.
+                report.warning(
                     Rule::DependenciesKind,
                     &place,
                     format!("{} with a variable that is not real", kind.name()),

@@ -263,10 +263,6 @@ impl Typed<'_> {
             );
             return;
         };
-        let continuous = |variable: &ScalarVariable| {
-            variable.variable_type.base() == BaseType::Real
-                && variable.variability == Variability::Continuous
-        };
         if std::ptr::eq(state, variable) {
             report.error(
                 Rule::Derivative,
@@ -274,15 +270,12 @@ impl Typed<'_> {
                 "the variable itself",
                 "the variable of which it is the derivative",
             );
-        } else if !continuous(state) || !continuous(variable) {
+        } else if state.variable_type.base() != BaseType::Real {
             report.error(
                 Rule::Derivative,
                 place,
-                format!(
-                    "`{}`, one of the two not a continuous real variable",
-                    state.name
-                ),
-                "a continuous real variable, itself on one",
+                format!("`{}`, which is not real", state.name),
+                "a real variable",
             );
         }
     }

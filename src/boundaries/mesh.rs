@@ -1,0 +1,236 @@
+//! Closest points on a facet mesh.
+//!
+//! A sphere touches the mesh wherever the distance from its centre has a local minimum over the whole surface.
+//! A point `x` on an edge or vertex is one only if no triangle through `x` comes closer to the centre; else it
+//! lies in that triangle's contact cone and is dropped. The test asks which triangles pass through `x`, not which
+//! are joined there, so facets that meet without sharing vertices leave no ghost edges either.
+
+use std::ops::ControlFlow;
+
+use rstar::primitives::{GeomWithData, Rectangle};
+use rstar::{AABB, RTree};
+
+use super::closest::{on_segment, on_triangle};
+use super::error::GeometryError;
+use super::facets::Facets;
+use super::topology::{self, Feature, Repair, Topology};
+use super::{Touch, keep_distinct};
+use crate::Vec3;
+
+/// A mesh ready for queries.
+#[derive(Debug, Clone)]
+pub(super) struct Mesh {
+    topology: Topology,
+    /// Lengths that rounding may produce \[m\], far below the tolerance.
+    slack: f64,
+    tree: RTree<GeomWithData<Rectangle<[f64; 3]>, u32>>,
+}
+
+impl Mesh {
+    pub(super) fn new(shapes: &[&Facets]) -> Result<Self, GeometryError> {
+        let topology = topology::build(shapes)?;
+        let mut largest: f64 = 0.0;
+        let leaves = topology
+            .corners
+            .iter()
+            .enumerate()
+            .map(|(t, [a, b, c])| {
+                let (min, max) = (a.inf(b).inf(c), a.sup(b).sup(c));
+                largest = largest.max(min.amax()).max(max.amax());
+                GeomWithData::new(Rectangle::from_corners(min.into(), max.into()), t as u32)
+            })
+            .collect();
+        Ok(Self {
+            slack: (1e-3 * topology.tolerance).max(16.0 * f64::EPSILON * largest),
+            tree: RTree::bulk_load(leaves),
+            topology,
+        })
+    }
+
+    /// Number of features.
+    pub(super) fn features(&self) -> u32 {
+        self.topology.features.len() as u32
+    }
+
+    pub(super) fn repair(&self) -> &Repair {
+        &self.topology.repair
+    }
+
+    /// Corners of the triangles \[m\].
+    pub(super) fn triangles(&self) -> &[[Vec3; 3]] {
+        &self.topology.corners
+    }
+
+    pub(super) fn touches(&self, centre: Vec3, radius: f64, reach: f64, out: &mut Vec<Touch>) {
+        let start = out.len();
+        let range = radius + reach;
+        let _: ControlFlow<()> = self.near(centre, range + self.topology.tolerance, |t| {
+            let (closest, feature) = self.closest_in(t, centre);
+            let seen = out[start..].iter().any(|touch| touch.feature == feature);
+            if seen || (closest.is_none() && self.is_face(feature)) {
+                return ControlFlow::Continue(());
+            }
+            let touch = self.touch(feature, closest, centre, radius);
+            let local = closest.is_some() || !self.is_undercut(touch.point, centre);
+            if touch.gap <= reach && local {
+                out.push(touch);
+            }
+            ControlFlow::Continue(())
+        });
+        keep_distinct(out, start, self.topology.tolerance);
+    }
+
+    pub(super) fn follow(
+        &self,
+        feature: u32,
+        normal: Vec3,
+        centre: Vec3,
+        radius: f64,
+    ) -> Option<Touch> {
+        match self.topology.features.get(feature as usize)? {
+            Feature::Face {
+                normal: face,
+                offset,
+                border,
+            } => {
+                let distance = face.dot(&centre) - offset;
+                let foot = centre - face * distance;
+                let side = if face.dot(&normal) < 0.0 { -1.0 } else { 1.0 };
+                if self.face_contains(feature, foot) {
+                    return Some(Touch {
+                        feature,
+                        point: foot,
+                        normal: face * side,
+                        gap: distance * side - radius,
+                        curvature: 0.0,
+                    });
+                }
+                let nearest = border
+                    .iter()
+                    .map(|&[a, b]| on_segment(a, b, foot))
+                    .min_by(|p, q| {
+                        (p - foot)
+                            .norm_squared()
+                            .total_cmp(&(q - foot).norm_squared())
+                    });
+                Some(Touch::at_point(
+                    feature,
+                    nearest.unwrap_or(foot),
+                    centre,
+                    radius,
+                    face * side,
+                ))
+            }
+            Feature::Edge { ends: [a, b], .. } => Some(Touch::at_point(
+                feature,
+                on_segment(*a, *b, centre),
+                centre,
+                radius,
+                normal,
+            )),
+            Feature::Vertex { point, .. } => {
+                Some(Touch::at_point(feature, *point, centre, radius, normal))
+            }
+        }
+    }
+
+    /// The touch on a feature; `foot` is the centre's foot where the feature is a face.
+    fn touch(&self, feature: u32, foot: Option<Vec3>, centre: Vec3, radius: f64) -> Touch {
+        match &self.topology.features[feature as usize] {
+            Feature::Face { normal, offset, .. } => {
+                let distance = normal.dot(&centre) - offset;
+                Touch {
+                    feature,
+                    point: foot.unwrap_or(centre - normal * distance),
+                    normal: if distance < 0.0 { -normal } else { *normal },
+                    gap: distance.abs() - radius,
+                    curvature: 0.0,
+                }
+            }
+            Feature::Edge {
+                ends: [a, b],
+                normal,
+            } => Touch::at_point(feature, on_segment(*a, *b, centre), centre, radius, *normal),
+            Feature::Vertex { point, normal } => {
+                Touch::at_point(feature, *point, centre, radius, *normal)
+            }
+        }
+    }
+
+    /// The feature of triangle `t` closest to `c`, and the foot of `c` on the plane of its face if the triangle
+    /// contains it.
+    fn closest_in(&self, t: u32, c: Vec3) -> (Option<Vec3>, u32) {
+        let parts = &self.topology.parts[t as usize];
+        let (foot, normal) = self.foot(t, c);
+        let (closest, part) = on_triangle(&self.topology.corners[t as usize], foot);
+        let off = closest - foot;
+        let contained = (off - normal * off.dot(&normal)).norm() <= self.slack;
+        if contained {
+            (Some(foot), parts[0])
+        } else {
+            (None, parts[part])
+        }
+    }
+
+    /// Foot of `c` on the plane of the face that triangle `t` belongs to, and its normal. All triangles of a face
+    /// use one plane: they tile it without gaps or overlaps.
+    fn foot(&self, t: u32, c: Vec3) -> (Vec3, Vec3) {
+        let face = self.topology.parts[t as usize][0];
+        match &self.topology.features[face as usize] {
+            Feature::Face { normal, offset, .. } => {
+                (c - normal * (normal.dot(&c) - offset), *normal)
+            }
+            Feature::Edge { normal, .. } | Feature::Vertex { normal, .. } => (c, *normal),
+        }
+    }
+
+    fn is_face(&self, feature: u32) -> bool {
+        matches!(
+            self.topology.features[feature as usize],
+            Feature::Face { .. }
+        )
+    }
+
+    /// Whether a triangle through `x` has a point closer to the centre `c` than `x`.
+    fn is_undercut(&self, x: Vec3, c: Vec3) -> bool {
+        self.near(x, self.topology.tolerance, |t| {
+            let corners = &self.topology.corners[t as usize];
+            if (on_triangle(corners, x).0 - x).norm() > self.topology.tolerance {
+                return ControlFlow::Continue(());
+            }
+            let w = on_triangle(corners, self.foot(t, c).0).0 - x;
+            // |c - x - w| < |c - x| without cancellation. The factor .6 instead of .5 keeps two facets with a
+            // crack between them from ruling each other out by rounding.
+            if w.norm() > self.slack && (c - x).dot(&w) > 0.6 * w.norm_squared() {
+                ControlFlow::Break(())
+            } else {
+                ControlFlow::Continue(())
+            }
+        })
+        .is_break()
+    }
+
+    fn face_contains(&self, feature: u32, foot: Vec3) -> bool {
+        self.near(foot, self.topology.tolerance, |t| {
+            if self.topology.parts[t as usize][0] == feature && self.closest_in(t, foot).0.is_some()
+            {
+                ControlFlow::Break(())
+            } else {
+                ControlFlow::Continue(())
+            }
+        })
+        .is_break()
+    }
+
+    /// Visits the triangles whose bounding box comes within `range` of `x` in every direction.
+    fn near<B>(
+        &self,
+        x: Vec3,
+        range: f64,
+        mut visit: impl FnMut(u32) -> ControlFlow<B>,
+    ) -> ControlFlow<B> {
+        let cube = AABB::from_corners(x.add_scalar(-range).into(), x.add_scalar(range).into());
+        self.tree
+            .locate_in_envelope_intersecting_int(cube, |leaf| visit(leaf.data))
+    }
+}

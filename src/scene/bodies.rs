@@ -1,0 +1,201 @@
+//! Boundaries: faces to geometry, prescribed and driven motion.
+
+use super::build::{Context, direction};
+use super::columns::Columns;
+use super::document::Document;
+use super::file;
+use super::resources::Resources;
+use crate::Vec3;
+use crate::boundaries::{Boundary, Geometry};
+use crate::motion::{InputKind, Motion, Twist};
+
+/// Builds one boundary; `None` if a part of it was refused.
+pub(super) fn boundary(
+    document: &mut Document<'_>,
+    resources: &mut Resources<'_>,
+    context: &Context,
+    path: &str,
+    value: &file::Boundary,
+) -> Option<Boundary> {
+    let material =
+        context
+            .materials
+            .resolve(document, &format!("{path}.material"), &value.material);
+    if let Some(k) = value.stiffness {
+        document.demand(
+            k > 0.0,
+            format!("{path}.stiffness"),
+            k,
+            "a stiffness > 0 [N/m]",
+        );
+    }
+    let motion = match (&value.motion, value.input) {
+        (None, None) => Some(Motion::Fixed),
+        (Some(given), None) => motion(document, resources, &format!("{path}.motion"), given),
+        (None, Some(given)) => input(document, &format!("{path}.input"), given),
+        (Some(_), Some(_)) => {
+            let help = "keep `motion` if the scene moves it, `input` if the outside does";
+            document.error(
+                format!("{path}.input"),
+                "found both `motion` and `input`, expected one of them",
+                help,
+            );
+            None
+        }
+    };
+    let geometry = geometry(document, resources, &format!("{path}.faces"), &value.faces);
+    Some(Boundary {
+        name: value.name.clone(),
+        material: u16::try_from(material?).ok()?,
+        geometry: geometry?,
+        motion: motion?,
+        point_of_action: value.point_of_action.into(),
+        stiffness: value.stiffness,
+    })
+}
+
+/// A driven motion.
+fn input(document: &mut Document<'_>, path: &str, given: file::Input) -> Option<Motion> {
+    let mut axis = |key: &str, v| direction(document, &format!("{path}.{key}"), v);
+    let kind = match given {
+        file::Input::Pose => InputKind::Pose,
+        file::Input::Motion => InputKind::Motion,
+        file::Input::Twist => InputKind::Twist,
+        file::Input::Slide(v) => InputKind::Slide {
+            axis: axis("slide", v)?,
+        },
+        file::Input::SlideSpeed(v) => InputKind::SlideSpeed {
+            axis: axis("slide_speed", v)?,
+        },
+        file::Input::Hinge(v) => InputKind::Hinge {
+            axis: axis("hinge", v)?,
+        },
+        file::Input::HingeSpeed(v) => InputKind::HingeSpeed {
+            axis: axis("hinge_speed", v)?,
+        },
+    };
+    Some(Motion::Input(kind))
+}
+
+/// A prescribed motion.
+pub(super) fn motion(
+    document: &mut Document<'_>,
+    resources: &mut Resources<'_>,
+    path: &str,
+    given: &file::Motion,
+) -> Option<Motion> {
+    match given {
+        file::Motion::Constant(c) => Some(Motion::Constant(Twist {
+            linear: c.velocity.into(),
+            angular: c.angular_velocity.into(),
+        })),
+        file::Motion::Sinusoid(s) => {
+            let key = format!("{path}.sinusoid.frequency");
+            let good = document.demand(s.frequency > 0.0, key, s.frequency, "a frequency > 0 [Hz]");
+            good.then_some(Motion::Sinusoid {
+                translation: s.translation.into(),
+                rotation: s.rotation.into(),
+                frequency: s.frequency,
+                phase: s.phase,
+            })
+        }
+        file::Motion::Table(table) => {
+            let path = format!("{path}.table");
+            match (&table.csv, &table.time) {
+                (Some(csv), None) if table.translation.is_none() && table.rotation.is_none() => {
+                    read_table(document, resources, &format!("{path}.csv"), csv)
+                }
+                (None, Some(time)) => typed_table(document, &path, time, table),
+                _ => {
+                    let help = "give `csv = \"file\"` alone, or `time` with `translation`, `rotation` or both";
+                    document.error(
+                        path,
+                        "found an incomplete or doubled table, expected `csv` or `time`",
+                        help,
+                    );
+                    None
+                }
+            }
+        }
+    }
+}
+
+fn typed_table(
+    document: &mut Document<'_>,
+    path: &str,
+    time: &[f64],
+    table: &file::Table,
+) -> Option<Motion> {
+    let mut good = increasing(document, &format!("{path}.time"), time);
+    let mut column = |key: &str, given: &Option<Vec<file::Vector>>| match given {
+        None => vec![Vec3::zeros(); time.len()],
+        Some(rows) => {
+            let expected = format!("{} of them, one for each time", time.len());
+            let found = format!("{} vectors", rows.len());
+            good &= document.demand(
+                rows.len() == time.len(),
+                format!("{path}.{key}"),
+                found,
+                &expected,
+            );
+            rows.iter().map(|&v| v.into()).collect()
+        }
+    };
+    let translation = column("translation", &table.translation);
+    let rotation = column("rotation", &table.rotation);
+    good.then(|| Motion::Table {
+        time: time.to_vec(),
+        translation,
+        rotation,
+    })
+}
+
+fn read_table(
+    document: &mut Document<'_>,
+    resources: &mut Resources<'_>,
+    path: &str,
+    csv: &str,
+) -> Option<Motion> {
+    let content = resources.read(document, path, csv)?.to_owned();
+    let names = ["time", "x", "y", "z", "rx", "ry", "rz"];
+    let table = Columns::read(document, path, csv, &content, &names, 4)?;
+    let vector = |row: &[Option<f64>; 7], k: usize| Vec3::from_fn(|i, _| row[k + i].unwrap_or(0.0));
+    let time: Vec<f64> = table.rows.iter().map(|row| row[0].unwrap_or(0.0)).collect();
+    increasing(document, path, &time).then(|| Motion::Table {
+        translation: table.rows.iter().map(|row| vector(row, 1)).collect(),
+        rotation: table.rows.iter().map(|row| vector(row, 4)).collect(),
+        time,
+    })
+}
+
+fn increasing(document: &mut Document<'_>, path: &str, time: &[f64]) -> bool {
+    if time.is_empty() {
+        return document.demand(false, path, "no times", "at least one [s]");
+    }
+    match time.windows(2).find(|pair| pair[0] >= pair[1]) {
+        Some(pair) => document.demand(
+            false,
+            path,
+            format!("{} after {}", pair[1], pair[0]),
+            "strictly increasing times [s]",
+        ),
+        None => true,
+    }
+}
+
+fn geometry(
+    document: &mut Document<'_>,
+    resources: &mut Resources<'_>,
+    path: &str,
+    faces: &[file::Face],
+) -> Option<Geometry> {
+    let _ = resources;
+    document
+        .demand(
+            !faces.is_empty(),
+            path,
+            "an empty list",
+            "at least one face",
+        )
+        .then(Geometry::default)
+}

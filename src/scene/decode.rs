@@ -1,0 +1,346 @@
+//! TOML values to the types of [`super::file`], element by element, so that one pass reports every unknown
+//! key and every wrong type.
+
+use std::ops::Range;
+
+use miette::Severity;
+use serde::de::DeserializeOwned;
+use serde_path_to_error::Segment;
+use toml::Spanned;
+use toml::de::{DeArray, DeValue, ValueDeserializer};
+
+use super::document::{Document, LARGEST, Step, child, did_you_mean, join};
+use super::file;
+
+/// Most problems reported for one element: a mistyped list of a million numbers stays readable.
+const PROBLEMS_PER_ELEMENT: usize = 20;
+
+/// One element of a list: its name also if the rest of it is unusable, so that references to it are not
+/// reported as unknown.
+#[derive(Debug)]
+pub(super) struct Element<T> {
+    /// `material[2]`.
+    pub(super) path: String,
+    /// Value of its key `name`.
+    pub(super) name: Option<String>,
+    /// The element, if its types are right.
+    pub(super) value: Option<T>,
+}
+
+/// The scene file with right types.
+pub(super) struct SceneFile {
+    pub(super) title: String,
+    pub(super) simulation: Option<file::Simulation>,
+    pub(super) materials: Vec<Element<file::Material>>,
+    pub(super) pairs: Vec<Element<file::Pair>>,
+    pub(super) pair_default: file::PairDefault,
+    pub(super) spheres: Vec<Element<file::Spheres>>,
+    pub(super) boundaries: Vec<Element<file::Boundary>>,
+    pub(super) loads: Vec<Element<file::Load>>,
+    pub(super) springs: Vec<Element<file::Spring>>,
+    pub(super) sensors: Vec<Element<file::Sensor>>,
+    pub(super) probes: Vec<Element<file::Probe>>,
+    pub(super) output: file::Output,
+}
+
+const TABLES: [&str; 12] = [
+    "title",
+    "simulation",
+    "material",
+    "pair",
+    "pair_default",
+    "spheres",
+    "boundary",
+    "load",
+    "spring",
+    "sensor",
+    "probe",
+    "output",
+];
+
+impl SceneFile {
+    /// Decodes the whole document; what is wrong is added to its problems.
+    pub(super) fn decode(document: &mut Document<'_>) -> Self {
+        let root = document.root().clone();
+        refuse_unknown_tables(document, root.get_ref());
+        Self {
+            title: optional(document, &root, "title").unwrap_or_default(),
+            simulation: simulation(document, &root),
+            materials: list(document, &root, "material"),
+            pairs: list(document, &root, "pair"),
+            pair_default: optional(document, &root, "pair_default").unwrap_or_default(),
+            spheres: list(document, &root, "spheres"),
+            boundaries: list(document, &root, "boundary"),
+            loads: list(document, &root, "load"),
+            springs: list(document, &root, "spring"),
+            sensors: list(document, &root, "sensor"),
+            probes: list(document, &root, "probe"),
+            output: optional(document, &root, "output").unwrap_or_default(),
+        }
+    }
+}
+
+fn refuse_unknown_tables(document: &mut Document<'_>, root: &DeValue<'_>) {
+    let Some(table) = root.as_table() else { return };
+    for key in table.keys() {
+        let name: &str = key.get_ref();
+        if !TABLES.contains(&name) {
+            let help = format!("{}known: {}", did_you_mean(name, TABLES), TABLES.join(", "));
+            let message = format!("unknown key `{name}`");
+            document.report(Severity::Error, name.to_owned(), key.span(), message, help);
+        }
+    }
+}
+
+fn simulation(
+    document: &mut Document<'_>,
+    root: &Spanned<DeValue<'_>>,
+) -> Option<file::Simulation> {
+    if child(root, &Step::Key("simulation".into())).is_none() {
+        let help = "add `[simulation]` with `duration` and `step` in seconds";
+        document.error("simulation", "missing table `[simulation]`", help);
+    }
+    optional(document, root, "simulation")
+}
+
+fn optional<T: DeserializeOwned>(
+    document: &mut Document<'_>,
+    root: &Spanned<DeValue<'_>>,
+    key: &str,
+) -> Option<T> {
+    let value = child(root, &Step::Key(key.into()))?;
+    element(document, value, key)
+}
+
+fn list<T: DeserializeOwned>(
+    document: &mut Document<'_>,
+    root: &Spanned<DeValue<'_>>,
+    key: &str,
+) -> Vec<Element<T>> {
+    let Some(value) = child(root, &Step::Key(key.into())) else {
+        return Vec::new();
+    };
+    let Some(array) = value.get_ref().as_array() else {
+        let found = value.get_ref().type_str();
+        let help = format!("write `[[{key}]]` with double brackets, once per {key}");
+        document.error(
+            key,
+            format!("found {found}, expected an array of tables"),
+            help,
+        );
+        return Vec::new();
+    };
+    let elements = array.iter().enumerate().map(|(i, value)| {
+        let path = format!("{key}[{i}]");
+        let name = child(value, &Step::Key("name".into()));
+        Element {
+            name: name.and_then(|n| n.get_ref().as_str()).map(str::to_owned),
+            value: element(document, value, &path),
+            path,
+        }
+    });
+    elements.collect()
+}
+
+/// Decodes one value. After an error the faulty part is cut out and the rest is tried again, until nothing is
+/// left to complain about.
+fn element<T: DeserializeOwned>(
+    document: &mut Document<'_>,
+    value: &Spanned<DeValue<'_>>,
+    path: &str,
+) -> Option<T> {
+    let mut sound = refuse_non_finite(document, value, path);
+    let mut rest = value.clone();
+    let mut cut: Vec<Vec<Step>> = Vec::new();
+    for _ in 0..PROBLEMS_PER_ELEMENT {
+        let error = match serde_path_to_error::deserialize(ValueDeserializer::from(rest.clone())) {
+            Ok(decoded) => return sound.then_some(decoded),
+            Err(error) => error,
+        };
+        let mut steps = steps_of(error.path());
+        let place = original(value, &rest, &steps);
+        let message = error.inner().message();
+        let unknown = between_ticks(message, "unknown field `");
+        if let Some(key) = unknown {
+            if steps.last() != Some(&Step::Key(key.to_owned())) {
+                steps.push(Step::Key(key.to_owned()));
+            }
+            let place = original(value, &rest, &steps);
+            let span = error.inner().span().unwrap_or(value.span());
+            let help = alternatives(message, key);
+            document.report(
+                Severity::Error,
+                join(path, &place),
+                span,
+                format!("unknown key `{key}`"),
+                help,
+            );
+        } else {
+            sound = false;
+            let missing = between_ticks(message, "missing field `");
+            let follows = cut.iter().any(|c| match missing {
+                Some(key) => c.split_last() == Some((&Step::Key(key.to_owned()), place.as_slice())),
+                None => c.len() > place.len() && c.starts_with(&place),
+            });
+            if !follows {
+                let span = span_of(value, &place);
+                let (message, help) = reword(message, missing);
+                document.report(Severity::Error, join(path, &place), span, message, help);
+            }
+            cut.push(place);
+        }
+        if !remove(&mut rest, &steps) {
+            return None;
+        }
+    }
+    None
+}
+
+fn reword(message: &str, missing: Option<&str>) -> (String, String) {
+    if let Some(key) = missing {
+        return (format!("missing key `{key}`"), format!("add `{key} = ...`"));
+    }
+    let found = between_ticks(message, "unknown variant `");
+    let help = found.map_or(String::new(), |found| alternatives(message, found));
+    match found {
+        Some(found) => {
+            let expected = message.split_once(", expected ").map_or("", |(_, e)| e);
+            (format!("found `{found}`, expected {expected}"), help)
+        }
+        None => (
+            message.replacen("invalid type: ", "found ", 1).replacen(
+                "invalid value: ",
+                "found ",
+                1,
+            ),
+            help,
+        ),
+    }
+}
+
+/// The names serde lists after `expected`, with a suggestion first.
+fn alternatives(message: &str, found: &str) -> String {
+    let expected = message.split_once(", expected ").map_or("", |(_, e)| e);
+    let names: Vec<&str> = expected.split('`').skip(1).step_by(2).collect();
+    if names.is_empty() {
+        return "remove it".to_owned();
+    }
+    format!(
+        "{}known: {}",
+        did_you_mean(found, names.iter().copied()),
+        names.join(", ")
+    )
+}
+
+fn between_ticks<'m>(message: &'m str, before: &str) -> Option<&'m str> {
+    message.strip_prefix(before)?.split('`').next()
+}
+
+fn steps_of(path: &serde_path_to_error::Path) -> Vec<Step> {
+    let steps = path.iter().filter_map(|segment| match segment {
+        Segment::Map { key } => Some(Step::Key(key.clone())),
+        Segment::Enum { variant } => Some(Step::Key(variant.clone())),
+        Segment::Seq { index } => Some(Step::Index(*index)),
+        Segment::Unknown => None,
+    });
+    steps.collect()
+}
+
+/// The path in the file of a path in what is left of it: removed array elements shift the later ones.
+fn original(file: &Spanned<DeValue<'_>>, rest: &Spanned<DeValue<'_>>, steps: &[Step]) -> Vec<Step> {
+    let (mut file, mut rest) = (Some(file), Some(rest));
+    let mut path = Vec::with_capacity(steps.len());
+    for step in steps {
+        rest = rest.and_then(|r| child(r, step));
+        let mut here = step.clone();
+        if let (Step::Index(_), Some(array), Some(rest)) =
+            (step, file.and_then(|f| f.get_ref().as_array()), rest)
+            && let Some(index) = array.iter().position(|v| v.span() == rest.span())
+        {
+            here = Step::Index(index);
+        }
+        file = file.and_then(|f| child(f, &here));
+        path.push(here);
+    }
+    path
+}
+
+fn span_of(value: &Spanned<DeValue<'_>>, steps: &[Step]) -> Range<usize> {
+    let mut place = value;
+    for step in steps {
+        let Some(next) = child(place, step) else {
+            break;
+        };
+        place = next;
+    }
+    place.span()
+}
+
+/// Removes the value at `steps`, or the deepest one above it that exists; false if that is all of it.
+fn remove(value: &mut Spanned<DeValue<'_>>, steps: &[Step]) -> bool {
+    let Some((step, below)) = steps.split_first() else {
+        return false;
+    };
+    match (value.get_mut(), step) {
+        (DeValue::Table(table), Step::Key(key)) => match table.get_mut(key.as_str()) {
+            Some(next) => remove(next, below) || table.remove(key.as_str()).is_some(),
+            None => false,
+        },
+        (DeValue::Array(array), Step::Index(index)) => match array.get_mut(*index) {
+            Some(next) => {
+                if !remove(next, below) {
+                    let entries = std::mem::replace(array, DeArray::new())
+                        .into_iter()
+                        .enumerate();
+                    for (_, entry) in entries.filter(|(i, _)| i != index) {
+                        array.push(entry);
+                    }
+                }
+                true
+            }
+            None => false,
+        },
+        _ => false,
+    }
+}
+
+/// Refuses `nan` and `inf` everywhere, so that no later check has to think of them.
+fn refuse_non_finite(
+    document: &mut Document<'_>,
+    value: &Spanned<DeValue<'_>>,
+    path: &str,
+) -> bool {
+    match value.get_ref() {
+        DeValue::Float(number)
+            if !number
+                .as_str()
+                .parse::<f64>()
+                .is_ok_and(|x| x.abs() <= LARGEST) =>
+        {
+            let message = format!("found {number}, expected a finite number, at most {LARGEST:e}");
+            document.report(
+                Severity::Error,
+                path.to_owned(),
+                value.span(),
+                message,
+                String::new(),
+            );
+            false
+        }
+        DeValue::Array(array) => {
+            let mut finite = true;
+            for (i, entry) in array.iter().enumerate() {
+                finite &= refuse_non_finite(document, entry, &format!("{path}[{i}]"));
+            }
+            finite
+        }
+        DeValue::Table(table) => {
+            let mut finite = true;
+            for (key, entry) in table {
+                finite &= refuse_non_finite(document, entry, &format!("{path}.{}", key.get_ref()));
+            }
+            finite
+        }
+        _ => true,
+    }
+}

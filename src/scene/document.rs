@@ -1,0 +1,206 @@
+//! A TOML text with the place of every value, and the list of problems found in it.
+
+use std::ops::Range;
+
+use miette::Severity;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+use super::problem::Problem;
+
+/// Largest magnitude of a number in a scene: beyond it products of a few of them stop being finite.
+pub(super) const LARGEST: f64 = 1e30;
+
+/// One step of a key path.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) enum Step {
+    /// A key of a table.
+    Key(String),
+    /// An index of an array, counted from 0.
+    Index(usize),
+}
+
+/// `boundary[1].faces[0]` for the steps of a path.
+pub(super) fn join(path: &str, steps: &[Step]) -> String {
+    let mut joined = path.to_owned();
+    for step in steps {
+        match step {
+            Step::Key(key) if joined.is_empty() => joined.push_str(key),
+            Step::Key(key) => {
+                joined.push('.');
+                joined.push_str(key);
+            }
+            Step::Index(index) => joined.push_str(&format!("[{index}]")),
+        }
+    }
+    joined
+}
+
+fn split(path: &str) -> Vec<Step> {
+    let mut steps = Vec::new();
+    for part in path.split('.').filter(|part| !part.is_empty()) {
+        let (key, indices) = part.split_at(part.find('[').unwrap_or(part.len()));
+        steps.push(Step::Key(key.to_owned()));
+        let numbers = indices.split(['[', ']']).filter_map(|n| n.parse().ok());
+        steps.extend(numbers.map(Step::Index));
+    }
+    steps
+}
+
+/// The text, its values and what is wrong with them.
+pub(super) struct Document<'t> {
+    text: &'t str,
+    root: Spanned<DeValue<'t>>,
+    problems: Vec<Problem>,
+}
+
+impl<'t> Document<'t> {
+    /// Parses `text`; syntax errors become problems, all of them.
+    pub(super) fn parse(text: &'t str) -> Self {
+        let (table, errors) = DeTable::parse_recoverable(text);
+        let span = table.span();
+        let mut document = Self {
+            text,
+            root: Spanned::new(span, DeValue::Table(table.into_inner())),
+            problems: Vec::new(),
+        };
+        for error in errors {
+            let span = error.span().unwrap_or(0..0);
+            let help = "this is not TOML: see https://toml.io for its syntax";
+            document.report(
+                Severity::Error,
+                String::new(),
+                span,
+                error.message().to_owned(),
+                help.into(),
+            );
+        }
+        document
+    }
+
+    /// Whether an error (not only warnings) was reported.
+    pub(super) fn refused(&self) -> bool {
+        self.problems.iter().any(|p| p.severity == Severity::Error)
+    }
+
+    /// The problems in the order of the file: errors, warnings.
+    pub(super) fn into_problems(mut self) -> (Vec<Problem>, Vec<Problem>) {
+        self.problems.sort_by_key(|p| p.span.offset());
+        self.problems
+            .into_iter()
+            .partition(|p| p.severity == Severity::Error)
+    }
+
+    /// The top-level table.
+    pub(super) fn root(&self) -> &Spanned<DeValue<'t>> {
+        &self.root
+    }
+
+    /// Refuses the scene because of the value at `path`. An empty `help` is none.
+    pub(super) fn error(
+        &mut self,
+        path: impl Into<String>,
+        message: impl Into<String>,
+        help: impl Into<String>,
+    ) {
+        let path = path.into();
+        let span = self.locate(&path);
+        self.report(Severity::Error, path, span, message.into(), help.into());
+    }
+
+    /// Warns of the value at `path`.
+    pub(super) fn warn(
+        &mut self,
+        path: impl Into<String>,
+        message: impl Into<String>,
+        help: impl Into<String>,
+    ) {
+        let path = path.into();
+        let span = self.locate(&path);
+        self.report(Severity::Warning, path, span, message.into(), help.into());
+    }
+
+    /// Refuses a number outside its range: `found 0, expected > 0 [m]`. Returns whether it was in range.
+    pub(super) fn demand(
+        &mut self,
+        in_range: bool,
+        path: impl Into<String>,
+        found: impl std::fmt::Display,
+        expected: &str,
+    ) -> bool {
+        if !in_range {
+            self.error(path, format!("found {found}, expected {expected}"), "");
+        }
+        in_range
+    }
+
+    /// Adds a problem at a known place.
+    pub(super) fn report(
+        &mut self,
+        severity: Severity,
+        path: String,
+        span: Range<usize>,
+        message: String,
+        help: String,
+    ) {
+        let start = span.start.min(self.text.len());
+        let end = span.end.clamp(start, self.text.len());
+        let first_line = self.text.as_bytes()[start..end]
+            .iter()
+            .position(|&b| b == b'\n');
+        let end = first_line.map_or(end, |n| start + n);
+        self.problems.push(Problem {
+            path: if path.is_empty() {
+                "scene".to_owned()
+            } else {
+                path
+            },
+            line: 1 + self.text.as_bytes()[..start]
+                .iter()
+                .filter(|&&b| b == b'\n')
+                .count(),
+            span: (start..end).into(),
+            message,
+            help: Some(help).filter(|help| !help.is_empty()),
+            severity,
+        });
+    }
+
+    /// Place of the value at `path`, or of the closest table or array above it that exists.
+    fn locate(&self, path: &str) -> Range<usize> {
+        let mut place = &self.root;
+        let mut span = 0..0;
+        for step in split(path) {
+            let Some(next) = child(place, &step) else {
+                break;
+            };
+            place = next;
+            span = place.span();
+        }
+        span
+    }
+}
+
+/// The value one step below `value`.
+pub(super) fn child<'a, 't>(
+    value: &'a Spanned<DeValue<'t>>,
+    step: &Step,
+) -> Option<&'a Spanned<DeValue<'t>>> {
+    match step {
+        Step::Key(key) => value.get_ref().get(key.as_str()),
+        Step::Index(index) => value.get_ref().get(*index),
+    }
+}
+
+/// The closest of `names` to `name`, as ` Did you mean ...?`, or nothing.
+pub(super) fn did_you_mean<'a>(name: &str, names: impl IntoIterator<Item = &'a str>) -> String {
+    let name = name.to_lowercase();
+    names
+        .into_iter()
+        .map(|candidate| (strsim::jaro_winkler(&name, candidate), candidate))
+        .filter(|(score, _)| *score > 0.75)
+        .max_by(|a, b| a.0.total_cmp(&b.0))
+        .map_or(String::new(), |(_, best)| {
+            format!("did you mean `{best}`? ")
+        })
+}

@@ -1,0 +1,173 @@
+//! Overlaps at t = 0: spheres that start inside each other or inside a wall.
+//!
+//! The overlap of a pair is `-g / min(R_i, R_j)`, of a sphere and a wall `-g / R`, with the true gap `g` \[m\].
+
+use std::ops::Range;
+
+use rstar::{AABB, RTree, primitives::GeomWithData, primitives::Rectangle};
+
+use super::Scene;
+use super::decode::Element;
+use super::document::Document;
+use super::file;
+
+/// A sphere that starts inside something.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Overlap {
+    /// Index of the sphere.
+    pub sphere: usize,
+    /// Index of the other sphere or of the boundary.
+    pub other: usize,
+    /// `-g` over the smaller radius \[-\], > 0.
+    pub ratio: f64,
+}
+
+/// All overlaps at t = 0.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Overlaps {
+    /// Pairs of spheres.
+    pub pairs: Vec<Overlap>,
+    /// Spheres and boundaries.
+    pub walls: Vec<Overlap>,
+}
+
+/// Rounding of positions is not an overlap \[-\].
+const ROUNDING: f64 = 1e-12;
+
+impl Overlaps {
+    /// Finds them: `O(N log N)`.
+    #[must_use]
+    pub fn of(scene: &Scene) -> Self {
+        let radius = &scene.particles.radius;
+        let position = &scene.initial.position;
+        let cube = |i: usize| {
+            let (c, r) = (position[i], radius[i]);
+            Rectangle::from_corners([c.x - r, c.y - r, c.z - r], [c.x + r, c.y + r, c.z + r])
+        };
+        let tree = RTree::bulk_load(
+            (0..radius.len())
+                .map(|i| GeomWithData::new(cube(i), i))
+                .collect(),
+        );
+        let mut found = Self::default();
+        let mut touches = Vec::new();
+        for i in 0..radius.len() {
+            let envelope = AABB::from_corners(cube(i).lower(), cube(i).upper());
+            let mut near: Vec<usize> = tree
+                .locate_in_envelope_intersecting(envelope)
+                .map(|n| n.data)
+                .filter(|&j| j > i)
+                .collect();
+            near.sort_unstable();
+            for j in near {
+                let gap = (position[i] - position[j]).norm() - radius[i] - radius[j];
+                let ratio = -gap / radius[i].min(radius[j]);
+                if ratio > ROUNDING {
+                    found.pairs.push(Overlap {
+                        sphere: i,
+                        other: j,
+                        ratio,
+                    });
+                }
+            }
+            for (b, boundary) in scene.boundaries.iter().enumerate() {
+                touches.clear();
+                boundary
+                    .geometry
+                    .touches(position[i], radius[i], 0.0, &mut touches);
+                let deepest = touches
+                    .iter()
+                    .map(|t| -t.gap / radius[i])
+                    .fold(0.0, f64::max);
+                if deepest > ROUNDING {
+                    found.walls.push(Overlap {
+                        sphere: i,
+                        other: b,
+                        ratio: deepest,
+                    });
+                }
+            }
+        }
+        found
+    }
+
+    /// The largest overlap between spheres.
+    #[must_use]
+    pub fn worst_pair(&self) -> Option<&Overlap> {
+        self.pairs.iter().max_by(|a, b| a.ratio.total_cmp(&b.ratio))
+    }
+
+    /// The largest overlap with a boundary.
+    #[must_use]
+    pub fn worst_wall(&self) -> Option<&Overlap> {
+        self.walls.iter().max_by(|a, b| a.ratio.total_cmp(&b.ratio))
+    }
+
+    /// Refuses overlaps above `max_initial_overlap`, warns of smaller ones.
+    pub(super) fn judge(
+        &self,
+        document: &mut Document<'_>,
+        scene: &Scene,
+        ranges: &[Option<Range<usize>>],
+        groups: &[Element<file::Spheres>],
+    ) {
+        let allowed = scene.settings.max_initial_overlap;
+        let group_of = |i: usize| {
+            ranges
+                .iter()
+                .position(|r| r.as_ref().is_some_and(|r| r.contains(&i)))
+        };
+        let call = |i: usize| {
+            let place = scene.initial.position[i];
+            let name = group_of(i)
+                .and_then(|g| Some((groups[g].name.as_ref()?, ranges[g].as_ref()?.start)));
+            let name = name.map_or(format!("sphere {i}"), |(name, start)| {
+                format!("`{name}[{}]`", i - start)
+            });
+            format!("{name} at ({}, {}, {}) m", place.x, place.y, place.z)
+        };
+        let path = |i: usize| group_of(i).map_or("spheres".to_owned(), |g| groups[g].path.clone());
+        let most = |n: usize| {
+            if n == 1 {
+                "1 overlap".to_owned()
+            } else {
+                format!("{n} overlaps")
+            }
+        };
+        let judge = |document: &mut Document<'_>,
+                     list: &[Overlap],
+                     worst: &Overlap,
+                     what: String,
+                     help: &str| {
+            let refused = list.iter().filter(|o| o.ratio > allowed).count();
+            let measure = format!(
+                "overlaps {what} by {:.3e} of the smaller radius",
+                worst.ratio
+            );
+            let subject = call(worst.sphere);
+            if refused > 0 {
+                let message = format!(
+                    "{subject} {measure}, expected at most max_initial_overlap = {allowed}; {} above it in all",
+                    most(refused)
+                );
+                document.error(path(worst.sphere), message, help);
+            } else {
+                let message = format!(
+                    "{subject} {measure}; {} in all are removed by displacement before t = 0",
+                    most(list.len())
+                );
+                document.warn(path(worst.sphere), message, help);
+            }
+        };
+        if let Some(worst) = self.worst_pair() {
+            let help = "increase the spacing, or reduce the radius or the jitter";
+            judge(document, &self.pairs, worst, call(worst.other), help);
+        }
+        if let Some(worst) = self.worst_wall() {
+            let what = format!("boundary `{}`", scene.boundaries[worst.other].name);
+            let help =
+                "move the spheres or the boundary; a plane is solid on the side its normal leaves";
+            judge(document, &self.walls, worst, what, help);
+        }
+    }
+}

@@ -1,0 +1,105 @@
+//! What is wrong with a scene file: place, value found, value allowed, how to mend it.
+
+use std::fmt;
+
+use miette::{Diagnostic, LabeledSpan, NamedSource, Severity, SourceSpan};
+use thiserror::Error;
+
+/// One finding about a scene file.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[error("{path}: {message}")]
+pub struct Problem {
+    /// Key path, counted from 0: `boundary[1].faces[0].plane.normal`.
+    pub path: String,
+    /// Line in the scene file, counted from 1.
+    pub line: usize,
+    /// Bytes of the scene file to point at.
+    pub span: SourceSpan,
+    /// What was found and what is expected, with units.
+    pub message: String,
+    /// How to mend it.
+    pub help: Option<String>,
+    /// `Error`: the scene is refused. `Warning`: it runs, but probably not as meant.
+    pub severity: Severity,
+}
+
+impl Diagnostic for Problem {
+    fn severity(&self) -> Option<Severity> {
+        Some(self.severity)
+    }
+
+    fn help<'a>(&'a self) -> Option<Box<dyn fmt::Display + 'a>> {
+        self.help
+            .as_ref()
+            .map(|help| Box::new(help) as Box<dyn fmt::Display>)
+    }
+
+    fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
+        let label = LabeledSpan::new_with_span(Some("here".to_owned()), self.span);
+        Some(Box::new(std::iter::once(label)))
+    }
+}
+
+/// A scene that was refused, with all its problems in the order of the file.
+#[derive(Debug, Error)]
+#[error("scene `{}`: {}", source_code.name(), count(problems.len()))]
+pub struct SceneError {
+    /// Name and text of the scene file.
+    pub source_code: NamedSource<String>,
+    /// Every problem found; never empty.
+    pub problems: Vec<Problem>,
+}
+
+impl SceneError {
+    /// A scene file that cannot be read at all.
+    pub(super) fn unreadable(name: &str, reason: &str, help: &str) -> Self {
+        Self {
+            source_code: NamedSource::new(name, String::new()),
+            problems: vec![Problem {
+                path: "scene".to_owned(),
+                line: 1,
+                span: (0..0).into(),
+                message: format!("cannot read the file: {reason}"),
+                help: Some(help.to_owned()),
+                severity: Severity::Error,
+            }],
+        }
+    }
+
+    /// Plain text, one paragraph per problem: `funnel.toml:12: spheres[0].radius: found 0, ...`.
+    #[must_use]
+    pub fn plain(&self) -> String {
+        let name = self.source_code.name();
+        let paragraphs: Vec<String> = self.problems.iter().map(|p| p.plain(name)).collect();
+        paragraphs.join("\n")
+    }
+}
+
+impl Problem {
+    /// Plain text for logs, with the name of the scene file.
+    #[must_use]
+    pub fn plain(&self, name: &str) -> String {
+        let help = self
+            .help
+            .as_deref()
+            .map_or(String::new(), |help| format!("\n  help: {help}"));
+        format!("{name}:{}: {self}{help}", self.line)
+    }
+}
+
+impl Diagnostic for SceneError {
+    fn source_code(&self) -> Option<&dyn miette::SourceCode> {
+        Some(&self.source_code)
+    }
+
+    fn related<'a>(&'a self) -> Option<Box<dyn Iterator<Item = &'a dyn Diagnostic> + 'a>> {
+        Some(Box::new(self.problems.iter().map(|p| p as &dyn Diagnostic)))
+    }
+}
+
+fn count(n: usize) -> String {
+    match n {
+        1 => "1 problem".to_owned(),
+        n => format!("{n} problems"),
+    }
+}

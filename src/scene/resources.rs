@@ -1,0 +1,116 @@
+//! Files a scene refers to: read below the scene's folder only, and remembered, so that a package can carry
+//! them and the scene's hash covers them.
+
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+use std::path::{Component, Path};
+
+use sha2::{Digest, Sha256};
+
+use super::document::Document;
+
+/// A file a scene refers to.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Attachment {
+    /// Path from the scene's folder, with forward slashes and without `.` and `..`.
+    pub path: String,
+    /// Its bytes when the scene was read.
+    pub content: Vec<u8>,
+}
+
+/// The files read so far.
+pub(super) struct Resources<'a> {
+    folder: &'a Path,
+    files: BTreeMap<String, Vec<u8>>,
+}
+
+impl<'a> Resources<'a> {
+    pub(super) fn new(folder: &'a Path) -> Self {
+        Self {
+            folder,
+            files: BTreeMap::new(),
+        }
+    }
+
+    /// Reads `file`, named at the key path `path`.
+    pub(super) fn read(
+        &mut self,
+        document: &mut Document<'_>,
+        path: &str,
+        file: &str,
+    ) -> Option<&[u8]> {
+        let Some(name) = inside(file) else {
+            let message =
+                format!("found `{file}`, expected a relative path below the scene's folder");
+            document.error(
+                path,
+                message,
+                "put the file beside the scene, so that both travel together",
+            );
+            return None;
+        };
+        if !self.files.contains_key(&name) {
+            match std::fs::read(self.folder.join(&name)) {
+                Ok(content) => {
+                    self.files.insert(name.clone(), content);
+                }
+                Err(error) => {
+                    let message = format!(
+                        "cannot read `{}`: {error}",
+                        self.folder.join(&name).display()
+                    );
+                    document.error(
+                        path,
+                        message,
+                        "paths count from the folder of the scene file",
+                    );
+                    return None;
+                }
+            }
+        }
+        self.files.get(&name).map(Vec::as_slice)
+    }
+
+    pub(super) fn into_attachments(self) -> Vec<Attachment> {
+        let files = self.files.into_iter();
+        files
+            .map(|(path, content)| Attachment { path, content })
+            .collect()
+    }
+}
+
+/// The normal form of a relative path that does not leave its folder.
+fn inside(file: &str) -> Option<String> {
+    let mut parts = Vec::new();
+    for component in Path::new(file).components() {
+        match component {
+            Component::Normal(part) => parts.push(part.to_str()?),
+            Component::CurDir => {}
+            _ => return None,
+        }
+    }
+    (!parts.is_empty()).then(|| parts.join("/"))
+}
+
+/// SHA-256 of the text and the attachments in their order, 64 hex digits: each part is preceded by its length,
+/// so that no two scenes share their bytes.
+pub(super) fn hash(text: &str, attachments: &[Attachment]) -> String {
+    let mut digest = Sha256::new();
+    let mut part = |bytes: &[u8]| {
+        digest.update((bytes.len() as u64).to_le_bytes());
+        digest.update(bytes);
+    };
+    part(text.as_bytes());
+    for attachment in attachments {
+        part(attachment.path.as_bytes());
+        part(&attachment.content);
+    }
+    let bytes = digest.finalize();
+    bytes
+        .iter()
+        .fold(String::with_capacity(64), |mut hex, byte| {
+            // Writing to a String cannot fail.
+            let _ = write!(hex, "{byte:02x}");
+            hex
+        })
+}

@@ -1,0 +1,228 @@
+//! Small scenes written in code, and the momentum balance that every test checks in every step.
+
+use std::sync::Arc;
+
+use sphere_dda::Vec3;
+use sphere_dda::boundaries::{Boundary, Geometry, HalfSpace, Shape};
+use sphere_dda::materials::{Material, Pair, PairTable};
+use sphere_dda::motion::Motion;
+use sphere_dda::particles::{Kinematics, Locks, Particles};
+use sphere_dda::scene::{Output, Scene, Settings};
+use sphere_dda::simulation::Simulation;
+
+/// Gravity of all cases \[m/s^2\].
+pub const G: f64 = 9.81;
+
+/// A scene under construction: one material for spheres, one for boundaries.
+pub struct Case {
+    pub scene: Scene,
+}
+
+impl Case {
+    /// No bodies yet; the same friction and restitution for every pair.
+    pub fn new(step: f64, friction: f64, restitution: f64) -> Self {
+        let material = |name: &str| Material {
+            name: name.into(),
+            density: 2500.0,
+        };
+        let mut pairs = PairTable::new(2, Pair::default());
+        for (a, b) in [(0, 0), (0, 1), (1, 1)] {
+            pairs.set(
+                a,
+                b,
+                Pair {
+                    friction,
+                    restitution,
+                },
+            );
+        }
+        let settings = Settings {
+            step,
+            communication_step: step,
+            ..Settings::default()
+        };
+        Self {
+            scene: Scene {
+                title: "case".into(),
+                hash: "case".into(),
+                settings,
+                materials: vec![material("sphere"), material("wall")],
+                pairs,
+                particles: Particles::default(),
+                initial: Kinematics::default(),
+                boundaries: vec![],
+                loads: vec![],
+                springs: vec![],
+                sensors: vec![],
+                probes: vec![],
+                output: Output {
+                    vtu_interval: 0.0,
+                    csv_interval: 0.0,
+                    float64: true,
+                },
+            },
+        }
+    }
+
+    pub fn settings(mut self, change: impl FnOnce(&mut Settings)) -> Self {
+        change(&mut self.scene.settings);
+        self
+    }
+
+    pub fn without_gravity(self) -> Self {
+        self.settings(|s| s.gravity = Vec3::zeros())
+    }
+
+    pub fn tolerance(self, gap: f64, slip: f64, force: f64) -> Self {
+        self.settings(|s| {
+            s.tolerance.gap = gap;
+            s.tolerance.slip = slip;
+            s.tolerance.force = force;
+        })
+    }
+
+    /// A sphere of density 2500 kg/m^3.
+    pub fn sphere(self, radius: f64, position: Vec3, velocity: Vec3) -> Self {
+        self.body(radius, position, velocity, Vec3::zeros(), Locks::default())
+    }
+
+    pub fn body(
+        mut self,
+        radius: f64,
+        position: Vec3,
+        velocity: Vec3,
+        spin: Vec3,
+        locks: Locks,
+    ) -> Self {
+        self.scene.particles.push(radius, 2500.0, 0, locks);
+        self.scene.initial.push(position, velocity, spin);
+        self
+    }
+
+    /// A fixed half-space through `point`, `normal` towards the spheres.
+    pub fn plane(mut self, point: Vec3, normal: Vec3) -> Self {
+        self.scene.boundaries.push(Boundary {
+            name: format!("plane{}", self.scene.boundaries.len()),
+            material: 1,
+            geometry: Geometry::new(vec![Shape::HalfSpace(
+                HalfSpace::new(point, normal).expect("a plane"),
+            )])
+            .expect("a geometry"),
+            motion: Motion::Fixed,
+            point_of_action: Vec3::zeros(),
+            stiffness: None,
+        });
+        self
+    }
+
+    pub fn floor(self) -> Self {
+        self.plane(Vec3::zeros(), Vec3::z())
+    }
+
+    pub fn start(self) -> Run {
+        let simulation = Simulation::new(Arc::new(self.scene)).expect("the case starts");
+        Run { simulation }
+    }
+}
+
+/// A running case.
+pub struct Run {
+    pub simulation: Simulation,
+}
+
+impl Run {
+    pub fn position(&self, i: usize) -> Vec3 {
+        self.simulation.kinematics().position[i]
+    }
+
+    pub fn velocity(&self, i: usize) -> Vec3 {
+        self.simulation.velocity(i).linear
+    }
+
+    pub fn spin(&self, i: usize) -> Vec3 {
+        self.simulation.velocity(i).angular
+    }
+
+    pub fn force_on_boundary(&self, b: usize) -> Vec3 {
+        self.simulation.wrench(b).force
+    }
+
+    pub fn mass(&self, i: usize) -> f64 {
+        self.simulation.scene().particles.mass[i]
+    }
+
+    /// Momentum of the integrator's velocities \[N s\].
+    fn momentum(&self) -> Vec3 {
+        let masses = &self.simulation.scene().particles.mass;
+        let velocities = &self.simulation.kinematics().velocity;
+        masses.iter().zip(velocities).map(|(m, v)| v * *m).sum()
+    }
+
+    /// One communication step, with the balance of linear momentum: boundary forces, weight, loads and
+    /// springs are its rate, to 1e-9 of all impulses. The balance needs equal steps before and after, and
+    /// free spheres; `Moreau` only.
+    pub fn step(&mut self) {
+        self.advance(self.simulation.scene().settings.step);
+    }
+
+    pub fn advance(&mut self, h: f64) {
+        let before = self.momentum();
+        let last = self.simulation.state().last_step;
+        self.simulation.advance(h).expect("the step converges");
+        let scene = Arc::clone(self.simulation.scene());
+        let locked = scene
+            .particles
+            .locks
+            .iter()
+            .any(|l| l.translation.iter().any(|x| *x));
+        let equal = (last - self.simulation.state().last_step).abs() <= 1e-12 * h;
+        let shi = scene.settings.integrator == sphere_dda::scene::Integrator::Shi;
+        if locked || !equal || shi {
+            return;
+        }
+        let weight: Vec3 = scene
+            .particles
+            .mass
+            .iter()
+            .map(|m| scene.settings.gravity * *m)
+            .sum();
+        let loads: Vec3 = scene.loads.iter().map(|load| load.force).sum();
+        let springs: Vec3 = self.simulation.state().springs.iter().sum();
+        let walls: Vec3 = (0..scene.boundaries.len())
+            .map(|b| -self.simulation.mean_wrench(b).force)
+            .sum();
+        let force = weight + loads + springs + walls;
+        let scale: f64 = weight.norm()
+            + self
+                .simulation
+                .contacts()
+                .iter()
+                .map(|c| c.force.norm())
+                .sum::<f64>()
+            + loads.norm()
+            + springs.norm()
+            + before.norm() / h;
+        let error = (self.momentum() - before - force * h).norm();
+        assert!(
+            error <= 1e-9 * scale * h,
+            "momentum is off by {error:e} of {:e} N s",
+            scale * h
+        );
+    }
+
+    pub fn steps(&mut self, n: usize) {
+        for _ in 0..n {
+            self.step();
+        }
+    }
+}
+
+/// Asserts `|found - expected| <= relative * max(|expected|, scale)`.
+#[track_caller]
+pub fn close(found: f64, expected: f64, relative: f64, scale: f64) {
+    let error = (found - expected).abs();
+    assert!(
+        error <= relative * expected.abs().max(scale),
+        "found {found:.15e}, expected {expected:.15e}, error {error:e}"
+    );
+}
