@@ -10,6 +10,8 @@ use super::Scene;
 use super::decode::Element;
 use super::document::Document;
 use super::file;
+use crate::boundaries::Boundary;
+use crate::motion::Pose;
 
 /// A sphere that starts inside something.
 #[derive(Debug, Clone, PartialEq)]
@@ -31,13 +33,12 @@ pub struct Overlaps {
     pub walls: Vec<Overlap>,
 }
 
-/// Rounding of positions is not an overlap \[-\].
-const ROUNDING: f64 = 1e-12;
 
 impl Overlaps {
-    /// Finds them: `O(N log N)`.
+    /// Finds those above the gap tolerance of the scene.
     #[must_use]
     pub fn of(scene: &Scene) -> Self {
+        let tolerance = scene.settings.tolerance.gap;
         let radius = &scene.particles.radius;
         let position = &scene.initial.position;
         let cube = |i: usize| {
@@ -50,6 +51,8 @@ impl Overlaps {
                 .collect(),
         );
         let mut found = Self::default();
+        let start = |b: &Boundary| b.motion.pose_at(0.0).;
+        let poses: Vec<Pose> = scene.boundaries.iter().map(start).collect();
         let mut touches = Vec::new();
         for i in 0..radius.len() {
             let envelope = AABB::from_corners(cube(i).lower(), cube(i).upper());
@@ -62,7 +65,7 @@ impl Overlaps {
             for j in near {
                 let gap = (position[i] - position[j]).norm() - radius[i] - radius[j];
                 let ratio = -gap / radius[i].min(radius[j]);
-                if ratio > ROUNDING {
+                if ratio > tolerance {
                     found.pairs.push(Overlap {
                         sphere: i,
                         other: j,
@@ -72,14 +75,15 @@ impl Overlaps {
             }
             for (b, boundary) in scene.boundaries.iter().enumerate() {
                 touches.clear();
+                let centre = boundary.to_frame(&poses[b], position[i]);
                 boundary
                     .geometry
-                    .touches(position[i], radius[i], 0.0, &mut touches);
+                    .touches(centre, radius[i], 0.0, &mut touches);
                 let deepest = touches
                     .iter()
                     .map(|t| -t.gap / radius[i])
                     .fold(0.0, f64::max);
-                if deepest > ROUNDING {
+                if deepest > tolerance {
                     found.walls.push(Overlap {
                         sphere: i,
                         other: b,
