@@ -197,5 +197,137 @@ fn geometry(
             "an empty list",
             "at least one face",
         )
-        .then(Geometry::default)
+        .then_some(())?;
+    let mut shapes = Vec::with_capacity(faces.len());
+    for (i, face) in faces.iter().enumerate() {
+        let path = format!("{path}[{i}]");
+        shapes.push(shape(document, resources, &path, face));
+    }
+    let shapes: Vec<Shape> = shapes.into_iter().collect::<Option<_>>()?;
+    let geometry = accept(document, path, Geometry::new(shapes))?;
+    if let Some(repair) = geometry.repair().filter(|r| !r.dropped_facets.is_empty()) {
+        let dropped = repair.dropped_facets.iter().take(3);
+        let named: Vec<String> = dropped
+            .map(|(name, facet)| format!("{facet} of {name}"))
+            .collect();
+        let message = format!(
+            "left out {} facets without area: {}{}",
+            repair.dropped_facets.len(),
+            named.join(", "),
+            if repair.dropped_facets.len() > 3 {
+                ", ..."
+            } else {
+                ""
+            }
+        );
+        document.warn(
+            path,
+            message,
+            "spheres do not notice; clean the mesh to silence this",
+        );
+    }
+    Some(geometry)
+}
+
+/// One face as a shape.
+fn shape(
+    document: &mut Document<'_>,
+    resources: &mut Resources<'_>,
+    path: &str,
+    face: &file::Face,
+) -> Option<Shape> {
+    let corners = |list: &[file::Vector]| list.iter().map(|&v| v.into()).collect::<Vec<Vec3>>();
+    let (key, built) = match face {
+        file::Face::Plane(p) => {
+            let plane = HalfSpace::new(p.point.into(), p.normal.into());
+            ("plane", plane.map(Shape::from))
+        }
+        file::Face::Rectangle(r) => {
+            let path = format!("{path}.rectangle");
+            let (u, v) = (Vec3::from(r.u), Vec3::from(r.v));
+            let square = u.dot(&v).abs() <= 1e-6 * u.norm() * v.norm();
+            let found = format!("u = {:?} and v = {:?}", r.u.0, r.v.0);
+            let expected = "perpendicular edges; use `polygon` for other shapes";
+            if !document.demand(square, path, found, expected) {
+                return None;
+            }
+            (
+                "rectangle",
+                Facets::rectangle(r.corner.into(), u, v).map(Shape::from),
+            )
+        }
+        file::Face::Triangle(list) => {
+            let key = format!("{path}.triangle");
+            let three = list.len() == 3;
+            if !document.demand(three, key, format!("{} corners", list.len()), "three") {
+                return None;
+            }
+            ("triangle", Facets::polygon(&corners(list)).map(Shape::from))
+        }
+        file::Face::Polygon(list) => ("polygon", Facets::polygon(&corners(list)).map(Shape::from)),
+        file::Face::Box(b) => {
+            let cuboid = Facets::cuboid(b.min.into(), b.max.into());
+            ("box", cuboid.map(Shape::from))
+        }
+        file::Face::Cone(c) => {
+            let cone = Revolution::frustum(c.base.into(), c.axis.into(), c.r0, c.r1, c.height);
+            ("cone", cone.map(Shape::from))
+        }
+        file::Face::Cylinder(c) => ("cylinder", cylinder(c).map(Shape::from)),
+        file::Face::Stl(mesh) => return stl(document, resources, &format!("{path}.stl"), mesh),
+    };
+    accept(document, &format!("{path}.{key}"), built)
+}
+
+fn cylinder(c: &file::Cylinder) -> Result<Revolution, GeometryError> {
+    let (base, axis) = (c.base.into(), c.axis.into());
+    if c.closed && c.radius > 0.0 && c.height > 0.0 {
+        // One profile with its discs: separate ones would meet in ghost edges.
+        let (r, h) = (c.radius, c.height);
+        return Revolution::new(base, axis, &[[0.0, 0.0], [r, 0.0], [r, h], [0.0, h]]);
+    }
+    Revolution::cylinder(base, axis, c.radius, c.height)
+}
+
+fn stl(
+    document: &mut Document<'_>,
+    resources: &mut Resources<'_>,
+    path: &str,
+    mesh: &file::Stl,
+) -> Option<Shape> {
+    let scaled = mesh.scale > 0.0;
+    document.demand(
+        scaled,
+        format!("{path}.scale"),
+        mesh.scale,
+        "a factor > 0 [-]",
+    );
+    let key = format!("{path}.file");
+    resources.read(document, &key, &mesh.file)?;
+    let mut facets = accept(document, &key, Facets::stl(&resources.place(&mesh.file)))?;
+    // The scene must not depend on where its folder lies.
+    facets.name.clone_from(&mesh.file);
+    // Welding and non-manifold edges are judged per file, so that the message points at it.
+    accept(document, &key, Geometry::new(vec![facets.clone().into()]))?;
+    let placed = facets.placed(
+        mesh.scale,
+        UnitQuaternion::identity(),
+        mesh.translate.into(),
+    );
+    scaled.then_some(placed.into())
+}
+
+/// Reports a refused geometry at its key.
+fn accept<T>(
+    document: &mut Document<'_>,
+    path: &str,
+    built: Result<T, GeometryError>,
+) -> Option<T> {
+    match built {
+        Ok(built) => Some(built),
+        Err(error) => {
+            document.error(path, error.to_string(), "");
+            None
+        }
+    }
 }

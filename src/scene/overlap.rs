@@ -31,9 +31,6 @@ pub struct Overlaps {
     pub walls: Vec<Overlap>,
 }
 
-/// Rounding of positions is not an overlap \[-\].
-const ROUNDING: f64 = 1e-12;
-
 impl Overlaps {
     /// Finds them: `O(N log N)`.
     #[must_use]
@@ -50,6 +47,8 @@ impl Overlaps {
                 .collect(),
         );
         let mut found = Self::default();
+        let start = |b: &Boundary| b.motion.pose_at(0.0);
+        let poses: Vec<Pose> = scene.boundaries.iter().map(start).collect();
         let mut touches = Vec::new();
         for i in 0..radius.len() {
             let envelope = AABB::from_corners(cube(i).lower(), cube(i).upper());
