@@ -17,13 +17,13 @@ pub const VERSION: &str = env!("CARGO_PKG_VERSION");
 
 /// The model description of a scene: the same scene, identifier and version give the same bytes.
 ///
-/// `identifier` names the shared library, a C identifier; `hash` is the content hash of the scene with its files.
+/// `identifier` names the shared library, a C identifier.
 ///
 /// # Errors
 /// If a name or description of the scene has a character that XML cannot carry.
-pub fn describe(scene: &Scene, table: &Table, identifier: &str, hash: &str) -> Result<ModelDescription, Error> {
+pub fn describe(scene: &Scene, table: &Table, identifier: &str) -> Result<ModelDescription, Error> {
     let mut model = unsigned(scene, table, identifier);
-    model.guid = guid(scene, table, hash)?;
+    model.guid = guid(scene, table)?;
     Ok(model)
 }
 
@@ -31,10 +31,10 @@ pub fn describe(scene: &Scene, table: &Table, identifier: &str, hash: &str) -> R
 ///
 /// # Errors
 /// As [`describe`].
-pub fn guid(scene: &Scene, table: &Table, hash: &str) -> Result<String, Error> {
+pub fn guid(scene: &Scene, table: &Table) -> Result<String, Error> {
     let text = unsigned(scene, table, "").to_xml()?;
     let mut digest = Sha256::new();
-    for part in [VERSION, hash, &text] {
+    for part in [VERSION, &scene.hash, &text] {
         digest.update(part.len().to_le_bytes());
         digest.update(part);
     }

@@ -119,8 +119,7 @@ fn places(folders: &[PathBuf]) -> String {
 pub fn export(scene: &Path, fmu: &Path, library: &Path) -> Result<Exported, ExportError> {
     let model = Model::read(scene)?;
     let identifier = identifier(scene);
-    let description =
-        describe(&model.scene, &model.table, &identifier, &model.hash).map_err(ModelError::from)?;
+    let description = describe(&model.scene, &model.table, &identifier).map_err(ModelError::from)?;
     let findings = description.validate();
     if !findings.is_empty() {
         return Err(ExportError::Invalid(findings));

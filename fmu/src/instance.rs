@@ -454,7 +454,7 @@ impl Instance {
         let frame_interval = self.run.parameters.output_interval;
         let defaults = Options::new(directory, simulation.scene());
         let options = Options { overwrite, frame_interval, hold: true, ..defaults };
-        Ok(Some(Results::new(options, simulation.scene())?))
+        Ok(Some(Results::create(simulation.scene(), options)?))
     }
 
     fn record(&mut self) {

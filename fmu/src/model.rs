@@ -21,8 +21,6 @@ pub struct Model {
     pub table: Table,
     /// Fingerprint of scene, table and version.
     pub guid: String,
-    /// Content hash of the scene file and of the files it refers to.
-    pub hash: String,
     /// Text of the scene file.
     pub text: String,
     /// The files it refers to.
@@ -40,13 +38,12 @@ impl Model {
     pub fn read(path: &Path) -> Result<Self, ModelError> {
         let loaded = Scene::from_file(path).map_err(Box::new)?;
         let table = Table::new(&loaded.scene);
-        let guid = description::guid(&loaded.scene, &table, &loaded.hash)?;
+        let guid = description::guid(&loaded.scene, &table)?;
         Ok(Self {
             table,
             guid,
             warnings: loaded.warnings.iter().map(|problem| problem.plain(&loaded.name)).collect(),
             scene: Arc::new(loaded.scene),
-            hash: loaded.hash,
             text: loaded.text,
             files: loaded.attachments,
         })

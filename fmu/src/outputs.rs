@@ -4,9 +4,10 @@ use sphere_dda::Vec3;
 use sphere_dda::contacts::{Contact, Partner};
 use sphere_dda::observe::Observation;
 use sphere_dda::observe::energy::{Energy, Momentum};
-use sphere_dda::observe::sensors::{Flow, mass_in_box};
+use sphere_dda::observe::sensors::mass_in_box;
 use sphere_dda::scene::{Measure, Scene};
 use sphere_dda::simulation::{Simulation, StepReport, Wrench};
+use sphere_dda::state::Work;
 
 use crate::variables::{BoundaryOutput, GlobalOutput, ProbeOutput, Quantity, SensorOutput, Value};
 
@@ -46,15 +47,22 @@ struct ProbeValues {
     angular_velocity: Vec3,
 }
 
+/// Reading of a sensor: mass \[kg\] and its rate \[kg/s\], zero where it has none.
+#[derive(Debug, Clone, Copy)]
+struct Reading {
+    mass: f64,
+    rate: f64,
+}
+
 /// All outputs at one communication point.
 #[derive(Debug, Clone)]
 pub struct Outputs {
     boundaries: Vec<BoundaryValues>,
     probes: Vec<ProbeValues>,
-    sensors: Vec<Flow>,
+    sensors: Vec<Reading>,
     mass: f64,
     energy: Energy,
-    dissipated: f64,
+    work: Work,
     momentum: Momentum,
     contacts: u64,
     max_overlap: f64,
@@ -75,7 +83,7 @@ impl Outputs {
             sensors: sensors(&state),
             mass: scene.particles.mass.iter().sum(),
             energy: Energy::of(&state),
-            dissipated: state.dissipated,
+            work: state.work,
             momentum: Momentum::of(&state),
             contacts,
             max_overlap: state.report.max_overlap.max(state.max_overlap()),
@@ -92,10 +100,10 @@ impl Outputs {
                 self.boundaries.get(boundary).map(|b| b.get(output, axis))
             }
             Quantity::Probe { probe, output, axis } => self.probes.get(probe).map(|p| p.get(output, axis)),
-            Quantity::Sensor { sensor, output } => self.sensors.get(sensor).map(|flow| {
+            Quantity::Sensor { sensor, output } => self.sensors.get(sensor).map(|reading| {
                 Value::Real(match output {
-                    SensorOutput::Mass => flow.mass,
-                    SensorOutput::Rate => flow.rate,
+                    SensorOutput::Mass => reading.mass,
+                    SensorOutput::Rate => reading.rate,
                 })
             }),
             Quantity::Global { output, axis } => Some(self.global(output, axis)),
@@ -116,8 +124,12 @@ impl Outputs {
             GlobalOutput::AngularMomentum => return Value::Real(self.momentum.angular[axis]),
             GlobalOutput::KineticEnergy => return Value::Real(self.energy.kinetic()),
             GlobalOutput::PotentialEnergy => return Value::Real(self.energy.potential()),
-            GlobalOutput::DissipatedEnergy => return Value::Real(self.dissipated),
+            GlobalOutput::DissipatedEnergy => return Value::Real(self.work.dissipated),
+            GlobalOutput::BoundaryWork => return Value::Real(self.work.boundaries),
+            GlobalOutput::LoadWork => return Value::Real(self.work.loads),
+            GlobalOutput::SpringWork => return Value::Real(self.work.springs),
             GlobalOutput::MaxOverlap => return Value::Real(self.max_overlap),
+            GlobalOutput::GapResidual => return Value::Real(self.report.gap_residual),
             GlobalOutput::SlipResidual => return Value::Real(self.report.slip_residual),
             GlobalOutput::ForceResidual => return Value::Real(self.report.force_residual),
             GlobalOutput::RecommendedStep => return Value::Real(self.recommended_step),
@@ -175,7 +187,7 @@ fn loads(state: &Observation) -> (Vec<Load>, Vec<Load>, u64) {
         spheres[probe.sphere] = Some(Load::default());
     }
     let mut count = 0;
-    for contact in state.contacts.iter().filter(|c| c.force != Vec3::zeros()) {
+    for contact in state.active_contacts() {
         count += 1;
         let mut sphere = |index: u32, sign: f64| {
             let index = index as usize;
@@ -224,15 +236,15 @@ fn probes(state: &Observation, loads: Vec<Load>) -> Vec<ProbeValues> {
         .collect()
 }
 
-fn sensors(state: &Observation) -> Vec<Flow> {
-    let sensors = state.scene.sensors.iter().zip(&state.flows);
+fn sensors(state: &Observation) -> Vec<Reading> {
+    let sensors = state.scene.sensors.iter().zip(state.passed).zip(state.flow);
     sensors
-        .map(|(sensor, flow)| match sensor.measure {
-            Measure::MassInBox { min, max } => Flow {
+        .map(|((sensor, &passed), &flow)| match sensor.measure {
+            Measure::MassInBox { min, max } => Reading {
                 mass: mass_in_box(&state.scene.particles, &state.kinematics.position, min, max),
                 rate: 0.0,
             },
-            Measure::MassFlow { .. } => *flow,
+            Measure::MassFlow { .. } => Reading { mass: passed, rate: flow },
         })
         .collect()
 }

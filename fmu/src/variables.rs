@@ -199,6 +199,12 @@ pub enum GlobalOutput {
     PotentialEnergy,
     /// Energy lost in contacts since the start \[J\].
     DissipatedEnergy,
+    /// Work of moving boundaries on the spheres since the start \[J\].
+    BoundaryWork,
+    /// Work of point loads since the start \[J\].
+    LoadWork,
+    /// Work of constrained springs since the start \[J\].
+    SpringWork,
     /// Number of loaded contacts.
     ContactCount,
     /// Largest true overlap over radius of the communication step \[-\].
@@ -213,6 +219,8 @@ pub enum GlobalOutput {
     Augmentations,
     /// Factorizations of the communication step.
     Factorizations,
+    /// Gap residual \[-\].
+    GapResidual,
     /// Slip residual \[-\].
     SlipResidual,
     /// Force residual \[-\].
@@ -634,7 +642,11 @@ impl Rows {
             ("kineticEnergy", Some("J"), "Kinetic energy", G::KineticEnergy),
             ("potentialEnergy", Some("J"), "Potential energy of gravity and springs", G::PotentialEnergy),
             ("dissipatedEnergy", Some("J"), "Energy lost in contacts since the start", G::DissipatedEnergy),
+            ("boundaryWork", Some("J"), "Work of moving boundaries on the spheres since the start", G::BoundaryWork),
+            ("loadWork", Some("J"), "Work of point loads since the start", G::LoadWork),
+            ("springWork", Some("J"), "Work of constrained springs since the start", G::SpringWork),
             ("maxOverlap", None, "Largest true overlap over radius in the communication step", G::MaxOverlap),
+            ("solver.gapResidual", None, "Largest gap residual in the communication step", G::GapResidual),
             ("solver.slipResidual", None, "Largest slip residual in the communication step", G::SlipResidual),
             ("solver.forceResidual", None, "Largest force residual in the communication step", G::ForceResidual),
             ("recommendedStep", Some("s"), "Internal step advised at the present speeds", G::RecommendedStep),

@@ -1,12 +1,14 @@
 //! Boundaries: faces to geometry, prescribed and driven motion.
 
+use nalgebra::UnitQuaternion;
+
 use super::build::{Context, direction};
 use super::columns::Columns;
 use super::document::Document;
 use super::file;
 use super::resources::Resources;
 use crate::Vec3;
-use crate::boundaries::{Boundary, Geometry};
+use crate::boundaries::{Boundary, Facets, Geometry, GeometryError, HalfSpace, Revolution, Shape};
 use crate::motion::{InputKind, Motion, Twist};
 
 /// Builds one boundary; `None` if a part of it was refused.
@@ -183,13 +185,13 @@ fn increasing(document: &mut Document<'_>, path: &str, time: &[f64]) -> bool {
     }
 }
 
+/// Builds every face, so that each faulty one is reported, then joins them.
 fn geometry(
     document: &mut Document<'_>,
     resources: &mut Resources<'_>,
     path: &str,
     faces: &[file::Face],
 ) -> Option<Geometry> {
-    let _ = resources;
     document
         .demand(
             !faces.is_empty(),

@@ -10,6 +10,8 @@ use super::Scene;
 use super::decode::Element;
 use super::document::Document;
 use super::file;
+use crate::boundaries::Boundary;
+use crate::motion::Pose;
 
 /// A sphere that starts inside something.
 #[derive(Debug, Clone, PartialEq)]
@@ -32,9 +34,10 @@ pub struct Overlaps {
 }
 
 impl Overlaps {
-    /// Finds them: `O(N log N)`.
+    /// Finds those above the gap tolerance of the scene.
     #[must_use]
     pub fn of(scene: &Scene) -> Self {
+        let tolerance = scene.settings.tolerance.gap;
         let radius = &scene.particles.radius;
         let position = &scene.initial.position;
         let cube = |i: usize| {
@@ -61,7 +64,7 @@ impl Overlaps {
             for j in near {
                 let gap = (position[i] - position[j]).norm() - radius[i] - radius[j];
                 let ratio = -gap / radius[i].min(radius[j]);
-                if ratio > ROUNDING {
+                if ratio > tolerance {
                     found.pairs.push(Overlap {
                         sphere: i,
                         other: j,
@@ -71,14 +74,15 @@ impl Overlaps {
             }
             for (b, boundary) in scene.boundaries.iter().enumerate() {
                 touches.clear();
+                let centre = boundary.to_frame(&poses[b], position[i]);
                 boundary
                     .geometry
-                    .touches(position[i], radius[i], 0.0, &mut touches);
+                    .touches(centre, radius[i], 0.0, &mut touches);
                 let deepest = touches
                     .iter()
                     .map(|t| -t.gap / radius[i])
                     .fold(0.0, f64::max);
-                if deepest > ROUNDING {
+                if deepest > tolerance {
                     found.walls.push(Overlap {
                         sphere: i,
                         other: b,

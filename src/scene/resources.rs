@@ -3,7 +3,7 @@
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
-use std::path::{Component, Path};
+use std::path::{Component, Path, PathBuf};
 
 use sha2::{Digest, Sha256};
 
@@ -69,6 +69,11 @@ impl<'a> Resources<'a> {
             }
         }
         self.files.get(&name).map(Vec::as_slice)
+    }
+
+    /// Where `file` lies on disk, for readers that open it themselves; only of use after [`Self::read`].
+    pub(super) fn place(&self, file: &str) -> PathBuf {
+        self.folder.join(file)
     }
 
     pub(super) fn into_attachments(self) -> Vec<Attachment> {

@@ -27,19 +27,19 @@ const SAVEABLE: Stages =
 
 /// Platform of the types: "default".
 #[unsafe(no_mangle)]
-pub extern "C" fn fmi2GetTypesPlatform() -> fmi2String {
+extern "C" fn fmi2GetTypesPlatform() -> fmi2String {
     c"default".as_ptr()
 }
 
 /// Version of the standard: "2.0".
 #[unsafe(no_mangle)]
-pub extern "C" fn fmi2GetVersion() -> fmi2String {
+extern "C" fn fmi2GetVersion() -> fmi2String {
     c"2.0".as_ptr()
 }
 
 /// Chooses which categories are logged; see [`Log::select`]. Unknown names are told and left out.
 #[unsafe(no_mangle)]
-pub extern "C" fn fmi2SetDebugLogging(
+extern "C" fn fmi2SetDebugLogging(
     c: fmi2Component,
     loggingOn: fmi2Boolean,
     nCategories: usize,
@@ -60,7 +60,7 @@ pub extern "C" fn fmi2SetDebugLogging(
 
 /// Makes an instance; null if it cannot, with the reason in the log.
 #[unsafe(no_mangle)]
-pub extern "C" fn fmi2Instantiate(
+extern "C" fn fmi2Instantiate(
     instanceName: fmi2String,
     fmuType: c_int,
     fmuGUID: fmi2String,
@@ -70,8 +70,8 @@ pub extern "C" fn fmi2Instantiate(
     loggingOn: fmi2Boolean,
 ) -> fmi2Component {
     let name = str_from(instanceName, "instanceName").unwrap_or_default();
-    let callbacks = array(functions, 1, "functions").map(|f| f[0]);
-    let log = || Log::new(callbacks.ok().and_then(|f| sink(f, name)), loggingOn != FMI2_FALSE);
+    let callbacks = array(functions, 1, "functions").ok().map(|f| f[0]);
+    let log = || Log::new(callbacks.and_then(|f| sink(f, name)), loggingOn != FMI2_FALSE);
     let body = || instantiate(name, fmuType, fmuGUID, fmuResourceLocation, log());
     let refused = match catch_unwind(AssertUnwindSafe(body)) {
         Ok(Ok(instance)) => return Box::into_raw(Box::new(Component { instance, strings: Vec::new() })).cast(),
@@ -98,7 +98,7 @@ fn instantiate(
 
 /// Frees an instance, in any state; null is ignored.
 #[unsafe(no_mangle)]
-pub extern "C" fn fmi2FreeInstance(c: fmi2Component) {
+extern "C" fn fmi2FreeInstance(c: fmi2Component) {
     if c.is_null() {
         return;
     }
@@ -110,7 +110,7 @@ pub extern "C" fn fmi2FreeInstance(c: fmi2Component) {
 
 /// Start and stop of the experiment. The tolerance is not used: tolerances are parameters.
 #[unsafe(no_mangle)]
-pub extern "C" fn fmi2SetupExperiment(
+extern "C" fn fmi2SetupExperiment(
     c: fmi2Component,
     _toleranceDefined: fmi2Boolean,
     _tolerance: fmi2Real,
@@ -127,7 +127,7 @@ pub extern "C" fn fmi2SetupExperiment(
 
 /// Enters initialization mode.
 #[unsafe(no_mangle)]
-pub extern "C" fn fmi2EnterInitializationMode(c: fmi2Component) -> fmi2Status {
+extern "C" fn fmi2EnterInitializationMode(c: fmi2Component) -> fmi2Status {
     call(c, "fmi2EnterInitializationMode", INSTANTIATED, |component| {
         component.instance.enter_initialization();
         Ok(fmi2OK)
@@ -136,7 +136,7 @@ pub extern "C" fn fmi2EnterInitializationMode(c: fmi2Component) -> fmi2Status {
 
 /// Leaves initialization mode: the configuration is read here.
 #[unsafe(no_mangle)]
-pub extern "C" fn fmi2ExitInitializationMode(c: fmi2Component) -> fmi2Status {
+extern "C" fn fmi2ExitInitializationMode(c: fmi2Component) -> fmi2Status {
     call(c, "fmi2ExitInitializationMode", INITIALIZATION, |component| {
         component.instance.exit_initialization()?;
         Ok(fmi2OK)
@@ -145,7 +145,7 @@ pub extern "C" fn fmi2ExitInitializationMode(c: fmi2Component) -> fmi2Status {
 
 /// Ends the run.
 #[unsafe(no_mangle)]
-pub extern "C" fn fmi2Terminate(c: fmi2Component) -> fmi2Status {
+extern "C" fn fmi2Terminate(c: fmi2Component) -> fmi2Status {
     call(c, "fmi2Terminate", STEPPING, |component| {
         component.instance.terminate();
         Ok(fmi2OK)
@@ -154,7 +154,7 @@ pub extern "C" fn fmi2Terminate(c: fmi2Component) -> fmi2Status {
 
 /// Back to the state after instantiation.
 #[unsafe(no_mangle)]
-pub extern "C" fn fmi2Reset(c: fmi2Component) -> fmi2Status {
+extern "C" fn fmi2Reset(c: fmi2Component) -> fmi2Status {
     call(c, "fmi2Reset", ANY, |component| {
         component.instance.reset();
         Ok(fmi2OK)
@@ -180,7 +180,7 @@ fn get<T>(
 
 /// Reads reals.
 #[unsafe(no_mangle)]
-pub extern "C" fn fmi2GetReal(
+extern "C" fn fmi2GetReal(
     c: fmi2Component,
     vr: *const fmi2ValueReference,
     nvr: usize,
@@ -194,7 +194,7 @@ pub extern "C" fn fmi2GetReal(
 
 /// Reads integers.
 #[unsafe(no_mangle)]
-pub extern "C" fn fmi2GetInteger(
+extern "C" fn fmi2GetInteger(
     c: fmi2Component,
     vr: *const fmi2ValueReference,
     nvr: usize,
@@ -208,7 +208,7 @@ pub extern "C" fn fmi2GetInteger(
 
 /// Reads truth values.
 #[unsafe(no_mangle)]
-pub extern "C" fn fmi2GetBoolean(
+extern "C" fn fmi2GetBoolean(
     c: fmi2Component,
     vr: *const fmi2ValueReference,
     nvr: usize,
@@ -222,7 +222,7 @@ pub extern "C" fn fmi2GetBoolean(
 
 /// Reads texts; they live until the next `fmi2GetString` of the instance.
 #[unsafe(no_mangle)]
-pub extern "C" fn fmi2GetString(
+extern "C" fn fmi2GetString(
     c: fmi2Component,
     vr: *const fmi2ValueReference,
     nvr: usize,
@@ -258,7 +258,7 @@ fn set<T: Copy>(
 
 /// Sets reals.
 #[unsafe(no_mangle)]
-pub extern "C" fn fmi2SetReal(
+extern "C" fn fmi2SetReal(
     c: fmi2Component,
     vr: *const fmi2ValueReference,
     nvr: usize,
@@ -269,7 +269,7 @@ pub extern "C" fn fmi2SetReal(
 
 /// Sets integers.
 #[unsafe(no_mangle)]
-pub extern "C" fn fmi2SetInteger(
+extern "C" fn fmi2SetInteger(
     c: fmi2Component,
     vr: *const fmi2ValueReference,
     nvr: usize,
@@ -280,7 +280,7 @@ pub extern "C" fn fmi2SetInteger(
 
 /// Sets truth values.
 #[unsafe(no_mangle)]
-pub extern "C" fn fmi2SetBoolean(
+extern "C" fn fmi2SetBoolean(
     c: fmi2Component,
     vr: *const fmi2ValueReference,
     nvr: usize,
@@ -291,7 +291,7 @@ pub extern "C" fn fmi2SetBoolean(
 
 /// Sets texts.
 #[unsafe(no_mangle)]
-pub extern "C" fn fmi2SetString(
+extern "C" fn fmi2SetString(
     c: fmi2Component,
     vr: *const fmi2ValueReference,
     nvr: usize,
@@ -307,7 +307,7 @@ fn saved<'a>(state: fmi2FMUstate) -> Result<&'a mut Vec<u8>, Refusal> {
 
 /// Saves the state; a state that is passed in is overwritten.
 #[unsafe(no_mangle)]
-pub extern "C" fn fmi2GetFMUstate(c: fmi2Component, state: *mut fmi2FMUstate) -> fmi2Status {
+extern "C" fn fmi2GetFMUstate(c: fmi2Component, state: *mut fmi2FMUstate) -> fmi2Status {
     call(c, "fmi2GetFMUstate", SAVEABLE, |component| {
         let place = value_mut(state, "FMUstate")?;
         let bytes = component.instance.save()?;
@@ -321,7 +321,7 @@ pub extern "C" fn fmi2GetFMUstate(c: fmi2Component, state: *mut fmi2FMUstate) ->
 
 /// Restores a state.
 #[unsafe(no_mangle)]
-pub extern "C" fn fmi2SetFMUstate(c: fmi2Component, state: fmi2FMUstate) -> fmi2Status {
+extern "C" fn fmi2SetFMUstate(c: fmi2Component, state: fmi2FMUstate) -> fmi2Status {
     call(c, "fmi2SetFMUstate", ANY, |component| {
         component.instance.load(saved(state)?)?;
         Ok(fmi2OK)
@@ -330,7 +330,7 @@ pub extern "C" fn fmi2SetFMUstate(c: fmi2Component, state: fmi2FMUstate) -> fmi2
 
 /// Frees a state and sets the pointer to null; a null state is ignored.
 #[unsafe(no_mangle)]
-pub extern "C" fn fmi2FreeFMUstate(c: fmi2Component, state: *mut fmi2FMUstate) -> fmi2Status {
+extern "C" fn fmi2FreeFMUstate(c: fmi2Component, state: *mut fmi2FMUstate) -> fmi2Status {
     call(c, "fmi2FreeFMUstate", ANY, |_| {
         let place = value_mut(state, "FMUstate")?;
         if !place.is_null() {
@@ -344,7 +344,7 @@ pub extern "C" fn fmi2FreeFMUstate(c: fmi2Component, state: *mut fmi2FMUstate) -
 
 /// Number of bytes of a serialized state.
 #[unsafe(no_mangle)]
-pub extern "C" fn fmi2SerializedFMUstateSize(c: fmi2Component, state: fmi2FMUstate, size: *mut usize) -> fmi2Status {
+extern "C" fn fmi2SerializedFMUstateSize(c: fmi2Component, state: fmi2FMUstate, size: *mut usize) -> fmi2Status {
     call(c, "fmi2SerializedFMUstateSize", ANY, |_| {
         *value_mut(size, "size")? = saved(state)?.len();
         Ok(fmi2OK)
@@ -353,7 +353,7 @@ pub extern "C" fn fmi2SerializedFMUstateSize(c: fmi2Component, state: fmi2FMUsta
 
 /// Copies the bytes of a state.
 #[unsafe(no_mangle)]
-pub extern "C" fn fmi2SerializeFMUstate(
+extern "C" fn fmi2SerializeFMUstate(
     c: fmi2Component,
     state: fmi2FMUstate,
     serialized: *mut fmi2Byte,
@@ -372,7 +372,7 @@ pub extern "C" fn fmi2SerializeFMUstate(
 
 /// Makes a state of bytes; anything that is no state of this model is refused.
 #[unsafe(no_mangle)]
-pub extern "C" fn fmi2DeSerializeFMUstate(
+extern "C" fn fmi2DeSerializeFMUstate(
     c: fmi2Component,
     serialized: *const fmi2Byte,
     size: usize,
@@ -393,7 +393,7 @@ fn not_offered(c: fmi2Component, function: &str, capability: &'static str, value
 
 /// Not offered.
 #[unsafe(no_mangle)]
-pub extern "C" fn fmi2GetDirectionalDerivative(
+extern "C" fn fmi2GetDirectionalDerivative(
     c: fmi2Component,
     _vUnknown_ref: *const fmi2ValueReference,
     _nUnknown: usize,
@@ -407,7 +407,7 @@ pub extern "C" fn fmi2GetDirectionalDerivative(
 
 /// Not offered.
 #[unsafe(no_mangle)]
-pub extern "C" fn fmi2SetRealInputDerivatives(
+extern "C" fn fmi2SetRealInputDerivatives(
     c: fmi2Component,
     _vr: *const fmi2ValueReference,
     _nvr: usize,
@@ -419,7 +419,7 @@ pub extern "C" fn fmi2SetRealInputDerivatives(
 
 /// Not offered.
 #[unsafe(no_mangle)]
-pub extern "C" fn fmi2GetRealOutputDerivatives(
+extern "C" fn fmi2GetRealOutputDerivatives(
     c: fmi2Component,
     _vr: *const fmi2ValueReference,
     _nvr: usize,
@@ -431,7 +431,7 @@ pub extern "C" fn fmi2GetRealOutputDerivatives(
 
 /// Takes a step; a discarded one leaves the instance at its beginning.
 #[unsafe(no_mangle)]
-pub extern "C" fn fmi2DoStep(
+extern "C" fn fmi2DoStep(
     c: fmi2Component,
     currentCommunicationPoint: fmi2Real,
     communicationStepSize: fmi2Real,
@@ -452,7 +452,7 @@ pub extern "C" fn fmi2DoStep(
 
 /// Not offered: no step is ever pending.
 #[unsafe(no_mangle)]
-pub extern "C" fn fmi2CancelStep(c: fmi2Component) -> fmi2Status {
+extern "C" fn fmi2CancelStep(c: fmi2Component) -> fmi2Status {
     not_offered(c, "fmi2CancelStep", "canRunAsynchronuously", "false")
 }
 
@@ -477,38 +477,38 @@ fn status<T>(
 
 /// No such status: steps are not asynchronous.
 #[unsafe(no_mangle)]
-pub extern "C" fn fmi2GetStatus(c: fmi2Component, s: c_int, value: *mut c_int) -> fmi2Status {
+extern "C" fn fmi2GetStatus(c: fmi2Component, s: c_int, value: *mut c_int) -> fmi2Status {
     status((c, "fmi2GetStatus"), s, value, |_| None)
 }
 
 /// `fmi2LastSuccessfulTime`: where the instance stands.
 #[unsafe(no_mangle)]
-pub extern "C" fn fmi2GetRealStatus(c: fmi2Component, s: c_int, value: *mut fmi2Real) -> fmi2Status {
+extern "C" fn fmi2GetRealStatus(c: fmi2Component, s: c_int, value: *mut fmi2Real) -> fmi2Status {
     status((c, "fmi2GetRealStatus"), s, value, |i| (s == FMI2_LAST_SUCCESSFUL_TIME).then(|| i.time()))
 }
 
 /// No such status.
 #[unsafe(no_mangle)]
-pub extern "C" fn fmi2GetIntegerStatus(c: fmi2Component, s: c_int, value: *mut fmi2Integer) -> fmi2Status {
+extern "C" fn fmi2GetIntegerStatus(c: fmi2Component, s: c_int, value: *mut fmi2Integer) -> fmi2Status {
     status((c, "fmi2GetIntegerStatus"), s, value, |_| None)
 }
 
 /// `fmi2Terminated`: true after a discarded step, which would be discarded again.
 #[unsafe(no_mangle)]
-pub extern "C" fn fmi2GetBooleanStatus(c: fmi2Component, s: c_int, value: *mut fmi2Boolean) -> fmi2Status {
+extern "C" fn fmi2GetBooleanStatus(c: fmi2Component, s: c_int, value: *mut fmi2Boolean) -> fmi2Status {
     let answer = |i: &Instance| if i.wants_to_terminate() { FMI2_TRUE } else { FMI2_FALSE };
     status((c, "fmi2GetBooleanStatus"), s, value, |i| (s == FMI2_TERMINATED).then(|| answer(i)))
 }
 
 /// No such status.
 #[unsafe(no_mangle)]
-pub extern "C" fn fmi2GetStringStatus(c: fmi2Component, s: c_int, value: *mut fmi2String) -> fmi2Status {
+extern "C" fn fmi2GetStringStatus(c: fmi2Component, s: c_int, value: *mut fmi2String) -> fmi2Status {
     status((c, "fmi2GetStringStatus"), s, value, |_| None)
 }
 
 /// Which sources this library was built from: not FMI, for the exporter.
 #[unsafe(no_mangle)]
-pub extern "C" fn sphere_dda_build_id() -> *const c_char {
+extern "C" fn sphere_dda_build_id() -> *const c_char {
     const ID: &str = concat!(env!("SPHERE_DDA_BUILD_ID"), "\0");
     ID.as_ptr().cast()
 }

@@ -14,7 +14,7 @@ mod abi2;
 mod fmi2;
 mod guard;
 
-use std::ffi::{CStr, OsStr, c_char};
+use std::ffi::{CStr, c_char};
 use std::path::{Path, PathBuf};
 
 /// Build id of a library of this crate.
@@ -25,7 +25,7 @@ pub fn build_id(path: &Path) -> Result<String, libloading::Error> {
     // A name without folder would be searched for in the system's library folders.
     let path: PathBuf = if path.is_absolute() { path.to_path_buf() } else { Path::new(".").join(path) };
     // SAFETY: loading runs the initializers of the library; the caller names a library of this project.
-    let library = unsafe { libloading::Library::new::<&OsStr>(path.as_os_str())? };
+    let library = unsafe { libloading::Library::new(path.as_os_str())? };
     // SAFETY: the symbol belongs to this crate, which has given it this type ever since.
     let ask = unsafe { library.get::<extern "C" fn() -> *const c_char>("sphere_dda_build_id")? };
     // SAFETY: the function returns a constant text ended by NUL; it is copied before the library is closed.
