@@ -1,0 +1,182 @@
+//! `sphere-dda inspect X.fmu`.
+
+use std::io::Write;
+use std::path::PathBuf;
+
+use clap::Args;
+use miette::IntoDiagnostic;
+use sphere_dda_fmu::import::Fmu;
+use sphere_dda_model_description::fmi2::{
+    CoSimulation, ModelDescription, ScalarVariable, TypeDefinition, VariableType,
+};
+
+/// Arguments of `inspect`.
+#[derive(Debug, Args)]
+pub(crate) struct Inspect {
+    /// The FMU, of FMI 2.0 for co-simulation.
+    fmu: PathBuf,
+    /// Show also what is wrong with its model description.
+    #[arg(long)]
+    validate: bool,
+}
+
+/// Prints what an FMU is, what it is able to do, and its variables.
+///
+/// # Errors
+/// What the importer says.
+pub(crate) fn run(arguments: &Inspect) -> miette::Result<()> {
+    let fmu = Fmu::open(&arguments.fmu).into_diagnostic()?;
+    let mut out = std::io::stdout().lock();
+    let description = fmu.description();
+    let text = header(description, fmu.co_simulation()) + &variables(description);
+    write!(out, "{text}").into_diagnostic()?;
+    if arguments.validate {
+        for finding in description.validate() {
+            writeln!(out, "{finding}").into_diagnostic()?;
+        }
+    }
+    Ok(())
+}
+
+fn header(description: &ModelDescription, co_simulation: &CoSimulation) -> String {
+    let mut lines = vec![
+        ("model", description.model_name.clone()),
+        ("library", co_simulation.model_identifier.clone()),
+        ("guid", description.guid.clone()),
+    ];
+    let texts = [
+        ("description", &description.description),
+        ("version", &description.version),
+        ("author", &description.author),
+        ("license", &description.license),
+        ("tool", &description.generation_tool),
+    ];
+    for (name, text) in texts {
+        lines.extend(text.iter().map(|text| (name, text.clone())));
+    }
+    if let Some(experiment) = description.default_experiment {
+        let times = [
+            ("start", experiment.start_time),
+            ("stop", experiment.stop_time),
+            ("step", experiment.step_size),
+        ];
+        let times: Vec<String> = times
+            .iter()
+            .filter_map(|(name, time)| Some(format!("{name} {} s", (*time)?)))
+            .collect();
+        lines.push(("experiment", times.join(", ")));
+    }
+    lines.push(("able to", abilities(co_simulation)));
+    lines
+        .iter()
+        .map(|(name, text)| format!("{name:<12}{text}\n"))
+        .collect()
+}
+
+fn abilities(co_simulation: &CoSimulation) -> String {
+    let flags = [
+        (
+            co_simulation.can_handle_variable_communication_step_size,
+            "vary the step",
+        ),
+        (
+            co_simulation.can_get_and_set_fmu_state,
+            "save and restore its state",
+        ),
+        (
+            co_simulation.can_serialize_fmu_state,
+            "serialize its state",
+        ),
+        (co_simulation.can_interpolate_inputs, "interpolate inputs"),
+        (
+            co_simulation.max_output_derivative_order > 0,
+            "give output derivatives",
+        ),
+        (
+            co_simulation.provides_directional_derivative,
+            "give directional derivatives",
+        ),
+    ];
+    let able: Vec<&str> = flags
+        .iter()
+        .filter_map(|(flag, text)| flag.then_some(*text))
+        .collect();
+    if able.is_empty() {
+        return "take steps of one length only".to_owned();
+    }
+    able.join(", ")
+}
+
+/// One line for each variable, the columns as wide as they must be.
+fn variables(description: &ModelDescription) -> String {
+    let title = ["name", "causality", "type", "unit", "start", "description"];
+    let mut rows = vec![title.map(str::to_owned)];
+    let variables = &description.model_variables;
+    rows.extend(variables.iter().map(|variable| row(description, variable)));
+    let mut widths = [0; 6];
+    for row in &rows {
+        for (width, cell) in widths.iter_mut().zip(row) {
+            *width = cell.chars().count().max(*width);
+        }
+    }
+    let line = |row: &[String; 6]| {
+        let cells = row.iter().zip(widths);
+        let cells: Vec<String> = cells
+            .map(|(cell, width)| format!("{cell:<width$}"))
+            .collect();
+        format!("{}\n", cells.join("  ").trim_end())
+    };
+    let lines: String = rows.iter().map(line).collect();
+    format!("\n{} variables\n{lines}", variables.len())
+}
+
+fn row(description: &ModelDescription, variable: &ScalarVariable) -> [String; 6] {
+    let (kind, unit, start) = match &variable.variable_type {
+        VariableType::Real(real) => (
+            "Real",
+            real.unit
+                .clone()
+                .or_else(|| declared_unit(description, real.declared_type.as_deref()?)),
+            real.start.map(|start| start.to_string()),
+        ),
+        VariableType::Integer(integer) => {
+            ("Integer", None, integer.start.map(|start| start.to_string()))
+        }
+        VariableType::Boolean(boolean) => {
+            ("Boolean", None, boolean.start.map(|start| start.to_string()))
+        }
+        VariableType::String(string) => (
+            "String",
+            None,
+            string.start.as_ref().map(|start| format!("{start:?}")),
+        ),
+        VariableType::Enumeration(enumeration) => (
+            &*enumeration.declared_type,
+            None,
+            enumeration.start.map(|start| start.to_string()),
+        ),
+    };
+    [
+        variable.name.clone(),
+        // The standard's names are the variants' with a small first letter.
+        uncapitalized(&format!("{:?}", variable.causality)),
+        kind.to_owned(),
+        unit.unwrap_or_default(),
+        start.unwrap_or_default(),
+        variable.description.clone().unwrap_or_default(),
+    ]
+}
+
+fn declared_unit(description: &ModelDescription, name: &str) -> Option<String> {
+    let mut types = description.type_definitions.iter();
+    match &types.find(|definition| definition.name == name)?.definition {
+        TypeDefinition::Real(real) => real.unit.clone(),
+        _ => None,
+    }
+}
+
+fn uncapitalized(text: &str) -> String {
+    let mut characters = text.chars();
+    let first = characters.next().map(|first| first.to_ascii_lowercase());
+    first.into_iter().chain(characters).collect()
+}

@@ -1,0 +1,240 @@
+//! Runs foreign FMUs: any FMI 2.0 co-simulation FMU with a library for this system.
+//!
+//! | type or function | is                                                                     |
+//! |------------------|------------------------------------------------------------------------|
+//! | [`Fmu`]          | an unpacked archive and its model description; loads the library once   |
+//! | [`Instance`]     | one running instance: every call of the standard, judged by its status  |
+//! | [`simulate`]     | a small master: inputs from a table, outputs to a table                 |
+//!
+//! The archive and the description are untrusted: they are read within limits and refused with a reason. The
+//! library itself is native code of this process. It is called as the standard says, in the order it says, so
+//! that a library that keeps to the standard cannot do harm; one that does not can do anything, as everywhere.
+//!
+//! ```no_run
+//! use sphere_dda_fmu::import::{Fmu, Options, simulate};
+//! use std::ops::ControlFlow;
+//!
+//! let fmu = Fmu::open("funnel.fmu")?;
+//! let table = simulate(&fmu, &Options::default(), |_| ControlFlow::Continue(()))?;
+//! table.write_csv(std::io::stdout())?;
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod abi;
+mod archive;
+mod error;
+mod instance;
+mod library;
+mod logger;
+mod signals;
+mod simulate;
+mod table;
+mod values;
+
+use std::fmt;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, PoisonError};
+
+use sphere_dda_model_description::fmi2::{CoSimulation, ModelDescription};
+use sphere_dda_model_description::names;
+use tempfile::TempDir;
+
+pub use archive::{ArchiveError, Limits, RATIO_FLOOR};
+pub use error::ImportError;
+pub use instance::{Instance, SavedState, Step};
+pub use logger::Message;
+pub use signals::{Signals, SignalsError};
+pub use simulate::{Event, Options, SimulateError, simulate};
+pub use table::{Column, End, Table};
+pub use values::{Value, Values, VariableError};
+
+use library::Library;
+
+/// What a function of the interface says about its work: `fmi2Status`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Status {
+    /// All well.
+    Ok,
+    /// Not quite right, but the simulation can go on.
+    Warning,
+    /// The call was refused, or a step was done in part only; nothing is broken.
+    Discard,
+    /// This instance cannot go on; it can be reset, restored or freed.
+    Error,
+    /// All instances of the FMU are beyond repair; none may be called again, not even to free it.
+    Fatal,
+    /// A step is still under way.
+    Pending,
+}
+
+impl Status {
+    fn from_raw(raw: abi::RawStatus) -> Option<Self> {
+        Some(match raw {
+            0 => Self::Ok,
+            1 => Self::Warning,
+            2 => Self::Discard,
+            3 => Self::Error,
+            4 => Self::Fatal,
+            5 => Self::Pending,
+            _ => return None,
+        })
+    }
+}
+
+impl fmt::Display for Status {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(match self {
+            Self::Ok => "OK",
+            Self::Warning => "Warning",
+            Self::Discard => "Discard",
+            Self::Error => "Error",
+            Self::Fatal => "Fatal",
+            Self::Pending => "Pending",
+        })
+    }
+}
+
+/// Where an instance is in its life: section 4.2.4 of FMI 2.0.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Phase {
+    /// Made, not yet initialized.
+    Instantiated,
+    /// In initialization mode.
+    Initialization,
+    /// At a communication point.
+    Stepping,
+    /// After a step that was discarded.
+    Discarded,
+    /// After a call that returned `Error`.
+    Failed,
+    /// Terminated.
+    Terminated,
+    /// After a call of any instance of the FMU that returned `Fatal`.
+    Dead,
+}
+
+impl fmt::Display for Phase {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(match self {
+            Self::Instantiated => "instantiated",
+            Self::Initialization => "in initialization mode",
+            Self::Stepping => "at a communication point",
+            Self::Discarded => "after a discarded step",
+            Self::Failed => "after an error",
+            Self::Terminated => "terminated",
+            Self::Dead => "beyond repair",
+        })
+    }
+}
+
+/// An unpacked FMU. Its folder is removed when it and its last instance are dropped.
+#[derive(Debug)]
+pub struct Fmu {
+    path: PathBuf,
+    folder: Arc<TempDir>,
+    description: ModelDescription,
+    co_simulation: CoSimulation,
+    library: Mutex<Option<Arc<Library>>>,
+}
+
+impl Fmu {
+    /// Unpacks the archive at `path` within the default [`Limits`] and reads its description. The library is not
+    /// loaded before the first [`instantiate`](Self::instantiate).
+    ///
+    /// # Errors
+    ///
+    /// [`ImportError::Archive`], [`NoDescription`](ImportError::NoDescription),
+    /// [`Description`](ImportError::Description), [`NoCoSimulation`](ImportError::NoCoSimulation) and
+    /// [`ModelIdentifier`](ImportError::ModelIdentifier).
+    pub fn open(path: impl AsRef<Path>) -> Result<Self, ImportError> {
+        Self::open_within(path, Limits::default())
+    }
+
+    /// As [`open`](Self::open), within other limits.
+    ///
+    /// # Errors
+    ///
+    /// As [`open`](Self::open).
+    pub fn open_within(path: impl AsRef<Path>, limits: Limits) -> Result<Self, ImportError> {
+        let path = path.as_ref().to_owned();
+        let folder = match archive::unpack(&path, limits) {
+            Ok(folder) => folder,
+            Err(source) => return Err(ImportError::Archive { path, source }),
+        };
+        let text = match fs::read_to_string(folder.path().join("modelDescription.xml")) {
+            Ok(text) => text,
+            Err(problem) => return Err(ImportError::NoDescription { path, problem }),
+        };
+        let description = match ModelDescription::from_xml(&text) {
+            Ok(description) => description,
+            Err(source) => return Err(ImportError::Description { path, source }),
+        };
+        let Some(co_simulation) = description.co_simulation.clone() else {
+            return Err(ImportError::NoCoSimulation { path });
+        };
+        if !names::is_c_identifier(&co_simulation.model_identifier) {
+            let found = co_simulation.model_identifier;
+            return Err(ImportError::ModelIdentifier { path, found });
+        }
+        Ok(Self {
+            path,
+            folder: Arc::new(folder),
+            description,
+            co_simulation,
+            library: Mutex::new(None),
+        })
+    }
+
+    /// Where the archive was read from.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// The folder that it is unpacked to.
+    pub fn folder(&self) -> &Path {
+        self.folder.path()
+    }
+
+    /// The model description.
+    pub fn description(&self) -> &ModelDescription {
+        &self.description
+    }
+
+    /// The co-simulation interface and what it is able to do.
+    pub fn co_simulation(&self) -> &CoSimulation {
+        &self.co_simulation
+    }
+
+    /// Makes an instance, loading the library if none is loaded yet.
+    ///
+    /// `logging` asks the FMU to log more than warnings and errors.
+    ///
+    /// # Errors
+    ///
+    /// [`ImportError::NoBinary`], [`Load`](ImportError::Load), [`MissingFunction`](ImportError::MissingFunction),
+    /// [`Interface`](ImportError::Interface), [`OnlyOnce`](ImportError::OnlyOnce),
+    /// [`Instantiate`](ImportError::Instantiate), [`Phase`](ImportError::Phase) after a `Fatal`,
+    /// [`Nul`](ImportError::Nul).
+    pub fn instantiate(&self, name: &str, logging: bool) -> Result<Instance, ImportError> {
+        Instance::new(self.library()?, self, name, logging)
+    }
+
+    /// Names of the optional functions of the interface that the library does not have.
+    ///
+    /// # Errors
+    ///
+    /// Those of loading: see [`instantiate`](Self::instantiate).
+    pub fn missing_functions(&self) -> Result<Vec<&'static str>, ImportError> {
+        Ok(self.library()?.functions.missing.clone())
+    }
+
+    fn library(&self) -> Result<Arc<Library>, ImportError> {
+        let mut slot = self.library.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(library) = &*slot {
+            return Ok(Arc::clone(library));
+        }
+        let library = Arc::new(Library::load(self)?);
+        Ok(Arc::clone(slot.insert(library)))
+    }
+}

@@ -1,0 +1,197 @@
+//! What can go wrong with a foreign FMU.
+
+use std::path::PathBuf;
+
+use thiserror::Error;
+
+use super::archive::ArchiveError;
+use super::{Phase, Status};
+
+/// Why a foreign FMU could not be loaded, or a call of it failed.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum ImportError {
+    /// The file is not an archive that can be unpacked.
+    #[error("{path}: {source}", path = path.display())]
+    Archive {
+        /// The FMU.
+        path: PathBuf,
+        /// What is wrong with it.
+        source: ArchiveError,
+    },
+    /// The archive has no readable `modelDescription.xml`.
+    #[error(
+        "{path}: modelDescription.xml: {problem}; expected a text in UTF-8 at the top of the archive: \
+         pack the contents of the FMU's folder, not the folder itself",
+        path = path.display()
+    )]
+    NoDescription {
+        /// The FMU.
+        path: PathBuf,
+        /// What the system says.
+        problem: std::io::Error,
+    },
+    /// The model description cannot be understood.
+    #[error(
+        "{path}: modelDescription.xml: {source}; expected a model description of FMI 2.0: export the FMU as FMI 2.0 \
+         co-simulation",
+        path = path.display()
+    )]
+    Description {
+        /// The FMU.
+        path: PathBuf,
+        /// Where and why.
+        source: sphere_dda_model_description::Error,
+    },
+    /// The FMU does not offer co-simulation.
+    #[error(
+        "{path}: found no <CoSimulation> in modelDescription.xml, expected one: export the FMU for co-simulation",
+        path = path.display()
+    )]
+    NoCoSimulation {
+        /// The FMU.
+        path: PathBuf,
+    },
+    /// The model identifier would lead to another file than a library of the FMU.
+    #[error(
+        "{path}: modelIdentifier: found {found:?}, expected a C identifier: export the FMU again",
+        path = path.display()
+    )]
+    ModelIdentifier {
+        /// The FMU.
+        path: PathBuf,
+        /// The identifier.
+        found: String,
+    },
+    /// The FMU has no library for this system.
+    #[error(
+        "{path}: found binaries for {found}, expected {expected}: export the FMU for this platform",
+        path = path.display()
+    )]
+    NoBinary {
+        /// The FMU.
+        path: PathBuf,
+        /// Path that the library should have in the archive.
+        expected: String,
+        /// Platforms that there are binaries for.
+        found: String,
+    },
+    /// The library cannot be loaded.
+    #[error(
+        "{path}: {source}; expected a shared library for this system, with all that it depends on: \
+         build it for this system, or install what it names",
+        path = path.display()
+    )]
+    Load {
+        /// The unpacked library.
+        path: PathBuf,
+        /// What the system's loader says.
+        source: libloading::Error,
+    },
+    /// The library lacks a function that the call needs.
+    #[error("{path}: found no function `{function}`, expected one: build the FMU with it", path = path.display())]
+    MissingFunction {
+        /// The unpacked library.
+        path: PathBuf,
+        /// Its name in C.
+        function: &'static str,
+    },
+    /// The library speaks another version or another set of types.
+    #[error("{function}: found {found:?}, expected {expected:?}: export the FMU as FMI 2.0")]
+    Interface {
+        /// The function that tells.
+        function: &'static str,
+        /// What it says.
+        found: String,
+        /// What it should say.
+        expected: &'static str,
+    },
+    /// A second instance of an FMU that can have one only.
+    #[error(
+        "found a living instance, expected none: the FMU can be instantiated only once per process; drop the first \
+         instance before"
+    )]
+    OnlyOnce,
+    /// `fmi2Instantiate` gave no instance.
+    #[error(
+        "fmi2Instantiate: found no instance of `{instance}`, expected one{}: see what the FMU logged, and whether guid \
+         and resources are those of its library",
+        said(.log)
+    )]
+    Instantiate {
+        /// Name of the instance.
+        instance: String,
+        /// Last messages of the FMU.
+        log: Vec<String>,
+    },
+    /// A call is not allowed now.
+    #[error("{function}: found the instance {found}, expected it {expected}")]
+    Phase {
+        /// The function in C.
+        function: &'static str,
+        /// The phase it is in.
+        found: Phase,
+        /// The phases that allow the call.
+        expected: String,
+    },
+    /// A call returned a status that says it did not do its work.
+    #[error("{function}: found status {status}, expected OK{}", said(.log))]
+    Call {
+        /// The function in C.
+        function: &'static str,
+        /// `Discard`, `Error`, `Fatal`, or `Pending` where nothing may be pending.
+        status: Status,
+        /// Last messages of the FMU.
+        log: Vec<String>,
+    },
+    /// A call returned a number that is no status.
+    #[error("{function}: found status {found}, expected 0 to 5: the FMU does not keep to FMI 2.0")]
+    UnknownStatus {
+        /// The function in C.
+        function: &'static str,
+        /// The number.
+        found: i32,
+    },
+    /// A call gave NULL where it promised data.
+    #[error("{function}: found NULL for {what}, expected data: the FMU does not keep to FMI 2.0")]
+    Null {
+        /// The function in C.
+        function: &'static str,
+        /// What should be there.
+        what: String,
+    },
+    /// Two lists of one call differ in length.
+    #[error("{function}: found {found} values, expected {expected}, one for each value reference")]
+    Length {
+        /// The function in C.
+        function: &'static str,
+        /// Number of values.
+        found: usize,
+        /// Number of value references.
+        expected: usize,
+    },
+    /// A text with a NUL character cannot pass the C interface.
+    #[error("{function}: found a NUL character in {text:?}, expected none")]
+    Nul {
+        /// The function in C.
+        function: &'static str,
+        /// The text.
+        text: String,
+    },
+    /// A saved state of another instance, or one that was freed.
+    #[error(
+        "{function}: found a state that this instance does not hold, expected one it saved and did not free"
+    )]
+    ForeignState {
+        /// The function in C.
+        function: &'static str,
+    },
+}
+
+/// The last messages of an FMU, for the end of an error.
+fn said(log: &[String]) -> String {
+    match log {
+        [] => String::new(),
+        log => format!("; the FMU says: {}", log.join(" | ")),
+    }
+}

@@ -1,0 +1,248 @@
+//! Inputs over time, from a table.
+
+use std::fs::File;
+use std::io::{self, Read};
+use std::path::{Path, PathBuf};
+
+use csv::{ReaderBuilder, StringRecord, Trim};
+use sphere_dda_model_description::fmi2::{ModelDescription, ScalarVariable, Variability};
+use thiserror::Error;
+
+use super::values::{check_settable_in_steps, find, parse};
+use super::{Value, VariableError};
+
+/// Why a table of inputs cannot be used.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum SignalsError {
+    /// The file cannot be opened.
+    #[error("{path}: {source}", path = path.display())]
+    Open {
+        /// The file.
+        path: PathBuf,
+        /// What the system says.
+        source: io::Error,
+    },
+    /// It is not a table of comma-separated values.
+    #[error(
+        "{place}: {source}; expected comma-separated values in UTF-8, as many in each line as in the first"
+    )]
+    Csv {
+        /// The file.
+        place: String,
+        /// What is wrong.
+        source: csv::Error,
+    },
+    /// The first column is not time.
+    #[error("{place}, line 1: found first column {found:?}, expected `time`")]
+    NoTime {
+        /// The file.
+        place: String,
+        /// Name of the first column.
+        found: String,
+    },
+    /// There is no line of values.
+    #[error("{place}: found no line of values, expected at least one after the header")]
+    Empty {
+        /// The file.
+        place: String,
+    },
+    /// Two columns have the same name.
+    #[error("{place}, line 1: found column `{name}` twice, expected it once")]
+    Twice {
+        /// The file.
+        place: String,
+        /// Name of the column.
+        name: String,
+    },
+    /// A time is not a number or lies before the one above.
+    #[error(
+        "{place}, line {line}: found time {found:?}, expected a finite number not less than the one above"
+    )]
+    Time {
+        /// The file.
+        place: String,
+        /// The line, from 1.
+        line: u64,
+        /// What stands there.
+        found: String,
+    },
+    /// A column is none of the FMU's inputs, or a value not one of its type.
+    #[error("{place}, line {line}: {source}")]
+    Variable {
+        /// The file.
+        place: String,
+        /// The line, from 1.
+        line: u64,
+        /// What is wrong.
+        source: VariableError,
+    },
+}
+
+/// One input over time.
+#[derive(Debug, Clone, PartialEq)]
+struct Signal {
+    reference: u32,
+    /// Linear between two times; else the value of the earlier.
+    linear: bool,
+    values: Vec<Value>,
+}
+
+/// Inputs and tunable parameters over time.
+///
+/// Continuous reals are linear between the times of the table, all else keeps its value until the next time; before
+/// the first and after the last time the nearest value holds. Two lines of the same time make a jump: the later
+/// line holds at that time.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Signals {
+    times: Vec<f64>,
+    signals: Vec<Signal>,
+}
+
+impl Signals {
+    /// Reads the file at `path`: header `time,name,...`, times in seconds that do not decrease, names of inputs or
+    /// tunable parameters of the model (in double quotes if they hold a comma), values in their units.
+    ///
+    /// # Errors
+    ///
+    /// Every variant of [`SignalsError`].
+    pub fn from_csv(
+        path: impl AsRef<Path>,
+        description: &ModelDescription,
+    ) -> Result<Self, SignalsError> {
+        let path = path.as_ref();
+        let file = File::open(path).map_err(|source| SignalsError::Open {
+            path: path.to_owned(),
+            source,
+        })?;
+        Self::read(file, &path.display().to_string(), description)
+    }
+
+    /// Reads a table as [`from_csv`](Self::from_csv) does; `place` names it in errors.
+    ///
+    /// # Errors
+    ///
+    /// Every variant of [`SignalsError`] but [`Open`](SignalsError::Open).
+    pub fn read(
+        source: impl Read,
+        place: &str,
+        description: &ModelDescription,
+    ) -> Result<Self, SignalsError> {
+        let csv = |source| SignalsError::Csv {
+            place: place.to_owned(),
+            source,
+        };
+        let mut reader = ReaderBuilder::new().trim(Trim::All).from_reader(source);
+        let header = reader.headers().map_err(csv)?.clone();
+        let variables = variables(&header, place, description)?;
+        let mut result = Self {
+            times: Vec::new(),
+            signals: variables.iter().map(|variable| signal(variable)).collect(),
+        };
+        for record in reader.records() {
+            result.push(&record.map_err(csv)?, &variables, place, description)?;
+        }
+        if result.times.is_empty() {
+            return Err(SignalsError::Empty {
+                place: place.to_owned(),
+            });
+        }
+        Ok(result)
+    }
+
+    fn push(
+        &mut self,
+        record: &StringRecord,
+        variables: &[&ScalarVariable],
+        place: &str,
+        description: &ModelDescription,
+    ) -> Result<(), SignalsError> {
+        let line = record.position().map_or(0, csv::Position::line);
+        let mut fields = record.iter();
+        let found = fields.next().unwrap_or_default();
+        let after = self.times.last().copied().unwrap_or(f64::NEG_INFINITY);
+        let time = found.parse().ok();
+        let Some(time) = time.filter(|time: &f64| time.is_finite() && *time >= after) else {
+            return Err(SignalsError::Time {
+                place: place.to_owned(),
+                line,
+                found: found.to_owned(),
+            });
+        };
+        self.times.push(time);
+        for ((signal, variable), field) in self.signals.iter_mut().zip(variables).zip(fields) {
+            let value = parse(description, variable, field);
+            signal
+                .values
+                .push(value.map_err(|source| SignalsError::Variable {
+                    place: place.to_owned(),
+                    line,
+                    source,
+                })?);
+        }
+        Ok(())
+    }
+
+    /// Value references and values at `time` [s].
+    pub fn at(&self, time: f64) -> Vec<(u32, Value)> {
+        // A communication point that misses a time of the table by rounding is meant to be that time.
+        let slack = 8.0 * f64::EPSILON * time.abs();
+        let next = self.times.partition_point(|&known| known <= time + slack);
+        let value = |signal: &Signal| {
+            let before = signal.values.get(next.saturating_sub(1))?;
+            let value = match (before, signal.values.get(next)) {
+                (Value::Real(a), Some(Value::Real(b))) if signal.linear && next > 0 => {
+                    let (from, to) = (self.times.get(next - 1)?, self.times.get(next)?);
+                    Value::Real(a + (b - a) * (time - from) / (to - from))
+                }
+                _ => before.clone(),
+            };
+            Some((signal.reference, value))
+        };
+        self.signals.iter().filter_map(value).collect()
+    }
+}
+
+fn signal(variable: &ScalarVariable) -> Signal {
+    Signal {
+        reference: variable.value_reference,
+        linear: variable.variability == Variability::Continuous,
+        values: Vec::new(),
+    }
+}
+
+/// The variables of the columns after the first, which must be time.
+fn variables<'a>(
+    header: &StringRecord,
+    place: &str,
+    description: &'a ModelDescription,
+) -> Result<Vec<&'a ScalarVariable>, SignalsError> {
+    let mut names = header.iter();
+    match names.next() {
+        Some("time") => {}
+        other => {
+            return Err(SignalsError::NoTime {
+                place: place.to_owned(),
+                found: other.unwrap_or_default().to_owned(),
+            });
+        }
+    }
+    let mut variables: Vec<&ScalarVariable> = Vec::new();
+    for name in names {
+        let variable = find(description, name)
+            .and_then(|variable| check_settable_in_steps(variable).map(|()| variable))
+            .map_err(|source| SignalsError::Variable {
+                place: place.to_owned(),
+                line: 1,
+                source,
+            })?;
+        if variables.iter().any(|known| known.name == name) {
+            return Err(SignalsError::Twice {
+                place: place.to_owned(),
+                name: name.to_owned(),
+            });
+        }
+        variables.push(variable);
+    }
+    Ok(variables)
+}

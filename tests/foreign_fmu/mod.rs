@@ -1,0 +1,117 @@
+//! Builds the foreign FMU and packs it, whole or broken.
+
+use std::fs::File;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::sync::Mutex;
+
+use zip::write::SimpleFileOptions;
+
+/// How the library is built.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Build {
+    Whole,
+    WithoutDoStep,
+    WithoutStates,
+    UndefinedSymbol,
+    OtherVersion,
+}
+
+impl Build {
+    fn definition(self) -> &'static str {
+        match self {
+            Self::Whole => "WHOLE",
+            Self::WithoutDoStep => "WITHOUT_DO_STEP",
+            Self::WithoutStates => "WITHOUT_STATES",
+            Self::UndefinedSymbol => "UNDEFINED_SYMBOL",
+            Self::OtherVersion => "OTHER_VERSION",
+        }
+    }
+}
+
+fn source(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("../tests/foreign_fmu")
+        .join(name)
+}
+
+/// The shared library, built on first use.
+fn library(build: Build) -> PathBuf {
+    static BUILDING: Mutex<()> = Mutex::new(());
+    let _guard = BUILDING.lock().unwrap_or_else(|error| error.into_inner());
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("foreign_fmu");
+    std::fs::create_dir_all(&folder).unwrap();
+    // The process is part of the name: other test processes may build at the same time.
+    let name = format!("{}-{}.so", build.definition(), std::process::id());
+    let library = folder.join(name);
+    if !library.is_file() {
+        let status = Command::new("cc")
+            .args(["-O2", "-Wall", "-Wextra", "-shared", "-fPIC"])
+            .arg(format!("-D{}", build.definition()))
+            .arg(source("oscillator.c"))
+            .arg("-o")
+            .arg(&library)
+            .arg("-lm")
+            .status()
+            .expect("the tests of the importer need a C compiler named `cc`");
+        assert!(status.success());
+    }
+    library
+}
+
+/// Names and contents of the files of the FMU, its description first.
+pub(crate) fn entries(build: Build, edit: impl FnOnce(&mut String)) -> Vec<(String, Vec<u8>)> {
+    let mut xml = std::fs::read_to_string(source("modelDescription.xml")).unwrap();
+    edit(&mut xml);
+    let platform = if cfg!(target_os = "macos") {
+        "darwin64"
+    } else {
+        "linux64"
+    };
+    vec![
+        ("modelDescription.xml".to_owned(), xml.into_bytes()),
+        (
+            format!(
+                "binaries/{platform}/oscillator{}",
+                std::env::consts::DLL_SUFFIX
+            ),
+            std::fs::read(library(build)).unwrap(),
+        ),
+        (
+            "resources/readme.txt".to_owned(),
+            b"trace.txt comes here".to_vec(),
+        ),
+    ]
+}
+
+/// Writes the FMU to `path`, its description edited.
+pub(crate) fn pack(path: &Path, build: Build, edit: impl FnOnce(&mut String)) {
+    let entries = entries(build, edit);
+    let entries: Vec<_> = entries
+        .iter()
+        .map(|(name, bytes)| (&**name, bytes.clone()))
+        .collect();
+    write_archive(path, &entries);
+}
+
+/// Writes an archive of these files, whatever their names.
+pub(crate) fn write_archive(path: &Path, entries: &[(&str, Vec<u8>)]) {
+    let mut archive = zip::ZipWriter::new(File::create(path).unwrap());
+    for (name, bytes) in entries {
+        archive
+            .start_file(*name, SimpleFileOptions::default())
+            .unwrap();
+        archive.write_all(bytes).unwrap();
+    }
+    archive.finish().unwrap();
+}
+
+/// Writes an archive of one symbolic link.
+pub(crate) fn write_link(path: &Path, name: &str, target: &str) {
+    let mut archive = zip::ZipWriter::new(File::create(path).unwrap());
+    archive
+        .add_symlink(name, target, SimpleFileOptions::default())
+        .unwrap();
+    archive.finish().unwrap();
+}
