@@ -218,3 +218,104 @@ pub struct Command {
     /// Displacement \[m\], speed \[m/s\], angle \[rad\] or angular speed \[rad/s\] of a slide or hinge.
     pub scalar: f64,
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn vector(size: f64) -> impl Strategy<Value = Vec3> {
+        prop::array::uniform3(-size..size).prop_map(Vec3::from)
+    }
+
+    fn pose() -> impl Strategy<Value = Pose> {
+        (vector(2.0), vector(1.7)).prop_map(|(s, r)| Pose::from_rotation_vector(s, r))
+    }
+
+    fn near(a: Vec3, b: Vec3, tolerance: f64) -> bool {
+        (a - b).norm() <= tolerance
+    }
+
+    proptest! {
+        #[test]
+        fn a_pose_and_its_inverse_cancel(pose in pose(), a in vector(3.0), x in vector(3.0)) {
+            prop_assert!(near(pose.inverse_apply(a, pose.apply(a, x)), x, 1e-13));
+            // The point of action only translates.
+            prop_assert!(near(pose.apply(a, a), a + pose.translation, 1e-15));
+        }
+
+        /// Halfway plus halfway is the whole way; the twist of the way leads to its end, and its velocity field is
+        /// the derivative of the path: v = s' + w x (x - a - s).
+        #[test]
+        fn an_interpolated_path_has_one_twist(from in pose(), to in pose(), x in vector(3.0), f in 0.1..0.9f64) {
+            let a = Vec3::new(0.3, -0.2, 0.1);
+            let end = from.interpolate(&to, 1.0);
+            prop_assert!(near(end.apply(a, x), to.apply(a, x), 1e-12));
+            let duration = 0.7;
+            let twist = from.twist_to(&to, duration);
+            let at = from.interpolate(&to, f);
+            prop_assert!(near(from.advanced(&twist, f * duration).apply(a, x), at.apply(a, x), 1e-12));
+            let errors = [1e-3, 5e-4].map(|h| {
+                let [before, after] = [f - h, f + h].map(|f| from.interpolate(&to, f).apply(a, x));
+                let measured = (after - before) / (2.0 * h * duration);
+                let arm = at.apply(a, x) - a - at.translation;
+                (measured - twist.linear - twist.angular.cross(&arm)).norm()
+            });
+            // Central differences: second order.
+            prop_assert!(errors[1] <= 0.26 * errors[0] + 1e-10, "{errors:?}");
+        }
+    }
+
+    #[test]
+    fn prescribed_motions_start_as_in_the_scene_and_follow_their_law() {
+        let axis = Vec3::new(0.0, 0.0, 1.0);
+        let constant = Motion::Constant(Twist {
+            linear: Vec3::x() * 2.0,
+            angular: axis * 0.5,
+        });
+        let sinusoid = Motion::Sinusoid {
+            translation: Vec3::x() * 0.1,
+            rotation: axis * 0.2,
+            frequency: 2.0,
+            phase: 0.4,
+        };
+        for motion in [
+            &constant,
+            &sinusoid,
+            &Motion::Fixed,
+            &Motion::Input(InputKind::Pose),
+        ] {
+            assert_eq!(motion.pose_at(0.0), Pose::default());
+        }
+        let pose = constant.pose_at(3.0);
+        assert!(near(pose.translation, Vec3::x() * 6.0, 1e-15));
+        assert!(near(pose.rotation_vector(), axis * 1.5, 1e-15));
+        let factor = (TAU * 2.0 * 0.3 + 0.4).sin() - 0.4f64.sin();
+        let pose = sinusoid.pose_at(0.3);
+        assert!(near(pose.translation, Vec3::x() * 0.1 * factor, 1e-15));
+        assert!(near(pose.rotation_vector(), axis * 0.2 * factor, 1e-15));
+    }
+
+    #[test]
+    fn a_table_is_linear_between_its_knots_and_constant_outside() {
+        let axis = Vec3::new(0.0, 1.0, 0.0);
+        let table = Motion::Table {
+            time: vec![1.0, 2.0, 4.0],
+            translation: vec![Vec3::zeros(), Vec3::x(), Vec3::x() * 5.0],
+            rotation: vec![Vec3::zeros(), axis * 10.0, axis * 10.0],
+        };
+        for (t, x, angle) in [
+            (0.0, 0.0, 0.0),
+            (1.5, 0.5, 5.0),
+            (2.0, 1.0, 10.0),
+            (3.0, 3.0, 10.0),
+            (9.0, 5.0, 10.0),
+        ] {
+            let pose = table.pose_at(t);
+            assert!(near(pose.translation, Vec3::x() * x, 1e-15), "{t}");
+            // More than a turn: compare where a point goes.
+            let expected = UnitQuaternion::from_scaled_axis(axis * angle) * Vec3::z();
+            assert!(near(pose.rotation * Vec3::z(), expected, 1e-14), "{t}");
+        }
+    }
+}

@@ -9,6 +9,7 @@ use crate::contacts::{Contact, Key, Partner};
 use crate::drive::{Drive, displacement, target};
 use crate::error::{SnapshotError, StepError};
 use crate::motion::{Command, Motion, Pose, Twist};
+use crate::observe::sensors::{Plane, crossings};
 use crate::particles::Kinematics;
 use crate::problem::Dof6;
 use crate::scene::{Measure, Scene};
@@ -323,16 +324,9 @@ impl Simulation {
 
     fn count_crossings(&mut self, before: &[Vec3]) {
         for (sensor, passed) in self.scene.sensors.iter().zip(&mut self.state.passed) {
-            if let Measure::MassFlow { point, normal } = &sensor.measure {
-                let side = |x: &Vec3| normal.dot(&(x - point)) >= 0.0;
-                let moves = before.iter().zip(&self.state.kinematics.position);
-                for ((from, to), mass) in moves.zip(&self.scene.particles.mass) {
-                    match (side(from), side(to)) {
-                        (false, true) => *passed += mass,
-                        (true, false) => *passed -= mass,
-                        _ => {}
-                    }
-                }
+            if let Measure::MassFlow { point, normal } = sensor.measure {
+                let after = &self.state.kinematics.position;
+                *passed += crossings(before, after, &self.scene.particles.mass, Plane { point, normal });
             }
         }
     }

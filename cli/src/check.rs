@@ -23,7 +23,7 @@ pub(crate) fn run(arguments: &Check) -> miette::Result<()> {
     warn(&loaded);
     let mut out = std::io::stdout().lock();
     writeln!(out, "{}", Summary::of(&loaded.scene)).into_diagnostic()?;
-    writeln!(out, "  hash              {}", loaded.hash).into_diagnostic()
+    writeln!(out, "  hash              {}", loaded.scene.hash).into_diagnostic()
 }
 
 /// Shows the warnings of a scene on standard error.

@@ -1,1 +1,122 @@
-//! Results: read-only views of a simulation.
+//! Results: read-only views of a simulation, and the files they are written to.
+//!
+//! [`Observation`] is what every observer reads: the state at the end of a communication step. From it come
+//! [`energy`] and [`sensors`], the [`frames`] of grids, and the rows of the [`history`]. [`writer::Results`] puts them
+//! into a directory ([`vtu`] files listed by [`pvd`] collections, a CSV table, `run.json`, `view.py`) without keeping
+//! the solver waiting for the disk.
+//!
+//! Nothing in here feeds back into the solver.
+
+pub mod energy;
+pub mod error;
+pub mod frames;
+pub mod history;
+pub mod pvd;
+pub mod sensors;
+pub mod vtu;
+pub mod writer;
+
+use crate::Vec3;
+use crate::contacts::Contact;
+use crate::motion::{Pose, Twist};
+use crate::particles::Kinematics;
+use crate::scene::Scene;
+use crate::simulation::{Simulation, StepReport, Wrench};
+use crate::state::Work;
+
+/// A boundary at the end of a communication step.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct BoundaryState {
+    /// Displacement from the scene.
+    pub pose: Pose,
+    /// Velocity \[m/s\], \[rad/s\] over the last internal step.
+    pub twist: Twist,
+    /// Contact wrench over the last internal step.
+    pub wrench: Wrench,
+    /// Contact wrench averaged over the last communication step.
+    pub mean_wrench: Wrench,
+}
+
+/// The state at the end of a communication step, as observers see it.
+#[derive(Debug, Clone)]
+pub struct Observation<'a> {
+    /// The scene.
+    pub scene: &'a Scene,
+    /// Time \[s\].
+    pub time: f64,
+    /// Gravity \[m/s^2\].
+    pub gravity: Vec3,
+    /// Positions, orientations, the integrator's own (half-step) velocities; `[N]` each.
+    pub kinematics: &'a Kinematics,
+    /// Reported velocity \[m/s\] and angular velocity \[rad/s\] at `time`, `[N]`.
+    pub velocity: Vec<Twist>,
+    /// Loaded contacts in canonical order: gap and point at `time`, mean force of the last internal step.
+    pub contacts: &'a [Contact],
+    /// `[B]`.
+    pub boundaries: Vec<BoundaryState>,
+    /// Mass that has passed each sensor \[kg\], `[S]`; zero for sensors that do not cumulate.
+    pub passed: &'a [f64],
+    /// Mean flow of each sensor over the last communication step \[kg/s\], `[S]`; likewise.
+    pub flow: &'a [f64],
+    /// Work since t = 0.
+    pub work: Work,
+    /// Report of the last communication step.
+    pub report: StepReport,
+}
+
+impl<'a> Observation<'a> {
+    /// The present state of `simulation`.
+    #[must_use]
+    pub fn of(simulation: &'a Simulation) -> Self {
+        let scene: &Scene = simulation.scene();
+        Self {
+            scene,
+            time: simulation.time(),
+            gravity: simulation.gravity(),
+            kinematics: simulation.kinematics(),
+            velocity: (0..scene.particles.len())
+                .map(|i| simulation.velocity(i))
+                .collect(),
+            contacts: simulation.contacts(),
+            boundaries: (0..scene.boundaries.len())
+                .map(|b| BoundaryState {
+                    pose: simulation.boundary_pose(b),
+                    twist: simulation.boundary_twist(b),
+                    wrench: simulation.wrench(b),
+                    mean_wrench: simulation.mean_wrench(b),
+                })
+                .collect(),
+            passed: &simulation.state().passed,
+            flow: &simulation.state().flow,
+            work: *simulation.work(),
+            report: *simulation.report(),
+        }
+    }
+
+    /// Contacts that carry a force or overlap.
+    pub fn active_contacts(&self) -> impl Iterator<Item = &'a Contact> {
+        self.contacts
+            .iter()
+            .filter(|contact| contact.gap < 0.0 || contact.force != Vec3::zeros())
+    }
+
+    /// Smaller radius of a contact's pair \[m\]: what its overlap is measured against.
+    #[must_use]
+    pub fn pair_radius(&self, contact: &Contact) -> f64 {
+        let radius = &self.scene.particles.radius;
+        let own = radius[contact.key.sphere as usize];
+        match contact.key.partner {
+            crate::contacts::Partner::Sphere(other) => own.min(radius[other as usize]),
+            crate::contacts::Partner::Boundary { .. } => own,
+        }
+    }
+
+    /// Largest overlap over the smaller radius at `time` \[-\].
+    #[must_use]
+    pub fn max_overlap(&self) -> f64 {
+        self.contacts
+            .iter()
+            .map(|contact| -contact.gap / self.pair_radius(contact))
+            .fold(0.0, f64::max)
+    }
+}

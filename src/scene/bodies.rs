@@ -193,7 +193,12 @@ fn geometry(
     faces: &[file::Face],
 ) -> Option<Geometry> {
     document
-        .demand(!faces.is_empty(), path, "an empty list", "at least one face")
+        .demand(
+            !faces.is_empty(),
+            path,
+            "an empty list",
+            "at least one face",
+        )
         .then_some(())?;
     let mut shapes = Vec::with_capacity(faces.len());
     for (i, face) in faces.iter().enumerate() {
@@ -204,14 +209,24 @@ fn geometry(
     let geometry = accept(document, path, Geometry::new(shapes))?;
     if let Some(repair) = geometry.repair().filter(|r| !r.dropped_facets.is_empty()) {
         let dropped = repair.dropped_facets.iter().take(3);
-        let named: Vec<String> = dropped.map(|(name, facet)| format!("{facet} of {name}")).collect();
+        let named: Vec<String> = dropped
+            .map(|(name, facet)| format!("{facet} of {name}"))
+            .collect();
         let message = format!(
             "left out {} facets without area: {}{}",
             repair.dropped_facets.len(),
             named.join(", "),
-            if repair.dropped_facets.len() > 3 { ", ..." } else { "" }
+            if repair.dropped_facets.len() > 3 {
+                ", ..."
+            } else {
+                ""
+            }
         );
-        document.warn(path, message, "spheres do not notice; clean the mesh to silence this");
+        document.warn(
+            path,
+            message,
+            "spheres do not notice; clean the mesh to silence this",
+        );
     }
     Some(geometry)
 }
@@ -238,7 +253,10 @@ fn shape(
             if !document.demand(square, path, found, expected) {
                 return None;
             }
-            ("rectangle", Facets::rectangle(r.corner.into(), u, v).map(Shape::from))
+            (
+                "rectangle",
+                Facets::rectangle(r.corner.into(), u, v).map(Shape::from),
+            )
         }
         file::Face::Triangle(list) => {
             let key = format!("{path}.triangle");
@@ -280,18 +298,33 @@ fn stl(
     mesh: &file::Stl,
 ) -> Option<Shape> {
     let scaled = mesh.scale > 0.0;
-    document.demand(scaled, format!("{path}.scale"), mesh.scale, "a factor > 0 [-]");
+    document.demand(
+        scaled,
+        format!("{path}.scale"),
+        mesh.scale,
+        "a factor > 0 [-]",
+    );
     let key = format!("{path}.file");
     resources.read(document, &key, &mesh.file)?;
-    let facets = accept(document, &key, Facets::stl(&resources.place(&mesh.file)))?;
+    let mut facets = accept(document, &key, Facets::stl(&resources.place(&mesh.file)))?;
+    // The scene must not depend on where its folder lies.
+    facets.name.clone_from(&mesh.file);
     // Welding and non-manifold edges are judged per file, so that the message points at it.
     accept(document, &key, Geometry::new(vec![facets.clone().into()]))?;
-    let placed = facets.placed(mesh.scale, UnitQuaternion::identity(), mesh.translate.into());
+    let placed = facets.placed(
+        mesh.scale,
+        UnitQuaternion::identity(),
+        mesh.translate.into(),
+    );
     scaled.then_some(placed.into())
 }
 
 /// Reports a refused geometry at its key.
-fn accept<T>(document: &mut Document<'_>, path: &str, built: Result<T, GeometryError>) -> Option<T> {
+fn accept<T>(
+    document: &mut Document<'_>,
+    path: &str,
+    built: Result<T, GeometryError>,
+) -> Option<T> {
     match built {
         Ok(built) => Some(built),
         Err(error) => {

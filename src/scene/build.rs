@@ -35,13 +35,13 @@ pub(super) fn load(name: &str, text: &str, folder: &Path) -> Result<Loaded, Scen
     let refused = document.refused();
     let (errors, warnings) = document.into_problems();
     match scene {
-        Some(scene) if !refused => {
+        Some(mut scene) if !refused => {
             let attachments = resources.into_attachments();
+            scene.hash = hash(text, &attachments);
             Ok(Loaded {
                 scene,
                 name: name.to_owned(),
                 text: text.to_owned(),
-                hash: hash(text, &attachments),
                 attachments,
                 warnings,
             })
@@ -197,6 +197,8 @@ fn build(
         .collect();
     let scene = Scene {
         title: file.title.clone(),
+        // Known when all files have been read.
+        hash: String::new(),
         loads: loads(document, &context, &file.loads),
         springs: springs(document, resources, &context, &file.springs, &initial),
         sensors: sensors(document, &file.sensors),

@@ -222,7 +222,7 @@ pub struct Output {
 pub struct Scene {
     /// Title, one line.
     pub title: String,
-    /// SHA-256 of the scene text and the files it names, hexadecimal.
+    /// SHA-256 of the scene text and the files it names, 64 hexadecimal digits.
     pub hash: String,
     /// Settings of the run.
     pub settings: Settings,
@@ -259,8 +259,6 @@ pub struct Loaded {
     pub text: String,
     /// Files it refers to, sorted by path, each once.
     pub attachments: Vec<Attachment>,
-    /// SHA-256 of text and attachments, 64 hex digits: equal hashes, equal scenes.
-    pub hash: String,
     /// What runs, but probably not as meant.
     pub warnings: Vec<Problem>,
 }

@@ -33,7 +33,6 @@ pub struct Overlaps {
     pub walls: Vec<Overlap>,
 }
 
-
 impl Overlaps {
     /// Finds those above the gap tolerance of the scene.
     #[must_use]
@@ -51,7 +50,7 @@ impl Overlaps {
                 .collect(),
         );
         let mut found = Self::default();
-        let start = |b: &Boundary| b.motion.pose_at(0.0).;
+        let start = |b: &Boundary| b.motion.pose_at(0.0);
         let poses: Vec<Pose> = scene.boundaries.iter().map(start).collect();
         let mut touches = Vec::new();
         for i in 0..radius.len() {

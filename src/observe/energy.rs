@@ -1,0 +1,101 @@
+//! Energy, momentum and angular momentum.
+//!
+//! ```text
+//! translational   sum m |v|^2 / 2           v, w: reported velocity at `time`
+//! rotational      sum I |w|^2 / 2           I = 2/5 m R^2
+//! gravity         - sum m g . c             zero at the origin of the scene
+//! springs         sum P_c |x - t|^2 / 2     x: constrained point, t: its target
+//! loads           - sum f . x               x: point of the load
+//! P               sum m v_h                 v_h, w_h: the integrator's own (half-step) velocity
+//! L               sum (c x m v_h + I w_h)   about the origin
+//! ```
+//!
+//! Momenta use the half-step velocity because that is the one whose change over a step is exactly the impulse of the
+//! step. Units: J, N s, N m s.
+
+use super::Observation;
+use crate::Vec3;
+
+/// Mechanical energy \[J\].
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Energy {
+    /// Kinetic energy of the centres.
+    pub translational: f64,
+    /// Kinetic energy of the rotation.
+    pub rotational: f64,
+    /// Potential of gravity, zero at the origin.
+    pub gravity: f64,
+    /// Potential of the constrained points' springs.
+    pub springs: f64,
+    /// Potential of the point loads, zero at the origin.
+    pub loads: f64,
+}
+
+impl Energy {
+    /// Energy of the state.
+    #[must_use]
+    pub fn of(state: &Observation) -> Self {
+        let scene = state.scene;
+        let particles = &scene.particles;
+        let mut energy = Self::default();
+        for (i, velocity) in state.velocity.iter().enumerate() {
+            let mass = particles.mass[i];
+            energy.translational += 0.5 * mass * velocity.linear.norm_squared();
+            energy.rotational += 0.5 * particles.inertia(i) * velocity.angular.norm_squared();
+            energy.gravity -= mass * state.gravity.dot(&state.kinematics.position[i]);
+        }
+        for spring in &scene.springs {
+            let target = spring.target + spring.motion.pose_at(state.time).translation;
+            let stretch = material_point(state, spring.sphere, spring.arm) - target;
+            energy.springs += 0.5 * spring.stiffness * stretch.norm_squared();
+        }
+        for load in &scene.loads {
+            energy.loads -= load
+                .force
+                .dot(&material_point(state, load.sphere, load.arm));
+        }
+        energy
+    }
+
+    /// Translational plus rotational.
+    #[must_use]
+    pub fn kinetic(&self) -> f64 {
+        self.translational + self.rotational
+    }
+
+    /// Gravity, springs and loads.
+    #[must_use]
+    pub fn potential(&self) -> f64 {
+        self.gravity + self.springs + self.loads
+    }
+}
+
+/// Linear and angular momentum of the spheres.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Momentum {
+    /// Linear momentum \[N s\].
+    pub linear: Vec3,
+    /// Angular momentum about the origin \[N m s\].
+    pub angular: Vec3,
+}
+
+impl Momentum {
+    /// Momentum of the state, with the half-step velocities.
+    #[must_use]
+    pub fn of(state: &Observation) -> Self {
+        let particles = &state.scene.particles;
+        let mut momentum = Self::default();
+        for i in 0..particles.len() {
+            let linear = state.kinematics.velocity[i] * particles.mass[i];
+            momentum.linear += linear;
+            momentum.angular += state.kinematics.position[i].cross(&linear)
+                + state.kinematics.spin[i] * particles.inertia(i);
+        }
+        momentum
+    }
+}
+
+/// Where a point of a sphere is now \[m\]; `arm` \[m\] from the centre in the sphere's initial orientation.
+fn material_point(state: &Observation, sphere: usize, arm: Vec3) -> Vec3 {
+    state.kinematics.position[sphere] + state.kinematics.orientation[sphere] * arm
+}

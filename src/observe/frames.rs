@@ -1,0 +1,275 @@
+//! Frames: the grids of spheres, contacts and boundaries at one time.
+//!
+//! | series | cells | arrays |
+//! |---|---|---|
+//! | spheres | vertex at the centre | over points: `radius` \[m\], `velocity` \[m/s\], `angular_velocity` \[rad/s\], `force` \[N\] and `torque` \[N m\] of all contacts, `orientation` (w, x, y, z), `id`, `material` |
+//! | contacts | line from centre 1 to centre 2 or to the closest point | over cells: `normal_force` \[N\], `force` on 1 \[N\], `overlap` \[m\], `slip` \[m/s\], `id1`, `id2`, `kind` |
+//! | boundaries | triangles | over points: `velocity` \[m/s\]; over cells: `force` \[N\] on the whole boundary, `boundary` (index) |
+//!
+//! `kind` is 0 between spheres and 1 on a boundary, `id2` then being the boundary. Readers cannot take a file without
+//! cells: a frame without contacts holds the centres, one vertex, zero force, ids and kind -1. Contacts listed are
+//! those that carry a force or overlap; `slip` is the tangential relative speed at the contact with the reported
+//! velocities.
+
+use super::vtu::{Array, Cell, Grid, Values};
+use super::{BoundaryState, Observation};
+use crate::Vec3;
+use crate::contacts::{Contact, Partner};
+use crate::motion::Twist;
+use crate::scene::Scene;
+
+/// The three series of a run, in the order they are written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Series {
+    /// One vertex per sphere.
+    Spheres,
+    /// One line per contact.
+    Contacts,
+    /// The boundaries' triangles.
+    Boundaries,
+}
+
+impl Series {
+    /// All series.
+    pub const ALL: [Self; 3] = [Self::Spheres, Self::Contacts, Self::Boundaries];
+
+    /// Stem of the file names.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Spheres => "spheres",
+            Self::Contacts => "contacts",
+            Self::Boundaries => "boundaries",
+        }
+    }
+}
+
+/// Every grid of a frame. A series without anything to show (no sphere, no boundary) is left out in all frames.
+#[must_use]
+pub fn frame(state: &Observation, surface: &Surface) -> Vec<(Series, Grid)> {
+    let mut grids = Vec::with_capacity(3);
+    if !state.scene.particles.is_empty() {
+        grids.push((Series::Spheres, spheres(state)));
+        grids.push((Series::Contacts, contacts(state)));
+    }
+    if !surface.triangles.is_empty() {
+        grids.push((Series::Boundaries, surface.grid(state)));
+    }
+    grids
+}
+
+/// The spheres.
+#[must_use]
+pub fn spheres(state: &Observation) -> Grid {
+    let particles = &state.scene.particles;
+    let kinematics = state.kinematics;
+    let (force, torque) = contact_loads(state);
+    let orientation = kinematics
+        .orientation
+        .iter()
+        .flat_map(|q| [q.w, q.i, q.j, q.k]);
+    Grid {
+        points: kinematics.position.clone(),
+        cell: Cell::Vertex,
+        connectivity: (0..particles.len() as u32).collect(),
+        point_data: vec![
+            Array::scalar("radius", particles.radius.iter().copied()),
+            Array::vector("velocity", state.velocity.iter().map(|v| v.linear)),
+            Array::vector("angular_velocity", state.velocity.iter().map(|v| v.angular)),
+            Array::vector("force", force),
+            Array::vector("torque", torque),
+            Array {
+                name: "orientation",
+                components: 4,
+                values: Values::Real(orientation.collect()),
+            },
+            Array::integer("id", 0..particles.len() as i32),
+            Array::integer("material", particles.material.iter().map(|&m| i32::from(m))),
+        ],
+        cell_data: Vec::new(),
+    }
+}
+
+/// Sum of the contact forces \[N\] and of their torques about the centre \[N m\], `[N]` each. A force acts on a
+/// sphere's surface where the normal meets it, at `-R n` from the centre of body A and `+R n` from that of B.
+#[must_use]
+pub fn contact_loads(state: &Observation) -> (Vec<Vec3>, Vec<Vec3>) {
+    let radius = &state.scene.particles.radius;
+    let mut force = vec![Vec3::zeros(); radius.len()];
+    let mut torque = force.clone();
+    for contact in state.contacts {
+        let a = contact.key.sphere as usize;
+        // Of the two signs of `-R n x f` on A and `R n x (-f)` on B the torques turn out equal.
+        let moment = -contact.normal.cross(&contact.force);
+        force[a] += contact.force;
+        torque[a] += moment * radius[a];
+        if let Partner::Sphere(b) = contact.key.partner {
+            force[b as usize] -= contact.force;
+            torque[b as usize] += moment * radius[b as usize];
+        }
+    }
+    (force, torque)
+}
+
+/// The contacts that carry a force or overlap.
+#[must_use]
+pub fn contacts(state: &Observation) -> Grid {
+    let centre = &state.kinematics.position;
+    let active: Vec<&Contact> = state.active_contacts().collect();
+    if active.is_empty() {
+        return Grid {
+            points: centre.clone(),
+            cell: Cell::Vertex,
+            connectivity: vec![0],
+            point_data: Vec::new(),
+            cell_data: contact_data(&[(0.0, Vec3::zeros(), 0.0, 0.0, [-1, -1, -1])]),
+        };
+    }
+    let mut points = Vec::with_capacity(2 * active.len());
+    let mut rows = Vec::with_capacity(active.len());
+    for contact in active {
+        let a = contact.key.sphere;
+        let (end, id2, kind) = match contact.key.partner {
+            Partner::Sphere(b) => (centre[b as usize], b as i32, 0),
+            Partner::Boundary { boundary, .. } => (contact.point, i32::from(boundary), 1),
+        };
+        points.push(centre[a as usize]);
+        points.push(end);
+        rows.push((
+            contact.force.dot(&contact.normal),
+            contact.force,
+            (-contact.gap).max(0.0),
+            slip(state, contact),
+            [a as i32, id2, kind],
+        ));
+    }
+    Grid {
+        connectivity: (0..points.len() as u32).collect(),
+        points,
+        cell: Cell::Line,
+        point_data: Vec::new(),
+        cell_data: contact_data(&rows),
+    }
+}
+
+/// Normal force, force, overlap, slip, and `[id1, id2, kind]` of one contact.
+type ContactRow = (f64, Vec3, f64, f64, [i32; 3]);
+
+fn contact_data(rows: &[ContactRow]) -> Vec<Array> {
+    vec![
+        Array::scalar("normal_force", rows.iter().map(|row| row.0)),
+        Array::vector("force", rows.iter().map(|row| row.1)),
+        Array::scalar("overlap", rows.iter().map(|row| row.2)),
+        Array::scalar("slip", rows.iter().map(|row| row.3)),
+        Array::integer("id1", rows.iter().map(|row| row.4[0])),
+        Array::integer("id2", rows.iter().map(|row| row.4[1])),
+        Array::integer("kind", rows.iter().map(|row| row.4[2])),
+    ]
+}
+
+/// Tangential relative speed at a contact \[m/s\].
+fn slip(state: &Observation, contact: &Contact) -> f64 {
+    let radius = &state.scene.particles.radius;
+    let at = |twist: &Twist, arm: Vec3| twist.linear + twist.angular.cross(&arm);
+    let a = contact.key.sphere as usize;
+    let own = at(&state.velocity[a], contact.normal * -radius[a]);
+    let other = match contact.key.partner {
+        Partner::Sphere(b) => at(
+            &state.velocity[b as usize],
+            contact.normal * radius[b as usize],
+        ),
+        Partner::Boundary { boundary, .. } => {
+            let b = usize::from(boundary);
+            state.boundaries[b]
+                .velocity_at(contact.point, state.scene.boundaries[b].point_of_action)
+        }
+    };
+    let relative = own - other;
+    (relative - contact.normal * relative.dot(&contact.normal)).norm()
+}
+
+impl BoundaryState {
+    /// Velocity \[m/s\] of the boundary's material point now at `x` \[m\]; `point_of_action` \[m\] as in the scene.
+    #[must_use]
+    pub fn velocity_at(&self, x: Vec3, point_of_action: Vec3) -> Vec3 {
+        let arm = x - (point_of_action + self.pose.translation);
+        self.twist.linear + self.twist.angular.cross(&arm)
+    }
+}
+
+/// The triangles of all boundaries, as in the scene; frames move them by the poses.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Surface {
+    /// Points in scene coordinates \[m\], `[P]`.
+    points: Vec<Vec3>,
+    /// Boundary of each point, `[P]`.
+    owner: Vec<u16>,
+    /// `[T]`.
+    triangles: Vec<[u32; 3]>,
+}
+
+impl Surface {
+    /// Triangulates the boundaries of `scene`. Half-spaces are cut to a patch under the spheres' initial placement
+    /// and all bounded boundaries.
+    #[must_use]
+    pub fn new(scene: &Scene) -> Self {
+        let extent = extent(scene);
+        let mut surface = Self::default();
+        for (b, boundary) in scene.boundaries.iter().enumerate() {
+            let patch = boundary.geometry.tessellate(extent);
+            let first = surface.points.len() as u32;
+            surface
+                .owner
+                .extend(std::iter::repeat_n(b as u16, patch.points.len()));
+            surface.points.extend(patch.points);
+            surface
+                .triangles
+                .extend(patch.triangles.iter().map(|t| t.map(|i| first + i)));
+        }
+        surface
+    }
+
+    /// The surface at the poses of `state`.
+    #[must_use]
+    pub fn grid(&self, state: &Observation) -> Grid {
+        let pivot = |b: u16| state.scene.boundaries[usize::from(b)].point_of_action;
+        let of = |b: u16| &state.boundaries[usize::from(b)];
+        let points: Vec<Vec3> = self
+            .points
+            .iter()
+            .zip(&self.owner)
+            .map(|(x0, &b)| state.scene.boundaries[usize::from(b)].from_frame(&of(b).pose, *x0))
+            .collect();
+        let velocity: Vec<Vec3> = points
+            .iter()
+            .zip(&self.owner)
+            .map(|(&x, &b)| of(b).velocity_at(x, pivot(b)))
+            .collect();
+        let owners = self.triangles.iter().map(|t| self.owner[t[0] as usize]);
+        Grid {
+            points,
+            cell: Cell::Triangle,
+            connectivity: self.triangles.iter().flatten().copied().collect(),
+            point_data: vec![Array::vector("velocity", velocity)],
+            cell_data: vec![
+                Array::vector("force", owners.clone().map(|b| of(b).wrench.force)),
+                Array::integer("boundary", owners.map(i32::from)),
+            ],
+        }
+    }
+}
+
+/// Box around the spheres as placed and the bounded boundaries \[m\].
+fn extent(scene: &Scene) -> (Vec3, Vec3) {
+    let spheres = scene
+        .initial
+        .position
+        .iter()
+        .zip(&scene.particles.radius)
+        .map(|(c, r)| (c.add_scalar(-r), c.add_scalar(*r)));
+    let boundaries = scene.boundaries.iter().filter_map(|b| b.geometry.bounds());
+    spheres
+        .chain(boundaries)
+        .reduce(|(lower, upper), (min, max)| (lower.inf(&min), upper.sup(&max)))
+        .unwrap_or((Vec3::repeat(-1.0), Vec3::repeat(1.0)))
+}

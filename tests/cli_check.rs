@@ -1,0 +1,72 @@
+//! `sphere-dda check`: exit codes and what it prints.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+fn check(scene: &Path) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_sphere-dda"));
+    command.arg("check").arg(scene).env("NO_COLOR", "1");
+    command.output().unwrap()
+}
+
+fn example(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../examples/{name}/{name}.toml"))
+}
+
+#[test]
+fn good_scenes_are_summarised() {
+    for name in ["funnel", "slopes", "feeder"] {
+        let output = check(&example(name));
+        let text = String::from_utf8(output.stdout).unwrap();
+        assert_eq!(output.status.code(), Some(0));
+        for part in [
+            "spheres",
+            "mass",
+            "extent",
+            "initial overlaps",
+            "suggested",
+            "hash",
+        ] {
+            assert!(text.contains(part), "{name} lacks {part}:\n{text}");
+        }
+    }
+}
+
+#[test]
+fn bad_scenes_exit_with_2_and_every_problem() {
+    let text = std::fs::read_to_string(example("funnel")).unwrap();
+    let bad = text
+        .replacen("step = 0.01", "step = 0", 1)
+        .replacen("radius = 0.25", "radius = -0.25", 1)
+        .replacen("r0 = 0.7", "r_0 = 0.7", 1);
+    let scene = Path::new(env!("CARGO_TARGET_TMPDIR")).join("bad_funnel.toml");
+    std::fs::write(&scene, bad).unwrap();
+    let output = check(&scene);
+    let text = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(2), "{text}");
+    for part in [
+        "simulation.step",
+        "spheres[0].radius",
+        "unknown key `r_0`",
+        "r0",
+    ] {
+        assert!(text.contains(part), "{part} is not in\n{text}");
+    }
+    assert!(!text.contains("panicked"));
+}
+
+#[test]
+fn a_missing_file_and_wrong_usage_exit_with_2() {
+    let missing = check(Path::new("no/such/scene.toml"));
+    assert_eq!(missing.status.code(), Some(2));
+    assert!(
+        String::from_utf8(missing.stderr)
+            .unwrap()
+            .contains("cannot read the file")
+    );
+    let usage = Command::new(env!("CARGO_BIN_EXE_sphere-dda"))
+        .arg("chek")
+        .output()
+        .unwrap();
+    assert_eq!(usage.status.code(), Some(2));
+}

@@ -1,0 +1,111 @@
+//! The grids of a frame, and frames left behind for the Python readers.
+
+use std::fs;
+
+use sphere_dda::Vec3;
+use sphere_dda::observe::frames::{Series, Surface, contact_loads, frame};
+use sphere_dda::observe::vtu::{Array, Cell, Grid, Precision, Values, encode};
+use sphere_dda::observe::writer::{Options, Results};
+
+use crate::made::{Made, place, scene};
+use crate::vtu::check_blocks;
+
+#[test]
+fn a_frame_without_contacts_has_the_same_arrays() {
+    let scene = scene(4);
+    let full = Made::new(&scene, 0.0);
+    let mut empty = Made::new(&scene, 0.0);
+    empty.contacts.retain(|contact| contact.gap > 0.0);
+    let surface = Surface::new(&scene);
+    let contacts = |made: &Made| {
+        let grids = frame(&made.observe(&scene, 0.0), &surface);
+        grids
+            .into_iter()
+            .find(|(s, _)| *s == Series::Contacts)
+            .unwrap()
+            .1
+    };
+    let (full, empty) = (contacts(&full), contacts(&empty));
+    assert_eq!((full.cell, full.cells()), (Cell::Line, 3));
+    assert_eq!((empty.cell, empty.cells()), (Cell::Vertex, 1));
+    assert_eq!(empty.points.len(), 4);
+    for (a, b) in full.cell_data.iter().zip(&empty.cell_data) {
+        assert_eq!((a.name, a.components), (b.name, b.components));
+        match &b.values {
+            Values::Real(values) => assert!(values.iter().all(|&v| v == 0.0)),
+            Values::Integer(values) => assert_eq!(values, &[-1]),
+        }
+    }
+    check_blocks(&encode(&empty, 0.0, Precision::Single, "x").unwrap());
+}
+
+#[test]
+fn contact_loads_balance() {
+    let scene = scene(4);
+    let made = Made::new(&scene, 0.0);
+    let state = made.observe(&scene, 0.0);
+    let (force, torque) = contact_loads(&state);
+    // Sphere 0 is pushed by 1 and by the floor, 1 by 0 alone.
+    assert_eq!(force[0], Vec3::new(1.0, 0.0, 5.0));
+    assert_eq!(force[1], Vec3::new(-1.0, 0.0, -2.0));
+    // -R n x f with n = z: f_x at the lowest point of 0 turns it about -y, and 1, pushed at its top, likewise.
+    let radius = &scene.particles.radius;
+    assert_eq!(torque[0], Vec3::new(0.0, -radius[0], 0.0));
+    assert_eq!(torque[1], Vec3::new(0.0, -radius[1], 0.0));
+    assert_eq!(torque[2], Vec3::new(0.5 * radius[2], 0.0, 0.0));
+}
+
+/// Frames with a value file beside each, in both precisions, for the Python readers.
+#[test]
+fn frames_for_the_python_readers() {
+    // With six spheres meshio takes the wrong block if the blocks lie in the order of their tags.
+    let mut scene = scene(6);
+    for (name, float64) in [("vtk-single", false), ("vtk-double", true)] {
+        scene.output.float64 = float64;
+        let directory = place(name);
+        let options = Options::new(&directory, &scene);
+        let mut results = Results::create(&scene, options).unwrap();
+        let surface = Surface::new(&scene);
+        for step in 0..=40 {
+            let time = 0.01 * f64::from(step);
+            let mut made = Made::new(&scene, time);
+            if step == 20 {
+                made.contacts.clear();
+            }
+            let state = made.observe(&scene, time);
+            results.record(&state);
+            if step % 10 == 0 {
+                let grids = frame(&state, &surface);
+                let value = expected(time, &grids);
+                let path = directory.join(format!("expected_{:06}.json", step / 10));
+                fs::write(path, serde_json::to_vec(&value).unwrap()).unwrap();
+            }
+        }
+        let status = results.finish();
+        assert_eq!((status.frames, status.rows, status.failures), (5, 41, 0));
+    }
+}
+
+fn expected(time: f64, grids: &[(Series, Grid)]) -> serde_json::Value {
+    let arrays = |arrays: &[Array]| {
+        let map = arrays.iter().map(|array| {
+            let values = match &array.values {
+                Values::Real(values) => serde_json::json!(values),
+                Values::Integer(values) => serde_json::json!(values),
+            };
+            let value = serde_json::json!({"components": array.components, "values": values});
+            (array.name.to_owned(), value)
+        });
+        serde_json::Value::Object(map.collect())
+    };
+    let series = grids.iter().map(|(series, grid)| {
+        let value = serde_json::json!({
+            "points": grid.points,
+            "connectivity": grid.connectivity,
+            "point_data": arrays(&grid.point_data),
+            "cell_data": arrays(&grid.cell_data),
+        });
+        (series.name().to_owned(), value)
+    });
+    serde_json::json!({"time": time, "series": serde_json::Value::Object(series.collect())})
+}

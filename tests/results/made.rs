@@ -1,0 +1,223 @@
+//! A synthetic scene and states of it that no solver made, and the directories they are written to.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use nalgebra::UnitQuaternion;
+use sphere_dda::Vec3;
+use sphere_dda::boundaries::{Boundary, Geometry};
+use sphere_dda::contacts::{Contact, Key, Partner};
+use sphere_dda::materials::{Material, Pair, PairTable};
+use sphere_dda::motion::{Motion, Pose, Twist};
+use sphere_dda::observe::writer::Results;
+use sphere_dda::observe::{BoundaryState, Observation};
+use sphere_dda::particles::{Kinematics, Locks, Particles};
+use sphere_dda::scene::{
+    Integrator, Measure, Method, Output, Scene, Sensor, Settings, SolverKind, Tolerance,
+};
+use sphere_dda::simulation::{StepReport, Wrench};
+use sphere_dda::state::Work;
+
+/// A row of `n` spheres above a floor and a box, with one sensor of each kind.
+pub(crate) fn scene(n: usize) -> Scene {
+    let mut particles = Particles::default();
+    let mut initial = Kinematics::default();
+    for i in 0..n {
+        particles.push(0.1 + 0.01 * (i % 3) as f64, 2500.0, 0, Locks::default());
+        initial.push(
+            Vec3::new(0.2 * i as f64, 0.0, 0.1),
+            Vec3::zeros(),
+            Vec3::zeros(),
+        );
+    }
+    let boundary = |name: &str, geometry| Boundary {
+        name: name.to_owned(),
+        material: 0,
+        geometry,
+        motion: Motion::Fixed,
+        point_of_action: Vec3::new(0.5, 0.0, 0.0),
+        stiffness: None,
+    };
+    Scene {
+        title: "a row".to_owned(),
+        hash: "0".repeat(64),
+        settings: Settings {
+            gravity: Vec3::new(0.0, 0.0, -9.81),
+            duration: 1.0,
+            step: 1e-3,
+            communication_step: 0.01,
+            method: Method::Alm,
+            integrator: Integrator::Moreau,
+            solver: SolverKind::Auto,
+            penalty: None,
+            adapt_penalty: true,
+            tolerance: Tolerance {
+                gap: 1e-6,
+                slip: 1e-6,
+                force: 1e-6,
+            },
+            max_initial_overlap: 0.05,
+            threshold_velocity: 0.0,
+            dynamic_coefficient: 1.0,
+            max_iterations: 1000,
+            max_cuts: 4,
+        },
+        materials: vec![Material {
+            name: "glass".to_owned(),
+            density: 2500.0,
+        }],
+        pairs: PairTable::new(1, Pair::default()),
+        particles,
+        initial,
+        boundaries: vec![boundary("floor", floor()), boundary("crate", crate_box())],
+        loads: Vec::new(),
+        springs: Vec::new(),
+        sensors: vec![
+            Sensor {
+                name: "hold".to_owned(),
+                measure: Measure::MassInBox {
+                    min: Vec3::repeat(-0.15),
+                    max: Vec3::repeat(0.15),
+                },
+            },
+            Sensor {
+                name: "outflow".to_owned(),
+                measure: Measure::MassFlow {
+                    point: Vec3::zeros(),
+                    normal: Vec3::z(),
+                },
+            },
+        ],
+        probes: Vec::new(),
+        output: Output {
+            vtu_interval: 0.1,
+            csv_interval: 0.0,
+            float64: false,
+        },
+    }
+}
+
+pub(crate) fn floor() -> Geometry {
+    Geometry::default()
+}
+
+pub(crate) fn crate_box() -> Geometry {
+    Geometry::default()
+}
+
+/// Positions and contacts of a state that no solver made.
+pub(crate) struct Made {
+    pub(crate) kinematics: Kinematics,
+    pub(crate) contacts: Vec<Contact>,
+    pub(crate) passed: Vec<f64>,
+}
+
+impl Made {
+    pub(crate) fn new(scene: &Scene, time: f64) -> Self {
+        let mut kinematics = scene.initial.clone();
+        for (i, position) in kinematics.position.iter_mut().enumerate() {
+            position.y = (3.0 * time + i as f64).sin();
+            kinematics.orientation[i] = UnitQuaternion::from_scaled_axis(Vec3::new(0.0, 0.0, time));
+        }
+        let contact = |sphere, partner, force| Contact {
+            key: Key { sphere, partner },
+            point: Vec3::new(0.2 * f64::from(sphere), 0.3, 0.0),
+            normal: Vec3::z(),
+            gap: -1e-7,
+            force,
+        };
+        let floor = Partner::Boundary {
+            boundary: 0,
+            feature: 0,
+        };
+        let mut contacts = vec![
+            contact(0, Partner::Sphere(1), Vec3::new(1.0, 0.0, 2.0 + time)),
+            contact(0, floor, Vec3::new(0.0, 0.0, 3.0)),
+            contact(2, floor, Vec3::new(0.0, 0.5, 4.0)),
+        ];
+        // A candidate that does not touch must not appear.
+        contacts.push(Contact {
+            gap: 0.01,
+            ..contact(3, floor, Vec3::zeros())
+        });
+        Self {
+            kinematics,
+            contacts,
+            passed: vec![0.0; scene.sensors.len()],
+        }
+    }
+
+    pub(crate) fn observe<'a>(&'a self, scene: &'a Scene, time: f64) -> Observation<'a> {
+        let twist = Twist {
+            linear: Vec3::new(0.1, 0.2, 0.3),
+            angular: Vec3::new(0.0, 0.0, 1.0),
+        };
+        Observation {
+            scene,
+            time,
+            gravity: scene.settings.gravity,
+            kinematics: &self.kinematics,
+            velocity: vec![twist; scene.particles.len()],
+            contacts: &self.contacts,
+            boundaries: vec![
+                BoundaryState {
+                    pose: Pose {
+                        translation: Vec3::new(0.0, 0.0, 0.1 * time),
+                        rotation: UnitQuaternion::identity(),
+                    },
+                    twist,
+                    wrench: Wrench {
+                        force: Vec3::new(0.0, -0.5, -7.0),
+                        torque: Vec3::zeros(),
+                    },
+                    mean_wrench: Wrench::default(),
+                };
+                scene.boundaries.len()
+            ],
+            passed: &self.passed,
+            flow: &self.passed,
+            work: Work::default(),
+            report: StepReport::default(),
+        }
+    }
+}
+
+pub(crate) fn record(results: &mut Results, scene: &Scene, time: f64) {
+    results.record(&Made::new(scene, time).observe(scene, time));
+}
+
+/// A new directory below the target directory, kept after the test.
+pub(crate) fn place(name: &str) -> PathBuf {
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    if path.exists() {
+        fs::remove_dir_all(&path).unwrap();
+    }
+    path
+}
+
+/// Times and files that a collection lists.
+pub(crate) fn listed(pvd: &Path) -> Vec<(f64, String)> {
+    let text = fs::read_to_string(pvd).unwrap();
+    assert!(text.trim_end().ends_with("</VTKFile>"));
+    let field = |line: &str, key: &str| {
+        let start = line.find(&format!("{key}=\"")).unwrap() + key.len() + 2;
+        line[start..].split('"').next().unwrap().to_owned()
+    };
+    text.lines()
+        .filter(|line| line.starts_with("<DataSet"))
+        .map(|line| {
+            (
+                field(line, "timestep").parse().unwrap(),
+                field(line, "file"),
+            )
+        })
+        .collect()
+}
+
+pub(crate) fn listed_or_none(pvd: &Path) -> Vec<(f64, String)> {
+    if pvd.exists() {
+        listed(pvd)
+    } else {
+        Vec::new()
+    }
+}

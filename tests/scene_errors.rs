@@ -1,0 +1,463 @@
+//! Bad scenes: each is refused with the key path, the line, what was found and what is expected.
+
+use std::path::Path;
+
+use proptest::prelude::*;
+use sphere_dda::boundaries::Shape;
+use sphere_dda::motion::{InputKind, Motion};
+use sphere_dda::scene::{Loaded, Measure, Scene, SceneError, Summary};
+
+const GOOD: &str = r#"title = "box"
+[simulation]
+duration = 1.0
+step = 1e-3
+[simulation.tolerance]
+gap = 1e-6
+[[material]]
+name = "rock"
+density = 2500.0
+[[material]]
+name = "steel"
+[pair_default]
+friction = 0.3
+[[pair]]
+materials = ["rock", "steel"]
+friction_angle = 20.0
+restitution = 0.5
+[[spheres]]
+name = "grains"
+material = "rock"
+radius = 0.1
+lattice = { origin = [0.0, 0.0, 0.2], count = [3, 2, 1], spacing = 0.3, jitter = 0.1 }
+[[spheres]]
+name = "one"
+material = "rock"
+radius = [0.2]
+positions = [[0.0, 0.0, 3.0]]
+lock = ["rx", "y"]
+[[boundary]]
+name = "floor"
+material = "steel"
+faces = [{ plane = { point = [0.0, 0.0, 0.0], normal = [0.0, 0.0, 2.0] } }]
+[[boundary]]
+name = "gate"
+material = "steel"
+faces = [
+  { rectangle = { corner = [9.0, 0.0, 0.0], u = [1.0, 0.0, 0.0], v = [0.0, 1.0, 0.0] } },
+  { cone = { base = [20.0, 0.0, 0.0], r0 = 1.0, r1 = 2.0, height = 1.0 } },
+]
+motion = { table = { time = [0.0, 1.0], translation = [[0.0, 0.0, 0.0], [0.0, 0.0, 1.0]] } }
+[[load]]
+sphere = "grains[4]"
+force = [0.0, 0.0, 1.0]
+[[spring]]
+sphere = "one"
+stiffness = 1e3
+[[sensor]]
+name = "flow"
+mass_flow = { point = [0.0, 0.0, 0.0], normal = [0.0, 0.0, -1.0] }
+[[sensor]]
+name = "inside"
+mass_in_box = { min = [0.0, 0.0, 0.0], max = [1.0, 1.0, 1.0] }
+[[probe]]
+name = "top"
+sphere = "one"
+[output]
+vtu_interval = 0.05
+"#;
+
+/// `from` of the good scene replaced by `to` gives a problem at `path`, on the line that holds `line`, whose text
+/// (message and help) holds `text`.
+struct Case {
+    from: &'static str,
+    to: &'static str,
+    path: &'static str,
+    line: &'static str,
+    text: &'static str,
+}
+
+macro_rules! cases {
+    ($($from:expr => $to:expr, $path:expr, $line:expr, $text:expr;)*) => {
+        &[$(Case { from: $from, to: $to, path: $path, line: $line, text: $text }),*]
+    };
+}
+
+const CASES: &[Case] = cases! {
+    // Syntax, keys, types.
+    "step = 1e-3" => "step = = 1e-3", "scene", "step = =", "TOML";
+    "step = 1e-3" => "stepp = 1e-3", "simulation.stepp", "stepp", "did you mean `step`";
+    "step = 1e-3\n" => "", "simulation", "[simulation]", "missing key `step`";
+    "[simulation]\nduration = 1.0\nstep = 1e-3\n[simulation.tolerance]\ngap = 1e-6\n" => "", "simulation", "title", "missing table `[simulation]`";
+    "step = 1e-3" => "step = \"fast\"", "simulation.step", "\"fast\"", "expected f64";
+    "[[probe]]" => "[[probes]]", "probes", "[[probes]]", "did you mean `probe`";
+    "[[probe]]" => "[probe]", "probe", "[probe]", "double brackets";
+    "step = 1e-3" => "step = 1e-3\nmethod = \"almm\"", "simulation.method", "almm", "did you mean `alm`";
+    "{ plane =" => "{ plan =", "boundary[0].faces[0]", "{ plan =", "did you mean `plane`";
+    "normal = [0.0, 0.0, 2.0]" => "norml = [0.0, 0.0, 2.0]", "boundary[0].faces[0].plane.norml", "norml", "did you mean `normal`";
+    "normal = [0.0, 0.0, 2.0]" => "normal = [0.0, 2.0]", "boundary[0].faces[0].plane.normal", "[0.0, 2.0]", "three numbers";
+    "normal = [0.0, 0.0, 2.0]" => "normal = [0.0, 0.0, 2.0, 1.0]", "boundary[0].faces[0].plane.normal", "2.0, 1.0]", "three numbers";
+    "\"rx\"" => "\"rxx\"", "spheres[1].lock[0]", "rxx", "did you mean `rx`";
+    // Numbers.
+    "step = 1e-3" => "step = nan", "simulation.step", "nan", "found nan, expected a finite number";
+    "density = 2500.0" => "density = inf", "material[0].density", "inf", "found inf";
+    "density = 2500.0" => "density = 1e300", "material[0].density", "1e300", "at most 1e30";
+    "step = 1e-3" => "step = 0.0", "simulation.step", "step = 0.0", "found 0, expected a time > 0 [s]";
+    "duration = 1.0" => "duration = -1.0", "simulation.duration", "duration", "found -1";
+    "step = 1e-3" => "step = 1e-3\ncommunication_step = 0", "simulation.communication_step", "communication", "> 0 [s]";
+    "gap = 1e-6" => "gap = 1e-20", "simulation.tolerance.gap", "gap =", "1e-12 to 1e-1";
+    "step = 1e-3" => "step = 1e-3\nmethod = \"penalty\"", "simulation", "[simulation]", "missing key `penalty`";
+    "step = 1e-3" => "step = 1e-3\npenalty = -1.0", "simulation.penalty", "penalty", "> 0 [N/m]";
+    "step = 1e-3" => "step = 1e-3\nmax_initial_overlap = 2", "simulation.max_initial_overlap", "max_initial", "found 2";
+    "step = 1e-3" => "step = 1e-3\nthreshold_velocity = -1", "simulation.threshold_velocity", "threshold", ">= 0 [m/s]";
+    "step = 1e-3" => "step = 1e-3\ndynamic_coefficient = 1.5", "simulation.dynamic_coefficient", "dynamic", "found 1.5";
+    "step = 1e-3" => "step = 1e-3\nmax_iterations = 0", "simulation.max_iterations", "max_iter", ">= 1";
+    "step = 1e-3" => "step = 1e-3\nmax_iterations = -5", "simulation.max_iterations", "max_iter", "expected u32";
+    "step = 1e-3" => "step = 1e-3\nmax_cuts = 99", "simulation.max_cuts", "max_cuts", "found 99";
+    "vtu_interval = 0.05" => "vtu_interval = -0.05", "output.vtu_interval", "vtu_interval", ">= 0 [s]";
+    // Materials and pairs.
+    "density = 2500.0" => "density = 0.0", "material[0].density", "density", "> 0 [kg/m^3]";
+    "density = 2500.0\n" => "", "material[0]", "[[material]]", "missing key `density`";
+    "name = \"rock\"" => "name = \"2 rocks\"", "material[0].name", "2 rocks", "letters, digits";
+    "name = \"steel\"" => "name = \"rock\"", "material[1].name", "name = \"rock\"\n[pair", "appears twice";
+    "[\"rock\", \"steel\"]" => "[\"rock\", \"stel\"]", "pair[0].materials[1]", "stel", "did you mean `steel`";
+    "[\"rock\", \"steel\"]" => "[\"rock\"]", "pair[0].materials", "materials", "two material names";
+    "friction_angle = 20.0" => "friction_angle = 90.0", "pair[0].friction_angle", "90", "< 90 [degrees]";
+    "friction_angle = 20.0" => "friction_angle = 20.0\nfriction = 0.1", "pair[0].friction_angle", "friction_angle", "both";
+    "friction = 0.3" => "friction = -0.3", "pair_default.friction", "-0.3", ">= 0 [-]";
+    "restitution = 0.5" => "restitution = 1.5", "pair[0].restitution", "1.5", "0 <= restitution <= 1";
+    "restitution = 0.5" => "[[pair]]\nmaterials = [\"steel\", \"rock\"]", "pair[1].materials", "\"steel\", \"rock\"", "appears twice";
+    // Spheres.
+    "radius = 0.1" => "radius = 0.0", "spheres[0].radius", "radius = 0.0", "found 0, expected a radius > 0 [m]";
+    "radius = [0.2]" => "radius = [-0.2]", "spheres[1].radius[0]", "-0.2", "found -0.2";
+    "radius = [0.2]" => "radius = [0.2, 0.2]", "spheres[1].radius", "[0.2, 0.2]", "2 radii";
+    "radius = 0.1\n" => "", "spheres[0]", "name = \"grains\"", "missing key `radius`";
+    "radius = 0.1" => "radius = 0.1\nradius_jitter = 1.0", "spheres[0].radius_jitter", "radius_jitter", "< 1";
+    "count = [3, 2, 1]" => "count = [3, 0, 1]", "spheres[0].lattice.count", "count", "each >= 1";
+    "count = [3, 2, 1]" => "count = [99999, 99999, 99999]", "spheres[0].lattice.count", "count", "at most 10000000";
+    "spacing = 0.3" => "spacing = [0.3, 0.3]", "spheres[0].lattice.spacing", "spacing", "one or three lengths";
+    "jitter = 0.1" => "jitter = 0.9", "spheres[0].lattice.jitter", "jitter", "<= 0.5";
+    "jitter = 0.1" => "axes = [[1, 0, 0], [2, 0, 0]]", "spheres[0].lattice.axes", "axes", "not parallel";
+    "positions = [[0.0, 0.0, 3.0]]\n" => "", "spheres[1]", "name = \"one\"", "found 0 of lattice, positions, csv";
+    "positions = [[0.0, 0.0, 3.0]]" => "positions = []", "spheres[1].positions", "positions", "an empty list";
+    "positions = [[0.0, 0.0, 3.0]]" => "positions = [[0.0, 0.0, \"3\"]]", "spheres[1].positions[0][2]", "positions", "expected f64";
+    "radius = [0.2]\npositions = [[0.0, 0.0, 3.0]]" => "csv = \"none.csv\"", "spheres[1].csv", "csv", "cannot read";
+    "radius = [0.2]\npositions = [[0.0, 0.0, 3.0]]" => "csv = \"../a.csv\"", "spheres[1].csv", "csv", "below the scene's folder";
+    "radius = [0.2]\npositions = [[0.0, 0.0, 3.0]]" => "csv = \"bad.csv\"", "spheres[1].csv", "csv", "`abc` in `bad.csv` line 3, column `radius`";
+    "radius = [0.2]\npositions = [[0.0, 0.0, 3.0]]" => "csv = \"column.csv\"", "spheres[1].csv", "csv", "lacks the column `z`";
+    "spacing = 0.3" => "spacing = 0.1", "spheres[0]", "name = \"grains\"", "of the smaller radius, expected at most max_initial_overlap = 0.05";
+    "origin = [0.0, 0.0, 0.2]" => "origin = [0.0, 0.0, -0.2]", "spheres[0]", "name = \"grains\"", "boundary `floor`";
+    "material = \"rock\"\nradius = 0.1" => "material = \"rokc\"\nradius = 0.1", "spheres[0].material", "rokc", "did you mean `rock`";
+    // Boundaries.
+    "material = \"steel\"\nfaces = [{" => "material = \"iron\"\nfaces = [{", "boundary[0].material", "iron", "unknown material `iron`";
+    "name = \"gate\"" => "name = \"floor\"", "boundary[1].name", "floor\"\nmaterial = \"steel\"\nfaces = [\n", "appears twice";
+    "faces = [{ plane = { point = [0.0, 0.0, 0.0], normal = [0.0, 0.0, 2.0] } }]" => "faces = []", "boundary[0].faces", "faces = []", "at least one face";
+    "normal = [0.0, 0.0, 2.0]" => "normal = [0, 0, 0]", "boundary[0].faces[0].plane", "plane", "length 0";
+    "v = [0.0, 1.0, 0.0]" => "v = [1.0, 1.0, 0.0]", "boundary[1].faces[0].rectangle", "rectangle", "perpendicular";
+    "v = [0.0, 1.0, 0.0]" => "v = [0.0, 0.0, 0.0]", "boundary[1].faces[0].rectangle", "rectangle", "area";
+    "r0 = 1.0" => "r0 = -1.0", "boundary[1].faces[1].cone", "cone", "-1";
+    "height = 1.0" => "height = 0", "boundary[1].faces[1].cone", "cone", "height";
+    "{ cone = { base = [20.0, 0.0, 0.0], r0 = 1.0, r1 = 2.0, height = 1.0 } }" => "{ box = { min = [1, 0, 0], max = [0, 1, 1] } }", "boundary[1].faces[1].box", "box =", "expected";
+    "{ cone = { base = [20.0, 0.0, 0.0], r0 = 1.0, r1 = 2.0, height = 1.0 } }" => "{ triangle = [[0, 0, 0], [1, 0, 0]] }", "boundary[1].faces[1].triangle", "triangle", "2 corners";
+    "{ cone = { base = [20.0, 0.0, 0.0], r0 = 1.0, r1 = 2.0, height = 1.0 } }" => "{ polygon = [[0, 0, 0], [1, 0, 0], [1, 1, 1], [0, 1, 0]] }", "boundary[1].faces[1].polygon", "polygon", "plane";
+    "{ cone = { base = [20.0, 0.0, 0.0], r0 = 1.0, r1 = 2.0, height = 1.0 } }" => "{ stl = { file = \"none.stl\" } }", "boundary[1].faces[1].stl.file", "none.stl", "cannot read";
+    "{ cone = { base = [20.0, 0.0, 0.0], r0 = 1.0, r1 = 2.0, height = 1.0 } }" => "{ stl = { file = \"/etc/passwd\" } }", "boundary[1].faces[1].stl.file", "passwd", "relative path";
+    "{ cone = { base = [20.0, 0.0, 0.0], r0 = 1.0, r1 = 2.0, height = 1.0 } }" => "{ stl = { file = \"empty.stl\" } }", "boundary[1].faces[1].stl.file", "empty.stl", "expected";
+    "{ cone = { base = [20.0, 0.0, 0.0], r0 = 1.0, r1 = 2.0, height = 1.0 } }" => "{ stl = { file = \"none_inside.stl\" } }", "boundary[1].faces[1].stl.file", "none_inside.stl", "no facet";
+    "{ cone = { base = [20.0, 0.0, 0.0], r0 = 1.0, r1 = 2.0, height = 1.0 } }" => "{ stl = { file = \"garbage.stl\" } }", "boundary[1].faces[1].stl.file", "garbage.stl", "STL";
+    "{ cone = { base = [20.0, 0.0, 0.0], r0 = 1.0, r1 = 2.0, height = 1.0 } }" => "{ stl = { file = \"nan.stl\" } }", "boundary[1].faces[1].stl.file", "nan.stl", "expected";
+    "{ cone = { base = [20.0, 0.0, 0.0], r0 = 1.0, r1 = 2.0, height = 1.0 } }" => "{ stl = { file = \"fin.stl\" } }", "boundary[1].faces[1].stl.file", "fin.stl", "at most two facets";
+    "{ cone = { base = [20.0, 0.0, 0.0], r0 = 1.0, r1 = 2.0, height = 1.0 } }" => "{ stl = { file = \"good.stl\", scale = 0 } }", "boundary[1].faces[1].stl.scale", "good.stl", "a factor > 0";
+    // Motion.
+    "motion = {" => "input = \"pose\"\nmotion = {", "boundary[1].input", "input", "both `motion` and `input`";
+    "time = [0.0, 1.0]" => "time = [1.0, 1.0]", "boundary[1].motion.table.time", "time", "strictly increasing";
+    "time = [0.0, 1.0]" => "time = [0.0]", "boundary[1].motion.table.translation", "time", "2 vectors";
+    "time = [0.0, 1.0]" => "csv = \"a.csv\"", "boundary[1].motion.table", "csv", "expected `csv` or `time`";
+    "motion = { table = { time = [0.0, 1.0], translation = [[0.0, 0.0, 0.0], [0.0, 0.0, 1.0]] } }" => "motion = { sinusoid = { frequency = 0 } }", "boundary[1].motion.sinusoid.frequency", "frequency", "> 0 [Hz]";
+    "motion = { table = { time = [0.0, 1.0], translation = [[0.0, 0.0, 0.0], [0.0, 0.0, 1.0]] } }" => "input = { slide = [0, 0, 0] }", "boundary[1].input.slide", "slide", "length > 0";
+    "motion = { table = { time = [0.0, 1.0], translation = [[0.0, 0.0, 0.0], [0.0, 0.0, 1.0]] } }" => "input = \"push\"", "boundary[1].input", "push", "found `push`";
+    "motion = { table" => "stiffness = 0\nmotion = { table", "boundary[1].stiffness", "stiffness", "> 0 [N/m]";
+    // References.
+    "\"grains[4]\"" => "\"grains[6]\"", "load[0].sphere", "grains[6]", "an index below 6";
+    "\"grains[4]\"" => "\"grains\"", "load[0].sphere", "\"grains\"\nforce", "has 6 spheres";
+    "\"grains[4]\"" => "\"grain[4]\"", "load[0].sphere", "grain[4]", "did you mean `grains`";
+    "\"grains[4]\"" => "\"grains[-1]\"", "load[0].sphere", "grains[-1]", "group[k]";
+    "stiffness = 1e3" => "stiffness = -1e3", "spring[0].stiffness", "stiffness", "> 0 [N/m]";
+    "normal = [0.0, 0.0, -1.0]" => "normal = [0.0, 0.0, 0.0]", "sensor[0].mass_flow.normal", "mass_flow", "length > 0";
+    "max = [1.0, 1.0, 1.0]" => "max = [1.0, -1.0, 1.0]", "sensor[1].mass_in_box", "mass_in_box", "min < max";
+    "mass_in_box = { min" => "mass_flow = { point = [0, 0, 0], normal = [1, 0, 0] }\nmass_in_box = { min", "sensor[1]", "name = \"inside\"", "2 measures";
+    "name = \"inside\"" => "name = \"flow\"", "sensor[1].name", "name = \"flow\"\nmass_in", "appears twice";
+    "sphere = \"one\"\n[output]" => "sphere = \"two\"\n[output]", "probe[0].sphere", "two", "unknown sphere group";
+};
+
+/// Folder with the good and bad files the cases name.
+fn folder() -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    let facet = |corners: [[&str; 3]; 3]| {
+        let vertices: String = corners
+            .iter()
+            .map(|c| format!("vertex {}\n", c.join(" ")))
+            .collect();
+        format!("facet normal 0 0 1\nouter loop\n{vertices}endloop\nendfacet\n")
+    };
+    let solid = |facets: &[String]| format!("solid s\n{}endsolid s\n", facets.concat());
+    let (a, b) = (["10", "0", "0"], ["11", "0", "0"]);
+    let fin = |tip: [&'static str; 3]| facet([a, b, tip]);
+    let files = [
+        (
+            "good.csv",
+            "x,y,z,radius,vx\n0,0,3,0.2,1\n0,0,4,0.1,-1\n".to_owned(),
+        ),
+        ("bad.csv", "x,y,z,radius\n0,0,3,0.2\n0,0,4,abc\n".to_owned()),
+        ("column.csv", "x,y,radius\n0,0,3\n".to_owned()),
+        ("good.stl", solid(&[fin(["10", "1", "0"])])),
+        ("empty.stl", String::new()),
+        ("none_inside.stl", solid(&[])),
+        ("garbage.stl", "this is no mesh".to_owned()),
+        ("nan.stl", solid(&[fin(["10", "nan", "0"])])),
+        (
+            "fin.stl",
+            solid(&[
+                fin(["10", "1", "0"]),
+                fin(["10", "-1", "0"]),
+                fin(["10", "0", "1"]),
+            ]),
+        ),
+    ];
+    for (name, content) in files {
+        std::fs::write(folder.path().join(name), content).unwrap();
+    }
+    folder
+}
+
+fn load(text: &str, folder: &Path) -> Result<Loaded, SceneError> {
+    Scene::from_toml("scene.toml", text, folder)
+}
+
+/// The good scene with one replacement that must change it.
+fn edited(from: &str, to: &str) -> String {
+    assert!(GOOD.contains(from), "the good scene has no `{from}`");
+    GOOD.replacen(from, to, 1)
+}
+
+#[test]
+fn each_bad_scene_is_refused_with_place_and_reason() {
+    let folder = folder();
+    assert!(CASES.len() >= 40);
+    let mut failures = Vec::new();
+    for case in CASES {
+        let text = edited(case.from, case.to);
+        let Some(at) = text.find(case.line) else {
+            panic!("`{}` is not in the scene", case.line);
+        };
+        let line = 1 + text[..at].matches('\n').count();
+        match load(&text, folder.path()) {
+            Ok(_) => failures.push(format!("`{}` was accepted", case.to)),
+            Err(error) => {
+                let near = |found: usize| found == line || found + 1 == line;
+                let hit = error.problems.iter().any(|p| {
+                    let said = format!("{} {}", p.message, p.help.as_deref().unwrap_or(""));
+                    p.path == case.path && near(p.line) && said.contains(case.text)
+                });
+                if !hit || error.problems.len() > 4 {
+                    failures.push(format!(
+                        "`{}` wants {}:{line} `{}`, got\n{}",
+                        case.to,
+                        case.path,
+                        case.text,
+                        error.plain()
+                    ));
+                }
+            }
+        }
+    }
+    assert!(failures.is_empty(), "{}", failures.join("\n---\n"));
+}
+
+#[test]
+fn all_problems_are_reported_at_once_in_order() {
+    let folder = folder();
+    let text = GOOD
+        .replacen("step = 1e-3", "step = -1.0\ncolour = \"red\"", 1)
+        .replacen("density = 2500.0", "density = \"heavy\"\ndensty = 3", 1)
+        .replacen("r0 = 1.0", "r0 = \"one\"", 1)
+        .replacen("u = [1.0, 0.0, 0.0]", "u = [1.0]", 1)
+        .replacen("\"grains[4]\"", "\"sand\"", 1);
+    let error = load(&text, folder.path()).unwrap_err();
+    let paths: Vec<&str> = error.problems.iter().map(|p| p.path.as_str()).collect();
+    let expected = [
+        "simulation.step",
+        "simulation.colour",
+        "material[0].density",
+        "material[0].densty",
+        "boundary[1].faces[0].rectangle.u",
+        "boundary[1].faces[1].cone.r0",
+        "load[0].sphere",
+    ];
+    assert_eq!(paths, expected, "{}", error.plain());
+    assert!(error.problems.is_sorted_by_key(|p| p.line));
+}
+
+#[test]
+fn a_missing_scene_file_is_a_problem() {
+    let error = Scene::from_file("no/such/scene.toml").unwrap_err();
+    assert!(
+        error.plain().contains("cannot read the file"),
+        "{}",
+        error.plain()
+    );
+}
+
+#[test]
+fn the_good_scene_means_what_it_says() {
+    let folder = folder();
+    let loaded = load(GOOD, folder.path()).unwrap_or_else(|e| panic!("{}", e.plain()));
+    let scene = &loaded.scene;
+    assert_eq!(scene.particles.len(), 7);
+    assert_eq!(
+        scene.particles.mass[6],
+        4.0 / 3.0 * std::f64::consts::PI * 2500.0 * 0.2_f64.powi(3)
+    );
+    assert_eq!(scene.pairs.get(0, 1).friction, 20_f64.to_radians().tan());
+    assert_eq!(scene.pairs.get(0, 0).friction, 0.3);
+    assert_eq!(scene.particles.locks[6].translation, [false, true, false]);
+    assert_eq!(scene.loads[0].sphere, 4);
+    assert_eq!(scene.springs[0].target.z, 3.0);
+    assert_eq!(scene.probes[0].sphere, 6);
+    assert_eq!(scene.settings.gravity.z, -9.81);
+    assert!(
+        matches!(scene.sensors[0].measure, Measure::MassFlow { normal, .. } if normal.z == -1.0)
+    );
+    assert!(
+        matches!(&scene.boundaries[0].geometry.shapes()[0], Shape::HalfSpace(p) if p.normal.z == 1.0)
+    );
+    assert!(matches!(scene.boundaries[1].motion, Motion::Table { .. }));
+    // Jitter stays within its bound.
+    for (k, centre) in scene.initial.position[..6].iter().enumerate() {
+        let node = nalgebra::Vector3::new((k % 3) as f64 * 0.3, (k / 3) as f64 * 0.3, 0.2);
+        assert!((centre - node).amax() <= 0.03 && (centre - node).amax() > 0.0);
+    }
+    assert!(loaded.warnings.is_empty());
+}
+
+#[test]
+fn inputs_meshes_and_csv_are_read_and_packed() {
+    let folder = folder();
+    let text = GOOD
+        .replacen("radius = [0.2]\npositions = [[0.0, 0.0, 3.0]]", "csv = \"./good.csv\"", 1)
+        .replacen("{ cone = { base = [20.0, 0.0, 0.0], r0 = 1.0, r1 = 2.0, height = 1.0 } }", "{ stl = { file = \"good.stl\" } }", 1)
+        .replacen("motion = { table = { time = [0.0, 1.0], translation = [[0.0, 0.0, 0.0], [0.0, 0.0, 1.0]] } }", "input = { hinge = [0, 3, 0] }", 1)
+        .replace("\"one\"\nstiffness", "\"one[0]\"\nstiffness")
+        .replace("\"one\"\n[output]", "\"one[1]\"\n[output]");
+    let loaded = load(&text, folder.path()).unwrap_or_else(|e| panic!("{}", e.plain()));
+    let scene = &loaded.scene;
+    assert_eq!(scene.particles.radius[6..], [0.2, 0.1]);
+    assert_eq!(scene.initial.velocity[7].x, -1.0);
+    assert!(
+        matches!(scene.boundaries[1].motion, Motion::Input(InputKind::Hinge { axis }) if axis.y == 1.0)
+    );
+    let packed: Vec<&str> = loaded.attachments.iter().map(|a| a.path.as_str()).collect();
+    assert_eq!(packed, ["good.csv", "good.stl"]);
+    // The same content in another folder is the same scene; other content is another.
+    let elsewhere = tempfile::tempdir().unwrap();
+    for file in &loaded.attachments {
+        std::fs::write(elsewhere.path().join(&file.path), &file.content).unwrap();
+    }
+    let moved = load(&text, elsewhere.path()).unwrap_or_else(|e| panic!("{}", e.plain()));
+    assert_eq!(moved.scene, *scene);
+    std::fs::write(
+        elsewhere.path().join("good.csv"),
+        "x,y,z,radius\n0,0,3,0.2\n0,0,4,0.2\n",
+    )
+    .unwrap();
+    let changed = load(&text, elsewhere.path()).unwrap_or_else(|e| panic!("{}", e.plain()));
+    assert_ne!(changed.scene.hash, scene.hash);
+}
+
+#[test]
+fn the_hash_depends_on_the_text_alone() {
+    let folder = folder();
+    let hash = |text: &str| load(text, folder.path()).unwrap().scene.hash;
+    assert_eq!(hash(GOOD), hash(GOOD));
+    assert_ne!(hash(GOOD), hash(&format!("{GOOD}# comment\n")));
+    assert_eq!(hash(GOOD).len(), 64);
+}
+
+#[test]
+fn what_has_no_effect_is_a_warning() {
+    let folder = folder();
+    let warnings = |to: &str| {
+        load(&edited("step = 1e-3", to), folder.path())
+            .unwrap()
+            .warnings
+    };
+    let shi = warnings("step = 1e-3\nintegrator = \"shi\"");
+    assert_eq!(shi.len(), 1);
+    assert!(shi[0].message.contains("restitution has no effect"));
+    let moreau = warnings("step = 1e-3\ndynamic_coefficient = 0.5");
+    assert_eq!(moreau[0].path, "simulation.dynamic_coefficient");
+    assert_eq!(moreau[0].line, 5);
+    let overlap = edited("origin = [0.0, 0.0, 0.2]", "origin = [0.0, 0.0, 0.098]").replacen(
+        ", jitter = 0.1",
+        "",
+        1,
+    );
+    let overlap = load(&overlap, folder.path()).unwrap_or_else(|e| panic!("{}", e.plain()));
+    assert!(
+        overlap.warnings[0]
+            .message
+            .contains("6 overlaps in all are removed"),
+        "{:?}",
+        overlap.warnings
+    );
+}
+
+#[test]
+fn summary_suggests_step_and_penalty_by_their_formulas() {
+    let folder = folder();
+    let summary = Summary::of(&load(GOOD, folder.path()).unwrap().scene);
+    let step = (1e-6 * 0.1 / (0.2 * 9.81_f64)).sqrt();
+    assert!((summary.suggested_step / step - 1.0).abs() < 1e-12);
+    let mass = 4.0 / 3.0 * std::f64::consts::PI * 2500.0 * 0.2_f64.powi(3);
+    assert!((summary.suggested_penalty / (10.0 * mass / 1e-6) - 1.0).abs() < 1e-12);
+    assert!(summary.to_string().contains("7, radius 0.1 to 0.2 m"));
+}
+
+#[test]
+fn the_examples_are_good_scenes_without_overlaps() {
+    for (name, spheres) in [("funnel", 200), ("slopes", 180), ("feeder", 150)] {
+        let path =
+            Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("examples/{name}/{name}.toml"));
+        let loaded = Scene::from_file(&path).unwrap_or_else(|e| panic!("{}", e.plain()));
+        assert_eq!(loaded.scene.particles.len(), spheres);
+        assert!(loaded.warnings.is_empty(), "{:?}", loaded.warnings);
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(400) })]
+
+    /// Whatever is cut out of a scene, put into it or written twice, it is accepted or refused with a place.
+    #[test]
+    fn no_scene_text_panics(
+        at in 0..GOOD.len(),
+        length in 0_usize..60,
+        put in prop::sample::select(vec![
+            "", "0", "-", "nan", "\"", "[", "]]", "{", "}", "=", "\n", "[[spheres]]\n", "= 1\n", ".", "1e400", "é", "[simulation]\n",
+        ]),
+        twice in any::<bool>(),
+    ) {
+        let end = (at + length).min(GOOD.len());
+        let kept = if twice { &GOOD[at..end] } else { "" };
+        let text = format!("{}{put}{kept}{kept}{}", &GOOD[..at], &GOOD[end..]);
+        match load(&text, Path::new("")) {
+            Ok(loaded) => prop_assert!(!loaded.scene.particles.is_empty()),
+            Err(error) => {
+                prop_assert!(!error.problems.is_empty());
+                for problem in &error.problems {
+                    prop_assert!(problem.line >= 1 && problem.span.offset() <= text.len());
+                    prop_assert!(!problem.message.is_empty());
+                }
+            }
+        }
+    }
+}
