@@ -10,6 +10,8 @@ use sphere_dda_model_description::fmi2::{
     CoSimulation, ModelDescription, ScalarVariable, TypeDefinition, VariableType,
 };
 
+use crate::bad_input::BadInput;
+
 /// Arguments of `inspect`.
 #[derive(Debug, Args)]
 pub(crate) struct Inspect {
@@ -25,7 +27,7 @@ pub(crate) struct Inspect {
 /// # Errors
 /// What the importer says.
 pub(crate) fn run(arguments: &Inspect) -> miette::Result<()> {
-    let fmu = Fmu::open(&arguments.fmu).into_diagnostic()?;
+    let fmu = Fmu::open(&arguments.fmu).map_err(BadInput::report)?;
     let mut out = std::io::stdout().lock();
     let description = fmu.description();
     let text = header(description, fmu.co_simulation()) + &variables(description);
@@ -83,10 +85,7 @@ fn abilities(co_simulation: &CoSimulation) -> String {
             co_simulation.can_get_and_set_fmu_state,
             "save and restore its state",
         ),
-        (
-            co_simulation.can_serialize_fmu_state,
-            "serialize its state",
-        ),
+        (co_simulation.can_serialize_fmu_state, "serialize its state"),
         (co_simulation.can_interpolate_inputs, "interpolate inputs"),
         (
             co_simulation.max_output_derivative_order > 0,
@@ -139,12 +138,16 @@ fn row(description: &ModelDescription, variable: &ScalarVariable) -> [String; 6]
                 .or_else(|| declared_unit(description, real.declared_type.as_deref()?)),
             real.start.map(|start| start.to_string()),
         ),
-        VariableType::Integer(integer) => {
-            ("Integer", None, integer.start.map(|start| start.to_string()))
-        }
-        VariableType::Boolean(boolean) => {
-            ("Boolean", None, boolean.start.map(|start| start.to_string()))
-        }
+        VariableType::Integer(integer) => (
+            "Integer",
+            None,
+            integer.start.map(|start| start.to_string()),
+        ),
+        VariableType::Boolean(boolean) => (
+            "Boolean",
+            None,
+            boolean.start.map(|start| start.to_string()),
+        ),
         VariableType::String(string) => (
             "String",
             None,

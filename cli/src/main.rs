@@ -1,12 +1,17 @@
 //! The `sphere-dda` command: scenes in, results and FMUs out. Each subcommand is a file.
 
+mod bad_input;
 mod check;
+mod inspect;
+mod simulate;
 
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 use miette::Report;
 use sphere_dda::scene::SceneError;
+
+use bad_input::BadInput;
 
 /// Sphere-based 3-D discontinuous deformation analysis with augmented-Lagrangian contact.
 #[derive(Debug, Parser)]
@@ -20,12 +25,18 @@ struct Arguments {
 enum Command {
     /// Check a scene: all its problems at once, or its counts, mass, extent, suggested step and penalty.
     Check(check::Check),
+    /// Show the variables of an FMU and what it is able to do.
+    Inspect(inspect::Inspect),
+    /// Simulate any FMI 2.0 co-simulation FMU: inputs from a CSV file, outputs to one.
+    Simulate(simulate::Simulate),
 }
 
 /// 0: done; 1: the run failed; 2: bad input, as clap's own.
 fn main() -> ExitCode {
     let done = match Arguments::parse().command {
         Command::Check(arguments) => check::run(&arguments),
+        Command::Inspect(arguments) => inspect::run(&arguments),
+        Command::Simulate(arguments) => simulate::run(&arguments),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,
@@ -39,5 +50,5 @@ fn main() -> ExitCode {
 
 /// Whether the user can mend it by changing what was handed in.
 fn bad_input(report: &Report) -> bool {
-    report.is::<SceneError>()
+    report.is::<SceneError>() || report.is::<BadInput>()
 }

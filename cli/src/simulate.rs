@@ -13,6 +13,8 @@ use indicatif::{ProgressBar, ProgressStyle};
 use miette::{Context, IntoDiagnostic, miette};
 use sphere_dda_fmu::import::{End, Event, Fmu, Options, Signals, Table, simulate};
 
+use crate::bad_input::BadInput;
+
 /// Time between two lines of progress where there is no terminal.
 const LINE_INTERVAL: Duration = Duration::from_secs(5);
 
@@ -75,9 +77,9 @@ fn assignment(text: &str) -> Result<(String, String), String> {
 /// # Errors
 /// What the importer says, and files that cannot be read or written.
 pub(crate) fn run(arguments: &Simulate) -> miette::Result<()> {
-    let fmu = Fmu::open(&arguments.fmu).into_diagnostic()?;
+    let fmu = Fmu::open(&arguments.fmu).map_err(BadInput::report)?;
     let inputs = match &arguments.input {
-        Some(path) => Some(Signals::from_csv(path, fmu.description()).into_diagnostic()?),
+        Some(path) => Some(Signals::from_csv(path, fmu.description()).map_err(BadInput::report)?),
         None => None,
     };
     let options = Options {
@@ -111,11 +113,13 @@ pub(crate) fn run(arguments: &Simulate) -> miette::Result<()> {
             Ok(())
         }
         Err(error) => {
-            if let Some(table) = error.table() {
-                write(table, arguments.output.as_deref())?;
-                report(table);
-            }
-            Err(error).into_diagnostic()
+            let Some(table) = error.table() else {
+                return Err(BadInput::report(error));
+            };
+            write(table, arguments.output.as_deref())?;
+            report(table);
+            // Not `into_diagnostic`: the message already has that of its source.
+            Err(miette!("{error}"))
         }
     }
 }
@@ -152,13 +156,13 @@ fn report(table: &Table) {
 /// A bar on a terminal, a line now and then elsewhere; both on standard error.
 struct Progress {
     bar: Option<ProgressBar>,
-    began: Instant,
+    /// Simulated time [s] and moment of the first communication point.
+    began: Option<(f64, Instant)>,
     last_line: Instant,
 }
 
 impl Progress {
     fn new() -> Self {
-        let now = Instant::now();
         let bar = std::io::stderr().is_terminal().then(|| {
             let style = ProgressStyle::with_template("{bar:40} {percent:>3} %  {msg}  ETA {eta}");
             let bar = ProgressBar::new(0);
@@ -167,8 +171,8 @@ impl Progress {
         });
         Self {
             bar,
-            began: now,
-            last_line: now,
+            began: None,
+            last_line: Instant::now(),
         }
     }
 
@@ -182,8 +186,9 @@ impl Progress {
     }
 
     fn time(&mut self, time: f64, step: u64, steps: u64) {
+        let (start, began) = *self.began.get_or_insert_with(|| (time, Instant::now()));
         if let Some(bar) = &self.bar {
-            let factor = time / self.began.elapsed().as_secs_f64();
+            let factor = (time - start) / began.elapsed().as_secs_f64();
             bar.set_length(steps);
             bar.set_position(step);
             bar.set_message(format!("{time:.4} s, {factor:.2} times real time"));
