@@ -1,6 +1,9 @@
 //! The `sphere-dda` command: scenes in, results and FMUs out. Each subcommand is a file.
 
 mod check;
+mod export;
+mod inspect;
+mod simulate;
 
 use std::process::ExitCode;
 
@@ -20,12 +23,21 @@ struct Arguments {
 enum Command {
     /// Check a scene: all its problems at once, or its counts, mass, extent, suggested step and penalty.
     Check(check::Check),
+    /// Pack a scene into an FMU (FMI 2.0 co-simulation).
+    Export(export::Export),
+    /// Show what an FMU is and its variables.
+    Inspect(inspect::Inspect),
+    /// Run an FMU: any of FMI 2.0 for co-simulation.
+    Simulate(simulate::Simulate),
 }
 
 /// 0: done; 1: the run failed; 2: bad input, as clap's own.
 fn main() -> ExitCode {
     let done = match Arguments::parse().command {
         Command::Check(arguments) => check::run(&arguments),
+        Command::Export(arguments) => export::run(&arguments),
+        Command::Inspect(arguments) => inspect::run(&arguments),
+        Command::Simulate(arguments) => simulate::run(&arguments),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,
