@@ -326,7 +326,10 @@ fn a_status_beyond_the_standard_is_an_error_and_a_warning_is_none() {
     let SimulateError::Call { source, .. } = &error else {
         panic!("{error}");
     };
-    assert!(matches!(**source, ImportError::UnknownStatus { found: 17, .. }), "{error}");
+    assert!(
+        matches!(**source, ImportError::UnknownStatus { found: 17, .. }),
+        "{error}"
+    );
     let table = run(&fmu, &with(&[("fault", "fmi2DoStep:1")])).unwrap();
     assert_eq!((table.end, table.time.len()), (End::Stop, 41));
 }

@@ -93,10 +93,7 @@ fn abilities(co_simulation: &CoSimulation) -> String {
             co_simulation.can_get_and_set_fmu_state,
             "save and restore its state",
         ),
-        (
-            co_simulation.can_serialize_fmu_state,
-            "serialize its state",
-        ),
+        (co_simulation.can_serialize_fmu_state, "serialize its state"),
         (co_simulation.can_interpolate_inputs, "interpolate inputs"),
         (
             co_simulation.max_output_derivative_order > 0,
@@ -149,12 +146,16 @@ fn row(description: &ModelDescription, variable: &ScalarVariable) -> [String; 6]
                 .or_else(|| declared_unit(description, real.declared_type.as_deref()?)),
             real.start.map(|start| start.to_string()),
         ),
-        VariableType::Integer(integer) => {
-            ("Integer", None, integer.start.map(|start| start.to_string()))
-        }
-        VariableType::Boolean(boolean) => {
-            ("Boolean", None, boolean.start.map(|start| start.to_string()))
-        }
+        VariableType::Integer(integer) => (
+            "Integer",
+            None,
+            integer.start.map(|start| start.to_string()),
+        ),
+        VariableType::Boolean(boolean) => (
+            "Boolean",
+            None,
+            boolean.start.map(|start| start.to_string()),
+        ),
         VariableType::String(string) => (
             "String",
             None,

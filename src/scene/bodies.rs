@@ -2,10 +2,11 @@
 
 use nalgebra::UnitQuaternion;
 
-use super::build::{Context, direction};
+use super::build::direction;
 use super::columns::Columns;
 use super::document::Document;
 use super::file;
+use super::names::Context;
 use super::resources::Resources;
 use crate::Vec3;
 use crate::boundaries::{Boundary, Facets, Geometry, GeometryError, HalfSpace, Revolution, Shape};

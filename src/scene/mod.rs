@@ -1,4 +1,4 @@
-//! Scenes: [`file`] is the TOML as typed, [`Scene::from_file`] turns it into a validated [`Scene`] in one step.
+//! Scenes: [`mod@file`] is the TOML as typed, [`Scene::from_file`] turns it into a validated [`Scene`] in one step.
 //!
 //! Everything wrong with a scene is reported at once as a [`SceneError`]: line, key path, value found, value
 //! allowed. Files that a scene names (meshes, CSV) lie beside or below it and are returned with it.
@@ -9,11 +9,14 @@ mod columns;
 mod decode;
 mod document;
 pub mod file;
+mod names;
 mod overlap;
 mod problem;
 mod resources;
+mod settings;
 mod spheres;
 mod summary;
+mod values;
 
 use std::path::Path;
 

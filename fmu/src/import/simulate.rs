@@ -238,10 +238,7 @@ struct Grid {
 
 impl Grid {
     fn new(fmu: &Fmu, options: &Options) -> Result<Self, SimulateError> {
-        let default = fmu
-            .description()
-            .default_experiment
-            .unwrap_or_default();
+        let default = fmu.description().default_experiment.unwrap_or_default();
         let start = options.start.or(default.start_time).unwrap_or(0.0);
         let stop = options.stop.or(default.stop_time);
         let stop = stop.ok_or(SimulateError::NoStop)?;

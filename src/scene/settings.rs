@@ -1,0 +1,252 @@
+//! Settings of the run, materials and pairs of materials.
+
+use super::decode::SceneFile;
+use super::document::Document;
+use super::names::Context;
+use super::{Integrator, Method, Settings, Tolerance, file};
+use crate::materials::{Material, Pair, PairTable};
+
+/// `[simulation]`, checked.
+pub(super) fn settings(document: &mut Document<'_>, s: &file::Simulation) -> Settings {
+    let at = |key: &str| format!("simulation.{key}");
+    document.demand(
+        s.duration > 0.0,
+        at("duration"),
+        s.duration,
+        "a time > 0 [s]",
+    );
+    document.demand(s.step > 0.0, at("step"), s.step, "a time > 0 [s]");
+    let communication_step = s.communication_step.unwrap_or(s.step);
+    if s.communication_step.is_some() {
+        document.demand(
+            communication_step > 0.0,
+            at("communication_step"),
+            communication_step,
+            "a time > 0 [s]",
+        );
+    }
+    if let Some(penalty) = s.penalty {
+        document.demand(
+            penalty > 0.0,
+            at("penalty"),
+            penalty,
+            "a stiffness > 0 [N/m]",
+        );
+    } else if s.method == Method::Penalty {
+        let help =
+            "add `penalty = ...` in N/m; `sphere-dda check` suggests one, or use method = \"alm\"";
+        document.error(
+            "simulation",
+            "missing key `penalty`, which method = \"penalty\" needs",
+            help,
+        );
+    }
+    let overlap = s.max_initial_overlap;
+    document.demand(
+        (0.0..=0.5).contains(&overlap),
+        at("max_initial_overlap"),
+        overlap,
+        "0 <= max_initial_overlap <= 0.5 [-]",
+    );
+    let threshold = s.threshold_velocity;
+    document.demand(
+        threshold >= 0.0,
+        at("threshold_velocity"),
+        threshold,
+        "a speed >= 0 [m/s]",
+    );
+    let kept = s.dynamic_coefficient;
+    document.demand(
+        (0.0..=1.0).contains(&kept),
+        at("dynamic_coefficient"),
+        kept,
+        "0 <= dynamic_coefficient <= 1 [-]",
+    );
+    if s.integrator == Integrator::Moreau && kept != 1.0 {
+        document.warn(
+            at("dynamic_coefficient"),
+            "has no effect with integrator = \"moreau\"",
+            "remove it or use \"shi\"",
+        );
+    }
+    document.demand(
+        s.max_iterations >= 1,
+        at("max_iterations"),
+        s.max_iterations,
+        "a count >= 1",
+    );
+    document.demand(
+        s.max_cuts <= 20,
+        at("max_cuts"),
+        s.max_cuts,
+        "0 <= max_cuts <= 20",
+    );
+    let tolerance = Tolerance {
+        gap: s.tolerance.gap,
+        slip: s.tolerance.slip,
+        force: s.tolerance.force,
+    };
+    for (key, value) in [
+        ("gap", tolerance.gap),
+        ("slip", tolerance.slip),
+        ("force", tolerance.force),
+    ] {
+        let path = format!("simulation.tolerance.{key}");
+        document.demand(
+            (1e-12..=1e-1).contains(&value),
+            path,
+            format!("{value:e}"),
+            "1e-12 to 1e-1 [-]",
+        );
+    }
+    Settings {
+        gravity: s.gravity.into(),
+        duration: s.duration,
+        step: s.step,
+        communication_step,
+        method: s.method,
+        integrator: s.integrator,
+        solver: s.solver,
+        penalty: s.penalty,
+        adapt_penalty: s.adapt_penalty,
+        tolerance,
+        max_initial_overlap: overlap,
+        threshold_velocity: threshold,
+        dynamic_coefficient: kept,
+        max_iterations: s.max_iterations as usize,
+        max_cuts: s.max_cuts,
+    }
+}
+
+/// `[[material]]`, checked.
+pub(super) fn materials(document: &mut Document<'_>, file: &SceneFile) -> Vec<Material> {
+    let materials = file.materials.iter().map(|element| {
+        let density = element.value.as_ref().and_then(|m| m.density);
+        if let Some(density) = density {
+            document.demand(
+                density > 0.0,
+                format!("{}.density", element.path),
+                density,
+                "a density > 0 [kg/m^3]",
+            );
+        }
+        // A material of boundaries only has no density; 1 keeps an unusable element's spheres finite until the
+        // scene is refused.
+        Material {
+            name: element.name.clone().unwrap_or_default(),
+            density: density.filter(|d| *d > 0.0).unwrap_or(1.0),
+        }
+    });
+    materials.collect()
+}
+
+/// `[pair_default]` and `[[pair]]`, checked.
+pub(super) fn pairs(document: &mut Document<'_>, context: &Context, file: &SceneFile) -> PairTable {
+    let d = file.pair_default;
+    let default = pair(
+        document,
+        "pair_default",
+        (d.friction, d.friction_angle, d.restitution),
+        Pair::default(),
+    );
+    let mut table = PairTable::new(file.materials.len(), default);
+    let mut rebounds = default.restitution > 0.0;
+    let mut seen: Vec<(usize, usize)> = Vec::new();
+    for element in &file.pairs {
+        let (path, Some(value)) = (&element.path, &element.value) else {
+            continue;
+        };
+        let own = pair(
+            document,
+            path,
+            (value.friction, value.friction_angle, value.restitution),
+            default,
+        );
+        rebounds |= own.restitution > 0.0;
+        let key = format!("{path}.materials");
+        let [a, b] = value.materials.as_slice() else {
+            document.demand(
+                false,
+                key,
+                format!("{} names", value.materials.len()),
+                "two material names [a, b]",
+            );
+            continue;
+        };
+        let a = context.materials.resolve(document, &format!("{key}[0]"), a);
+        let b = context.materials.resolve(document, &format!("{key}[1]"), b);
+        let Some((a, b)) = a.zip(b) else { continue };
+        let pair_of = (a.min(b), a.max(b));
+        if seen.contains(&pair_of) {
+            document.error(
+                key,
+                format!("the pair {:?} appears twice", value.materials),
+                "keep one; the order of the names does not matter",
+            );
+        }
+        seen.push(pair_of);
+        if let (Ok(a), Ok(b)) = (u16::try_from(a), u16::try_from(b)) {
+            table.set(a, b, own);
+        }
+    }
+    let shi = file
+        .simulation
+        .as_ref()
+        .is_some_and(|s| s.integrator == Integrator::Shi);
+    if shi && rebounds {
+        let help = "its rebound follows from the step (method of Shi 1988); use integrator = \"moreau\" for Newton's law";
+        document.warn(
+            "simulation.integrator",
+            "restitution has no effect with integrator = \"shi\"",
+            help,
+        );
+    }
+    table
+}
+
+fn pair(
+    document: &mut Document<'_>,
+    path: &str,
+    (friction, angle, restitution): (Option<f64>, Option<f64>, Option<f64>),
+    default: Pair,
+) -> Pair {
+    if let Some(mu) = friction {
+        document.demand(
+            mu >= 0.0,
+            format!("{path}.friction"),
+            mu,
+            "a coefficient >= 0 [-]",
+        );
+    }
+    if let Some(angle) = angle {
+        let range = (0.0..90.0).contains(&angle);
+        document.demand(
+            range,
+            format!("{path}.friction_angle"),
+            angle,
+            "0 <= friction_angle < 90 [degrees]",
+        );
+    }
+    if friction.is_some() && angle.is_some() {
+        let message = "found both `friction` and `friction_angle`, expected one of them";
+        document.error(
+            format!("{path}.friction_angle"),
+            message,
+            "friction is the tangent of the angle",
+        );
+    }
+    if let Some(e) = restitution {
+        document.demand(
+            (0.0..=1.0).contains(&e),
+            format!("{path}.restitution"),
+            e,
+            "0 <= restitution <= 1 [-]",
+        );
+    }
+    Pair {
+        friction: friction
+            .or(angle.map(|a| a.to_radians().tan()))
+            .unwrap_or(default.friction),
+        restitution: restitution.unwrap_or(default.restitution),
+    }
+}
