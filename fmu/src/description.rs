@@ -1,0 +1,160 @@
+//! The model description of a scene, and the guid that ties it to its variable table.
+
+use sha2::{Digest, Sha256};
+use sphere_dda::scene::Scene;
+use sphere_dda_model_description::Error;
+use sphere_dda_model_description::fmi2::{
+    BaseType, BooleanVariable, CoSimulation, DefaultExperiment, IntegerVariable, LogCategory,
+    ModelDescription, RealVariable, ScalarVariable, StringVariable, VariableType,
+};
+use sphere_dda_model_description::units::{BaseUnit, Unit};
+
+use crate::log::Category;
+use crate::variables::{Table, Value, Variable};
+
+/// Version of this crate: part of the guid, so that a library and a description of another version part ways.
+pub const VERSION: &str = env!("CARGO_PKG_VERSION");
+
+/// The model description of a scene: the same scene, identifier and version give the same bytes.
+///
+/// `identifier` names the shared library, a C identifier.
+///
+/// # Errors
+/// If a name or description of the scene has a character that XML cannot carry.
+pub fn describe(scene: &Scene, table: &Table, identifier: &str) -> Result<ModelDescription, Error> {
+    let mut model = unsigned(scene, table, identifier);
+    model.guid = guid(scene, table)?;
+    Ok(model)
+}
+
+/// The guid: hash of version, scene content and description, the library's name left out.
+///
+/// # Errors
+/// As [`describe`].
+pub fn guid(scene: &Scene, table: &Table) -> Result<String, Error> {
+    let text = unsigned(scene, table, "").to_xml()?;
+    let mut digest = Sha256::new();
+    for part in [VERSION, &scene.hash, &text] {
+        digest.update(part.len().to_le_bytes());
+        digest.update(part);
+    }
+    let hex: String = digest
+        .finalize()
+        .iter()
+        .take(16)
+        .map(|byte| format!("{byte:02x}"))
+        .collect();
+    let parts = [
+        &hex[..8],
+        &hex[8..12],
+        &hex[12..16],
+        &hex[16..20],
+        &hex[20..],
+    ];
+    Ok(format!("{{{}}}", parts.join("-")))
+}
+
+/// The description with an empty guid.
+fn unsigned(scene: &Scene, table: &Table, identifier: &str) -> ModelDescription {
+    let interface = CoSimulation {
+        can_handle_variable_communication_step_size: true,
+        can_not_use_memory_management_functions: true,
+        can_get_and_set_fmu_state: true,
+        can_serialize_fmu_state: true,
+        ..CoSimulation::new(identifier)
+    };
+    let variables = table.variables().iter().map(scalar_variable).collect();
+    let mut model = ModelDescription::new(&scene.title, "", interface).with_variables(variables);
+    model.description =
+        Some("Spheres and moving boundaries by discontinuous deformation analysis".to_owned());
+    model.version = Some(VERSION.to_owned());
+    model.license = Some("MIT OR Apache-2.0".to_owned());
+    model.generation_tool = Some(format!("sphere-dda {VERSION}"));
+    model.unit_definitions = units();
+    model.log_categories = Category::ALL
+        .iter()
+        .map(|category| LogCategory::new(category.name(), category.description()))
+        .collect();
+    model.default_experiment = Some(DefaultExperiment {
+        start_time: Some(0.0),
+        stop_time: Some(scene.settings.duration),
+        tolerance: None,
+        step_size: Some(scene.settings.communication_step),
+    });
+    model
+}
+
+/// Every unit of the table, with SI exponents and display units.
+#[must_use]
+pub fn units() -> Vec<Unit> {
+    const ONE: BaseUnit = BaseUnit::DIMENSIONLESS;
+    let degrees = 180.0 / std::f64::consts::PI;
+    let si = |name: &str, kg: i32, m: i32, s: i32| Unit::new(name, BaseUnit { kg, m, s, ..ONE });
+    vec![
+        si("s", 0, 0, 1).with_display_unit("ms", 1e3, 0.0),
+        si("m", 0, 1, 0).with_display_unit("mm", 1e3, 0.0),
+        si("m/s", 0, 1, -1),
+        si("m/s2", 0, 1, -2),
+        Unit::new("rad", BaseUnit { rad: 1, ..ONE }).with_display_unit("deg", degrees, 0.0),
+        Unit::new(
+            "rad/s",
+            BaseUnit {
+                rad: 1,
+                s: -1,
+                ..ONE
+            },
+        )
+        .with_display_unit("deg/s", degrees, 0.0),
+        si("kg", 1, 0, 0),
+        si("kg/s", 1, 0, -1),
+        si("kg.m/s", 1, 1, -1),
+        si("kg.m2/s", 1, 2, -1),
+        si("N", 1, 1, -2).with_display_unit("kN", 1e-3, 0.0),
+        si("N.m", 1, 2, -2),
+        si("J", 1, 2, -2),
+        si("W", 1, 2, -3),
+    ]
+}
+
+fn scalar_variable(variable: &Variable) -> ScalarVariable {
+    ScalarVariable::new(
+        &variable.name,
+        variable.reference,
+        variable.causality,
+        variable.variability,
+        variable_type(variable),
+    )
+    .with_description(&variable.description)
+}
+
+fn variable_type(variable: &Variable) -> VariableType {
+    match variable.base {
+        BaseType::Real => VariableType::Real(RealVariable {
+            unit: variable.unit.map(str::to_owned),
+            display_unit: match variable.unit {
+                Some("rad") => Some("deg".to_owned()),
+                _ => None,
+            },
+            min: variable.min,
+            max: variable.max,
+            start: match variable.start {
+                Some(Value::Real(start)) => Some(start),
+                _ => None,
+            },
+            ..RealVariable::new()
+        }),
+        BaseType::Integer => VariableType::Integer(IntegerVariable {
+            // Bounds of counts: the only integers of the table.
+            min: variable.min.map(|_| 0),
+            ..IntegerVariable::new()
+        }),
+        BaseType::Boolean => VariableType::Boolean(match variable.start {
+            Some(Value::Boolean(start)) => BooleanVariable::new().with_start(start),
+            _ => BooleanVariable::new(),
+        }),
+        BaseType::String => VariableType::String(match &variable.start {
+            Some(Value::String(start)) => StringVariable::new().with_start(start),
+            _ => StringVariable::new(),
+        }),
+    }
+}

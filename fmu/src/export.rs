@@ -1,0 +1,321 @@
+//! From a scene file to an FMU archive.
+//!
+//! ```text
+//! modelDescription.xml
+//! binaries/linux64/<identifier>.so      the scene-agnostic library
+//! resources/scene.toml, meshes, tables  what the instance reads
+//! documentation/index.html              variables, for people
+//! documentation/licenses/license.txt
+//! ```
+//!
+//! The archive is deflated, without zip64 and with one fixed time stamp: the same scene and library give the same bytes.
+
+use std::env;
+use std::ffi::OsString;
+use std::fs::{self, File};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+use sphere_dda_model_description::Finding;
+use sphere_dda_model_description::fmi2::ModelDescription;
+use sphere_dda_model_description::names::is_c_identifier;
+use thiserror::Error;
+use zip::ZipWriter;
+use zip::write::SimpleFileOptions;
+
+use crate::description::describe;
+use crate::documentation;
+use crate::model::{Model, ModelError, SCENE_FILE};
+
+/// Environment variable that names the library to pack.
+pub const LIBRARY_VARIABLE: &str = "SPHERE_DDA_LIBRARY";
+
+/// Hash of the sources this crate was built from; the library exports its own as `sphere_dda_build_id`.
+pub const BUILD_ID: &str = env!("SPHERE_DDA_BUILD_ID");
+
+/// Above this number of scalar variables some importers take very long to open the FMU.
+const MANY_VARIABLES: usize = 5000;
+
+/// What was packed.
+#[derive(Debug, Clone)]
+pub struct Exported {
+    /// Fingerprint of the model.
+    pub guid: String,
+    /// Name of the library in the archive.
+    pub identifier: String,
+    /// Number of variables.
+    pub variables: usize,
+    /// Findings that did not stop the export.
+    pub warnings: Vec<String>,
+}
+
+/// Why there is no FMU.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum ExportError {
+    /// The scene makes no model.
+    #[error(transparent)]
+    Model(#[from] ModelError),
+    /// The model description breaks rules of the standard: a name of the scene, as a rule.
+    #[error("the model description would be invalid: {}", list(.0))]
+    Invalid(Vec<Finding>),
+    /// No library to pack.
+    #[error(
+        "found no {name} in {}; run `cargo build --release -p sphere-dda-fmu`, or name the library with --library or {LIBRARY_VARIABLE}",
+        places(.searched)
+    )]
+    NoLibrary {
+        /// File name looked for.
+        name: String,
+        /// Folders searched.
+        searched: Vec<PathBuf>,
+    },
+    /// The library cannot be loaded.
+    #[error("cannot load `{}`: {reason}; expected the library of sphere-dda for this platform", path.display())]
+    Load {
+        /// Its path.
+        path: PathBuf,
+        /// What the loader says.
+        reason: String,
+    },
+    /// The library was built from other sources than this program.
+    #[error(
+        "`{}` has build id {found}, expected {BUILD_ID}: it is older or newer than this program; run `cargo build --release -p sphere-dda-fmu`",
+        path.display()
+    )]
+    Stale {
+        /// Its path.
+        path: PathBuf,
+        /// Its build id.
+        found: String,
+    },
+    /// A file of the scene would overwrite another one in the archive.
+    #[error("the scene refers to a file named `{0}`, which the FMU needs for itself; rename it")]
+    Reserved(String),
+    /// Reading or writing failed.
+    #[error("cannot {action} `{}`: {source}", path.display())]
+    Io {
+        /// What was tried.
+        action: &'static str,
+        /// The file.
+        path: PathBuf,
+        /// The reason.
+        source: io::Error,
+    },
+}
+
+fn list(findings: &[Finding]) -> String {
+    findings
+        .iter()
+        .map(Finding::to_string)
+        .collect::<Vec<_>>()
+        .join("; ")
+}
+
+fn places(folders: &[PathBuf]) -> String {
+    folders
+        .iter()
+        .map(|f| format!("`{}`", f.display()))
+        .collect::<Vec<_>>()
+        .join(", ")
+}
+
+/// Packs the scene with `library` (see [`find_library`]) into the archive `fmu`, replacing it when all is done.
+///
+/// # Errors
+/// [`ExportError`]; no half-written archive is left.
+pub fn export(scene: &Path, fmu: &Path, library: &Path) -> Result<Exported, ExportError> {
+    let model = Model::read(scene)?;
+    let identifier = identifier(scene);
+    let description =
+        describe(&model.scene, &model.table, &identifier).map_err(ModelError::from)?;
+    let findings = description.validate();
+    if !findings.is_empty() {
+        return Err(ExportError::Invalid(findings));
+    }
+    check_library(library)?;
+    let code = fs::read(library).map_err(failed("read", library))?;
+    let archive = pack(&model, &description, &identifier, &code)?;
+    write(fmu, &archive)?;
+
+    let variables = model.table.variables().len();
+    let mut warnings = model.warnings;
+    if variables > MANY_VARIABLES {
+        warnings.push(format!("{variables} scalar variables: some importers take long above {MANY_VARIABLES}; probe fewer spheres"));
+    }
+    Ok(Exported {
+        guid: model.guid,
+        identifier,
+        variables,
+        warnings,
+    })
+}
+
+/// The archive as bytes.
+fn pack(
+    model: &Model,
+    description: &ModelDescription,
+    identifier: &str,
+    library: &[u8],
+) -> Result<Vec<u8>, ExportError> {
+    let xml = description.to_xml().map_err(ModelError::from)?;
+    let html = documentation::page(model);
+    let binary = format!(
+        "binaries/{PLATFORM}/{identifier}{}",
+        env::consts::DLL_SUFFIX
+    );
+    let mut files: Vec<(String, &[u8])> = vec![
+        ("modelDescription.xml".to_owned(), xml.as_bytes()),
+        (binary, library),
+        (format!("resources/{SCENE_FILE}"), model.text.as_bytes()),
+        ("documentation/index.html".to_owned(), html.as_bytes()),
+        (
+            "documentation/licenses/license.txt".to_owned(),
+            documentation::LICENSE.as_bytes(),
+        ),
+    ];
+    for file in &model.files {
+        if file.path == SCENE_FILE {
+            return Err(ExportError::Reserved(file.path.clone()));
+        }
+        files.push((format!("resources/{}", file.path), &file.content));
+    }
+    zipped(&files).map_err(failed("compress", Path::new(identifier)))
+}
+
+fn zipped(files: &[(String, &[u8])]) -> io::Result<Vec<u8>> {
+    let options = SimpleFileOptions::default()
+        .compression_method(zip::CompressionMethod::Deflated)
+        .last_modified_time(zip::DateTime::default())
+        .unix_permissions(0o644);
+    let mut archive = ZipWriter::new(io::Cursor::new(Vec::new()));
+    for (name, content) in files {
+        archive.start_file(name.as_str(), options)?;
+        archive.write_all(content)?;
+    }
+    Ok(archive.finish()?.into_inner())
+}
+
+/// Writes beside the target and renames: whoever opens the target sees the old archive or the new one.
+fn write(fmu: &Path, archive: &[u8]) -> Result<(), ExportError> {
+    let folder = match fmu.parent() {
+        Some(parent) if parent != Path::new("") => parent,
+        _ => Path::new("."),
+    };
+    let mut file = tempfile::NamedTempFile::new_in(folder).map_err(failed("write into", folder))?;
+    file.write_all(archive).map_err(failed("write", fmu))?;
+    let file: File = file
+        .persist(fmu)
+        .map_err(|e| failed("write", fmu)(e.error))?;
+    file.sync_all().map_err(failed("write", fmu))?;
+    readable(&file).map_err(failed("set the permissions of", fmu))
+}
+
+/// Temporary files are private; an FMU is passed on.
+#[cfg(unix)]
+fn readable(file: &File) -> io::Result<()> {
+    use std::os::unix::fs::PermissionsExt;
+    file.set_permissions(fs::Permissions::from_mode(0o644))
+}
+
+#[cfg(not(unix))]
+fn readable(_: &File) -> io::Result<()> {
+    Ok(())
+}
+
+fn failed(action: &'static str, path: &Path) -> impl Fn(io::Error) -> ExportError {
+    let path = path.to_path_buf();
+    move |source| ExportError::Io {
+        action,
+        path: path.clone(),
+        source,
+    }
+}
+
+/// Folder of this platform's binaries in FMI 2.0.
+#[cfg(target_os = "windows")]
+const PLATFORM: &str = "win64";
+/// Folder of this platform's binaries in FMI 2.0.
+#[cfg(target_os = "macos")]
+const PLATFORM: &str = "darwin64";
+/// Folder of this platform's binaries in FMI 2.0.
+#[cfg(not(any(target_os = "windows", target_os = "macos")))]
+const PLATFORM: &str = "linux64";
+
+/// The scene file's name as a C identifier.
+fn identifier(scene: &Path) -> String {
+    let stem = scene.file_stem().unwrap_or_default().to_string_lossy();
+    let name: String = stem
+        .chars()
+        .map(|c| if c.is_ascii_alphanumeric() { c } else { '_' })
+        .collect();
+    if is_c_identifier(&name) {
+        name
+    } else {
+        format!("scene_{name}")
+    }
+}
+
+/// The library to pack: `explicit`, else the environment variable [`LIBRARY_VARIABLE`], else beside this program or in
+/// its `deps` folder, where one that fits this program comes first.
+///
+/// # Errors
+/// [`ExportError::NoLibrary`].
+pub fn find_library(explicit: Option<&Path>) -> Result<PathBuf, ExportError> {
+    let name = format!(
+        "{}sphere_dda_fmu{}",
+        env::consts::DLL_PREFIX,
+        env::consts::DLL_SUFFIX
+    );
+    let named = explicit
+        .map(Path::to_path_buf)
+        .or_else(|| env::var_os(LIBRARY_VARIABLE).map(OsString::into));
+    if let Some(path) = named {
+        let missing = || ExportError::NoLibrary {
+            name: path.display().to_string(),
+            searched: vec![path.clone()],
+        };
+        return if path.is_file() {
+            Ok(path)
+        } else {
+            Err(missing())
+        };
+    }
+    let own = env::current_exe()
+        .ok()
+        .and_then(|exe| exe.parent().map(Path::to_path_buf))
+        .unwrap_or_default();
+    // Tests and examples run from below the folder that has the library.
+    let mut searched = vec![own.clone(), own.join("deps")];
+    searched.extend(own.parent().map(Path::to_path_buf));
+    let mut found: Vec<PathBuf> = searched
+        .iter()
+        .map(|folder| folder.join(&name))
+        .filter(|path| path.is_file())
+        .collect();
+    if found.is_empty() {
+        return Err(ExportError::NoLibrary { name, searched });
+    }
+    // Cargo may leave an old copy beside the program and put the new one into `deps`.
+    let fresh = found.iter().position(|path| check_library(path).is_ok());
+    Ok(found.swap_remove(fresh.unwrap_or(0)))
+}
+
+/// Loads a library once and refuses one that was not built from the sources of this program.
+///
+/// # Errors
+/// [`ExportError::Load`], [`ExportError::Stale`].
+pub fn check_library(path: &Path) -> Result<(), ExportError> {
+    let load = |error: libloading::Error| ExportError::Load {
+        path: path.to_path_buf(),
+        reason: error.to_string(),
+    };
+    let found = crate::ffi::build_id(path).map_err(load)?;
+    if found == BUILD_ID {
+        return Ok(());
+    }
+    Err(ExportError::Stale {
+        path: path.to_path_buf(),
+        found,
+    })
+}

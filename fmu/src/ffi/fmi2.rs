@@ -1,0 +1,658 @@
+//! The 34 functions of FMI 2.0 for co-simulation, in the order of the standard.
+
+#![allow(non_snake_case)]
+
+use std::ffi::{c_char, c_int};
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+use sphere_dda_model_description::fmi2::BaseType;
+
+use super::abi2::*;
+use super::guard::{
+    ANY, Component, Stages, array, array_mut, c_string, call, sink, str_from, text, value_mut,
+};
+use crate::instance::{Instance, Stage, Step};
+use crate::log::{Level, Log};
+use crate::refusal::{InstantiationError, Refusal};
+use crate::resource;
+use crate::variables::Value;
+
+use fmi2Status::{fmi2Discard, fmi2OK, fmi2Warning};
+
+const INSTANTIATED: Stages = &[Stage::Instantiated];
+const INITIALIZATION: Stages = &[Stage::Initialization];
+const STEPPING: Stages = &[Stage::StepComplete, Stage::StepFailed];
+const SETTABLE: Stages = &[
+    Stage::Instantiated,
+    Stage::Initialization,
+    Stage::StepComplete,
+    Stage::StepFailed,
+];
+const STEPPED: Stages = &[
+    Stage::StepComplete,
+    Stage::StepFailed,
+    Stage::Error,
+    Stage::Terminated,
+];
+const SAVEABLE: Stages = &[
+    Stage::Instantiated,
+    Stage::Initialization,
+    Stage::StepComplete,
+    Stage::StepFailed,
+    Stage::Terminated,
+];
+
+/// Platform of the types: "default".
+#[unsafe(no_mangle)]
+extern "C" fn fmi2GetTypesPlatform() -> fmi2String {
+    c"default".as_ptr()
+}
+
+/// Version of the standard: "2.0".
+#[unsafe(no_mangle)]
+extern "C" fn fmi2GetVersion() -> fmi2String {
+    c"2.0".as_ptr()
+}
+
+/// Chooses which categories are logged; see [`Log::select`]. Unknown names are told and left out.
+#[unsafe(no_mangle)]
+extern "C" fn fmi2SetDebugLogging(
+    c: fmi2Component,
+    loggingOn: fmi2Boolean,
+    nCategories: usize,
+    categories: *const fmi2String,
+) -> fmi2Status {
+    call(c, "fmi2SetDebugLogging", ANY, |component| {
+        let names = array(categories, nCategories, "categories")?.iter();
+        let names: Vec<&str> = names
+            .map(|&name| str_from(name, "categories"))
+            .collect::<Result<_, _>>()?;
+        let log = component.instance.log();
+        let unknown = log.select(loggingOn != FMI2_FALSE, &names);
+        if unknown.is_empty() {
+            return Ok(fmi2OK);
+        }
+        log.write(
+            Level::Warning,
+            format_args!(
+                "fmi2SetDebugLogging: unknown categories {}",
+                unknown.join(", ")
+            ),
+        );
+        Ok(fmi2Warning)
+    })
+}
+
+/// Makes an instance; null if it cannot, with the reason in the log.
+#[unsafe(no_mangle)]
+extern "C" fn fmi2Instantiate(
+    instanceName: fmi2String,
+    fmuType: c_int,
+    fmuGUID: fmi2String,
+    fmuResourceLocation: fmi2String,
+    functions: *const fmi2CallbackFunctions,
+    _visible: fmi2Boolean,
+    loggingOn: fmi2Boolean,
+) -> fmi2Component {
+    let name = str_from(instanceName, "instanceName").unwrap_or_default();
+    let callbacks = array(functions, 1, "functions").ok().map(|f| f[0]);
+    let log = || {
+        Log::new(
+            callbacks.and_then(|f| sink(f, name)),
+            loggingOn != FMI2_FALSE,
+        )
+    };
+    let body = || instantiate(name, fmuType, fmuGUID, fmuResourceLocation, log());
+    let refused = match catch_unwind(AssertUnwindSafe(body)) {
+        Ok(Ok(instance)) => {
+            return Box::into_raw(Box::new(Component {
+                instance,
+                strings: Vec::new(),
+            }))
+            .cast();
+        }
+        Ok(Err(error)) => error.to_string(),
+        Err(panic) => format!("internal error: {}", text(&*panic)),
+    };
+    log().write(Level::Error, format_args!("fmi2Instantiate: {refused}"));
+    std::ptr::null_mut()
+}
+
+fn instantiate(
+    name: &str,
+    kind: c_int,
+    guid: fmi2String,
+    location: fmi2String,
+    log: Log,
+) -> Result<Instance, InstantiationError> {
+    if kind != FMI2_CO_SIMULATION {
+        return Err(InstantiationError::Interface { found: kind });
+    }
+    let resources = resource::directory(str_from(location, "fmuResourceLocation").ok())?;
+    Instance::new(
+        name,
+        str_from(guid, "fmuGUID").unwrap_or("(null)"),
+        &resources,
+        log,
+    )
+}
+
+/// Frees an instance, in any state; null is ignored.
+#[unsafe(no_mangle)]
+extern "C" fn fmi2FreeInstance(c: fmi2Component) {
+    if c.is_null() {
+        return;
+    }
+    // SAFETY: not null, so from fmi2Instantiate; the importer does not use it again.
+    let component = unsafe { Box::from_raw(c.cast::<Component>()) };
+    // There is nobody left to tell of a panic.
+    let _ = catch_unwind(AssertUnwindSafe(|| drop(component)));
+}
+
+/// Start and stop of the experiment. The tolerance is not used: tolerances are parameters.
+#[unsafe(no_mangle)]
+extern "C" fn fmi2SetupExperiment(
+    c: fmi2Component,
+    _toleranceDefined: fmi2Boolean,
+    _tolerance: fmi2Real,
+    startTime: fmi2Real,
+    stopTimeDefined: fmi2Boolean,
+    stopTime: fmi2Real,
+) -> fmi2Status {
+    call(c, "fmi2SetupExperiment", INSTANTIATED, |component| {
+        let stop = (stopTimeDefined != FMI2_FALSE).then_some(stopTime);
+        component.instance.set_up(startTime, stop)?;
+        Ok(fmi2OK)
+    })
+}
+
+/// Enters initialization mode.
+#[unsafe(no_mangle)]
+extern "C" fn fmi2EnterInitializationMode(c: fmi2Component) -> fmi2Status {
+    call(
+        c,
+        "fmi2EnterInitializationMode",
+        INSTANTIATED,
+        |component| {
+            component.instance.enter_initialization();
+            Ok(fmi2OK)
+        },
+    )
+}
+
+/// Leaves initialization mode: the configuration is read here.
+#[unsafe(no_mangle)]
+extern "C" fn fmi2ExitInitializationMode(c: fmi2Component) -> fmi2Status {
+    call(
+        c,
+        "fmi2ExitInitializationMode",
+        INITIALIZATION,
+        |component| {
+            component.instance.exit_initialization()?;
+            Ok(fmi2OK)
+        },
+    )
+}
+
+/// Ends the run.
+#[unsafe(no_mangle)]
+extern "C" fn fmi2Terminate(c: fmi2Component) -> fmi2Status {
+    call(c, "fmi2Terminate", STEPPING, |component| {
+        component.instance.terminate();
+        Ok(fmi2OK)
+    })
+}
+
+/// Back to the state after instantiation.
+#[unsafe(no_mangle)]
+extern "C" fn fmi2Reset(c: fmi2Component) -> fmi2Status {
+    call(c, "fmi2Reset", ANY, |component| {
+        component.instance.reset();
+        Ok(fmi2OK)
+    })
+}
+
+/// Reads values of one type; `convert` takes them out of their envelope.
+fn get<T>(
+    (c, function): (fmi2Component, &str),
+    (vr, nvr): (*const fmi2ValueReference, usize),
+    (value, base): (*mut T, BaseType),
+    convert: impl Fn(Value) -> Option<T>,
+) -> fmi2Status {
+    call(c, function, ANY, |component| {
+        let values = component.instance.get(base, array(vr, nvr, "vr")?)?;
+        let places = array_mut(value, nvr, "value")?;
+        for (place, value) in places
+            .iter_mut()
+            .zip(values.into_iter().filter_map(convert))
+        {
+            *place = value;
+        }
+        Ok(fmi2OK)
+    })
+}
+
+/// Reads reals.
+#[unsafe(no_mangle)]
+extern "C" fn fmi2GetReal(
+    c: fmi2Component,
+    vr: *const fmi2ValueReference,
+    nvr: usize,
+    value: *mut fmi2Real,
+) -> fmi2Status {
+    get(
+        (c, "fmi2GetReal"),
+        (vr, nvr),
+        (value, BaseType::Real),
+        |value| match value {
+            Value::Real(value) => Some(value),
+            _ => None,
+        },
+    )
+}
+
+/// Reads integers.
+#[unsafe(no_mangle)]
+extern "C" fn fmi2GetInteger(
+    c: fmi2Component,
+    vr: *const fmi2ValueReference,
+    nvr: usize,
+    value: *mut fmi2Integer,
+) -> fmi2Status {
+    get(
+        (c, "fmi2GetInteger"),
+        (vr, nvr),
+        (value, BaseType::Integer),
+        |value| match value {
+            Value::Integer(value) => Some(value),
+            _ => None,
+        },
+    )
+}
+
+/// Reads truth values.
+#[unsafe(no_mangle)]
+extern "C" fn fmi2GetBoolean(
+    c: fmi2Component,
+    vr: *const fmi2ValueReference,
+    nvr: usize,
+    value: *mut fmi2Boolean,
+) -> fmi2Status {
+    get(
+        (c, "fmi2GetBoolean"),
+        (vr, nvr),
+        (value, BaseType::Boolean),
+        |value| match value {
+            Value::Boolean(value) => Some(fmi2Boolean::from(value)),
+            _ => None,
+        },
+    )
+}
+
+/// Reads texts; they live until the next `fmi2GetString` of the instance.
+#[unsafe(no_mangle)]
+extern "C" fn fmi2GetString(
+    c: fmi2Component,
+    vr: *const fmi2ValueReference,
+    nvr: usize,
+    value: *mut fmi2String,
+) -> fmi2Status {
+    call(c, "fmi2GetString", ANY, |component| {
+        let values = component
+            .instance
+            .get(BaseType::String, array(vr, nvr, "vr")?)?;
+        let places = array_mut(value, nvr, "value")?;
+        let text = |value| {
+            if let Value::String(text) = value {
+                c_string(&text)
+            } else {
+                c_string("")
+            }
+        };
+        component.strings = values.into_iter().map(text).collect();
+        for (place, text) in places.iter_mut().zip(&component.strings) {
+            *place = text.as_ptr();
+        }
+        Ok(fmi2OK)
+    })
+}
+
+/// Sets values of one type; `convert` puts them into an envelope.
+fn set<T: Copy>(
+    (c, function): (fmi2Component, &str),
+    (vr, nvr): (*const fmi2ValueReference, usize),
+    value: *const T,
+    convert: impl Fn(T) -> Result<Value, Refusal>,
+) -> fmi2Status {
+    call(c, function, SETTABLE, |component| {
+        let pairs = array(vr, nvr, "vr")?
+            .iter()
+            .zip(array(value, nvr, "value")?);
+        let values: Vec<(u32, Value)> = pairs
+            .map(|(&vr, &value)| Ok((vr, convert(value)?)))
+            .collect::<Result<_, Refusal>>()?;
+        component.instance.set(values)?;
+        Ok(fmi2OK)
+    })
+}
+
+/// Sets reals.
+#[unsafe(no_mangle)]
+extern "C" fn fmi2SetReal(
+    c: fmi2Component,
+    vr: *const fmi2ValueReference,
+    nvr: usize,
+    value: *const fmi2Real,
+) -> fmi2Status {
+    set((c, "fmi2SetReal"), (vr, nvr), value, |value| {
+        Ok(Value::Real(value))
+    })
+}
+
+/// Sets integers.
+#[unsafe(no_mangle)]
+extern "C" fn fmi2SetInteger(
+    c: fmi2Component,
+    vr: *const fmi2ValueReference,
+    nvr: usize,
+    value: *const fmi2Integer,
+) -> fmi2Status {
+    set((c, "fmi2SetInteger"), (vr, nvr), value, |value| {
+        Ok(Value::Integer(value))
+    })
+}
+
+/// Sets truth values.
+#[unsafe(no_mangle)]
+extern "C" fn fmi2SetBoolean(
+    c: fmi2Component,
+    vr: *const fmi2ValueReference,
+    nvr: usize,
+    value: *const fmi2Boolean,
+) -> fmi2Status {
+    set((c, "fmi2SetBoolean"), (vr, nvr), value, |value| {
+        Ok(Value::Boolean(value != FMI2_FALSE))
+    })
+}
+
+/// Sets texts.
+#[unsafe(no_mangle)]
+extern "C" fn fmi2SetString(
+    c: fmi2Component,
+    vr: *const fmi2ValueReference,
+    nvr: usize,
+    value: *const fmi2String,
+) -> fmi2Status {
+    set((c, "fmi2SetString"), (vr, nvr), value, |value| {
+        Ok(Value::String(str_from(value, "value")?.to_owned()))
+    })
+}
+
+/// The saved state behind a pointer.
+fn saved<'a>(state: fmi2FMUstate) -> Result<&'a mut Vec<u8>, Refusal> {
+    value_mut(state.cast::<Vec<u8>>(), "FMUstate")
+}
+
+/// Saves the state; a state that is passed in is overwritten.
+#[unsafe(no_mangle)]
+extern "C" fn fmi2GetFMUstate(c: fmi2Component, state: *mut fmi2FMUstate) -> fmi2Status {
+    call(c, "fmi2GetFMUstate", SAVEABLE, |component| {
+        let place = value_mut(state, "FMUstate")?;
+        let bytes = component.instance.save()?;
+        match saved(*place) {
+            Ok(old) => *old = bytes,
+            Err(_) => *place = Box::into_raw(Box::new(bytes)).cast(),
+        }
+        Ok(fmi2OK)
+    })
+}
+
+/// Restores a state.
+#[unsafe(no_mangle)]
+extern "C" fn fmi2SetFMUstate(c: fmi2Component, state: fmi2FMUstate) -> fmi2Status {
+    call(c, "fmi2SetFMUstate", ANY, |component| {
+        component.instance.load(saved(state)?)?;
+        Ok(fmi2OK)
+    })
+}
+
+/// Frees a state and sets the pointer to null; a null state is ignored.
+#[unsafe(no_mangle)]
+extern "C" fn fmi2FreeFMUstate(c: fmi2Component, state: *mut fmi2FMUstate) -> fmi2Status {
+    call(c, "fmi2FreeFMUstate", ANY, |_| {
+        let place = value_mut(state, "FMUstate")?;
+        if !place.is_null() {
+            // SAFETY: not null, so from fmi2GetFMUstate or fmi2DeSerializeFMUstate; the pointer is cleared below.
+            drop(unsafe { Box::from_raw(place.cast::<Vec<u8>>()) });
+            *place = std::ptr::null_mut();
+        }
+        Ok(fmi2OK)
+    })
+}
+
+/// Number of bytes of a serialized state.
+#[unsafe(no_mangle)]
+extern "C" fn fmi2SerializedFMUstateSize(
+    c: fmi2Component,
+    state: fmi2FMUstate,
+    size: *mut usize,
+) -> fmi2Status {
+    call(c, "fmi2SerializedFMUstateSize", ANY, |_| {
+        *value_mut(size, "size")? = saved(state)?.len();
+        Ok(fmi2OK)
+    })
+}
+
+/// Copies the bytes of a state.
+#[unsafe(no_mangle)]
+extern "C" fn fmi2SerializeFMUstate(
+    c: fmi2Component,
+    state: fmi2FMUstate,
+    serialized: *mut fmi2Byte,
+    size: usize,
+) -> fmi2Status {
+    call(c, "fmi2SerializeFMUstate", ANY, |_| {
+        let bytes = saved(state)?;
+        if size != bytes.len() {
+            let expected = "the size of fmi2SerializedFMUstateSize";
+            return Err(Refusal::Argument {
+                argument: "size",
+                found: size.to_string(),
+                expected,
+            });
+        }
+        array_mut(serialized.cast::<u8>(), size, "serializedState")?.copy_from_slice(bytes);
+        Ok(fmi2OK)
+    })
+}
+
+/// Makes a state of bytes; anything that is no state of this model is refused.
+#[unsafe(no_mangle)]
+extern "C" fn fmi2DeSerializeFMUstate(
+    c: fmi2Component,
+    serialized: *const fmi2Byte,
+    size: usize,
+    state: *mut fmi2FMUstate,
+) -> fmi2Status {
+    call(c, "fmi2DeSerializeFMUstate", ANY, |component| {
+        let bytes = array(serialized.cast::<u8>(), size, "serializedState")?;
+        let place = value_mut(state, "FMUstate")?;
+        component.instance.verify(bytes)?;
+        *place = Box::into_raw(Box::new(bytes.to_vec())).cast();
+        Ok(fmi2OK)
+    })
+}
+
+fn not_offered(
+    c: fmi2Component,
+    function: &str,
+    capability: &'static str,
+    value: &'static str,
+) -> fmi2Status {
+    call(c, function, ANY, |_| {
+        Err(Refusal::NotOffered { capability, value })
+    })
+}
+
+/// Not offered.
+#[unsafe(no_mangle)]
+extern "C" fn fmi2GetDirectionalDerivative(
+    c: fmi2Component,
+    _vUnknown_ref: *const fmi2ValueReference,
+    _nUnknown: usize,
+    _vKnown_ref: *const fmi2ValueReference,
+    _nKnown: usize,
+    _dvKnown: *const fmi2Real,
+    _dvUnknown: *mut fmi2Real,
+) -> fmi2Status {
+    not_offered(
+        c,
+        "fmi2GetDirectionalDerivative",
+        "providesDirectionalDerivative",
+        "false",
+    )
+}
+
+/// Not offered.
+#[unsafe(no_mangle)]
+extern "C" fn fmi2SetRealInputDerivatives(
+    c: fmi2Component,
+    _vr: *const fmi2ValueReference,
+    _nvr: usize,
+    _order: *const fmi2Integer,
+    _value: *const fmi2Real,
+) -> fmi2Status {
+    not_offered(
+        c,
+        "fmi2SetRealInputDerivatives",
+        "canInterpolateInputs",
+        "false",
+    )
+}
+
+/// Not offered.
+#[unsafe(no_mangle)]
+extern "C" fn fmi2GetRealOutputDerivatives(
+    c: fmi2Component,
+    _vr: *const fmi2ValueReference,
+    _nvr: usize,
+    _order: *const fmi2Integer,
+    _value: *mut fmi2Real,
+) -> fmi2Status {
+    not_offered(
+        c,
+        "fmi2GetRealOutputDerivatives",
+        "maxOutputDerivativeOrder",
+        "0",
+    )
+}
+
+/// Takes a step; a discarded one leaves the instance at its beginning.
+#[unsafe(no_mangle)]
+extern "C" fn fmi2DoStep(
+    c: fmi2Component,
+    currentCommunicationPoint: fmi2Real,
+    communicationStepSize: fmi2Real,
+    noSetFMUStatePriorToCurrentPoint: fmi2Boolean,
+) -> fmi2Status {
+    call(c, "fmi2DoStep", STEPPING, |component| {
+        let final_past = noSetFMUStatePriorToCurrentPoint != FMI2_FALSE;
+        let instance = &mut component.instance;
+        match instance.do_step(currentCommunicationPoint, communicationStepSize, final_past)? {
+            Step::Complete => Ok(fmi2OK),
+            Step::Discarded(why) => {
+                instance
+                    .log()
+                    .write(Level::Discard, format_args!("fmi2DoStep: {why}"));
+                Ok(fmi2Discard)
+            }
+        }
+    })
+}
+
+/// Not offered: no step is ever pending.
+#[unsafe(no_mangle)]
+extern "C" fn fmi2CancelStep(c: fmi2Component) -> fmi2Status {
+    not_offered(c, "fmi2CancelStep", "canRunAsynchronuously", "false")
+}
+
+/// Answers a status question if `ask` knows it; `fmi2Discard` means "not provided".
+fn status<T>(
+    (c, function): (fmi2Component, &str),
+    kind: c_int,
+    value: *mut T,
+    ask: impl FnOnce(&Instance) -> Option<T>,
+) -> fmi2Status {
+    call(c, function, STEPPED, |component| {
+        let place = value_mut(value, "value")?;
+        let Some(answer) = ask(&component.instance) else {
+            let text = format!(
+                "{function}: status kind {kind} is not provided: steps are not asynchronous"
+            );
+            component.instance.log().write(Level::Discard, text);
+            return Ok(fmi2Discard);
+        };
+        *place = answer;
+        Ok(fmi2OK)
+    })
+}
+
+/// No such status: steps are not asynchronous.
+#[unsafe(no_mangle)]
+extern "C" fn fmi2GetStatus(c: fmi2Component, s: c_int, value: *mut c_int) -> fmi2Status {
+    status((c, "fmi2GetStatus"), s, value, |_| None)
+}
+
+/// `fmi2LastSuccessfulTime`: where the instance stands.
+#[unsafe(no_mangle)]
+extern "C" fn fmi2GetRealStatus(c: fmi2Component, s: c_int, value: *mut fmi2Real) -> fmi2Status {
+    status((c, "fmi2GetRealStatus"), s, value, |i| {
+        (s == FMI2_LAST_SUCCESSFUL_TIME).then(|| i.time())
+    })
+}
+
+/// No such status.
+#[unsafe(no_mangle)]
+extern "C" fn fmi2GetIntegerStatus(
+    c: fmi2Component,
+    s: c_int,
+    value: *mut fmi2Integer,
+) -> fmi2Status {
+    status((c, "fmi2GetIntegerStatus"), s, value, |_| None)
+}
+
+/// `fmi2Terminated`: true after a discarded step, which would be discarded again.
+#[unsafe(no_mangle)]
+extern "C" fn fmi2GetBooleanStatus(
+    c: fmi2Component,
+    s: c_int,
+    value: *mut fmi2Boolean,
+) -> fmi2Status {
+    let answer = |i: &Instance| {
+        if i.wants_to_terminate() {
+            FMI2_TRUE
+        } else {
+            FMI2_FALSE
+        }
+    };
+    status((c, "fmi2GetBooleanStatus"), s, value, |i| {
+        (s == FMI2_TERMINATED).then(|| answer(i))
+    })
+}
+
+/// No such status.
+#[unsafe(no_mangle)]
+extern "C" fn fmi2GetStringStatus(
+    c: fmi2Component,
+    s: c_int,
+    value: *mut fmi2String,
+) -> fmi2Status {
+    status((c, "fmi2GetStringStatus"), s, value, |_| None)
+}
+
+/// Which sources this library was built from: not FMI, for the exporter.
+#[unsafe(no_mangle)]
+extern "C" fn sphere_dda_build_id() -> *const c_char {
+    const ID: &str = concat!(env!("SPHERE_DDA_BUILD_ID"), "\0");
+    ID.as_ptr().cast()
+}

@@ -1,0 +1,637 @@
+//! One co-simulation instance, whatever version of FMI talks to it: life cycle, values, steps, saved states.
+//!
+//! ```text
+//! Instantiated -> Initialization -> StepComplete <-> StepFailed -> Terminated
+//!                                        any -> Error (a panic, or a step that failed again) -> reset or load
+//! ```
+//!
+//! The time of the scene counts from the start time of the experiment. A step ends exactly at `tc + h`; nothing is
+//! accumulated, the simulation is asked for what is left to that point. A refused call changes nothing.
+
+use std::fmt;
+use std::path::{Path, PathBuf};
+
+use sphere_dda::error::StepError;
+use sphere_dda::motion::{Command, Motion};
+use sphere_dda::observe::Observation;
+use sphere_dda::observe::writer::{Options, Results};
+use sphere_dda::simulation::Simulation;
+use sphere_dda_model_description::fmi2::{BaseType, Causality, Variability};
+
+use crate::log::{Level, Log};
+use crate::model::{Model, SCENE_FILE};
+use crate::outputs::Outputs;
+use crate::refusal::{InstantiationError, Refusal};
+use crate::state::{Run, Saved};
+use crate::variables::{Parameters, Quantity, Value, Variable, component};
+
+/// Share of the step by which a communication point may miss the end of the last one: masters add up or round their
+/// times, and a mistake of the master is far larger.
+const POINT_TOLERANCE: f64 = 1e-4;
+
+/// Place in the life cycle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+pub enum Stage {
+    /// Made, nothing set up.
+    Instantiated,
+    /// Initialization mode.
+    Initialization,
+    /// Ready for a step.
+    StepComplete,
+    /// The last step was discarded; the state is that before it.
+    StepFailed,
+    /// Only reading, reset and restoring are left.
+    Error,
+    /// The end.
+    Terminated,
+}
+
+impl fmt::Display for Stage {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Instantiated => "instantiated",
+            Self::Initialization => "initialization mode",
+            Self::StepComplete => "step complete",
+            Self::StepFailed => "step failed",
+            Self::Error => "error",
+            Self::Terminated => "terminated",
+        })
+    }
+}
+
+/// What became of a step.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Step {
+    /// The instance stands at `tc + h`.
+    Complete,
+    /// The solver gave up; the instance stands at `tc` as before.
+    Discarded(StepError),
+}
+
+/// A running FMU.
+pub struct Instance {
+    name: String,
+    model: Model,
+    log: Log,
+    run: Run,
+    simulation: Option<Simulation>,
+    outputs: Option<Outputs>,
+    results: Option<Results>,
+    read_ahead: bool,
+    lost_results: u64,
+}
+
+impl Instance {
+    /// Reads the scene in `resources` and checks that the importer's `guid` is its own.
+    ///
+    /// # Errors
+    /// [`InstantiationError`]; every one is also written to `log`.
+    pub fn new(
+        name: &str,
+        guid: &str,
+        resources: &Path,
+        log: Log,
+    ) -> Result<Self, InstantiationError> {
+        Self::try_new(name, guid, resources).map(|(model, run)| Self {
+            name: name.to_owned(),
+            model,
+            log,
+            run,
+            simulation: None,
+            outputs: None,
+            results: None,
+            read_ahead: false,
+            lost_results: 0,
+        })
+    }
+
+    fn try_new(
+        name: &str,
+        guid: &str,
+        resources: &Path,
+    ) -> Result<(Model, Run), InstantiationError> {
+        if name.is_empty() {
+            return Err(InstantiationError::Name);
+        }
+        let model = Model::read(&resources.join(SCENE_FILE))?;
+        if model.guid != guid {
+            return Err(InstantiationError::Guid {
+                found: guid.to_owned(),
+                expected: model.guid,
+            });
+        }
+        let run = initial(&model);
+        Ok((model, run))
+    }
+
+    /// Place in the life cycle.
+    #[must_use]
+    pub fn stage(&self) -> Stage {
+        self.run.stage
+    }
+
+    /// The model.
+    #[must_use]
+    pub fn model(&self) -> &Model {
+        &self.model
+    }
+
+    /// The log.
+    pub fn log(&mut self) -> &mut Log {
+        &mut self.log
+    }
+
+    /// Time of the last communication point \[s\].
+    #[must_use]
+    pub fn time(&self) -> f64 {
+        self.run.time
+    }
+
+    /// Sets start and stop time \[s\] of the experiment.
+    ///
+    /// # Errors
+    /// [`Refusal::Argument`] if they are not finite or in the wrong order.
+    pub fn set_up(&mut self, start: f64, stop: Option<f64>) -> Result<(), Refusal> {
+        if !start.is_finite() {
+            return Err(argument("startTime", start, "a finite time [s]"));
+        }
+        if let Some(stop) = stop.filter(|stop| !(stop.is_finite() && *stop > start)) {
+            return Err(argument(
+                "stopTime",
+                stop,
+                "a finite time after startTime [s]",
+            ));
+        }
+        (self.run.start, self.run.time, self.run.stop) = (start, start, stop);
+        Ok(())
+    }
+
+    /// Enters initialization mode: outputs are known from here on.
+    pub fn enter_initialization(&mut self) {
+        self.run.stage = Stage::Initialization;
+        self.run.pending = true;
+    }
+
+    /// Leaves initialization mode: reads the configuration, places the boundaries, opens the result files.
+    ///
+    /// # Errors
+    /// [`Refusal::Step`] if the start is impossible, [`Refusal::Output`] if results cannot be written.
+    pub fn exit_initialization(&mut self) -> Result<(), Refusal> {
+        self.prepare()?;
+        self.results = self.open_results(self.run.parameters.output_overwrite)?;
+        self.record();
+        self.run.stage = Stage::StepComplete;
+        let spheres = self.model.scene.particles.len();
+        self.log.write(
+            Level::Ok,
+            format_args!("initialized: {spheres} spheres, t = {} s", self.run.time),
+        );
+        Ok(())
+    }
+
+    /// Values of variables of one type, in the order of `references`.
+    ///
+    /// # Errors
+    /// [`Refusal::Reference`], [`Refusal::NoValue`]; in initialization mode also [`Refusal::Step`].
+    pub fn get(&mut self, base: BaseType, references: &[u32]) -> Result<Vec<Value>, Refusal> {
+        for &reference in references {
+            self.variable(base, reference)?;
+        }
+        references
+            .iter()
+            .map(|&reference| self.get_one(base, reference))
+            .collect()
+    }
+
+    fn get_one(&mut self, base: BaseType, reference: u32) -> Result<Value, Refusal> {
+        let quantity = self.variable(base, reference)?.quantity;
+        match quantity {
+            Quantity::Time => return Ok(Value::Real(self.run.time)),
+            Quantity::Parameter(parameter) => return Ok(self.run.parameters.get(parameter)),
+            Quantity::Input {
+                boundary,
+                input,
+                axis,
+            } => {
+                let mut command = self.run.commands[boundary];
+                return Ok(Value::Real(*component(&mut command, input, axis)));
+            }
+            _ => {}
+        }
+        match self.run.stage {
+            Stage::Initialization if self.run.pending => self.prepare()?,
+            Stage::StepComplete if self.run.pending && !self.read_ahead => {
+                self.read_ahead = true;
+                let text = "outputs read after a set without a step: they are those of the last step (told once)";
+                self.log.write(Level::Warning, text);
+            }
+            _ => {}
+        }
+        if let (None, Some(simulation)) = (&self.outputs, &self.simulation) {
+            self.outputs = Some(Outputs::of(simulation));
+        }
+        let value = self
+            .outputs
+            .as_ref()
+            .and_then(|outputs| outputs.get(quantity));
+        let no_value = |name: &str| Refusal::NoValue {
+            name: name.to_owned(),
+            stage: self.run.stage,
+        };
+        value.ok_or_else(|| no_value(&self.model.table.variables()[reference as usize].name))
+    }
+
+    /// Sets variables; all or none.
+    ///
+    /// # Errors
+    /// [`Refusal::Reference`], [`Refusal::NotSettable`], [`Refusal::Range`].
+    pub fn set(&mut self, values: Vec<(u32, Value)>) -> Result<(), Refusal> {
+        for (reference, value) in &values {
+            self.check(*reference, value)?;
+        }
+        for (reference, value) in values {
+            match (self.variable(value.base(), reference)?.quantity, value) {
+                (Quantity::Parameter(parameter), value) => {
+                    self.run.parameters.set(parameter, value)
+                }
+                (
+                    Quantity::Input {
+                        boundary,
+                        input,
+                        axis,
+                    },
+                    Value::Real(value),
+                ) => {
+                    *component(&mut self.run.commands[boundary], input, axis) = value;
+                }
+                _ => continue,
+            }
+            self.run.pending = true;
+        }
+        Ok(())
+    }
+
+    fn check(&self, reference: u32, value: &Value) -> Result<(), Refusal> {
+        let variable = self.variable(value.base(), reference)?;
+        let before = matches!(self.run.stage, Stage::Instantiated | Stage::Initialization);
+        let allowed = match (variable.causality, variable.variability) {
+            (Causality::Input, _) | (_, Variability::Tunable) => true,
+            (Causality::Parameter, _) => before,
+            _ => false,
+        };
+        if !allowed {
+            return Err(Refusal::NotSettable {
+                name: variable.name.clone(),
+                kind: format!("{:?}, {:?}", variable.causality, variable.variability)
+                    .to_lowercase(),
+                stage: self.run.stage,
+                allowed: match variable.causality {
+                    Causality::Parameter => "set it before or in initialization mode",
+                    _ => "only parameters and inputs can be set",
+                },
+            });
+        }
+        let Value::Real(found) = *value else {
+            return Ok(());
+        };
+        let (min, max) = (
+            variable.min.unwrap_or(f64::MIN),
+            variable.max.unwrap_or(f64::MAX),
+        );
+        if found.is_finite() && (min..=max).contains(&found) {
+            return Ok(());
+        }
+        let expected = match (variable.min, variable.max) {
+            (None, None) => "a finite number".to_owned(),
+            (Some(min), None) => format!("a finite number of at least {min:e}"),
+            (_, Some(_)) => format!("a number in {min:e}..={max:e}"),
+        };
+        Err(Refusal::Range {
+            name: variable.name.clone(),
+            found,
+            expected,
+        })
+    }
+
+    fn variable(&self, base: BaseType, reference: u32) -> Result<&Variable, Refusal> {
+        let found = self.model.table.get(reference);
+        found
+            .filter(|variable| variable.base == base)
+            .ok_or_else(|| Refusal::Reference {
+                reference,
+                found: found
+                    .map(|variable| format!("`{}` of type {:?}", variable.name, variable.base)),
+                expected: base,
+            })
+    }
+
+    /// Takes the step from `point` to exactly `point + h` \[s\]. With `final_past` the importer promises not to go
+    /// back before `point`.
+    ///
+    /// # Errors
+    /// [`Refusal::Argument`], [`Refusal::Point`], [`Refusal::PastStop`], [`Refusal::Step`] if an input is impossible,
+    /// [`Refusal::Repeated`] if a step that was discarded is tried again and fails again.
+    pub fn do_step(&mut self, point: f64, h: f64, final_past: bool) -> Result<Step, Refusal> {
+        let end = self.check_step(point, h)?;
+        let outcome = match self.advance(end) {
+            Ok(()) => {
+                self.run.time = end;
+                self.run.failed = None;
+                self.run.pending = false;
+                self.run.stage = Stage::StepComplete;
+                self.outputs = None;
+                self.record();
+                Ok(Step::Complete)
+            }
+            Err(error @ (StepError::Jump { .. } | StepError::Argument { .. })) => {
+                Err(Refusal::Step(error))
+            }
+            Err(error) if self.run.failed.is_some_and(|failed| h >= failed) => {
+                self.run.stage = Stage::Error;
+                Err(Refusal::Repeated(error))
+            }
+            Err(error) => {
+                self.run.failed = Some(h);
+                self.run.stage = Stage::StepFailed;
+                Ok(Step::Discarded(error))
+            }
+        };
+        if let Some(results) = self.results.as_mut().filter(|_| final_past) {
+            results.commit(point - self.run.start);
+        }
+        outcome
+    }
+
+    /// Checks the arguments of a step and gives its end.
+    fn check_step(&self, point: f64, h: f64) -> Result<f64, Refusal> {
+        let end = point + h;
+        if !point.is_finite() {
+            return Err(argument(
+                "currentCommunicationPoint",
+                point,
+                "a finite time [s]",
+            ));
+        }
+        if !(end.is_finite() && h > 0.0 && end > point) {
+            return Err(argument(
+                "communicationStepSize",
+                h,
+                "a positive length [s] that moves the point",
+            ));
+        }
+        let tolerance =
+            |a: f64, b: f64| POINT_TOLERANCE * h + 8.0 * f64::EPSILON * a.abs().max(b.abs());
+        let expected = self.run.time;
+        if (point - expected).abs() > tolerance(point, expected) {
+            let tolerance = tolerance(point, expected);
+            return Err(Refusal::Point {
+                found: point,
+                expected,
+                tolerance,
+            });
+        }
+        match self.run.stop {
+            Some(stop) if end > stop + tolerance(end, stop) => Err(Refusal::PastStop { end, stop }),
+            _ => Ok(end),
+        }
+    }
+
+    /// Advances the simulation to the time `end` \[s\]; on error it is as before.
+    fn advance(&mut self, end: f64) -> Result<(), StepError> {
+        let Some(simulation) = &mut self.simulation else {
+            let found = format!("none in state {}", self.run.stage);
+            return Err(StepError::Argument {
+                what: "simulation",
+                found,
+                expected: "one",
+            });
+        };
+        simulation.set_gravity(self.run.parameters.gravity)?;
+        command(simulation, &self.run.commands)?;
+        simulation.advance_to(end - self.run.start).map(|_| ())
+    }
+
+    /// Ends the run; values stay readable, result files are complete.
+    pub fn terminate(&mut self) {
+        self.close_results();
+        self.run.stage = Stage::Terminated;
+    }
+
+    /// Back to the state after instantiation.
+    pub fn reset(&mut self) {
+        self.close_results();
+        self.run = initial(&self.model);
+        self.simulation = None;
+        self.outputs = None;
+        self.read_ahead = false;
+    }
+
+    /// After a panic: nothing of the simulation can be trusted any more.
+    pub fn fail(&mut self, what: &str) {
+        self.run.stage = Stage::Error;
+        self.simulation = None;
+        self.outputs = None;
+        let text =
+            "this is a defect of the library; reset the instance or restore an earlier state";
+        self.log
+            .write(Level::Error, format_args!("internal error: {what}; {text}"));
+    }
+
+    /// Whether the instance wants the simulation to end: its last step was impossible.
+    #[must_use]
+    pub fn wants_to_terminate(&self) -> bool {
+        matches!(self.run.stage, Stage::StepFailed | Stage::Error)
+    }
+
+    /// The complete state as bytes: see [`crate::state`].
+    ///
+    /// # Errors
+    /// [`Refusal::State`] if the serializer fails.
+    pub fn save(&self) -> Result<Vec<u8>, Refusal> {
+        let saved = Saved {
+            guid: self.model.guid.clone(),
+            run: self.run.clone(),
+            snapshot: self.simulation.as_ref().map(Simulation::snapshot),
+        };
+        Ok(saved.encode()?)
+    }
+
+    /// Whether bytes are a state of this model.
+    ///
+    /// # Errors
+    /// [`Refusal::State`].
+    pub fn verify(&self, bytes: &[u8]) -> Result<(), Refusal> {
+        Ok(Saved::decode(bytes, &self.model.guid)?.check(self.run.commands.len())?)
+    }
+
+    /// Puts the instance into a saved state, also one of another instance or process.
+    ///
+    /// # Errors
+    /// [`Refusal::State`], [`Refusal::Snapshot`]: the instance is as before.
+    pub fn load(&mut self, bytes: &[u8]) -> Result<(), Refusal> {
+        let saved = Saved::decode(bytes, &self.model.guid)?;
+        saved.check(self.run.commands.len())?;
+        match &saved.snapshot {
+            None => self.simulation = None,
+            Some(snapshot) => {
+                let parameters = &saved.run.parameters;
+                match self
+                    .simulation
+                    .as_mut()
+                    .filter(|s| parameters.fit(s.scene()))
+                {
+                    Some(simulation) => simulation.restore(snapshot)?,
+                    None => {
+                        let mut simulation = self.simulate(parameters)?;
+                        simulation.restore(snapshot)?;
+                        self.simulation = Some(simulation);
+                    }
+                }
+            }
+        }
+        self.run = saved.run;
+        self.outputs = None;
+        self.follow_results();
+        self.log.write(
+            Level::Ok,
+            format_args!("restored the state of t = {} s", self.run.time),
+        );
+        Ok(())
+    }
+
+    fn simulate(&self, parameters: &Parameters) -> Result<Simulation, StepError> {
+        Simulation::new(parameters.apply(&self.model.scene).into())
+    }
+
+    /// Brings the simulation to the start that parameters and inputs ask for.
+    fn prepare(&mut self) -> Result<(), Refusal> {
+        self.outputs = None;
+        let mut simulation = self.simulate(&self.run.parameters)?;
+        let gravity = self.run.parameters.gravity;
+        // A start that is the scene's own is left alone: the FMU then gives the bytes that the library gives.
+        if gravity != simulation.gravity()
+            || self.run.commands.iter().any(|c| *c != Command::default())
+        {
+            simulation.set_gravity(gravity)?;
+            command(&mut simulation, &self.run.commands)?;
+            simulation.place()?;
+        }
+        self.simulation = Some(simulation);
+        self.run.pending = false;
+        Ok(())
+    }
+
+    /// Where result files go, if anywhere.
+    fn results_directory(&self) -> Option<PathBuf> {
+        let parent = &self.run.parameters.output_directory;
+        // The name comes from the importer and must stay one folder.
+        let plain = |c: char| {
+            if c.is_alphanumeric() || "-_ ".contains(c) {
+                c
+            } else {
+                '_'
+            }
+        };
+        let folder: String = self.name.chars().map(plain).collect();
+        (!parent.is_empty()).then(|| Path::new(parent).join(folder))
+    }
+
+    fn open_results(&self, overwrite: bool) -> Result<Option<Results>, Refusal> {
+        let (Some(directory), Some(simulation)) = (self.results_directory(), &self.simulation)
+        else {
+            return Ok(None);
+        };
+        self.log.write(
+            Level::Ok,
+            format_args!("results go to `{}`", directory.display()),
+        );
+        let frame_interval = self.run.parameters.output_interval;
+        let defaults = Options::new(directory, simulation.scene());
+        let options = Options {
+            overwrite,
+            frame_interval,
+            hold: true,
+            ..defaults
+        };
+        Ok(Some(Results::create(simulation.scene(), options)?))
+    }
+
+    fn record(&mut self) {
+        let (Some(results), Some(simulation)) = (&mut self.results, &self.simulation) else {
+            return;
+        };
+        results.record(&Observation::of(simulation));
+        let status = results.status();
+        if status.failures > self.lost_results {
+            self.lost_results = status.failures;
+            let why = status.first_failure.unwrap_or_default();
+            let text = format_args!(
+                "{} result files were not written; the first: {why}",
+                status.failures
+            );
+            self.log.write(Level::Warning, text);
+        }
+    }
+
+    /// After the time went back or the state came from elsewhere: result files follow.
+    fn follow_results(&mut self) {
+        if let (Some(results), Some(simulation)) = (&mut self.results, &self.simulation) {
+            results.rollback(simulation.time());
+        }
+        if self.results.is_some() || self.run.stage != Stage::StepComplete {
+            return;
+        }
+        match self.open_results(self.run.parameters.output_overwrite) {
+            Ok(results) => {
+                self.results = results;
+                self.record();
+            }
+            Err(error) => self.log.write(
+                Level::Warning,
+                format_args!("no results are written: {error}"),
+            ),
+        }
+    }
+
+    fn close_results(&mut self) {
+        if let Some(results) = self.results.take() {
+            let status = results.finish();
+            self.log.write(
+                Level::Ok,
+                format_args!("{} frames, {} rows written", status.frames, status.rows),
+            );
+        }
+    }
+}
+
+/// The state after instantiation: everything as in the scene.
+fn initial(model: &Model) -> Run {
+    Run {
+        stage: Stage::Instantiated,
+        start: 0.0,
+        stop: None,
+        time: 0.0,
+        parameters: Parameters::of(&model.scene),
+        commands: vec![Command::default(); model.scene.boundaries.len()],
+        pending: false,
+        failed: None,
+    }
+}
+
+/// Hands the commands of all driven boundaries to the simulation.
+fn command(simulation: &mut Simulation, commands: &[Command]) -> Result<(), StepError> {
+    for (b, &command) in commands.iter().enumerate() {
+        if matches!(simulation.scene().boundaries[b].motion, Motion::Input(_)) {
+            simulation.command(b, command)?;
+        }
+    }
+    Ok(())
+}
+
+fn argument(argument: &'static str, found: f64, expected: &'static str) -> Refusal {
+    Refusal::Argument {
+        argument,
+        found: found.to_string(),
+        expected,
+    }
+}
