@@ -16,7 +16,10 @@ fn main() -> io::Result<()> {
         hash(&path, part, &mut hasher)?;
     }
     let version = env::var("CARGO_PKG_VERSION").unwrap_or_default();
-    println!("cargo::rustc-env=SPHERE_DDA_BUILD_ID={version}+{:016x}", hasher.finish());
+    println!(
+        "cargo::rustc-env=SPHERE_DDA_BUILD_ID={version}+{:016x}",
+        hasher.finish()
+    );
     Ok(())
 }
 

@@ -4,8 +4,8 @@ use sha2::{Digest, Sha256};
 use sphere_dda::scene::Scene;
 use sphere_dda_model_description::Error;
 use sphere_dda_model_description::fmi2::{
-    BaseType, BooleanVariable, CoSimulation, DefaultExperiment, IntegerVariable, LogCategory, ModelDescription,
-    RealVariable, ScalarVariable, StringVariable, VariableType,
+    BaseType, BooleanVariable, CoSimulation, DefaultExperiment, IntegerVariable, LogCategory,
+    ModelDescription, RealVariable, ScalarVariable, StringVariable, VariableType,
 };
 use sphere_dda_model_description::units::{BaseUnit, Unit};
 
@@ -38,8 +38,19 @@ pub fn guid(scene: &Scene, table: &Table) -> Result<String, Error> {
         digest.update(part.len().to_le_bytes());
         digest.update(part);
     }
-    let hex: String = digest.finalize().iter().take(16).map(|byte| format!("{byte:02x}")).collect();
-    let parts = [&hex[..8], &hex[8..12], &hex[12..16], &hex[16..20], &hex[20..]];
+    let hex: String = digest
+        .finalize()
+        .iter()
+        .take(16)
+        .map(|byte| format!("{byte:02x}"))
+        .collect();
+    let parts = [
+        &hex[..8],
+        &hex[8..12],
+        &hex[12..16],
+        &hex[16..20],
+        &hex[20..],
+    ];
     Ok(format!("{{{}}}", parts.join("-")))
 }
 
@@ -54,7 +65,8 @@ fn unsigned(scene: &Scene, table: &Table, identifier: &str) -> ModelDescription 
     };
     let variables = table.variables().iter().map(scalar_variable).collect();
     let mut model = ModelDescription::new(&scene.title, "", interface).with_variables(variables);
-    model.description = Some("Spheres and moving boundaries by discontinuous deformation analysis".to_owned());
+    model.description =
+        Some("Spheres and moving boundaries by discontinuous deformation analysis".to_owned());
     model.version = Some(VERSION.to_owned());
     model.license = Some("MIT OR Apache-2.0".to_owned());
     model.generation_tool = Some(format!("sphere-dda {VERSION}"));
@@ -84,7 +96,15 @@ pub fn units() -> Vec<Unit> {
         si("m/s", 0, 1, -1),
         si("m/s2", 0, 1, -2),
         Unit::new("rad", BaseUnit { rad: 1, ..ONE }).with_display_unit("deg", degrees, 0.0),
-        Unit::new("rad/s", BaseUnit { rad: 1, s: -1, ..ONE }).with_display_unit("deg/s", degrees, 0.0),
+        Unit::new(
+            "rad/s",
+            BaseUnit {
+                rad: 1,
+                s: -1,
+                ..ONE
+            },
+        )
+        .with_display_unit("deg/s", degrees, 0.0),
         si("kg", 1, 0, 0),
         si("kg/s", 1, 0, -1),
         si("kg.m/s", 1, 1, -1),

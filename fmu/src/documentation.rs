@@ -54,7 +54,14 @@ fn row(variable: &Variable) -> String {
     };
     let causality = format!("{:?}", variable.causality).to_lowercase();
     let kind = format!("{:?}", variable.base);
-    let cells = [&variable.name, &causality, &kind, variable.unit.unwrap_or("-"), &start, &variable.description];
+    let cells = [
+        &variable.name,
+        &causality,
+        &kind,
+        variable.unit.unwrap_or("-"),
+        &start,
+        &variable.description,
+    ];
     let mut html = String::from("<tr>");
     for cell in cells {
         // Writing to a String cannot fail.
@@ -64,5 +71,8 @@ fn row(variable: &Variable) -> String {
 }
 
 fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+    text.replace('&', "&amp;")
+        .replace('<', "&lt;")
+        .replace('>', "&gt;")
+        .replace('"', "&quot;")
 }

@@ -105,11 +105,19 @@ pub enum ExportError {
 }
 
 fn list(findings: &[Finding]) -> String {
-    findings.iter().map(Finding::to_string).collect::<Vec<_>>().join("; ")
+    findings
+        .iter()
+        .map(Finding::to_string)
+        .collect::<Vec<_>>()
+        .join("; ")
 }
 
 fn places(folders: &[PathBuf]) -> String {
-    folders.iter().map(|f| format!("`{}`", f.display())).collect::<Vec<_>>().join(", ")
+    folders
+        .iter()
+        .map(|f| format!("`{}`", f.display()))
+        .collect::<Vec<_>>()
+        .join(", ")
 }
 
 /// Packs the scene with `library` (see [`find_library`]) into the archive `fmu`, replacing it when all is done.
@@ -119,7 +127,8 @@ fn places(folders: &[PathBuf]) -> String {
 pub fn export(scene: &Path, fmu: &Path, library: &Path) -> Result<Exported, ExportError> {
     let model = Model::read(scene)?;
     let identifier = identifier(scene);
-    let description = describe(&model.scene, &model.table, &identifier).map_err(ModelError::from)?;
+    let description =
+        describe(&model.scene, &model.table, &identifier).map_err(ModelError::from)?;
     let findings = description.validate();
     if !findings.is_empty() {
         return Err(ExportError::Invalid(findings));
@@ -134,7 +143,12 @@ pub fn export(scene: &Path, fmu: &Path, library: &Path) -> Result<Exported, Expo
     if variables > MANY_VARIABLES {
         warnings.push(format!("{variables} scalar variables: some importers take long above {MANY_VARIABLES}; probe fewer spheres"));
     }
-    Ok(Exported { guid: model.guid, identifier, variables, warnings })
+    Ok(Exported {
+        guid: model.guid,
+        identifier,
+        variables,
+        warnings,
+    })
 }
 
 /// The archive as bytes.
@@ -146,13 +160,19 @@ fn pack(
 ) -> Result<Vec<u8>, ExportError> {
     let xml = description.to_xml().map_err(ModelError::from)?;
     let html = documentation::page(model);
-    let binary = format!("binaries/{PLATFORM}/{identifier}{}", env::consts::DLL_SUFFIX);
+    let binary = format!(
+        "binaries/{PLATFORM}/{identifier}{}",
+        env::consts::DLL_SUFFIX
+    );
     let mut files: Vec<(String, &[u8])> = vec![
         ("modelDescription.xml".to_owned(), xml.as_bytes()),
         (binary, library),
         (format!("resources/{SCENE_FILE}"), model.text.as_bytes()),
         ("documentation/index.html".to_owned(), html.as_bytes()),
-        ("documentation/licenses/license.txt".to_owned(), documentation::LICENSE.as_bytes()),
+        (
+            "documentation/licenses/license.txt".to_owned(),
+            documentation::LICENSE.as_bytes(),
+        ),
     ];
     for file in &model.files {
         if file.path == SCENE_FILE {
@@ -184,7 +204,9 @@ fn write(fmu: &Path, archive: &[u8]) -> Result<(), ExportError> {
     };
     let mut file = tempfile::NamedTempFile::new_in(folder).map_err(failed("write into", folder))?;
     file.write_all(archive).map_err(failed("write", fmu))?;
-    let file: File = file.persist(fmu).map_err(|e| failed("write", fmu)(e.error))?;
+    let file: File = file
+        .persist(fmu)
+        .map_err(|e| failed("write", fmu)(e.error))?;
     file.sync_all().map_err(failed("write", fmu))?;
     readable(&file).map_err(failed("set the permissions of", fmu))
 }
@@ -203,7 +225,11 @@ fn readable(_: &File) -> io::Result<()> {
 
 fn failed(action: &'static str, path: &Path) -> impl Fn(io::Error) -> ExportError {
     let path = path.to_path_buf();
-    move |source| ExportError::Io { action, path: path.clone(), source }
+    move |source| ExportError::Io {
+        action,
+        path: path.clone(),
+        source,
+    }
 }
 
 /// Folder of this platform's binaries in FMI 2.0.
@@ -219,28 +245,60 @@ const PLATFORM: &str = "linux64";
 /// The scene file's name as a C identifier.
 fn identifier(scene: &Path) -> String {
     let stem = scene.file_stem().unwrap_or_default().to_string_lossy();
-    let name: String = stem.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '_' }).collect();
-    if is_c_identifier(&name) { name } else { format!("scene_{name}") }
+    let name: String = stem
+        .chars()
+        .map(|c| if c.is_ascii_alphanumeric() { c } else { '_' })
+        .collect();
+    if is_c_identifier(&name) {
+        name
+    } else {
+        format!("scene_{name}")
+    }
 }
 
 /// The library to pack: `explicit`, else the environment variable [`LIBRARY_VARIABLE`], else beside this program or in
-/// its `deps` folder.
+/// its `deps` folder, where one that fits this program comes first.
 ///
 /// # Errors
 /// [`ExportError::NoLibrary`].
 pub fn find_library(explicit: Option<&Path>) -> Result<PathBuf, ExportError> {
-    let name = format!("{}sphere_dda_fmu{}", env::consts::DLL_PREFIX, env::consts::DLL_SUFFIX);
-    let named = explicit.map(Path::to_path_buf).or_else(|| env::var_os(LIBRARY_VARIABLE).map(OsString::into));
+    let name = format!(
+        "{}sphere_dda_fmu{}",
+        env::consts::DLL_PREFIX,
+        env::consts::DLL_SUFFIX
+    );
+    let named = explicit
+        .map(Path::to_path_buf)
+        .or_else(|| env::var_os(LIBRARY_VARIABLE).map(OsString::into));
     if let Some(path) = named {
-        let missing = || ExportError::NoLibrary { name: path.display().to_string(), searched: vec![path.clone()] };
-        return if path.is_file() { Ok(path) } else { Err(missing()) };
+        let missing = || ExportError::NoLibrary {
+            name: path.display().to_string(),
+            searched: vec![path.clone()],
+        };
+        return if path.is_file() {
+            Ok(path)
+        } else {
+            Err(missing())
+        };
     }
-    let own = env::current_exe().ok().and_then(|exe| exe.parent().map(Path::to_path_buf)).unwrap_or_default();
+    let own = env::current_exe()
+        .ok()
+        .and_then(|exe| exe.parent().map(Path::to_path_buf))
+        .unwrap_or_default();
     // Tests and examples run from below the folder that has the library.
     let mut searched = vec![own.clone(), own.join("deps")];
     searched.extend(own.parent().map(Path::to_path_buf));
-    let found = searched.iter().map(|folder| folder.join(&name)).find(|path| path.is_file());
-    found.ok_or(ExportError::NoLibrary { name, searched })
+    let mut found: Vec<PathBuf> = searched
+        .iter()
+        .map(|folder| folder.join(&name))
+        .filter(|path| path.is_file())
+        .collect();
+    if found.is_empty() {
+        return Err(ExportError::NoLibrary { name, searched });
+    }
+    // Cargo may leave an old copy beside the program and put the new one into `deps`.
+    let fresh = found.iter().position(|path| check_library(path).is_ok());
+    Ok(found.swap_remove(fresh.unwrap_or(0)))
 }
 
 /// Loads a library once and refuses one that was not built from the sources of this program.
@@ -248,10 +306,16 @@ pub fn find_library(explicit: Option<&Path>) -> Result<PathBuf, ExportError> {
 /// # Errors
 /// [`ExportError::Load`], [`ExportError::Stale`].
 pub fn check_library(path: &Path) -> Result<(), ExportError> {
-    let load = |error: libloading::Error| ExportError::Load { path: path.to_path_buf(), reason: error.to_string() };
+    let load = |error: libloading::Error| ExportError::Load {
+        path: path.to_path_buf(),
+        reason: error.to_string(),
+    };
     let found = crate::ffi::build_id(path).map_err(load)?;
     if found == BUILD_ID {
         return Ok(());
     }
-    Err(ExportError::Stale { path: path.to_path_buf(), found })
+    Err(ExportError::Stale {
+        path: path.to_path_buf(),
+        found,
+    })
 }

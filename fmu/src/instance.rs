@@ -86,7 +86,12 @@ impl Instance {
     ///
     /// # Errors
     /// [`InstantiationError`]; every one is also written to `log`.
-    pub fn new(name: &str, guid: &str, resources: &Path, log: Log) -> Result<Self, InstantiationError> {
+    pub fn new(
+        name: &str,
+        guid: &str,
+        resources: &Path,
+        log: Log,
+    ) -> Result<Self, InstantiationError> {
         Self::try_new(name, guid, resources).map(|(model, run)| Self {
             name: name.to_owned(),
             model,
@@ -100,13 +105,20 @@ impl Instance {
         })
     }
 
-    fn try_new(name: &str, guid: &str, resources: &Path) -> Result<(Model, Run), InstantiationError> {
+    fn try_new(
+        name: &str,
+        guid: &str,
+        resources: &Path,
+    ) -> Result<(Model, Run), InstantiationError> {
         if name.is_empty() {
             return Err(InstantiationError::Name);
         }
         let model = Model::read(&resources.join(SCENE_FILE))?;
         if model.guid != guid {
-            return Err(InstantiationError::Guid { found: guid.to_owned(), expected: model.guid });
+            return Err(InstantiationError::Guid {
+                found: guid.to_owned(),
+                expected: model.guid,
+            });
         }
         let run = initial(&model);
         Ok((model, run))
@@ -144,7 +156,11 @@ impl Instance {
             return Err(argument("startTime", start, "a finite time [s]"));
         }
         if let Some(stop) = stop.filter(|stop| !(stop.is_finite() && *stop > start)) {
-            return Err(argument("stopTime", stop, "a finite time after startTime [s]"));
+            return Err(argument(
+                "stopTime",
+                stop,
+                "a finite time after startTime [s]",
+            ));
         }
         (self.run.start, self.run.time, self.run.stop) = (start, start, stop);
         Ok(())
@@ -166,7 +182,10 @@ impl Instance {
         self.record();
         self.run.stage = Stage::StepComplete;
         let spheres = self.model.scene.particles.len();
-        self.log.write(Level::Ok, format_args!("initialized: {spheres} spheres, t = {} s", self.run.time));
+        self.log.write(
+            Level::Ok,
+            format_args!("initialized: {spheres} spheres, t = {} s", self.run.time),
+        );
         Ok(())
     }
 
@@ -178,7 +197,10 @@ impl Instance {
         for &reference in references {
             self.variable(base, reference)?;
         }
-        references.iter().map(|&reference| self.get_one(base, reference)).collect()
+        references
+            .iter()
+            .map(|&reference| self.get_one(base, reference))
+            .collect()
     }
 
     fn get_one(&mut self, base: BaseType, reference: u32) -> Result<Value, Refusal> {
@@ -186,7 +208,11 @@ impl Instance {
         match quantity {
             Quantity::Time => return Ok(Value::Real(self.run.time)),
             Quantity::Parameter(parameter) => return Ok(self.run.parameters.get(parameter)),
-            Quantity::Input { boundary, input, axis } => {
+            Quantity::Input {
+                boundary,
+                input,
+                axis,
+            } => {
                 let mut command = self.run.commands[boundary];
                 return Ok(Value::Real(*component(&mut command, input, axis)));
             }
@@ -204,8 +230,14 @@ impl Instance {
         if let (None, Some(simulation)) = (&self.outputs, &self.simulation) {
             self.outputs = Some(Outputs::of(simulation));
         }
-        let value = self.outputs.as_ref().and_then(|outputs| outputs.get(quantity));
-        let no_value = |name: &str| Refusal::NoValue { name: name.to_owned(), stage: self.run.stage };
+        let value = self
+            .outputs
+            .as_ref()
+            .and_then(|outputs| outputs.get(quantity));
+        let no_value = |name: &str| Refusal::NoValue {
+            name: name.to_owned(),
+            stage: self.run.stage,
+        };
         value.ok_or_else(|| no_value(&self.model.table.variables()[reference as usize].name))
     }
 
@@ -219,8 +251,17 @@ impl Instance {
         }
         for (reference, value) in values {
             match (self.variable(value.base(), reference)?.quantity, value) {
-                (Quantity::Parameter(parameter), value) => self.run.parameters.set(parameter, value),
-                (Quantity::Input { boundary, input, axis }, Value::Real(value)) => {
+                (Quantity::Parameter(parameter), value) => {
+                    self.run.parameters.set(parameter, value)
+                }
+                (
+                    Quantity::Input {
+                        boundary,
+                        input,
+                        axis,
+                    },
+                    Value::Real(value),
+                ) => {
                     *component(&mut self.run.commands[boundary], input, axis) = value;
                 }
                 _ => continue,
@@ -241,7 +282,8 @@ impl Instance {
         if !allowed {
             return Err(Refusal::NotSettable {
                 name: variable.name.clone(),
-                kind: format!("{:?}, {:?}", variable.causality, variable.variability).to_lowercase(),
+                kind: format!("{:?}, {:?}", variable.causality, variable.variability)
+                    .to_lowercase(),
                 stage: self.run.stage,
                 allowed: match variable.causality {
                     Causality::Parameter => "set it before or in initialization mode",
@@ -249,8 +291,13 @@ impl Instance {
                 },
             });
         }
-        let Value::Real(found) = *value else { return Ok(()) };
-        let (min, max) = (variable.min.unwrap_or(f64::MIN), variable.max.unwrap_or(f64::MAX));
+        let Value::Real(found) = *value else {
+            return Ok(());
+        };
+        let (min, max) = (
+            variable.min.unwrap_or(f64::MIN),
+            variable.max.unwrap_or(f64::MAX),
+        );
         if found.is_finite() && (min..=max).contains(&found) {
             return Ok(());
         }
@@ -259,16 +306,23 @@ impl Instance {
             (Some(min), None) => format!("a finite number of at least {min:e}"),
             (_, Some(_)) => format!("a number in {min:e}..={max:e}"),
         };
-        Err(Refusal::Range { name: variable.name.clone(), found, expected })
+        Err(Refusal::Range {
+            name: variable.name.clone(),
+            found,
+            expected,
+        })
     }
 
     fn variable(&self, base: BaseType, reference: u32) -> Result<&Variable, Refusal> {
         let found = self.model.table.get(reference);
-        found.filter(|variable| variable.base == base).ok_or_else(|| Refusal::Reference {
-            reference,
-            found: found.map(|variable| format!("`{}` of type {:?}", variable.name, variable.base)),
-            expected: base,
-        })
+        found
+            .filter(|variable| variable.base == base)
+            .ok_or_else(|| Refusal::Reference {
+                reference,
+                found: found
+                    .map(|variable| format!("`{}` of type {:?}", variable.name, variable.base)),
+                expected: base,
+            })
     }
 
     /// Takes the step from `point` to exactly `point + h` \[s\]. With `final_past` the importer promises not to go
@@ -289,7 +343,9 @@ impl Instance {
                 self.record();
                 Ok(Step::Complete)
             }
-            Err(error @ (StepError::Jump { .. } | StepError::Argument { .. })) => Err(Refusal::Step(error)),
+            Err(error @ (StepError::Jump { .. } | StepError::Argument { .. })) => {
+                Err(Refusal::Step(error))
+            }
             Err(error) if self.run.failed.is_some_and(|failed| h >= failed) => {
                 self.run.stage = Stage::Error;
                 Err(Refusal::Repeated(error))
@@ -310,16 +366,29 @@ impl Instance {
     fn check_step(&self, point: f64, h: f64) -> Result<f64, Refusal> {
         let end = point + h;
         if !point.is_finite() {
-            return Err(argument("currentCommunicationPoint", point, "a finite time [s]"));
+            return Err(argument(
+                "currentCommunicationPoint",
+                point,
+                "a finite time [s]",
+            ));
         }
         if !(end.is_finite() && h > 0.0 && end > point) {
-            return Err(argument("communicationStepSize", h, "a positive length [s] that moves the point"));
+            return Err(argument(
+                "communicationStepSize",
+                h,
+                "a positive length [s] that moves the point",
+            ));
         }
-        let tolerance = |a: f64, b: f64| POINT_TOLERANCE * h + 8.0 * f64::EPSILON * a.abs().max(b.abs());
+        let tolerance =
+            |a: f64, b: f64| POINT_TOLERANCE * h + 8.0 * f64::EPSILON * a.abs().max(b.abs());
         let expected = self.run.time;
         if (point - expected).abs() > tolerance(point, expected) {
             let tolerance = tolerance(point, expected);
-            return Err(Refusal::Point { found: point, expected, tolerance });
+            return Err(Refusal::Point {
+                found: point,
+                expected,
+                tolerance,
+            });
         }
         match self.run.stop {
             Some(stop) if end > stop + tolerance(end, stop) => Err(Refusal::PastStop { end, stop }),
@@ -331,7 +400,11 @@ impl Instance {
     fn advance(&mut self, end: f64) -> Result<(), StepError> {
         let Some(simulation) = &mut self.simulation else {
             let found = format!("none in state {}", self.run.stage);
-            return Err(StepError::Argument { what: "simulation", found, expected: "one" });
+            return Err(StepError::Argument {
+                what: "simulation",
+                found,
+                expected: "one",
+            });
         };
         simulation.set_gravity(self.run.parameters.gravity)?;
         command(simulation, &self.run.commands)?;
@@ -358,8 +431,10 @@ impl Instance {
         self.run.stage = Stage::Error;
         self.simulation = None;
         self.outputs = None;
-        let text = "this is a defect of the library; reset the instance or restore an earlier state";
-        self.log.write(Level::Error, format_args!("internal error: {what}; {text}"));
+        let text =
+            "this is a defect of the library; reset the instance or restore an earlier state";
+        self.log
+            .write(Level::Error, format_args!("internal error: {what}; {text}"));
     }
 
     /// Whether the instance wants the simulation to end: its last step was impossible.
@@ -400,7 +475,11 @@ impl Instance {
             None => self.simulation = None,
             Some(snapshot) => {
                 let parameters = &saved.run.parameters;
-                match self.simulation.as_mut().filter(|s| parameters.fit(s.scene())) {
+                match self
+                    .simulation
+                    .as_mut()
+                    .filter(|s| parameters.fit(s.scene()))
+                {
                     Some(simulation) => simulation.restore(snapshot)?,
                     None => {
                         let mut simulation = self.simulate(parameters)?;
@@ -413,7 +492,10 @@ impl Instance {
         self.run = saved.run;
         self.outputs = None;
         self.follow_results();
-        self.log.write(Level::Ok, format_args!("restored the state of t = {} s", self.run.time));
+        self.log.write(
+            Level::Ok,
+            format_args!("restored the state of t = {} s", self.run.time),
+        );
         Ok(())
     }
 
@@ -427,7 +509,9 @@ impl Instance {
         let mut simulation = self.simulate(&self.run.parameters)?;
         let gravity = self.run.parameters.gravity;
         // A start that is the scene's own is left alone: the FMU then gives the bytes that the library gives.
-        if gravity != simulation.gravity() || self.run.commands.iter().any(|c| *c != Command::default()) {
+        if gravity != simulation.gravity()
+            || self.run.commands.iter().any(|c| *c != Command::default())
+        {
             simulation.set_gravity(gravity)?;
             command(&mut simulation, &self.run.commands)?;
             simulation.place()?;
@@ -441,19 +525,34 @@ impl Instance {
     fn results_directory(&self) -> Option<PathBuf> {
         let parent = &self.run.parameters.output_directory;
         // The name comes from the importer and must stay one folder.
-        let plain = |c: char| if c.is_alphanumeric() || "-_ ".contains(c) { c } else { '_' };
+        let plain = |c: char| {
+            if c.is_alphanumeric() || "-_ ".contains(c) {
+                c
+            } else {
+                '_'
+            }
+        };
         let folder: String = self.name.chars().map(plain).collect();
         (!parent.is_empty()).then(|| Path::new(parent).join(folder))
     }
 
     fn open_results(&self, overwrite: bool) -> Result<Option<Results>, Refusal> {
-        let (Some(directory), Some(simulation)) = (self.results_directory(), &self.simulation) else {
+        let (Some(directory), Some(simulation)) = (self.results_directory(), &self.simulation)
+        else {
             return Ok(None);
         };
-        self.log.write(Level::Ok, format_args!("results go to `{}`", directory.display()));
+        self.log.write(
+            Level::Ok,
+            format_args!("results go to `{}`", directory.display()),
+        );
         let frame_interval = self.run.parameters.output_interval;
         let defaults = Options::new(directory, simulation.scene());
-        let options = Options { overwrite, frame_interval, hold: true, ..defaults };
+        let options = Options {
+            overwrite,
+            frame_interval,
+            hold: true,
+            ..defaults
+        };
         Ok(Some(Results::create(simulation.scene(), options)?))
     }
 
@@ -466,7 +565,10 @@ impl Instance {
         if status.failures > self.lost_results {
             self.lost_results = status.failures;
             let why = status.first_failure.unwrap_or_default();
-            let text = format_args!("{} result files were not written; the first: {why}", status.failures);
+            let text = format_args!(
+                "{} result files were not written; the first: {why}",
+                status.failures
+            );
             self.log.write(Level::Warning, text);
         }
     }
@@ -484,14 +586,20 @@ impl Instance {
                 self.results = results;
                 self.record();
             }
-            Err(error) => self.log.write(Level::Warning, format_args!("no results are written: {error}")),
+            Err(error) => self.log.write(
+                Level::Warning,
+                format_args!("no results are written: {error}"),
+            ),
         }
     }
 
     fn close_results(&mut self) {
         if let Some(results) = self.results.take() {
             let status = results.finish();
-            self.log.write(Level::Ok, format_args!("{} frames, {} rows written", status.frames, status.rows));
+            self.log.write(
+                Level::Ok,
+                format_args!("{} frames, {} rows written", status.frames, status.rows),
+            );
         }
     }
 }
@@ -521,5 +629,9 @@ fn command(simulation: &mut Simulation, commands: &[Command]) -> Result<(), Step
 }
 
 fn argument(argument: &'static str, found: f64, expected: &'static str) -> Refusal {
-    Refusal::Argument { argument, found: found.to_string(), expected }
+    Refusal::Argument {
+        argument,
+        found: found.to_string(),
+        expected,
+    }
 }

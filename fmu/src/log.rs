@@ -80,7 +80,10 @@ impl Log {
     /// A log that writes to `sink`; `debug` turns the events on.
     #[must_use]
     pub fn new(sink: Option<Sink>, debug: bool) -> Self {
-        Self { sink, enabled: [debug, true, true, true] }
+        Self {
+            sink,
+            enabled: [debug, true, true, true],
+        }
     }
 
     /// Debug logging off: only lines that explain a status. On without names: everything; on with names: exactly
@@ -109,7 +112,9 @@ impl Log {
 
 impl fmt::Debug for Log {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("Log").field("enabled", &self.enabled).finish_non_exhaustive()
+        f.debug_struct("Log")
+            .field("enabled", &self.enabled)
+            .finish_non_exhaustive()
     }
 }
 
@@ -117,7 +122,10 @@ impl fmt::Debug for Log {
 /// are doubled; NUL, which would end a C string, becomes a blank.
 #[must_use]
 pub fn printf(message: &str) -> String {
-    message.replace('%', "%%").replace('#', "##").replace('\0', " ")
+    message
+        .replace('%', "%%")
+        .replace('#', "##")
+        .replace('\0', " ")
 }
 
 #[cfg(test)]
@@ -129,7 +137,10 @@ mod tests {
     fn log(debug: bool) -> (Log, Rc<RefCell<Vec<String>>>) {
         let lines = Rc::new(RefCell::new(Vec::new()));
         let copy = Rc::clone(&lines);
-        let sink: Sink = Box::new(move |_, category, text| copy.borrow_mut().push(format!("{}: {text}", category.name())));
+        let sink: Sink = Box::new(move |_, category, text| {
+            copy.borrow_mut()
+                .push(format!("{}: {text}", category.name()))
+        });
         (Log::new(Some(sink), debug), lines)
     }
 

@@ -42,7 +42,11 @@ impl Model {
         Ok(Self {
             table,
             guid,
-            warnings: loaded.warnings.iter().map(|problem| problem.plain(&loaded.name)).collect(),
+            warnings: loaded
+                .warnings
+                .iter()
+                .map(|problem| problem.plain(&loaded.name))
+                .collect(),
             scene: Arc::new(loaded.scene),
             text: loaded.text,
             files: loaded.attachments,

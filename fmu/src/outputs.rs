@@ -24,7 +24,9 @@ impl Load {
         self.wrench.force += wrench.force;
         self.wrench.torque += wrench.torque;
         self.count += 1;
-        self.max_normal_force = self.max_normal_force.max(contact.force.dot(&contact.normal));
+        self.max_normal_force = self
+            .max_normal_force
+            .max(contact.force.dot(&contact.normal));
     }
 }
 
@@ -96,10 +98,16 @@ impl Outputs {
     #[must_use]
     pub fn get(&self, quantity: Quantity) -> Option<Value> {
         match quantity {
-            Quantity::Boundary { boundary, output, axis } => {
-                self.boundaries.get(boundary).map(|b| b.get(output, axis))
-            }
-            Quantity::Probe { probe, output, axis } => self.probes.get(probe).map(|p| p.get(output, axis)),
+            Quantity::Boundary {
+                boundary,
+                output,
+                axis,
+            } => self.boundaries.get(boundary).map(|b| b.get(output, axis)),
+            Quantity::Probe {
+                probe,
+                output,
+                axis,
+            } => self.probes.get(probe).map(|p| p.get(output, axis)),
             Quantity::Sensor { sensor, output } => self.sensors.get(sensor).map(|reading| {
                 Value::Real(match output {
                     SensorOutput::Mass => reading.mass,
@@ -194,7 +202,13 @@ fn loads(state: &Observation) -> (Vec<Load>, Vec<Load>, u64) {
             if let Some(load) = &mut spheres[index] {
                 // The contact point lies at -R n from A and at +R n from B, the force on B is -F: one torque law.
                 let torque = -scene.particles.radius[index] * contact.normal.cross(&contact.force);
-                load.add(contact, Wrench { force: sign * contact.force, torque });
+                load.add(
+                    contact,
+                    Wrench {
+                        force: sign * contact.force,
+                        torque,
+                    },
+                );
             }
         };
         sphere(contact.key.sphere, 1.0);
@@ -205,12 +219,20 @@ fn loads(state: &Observation) -> (Vec<Load>, Vec<Load>, u64) {
             }
         }
     }
-    let probes = scene.probes.iter().map(|probe| spheres[probe.sphere].unwrap_or_default());
+    let probes = scene
+        .probes
+        .iter()
+        .map(|probe| spheres[probe.sphere].unwrap_or_default());
     (boundaries, probes.collect(), count)
 }
 
 fn boundaries(state: &Observation, loads: Vec<Load>) -> Vec<BoundaryValues> {
-    let bodies = state.scene.boundaries.iter().zip(&state.boundaries).zip(loads);
+    let bodies = state
+        .scene
+        .boundaries
+        .iter()
+        .zip(&state.boundaries)
+        .zip(loads);
     bodies
         .map(|((boundary, body), load)| BoundaryValues {
             load,
@@ -218,7 +240,8 @@ fn boundaries(state: &Observation, loads: Vec<Load>) -> Vec<BoundaryValues> {
             average: body.mean_wrench,
             position: boundary.point_of_action + body.pose.translation,
             orientation: wxyz(&body.pose.rotation),
-            power: body.wrench.force.dot(&body.twist.linear) + body.wrench.torque.dot(&body.twist.angular),
+            power: body.wrench.force.dot(&body.twist.linear)
+                + body.wrench.torque.dot(&body.twist.angular),
         })
         .collect()
 }
@@ -244,7 +267,10 @@ fn sensors(state: &Observation) -> Vec<Reading> {
                 mass: mass_in_box(&state.scene.particles, &state.kinematics.position, min, max),
                 rate: 0.0,
             },
-            Measure::MassFlow { .. } => Reading { mass: passed, rate: flow },
+            Measure::MassFlow { .. } => Reading {
+                mass: passed,
+                rate: flow,
+            },
         })
         .collect()
 }
@@ -253,7 +279,12 @@ fn sensors(state: &Observation) -> Vec<Reading> {
 /// `min(sqrt(tol R / (0.2 g)), 0.15 R / v)` with the smallest radius and the largest speed, at most the scene's.
 fn recommended_step(state: &Observation) -> f64 {
     let scene = state.scene;
-    let radius = scene.particles.radius.iter().copied().fold(f64::INFINITY, f64::min);
+    let radius = scene
+        .particles
+        .radius
+        .iter()
+        .copied()
+        .fold(f64::INFINITY, f64::min);
     let of_spheres = state.velocity.iter().map(|v| v.linear.norm());
     let of_boundaries = state.boundaries.iter().map(|b| b.twist.linear.norm());
     let speed = of_spheres.chain(of_boundaries).fold(0.0, f64::max);

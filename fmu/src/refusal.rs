@@ -65,7 +65,9 @@ pub enum Refusal {
         expected: String,
     },
     /// The variable has no value yet, or none any more.
-    #[error("`{name}` has no value in state {stage}: outputs are known from initialization mode on")]
+    #[error(
+        "`{name}` has no value in state {stage}: outputs are known from initialization mode on"
+    )]
     NoValue {
         /// Name of the variable.
         name: String,
@@ -73,7 +75,9 @@ pub enum Refusal {
         stage: Stage,
     },
     /// The communication point is not where the instance stands.
-    #[error("communication point {found} s, expected {expected} s (the end of the last step) within {tolerance:e} s")]
+    #[error(
+        "communication point {found} s, expected {expected} s (the end of the last step) within {tolerance:e} s"
+    )]
     Point {
         /// Point of the call \[s\].
         found: f64,
@@ -83,7 +87,9 @@ pub enum Refusal {
         tolerance: f64,
     },
     /// The step ends behind the stop time that was set up.
-    #[error("the step ends at {end} s, expected at most the stop time {stop} s of fmi2SetupExperiment")]
+    #[error(
+        "the step ends at {end} s, expected at most the stop time {stop} s of fmi2SetupExperiment"
+    )]
     PastStop {
         /// End of the step \[s\].
         end: f64,
@@ -129,7 +135,9 @@ pub enum InstantiationError {
     #[error("{0}")]
     Model(#[from] ModelError),
     /// The description belongs to another scene or version.
-    #[error("guid {found}, expected {expected}: modelDescription.xml, resources and library are not of one export; export the scene again")]
+    #[error(
+        "guid {found}, expected {expected}: modelDescription.xml, resources and library are not of one export; export the scene again"
+    )]
     Guid {
         /// From the importer.
         found: String,

@@ -85,7 +85,11 @@ impl Saved {
     /// # Errors
     /// [`StateError::Format`].
     pub fn check(&self, boundaries: usize) -> Result<(), StateError> {
-        expect("number of commands", self.run.commands.len() as u64, boundaries as u64)?;
+        expect(
+            "number of commands",
+            self.run.commands.len() as u64,
+            boundaries as u64,
+        )?;
         let running = matches!(self.run.stage, Stage::StepComplete | Stage::StepFailed);
         if running && self.snapshot.is_none() {
             return Err(broken("simulation", "none".to_owned(), "one"));
@@ -98,7 +102,8 @@ impl Saved {
     /// # Errors
     /// [`StateError::Format`] if the serializer fails.
     pub fn encode(&self) -> Result<Vec<u8>, StateError> {
-        let body = postcard::to_stdvec(self).map_err(|e| broken("body", e.to_string(), "serializable"))?;
+        let body =
+            postcard::to_stdvec(self).map_err(|e| broken("body", e.to_string(), "serializable"))?;
         let mut bytes = Vec::with_capacity(HEADER + body.len());
         bytes.extend_from_slice(&MAGIC);
         bytes.extend_from_slice(&FORMAT.to_le_bytes());
@@ -118,16 +123,35 @@ impl Saved {
         let (length, rest) = part::<8>(rest)?;
         let (checksum, body) = part::<4>(rest)?;
         if magic != MAGIC {
-            return Err(broken("magic", format!("{:?}", magic.escape_ascii().to_string()), "SDDAFMU"));
+            return Err(broken(
+                "magic",
+                format!("{:?}", magic.escape_ascii().to_string()),
+                "SDDAFMU",
+            ));
         }
-        expect("format version", u32::from_le_bytes(format).into(), FORMAT.into())?;
-        expect("length of the body", body.len() as u64, u64::from_le_bytes(length))?;
-        expect("checksum", crc32fast::hash(body).into(), u32::from_le_bytes(checksum).into())?;
-        let (saved, rest): (Self, _) =
-            postcard::take_from_bytes(body).map_err(|e| broken("body", e.to_string(), "the fields of a state"))?;
+        expect(
+            "format version",
+            u32::from_le_bytes(format).into(),
+            FORMAT.into(),
+        )?;
+        expect(
+            "length of the body",
+            body.len() as u64,
+            u64::from_le_bytes(length),
+        )?;
+        expect(
+            "checksum",
+            crc32fast::hash(body).into(),
+            u32::from_le_bytes(checksum).into(),
+        )?;
+        let (saved, rest): (Self, _) = postcard::take_from_bytes(body)
+            .map_err(|e| broken("body", e.to_string(), "the fields of a state"))?;
         expect("rest after the body", rest.len() as u64, 0)?;
         if saved.guid != guid {
-            return Err(StateError::Model { found: saved.guid, expected: guid.to_owned() });
+            return Err(StateError::Model {
+                found: saved.guid,
+                expected: guid.to_owned(),
+            });
         }
         Ok(saved)
     }
@@ -141,9 +165,17 @@ fn part<const N: usize>(bytes: &[u8]) -> Result<([u8; N], &[u8]), StateError> {
 }
 
 fn expect(what: &'static str, found: u64, expected: u64) -> Result<(), StateError> {
-    if found == expected { Ok(()) } else { Err(broken(what, found.to_string(), &expected.to_string())) }
+    if found == expected {
+        Ok(())
+    } else {
+        Err(broken(what, found.to_string(), &expected.to_string()))
+    }
 }
 
 fn broken(what: &'static str, found: String, expected: &str) -> StateError {
-    StateError::Format { what, found, expected: expected.to_owned() }
+    StateError::Format {
+        what,
+        found,
+        expected: expected.to_owned(),
+    }
 }

@@ -1,7 +1,7 @@
 //! The variable table: names, references, types, units, start values and what each variable means.
 //!
 //! One table is built from a [`Scene`]. The XML of the model description and the dispatch of every get and set
-//! come from it, so they cannot disagree. The value reference of a variable is its rank in the table, from 0.
+//! come from it, so they cannot disagree. Names of the scene are identifiers, so they need no quotes. The value reference of a variable is its rank in the table, from 0.
 //!
 //! # When a command holds
 //!
@@ -13,7 +13,6 @@ use sphere_dda::Vec3;
 use sphere_dda::motion::{Command, InputKind, Motion};
 use sphere_dda::scene::{Measure, Scene, Tolerance};
 use sphere_dda_model_description::fmi2::{BaseType, Causality, Variability};
-use sphere_dda_model_description::names::is_c_identifier;
 
 /// Length of every vector quantity; orientations have four components.
 const XYZ: usize = 3;
@@ -267,23 +266,29 @@ impl Table {
     #[must_use]
     pub fn new(scene: &Scene) -> Self {
         let mut rows = Rows::default();
-        rows.push(Row::real("time", Some("s"), "Simulated time"), Causality::Independent, Quantity::Time);
+        rows.push(
+            Row::real("time", Some("s"), "Simulated time"),
+            Causality::Independent,
+            Quantity::Time,
+        );
         rows.parameters(scene);
         for (b, boundary) in scene.boundaries.iter().enumerate() {
-            let prefix = format!("boundary.{}", quoted(&boundary.name));
+            let prefix = format!("boundary.{}", boundary.name);
             if let Motion::Input(kind) = boundary.motion {
                 rows.inputs(&prefix, b, kind);
             }
             rows.boundary(&prefix, b);
         }
         for (p, probe) in scene.probes.iter().enumerate() {
-            rows.probe(&format!("probe.{}", quoted(&probe.name)), p);
+            rows.probe(&format!("probe.{}", probe.name), p);
         }
         for (s, sensor) in scene.sensors.iter().enumerate() {
-            rows.sensor(&format!("sensor.{}", quoted(&sensor.name)), s, &sensor.measure);
+            rows.sensor(&format!("sensor.{}", sensor.name), s, &sensor.measure);
         }
         rows.globals();
-        Self { variables: rows.variables }
+        Self {
+            variables: rows.variables,
+        }
     }
 
     /// All variables, by reference.
@@ -389,15 +394,6 @@ pub fn component(command: &mut Command, input: Input, axis: usize) -> &mut f64 {
     }
 }
 
-/// A name as one identifier of a structured name: as it is, or quoted.
-fn quoted(name: &str) -> String {
-    if is_c_identifier(name) {
-        return name.to_owned();
-    }
-    let escaped = name.replace('\\', "\\\\").replace('\'', "\\'");
-    format!("'{escaped}'")
-}
-
 /// A variable about to be added, without causality and meaning.
 struct Row {
     name: String,
@@ -410,7 +406,11 @@ struct Row {
 }
 
 impl Row {
-    fn real(name: impl Into<String>, unit: Option<&'static str>, description: impl Into<String>) -> Self {
+    fn real(
+        name: impl Into<String>,
+        unit: Option<&'static str>,
+        description: impl Into<String>,
+    ) -> Self {
         Self {
             name: name.into(),
             base: BaseType::Real,
@@ -453,7 +453,9 @@ struct Rows {
 impl Rows {
     fn push(&mut self, row: Row, causality: Causality, quantity: Quantity) {
         let variability = match (causality, row.base) {
-            (Causality::Parameter, _) if matches!(quantity, Quantity::Parameter(Parameter::Gravity(_))) => {
+            (Causality::Parameter, _)
+                if matches!(quantity, Quantity::Parameter(Parameter::Gravity(_))) =>
+            {
                 Variability::Tunable
             }
             (Causality::Parameter, _) => Variability::Fixed,
@@ -484,9 +486,17 @@ impl Rows {
         causality: Causality,
         quantity: impl Fn(usize) -> Quantity,
     ) {
-        let letters = if size == XYZ { ["x", "y", "z", ""] } else { ["w", "x", "y", "z"] };
+        let letters = if size == XYZ {
+            ["x", "y", "z", ""]
+        } else {
+            ["w", "x", "y", "z"]
+        };
         for (axis, letter) in letters.iter().enumerate().take(size) {
-            let mut row = Row::real(format!("{name}[{}]", axis + 1), unit, format!("{description}; {letter}"));
+            let mut row = Row::real(
+                format!("{name}[{}]", axis + 1),
+                unit,
+                format!("{description}; {letter}"),
+            );
             if causality == Causality::Input {
                 row = row.start(Value::Real(0.0));
             }
@@ -503,111 +513,299 @@ impl Rows {
         for (axis, letter) in ["x", "y", "z"].iter().enumerate() {
             let name = format!("gravity[{}]", axis + 1);
             let text = format!("Gravity; {letter}; may change between steps");
-            add(Row::real(name, Some("m/s2"), text), Parameter::Gravity(axis));
+            add(
+                Row::real(name, Some("m/s2"), text),
+                Parameter::Gravity(axis),
+            );
         }
         let text = "Folder for result files, written to <directory>/<instance name>/; empty: none";
-        add(Row::real("output.directory", None, text), Parameter::OutputDirectory);
+        add(
+            Row::real("output.directory", None, text),
+            Parameter::OutputDirectory,
+        );
         let text = "Replace the files of an earlier run instead of refusing";
-        add(Row::real("output.overwrite", None, text), Parameter::OutputOverwrite);
+        add(
+            Row::real("output.overwrite", None, text),
+            Parameter::OutputOverwrite,
+        );
         let text = "Time between VTU frames; 0: none";
-        add(Row::real("output.interval", Some("s"), text).min(0.0), Parameter::OutputInterval);
+        add(
+            Row::real("output.interval", Some("s"), text).min(0.0),
+            Parameter::OutputInterval,
+        );
         let tolerances = [
-            ("gap", "Largest true overlap over radius", Parameter::ToleranceGap),
-            ("slip", "Largest slip of a sticking contact over radius", Parameter::ToleranceSlip),
-            ("force", "Largest force residual over the contact's force scale", Parameter::ToleranceForce),
+            (
+                "gap",
+                "Largest true overlap over radius",
+                Parameter::ToleranceGap,
+            ),
+            (
+                "slip",
+                "Largest slip of a sticking contact over radius",
+                Parameter::ToleranceSlip,
+            ),
+            (
+                "force",
+                "Largest force residual over the contact's force scale",
+                Parameter::ToleranceForce,
+            ),
         ];
         for (name, text, parameter) in tolerances {
             let row = Row::real(format!("solver.tolerance.{name}"), None, text);
             add(row.min(1e-12).max(1e-1), parameter);
         }
         let text = "Largest internal time step; a communication step takes equal ones";
-        add(Row::real("solver.step", Some("s"), text).min(f64::MIN_POSITIVE), Parameter::Step);
+        add(
+            Row::real("solver.step", Some("s"), text).min(f64::MIN_POSITIVE),
+            Parameter::Step,
+        );
     }
 
     fn inputs(&mut self, prefix: &str, boundary: usize, kind: InputKind) {
         const HELD: &str = "held over the communication step";
-        const REACHED: &str = "from the scene; reached linearly at the end of the communication step";
-        const ADVANCED: &str = "from the scene; pose + twist x h is reached at the end of the communication step";
-        let pose = if kind == InputKind::Motion { ADVANCED } else { REACHED };
+        const REACHED: &str =
+            "from the scene; reached linearly at the end of the communication step";
+        const ADVANCED: &str =
+            "from the scene; pose + twist x h is reached at the end of the communication step";
+        let pose = if kind == InputKind::Motion {
+            ADVANCED
+        } else {
+            REACHED
+        };
         if matches!(kind, InputKind::Pose | InputKind::Motion) {
             let vectors = [
                 ("translation", "m", "Total translation", Input::Translation),
-                ("rotation", "rad", "Total rotation vector about the point of action", Input::Rotation),
+                (
+                    "rotation",
+                    "rad",
+                    "Total rotation vector about the point of action",
+                    Input::Rotation,
+                ),
             ];
             for (name, unit, what, input) in vectors {
                 let name = (format!("{prefix}.{name}"), XYZ);
-                self.vector(name, Some(unit), &format!("{what}, {pose}"), Causality::Input, |axis| {
-                    Quantity::Input { boundary, input, axis }
-                });
+                self.vector(
+                    name,
+                    Some(unit),
+                    &format!("{what}, {pose}"),
+                    Causality::Input,
+                    |axis| Quantity::Input {
+                        boundary,
+                        input,
+                        axis,
+                    },
+                );
             }
         }
         if matches!(kind, InputKind::Twist | InputKind::Motion) {
             let vectors = [
-                ("velocity", "m/s", "Velocity of the point of action", Input::Velocity),
-                ("angularVelocity", "rad/s", "Angular velocity", Input::AngularVelocity),
+                (
+                    "velocity",
+                    "m/s",
+                    "Velocity of the point of action",
+                    Input::Velocity,
+                ),
+                (
+                    "angularVelocity",
+                    "rad/s",
+                    "Angular velocity",
+                    Input::AngularVelocity,
+                ),
             ];
             for (name, unit, what, input) in vectors {
                 let name = (format!("{prefix}.{name}"), XYZ);
-                self.vector(name, Some(unit), &format!("{what}, {HELD}"), Causality::Input, |axis| {
-                    Quantity::Input { boundary, input, axis }
-                });
+                self.vector(
+                    name,
+                    Some(unit),
+                    &format!("{what}, {HELD}"),
+                    Causality::Input,
+                    |axis| Quantity::Input {
+                        boundary,
+                        input,
+                        axis,
+                    },
+                );
             }
         }
         let (name, unit, text) = match kind {
-            InputKind::Slide { .. } => ("displacement", "m", format!("Displacement along the slide, {REACHED}")),
-            InputKind::SlideSpeed { .. } => ("speed", "m/s", format!("Speed along the slide, {HELD}")),
-            InputKind::Hinge { .. } => ("angle", "rad", format!("Angle about the hinge, {REACHED}")),
-            InputKind::HingeSpeed { .. } => ("angularSpeed", "rad/s", format!("Angular speed about the hinge, {HELD}")),
+            InputKind::Slide { .. } => (
+                "displacement",
+                "m",
+                format!("Displacement along the slide, {REACHED}"),
+            ),
+            InputKind::SlideSpeed { .. } => {
+                ("speed", "m/s", format!("Speed along the slide, {HELD}"))
+            }
+            InputKind::Hinge { .. } => {
+                ("angle", "rad", format!("Angle about the hinge, {REACHED}"))
+            }
+            InputKind::HingeSpeed { .. } => (
+                "angularSpeed",
+                "rad/s",
+                format!("Angular speed about the hinge, {HELD}"),
+            ),
             InputKind::Pose | InputKind::Motion | InputKind::Twist => return,
         };
         let row = Row::real(format!("{prefix}.{name}"), Some(unit), text).start(Value::Real(0.0));
-        let quantity = Quantity::Input { boundary, input: Input::Scalar, axis: 0 };
+        let quantity = Quantity::Input {
+            boundary,
+            input: Input::Scalar,
+            axis: 0,
+        };
         self.push(row, Causality::Input, quantity);
     }
 
     fn boundary(&mut self, prefix: &str, boundary: usize) {
         use BoundaryOutput as B;
         let vectors = [
-            ("force", XYZ, Some("N"), "Force of the spheres on the boundary, last internal step", B::Force),
-            ("torque", XYZ, Some("N.m"), "Its torque about the point of action", B::Torque),
-            ("averageForce", XYZ, Some("N"), "Force averaged over the communication step, impulse / h", B::AverageForce),
-            ("averageTorque", XYZ, Some("N.m"), "Torque averaged over the communication step", B::AverageTorque),
+            (
+                "force",
+                XYZ,
+                Some("N"),
+                "Force of the spheres on the boundary, last internal step",
+                B::Force,
+            ),
+            (
+                "torque",
+                XYZ,
+                Some("N.m"),
+                "Its torque about the point of action",
+                B::Torque,
+            ),
+            (
+                "averageForce",
+                XYZ,
+                Some("N"),
+                "Force averaged over the communication step, impulse / h",
+                B::AverageForce,
+            ),
+            (
+                "averageTorque",
+                XYZ,
+                Some("N.m"),
+                "Torque averaged over the communication step",
+                B::AverageTorque,
+            ),
             ("position", XYZ, Some("m"), "Point of action", B::Position),
-            ("orientation", 4, None, "Orientation from the scene's, unit quaternion", B::Orientation),
+            (
+                "orientation",
+                4,
+                None,
+                "Orientation from the scene's, unit quaternion",
+                B::Orientation,
+            ),
         ];
         for (name, size, unit, text, output) in vectors {
-            self.vector((format!("{prefix}.{name}"), size), unit, text, Causality::Output, |axis| {
-                Quantity::Boundary { boundary, output, axis }
-            });
+            self.vector(
+                (format!("{prefix}.{name}"), size),
+                unit,
+                text,
+                Causality::Output,
+                |axis| Quantity::Boundary {
+                    boundary,
+                    output,
+                    axis,
+                },
+            );
         }
-        let of = |output| Quantity::Boundary { boundary, output, axis: 0 };
-        let row = Row::count(format!("{prefix}.contactCount"), "Number of loaded contacts");
+        let of = |output| Quantity::Boundary {
+            boundary,
+            output,
+            axis: 0,
+        };
+        let row = Row::count(
+            format!("{prefix}.contactCount"),
+            "Number of loaded contacts",
+        );
         self.push(row, Causality::Output, of(B::ContactCount));
-        let row = Row::real(format!("{prefix}.maxNormalForce"), Some("N"), "Largest normal force of one contact");
+        let row = Row::real(
+            format!("{prefix}.maxNormalForce"),
+            Some("N"),
+            "Largest normal force of one contact",
+        );
         self.push(row, Causality::Output, of(B::MaxNormalForce));
-        let row = Row::real(format!("{prefix}.power"), Some("W"), "Power of the spheres on the boundary");
+        let row = Row::real(
+            format!("{prefix}.power"),
+            Some("W"),
+            "Power of the spheres on the boundary",
+        );
         self.push(row, Causality::Output, of(B::Power));
     }
 
     fn probe(&mut self, prefix: &str, probe: usize) {
         use ProbeOutput as P;
         let vectors = [
-            ("position", XYZ, Some("m"), "Centre of the sphere", P::Position),
-            ("orientation", 4, None, "Orientation, unit quaternion", P::Orientation),
-            ("velocity", XYZ, Some("m/s"), "Velocity of the centre", P::Velocity),
-            ("angularVelocity", XYZ, Some("rad/s"), "Angular velocity, world axes", P::AngularVelocity),
-            ("contactForce", XYZ, Some("N"), "Sum of the contact forces on the sphere", P::ContactForce),
-            ("contactTorque", XYZ, Some("N.m"), "Torque of the contact forces about the centre", P::ContactTorque),
+            (
+                "position",
+                XYZ,
+                Some("m"),
+                "Centre of the sphere",
+                P::Position,
+            ),
+            (
+                "orientation",
+                4,
+                None,
+                "Orientation, unit quaternion",
+                P::Orientation,
+            ),
+            (
+                "velocity",
+                XYZ,
+                Some("m/s"),
+                "Velocity of the centre",
+                P::Velocity,
+            ),
+            (
+                "angularVelocity",
+                XYZ,
+                Some("rad/s"),
+                "Angular velocity, world axes",
+                P::AngularVelocity,
+            ),
+            (
+                "contactForce",
+                XYZ,
+                Some("N"),
+                "Sum of the contact forces on the sphere",
+                P::ContactForce,
+            ),
+            (
+                "contactTorque",
+                XYZ,
+                Some("N.m"),
+                "Torque of the contact forces about the centre",
+                P::ContactTorque,
+            ),
         ];
         for (name, size, unit, text, output) in vectors {
-            self.vector((format!("{prefix}.{name}"), size), unit, text, Causality::Output, |axis| {
-                Quantity::Probe { probe, output, axis }
-            });
+            self.vector(
+                (format!("{prefix}.{name}"), size),
+                unit,
+                text,
+                Causality::Output,
+                |axis| Quantity::Probe {
+                    probe,
+                    output,
+                    axis,
+                },
+            );
         }
-        let of = |output| Quantity::Probe { probe, output, axis: 0 };
-        let row = Row::count(format!("{prefix}.contactCount"), "Number of loaded contacts");
+        let of = |output| Quantity::Probe {
+            probe,
+            output,
+            axis: 0,
+        };
+        let row = Row::count(
+            format!("{prefix}.contactCount"),
+            "Number of loaded contacts",
+        );
         self.push(row, Causality::Output, of(P::ContactCount));
-        let row = Row::real(format!("{prefix}.maxNormalForce"), Some("N"), "Largest normal force of one contact");
+        let row = Row::real(
+            format!("{prefix}.maxNormalForce"),
+            Some("N"),
+            "Largest normal force of one contact",
+        );
         self.push(row, Causality::Output, of(P::MaxNormalForce));
     }
 
@@ -616,7 +814,10 @@ impl Rows {
         let mass = |name: String, text: &str| Row::real(name, Some("kg"), text);
         match measure {
             Measure::MassInBox { .. } => {
-                let row = mass(prefix.to_owned(), "Mass of the spheres whose centre is in the box");
+                let row = mass(
+                    prefix.to_owned(),
+                    "Mass of the spheres whose centre is in the box",
+                );
                 self.push(row, Causality::Output, of(SensorOutput::Mass));
             }
             Measure::MassFlow { .. } => {
@@ -634,33 +835,120 @@ impl Rows {
         use GlobalOutput as G;
         let of = |output| move |axis| Quantity::Global { output, axis };
         let text = "Momentum of the spheres, half-step velocities: averaged wrench x time + weight = its change";
-        self.vector(("momentum".into(), XYZ), Some("kg.m/s"), text, Causality::Output, of(G::Momentum));
+        self.vector(
+            ("momentum".into(), XYZ),
+            Some("kg.m/s"),
+            text,
+            Causality::Output,
+            of(G::Momentum),
+        );
         let text = "Angular momentum about the origin, half-step velocities";
-        self.vector(("angularMomentum".into(), XYZ), Some("kg.m2/s"), text, Causality::Output, of(G::AngularMomentum));
+        self.vector(
+            ("angularMomentum".into(), XYZ),
+            Some("kg.m2/s"),
+            text,
+            Causality::Output,
+            of(G::AngularMomentum),
+        );
         let reals = [
             ("mass", Some("kg"), "Mass of all spheres", G::Mass),
-            ("kineticEnergy", Some("J"), "Kinetic energy", G::KineticEnergy),
-            ("potentialEnergy", Some("J"), "Potential energy of gravity and springs", G::PotentialEnergy),
-            ("dissipatedEnergy", Some("J"), "Energy lost in contacts since the start", G::DissipatedEnergy),
-            ("boundaryWork", Some("J"), "Work of moving boundaries on the spheres since the start", G::BoundaryWork),
-            ("loadWork", Some("J"), "Work of point loads since the start", G::LoadWork),
-            ("springWork", Some("J"), "Work of constrained springs since the start", G::SpringWork),
-            ("maxOverlap", None, "Largest true overlap over radius in the communication step", G::MaxOverlap),
-            ("solver.gapResidual", None, "Largest gap residual in the communication step", G::GapResidual),
-            ("solver.slipResidual", None, "Largest slip residual in the communication step", G::SlipResidual),
-            ("solver.forceResidual", None, "Largest force residual in the communication step", G::ForceResidual),
-            ("recommendedStep", Some("s"), "Internal step advised at the present speeds", G::RecommendedStep),
+            (
+                "kineticEnergy",
+                Some("J"),
+                "Kinetic energy",
+                G::KineticEnergy,
+            ),
+            (
+                "potentialEnergy",
+                Some("J"),
+                "Potential energy of gravity and springs",
+                G::PotentialEnergy,
+            ),
+            (
+                "dissipatedEnergy",
+                Some("J"),
+                "Energy lost in contacts since the start",
+                G::DissipatedEnergy,
+            ),
+            (
+                "boundaryWork",
+                Some("J"),
+                "Work of moving boundaries on the spheres since the start",
+                G::BoundaryWork,
+            ),
+            (
+                "loadWork",
+                Some("J"),
+                "Work of point loads since the start",
+                G::LoadWork,
+            ),
+            (
+                "springWork",
+                Some("J"),
+                "Work of constrained springs since the start",
+                G::SpringWork,
+            ),
+            (
+                "maxOverlap",
+                None,
+                "Largest true overlap over radius in the communication step",
+                G::MaxOverlap,
+            ),
+            (
+                "solver.gapResidual",
+                None,
+                "Largest gap residual in the communication step",
+                G::GapResidual,
+            ),
+            (
+                "solver.slipResidual",
+                None,
+                "Largest slip residual in the communication step",
+                G::SlipResidual,
+            ),
+            (
+                "solver.forceResidual",
+                None,
+                "Largest force residual in the communication step",
+                G::ForceResidual,
+            ),
+            (
+                "recommendedStep",
+                Some("s"),
+                "Internal step advised at the present speeds",
+                G::RecommendedStep,
+            ),
         ];
         for (name, unit, text, output) in reals {
-            self.push(Row::real(name, unit, text), Causality::Output, of(output)(0));
+            self.push(
+                Row::real(name, unit, text),
+                Causality::Output,
+                of(output)(0),
+            );
         }
         let counts = [
             ("contactCount", "Number of loaded contacts", G::ContactCount),
-            ("solver.internalSteps", "Internal steps of the communication step", G::InternalSteps),
+            (
+                "solver.internalSteps",
+                "Internal steps of the communication step",
+                G::InternalSteps,
+            ),
             ("solver.cuts", "How many of them came from halving", G::Cuts),
-            ("solver.sweeps", "Gauss-Seidel sweeps of the communication step", G::Sweeps),
-            ("solver.augmentations", "Augmented-Lagrangian iterations of the communication step", G::Augmentations),
-            ("solver.factorizations", "Factorizations of the communication step", G::Factorizations),
+            (
+                "solver.sweeps",
+                "Gauss-Seidel sweeps of the communication step",
+                G::Sweeps,
+            ),
+            (
+                "solver.augmentations",
+                "Augmented-Lagrangian iterations of the communication step",
+                G::Augmentations,
+            ),
+            (
+                "solver.factorizations",
+                "Factorizations of the communication step",
+                G::Factorizations,
+            ),
         ];
         for (name, text, output) in counts {
             self.push(Row::count(name, text), Causality::Output, of(output)(0));

@@ -8,7 +8,9 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use sphere_dda_model_description::fmi2::BaseType;
 
 use super::abi2::*;
-use super::guard::{ANY, Component, Stages, array, array_mut, c_string, call, sink, str_from, text, value_mut};
+use super::guard::{
+    ANY, Component, Stages, array, array_mut, c_string, call, sink, str_from, text, value_mut,
+};
 use crate::instance::{Instance, Stage, Step};
 use crate::log::{Level, Log};
 use crate::refusal::{InstantiationError, Refusal};
@@ -20,10 +22,25 @@ use fmi2Status::{fmi2Discard, fmi2OK, fmi2Warning};
 const INSTANTIATED: Stages = &[Stage::Instantiated];
 const INITIALIZATION: Stages = &[Stage::Initialization];
 const STEPPING: Stages = &[Stage::StepComplete, Stage::StepFailed];
-const SETTABLE: Stages = &[Stage::Instantiated, Stage::Initialization, Stage::StepComplete, Stage::StepFailed];
-const STEPPED: Stages = &[Stage::StepComplete, Stage::StepFailed, Stage::Error, Stage::Terminated];
-const SAVEABLE: Stages =
-    &[Stage::Instantiated, Stage::Initialization, Stage::StepComplete, Stage::StepFailed, Stage::Terminated];
+const SETTABLE: Stages = &[
+    Stage::Instantiated,
+    Stage::Initialization,
+    Stage::StepComplete,
+    Stage::StepFailed,
+];
+const STEPPED: Stages = &[
+    Stage::StepComplete,
+    Stage::StepFailed,
+    Stage::Error,
+    Stage::Terminated,
+];
+const SAVEABLE: Stages = &[
+    Stage::Instantiated,
+    Stage::Initialization,
+    Stage::StepComplete,
+    Stage::StepFailed,
+    Stage::Terminated,
+];
 
 /// Platform of the types: "default".
 #[unsafe(no_mangle)]
@@ -47,13 +64,21 @@ extern "C" fn fmi2SetDebugLogging(
 ) -> fmi2Status {
     call(c, "fmi2SetDebugLogging", ANY, |component| {
         let names = array(categories, nCategories, "categories")?.iter();
-        let names: Vec<&str> = names.map(|&name| str_from(name, "categories")).collect::<Result<_, _>>()?;
+        let names: Vec<&str> = names
+            .map(|&name| str_from(name, "categories"))
+            .collect::<Result<_, _>>()?;
         let log = component.instance.log();
         let unknown = log.select(loggingOn != FMI2_FALSE, &names);
         if unknown.is_empty() {
             return Ok(fmi2OK);
         }
-        log.write(Level::Warning, format_args!("fmi2SetDebugLogging: unknown categories {}", unknown.join(", ")));
+        log.write(
+            Level::Warning,
+            format_args!(
+                "fmi2SetDebugLogging: unknown categories {}",
+                unknown.join(", ")
+            ),
+        );
         Ok(fmi2Warning)
     })
 }
@@ -71,10 +96,21 @@ extern "C" fn fmi2Instantiate(
 ) -> fmi2Component {
     let name = str_from(instanceName, "instanceName").unwrap_or_default();
     let callbacks = array(functions, 1, "functions").ok().map(|f| f[0]);
-    let log = || Log::new(callbacks.and_then(|f| sink(f, name)), loggingOn != FMI2_FALSE);
+    let log = || {
+        Log::new(
+            callbacks.and_then(|f| sink(f, name)),
+            loggingOn != FMI2_FALSE,
+        )
+    };
     let body = || instantiate(name, fmuType, fmuGUID, fmuResourceLocation, log());
     let refused = match catch_unwind(AssertUnwindSafe(body)) {
-        Ok(Ok(instance)) => return Box::into_raw(Box::new(Component { instance, strings: Vec::new() })).cast(),
+        Ok(Ok(instance)) => {
+            return Box::into_raw(Box::new(Component {
+                instance,
+                strings: Vec::new(),
+            }))
+            .cast();
+        }
         Ok(Err(error)) => error.to_string(),
         Err(panic) => format!("internal error: {}", text(&*panic)),
     };
@@ -93,7 +129,12 @@ fn instantiate(
         return Err(InstantiationError::Interface { found: kind });
     }
     let resources = resource::directory(str_from(location, "fmuResourceLocation").ok())?;
-    Instance::new(name, str_from(guid, "fmuGUID").unwrap_or("(null)"), &resources, log)
+    Instance::new(
+        name,
+        str_from(guid, "fmuGUID").unwrap_or("(null)"),
+        &resources,
+        log,
+    )
 }
 
 /// Frees an instance, in any state; null is ignored.
@@ -128,19 +169,29 @@ extern "C" fn fmi2SetupExperiment(
 /// Enters initialization mode.
 #[unsafe(no_mangle)]
 extern "C" fn fmi2EnterInitializationMode(c: fmi2Component) -> fmi2Status {
-    call(c, "fmi2EnterInitializationMode", INSTANTIATED, |component| {
-        component.instance.enter_initialization();
-        Ok(fmi2OK)
-    })
+    call(
+        c,
+        "fmi2EnterInitializationMode",
+        INSTANTIATED,
+        |component| {
+            component.instance.enter_initialization();
+            Ok(fmi2OK)
+        },
+    )
 }
 
 /// Leaves initialization mode: the configuration is read here.
 #[unsafe(no_mangle)]
 extern "C" fn fmi2ExitInitializationMode(c: fmi2Component) -> fmi2Status {
-    call(c, "fmi2ExitInitializationMode", INITIALIZATION, |component| {
-        component.instance.exit_initialization()?;
-        Ok(fmi2OK)
-    })
+    call(
+        c,
+        "fmi2ExitInitializationMode",
+        INITIALIZATION,
+        |component| {
+            component.instance.exit_initialization()?;
+            Ok(fmi2OK)
+        },
+    )
 }
 
 /// Ends the run.
@@ -171,7 +222,10 @@ fn get<T>(
     call(c, function, ANY, |component| {
         let values = component.instance.get(base, array(vr, nvr, "vr")?)?;
         let places = array_mut(value, nvr, "value")?;
-        for (place, value) in places.iter_mut().zip(values.into_iter().filter_map(convert)) {
+        for (place, value) in places
+            .iter_mut()
+            .zip(values.into_iter().filter_map(convert))
+        {
             *place = value;
         }
         Ok(fmi2OK)
@@ -186,10 +240,15 @@ extern "C" fn fmi2GetReal(
     nvr: usize,
     value: *mut fmi2Real,
 ) -> fmi2Status {
-    get((c, "fmi2GetReal"), (vr, nvr), (value, BaseType::Real), |value| match value {
-        Value::Real(value) => Some(value),
-        _ => None,
-    })
+    get(
+        (c, "fmi2GetReal"),
+        (vr, nvr),
+        (value, BaseType::Real),
+        |value| match value {
+            Value::Real(value) => Some(value),
+            _ => None,
+        },
+    )
 }
 
 /// Reads integers.
@@ -200,10 +259,15 @@ extern "C" fn fmi2GetInteger(
     nvr: usize,
     value: *mut fmi2Integer,
 ) -> fmi2Status {
-    get((c, "fmi2GetInteger"), (vr, nvr), (value, BaseType::Integer), |value| match value {
-        Value::Integer(value) => Some(value),
-        _ => None,
-    })
+    get(
+        (c, "fmi2GetInteger"),
+        (vr, nvr),
+        (value, BaseType::Integer),
+        |value| match value {
+            Value::Integer(value) => Some(value),
+            _ => None,
+        },
+    )
 }
 
 /// Reads truth values.
@@ -214,10 +278,15 @@ extern "C" fn fmi2GetBoolean(
     nvr: usize,
     value: *mut fmi2Boolean,
 ) -> fmi2Status {
-    get((c, "fmi2GetBoolean"), (vr, nvr), (value, BaseType::Boolean), |value| match value {
-        Value::Boolean(value) => Some(fmi2Boolean::from(value)),
-        _ => None,
-    })
+    get(
+        (c, "fmi2GetBoolean"),
+        (vr, nvr),
+        (value, BaseType::Boolean),
+        |value| match value {
+            Value::Boolean(value) => Some(fmi2Boolean::from(value)),
+            _ => None,
+        },
+    )
 }
 
 /// Reads texts; they live until the next `fmi2GetString` of the instance.
@@ -229,9 +298,17 @@ extern "C" fn fmi2GetString(
     value: *mut fmi2String,
 ) -> fmi2Status {
     call(c, "fmi2GetString", ANY, |component| {
-        let values = component.instance.get(BaseType::String, array(vr, nvr, "vr")?)?;
+        let values = component
+            .instance
+            .get(BaseType::String, array(vr, nvr, "vr")?)?;
         let places = array_mut(value, nvr, "value")?;
-        let text = |value| if let Value::String(text) = value { c_string(&text) } else { c_string("") };
+        let text = |value| {
+            if let Value::String(text) = value {
+                c_string(&text)
+            } else {
+                c_string("")
+            }
+        };
         component.strings = values.into_iter().map(text).collect();
         for (place, text) in places.iter_mut().zip(&component.strings) {
             *place = text.as_ptr();
@@ -248,9 +325,12 @@ fn set<T: Copy>(
     convert: impl Fn(T) -> Result<Value, Refusal>,
 ) -> fmi2Status {
     call(c, function, SETTABLE, |component| {
-        let pairs = array(vr, nvr, "vr")?.iter().zip(array(value, nvr, "value")?);
-        let values: Vec<(u32, Value)> =
-            pairs.map(|(&vr, &value)| Ok((vr, convert(value)?))).collect::<Result<_, Refusal>>()?;
+        let pairs = array(vr, nvr, "vr")?
+            .iter()
+            .zip(array(value, nvr, "value")?);
+        let values: Vec<(u32, Value)> = pairs
+            .map(|(&vr, &value)| Ok((vr, convert(value)?)))
+            .collect::<Result<_, Refusal>>()?;
         component.instance.set(values)?;
         Ok(fmi2OK)
     })
@@ -264,7 +344,9 @@ extern "C" fn fmi2SetReal(
     nvr: usize,
     value: *const fmi2Real,
 ) -> fmi2Status {
-    set((c, "fmi2SetReal"), (vr, nvr), value, |value| Ok(Value::Real(value)))
+    set((c, "fmi2SetReal"), (vr, nvr), value, |value| {
+        Ok(Value::Real(value))
+    })
 }
 
 /// Sets integers.
@@ -275,7 +357,9 @@ extern "C" fn fmi2SetInteger(
     nvr: usize,
     value: *const fmi2Integer,
 ) -> fmi2Status {
-    set((c, "fmi2SetInteger"), (vr, nvr), value, |value| Ok(Value::Integer(value)))
+    set((c, "fmi2SetInteger"), (vr, nvr), value, |value| {
+        Ok(Value::Integer(value))
+    })
 }
 
 /// Sets truth values.
@@ -286,7 +370,9 @@ extern "C" fn fmi2SetBoolean(
     nvr: usize,
     value: *const fmi2Boolean,
 ) -> fmi2Status {
-    set((c, "fmi2SetBoolean"), (vr, nvr), value, |value| Ok(Value::Boolean(value != FMI2_FALSE)))
+    set((c, "fmi2SetBoolean"), (vr, nvr), value, |value| {
+        Ok(Value::Boolean(value != FMI2_FALSE))
+    })
 }
 
 /// Sets texts.
@@ -297,7 +383,9 @@ extern "C" fn fmi2SetString(
     nvr: usize,
     value: *const fmi2String,
 ) -> fmi2Status {
-    set((c, "fmi2SetString"), (vr, nvr), value, |value| Ok(Value::String(str_from(value, "value")?.to_owned())))
+    set((c, "fmi2SetString"), (vr, nvr), value, |value| {
+        Ok(Value::String(str_from(value, "value")?.to_owned()))
+    })
 }
 
 /// The saved state behind a pointer.
@@ -344,7 +432,11 @@ extern "C" fn fmi2FreeFMUstate(c: fmi2Component, state: *mut fmi2FMUstate) -> fm
 
 /// Number of bytes of a serialized state.
 #[unsafe(no_mangle)]
-extern "C" fn fmi2SerializedFMUstateSize(c: fmi2Component, state: fmi2FMUstate, size: *mut usize) -> fmi2Status {
+extern "C" fn fmi2SerializedFMUstateSize(
+    c: fmi2Component,
+    state: fmi2FMUstate,
+    size: *mut usize,
+) -> fmi2Status {
     call(c, "fmi2SerializedFMUstateSize", ANY, |_| {
         *value_mut(size, "size")? = saved(state)?.len();
         Ok(fmi2OK)
@@ -363,7 +455,11 @@ extern "C" fn fmi2SerializeFMUstate(
         let bytes = saved(state)?;
         if size != bytes.len() {
             let expected = "the size of fmi2SerializedFMUstateSize";
-            return Err(Refusal::Argument { argument: "size", found: size.to_string(), expected });
+            return Err(Refusal::Argument {
+                argument: "size",
+                found: size.to_string(),
+                expected,
+            });
         }
         array_mut(serialized.cast::<u8>(), size, "serializedState")?.copy_from_slice(bytes);
         Ok(fmi2OK)
@@ -387,8 +483,15 @@ extern "C" fn fmi2DeSerializeFMUstate(
     })
 }
 
-fn not_offered(c: fmi2Component, function: &str, capability: &'static str, value: &'static str) -> fmi2Status {
-    call(c, function, ANY, |_| Err(Refusal::NotOffered { capability, value }))
+fn not_offered(
+    c: fmi2Component,
+    function: &str,
+    capability: &'static str,
+    value: &'static str,
+) -> fmi2Status {
+    call(c, function, ANY, |_| {
+        Err(Refusal::NotOffered { capability, value })
+    })
 }
 
 /// Not offered.
@@ -402,7 +505,12 @@ extern "C" fn fmi2GetDirectionalDerivative(
     _dvKnown: *const fmi2Real,
     _dvUnknown: *mut fmi2Real,
 ) -> fmi2Status {
-    not_offered(c, "fmi2GetDirectionalDerivative", "providesDirectionalDerivative", "false")
+    not_offered(
+        c,
+        "fmi2GetDirectionalDerivative",
+        "providesDirectionalDerivative",
+        "false",
+    )
 }
 
 /// Not offered.
@@ -414,7 +522,12 @@ extern "C" fn fmi2SetRealInputDerivatives(
     _order: *const fmi2Integer,
     _value: *const fmi2Real,
 ) -> fmi2Status {
-    not_offered(c, "fmi2SetRealInputDerivatives", "canInterpolateInputs", "false")
+    not_offered(
+        c,
+        "fmi2SetRealInputDerivatives",
+        "canInterpolateInputs",
+        "false",
+    )
 }
 
 /// Not offered.
@@ -426,7 +539,12 @@ extern "C" fn fmi2GetRealOutputDerivatives(
     _order: *const fmi2Integer,
     _value: *mut fmi2Real,
 ) -> fmi2Status {
-    not_offered(c, "fmi2GetRealOutputDerivatives", "maxOutputDerivativeOrder", "0")
+    not_offered(
+        c,
+        "fmi2GetRealOutputDerivatives",
+        "maxOutputDerivativeOrder",
+        "0",
+    )
 }
 
 /// Takes a step; a discarded one leaves the instance at its beginning.
@@ -443,7 +561,9 @@ extern "C" fn fmi2DoStep(
         match instance.do_step(currentCommunicationPoint, communicationStepSize, final_past)? {
             Step::Complete => Ok(fmi2OK),
             Step::Discarded(why) => {
-                instance.log().write(Level::Discard, format_args!("fmi2DoStep: {why}"));
+                instance
+                    .log()
+                    .write(Level::Discard, format_args!("fmi2DoStep: {why}"));
                 Ok(fmi2Discard)
             }
         }
@@ -466,7 +586,9 @@ fn status<T>(
     call(c, function, STEPPED, |component| {
         let place = value_mut(value, "value")?;
         let Some(answer) = ask(&component.instance) else {
-            let text = format!("{function}: status kind {kind} is not provided: steps are not asynchronous");
+            let text = format!(
+                "{function}: status kind {kind} is not provided: steps are not asynchronous"
+            );
             component.instance.log().write(Level::Discard, text);
             return Ok(fmi2Discard);
         };
@@ -484,25 +606,47 @@ extern "C" fn fmi2GetStatus(c: fmi2Component, s: c_int, value: *mut c_int) -> fm
 /// `fmi2LastSuccessfulTime`: where the instance stands.
 #[unsafe(no_mangle)]
 extern "C" fn fmi2GetRealStatus(c: fmi2Component, s: c_int, value: *mut fmi2Real) -> fmi2Status {
-    status((c, "fmi2GetRealStatus"), s, value, |i| (s == FMI2_LAST_SUCCESSFUL_TIME).then(|| i.time()))
+    status((c, "fmi2GetRealStatus"), s, value, |i| {
+        (s == FMI2_LAST_SUCCESSFUL_TIME).then(|| i.time())
+    })
 }
 
 /// No such status.
 #[unsafe(no_mangle)]
-extern "C" fn fmi2GetIntegerStatus(c: fmi2Component, s: c_int, value: *mut fmi2Integer) -> fmi2Status {
+extern "C" fn fmi2GetIntegerStatus(
+    c: fmi2Component,
+    s: c_int,
+    value: *mut fmi2Integer,
+) -> fmi2Status {
     status((c, "fmi2GetIntegerStatus"), s, value, |_| None)
 }
 
 /// `fmi2Terminated`: true after a discarded step, which would be discarded again.
 #[unsafe(no_mangle)]
-extern "C" fn fmi2GetBooleanStatus(c: fmi2Component, s: c_int, value: *mut fmi2Boolean) -> fmi2Status {
-    let answer = |i: &Instance| if i.wants_to_terminate() { FMI2_TRUE } else { FMI2_FALSE };
-    status((c, "fmi2GetBooleanStatus"), s, value, |i| (s == FMI2_TERMINATED).then(|| answer(i)))
+extern "C" fn fmi2GetBooleanStatus(
+    c: fmi2Component,
+    s: c_int,
+    value: *mut fmi2Boolean,
+) -> fmi2Status {
+    let answer = |i: &Instance| {
+        if i.wants_to_terminate() {
+            FMI2_TRUE
+        } else {
+            FMI2_FALSE
+        }
+    };
+    status((c, "fmi2GetBooleanStatus"), s, value, |i| {
+        (s == FMI2_TERMINATED).then(|| answer(i))
+    })
 }
 
 /// No such status.
 #[unsafe(no_mangle)]
-extern "C" fn fmi2GetStringStatus(c: fmi2Component, s: c_int, value: *mut fmi2String) -> fmi2Status {
+extern "C" fn fmi2GetStringStatus(
+    c: fmi2Component,
+    s: c_int,
+    value: *mut fmi2String,
+) -> fmi2Status {
     status((c, "fmi2GetStringStatus"), s, value, |_| None)
 }
 

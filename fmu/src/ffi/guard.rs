@@ -48,12 +48,19 @@ pub(super) fn call(
     match outcome {
         Ok(Ok(status)) => status,
         Ok(Err(refusal)) => {
-            component.instance.log().write(Level::Error, format_args!("{function}: {refusal}"));
+            component
+                .instance
+                .log()
+                .write(Level::Error, format_args!("{function}: {refusal}"));
             fmi2Status::fmi2Error
         }
         Err(panic) => {
             // A second panic, while the first is cleaned up, must not cross into C either.
-            let fail = || component.instance.fail(&format!("{function}: {}", text(&*panic)));
+            let fail = || {
+                component
+                    .instance
+                    .fail(&format!("{function}: {}", text(&*panic)))
+            };
             let _ = catch_unwind(AssertUnwindSafe(fail));
             fmi2Status::fmi2Error
         }
@@ -65,13 +72,18 @@ fn require(found: Stage, allowed: Stages) -> Result<(), Refusal> {
         return Ok(());
     }
     let names: Vec<String> = allowed.iter().map(Stage::to_string).collect();
-    Err(Refusal::Stage { found, expected: names.join(" or ") })
+    Err(Refusal::Stage {
+        found,
+        expected: names.join(" or "),
+    })
 }
 
 /// The message of a panic.
 pub(super) fn text(panic: &(dyn Any + Send)) -> &str {
     let owned = panic.downcast_ref::<String>().map(String::as_str);
-    owned.or_else(|| panic.downcast_ref::<&str>().copied()).unwrap_or("panic without a message")
+    owned
+        .or_else(|| panic.downcast_ref::<&str>().copied())
+        .unwrap_or("panic without a message")
 }
 
 /// A sink that calls the importer's logger. The callbacks are copied: they need not outlive the instantiation.
@@ -79,12 +91,22 @@ pub(super) fn sink(callbacks: fmi2CallbackFunctions, name: &str) -> Option<Sink>
     let logger = callbacks.logger?;
     let environment = callbacks.component_environment;
     let name = c_string(name);
-    Some(Box::new(move |level: Level, category: Category, message: &str| {
-        let (category, message) = (c_string(category.name()), c_string(&printf(message)));
-        // SAFETY: the logger is the importer's own, valid as long as the instance; all texts end with NUL and outlive
-        // the call; the message holds no printf directive, so no further argument is read.
-        unsafe { logger(environment, name.as_ptr(), level as c_int, category.as_ptr(), message.as_ptr()) };
-    }))
+    Some(Box::new(
+        move |level: Level, category: Category, message: &str| {
+            let (category, message) = (c_string(category.name()), c_string(&printf(message)));
+            // SAFETY: the logger is the importer's own, valid as long as the instance; all texts end with NUL and outlive
+            // the call; the message holds no printf directive, so no further argument is read.
+            unsafe {
+                logger(
+                    environment,
+                    name.as_ptr(),
+                    level as c_int,
+                    category.as_ptr(),
+                    message.as_ptr(),
+                )
+            };
+        },
+    ))
 }
 
 /// A C string; a NUL inside cuts it.
@@ -94,17 +116,28 @@ pub(super) fn c_string(text: &str) -> CString {
 }
 
 /// A text from C.
-pub(super) fn str_from<'a>(pointer: fmi2String, argument: &'static str) -> Result<&'a str, Refusal> {
+pub(super) fn str_from<'a>(
+    pointer: fmi2String,
+    argument: &'static str,
+) -> Result<&'a str, Refusal> {
     if pointer.is_null() {
         return Err(null(argument));
     }
     // SAFETY: not null; the importer passes a NUL-terminated text that lives through the call.
     let text = unsafe { CStr::from_ptr(pointer.cast::<c_char>()) };
-    text.to_str().map_err(|error| Refusal::Argument { argument, found: error.to_string(), expected: "UTF-8" })
+    text.to_str().map_err(|error| Refusal::Argument {
+        argument,
+        found: error.to_string(),
+        expected: "UTF-8",
+    })
 }
 
 /// An array from C; of no length it may be null.
-pub(super) fn array<'a, T>(pointer: *const T, length: usize, argument: &'static str) -> Result<&'a [T], Refusal> {
+pub(super) fn array<'a, T>(
+    pointer: *const T,
+    length: usize,
+    argument: &'static str,
+) -> Result<&'a [T], Refusal> {
     match (pointer.is_null(), length) {
         (_, 0) => Ok(&[]),
         (true, _) => Err(null(argument)),
@@ -114,7 +147,11 @@ pub(super) fn array<'a, T>(pointer: *const T, length: usize, argument: &'static 
 }
 
 /// An array of C that is written.
-pub(super) fn array_mut<'a, T>(pointer: *mut T, length: usize, argument: &'static str) -> Result<&'a mut [T], Refusal> {
+pub(super) fn array_mut<'a, T>(
+    pointer: *mut T,
+    length: usize,
+    argument: &'static str,
+) -> Result<&'a mut [T], Refusal> {
     match (pointer.is_null(), length) {
         (_, 0) => Ok(&mut []),
         (true, _) => Err(null(argument)),
@@ -124,10 +161,17 @@ pub(super) fn array_mut<'a, T>(pointer: *mut T, length: usize, argument: &'stati
 }
 
 /// One value of C that is written.
-pub(super) fn value_mut<'a, T>(pointer: *mut T, argument: &'static str) -> Result<&'a mut T, Refusal> {
+pub(super) fn value_mut<'a, T>(
+    pointer: *mut T,
+    argument: &'static str,
+) -> Result<&'a mut T, Refusal> {
     Ok(&mut array_mut(pointer, 1, argument)?[0])
 }
 
 fn null(argument: &'static str) -> Refusal {
-    Refusal::Argument { argument, found: "null".to_owned(), expected: "a pointer" }
+    Refusal::Argument {
+        argument,
+        found: "null".to_owned(),
+        expected: "a pointer",
+    }
 }

@@ -59,6 +59,8 @@ pub enum Event<'a> {
         step: u64,
         /// Number of all steps.
         steps: u64,
+        /// What has been recorded, this point included.
+        table: &'a Table,
     },
     /// The FMU has logged a message.
     Message(&'a Message),
@@ -236,10 +238,7 @@ struct Grid {
 
 impl Grid {
     fn new(fmu: &Fmu, options: &Options) -> Result<Self, SimulateError> {
-        let default = fmu
-            .description()
-            .default_experiment
-            .unwrap_or_default();
+        let default = fmu.description().default_experiment.unwrap_or_default();
         let start = options.start.or(default.start_time).unwrap_or(0.0);
         let stop = options.stop.or(default.stop_time);
         let stop = stop.ok_or(SimulateError::NoStop)?;
@@ -338,6 +337,7 @@ impl Run<'_> {
                 time: grid.time(k),
                 step: k,
                 steps: grid.count,
+                table: self.table,
             };
             if forward(&self.instance, observe).is_break() || observe(event).is_break() {
                 end = End::Interrupted;
