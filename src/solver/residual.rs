@@ -143,7 +143,11 @@ pub struct Correction {
 
 impl Correction {
     /// An open contact that stays open.
-    const NONE: Self = Self { normal: 0.0, tangential: Vec3::new(0.0, 0.0, 0.0), magnitude: 0.0 };
+    const NONE: Self = Self {
+        normal: 0.0,
+        tangential: Vec3::new(0.0, 0.0, 0.0),
+        magnitude: 0.0,
+    };
 }
 
 /// The residual of `impulses`, `[C]`.
