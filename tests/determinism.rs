@@ -1,0 +1,132 @@
+//! The same scene gives the same bytes: run twice, or put back at any moment, in this simulation or another.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use sphere_dda::error::SnapshotError;
+use sphere_dda::scene::Scene;
+use sphere_dda::simulation::Simulation;
+
+/// Communication steps of a run.
+const STEPS: usize = 40;
+
+fn scene(name: &str) -> Arc<Scene> {
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("examples/{name}/{name}.toml"));
+    let loaded = Scene::from_file(file).unwrap_or_else(|e| panic!("{}", e.plain()));
+    Arc::new(loaded.scene)
+}
+
+/// The funnel as its spheres pile up at the mouth: contacts, impacts and friction from the first steps on.
+fn funnel() -> Arc<Scene> {
+    let mut scene = Scene::clone(&scene("funnel"));
+    for position in &mut scene.initial.position {
+        position.z -= 0.9;
+    }
+    // A fall of a few steps is enough to reach the wall.
+    for velocity in &mut scene.initial.velocity {
+        velocity.z = -4.0;
+    }
+    Arc::new(scene)
+}
+
+/// Runs on to communication step `end`; the state after each step.
+fn run(simulation: &mut Simulation, start: usize, end: usize) -> Vec<Vec<u8>> {
+    let h = simulation.scene().settings.communication_step;
+    (start + 1..=end)
+        .map(|k| {
+            simulation.advance_to(k as f64 * h).expect("a step");
+            simulation.snapshot()
+        })
+        .collect()
+}
+
+#[test]
+fn the_same_scene_twice_gives_the_same_bytes() {
+    for scene in [funnel(), scene("feeder")] {
+        let runs = [(), ()].map(|()| {
+            let mut simulation = Simulation::new(Arc::clone(&scene)).expect("a start");
+            run(&mut simulation, 0, STEPS)
+        });
+        assert!(runs[0] == runs[1], "{}", scene.title);
+        assert_ne!(runs[0][0], runs[0][1], "the state moves");
+    }
+}
+
+/// Warm-start multipliers, contact history, penalty and clock are all in the state: nothing else decides.
+#[test]
+fn a_restored_run_equals_the_uninterrupted_one_bit_for_bit() {
+    let scene = funnel();
+    let mut simulation = Simulation::new(Arc::clone(&scene)).expect("a start");
+    let whole = run(&mut simulation, 0, STEPS);
+    assert!(
+        simulation.contacts().len() > 20,
+        "a run without contacts shows nothing"
+    );
+
+    // Points drawn once with a die; the last but one step makes the continuation a single step.
+    for point in [3, 11, 17, 26, STEPS - 2] {
+        let saved = &whole[point];
+        simulation.restore(saved).expect("its own state");
+        assert!(simulation.snapshot() == *saved, "restored state at {point}");
+        assert!(
+            run(&mut simulation, point + 1, STEPS) == whole[point + 1..],
+            "back in time to step {point}"
+        );
+
+        let mut fresh = Simulation::new(Arc::clone(&scene)).expect("a start");
+        fresh.restore(saved).expect("a state of the same scene");
+        assert!(
+            run(&mut fresh, point + 1, STEPS) == whole[point + 1..],
+            "in a fresh simulation from step {point}"
+        );
+    }
+}
+
+#[test]
+fn a_failed_step_leaves_the_state_as_it_was() {
+    let mut simulation = Simulation::new(funnel()).expect("a start");
+    run(&mut simulation, 0, 5);
+    let before = simulation.snapshot();
+    for end in [simulation.time(), 0.0, f64::NAN, f64::INFINITY] {
+        simulation.advance_to(end).expect_err("not a time to go to");
+        assert!(simulation.snapshot() == before, "after a step to {end}");
+    }
+}
+
+#[test]
+fn foreign_and_damaged_states_are_refused() {
+    let mut simulation = Simulation::new(scene("feeder")).expect("a start");
+    run(&mut simulation, 0, 2);
+    let own = simulation.snapshot();
+
+    let mut other = Simulation::new(scene("funnel")).expect("a start");
+    let refusal = other.restore(&own).expect_err("another scene");
+    assert!(
+        matches!(refusal, SnapshotError::Mismatch { .. }),
+        "{refusal}"
+    );
+
+    let mut bad: Vec<(String, Vec<u8>)> = vec![
+        ("nothing".into(), vec![]),
+        (
+            "noise".into(),
+            (0..997_u32).map(|k| (k * 193 % 251) as u8).collect(),
+        ),
+        ("one byte more".into(), [own.as_slice(), &[0]].concat()),
+    ];
+    for length in [1, 8, 20, own.len() / 2, own.len() - 1] {
+        bad.push((format!("cut to {length}"), own[..length].to_vec()));
+    }
+    for at in (0..own.len()).step_by(own.len() / 50 + 1) {
+        let mut flipped = own.clone();
+        flipped[at] ^= 0x10;
+        bad.push((format!("byte {at} changed"), flipped));
+    }
+    for (what, blob) in bad {
+        assert!(simulation.restore(&blob).is_err(), "{what}");
+        assert!(
+            simulation.snapshot() == own,
+            "{what}: the state has changed"
+        );
+    }
+}
