@@ -41,8 +41,7 @@ impl Residual {
     pub(super) fn include(&mut self, index: usize, values: [f64; 3]) {
         let maxima = [&mut self.gap, &mut self.slip, &mut self.force];
         for ((maximum, value), worst) in maxima.into_iter().zip(values).zip(&mut self.worst) {
-            // `!(<=)` lets a NaN through to the verdict.
-            if !(value <= *maximum) {
+            if value > *maximum || value.is_nan() {
                 *maximum = value;
                 *worst = index;
             }
