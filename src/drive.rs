@@ -115,6 +115,14 @@ pub fn displacement(boundary: &Boundary, from: &Pose, to: &Pose) -> f64 {
         return moved(boundary.point_of_action);
     };
     (0..8)
-        .map(|k| moved(Vec3::from_fn(|axis, _| if k >> axis & 1 == 0 { low[axis] } else { high[axis] })))
+        .map(|k| {
+            moved(Vec3::from_fn(|axis, _| {
+                if k >> axis & 1 == 0 {
+                    low[axis]
+                } else {
+                    high[axis]
+                }
+            }))
+        })
         .fold(0.0, f64::max)
 }

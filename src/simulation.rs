@@ -326,7 +326,12 @@ impl Simulation {
         for (sensor, passed) in self.scene.sensors.iter().zip(&mut self.state.passed) {
             if let Measure::MassFlow { point, normal } = sensor.measure {
                 let after = &self.state.kinematics.position;
-                *passed += crossings(before, after, &self.scene.particles.mass, Plane { point, normal });
+                *passed += crossings(
+                    before,
+                    after,
+                    &self.scene.particles.mass,
+                    Plane { point, normal },
+                );
             }
         }
     }

@@ -74,7 +74,8 @@ pub(crate) fn run(arguments: &Demo, interrupt: &Interrupt) -> Result<(), Failure
 
 /// The folder as an absolute path, new, empty or of an earlier demo.
 fn prepare(folder: &Path) -> Result<PathBuf, Failure> {
-    let refuse = |error: io::Error| Failure::Input(miette!("cannot use `{}`: {error}", folder.display()));
+    let refuse =
+        |error: io::Error| Failure::Input(miette!("cannot use `{}`: {error}", folder.display()));
     fs::create_dir_all(folder).map_err(refuse)?;
     let about = folder.join(ABOUT);
     let empty = fs::read_dir(folder).map_err(refuse)?.next().is_none();
@@ -97,7 +98,8 @@ fn prepare(folder: &Path) -> Result<PathBuf, Failure> {
 }
 
 fn put(path: &Path, content: &[u8]) -> Result<(), Failure> {
-    fs::write(path, content).map_err(|error| Failure::Input(miette!("cannot write `{}`: {error}", path.display())))
+    fs::write(path, content)
+        .map_err(|error| Failure::Input(miette!("cannot write `{}`: {error}", path.display())))
 }
 
 /// What happened, from the outputs of the FMU.
@@ -106,10 +108,26 @@ fn summary(out: &mut dyn io::Write, table: &Table, wall: f64) -> io::Result<()> 
     let last = |name: &str| values(name).last().copied().unwrap_or(f64::NAN);
     let time = table.time.last().copied().unwrap_or(f64::NAN);
     let overlap = values("maxOverlap").iter().copied().fold(0.0, f64::max);
-    writeln!(out, "simulated       {time} s in {} communication steps", table.time.len().saturating_sub(1))?;
-    writeln!(out, "discharged      {:.0} kg of {:.0} kg", last("sensor.discharge.mass"), last("mass"))?;
-    writeln!(out, "worst overlap   {overlap:.2e} of the radius, over all steps")?;
-    writeln!(out, "wall time       {wall:.2} s, {:.2} x real time", time / wall)
+    writeln!(
+        out,
+        "simulated       {time} s in {} communication steps",
+        table.time.len().saturating_sub(1)
+    )?;
+    writeln!(
+        out,
+        "discharged      {:.0} kg of {:.0} kg",
+        last("sensor.discharge.mass"),
+        last("mass")
+    )?;
+    writeln!(
+        out,
+        "worst overlap   {overlap:.2e} of the radius, over all steps"
+    )?;
+    writeln!(
+        out,
+        "wall time       {wall:.2} s, {:.2} x real time",
+        time / wall
+    )
 }
 
 fn how_to_look(results: &Path) -> String {

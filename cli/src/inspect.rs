@@ -33,10 +33,21 @@ pub(crate) struct Inspect {
 pub(crate) fn run(arguments: &Inspect) -> Result<(), Failure> {
     let fmu = Fmu::open(&arguments.fmu)?;
     let description = fmu.description();
-    let findings = if arguments.validate { description.validate() } else { Vec::new() };
+    let findings = if arguments.validate {
+        description.validate()
+    } else {
+        Vec::new()
+    };
     print(|out| {
-        write!(out, "{}{}", header(description, fmu.co_simulation()), variables(description))?;
-        findings.iter().try_for_each(|finding| writeln!(out, "{finding}"))
+        write!(
+            out,
+            "{}{}",
+            header(description, fmu.co_simulation()),
+            variables(description)
+        )?;
+        findings
+            .iter()
+            .try_for_each(|finding| writeln!(out, "{finding}"))
     })?;
     if findings.is_empty() {
         return Ok(());

@@ -102,7 +102,11 @@ pub(crate) fn run(arguments: &Run, interrupt: &Interrupt) -> Result<(), Failure>
     let printed = print(|out| {
         write!(out, "{total}")?;
         let place = arguments.output.display();
-        writeln!(out, "results         {place}: {} frames, {} rows", status.frames, status.rows)?;
+        writeln!(
+            out,
+            "results         {place}: {} frames, {} rows",
+            status.frames, status.rows
+        )?;
         writeln!(out, "look at them    paraview --script={place}/view.py")
     });
     end?;
@@ -161,7 +165,10 @@ fn detail(state: &Observation) -> String {
 fn complete(status: &Status) -> Result<(), Failure> {
     match &status.first_failure {
         None => Ok(()),
-        Some(why) => Err(Failure::Run(miette!("{} results were not written; the first: {why}", status.failures))),
+        Some(why) => Err(Failure::Run(miette!(
+            "{} results were not written; the first: {why}",
+            status.failures
+        ))),
     }
 }
 
@@ -188,13 +195,25 @@ impl Total {
 impl std::fmt::Display for Total {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let Self { time, wall, report } = self;
-        writeln!(f, "simulated       {time} s in {} steps, {} cuts", report.internal_steps, report.cuts)?;
+        writeln!(
+            f,
+            "simulated       {time} s in {} steps, {} cuts",
+            report.internal_steps, report.cuts
+        )?;
         writeln!(
             f,
             "solver          {} sweeps, {} augmentations, {} factorizations",
             report.sweeps, report.augmentations, report.factorizations
         )?;
-        writeln!(f, "worst overlap   {:.2e} of the radius", report.max_overlap)?;
-        writeln!(f, "wall time       {wall:.2} s, {:.2} x real time", time / wall)
+        writeln!(
+            f,
+            "worst overlap   {:.2e} of the radius",
+            report.max_overlap
+        )?;
+        writeln!(
+            f,
+            "wall time       {wall:.2} s, {:.2} x real time",
+            time / wall
+        )
     }
 }

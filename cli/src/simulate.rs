@@ -98,7 +98,9 @@ pub(crate) fn run(arguments: &Simulate, interrupt: &Interrupt) -> Result<(), Fai
         ..Options::default()
     };
     let output = arguments.output.as_deref();
-    let file = output.map(|path| CsvFile::open(path, arguments.overwrite)).transpose()?;
+    let file = output
+        .map(|path| CsvFile::open(path, arguments.overwrite))
+        .transpose()?;
     let driven = drive(&fmu, &options, interrupt);
     match (&driven.table, file) {
         (Some(table), Some(file)) => file.write(table)?,
@@ -108,7 +110,11 @@ pub(crate) fn run(arguments: &Simulate, interrupt: &Interrupt) -> Result<(), Fai
     }
     if let Some(table) = &driven.table {
         let last = table.time.last().copied().unwrap_or(f64::NAN);
-        note(format_args!("{} rows up to {last} s, wall time {:.2} s", table.time.len(), driven.wall));
+        note(format_args!(
+            "{} rows up to {last} s, wall time {:.2} s",
+            table.time.len(),
+            driven.wall
+        ));
     }
     driven.end
 }
@@ -133,7 +139,9 @@ pub(crate) fn drive(fmu: &Fmu, options: &Options, interrupt: &Interrupt) -> Driv
         match event {
             Event::Time { time, table, .. } => progress.show(time, || detail(table)),
             Event::Message(message) => progress.note(message),
-            Event::MessagesLost(count) => progress.note(format_args!("{count} more messages were lost")),
+            Event::MessagesLost(count) => {
+                progress.note(format_args!("{count} more messages were lost"))
+            }
             _ => {}
         }
         if interrupt.requested() {
@@ -173,7 +181,12 @@ fn detail(table: &Table) -> String {
     let overlap = table.real("maxOverlap").and_then(|values| values.last());
     let overlap = overlap.map(|overlap| format!("overlap {overlap:.1e} R"));
     let iterations = last("solver.sweeps").map(|sweeps| format!("{sweeps} iterations"));
-    contacts.into_iter().chain(overlap).chain(iterations).collect::<Vec<_>>().join(", ")
+    contacts
+        .into_iter()
+        .chain(overlap)
+        .chain(iterations)
+        .collect::<Vec<_>>()
+        .join(", ")
 }
 
 /// The table as CSV.
@@ -200,9 +213,19 @@ impl<'a> CsvFile<'a> {
             )));
         }
         // An old file keeps its contents until there are new ones.
-        let file = OpenOptions::new().write(true).create(true).truncate(false).open(path);
-        let file = file.map_err(|error| Failure::Input(miette!("cannot write `{}`: {error}", path.display())))?;
-        Ok(Self { path, file, existed })
+        let file = OpenOptions::new()
+            .write(true)
+            .create(true)
+            .truncate(false)
+            .open(path);
+        let file = file.map_err(|error| {
+            Failure::Input(miette!("cannot write `{}`: {error}", path.display()))
+        })?;
+        Ok(Self {
+            path,
+            file,
+            existed,
+        })
     }
 
     fn write(mut self, table: &Table) -> Result<(), Failure> {
@@ -210,7 +233,9 @@ impl<'a> CsvFile<'a> {
             self.file.set_len(0)?;
             self.file.write_all(&text)
         });
-        written.map_err(|error| Failure::Run(miette!("cannot write `{}`: {error}", self.path.display())))
+        written.map_err(|error| {
+            Failure::Run(miette!("cannot write `{}`: {error}", self.path.display()))
+        })
     }
 
     /// Leaves things as they were.

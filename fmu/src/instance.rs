@@ -9,18 +9,17 @@
 //! accumulated, the simulation is asked for what is left to that point. A refused call changes nothing.
 
 use std::fmt;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use sphere_dda::error::StepError;
 use sphere_dda::motion::{Command, Motion};
-use sphere_dda::observe::Observation;
-use sphere_dda::observe::writer::{Options, Results};
 use sphere_dda::simulation::Simulation;
 use sphere_dda_model_description::fmi2::{BaseType, Causality, Variability};
 
 use crate::log::{Level, Log};
 use crate::model::{Model, SCENE_FILE};
 use crate::outputs::Outputs;
+use crate::recorder::Recorder;
 use crate::refusal::{InstantiationError, Refusal};
 use crate::state::{Run, Saved};
 use crate::variables::{Parameters, Quantity, Value, Variable, component};
@@ -76,9 +75,8 @@ pub struct Instance {
     run: Run,
     simulation: Option<Simulation>,
     outputs: Option<Outputs>,
-    results: Option<Results>,
+    recorder: Recorder,
     read_ahead: bool,
-    lost_results: u64,
 }
 
 impl Instance {
@@ -99,9 +97,8 @@ impl Instance {
             run,
             simulation: None,
             outputs: None,
-            results: None,
+            recorder: Recorder::default(),
             read_ahead: false,
-            lost_results: 0,
         })
     }
 
@@ -178,8 +175,10 @@ impl Instance {
     /// [`Refusal::Step`] if the start is impossible, [`Refusal::Output`] if results cannot be written.
     pub fn exit_initialization(&mut self) -> Result<(), Refusal> {
         self.prepare()?;
-        self.results = self.open_results(self.run.parameters.output_overwrite)?;
-        self.record();
+        if let Some(simulation) = &self.simulation {
+            self.recorder
+                .open(&self.name, &self.run.parameters, simulation, &self.log)?;
+        }
         self.run.stage = Stage::StepComplete;
         let spheres = self.model.scene.particles.len();
         self.log.write(
@@ -340,7 +339,9 @@ impl Instance {
                 self.run.pending = false;
                 self.run.stage = Stage::StepComplete;
                 self.outputs = None;
-                self.record();
+                if let Some(simulation) = &self.simulation {
+                    self.recorder.record(simulation, &self.log);
+                }
                 Ok(Step::Complete)
             }
             Err(error @ (StepError::Jump { .. } | StepError::Argument { .. })) => {
@@ -356,8 +357,8 @@ impl Instance {
                 Ok(Step::Discarded(error))
             }
         };
-        if let Some(results) = self.results.as_mut().filter(|_| final_past) {
-            results.commit(point - self.run.start);
+        if final_past {
+            self.recorder.commit(point - self.run.start);
         }
         outcome
     }
@@ -413,13 +414,13 @@ impl Instance {
 
     /// Ends the run; values stay readable, result files are complete.
     pub fn terminate(&mut self) {
-        self.close_results();
+        self.recorder.close(&self.log);
         self.run.stage = Stage::Terminated;
     }
 
     /// Back to the state after instantiation.
     pub fn reset(&mut self) {
-        self.close_results();
+        self.recorder.close(&self.log);
         self.run = initial(&self.model);
         self.simulation = None;
         self.outputs = None;
@@ -491,7 +492,14 @@ impl Instance {
         }
         self.run = saved.run;
         self.outputs = None;
-        self.follow_results();
+        match &self.simulation {
+            Some(simulation) if self.run.stage == Stage::StepComplete => {
+                self.recorder
+                    .follow(&self.name, &self.run.parameters, simulation, &self.log);
+            }
+            Some(_) if self.run.stage == Stage::StepFailed => {}
+            _ => self.recorder.close(&self.log),
+        }
         self.log.write(
             Level::Ok,
             format_args!("restored the state of t = {} s", self.run.time),
@@ -519,88 +527,6 @@ impl Instance {
         self.simulation = Some(simulation);
         self.run.pending = false;
         Ok(())
-    }
-
-    /// Where result files go, if anywhere.
-    fn results_directory(&self) -> Option<PathBuf> {
-        let parent = &self.run.parameters.output_directory;
-        // The name comes from the importer and must stay one folder.
-        let plain = |c: char| {
-            if c.is_alphanumeric() || "-_ ".contains(c) {
-                c
-            } else {
-                '_'
-            }
-        };
-        let folder: String = self.name.chars().map(plain).collect();
-        (!parent.is_empty()).then(|| Path::new(parent).join(folder))
-    }
-
-    fn open_results(&self, overwrite: bool) -> Result<Option<Results>, Refusal> {
-        let (Some(directory), Some(simulation)) = (self.results_directory(), &self.simulation)
-        else {
-            return Ok(None);
-        };
-        self.log.write(
-            Level::Ok,
-            format_args!("results go to `{}`", directory.display()),
-        );
-        let frame_interval = self.run.parameters.output_interval;
-        let defaults = Options::new(directory, simulation.scene());
-        let options = Options {
-            overwrite,
-            frame_interval,
-            hold: true,
-            ..defaults
-        };
-        Ok(Some(Results::create(simulation.scene(), options)?))
-    }
-
-    fn record(&mut self) {
-        let (Some(results), Some(simulation)) = (&mut self.results, &self.simulation) else {
-            return;
-        };
-        results.record(&Observation::of(simulation));
-        let status = results.status();
-        if status.failures > self.lost_results {
-            self.lost_results = status.failures;
-            let why = status.first_failure.unwrap_or_default();
-            let text = format_args!(
-                "{} result files were not written; the first: {why}",
-                status.failures
-            );
-            self.log.write(Level::Warning, text);
-        }
-    }
-
-    /// After the time went back or the state came from elsewhere: result files follow.
-    fn follow_results(&mut self) {
-        if let (Some(results), Some(simulation)) = (&mut self.results, &self.simulation) {
-            results.rollback(simulation.time());
-        }
-        if self.results.is_some() || self.run.stage != Stage::StepComplete {
-            return;
-        }
-        match self.open_results(self.run.parameters.output_overwrite) {
-            Ok(results) => {
-                self.results = results;
-                self.record();
-            }
-            Err(error) => self.log.write(
-                Level::Warning,
-                format_args!("no results are written: {error}"),
-            ),
-        }
-    }
-
-    fn close_results(&mut self) {
-        if let Some(results) = self.results.take() {
-            let status = results.finish();
-            self.log.write(
-                Level::Ok,
-                format_args!("{} frames, {} rows written", status.frames, status.rows),
-            );
-        }
     }
 }
 

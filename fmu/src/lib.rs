@@ -18,6 +18,7 @@ pub mod instance;
 pub mod log;
 pub mod model;
 pub mod outputs;
+pub mod recorder;
 pub mod refusal;
 pub mod resource;
 pub mod state;

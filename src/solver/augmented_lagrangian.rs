@@ -19,6 +19,7 @@ use std::sync::Arc;
 
 use nalgebra::{Matrix3, Matrix6};
 
+use super::gauss_seidel::smooth;
 use super::residual::{Scale, evaluate};
 use super::{Params, Report};
 use crate::Vec3;
@@ -34,6 +35,9 @@ const OPEN_CLOSE: usize = 40;
 const GAIN: f64 = 0.25;
 /// Factor of a penalty increase.
 const RAISE: f64 = 8.0;
+/// Gauss-Seidel sweeps after each multiplier update: they bring friction onto the true cone, where the lagged
+/// discs alone converge slowly (five times fewer factorizations on the funnel).
+const SMOOTHING: usize = 60;
 /// Largest penalty over the mass scale `m/dt^2`: beyond it the factor loses the digits the tolerance needs.
 const CEILING: f64 = 1e3;
 
@@ -277,8 +281,12 @@ fn outer_loop(
         && report.factorizations < params.max_factorizations
     {
         let sigma = report.penalty * dt2;
-        let radii: Vec<f64> =
-            problem.rows.iter().zip(&*impulses).map(|(row, p)| friction_radius(row, *p)).collect();
+        let radii: Vec<f64> = problem
+            .rows
+            .iter()
+            .zip(&*impulses)
+            .map(|(row, p)| friction_radius(row, *p))
+            .collect();
         let evaluate_rows = |velocity: &[Dof6], impulses: &[Vec3]| -> Vec<Augmented> {
             let rows = problem.rows.iter().zip(impulses).zip(&radii);
             rows.map(|((row, &p), &r)| augmented(row, row.relative_velocity(velocity), p, sigma, r))
@@ -329,9 +337,15 @@ fn outer_loop(
         for ((p, augmented), row) in impulses.iter_mut().zip(&rows).zip(&problem.rows) {
             // The lagged friction disc may outlive its contact by one update.
             let open = row.law != Law::Bilateral && augmented.impulse.dot(&row.normal) <= 0.0;
-            *p = if open { Vec3::zeros() } else { augmented.impulse };
+            *p = if open {
+                Vec3::zeros()
+            } else {
+                augmented.impulse
+            };
         }
         report.augmentations += 1;
+        smooth(problem, scales, SMOOTHING, impulses);
+        velocity = problem.velocities(impulses);
         let before = report.residual;
         report.residual = evaluate(problem, scales, impulses);
         let gained = report.residual.gap <= GAIN * before.gap

@@ -7,7 +7,7 @@
 use super::residual::{Residual, Scale, evaluate};
 use super::{Params, Report};
 use crate::Vec3;
-use crate::problem::Problem;
+use crate::problem::{Dof6, Problem};
 
 /// Sweeps after which updates are damped: exact Coulomb friction can cycle.
 const DAMP_AFTER: [(usize, f64); 2] = [(300, 0.6), (1200, 0.3)];
@@ -26,22 +26,7 @@ pub fn solve(problem: &Problem, params: &Params, impulses: &mut [Vec3]) -> Repor
             .rev()
             .find(|(after, _)| report.sweeps > *after)
             .map_or(1.0, |(_, damping)| *damping);
-        let mut change = Residual::default();
-        for (index, ((row, scale), p)) in problem
-            .rows
-            .iter()
-            .zip(&scales)
-            .zip(&mut *impulses)
-            .enumerate()
-        {
-            let correction = scale.correction(row, row.relative_velocity(&velocity), *p);
-            change.include(index, scale.residuals(row, problem.step, &correction));
-            let delta = (row.normal * correction.normal + correction.tangential) * damping;
-            if delta != Vec3::zeros() {
-                *p += delta;
-                row.apply(&problem.inverse_mass, &mut velocity, delta);
-            }
-        }
+        let change = sweep(problem, &scales, damping, &mut velocity, impulses);
         let wanted = crate::scene::Tolerance {
             gap: params.tolerance.gap * confidence,
             slip: params.tolerance.slip * confidence,
@@ -60,4 +45,34 @@ pub fn solve(problem: &Problem, params: &Params, impulses: &mut [Vec3]) -> Repor
     report.residual = evaluate(problem, &scales, impulses);
     report.converged = report.residual.within(&params.tolerance);
     report
+}
+
+/// One sweep over all rows; returns the residuals of the rows as each was met.
+fn sweep(
+    problem: &Problem,
+    scales: &[Scale],
+    damping: f64,
+    velocity: &mut [Dof6],
+    impulses: &mut [Vec3],
+) -> Residual {
+    let mut change = Residual::default();
+    let rows = problem.rows.iter().zip(scales).zip(impulses);
+    for (index, ((row, scale), p)) in rows.enumerate() {
+        let correction = scale.correction(row, row.relative_velocity(velocity), *p);
+        change.include(index, scale.residuals(row, problem.step, &correction));
+        let delta = (row.normal * correction.normal + correction.tangential) * damping;
+        if delta != Vec3::zeros() {
+            *p += delta;
+            row.apply(&problem.inverse_mass, velocity, delta);
+        }
+    }
+    change
+}
+
+/// `sweeps` undamped sweeps: what the augmented-Lagrangian loop uses to bring friction onto the true cone.
+pub(super) fn smooth(problem: &Problem, scales: &[Scale], sweeps: usize, impulses: &mut [Vec3]) {
+    let mut velocity = problem.velocities(impulses);
+    for _ in 0..sweeps {
+        sweep(problem, scales, 1.0, &mut velocity, impulses);
+    }
 }

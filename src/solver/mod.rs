@@ -15,6 +15,9 @@ use crate::scene::{SolverKind, Tolerance};
 use augmented_lagrangian::Workspace;
 use residual::Residual;
 
+/// Gauss-Seidel sweeps that `auto` spends before it turns to the direct solver.
+const AUTO_SWEEPS: usize = 1000;
+
 /// What a solver is asked for.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Params {
@@ -73,7 +76,11 @@ pub fn solve(
         SolverKind::GaussSeidel => gauss_seidel::solve(problem, params, impulses),
         SolverKind::Direct => augmented_lagrangian::solve(problem, params, workspace, impulses),
         SolverKind::Auto => {
-            let first = gauss_seidel::solve(problem, params, impulses);
+            let brief = Params {
+                max_sweeps: params.max_sweeps.min(AUTO_SWEEPS),
+                ..*params
+            };
+            let first = gauss_seidel::solve(problem, &brief, impulses);
             if first.converged {
                 return first;
             }

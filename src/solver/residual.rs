@@ -41,8 +41,7 @@ impl Residual {
     pub(super) fn include(&mut self, index: usize, values: [f64; 3]) {
         let maxima = [&mut self.gap, &mut self.slip, &mut self.force];
         for ((maximum, value), worst) in maxima.into_iter().zip(values).zip(&mut self.worst) {
-            // `!(<=)` lets a NaN through to the verdict.
-            if !(value <= *maximum) {
+            if value > *maximum || value.is_nan() {
                 *maximum = value;
                 *worst = index;
             }
@@ -143,7 +142,11 @@ pub struct Correction {
 
 impl Correction {
     /// An open contact that stays open.
-    const NONE: Self = Self { normal: 0.0, tangential: Vec3::new(0.0, 0.0, 0.0), magnitude: 0.0 };
+    const NONE: Self = Self {
+        normal: 0.0,
+        tangential: Vec3::new(0.0, 0.0, 0.0),
+        magnitude: 0.0,
+    };
 }
 
 /// The residual of `impulses`, `[C]`.

@@ -101,12 +101,12 @@ fn locked_rotations_slide_like_a_block() {
     assert!(run.velocity(0).norm() < 1e-7, "it sticks");
 
     let friction = 0.2;
-    let acceleration = G * (angle.sin() - friction * angle.cos());
+    let acceleration: f64 = G * (angle.sin() - friction * angle.cos());
     let (mut run, down_slope) = on_incline(angle, friction, Locks::ROTATIONS);
     assert_eq!(down, down_slope);
     let start = run.position(0);
     for distance in [25.0, 250.0] {
-        let t = (2.0 * distance / acceleration as f64).sqrt();
+        let t = (2.0 * distance / acceleration).sqrt();
         while run.simulation.time() < t {
             run.step();
         }

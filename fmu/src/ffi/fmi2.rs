@@ -2,43 +2,28 @@
 
 #![allow(non_snake_case)]
 
+mod states;
+mod values;
+
 use std::ffi::{c_char, c_int};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use sphere_dda_model_description::fmi2::BaseType;
-
 use super::abi2::*;
-use super::guard::{
-    ANY, Component, Stages, array, array_mut, c_string, call, sink, str_from, text, value_mut,
-};
+use super::guard::{ANY, Component, Stages, array, call, sink, str_from, text, value_mut};
 use crate::instance::{Instance, Stage, Step};
 use crate::log::{Level, Log};
 use crate::refusal::{InstantiationError, Refusal};
 use crate::resource;
-use crate::variables::Value;
 
 use fmi2Status::{fmi2Discard, fmi2OK, fmi2Warning};
 
 const INSTANTIATED: Stages = &[Stage::Instantiated];
 const INITIALIZATION: Stages = &[Stage::Initialization];
 const STEPPING: Stages = &[Stage::StepComplete, Stage::StepFailed];
-const SETTABLE: Stages = &[
-    Stage::Instantiated,
-    Stage::Initialization,
-    Stage::StepComplete,
-    Stage::StepFailed,
-];
 const STEPPED: Stages = &[
     Stage::StepComplete,
     Stage::StepFailed,
     Stage::Error,
-    Stage::Terminated,
-];
-const SAVEABLE: Stages = &[
-    Stage::Instantiated,
-    Stage::Initialization,
-    Stage::StepComplete,
-    Stage::StepFailed,
     Stage::Terminated,
 ];
 
@@ -208,277 +193,6 @@ extern "C" fn fmi2Terminate(c: fmi2Component) -> fmi2Status {
 extern "C" fn fmi2Reset(c: fmi2Component) -> fmi2Status {
     call(c, "fmi2Reset", ANY, |component| {
         component.instance.reset();
-        Ok(fmi2OK)
-    })
-}
-
-/// Reads values of one type; `convert` takes them out of their envelope.
-fn get<T>(
-    (c, function): (fmi2Component, &str),
-    (vr, nvr): (*const fmi2ValueReference, usize),
-    (value, base): (*mut T, BaseType),
-    convert: impl Fn(Value) -> Option<T>,
-) -> fmi2Status {
-    call(c, function, ANY, |component| {
-        let values = component.instance.get(base, array(vr, nvr, "vr")?)?;
-        let places = array_mut(value, nvr, "value")?;
-        for (place, value) in places
-            .iter_mut()
-            .zip(values.into_iter().filter_map(convert))
-        {
-            *place = value;
-        }
-        Ok(fmi2OK)
-    })
-}
-
-/// Reads reals.
-#[unsafe(no_mangle)]
-extern "C" fn fmi2GetReal(
-    c: fmi2Component,
-    vr: *const fmi2ValueReference,
-    nvr: usize,
-    value: *mut fmi2Real,
-) -> fmi2Status {
-    get(
-        (c, "fmi2GetReal"),
-        (vr, nvr),
-        (value, BaseType::Real),
-        |value| match value {
-            Value::Real(value) => Some(value),
-            _ => None,
-        },
-    )
-}
-
-/// Reads integers.
-#[unsafe(no_mangle)]
-extern "C" fn fmi2GetInteger(
-    c: fmi2Component,
-    vr: *const fmi2ValueReference,
-    nvr: usize,
-    value: *mut fmi2Integer,
-) -> fmi2Status {
-    get(
-        (c, "fmi2GetInteger"),
-        (vr, nvr),
-        (value, BaseType::Integer),
-        |value| match value {
-            Value::Integer(value) => Some(value),
-            _ => None,
-        },
-    )
-}
-
-/// Reads truth values.
-#[unsafe(no_mangle)]
-extern "C" fn fmi2GetBoolean(
-    c: fmi2Component,
-    vr: *const fmi2ValueReference,
-    nvr: usize,
-    value: *mut fmi2Boolean,
-) -> fmi2Status {
-    get(
-        (c, "fmi2GetBoolean"),
-        (vr, nvr),
-        (value, BaseType::Boolean),
-        |value| match value {
-            Value::Boolean(value) => Some(fmi2Boolean::from(value)),
-            _ => None,
-        },
-    )
-}
-
-/// Reads texts; they live until the next `fmi2GetString` of the instance.
-#[unsafe(no_mangle)]
-extern "C" fn fmi2GetString(
-    c: fmi2Component,
-    vr: *const fmi2ValueReference,
-    nvr: usize,
-    value: *mut fmi2String,
-) -> fmi2Status {
-    call(c, "fmi2GetString", ANY, |component| {
-        let values = component
-            .instance
-            .get(BaseType::String, array(vr, nvr, "vr")?)?;
-        let places = array_mut(value, nvr, "value")?;
-        let text = |value| {
-            if let Value::String(text) = value {
-                c_string(&text)
-            } else {
-                c_string("")
-            }
-        };
-        component.strings = values.into_iter().map(text).collect();
-        for (place, text) in places.iter_mut().zip(&component.strings) {
-            *place = text.as_ptr();
-        }
-        Ok(fmi2OK)
-    })
-}
-
-/// Sets values of one type; `convert` puts them into an envelope.
-fn set<T: Copy>(
-    (c, function): (fmi2Component, &str),
-    (vr, nvr): (*const fmi2ValueReference, usize),
-    value: *const T,
-    convert: impl Fn(T) -> Result<Value, Refusal>,
-) -> fmi2Status {
-    call(c, function, SETTABLE, |component| {
-        let pairs = array(vr, nvr, "vr")?
-            .iter()
-            .zip(array(value, nvr, "value")?);
-        let values: Vec<(u32, Value)> = pairs
-            .map(|(&vr, &value)| Ok((vr, convert(value)?)))
-            .collect::<Result<_, Refusal>>()?;
-        component.instance.set(values)?;
-        Ok(fmi2OK)
-    })
-}
-
-/// Sets reals.
-#[unsafe(no_mangle)]
-extern "C" fn fmi2SetReal(
-    c: fmi2Component,
-    vr: *const fmi2ValueReference,
-    nvr: usize,
-    value: *const fmi2Real,
-) -> fmi2Status {
-    set((c, "fmi2SetReal"), (vr, nvr), value, |value| {
-        Ok(Value::Real(value))
-    })
-}
-
-/// Sets integers.
-#[unsafe(no_mangle)]
-extern "C" fn fmi2SetInteger(
-    c: fmi2Component,
-    vr: *const fmi2ValueReference,
-    nvr: usize,
-    value: *const fmi2Integer,
-) -> fmi2Status {
-    set((c, "fmi2SetInteger"), (vr, nvr), value, |value| {
-        Ok(Value::Integer(value))
-    })
-}
-
-/// Sets truth values.
-#[unsafe(no_mangle)]
-extern "C" fn fmi2SetBoolean(
-    c: fmi2Component,
-    vr: *const fmi2ValueReference,
-    nvr: usize,
-    value: *const fmi2Boolean,
-) -> fmi2Status {
-    set((c, "fmi2SetBoolean"), (vr, nvr), value, |value| {
-        Ok(Value::Boolean(value != FMI2_FALSE))
-    })
-}
-
-/// Sets texts.
-#[unsafe(no_mangle)]
-extern "C" fn fmi2SetString(
-    c: fmi2Component,
-    vr: *const fmi2ValueReference,
-    nvr: usize,
-    value: *const fmi2String,
-) -> fmi2Status {
-    set((c, "fmi2SetString"), (vr, nvr), value, |value| {
-        Ok(Value::String(str_from(value, "value")?.to_owned()))
-    })
-}
-
-/// The saved state behind a pointer.
-fn saved<'a>(state: fmi2FMUstate) -> Result<&'a mut Vec<u8>, Refusal> {
-    value_mut(state.cast::<Vec<u8>>(), "FMUstate")
-}
-
-/// Saves the state; a state that is passed in is overwritten.
-#[unsafe(no_mangle)]
-extern "C" fn fmi2GetFMUstate(c: fmi2Component, state: *mut fmi2FMUstate) -> fmi2Status {
-    call(c, "fmi2GetFMUstate", SAVEABLE, |component| {
-        let place = value_mut(state, "FMUstate")?;
-        let bytes = component.instance.save()?;
-        match saved(*place) {
-            Ok(old) => *old = bytes,
-            Err(_) => *place = Box::into_raw(Box::new(bytes)).cast(),
-        }
-        Ok(fmi2OK)
-    })
-}
-
-/// Restores a state.
-#[unsafe(no_mangle)]
-extern "C" fn fmi2SetFMUstate(c: fmi2Component, state: fmi2FMUstate) -> fmi2Status {
-    call(c, "fmi2SetFMUstate", ANY, |component| {
-        component.instance.load(saved(state)?)?;
-        Ok(fmi2OK)
-    })
-}
-
-/// Frees a state and sets the pointer to null; a null state is ignored.
-#[unsafe(no_mangle)]
-extern "C" fn fmi2FreeFMUstate(c: fmi2Component, state: *mut fmi2FMUstate) -> fmi2Status {
-    call(c, "fmi2FreeFMUstate", ANY, |_| {
-        let place = value_mut(state, "FMUstate")?;
-        if !place.is_null() {
-            // SAFETY: not null, so from fmi2GetFMUstate or fmi2DeSerializeFMUstate; the pointer is cleared below.
-            drop(unsafe { Box::from_raw(place.cast::<Vec<u8>>()) });
-            *place = std::ptr::null_mut();
-        }
-        Ok(fmi2OK)
-    })
-}
-
-/// Number of bytes of a serialized state.
-#[unsafe(no_mangle)]
-extern "C" fn fmi2SerializedFMUstateSize(
-    c: fmi2Component,
-    state: fmi2FMUstate,
-    size: *mut usize,
-) -> fmi2Status {
-    call(c, "fmi2SerializedFMUstateSize", ANY, |_| {
-        *value_mut(size, "size")? = saved(state)?.len();
-        Ok(fmi2OK)
-    })
-}
-
-/// Copies the bytes of a state.
-#[unsafe(no_mangle)]
-extern "C" fn fmi2SerializeFMUstate(
-    c: fmi2Component,
-    state: fmi2FMUstate,
-    serialized: *mut fmi2Byte,
-    size: usize,
-) -> fmi2Status {
-    call(c, "fmi2SerializeFMUstate", ANY, |_| {
-        let bytes = saved(state)?;
-        if size != bytes.len() {
-            let expected = "the size of fmi2SerializedFMUstateSize";
-            return Err(Refusal::Argument {
-                argument: "size",
-                found: size.to_string(),
-                expected,
-            });
-        }
-        array_mut(serialized.cast::<u8>(), size, "serializedState")?.copy_from_slice(bytes);
-        Ok(fmi2OK)
-    })
-}
-
-/// Makes a state of bytes; anything that is no state of this model is refused.
-#[unsafe(no_mangle)]
-extern "C" fn fmi2DeSerializeFMUstate(
-    c: fmi2Component,
-    serialized: *const fmi2Byte,
-    size: usize,
-    state: *mut fmi2FMUstate,
-) -> fmi2Status {
-    call(c, "fmi2DeSerializeFMUstate", ANY, |component| {
-        let bytes = array(serialized.cast::<u8>(), size, "serializedState")?;
-        let place = value_mut(state, "FMUstate")?;
-        component.instance.verify(bytes)?;
-        *place = Box::into_raw(Box::new(bytes.to_vec())).cast();
         Ok(fmi2OK)
     })
 }

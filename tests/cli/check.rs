@@ -1,16 +1,13 @@
 //! `sphere-dda check`: exit codes and what it prints.
 
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::path::Path;
+use std::process::Output;
+
+use crate::command::{command, example};
 
 fn check(scene: &Path) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_sphere-dda"));
-    command.arg("check").arg(scene).env("NO_COLOR", "1");
-    command.output().unwrap()
-}
-
-fn example(name: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../examples/{name}/{name}.toml"))
+    let arguments = ["check", scene.to_str().unwrap()];
+    command(Path::new("."), &arguments).output().unwrap()
 }
 
 #[test]
@@ -64,9 +61,6 @@ fn a_missing_file_and_wrong_usage_exit_with_2() {
             .unwrap()
             .contains("cannot read the file")
     );
-    let usage = Command::new(env!("CARGO_BIN_EXE_sphere-dda"))
-        .arg("chek")
-        .output()
-        .unwrap();
+    let usage = command(Path::new("."), &["chek"]).output().unwrap();
     assert_eq!(usage.status.code(), Some(2));
 }

@@ -1,0 +1,272 @@
+//! The rows of the table that an importer sets: parameters and inputs; and how a row is made.
+
+use sphere_dda::motion::InputKind;
+use sphere_dda::scene::Scene;
+use sphere_dda_model_description::fmi2::{BaseType, Causality, Variability};
+
+use super::{Input, Parameter, Parameters, Quantity, Value, Variable};
+
+/// Length of every vector quantity; orientations have four components.
+pub(super) const XYZ: usize = 3;
+
+/// A variable about to be added, without causality and meaning.
+pub(super) struct Row {
+    name: String,
+    base: BaseType,
+    unit: Option<&'static str>,
+    start: Option<Value>,
+    min: Option<f64>,
+    max: Option<f64>,
+    description: String,
+}
+
+impl Row {
+    pub(super) fn real(
+        name: impl Into<String>,
+        unit: Option<&'static str>,
+        description: impl Into<String>,
+    ) -> Self {
+        Self {
+            name: name.into(),
+            base: BaseType::Real,
+            unit,
+            start: None,
+            min: None,
+            max: None,
+            description: description.into(),
+        }
+    }
+
+    pub(super) fn count(name: impl Into<String>, description: &str) -> Self {
+        let mut row = Self::real(name, None, description);
+        row.base = BaseType::Integer;
+        row.min(0.0)
+    }
+
+    pub(super) fn start(mut self, value: Value) -> Self {
+        self.base = value.base();
+        self.start = Some(value);
+        self
+    }
+
+    pub(super) fn min(mut self, min: f64) -> Self {
+        self.min = Some(min);
+        self
+    }
+
+    pub(super) fn max(mut self, max: f64) -> Self {
+        self.max = Some(max);
+        self
+    }
+}
+
+#[derive(Default)]
+pub(super) struct Rows {
+    pub(super) variables: Vec<Variable>,
+}
+
+impl Rows {
+    pub(super) fn push(&mut self, row: Row, causality: Causality, quantity: Quantity) {
+        let variability = match (causality, row.base) {
+            (Causality::Parameter, _)
+                if matches!(quantity, Quantity::Parameter(Parameter::Gravity(_))) =>
+            {
+                Variability::Tunable
+            }
+            (Causality::Parameter, _) => Variability::Fixed,
+            (_, BaseType::Real) => Variability::Continuous,
+            _ => Variability::Discrete,
+        };
+        self.variables.push(Variable {
+            name: row.name,
+            reference: u32::try_from(self.variables.len()).unwrap_or(u32::MAX),
+            base: row.base,
+            causality,
+            variability,
+            unit: row.unit,
+            start: row.start,
+            min: row.min,
+            max: row.max,
+            description: row.description,
+            quantity,
+        });
+    }
+
+    /// `size` real variables `name[1]`, `name[2]` ...
+    pub(super) fn vector(
+        &mut self,
+        (name, size): (String, usize),
+        unit: Option<&'static str>,
+        description: &str,
+        causality: Causality,
+        quantity: impl Fn(usize) -> Quantity,
+    ) {
+        let letters = if size == XYZ {
+            ["x", "y", "z", ""]
+        } else {
+            ["w", "x", "y", "z"]
+        };
+        for (axis, letter) in letters.iter().enumerate().take(size) {
+            let mut row = Row::real(
+                format!("{name}[{}]", axis + 1),
+                unit,
+                format!("{description}; {letter}"),
+            );
+            if causality == Causality::Input {
+                row = row.start(Value::Real(0.0));
+            }
+            self.push(row, causality, quantity(axis));
+        }
+    }
+
+    pub(super) fn parameters(&mut self, scene: &Scene) {
+        let parameters = Parameters::of(scene);
+        let mut add = |row: Row, parameter: Parameter| {
+            let row = row.start(parameters.get(parameter));
+            self.push(row, Causality::Parameter, Quantity::Parameter(parameter));
+        };
+        for (axis, letter) in ["x", "y", "z"].iter().enumerate() {
+            let name = format!("gravity[{}]", axis + 1);
+            let text = format!("Gravity; {letter}; may change between steps");
+            add(
+                Row::real(name, Some("m/s2"), text),
+                Parameter::Gravity(axis),
+            );
+        }
+        let text = "Folder for result files, written to <directory>/<instance name>/; empty: none";
+        add(
+            Row::real("output.directory", None, text),
+            Parameter::OutputDirectory,
+        );
+        let text = "Replace the files of an earlier run instead of refusing";
+        add(
+            Row::real("output.overwrite", None, text),
+            Parameter::OutputOverwrite,
+        );
+        let text = "Time between VTU frames; 0: none";
+        add(
+            Row::real("output.interval", Some("s"), text).min(0.0),
+            Parameter::OutputInterval,
+        );
+        let tolerances = [
+            (
+                "gap",
+                "Largest true overlap over radius",
+                Parameter::ToleranceGap,
+            ),
+            (
+                "slip",
+                "Largest slip of a sticking contact over radius",
+                Parameter::ToleranceSlip,
+            ),
+            (
+                "force",
+                "Largest force residual over the contact's force scale",
+                Parameter::ToleranceForce,
+            ),
+        ];
+        for (name, text, parameter) in tolerances {
+            let row = Row::real(format!("solver.tolerance.{name}"), None, text);
+            add(row.min(1e-12).max(1e-1), parameter);
+        }
+        let text = "Largest internal time step; a communication step takes equal ones";
+        add(
+            Row::real("solver.step", Some("s"), text).min(f64::MIN_POSITIVE),
+            Parameter::Step,
+        );
+    }
+
+    pub(super) fn inputs(&mut self, prefix: &str, boundary: usize, kind: InputKind) {
+        const HELD: &str = "held over the communication step";
+        const REACHED: &str =
+            "from the scene; reached linearly at the end of the communication step";
+        const ADVANCED: &str =
+            "from the scene; pose + twist x h is reached at the end of the communication step";
+        let pose = if kind == InputKind::Motion {
+            ADVANCED
+        } else {
+            REACHED
+        };
+        if matches!(kind, InputKind::Pose | InputKind::Motion) {
+            let vectors = [
+                ("translation", "m", "Total translation", Input::Translation),
+                (
+                    "rotation",
+                    "rad",
+                    "Total rotation vector about the point of action",
+                    Input::Rotation,
+                ),
+            ];
+            for (name, unit, what, input) in vectors {
+                let name = (format!("{prefix}.{name}"), XYZ);
+                self.vector(
+                    name,
+                    Some(unit),
+                    &format!("{what}, {pose}"),
+                    Causality::Input,
+                    |axis| Quantity::Input {
+                        boundary,
+                        input,
+                        axis,
+                    },
+                );
+            }
+        }
+        if matches!(kind, InputKind::Twist | InputKind::Motion) {
+            let vectors = [
+                (
+                    "velocity",
+                    "m/s",
+                    "Velocity of the point of action",
+                    Input::Velocity,
+                ),
+                (
+                    "angularVelocity",
+                    "rad/s",
+                    "Angular velocity",
+                    Input::AngularVelocity,
+                ),
+            ];
+            for (name, unit, what, input) in vectors {
+                let name = (format!("{prefix}.{name}"), XYZ);
+                self.vector(
+                    name,
+                    Some(unit),
+                    &format!("{what}, {HELD}"),
+                    Causality::Input,
+                    |axis| Quantity::Input {
+                        boundary,
+                        input,
+                        axis,
+                    },
+                );
+            }
+        }
+        let (name, unit, text) = match kind {
+            InputKind::Slide { .. } => (
+                "displacement",
+                "m",
+                format!("Displacement along the slide, {REACHED}"),
+            ),
+            InputKind::SlideSpeed { .. } => {
+                ("speed", "m/s", format!("Speed along the slide, {HELD}"))
+            }
+            InputKind::Hinge { .. } => {
+                ("angle", "rad", format!("Angle about the hinge, {REACHED}"))
+            }
+            InputKind::HingeSpeed { .. } => (
+                "angularSpeed",
+                "rad/s",
+                format!("Angular speed about the hinge, {HELD}"),
+            ),
+            InputKind::Pose | InputKind::Motion | InputKind::Twist => return,
+        };
+        let row = Row::real(format!("{prefix}.{name}"), Some(unit), text).start(Value::Real(0.0));
+        let quantity = Quantity::Input {
+            boundary,
+            input: Input::Scalar,
+            axis: 0,
+        };
+        self.push(row, Causality::Input, quantity);
+    }
+}

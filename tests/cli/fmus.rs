@@ -1,0 +1,201 @@
+//! From the scene to an FMU and back through the interface of FMI.
+
+use std::fs;
+use std::path::Path;
+use std::sync::Arc;
+
+use sphere_dda::scene::Scene;
+use sphere_dda::simulation::Simulation;
+use sphere_dda_fmu::import::{Fmu, Step};
+use sphere_dda_fmu::state::Saved;
+
+use crate::command::{done, example, frames, funnel, rows, said};
+
+#[test]
+fn an_exported_scene_is_inspected_and_simulated() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let scene = example("funnel");
+    let exported = done(folder, &["export", scene.to_str().unwrap(), "-o", "x.fmu"]);
+    assert!(exported.out.contains("x.fmu: "), "{}", exported.out);
+
+    let inspected = done(folder, &["inspect", "x.fmu", "--validate"]).out;
+    for part in [
+        "guid",
+        "boundary.funnel.force[3]",
+        "sensor.discharge.mass",
+        "maxOverlap",
+        "output.directory",
+    ] {
+        assert!(inspected.contains(part), "{part} is not in\n{inspected}");
+    }
+
+    let simulate = [
+        "simulate",
+        "x.fmu",
+        "--stop",
+        "0.5",
+        "-o",
+        "outputs.csv",
+        "--set",
+        "output.directory=here",
+    ];
+    done(folder, &simulate);
+    assert_eq!(rows(&folder.join("outputs.csv")), 51);
+    let results = fs::read_dir(folder.join("here"))
+        .unwrap()
+        .next()
+        .unwrap()
+        .unwrap()
+        .path();
+    assert_eq!(frames(&results.join("spheres.pvd")), 6);
+
+    let again = said(folder, &simulate);
+    assert_eq!(again.code, Some(2));
+    assert!(
+        again.error.contains("outputs.csv` exists already"),
+        "{}",
+        again.error
+    );
+    let printed = done(
+        folder,
+        &[
+            "simulate", "x.fmu", "--stop", "0.02", "--record", "time", "--record", "mass",
+        ],
+    );
+    assert!(
+        printed.out.starts_with("time,time,mass\n0.0,0"),
+        "{}",
+        printed.out
+    );
+    assert_eq!(printed.out.lines().count(), 4);
+}
+
+#[test]
+fn an_fmu_is_replaced_only_when_asked() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = funnel(folder.path(), &[]);
+    let export = ["export", scene.to_str().unwrap()];
+    done(folder.path(), &export);
+    let first = fs::read(folder.path().join("funnel.fmu")).unwrap();
+    let refused = said(folder.path(), &export);
+    assert_eq!(refused.code, Some(2));
+    assert!(refused.error.contains("--overwrite"), "{}", refused.error);
+    done(folder.path(), &[&export[..], &["--overwrite"]].concat());
+    assert_eq!(fs::read(folder.path().join("funnel.fmu")).unwrap(), first);
+}
+
+#[test]
+fn the_demo_runs_anywhere_and_replaces_only_its_own_output() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let demo = ["demo", "--stop", "0.3"];
+    for _ in 0..2 {
+        let told = done(folder, &demo);
+        for part in [
+            "discharged",
+            "worst overlap",
+            "wall time",
+            "x real time",
+            "view.py",
+            "meshio",
+        ] {
+            assert!(told.out.contains(part), "{part} is not in\n{}", told.out);
+        }
+        let output = folder.join("demo-output");
+        assert_eq!(frames(&output.join("results/spheres.pvd")), 4);
+        assert_eq!(rows(&output.join("outputs.csv")), 31);
+        assert!(output.join("funnel.fmu").is_file());
+    }
+    let mine = folder.join("mine");
+    fs::create_dir(&mine).unwrap();
+    fs::write(mine.join("outputs.csv"), "mine").unwrap();
+    let refused = said(folder, &["demo", "--stop", "0.3", "-o", "mine"]);
+    assert_eq!(refused.code, Some(2));
+    assert!(
+        refused.error.contains("holds other files"),
+        "{}",
+        refused.error
+    );
+    assert_eq!(
+        fs::read_to_string(mine.join("outputs.csv")).unwrap(),
+        "mine"
+    );
+    assert_eq!(fs::read_dir(&mine).unwrap().count(), 1);
+}
+
+/// The FMU's steps are the library's: the same bytes after each of them.
+fn same_bytes(scene: &Path, steps: u32) {
+    let folder = tempfile::tempdir().unwrap();
+    done(
+        folder.path(),
+        &["export", scene.to_str().unwrap(), "-o", "x.fmu"],
+    );
+    let fmu = Fmu::open(folder.path().join("x.fmu")).unwrap();
+    let guid = fmu.description().guid.clone();
+    let mut instance = fmu.instantiate("same", false).unwrap();
+    instance.setup_experiment(None, 0.0, None).unwrap();
+    instance.enter_initialization_mode().unwrap();
+    instance.exit_initialization_mode().unwrap();
+
+    let scene = Arc::new(Scene::from_file(scene).unwrap().scene);
+    let h = scene.settings.communication_step;
+    let mut simulation = Simulation::new(scene).unwrap();
+    for step in 0..=steps {
+        let saved = instance.save_state().unwrap();
+        let bytes = instance.serialize_state(&saved).unwrap();
+        instance.free_state(saved).unwrap();
+        let inside = Saved::decode(&bytes, &guid).unwrap().snapshot.unwrap();
+        assert!(
+            inside == simulation.snapshot(),
+            "they differ after {step} steps"
+        );
+        let point = f64::from(step) * h;
+        assert_eq!(instance.do_step(point, h, true).unwrap(), Step::Done);
+        simulation.advance_to(point + h).unwrap();
+    }
+    instance.terminate().unwrap();
+}
+
+#[test]
+fn the_fmu_of_the_funnel_gives_the_bytes_of_the_library() {
+    same_bytes(&example("funnel"), 100);
+}
+
+#[test]
+fn the_fmu_of_the_feeder_gives_the_bytes_of_the_library() {
+    same_bytes(&example("feeder"), 20);
+}
+
+#[test]
+fn probes_read_through_the_fmu_are_the_positions_of_the_library() {
+    let folder = tempfile::tempdir().unwrap();
+    let probe = "[[probe]]\nname = \"one\"\nsphere = \"upper[44]\"\n\n[output]";
+    let scene = funnel(folder.path(), &[("[output]", probe)]);
+    done(folder.path(), &["export", scene.to_str().unwrap()]);
+    let arguments = [
+        "simulate",
+        "funnel.fmu",
+        "--stop",
+        "1",
+        "-o",
+        "o.csv",
+        "--record",
+        "probe.one.position[3]",
+    ];
+    done(folder.path(), &arguments);
+
+    let scene = Arc::new(Scene::from_file(&scene).unwrap().scene);
+    let (h, sphere) = (scene.settings.communication_step, scene.probes[0].sphere);
+    let mut simulation = Simulation::new(scene).unwrap();
+    let table = fs::read_to_string(folder.path().join("o.csv")).unwrap();
+    for (k, line) in table.lines().skip(1).enumerate() {
+        if k > 0 {
+            simulation.advance_to((k - 1) as f64 * h + h).unwrap();
+        }
+        let read: f64 = line.split(',').next_back().unwrap().parse().unwrap();
+        let position = simulation.kinematics().position[sphere].z;
+        assert_eq!(read.to_bits(), position.to_bits(), "after {k} steps");
+    }
+    assert_eq!(table.lines().count(), 102);
+}

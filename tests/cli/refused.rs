@@ -1,0 +1,157 @@
+//! Bad command lines and files: one clear message, exit code 2, nothing written.
+
+use std::fs;
+use std::path::Path;
+
+use crate::command::{done, funnel, said};
+
+/// Puts what the cases need into `folder`.
+fn prepare(folder: &Path) {
+    let scene = funnel(folder, &[]);
+    done(folder, &["export", scene.to_str().unwrap()]);
+    let bad = fs::read_to_string(&scene)
+        .unwrap()
+        .replacen("radius = 0.25", "radius = -1", 1);
+    fs::write(folder.join("bad.toml"), bad).unwrap();
+    let plain = fs::read_to_string(&scene)
+        .unwrap()
+        .replacen("penalty = 1e5", "", 1);
+    fs::write(folder.join("no_penalty.toml"), plain).unwrap();
+    fs::write(folder.join("text.fmu"), "no archive").unwrap();
+    fs::write(folder.join("broken.toml"), "title = ").unwrap();
+    fs::write(folder.join("bytes.toml"), [0xff, 0xfe, 0x00]).unwrap();
+    fs::write(folder.join("drive.csv"), "time,nothing\n0,1\n").unwrap();
+    fs::write(folder.join("library.so"), "no library").unwrap();
+    fs::write(folder.join("file"), "a file").unwrap();
+    fs::create_dir(folder.join("folder")).unwrap();
+}
+
+#[test]
+fn bad_command_lines_and_files_exit_with_2_and_say_why() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    prepare(folder);
+    let before = names(folder);
+    let cases: &[(&str, &str)] = &[
+        ("", "Usage"),
+        ("rum funnel.toml", "unrecognized subcommand"),
+        ("run", "required arguments"),
+        ("run funnel.toml", "--output"),
+        ("run funnel.toml -o out --stop 0", "greater than 0"),
+        ("run funnel.toml -o out --stop -1", "greater than 0"),
+        ("run funnel.toml -o out --stop nan", "greater than 0"),
+        ("run funnel.toml -o out --stop inf", "greater than 0"),
+        ("run funnel.toml -o out --solver magic", "gauss-seidel"),
+        (
+            "run funnel.toml -o out --method none",
+            "possible values: alm, penalty",
+        ),
+        (
+            "run no_penalty.toml -o out --method penalty",
+            "add it to [simulation]",
+        ),
+        ("run missing.toml -o out", "cannot read the file"),
+        ("run folder -o out", "cannot read the file"),
+        ("run bytes.toml -o out", "UTF-8"),
+        ("run broken.toml -o out", "broken.toml"),
+        ("run bad.toml -o out", "spheres[0].radius"),
+        ("run funnel.toml -o file", "cannot create `file`"),
+        ("run funnel.toml -o file/out", "cannot create `file/out`"),
+        ("check", "required arguments"),
+        ("check text.fmu", "text.fmu"),
+        ("export bad.toml", "spheres[0].radius"),
+        ("export missing.toml", "cannot read the file"),
+        ("export funnel.toml", "exists already"),
+        (
+            "export funnel.toml -o funnel.toml --overwrite",
+            "ends with .fmu",
+        ),
+        ("export funnel.toml -o folder", "ends with .fmu"),
+        (
+            "export funnel.toml -o no/such/folder/x.fmu",
+            "no/such/folder",
+        ),
+        (
+            "export funnel.toml -o x.fmu --library library.so",
+            "library.so",
+        ),
+        (
+            "export funnel.toml -o x.fmu --library missing.so",
+            "missing.so",
+        ),
+        ("inspect missing.fmu", "missing.fmu"),
+        ("inspect text.fmu", "text.fmu"),
+        ("inspect folder", "folder"),
+        ("simulate text.fmu", "text.fmu"),
+        ("simulate funnel.fmu --step 0", "step 0 s"),
+        ("simulate funnel.fmu --step -0.1", "step -0.1 s"),
+        ("simulate funnel.fmu --stop nan", "stop NaN s"),
+        (
+            "simulate funnel.fmu --start 9 --stop 8",
+            "stop not before start",
+        ),
+        ("simulate funnel.fmu --stop soon", "invalid"),
+        ("simulate funnel.fmu --record nothing", "`nothing`"),
+        (
+            "simulate funnel.fmu --record nothing -o new.csv",
+            "`nothing`",
+        ),
+        ("simulate funnel.fmu --set nothing=1", "`nothing`"),
+        ("simulate funnel.fmu --set output.interval=often", "often"),
+        ("simulate funnel.fmu --set output.interval", "NAME=VALUE"),
+        ("simulate funnel.fmu --set mass=1", "mass"),
+        ("simulate funnel.fmu --input missing.csv", "missing.csv"),
+        ("simulate funnel.fmu --input drive.csv", "nothing"),
+        ("simulate funnel.fmu -o folder", "exists already"),
+        (
+            "simulate funnel.fmu -o folder --overwrite",
+            "cannot write `folder`",
+        ),
+        (
+            "simulate funnel.fmu -o no/such/folder/o.csv",
+            "cannot write",
+        ),
+        ("simulate funnel.fmu --overwrite", "--output"),
+        ("demo -o file", "cannot use `file`"),
+        ("demo extra", "unexpected argument"),
+        ("demo --stop 0", "greater than 0"),
+    ];
+    for (line, part) in cases {
+        let arguments: Vec<&str> = line.split_whitespace().collect();
+        let said = said(folder, &arguments);
+        assert_eq!(said.code, Some(2), "`{line}`: {}", said.error);
+        assert!(
+            said.error.contains(part),
+            "`{line}` does not say `{part}`:\n{}",
+            said.error
+        );
+        assert!(said.out.is_empty(), "`{line}` prints {}", said.out);
+    }
+    assert_eq!(names(folder), before);
+}
+
+#[test]
+fn a_value_that_the_fmu_refuses_makes_a_failed_run() {
+    let folder = tempfile::tempdir().unwrap();
+    prepare(folder.path());
+    let said = said(
+        folder.path(),
+        &["simulate", "funnel.fmu", "--set", "solver.tolerance.gap=-1"],
+    );
+    assert_eq!(said.code, Some(1), "{}", said.error);
+    assert!(
+        said.error.contains("solver.tolerance.gap"),
+        "{}",
+        said.error
+    );
+}
+
+/// What lies in a folder.
+fn names(folder: &Path) -> Vec<String> {
+    let entries = fs::read_dir(folder).unwrap();
+    let mut names: Vec<String> = entries
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .collect();
+    names.sort();
+    names
+}

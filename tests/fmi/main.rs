@@ -1,0 +1,353 @@
+//! The shared library through its C interface: life cycle, refusals, saved states, threads, and what it computes.
+
+mod c;
+mod refusals;
+mod states;
+
+use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
+
+use c::{DISCARD, ERROR, Fmi, Instance, OK};
+use sphere_dda::simulation::Simulation;
+use sphere_dda_fmu::description::describe;
+use sphere_dda_fmu::model::Model;
+use sphere_dda_fmu::outputs::Outputs;
+use sphere_dda_fmu::variables::Value;
+use sphere_dda_model_description::fmi2::{BaseType, Causality};
+
+/// 18 balls fall on a floor that can be driven, beside a wall that can be pushed.
+const BOX: &str = r#"
+title = "Box"
+[simulation]
+duration = 0.2
+step = 1e-3
+communication_step = 1e-2
+[[material]]
+name = "stone"
+density = 2500.0
+[pair_default]
+friction = 0.3
+[[boundary]]
+name = "floor"
+material = "stone"
+input = "pose"
+faces = [{ plane = { point = [0.0, 0.0, 0.0], normal = [0.0, 0.0, 1.0] } }]
+[[boundary]]
+name = "wall"
+material = "stone"
+input = "twist"
+faces = [{ plane = { point = [-0.3, 0.0, 0.0], normal = [1.0, 0.0, 0.0] } }]
+[[spheres]]
+name = "balls"
+material = "stone"
+radius = 0.05
+seed = 4
+lattice = { origin = [-0.2, -0.2, 0.06], count = [3, 3, 2], spacing = 0.11, jitter = 0.02 }
+[[sensor]]
+name = "fall"
+mass_flow = { point = [0.0, 0.0, 0.15], normal = [0.0, 0.0, -1.0] }
+"#;
+
+/// A scene in a folder of its own, as `resources/` has it.
+pub struct Scene {
+    folder: tempfile::TempDir,
+    pub model: Model,
+}
+
+impl Scene {
+    pub fn new(text: &str) -> Self {
+        let folder = tempfile::tempdir().unwrap();
+        std::fs::write(folder.path().join("scene.toml"), text).unwrap();
+        let model =
+            Model::read(&folder.path().join("scene.toml")).unwrap_or_else(|e| panic!("{e}"));
+        Self { folder, model }
+    }
+
+    pub fn resources(&self) -> &Path {
+        self.folder.path()
+    }
+
+    /// Value reference of a name.
+    pub fn reference(&self, name: &str) -> u32 {
+        let variables = self.model.table.variables();
+        variables
+            .iter()
+            .find(|v| v.name == name)
+            .unwrap_or_else(|| panic!("no variable `{name}`"))
+            .reference
+    }
+
+    pub fn instance(&self) -> Instance<'static> {
+        let instance = fmi().instantiate("box", &self.model.guid, self.resources());
+        assert!(!instance.handle.is_null(), "{:?}", instance.log());
+        instance
+    }
+
+    fn vector(&self, instance: &Instance, name: &str) -> [f64; 3] {
+        [1, 2, 3].map(|k| instance.real(self.reference(&format!("{name}[{k}]"))))
+    }
+}
+
+pub fn box_scene() -> Scene {
+    Scene::new(BOX)
+}
+
+pub fn fmi() -> &'static Fmi {
+    static FMI: OnceLock<Fmi> = OnceLock::new();
+    FMI.get_or_init(Fmi::load)
+}
+
+fn examples() -> Vec<PathBuf> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples");
+    ["feeder", "funnel", "slopes"]
+        .map(|name| folder.join(name).join(format!("{name}.toml")))
+        .into()
+}
+
+#[test]
+fn the_table_is_the_description() {
+    let mut models: Vec<Model> = examples()
+        .iter()
+        .map(|path| Model::read(path).unwrap())
+        .collect();
+    models.push(box_scene().model);
+    for model in models {
+        let description = describe(&model.scene, &model.table, "box").unwrap();
+        assert_eq!(description.validate(), []);
+        assert_eq!(description.guid, model.guid);
+        let variables = model.table.variables();
+        for (rank, (own, written)) in variables
+            .iter()
+            .zip(&description.model_variables)
+            .enumerate()
+        {
+            assert_eq!((own.reference as usize, &own.name), (rank, &written.name));
+            assert_eq!(own.base, written.variable_type.base());
+            let settable = matches!(own.causality, Causality::Input | Causality::Parameter);
+            assert_eq!(own.start.is_some(), settable, "{}", own.name);
+        }
+    }
+}
+
+#[test]
+fn the_guid_is_that_of_the_content() {
+    let (one, same) = (box_scene().model, box_scene().model);
+    assert_eq!(one.guid, same.guid);
+    let other = Scene::new(&BOX.replace("friction = 0.3", "friction = 0.4")).model;
+    assert_ne!(one.guid, other.guid);
+}
+
+#[test]
+fn all_functions_exist() {
+    assert_eq!(c::NAMES.len(), 34);
+    let text = |pointer| {
+        unsafe { std::ffi::CStr::from_ptr(pointer) }
+            .to_str()
+            .unwrap()
+    };
+    // SAFETY: no arguments; constant texts.
+    unsafe {
+        assert_eq!(text((fmi().f.fmi2GetVersion)()), "2.0");
+        assert_eq!(text((fmi().f.fmi2GetTypesPlatform)()), "default");
+    }
+}
+
+/// Every real output of the instance equals the library's, bit for bit.
+fn assert_same_outputs(scene: &Scene, instance: &Instance, simulation: &Simulation) {
+    let outputs = Outputs::of(simulation);
+    for variable in scene.model.table.variables() {
+        if variable.causality == Causality::Output && variable.base == BaseType::Real {
+            let Some(Value::Real(expected)) = outputs.get(variable.quantity) else {
+                panic!("`{}` is no real output", variable.name)
+            };
+            let found = instance.real(variable.reference);
+            assert_eq!(
+                found.to_bits(),
+                expected.to_bits(),
+                "{}: {found} {expected}",
+                variable.name
+            );
+        }
+    }
+}
+
+#[test]
+fn fmu_and_library_give_the_same_bytes() {
+    let scene = box_scene();
+    let instance = scene.instance();
+    instance.initialize();
+    let mut simulation = Simulation::new(scene.model.scene.clone()).unwrap();
+    assert_same_outputs(&scene, &instance, &simulation);
+    for k in 0..10 {
+        let t = f64::from(k) * 0.01;
+        assert_eq!(instance.step(t, 0.01), OK, "{:?}", instance.log());
+        simulation.advance_to(t + 0.01).unwrap();
+        assert_same_outputs(&scene, &instance, &simulation);
+    }
+}
+
+#[test]
+fn averaged_wrench_and_weight_change_the_momentum() {
+    let scene = box_scene();
+    let instance = scene.instance();
+    instance.initialize();
+    let (lift, push) = (
+        scene.reference("boundary.floor.translation[3]"),
+        scene.reference("boundary.wall.velocity[1]"),
+    );
+    let (h, mass) = (0.01, instance.real(scene.reference("mass")));
+    assert_eq!(instance.step(0.0, h), OK);
+    let mut momentum = scene.vector(&instance, "momentum");
+    for k in 1..20 {
+        let t = f64::from(k) * h;
+        instance.set(lift, 2e-3 * (40.0 * t).sin());
+        instance.set(push, 0.2);
+        assert_eq!(instance.step(t, h), OK, "{:?}", instance.log());
+        let (floor, wall) = (
+            scene.vector(&instance, "boundary.floor.averageForce"),
+            scene.vector(&instance, "boundary.wall.averageForce"),
+        );
+        let after = scene.vector(&instance, "momentum");
+        for axis in 0..3 {
+            let weight = if axis == 2 { -9.81 * mass } else { 0.0 };
+            let impulse = h * (weight - floor[axis] - wall[axis]);
+            let error = (after[axis] - momentum[axis] - impulse).abs();
+            assert!(
+                error < 1e-9 * mass * 9.81 * h,
+                "t = {t}, axis {axis}: {error:e}"
+            );
+        }
+        momentum = after;
+    }
+}
+
+#[test]
+fn a_step_lands_exactly_and_accepts_rounded_points() {
+    let scene = box_scene();
+    let instance = scene.instance();
+    assert_eq!(instance.set_up(1.0, Some(1.2)), OK);
+    assert_eq!([instance.enter(), instance.exit()], [OK; 2]);
+    let time = scene.reference("time");
+    assert_eq!(instance.real(time), 1.0);
+    // A master that adds up, whose last step ends behind the stop time by rounding.
+    let (mut t, h) = (1.0, 0.010_000_000_000_000_009);
+    for _ in 0..20 {
+        assert_eq!(instance.step(t, h), OK, "{:?}", instance.log());
+        t += h;
+        assert_eq!(instance.real(time), t);
+    }
+    assert_eq!(instance.step(t, h), ERROR);
+    assert!(instance.log()[0].contains("stop time"));
+}
+
+#[test]
+fn one_sixtieth_of_a_second_for_an_hour_of_points() {
+    let scene = Scene::new(
+        &BOX.replace("step = 1e-3", "step = 1e-1")
+            .replace("count = [3, 3, 2]", "count = [1, 1, 1]"),
+    );
+    let instance = scene.instance();
+    instance.initialize();
+    for k in 0..3600 {
+        let t = f64::from(k) / 60.0;
+        assert_eq!(instance.step(t, 1.0 / 60.0), OK, "{:?}", instance.log());
+    }
+}
+
+#[test]
+fn inputs_set_before_the_start_place_the_boundary() {
+    let scene = box_scene();
+    let instance = scene.instance();
+    let lift = scene.reference("boundary.floor.translation[3]");
+    assert_eq!(instance.set(lift, -0.5), OK);
+    assert_eq!([instance.set_up(0.0, None), instance.enter()], [OK; 2]);
+    let position = scene.reference("boundary.floor.position[3]");
+    assert_eq!(instance.real(position), -0.5);
+    // And again in initialization mode, after a read.
+    assert_eq!(instance.set(lift, -0.25), OK);
+    assert_eq!(instance.real(position), -0.25);
+    assert_eq!(instance.exit(), OK);
+    assert_eq!(instance.step(0.0, 0.01), OK);
+    assert_eq!(instance.real(position), -0.25);
+    assert_eq!(
+        instance.real(scene.reference("boundary.floor.averageForce[3]")),
+        0.0
+    );
+}
+
+#[test]
+fn gravity_may_change_between_steps() {
+    let scene = box_scene();
+    let instance = scene.instance();
+    instance.initialize();
+    assert_eq!(instance.set(scene.reference("gravity[3]"), 0.0), OK);
+    assert_eq!(instance.set(scene.reference("gravity[1]"), 2.0), OK);
+    let before = scene.vector(&instance, "momentum");
+    assert_eq!(instance.step(0.0, 0.01), OK);
+    let mass = instance.real(scene.reference("mass"));
+    let gained = scene.vector(&instance, "momentum")[0] - before[0];
+    // The first half step starts half a step earlier: the staggered velocity.
+    assert!(
+        (gained / (mass * 2.0 * 0.01) - 1.0).abs() < 0.06,
+        "{gained}"
+    );
+}
+
+#[test]
+fn an_output_read_after_a_set_is_the_last_steps() {
+    let scene = box_scene();
+    let instance = scene.instance();
+    instance.initialize();
+    assert_eq!(instance.step(0.0, 0.01), OK);
+    let force = scene.reference("boundary.floor.force[3]");
+    let before = instance.real(force);
+    instance.set(scene.reference("boundary.floor.translation[3]"), 1e-3);
+    assert_eq!(instance.real(force), before);
+    assert_eq!(instance.real(force), before);
+    let lines = instance.log();
+    assert_eq!(lines.len(), 1, "{lines:?}");
+    assert!(lines[0].starts_with("1 logStatusWarning"));
+}
+
+/// The solver may not iterate at all: no step with contacts converges.
+fn hopeless() -> Scene {
+    let text = BOX.replace(
+        "duration = 0.2",
+        "duration = 0.2\nmax_iterations = 1\nmax_cuts = 0",
+    );
+    Scene::new(&text.replace("0.06]", "0.5]"))
+}
+
+#[test]
+fn a_hopeless_step_is_discarded_then_an_error() {
+    let scene = hopeless();
+    let instance = scene.instance();
+    instance.initialize();
+    let (mut t, h) = (0.0, 0.01);
+    let status = loop {
+        let before = instance.bytes();
+        let status = instance.step(t, h);
+        if status != OK {
+            break (status, before);
+        }
+        t = instance.real(scene.reference("time"));
+        assert!(t < 1.0, "nothing failed");
+    };
+    let lines = instance.log();
+    assert_eq!(status.0, DISCARD, "{lines:?}");
+    assert!(
+        lines[0].starts_with("2 logStatusDiscard fmi2DoStep: step from t ="),
+        "{lines:?}"
+    );
+    assert_eq!(instance.last_time(), t);
+    assert!(instance.terminated());
+    assert_eq!(instance.real(scene.reference("time")), t);
+    // The same step again is an error, and leaves reading, reset and restoring.
+    assert_eq!(instance.step(t, h), ERROR);
+    assert_eq!(instance.step(t, h / 2.0), ERROR);
+    assert_eq!(instance.load(&status.1), OK, "{:?}", instance.log());
+    assert_eq!(instance.bytes(), status.1);
+    assert_eq!(instance.step(t, h), DISCARD);
+    assert_eq!(instance.reset(), OK);
+    instance.initialize();
+}

@@ -1,0 +1,221 @@
+//! Saved states: bit for bit, in another instance, another thread, another process; garbage is refused.
+
+use std::process::Command;
+
+use super::c::{ERROR, Instance, OK};
+use super::{Scene, box_scene};
+
+const H: f64 = 0.01;
+
+/// Steps `from..to`, with the floor and the wall in motion.
+fn drive(scene: &Scene, instance: &Instance, from: u32, to: u32) {
+    for k in from..to {
+        let t = f64::from(k) * H;
+        instance.set(
+            scene.reference("boundary.floor.translation[3]"),
+            2e-3 * (40.0 * t).sin(),
+        );
+        instance.set(scene.reference("boundary.wall.velocity[1]"), 0.2);
+        assert_eq!(instance.step(t, H), OK, "{:?}", instance.log());
+    }
+}
+
+#[test]
+fn step_restore_step_gives_the_same_bytes() {
+    let scene = box_scene();
+    let instance = scene.instance();
+    instance.initialize();
+    drive(&scene, &instance, 0, 8);
+    let (saved, before) = (instance.state(), instance.bytes());
+    drive(&scene, &instance, 8, 12);
+    let once = instance.bytes();
+    assert_ne!(once, before);
+    assert_eq!(instance.restore(saved), OK);
+    assert_eq!(instance.bytes(), before);
+    drive(&scene, &instance, 8, 12);
+    assert_eq!(instance.bytes(), once);
+    // A state that is handed in again is overwritten, not leaked.
+    let mut same = saved;
+    // SAFETY: a state of this library and a valid place.
+    assert_eq!(
+        unsafe { (instance.f().fmi2GetFMUstate)(instance.handle, &raw mut same) },
+        OK
+    );
+    assert_eq!(same, saved);
+    instance.free(saved);
+}
+
+#[test]
+fn every_stage_can_be_saved() {
+    let scene = box_scene();
+    let instance = scene.instance();
+    let new = instance.bytes();
+    assert_eq!(
+        instance.set(scene.reference("boundary.floor.translation[3]"), -0.1),
+        OK
+    );
+    assert_eq!([instance.set_up(0.0, None), instance.enter()], [OK; 2]);
+    let initializing = instance.bytes();
+    assert_eq!(instance.exit(), OK);
+    drive(&scene, &instance, 0, 2);
+    assert_eq!(instance.load(&initializing), OK);
+    assert_eq!(instance.step(0.0, H), ERROR);
+    assert_eq!(instance.exit(), OK);
+    assert_eq!(
+        instance.real(scene.reference("boundary.floor.position[3]")),
+        -0.1
+    );
+    assert_eq!(instance.load(&new), OK);
+    assert_eq!(instance.bytes(), new);
+    instance.initialize();
+    assert_eq!(
+        instance.real(scene.reference("boundary.floor.position[3]")),
+        0.0
+    );
+}
+
+#[test]
+fn parameters_travel_with_the_state() {
+    let scene = box_scene();
+    let (first, second) = (scene.instance(), scene.instance());
+    assert_eq!(first.set(scene.reference("solver.step"), 5e-4), OK);
+    assert_eq!(first.set(scene.reference("solver.tolerance.gap"), 1e-7), OK);
+    first.initialize();
+    drive(&scene, &first, 0, 6);
+    // The second stands elsewhere, with other parameters.
+    second.initialize();
+    assert_eq!(second.load(&first.bytes()), OK, "{:?}", second.log());
+    assert_eq!(second.real(scene.reference("solver.step")), 5e-4);
+    drive(&scene, &first, 6, 9);
+    drive(&scene, &second, 6, 9);
+    assert_eq!(first.bytes(), second.bytes());
+}
+
+#[test]
+fn threads_do_not_see_each_other() {
+    let run = || {
+        let scene = box_scene();
+        let instance = scene.instance();
+        instance.initialize();
+        drive(&scene, &instance, 0, 12);
+        instance.bytes()
+    };
+    let alone = run();
+    let threads: Vec<_> = (0..2).map(|_| std::thread::spawn(run)).collect();
+    for thread in threads {
+        assert_eq!(thread.join().unwrap(), alone);
+    }
+}
+
+/// Environment variable that makes this binary the second process; its value is the folder of the state.
+const CHILD: &str = "SPHERE_DDA_TEST_STATE";
+
+#[test]
+fn another_process_continues_with_the_same_bytes() {
+    let scene = box_scene();
+    let instance = scene.instance();
+    if let Ok(folder) = std::env::var(CHILD) {
+        let folder = std::path::Path::new(&folder);
+        assert_eq!(
+            instance.load(&std::fs::read(folder.join("before")).unwrap()),
+            OK
+        );
+        drive(&scene, &instance, 7, 12);
+        std::fs::write(folder.join("after"), instance.bytes()).unwrap();
+        return;
+    }
+    instance.initialize();
+    drive(&scene, &instance, 0, 7);
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("before"), instance.bytes()).unwrap();
+    let child = Command::new(std::env::current_exe().unwrap())
+        .args([
+            "--exact",
+            "states::another_process_continues_with_the_same_bytes",
+        ])
+        .env(CHILD, folder.path())
+        .output()
+        .unwrap();
+    assert!(
+        child.status.success(),
+        "{}",
+        String::from_utf8_lossy(&child.stdout)
+    );
+    drive(&scene, &instance, 7, 12);
+    assert_eq!(
+        std::fs::read(folder.path().join("after")).unwrap(),
+        instance.bytes()
+    );
+}
+
+#[test]
+fn garbage_is_refused_and_changes_nothing() {
+    let scene = box_scene();
+    let instance = scene.instance();
+    instance.initialize();
+    drive(&scene, &instance, 0, 5);
+    let good = instance.bytes();
+    let refuse = |bytes: &[u8], what: &str| {
+        assert_eq!(instance.load(bytes), ERROR, "{what}");
+        let lines = instance.log();
+        assert!(
+            lines.len() == 1 && lines[0].contains("state"),
+            "{what}: {lines:?}"
+        );
+    };
+    refuse(&[], "nothing");
+    refuse(b"SDDAFMU\0", "magic only");
+    refuse(&good[..good.len() - 1], "cut");
+    refuse(&[&good[..], &[0]].concat(), "longer");
+    for at in (0..good.len()).step_by(good.len() / 97) {
+        let mut bad = good.clone();
+        bad[at] ^= 0x10;
+        refuse(&bad, &format!("byte {at}"));
+    }
+    let other = Scene::new(&super::BOX.replace("friction = 0.3", "friction = 0.2"));
+    let foreign = other.instance();
+    foreign.initialize();
+    refuse(&foreign.bytes(), "another scene");
+    assert_eq!(instance.bytes(), good);
+}
+
+#[test]
+fn results_follow_a_rollback() {
+    let scene = box_scene();
+    let folder = tempfile::tempdir().unwrap();
+    let start = |instance: &Instance| {
+        let place = folder.path().display().to_string();
+        assert_eq!(
+            instance.set_string(scene.reference("output.directory"), &place),
+            OK
+        );
+        assert_eq!(instance.string(scene.reference("output.directory")), place);
+        assert_eq!([instance.set_up(0.0, None), instance.enter()], [OK; 2]);
+        instance.exit()
+    };
+    let times = || -> Vec<f64> {
+        let text = std::fs::read_to_string(folder.path().join("box/history.csv")).unwrap();
+        text.lines()
+            .skip(1)
+            .map(|line| line.split(',').next().unwrap().parse().unwrap())
+            .collect()
+    };
+    let instance = scene.instance();
+    assert_eq!(start(&instance), OK, "{:?}", instance.log());
+    drive(&scene, &instance, 0, 3);
+    let state = instance.state();
+    drive(&scene, &instance, 3, 6);
+    assert_eq!(instance.restore(state), OK);
+    instance.free(state);
+    drive(&scene, &instance, 3, 4);
+    assert_eq!(instance.terminate(), OK);
+    assert_eq!(times(), [0.0, 0.01, 0.02, 0.03, 0.04]);
+    // Another instance of that name may not overwrite, the same one may after a reset.
+    let other = scene.instance();
+    assert_eq!(start(&other), ERROR);
+    assert!(other.log()[0].contains("already holds a run"));
+    assert_eq!(instance.reset(), OK);
+    assert_eq!(start(&instance), OK, "{:?}", instance.log());
+    assert_eq!(instance.terminate(), OK);
+    assert_eq!(times(), [0.0]);
+}
