@@ -398,7 +398,8 @@ impl<'a> Stage<'a> {
         solution: &[Dof6],
         state: &State,
     ) -> bool {
-        let tolerance = self.inputs.scene.settings.tolerance.gap;
+        let settings = &self.inputs.scene.settings;
+        let tolerance = settings.tolerance.gap;
         let step = self.inputs.step;
         let mut true_gaps = Vec::with_capacity(self.candidates.len());
         let mut off = false;

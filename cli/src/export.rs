@@ -1,62 +1,81 @@
 //! `sphere-dda export SCENE -o X.fmu`.
 
-use std::io::Write;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
-use miette::{IntoDiagnostic, Report, miette};
-use sphere_dda_fmu::export::{ExportError, export, find_library};
-use sphere_dda_fmu::model::ModelError;
+use miette::miette;
+use sphere_dda_fmu::export::{export, find_library};
+
+use crate::failure::Failure;
+use crate::progress::{note, print};
 
 /// Arguments of `export`.
 #[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  sphere-dda export examples/feeder/feeder.toml
+  sphere-dda export scene.toml -o build/scene.fmu --overwrite
+
+The library is looked for beside this program and in its `deps` folder, unless --library or the environment variable
+SPHERE_DDA_LIBRARY names it; one that was built from other sources than this program is refused.")]
 pub(crate) struct Export {
     /// The scene file (TOML).
     scene: PathBuf,
     /// The FMU to write; the scene's name with the ending `.fmu`, in the current folder, if absent.
     #[arg(short, long, value_name = "FMU")]
     output: Option<PathBuf>,
-    /// The shared library to pack; if absent the one that SPHERE_DDA_LIBRARY names, else the one beside this program.
+    /// The shared library to pack.
     #[arg(long, value_name = "FILE")]
     library: Option<PathBuf>,
+    /// Replace the FMU if there is one.
+    #[arg(long)]
+    overwrite: bool,
 }
 
 /// Packs a scene and the library into an FMU.
 ///
 /// # Errors
 /// All problems of the scene, or why there is no FMU.
-pub(crate) fn run(arguments: &Export) -> miette::Result<()> {
-    let name = || {
-        arguments
-            .scene
-            .with_extension("fmu")
-            .file_name()
-            .map(PathBuf::from)
+pub(crate) fn run(arguments: &Export) -> Result<(), Failure> {
+    let scene = &arguments.scene;
+    let output = match &arguments.output {
+        Some(output) => output.clone(),
+        None => PathBuf::from(scene.file_stem().unwrap_or_default()).with_extension("fmu"),
     };
-    let output = arguments.output.clone().or_else(name);
-    let output =
-        output.ok_or_else(|| miette!("`{}` is no file name", arguments.scene.display()))?;
-    let library = find_library(arguments.library.as_deref()).into_diagnostic()?;
-    let exported = export(&arguments.scene, &output, &library).map_err(report)?;
-    for warning in &exported.warnings {
-        eprintln!("warning: {warning}");
+    // An ending that importers want also keeps a slip of the hand from replacing the scene.
+    if output.extension().is_none_or(|ending| ending != "fmu") {
+        return Err(Failure::Input(miette!(
+            "--output: found `{}`, expected a name that ends with .fmu",
+            output.display()
+        )));
     }
-    let size = std::fs::metadata(&output).into_diagnostic()?.len();
-    writeln!(
-        std::io::stdout().lock(),
-        "{}: {} variables, {:.1} MB, guid {}",
-        output.display(),
-        exported.variables,
-        size as f64 * 1e-6,
-        exported.guid
-    )
-    .into_diagnostic()
+    if output.exists() && !arguments.overwrite {
+        return Err(Failure::Input(miette!(
+            "`{}` exists already; choose another name or allow --overwrite",
+            output.display()
+        )));
+    }
+    pack(scene, &output, arguments.library.as_deref())
 }
 
-/// The problems of a scene keep their places in the text.
-fn report(error: ExportError) -> Report {
-    match error {
-        ExportError::Model(ModelError::Scene(scene)) => Report::new(*scene),
-        other => miette!("{other}"),
+/// Exports `scene` with the library found and says what was packed.
+///
+/// # Errors
+/// As [`run`].
+pub(crate) fn pack(scene: &Path, fmu: &Path, library: Option<&Path>) -> Result<(), Failure> {
+    let library = find_library(library)?;
+    let exported = export(scene, fmu, &library)?;
+    for warning in &exported.warnings {
+        note(format_args!("warning: {warning}"));
     }
+    let size = std::fs::metadata(fmu).map_err(Failure::run)?.len() as f64 * 1e-6;
+    print(|out| {
+        writeln!(
+            out,
+            "{}: {} variables, {size:.1} MB, guid {}",
+            fmu.display(),
+            exported.variables,
+            exported.guid
+        )
+    })
 }

@@ -1,21 +1,27 @@
 //! `sphere-dda inspect X.fmu`.
 
-use std::io::Write;
 use std::path::PathBuf;
 
 use clap::Args;
-use miette::IntoDiagnostic;
+use miette::miette;
 use sphere_dda_fmu::import::Fmu;
 use sphere_dda_model_description::fmi2::{
     CoSimulation, ModelDescription, ScalarVariable, TypeDefinition, VariableType,
 };
 
+use crate::failure::Failure;
+use crate::progress::print;
+
 /// Arguments of `inspect`.
 #[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  sphere-dda inspect funnel.fmu
+  sphere-dda inspect --validate funnel.fmu")]
 pub(crate) struct Inspect {
     /// The FMU, of FMI 2.0 for co-simulation.
     fmu: PathBuf,
-    /// Show also what is wrong with its model description.
+    /// Show also what is wrong with its model description; exit code 2 if anything is.
     #[arg(long)]
     validate: bool,
 }
@@ -23,19 +29,23 @@ pub(crate) struct Inspect {
 /// Prints what an FMU is, what it is able to do, and its variables.
 ///
 /// # Errors
-/// What the importer says.
-pub(crate) fn run(arguments: &Inspect) -> miette::Result<()> {
-    let fmu = Fmu::open(&arguments.fmu).into_diagnostic()?;
-    let mut out = std::io::stdout().lock();
+/// What the importer says; findings of the validation if it was asked for.
+pub(crate) fn run(arguments: &Inspect) -> Result<(), Failure> {
+    let fmu = Fmu::open(&arguments.fmu)?;
     let description = fmu.description();
-    let text = header(description, fmu.co_simulation()) + &variables(description);
-    write!(out, "{text}").into_diagnostic()?;
-    if arguments.validate {
-        for finding in description.validate() {
-            writeln!(out, "{finding}").into_diagnostic()?;
-        }
+    let findings = if arguments.validate { description.validate() } else { Vec::new() };
+    print(|out| {
+        write!(out, "{}{}", header(description, fmu.co_simulation()), variables(description))?;
+        findings.iter().try_for_each(|finding| writeln!(out, "{finding}"))
+    })?;
+    if findings.is_empty() {
+        return Ok(());
     }
-    Ok(())
+    Err(Failure::Input(miette!(
+        "{}: found {} problems in modelDescription.xml, expected none",
+        arguments.fmu.display(),
+        findings.len()
+    )))
 }
 
 fn header(description: &ModelDescription, co_simulation: &CoSimulation) -> String {

@@ -1,19 +1,35 @@
 //! The `sphere-dda` command: scenes in, results and FMUs out. Each subcommand is a file.
 
 mod check;
+mod demo;
 mod export;
+mod failure;
 mod inspect;
+mod progress;
+mod run;
 mod simulate;
 
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
-use miette::Report;
-use sphere_dda::scene::SceneError;
+use miette::MietteHandlerOpts;
+
+use failure::Failure;
+use progress::{Interrupt, note};
 
 /// Sphere-based 3-D discontinuous deformation analysis with augmented-Lagrangian contact.
 #[derive(Debug, Parser)]
-#[command(version, arg_required_else_help = true)]
+#[command(
+    version,
+    arg_required_else_help = true,
+    after_help = "\
+Examples:
+  sphere-dda demo
+  sphere-dda run scene.toml -o results
+  sphere-dda export scene.toml && sphere-dda simulate scene.fmu -o outputs.csv
+
+Exit codes: 0 done; 1 the run failed; 2 bad scene, file or argument; 130 ended by Ctrl-C, all files being complete."
+)]
 struct Arguments {
     #[command(subcommand)]
     command: Command,
@@ -21,35 +37,44 @@ struct Arguments {
 
 #[derive(Debug, Subcommand)]
 enum Command {
+    /// Run the funnel example as an FMU and say how to look at it.
+    Demo(demo::Demo),
     /// Check a scene: all its problems at once, or its counts, mass, extent, suggested step and penalty.
     Check(check::Check),
-    /// Pack a scene into an FMU (FMI 2.0 co-simulation).
+    /// Run a scene and write VTU, PVD and CSV files.
+    Run(run::Run),
+    /// Pack a scene into an FMU of FMI 2.0 for co-simulation.
     Export(export::Export),
     /// Show what an FMU is and its variables.
     Inspect(inspect::Inspect),
-    /// Run an FMU: any of FMI 2.0 for co-simulation.
+    /// Run an FMU, any of FMI 2.0 for co-simulation, and write its outputs as CSV.
     Simulate(simulate::Simulate),
 }
 
-/// 0: done; 1: the run failed; 2: bad input, as clap's own.
 fn main() -> ExitCode {
-    let done = match Arguments::parse().command {
-        Command::Check(arguments) => check::run(&arguments),
-        Command::Export(arguments) => export::run(&arguments),
-        Command::Inspect(arguments) => inspect::run(&arguments),
-        Command::Simulate(arguments) => simulate::run(&arguments),
-    };
-    match done {
+    let arguments = Arguments::parse();
+    // Messages stay on one line, so that they can be searched and copied. Set once, so it cannot fail.
+    let _ = miette::set_hook(Box::new(|_| {
+        Box::new(MietteHandlerOpts::new().wrap_lines(false).build())
+    }));
+    match dispatch(&arguments.command) {
         Ok(()) => ExitCode::SUCCESS,
-        Err(report) => {
-            let bad_input = bad_input(&report);
-            eprintln!("{report:?}");
-            ExitCode::from(if bad_input { 2 } else { 1 })
+        Err(failure) => {
+            if let Failure::Input(report) | Failure::Run(report) = &failure {
+                note(format_args!("{report:?}"));
+            }
+            failure.code()
         }
     }
 }
 
-/// Whether the user can mend it by changing what was handed in.
-fn bad_input(report: &Report) -> bool {
-    report.is::<SceneError>()
+fn dispatch(command: &Command) -> Result<(), Failure> {
+    match command {
+        Command::Demo(arguments) => demo::run(arguments, &Interrupt::listen()?),
+        Command::Check(arguments) => check::run(arguments),
+        Command::Run(arguments) => run::run(arguments, &Interrupt::listen()?),
+        Command::Export(arguments) => export::run(arguments),
+        Command::Inspect(arguments) => inspect::run(arguments),
+        Command::Simulate(arguments) => simulate::run(arguments, &Interrupt::listen()?),
+    }
 }

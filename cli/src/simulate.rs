@@ -1,23 +1,26 @@
 //! `sphere-dda simulate X.fmu`.
 
-use std::fs::File;
-use std::io::{BufWriter, IsTerminal, Write};
+use std::fs::{self, File, OpenOptions};
+use std::io::Write;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
-use std::time::{Duration, Instant};
 
 use clap::Args;
-use indicatif::{ProgressBar, ProgressStyle};
-use miette::{Context, IntoDiagnostic, miette};
+use miette::miette;
 use sphere_dda_fmu::import::{End, Event, Fmu, Options, Signals, Table, simulate};
 
-/// Time between two lines of progress where there is no terminal.
-const LINE_INTERVAL: Duration = Duration::from_secs(5);
+use crate::failure::Failure;
+use crate::progress::{Interrupt, Progress, note, print};
 
 /// Arguments of `simulate`.
 #[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  sphere-dda simulate funnel.fmu -o outputs.csv
+  sphere-dda simulate feeder.fmu --input drive.csv --step 0.002 --stop 2 -o outputs.csv
+  sphere-dda simulate funnel.fmu --set output.directory=results --record maxOverlap
+
+What was recorded before a failure or Ctrl-C is written too. An FMU that ends before the stop time makes exit code 1.")]
 pub(crate) struct Simulate {
     /// The FMU: any of FMI 2.0 for co-simulation with a library for this system.
     fmu: PathBuf,
@@ -27,6 +30,9 @@ pub(crate) struct Simulate {
     /// Where to write the outputs over time as CSV; standard output if absent.
     #[arg(long, short, value_name = "CSV")]
     output: Option<PathBuf>,
+    /// Replace the file of outputs if there is one.
+    #[arg(long, requires = "output")]
+    overwrite: bool,
     /// Name of a variable to record, instead of all outputs; can be repeated.
     #[arg(long = "record", value_name = "NAME")]
     record: Vec<String>,
@@ -74,10 +80,10 @@ fn assignment(text: &str) -> Result<(String, String), String> {
 ///
 /// # Errors
 /// What the importer says, and files that cannot be read or written.
-pub(crate) fn run(arguments: &Simulate) -> miette::Result<()> {
-    let fmu = Fmu::open(&arguments.fmu).into_diagnostic()?;
+pub(crate) fn run(arguments: &Simulate, interrupt: &Interrupt) -> Result<(), Failure> {
+    let fmu = Fmu::open(&arguments.fmu)?;
     let inputs = match &arguments.input {
-        Some(path) => Some(Signals::from_csv(path, fmu.description()).into_diagnostic()?),
+        Some(path) => Some(Signals::from_csv(path, fmu.description())?),
         None => None,
     };
     let options = Options {
@@ -91,118 +97,126 @@ pub(crate) fn run(arguments: &Simulate) -> miette::Result<()> {
         allow_nan: arguments.allow_nan,
         ..Options::default()
     };
-    let interrupted = Arc::new(AtomicBool::new(false));
-    let flag = Arc::clone(&interrupted);
-    ctrlc::set_handler(move || flag.store(true, Ordering::Relaxed)).into_diagnostic()?;
+    let output = arguments.output.as_deref();
+    let file = output.map(|path| CsvFile::open(path, arguments.overwrite)).transpose()?;
+    let driven = drive(&fmu, &options, interrupt);
+    match (&driven.table, file) {
+        (Some(table), Some(file)) => file.write(table)?,
+        (Some(table), None) => print(|out| out.write_all(&csv(table)?))?,
+        (None, Some(file)) => file.give_up(),
+        (None, None) => {}
+    }
+    if let Some(table) = &driven.table {
+        let last = table.time.last().copied().unwrap_or(f64::NAN);
+        note(format_args!("{} rows up to {last} s, wall time {:.2} s", table.time.len(), driven.wall));
+    }
+    driven.end
+}
 
-    let mut progress = Progress::new();
-    let result = simulate(&fmu, &options, |event| {
-        progress.show(event);
-        if interrupted.load(Ordering::Relaxed) {
+/// A simulation that was begun.
+pub(crate) struct Driven {
+    /// What was recorded; `None` if it did not start.
+    pub(crate) table: Option<Table>,
+    /// Wall time \[s\].
+    pub(crate) wall: f64,
+    /// Whether it reached the stop time.
+    pub(crate) end: Result<(), Failure>,
+}
+
+/// Drives an FMU from start to stop and shows how it gets on.
+pub(crate) fn drive(fmu: &Fmu, options: &Options, interrupt: &Interrupt) -> Driven {
+    let default = fmu.description().default_experiment.unwrap_or_default();
+    let start = options.start.or(default.start_time).unwrap_or(0.0);
+    let stop = options.stop.or(default.stop_time).unwrap_or(f64::NAN);
+    let mut progress = Progress::new(start, stop);
+    let result = simulate(fmu, options, |event| {
+        match event {
+            Event::Time { time, table, .. } => progress.show(time, || detail(table)),
+            Event::Message(message) => progress.note(message),
+            Event::MessagesLost(count) => progress.note(format_args!("{count} more messages were lost")),
+            _ => {}
+        }
+        if interrupt.requested() {
             return ControlFlow::Break(());
         }
         ControlFlow::Continue(())
     });
-    progress.finish();
-    match result {
+    let wall = progress.wall_time();
+    drop(progress);
+    let (table, end) = match result {
+        Err(error) => (error.table().cloned(), Err(error.into())),
         Ok(table) => {
-            write(&table, arguments.output.as_deref())?;
-            report(&table);
-            Ok(())
+            let last = table.time.last().copied().unwrap_or(start);
+            let end = match table.end {
+                End::Stop => Ok(()),
+                End::Terminated => Err(Failure::Run(miette!(
+                    "the FMU ended the simulation at {last} s, expected {stop} s: see what it logged"
+                ))),
+                End::Interrupted => {
+                    note(format_args!("interrupted at {last} s"));
+                    Err(Failure::Interrupted)
+                }
+            };
+            (Some(table), end)
         }
-        Err(error) => {
-            if let Some(table) = error.table() {
-                write(table, arguments.output.as_deref())?;
-                report(table);
-            }
-            Err(error).into_diagnostic()
+    };
+    Driven { table, wall, end }
+}
+
+/// The last values of outputs that tell how a sphere-dda FMU gets on; other FMUs have none of these names.
+fn detail(table: &Table) -> String {
+    let last = |name: &str| {
+        let column = table.columns.iter().find(|column| column.name == name)?;
+        column.values.get(table.time.len().checked_sub(1)?)
+    };
+    let contacts = last("contactCount").map(|count| format!("{count} contacts"));
+    let overlap = table.real("maxOverlap").and_then(|values| values.last());
+    let overlap = overlap.map(|overlap| format!("overlap {overlap:.1e} R"));
+    let iterations = last("solver.sweeps").map(|sweeps| format!("{sweeps} iterations"));
+    contacts.into_iter().chain(overlap).chain(iterations).collect::<Vec<_>>().join(", ")
+}
+
+/// The table as CSV.
+pub(crate) fn csv(table: &Table) -> std::io::Result<Vec<u8>> {
+    let mut text = Vec::new();
+    table.write_csv(&mut text)?;
+    Ok(text)
+}
+
+/// A file of outputs, opened before the simulation: after it would be late to find that it cannot be written.
+struct CsvFile<'a> {
+    path: &'a Path,
+    file: File,
+    existed: bool,
+}
+
+impl<'a> CsvFile<'a> {
+    fn open(path: &'a Path, overwrite: bool) -> Result<Self, Failure> {
+        let existed = path.exists();
+        if existed && !overwrite {
+            return Err(Failure::Input(miette!(
+                "`{}` exists already; choose another name or allow --overwrite",
+                path.display()
+            )));
         }
+        // An old file keeps its contents until there are new ones.
+        let file = OpenOptions::new().write(true).create(true).truncate(false).open(path);
+        let file = file.map_err(|error| Failure::Input(miette!("cannot write `{}`: {error}", path.display())))?;
+        Ok(Self { path, file, existed })
     }
-}
 
-fn write(table: &Table, path: Option<&Path>) -> miette::Result<()> {
-    let Some(path) = path else {
-        return table
-            .write_csv(std::io::stdout().lock())
-            .into_diagnostic()
-            .wrap_err("standard output");
-    };
-    let place = || path.display().to_string();
-    let file = File::create(path).into_diagnostic().wrap_err_with(place)?;
-    let mut file = BufWriter::new(file);
-    table
-        .write_csv(&mut file)
-        .into_diagnostic()
-        .wrap_err_with(place)?;
-    file.flush()
-        .map_err(|error| miette!("{}: {error}", path.display()))
-}
-
-fn report(table: &Table) {
-    let last = table.time.last().copied().unwrap_or(f64::NAN);
-    let rows = table.time.len();
-    let end = match table.end {
-        End::Stop => "reached the stop time",
-        End::Terminated => "ended by the FMU",
-        End::Interrupted => "ended early",
-    };
-    eprintln!("{rows} rows up to {last} s: {end}");
-}
-
-/// A bar on a terminal, a line now and then elsewhere; both on standard error.
-struct Progress {
-    bar: Option<ProgressBar>,
-    began: Instant,
-    last_line: Instant,
-}
-
-impl Progress {
-    fn new() -> Self {
-        let now = Instant::now();
-        let bar = std::io::stderr().is_terminal().then(|| {
-            let style = ProgressStyle::with_template("{bar:40} {percent:>3} %  {msg}  ETA {eta}");
-            let bar = ProgressBar::new(0);
-            bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
-            bar
+    fn write(mut self, table: &Table) -> Result<(), Failure> {
+        let written = csv(table).and_then(|text| {
+            self.file.set_len(0)?;
+            self.file.write_all(&text)
         });
-        Self {
-            bar,
-            began: now,
-            last_line: now,
-        }
+        written.map_err(|error| Failure::Run(miette!("cannot write `{}`: {error}", self.path.display())))
     }
 
-    fn show(&mut self, event: Event<'_>) {
-        match event {
-            Event::Time { time, step, steps } => self.time(time, step, steps),
-            Event::Message(message) => self.line(&message.to_string()),
-            Event::MessagesLost(count) => self.line(&format!("{count} more messages were lost")),
-            _ => {}
-        }
-    }
-
-    fn time(&mut self, time: f64, step: u64, steps: u64) {
-        if let Some(bar) = &self.bar {
-            let factor = time / self.began.elapsed().as_secs_f64();
-            bar.set_length(steps);
-            bar.set_position(step);
-            bar.set_message(format!("{time:.4} s, {factor:.2} times real time"));
-        } else if self.last_line.elapsed() >= LINE_INTERVAL {
-            self.last_line = Instant::now();
-            eprintln!("{time:.4} s, step {step} of {steps}");
-        }
-    }
-
-    fn line(&self, text: &str) {
-        match &self.bar {
-            Some(bar) => bar.suspend(|| eprintln!("{text}")),
-            None => eprintln!("{text}"),
-        }
-    }
-
-    fn finish(&self) {
-        if let Some(bar) = &self.bar {
-            bar.finish_and_clear();
+    /// Leaves things as they were.
+    fn give_up(self) {
+        if !self.existed && fs::remove_file(self.path).is_err() {
+            note(format_args!("`{}` is empty", self.path.display()));
         }
     }
 }

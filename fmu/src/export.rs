@@ -257,7 +257,7 @@ fn identifier(scene: &Path) -> String {
 }
 
 /// The library to pack: `explicit`, else the environment variable [`LIBRARY_VARIABLE`], else beside this program or in
-/// its `deps` folder.
+/// its `deps` folder, where one that fits this program comes first.
 ///
 /// # Errors
 /// [`ExportError::NoLibrary`].
@@ -288,11 +288,17 @@ pub fn find_library(explicit: Option<&Path>) -> Result<PathBuf, ExportError> {
     // Tests and examples run from below the folder that has the library.
     let mut searched = vec![own.clone(), own.join("deps")];
     searched.extend(own.parent().map(Path::to_path_buf));
-    let found = searched
+    let mut found: Vec<PathBuf> = searched
         .iter()
         .map(|folder| folder.join(&name))
-        .find(|path| path.is_file());
-    found.ok_or(ExportError::NoLibrary { name, searched })
+        .filter(|path| path.is_file())
+        .collect();
+    if found.is_empty() {
+        return Err(ExportError::NoLibrary { name, searched });
+    }
+    // Cargo may leave an old copy beside the program and put the new one into `deps`.
+    let fresh = found.iter().position(|path| check_library(path).is_ok());
+    Ok(found.swap_remove(fresh.unwrap_or(0)))
 }
 
 /// Loads a library once and refuses one that was not built from the sources of this program.

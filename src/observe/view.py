@@ -26,9 +26,8 @@ def read(series):
 
 
 def colour(display, view, array, components, title):
-    """Colours by the magnitude of an array over the points, the range following the data over all times."""
+    """Colours by an array over the points, a vector by its magnitude."""
     simple.ColorBy(display, ("POINTS", array, "Magnitude") if components == 3 else ("POINTS", array))
-    display.RescaleTransferFunctionToDataRangeOverTime()
     display.SetScalarBarVisibility(view, True)
     bar = simple.GetScalarBar(simple.GetColorTransferFunction(array), view)
     bar.Title, bar.ComponentTitle = title, ""
@@ -37,7 +36,7 @@ def colour(display, view, array, components, title):
 def show_spheres(view):
     spheres = read("spheres")
     if spheres is None:
-        return
+        return None
     display = simple.Show(spheres, view)
     display.SetRepresentationType("Point Gaussian")
     display.ShaderPreset = "Sphere"
@@ -47,13 +46,14 @@ def show_spheres(view):
     display.UseScaleFunction = 0
     display.GaussianRadius = 1.0
     colour(display, view, "velocity", 3, "speed [m/s]")
+    return display
 
 
 def show_contacts(view):
     contacts = read("contacts")
     spheres = simple.FindSource("spheres")
     if contacts is None or spheres is None:
-        return
+        return None
     radius = spheres.PointData["radius"].GetRange()[1]
     # Tubes vary with data over points; the files have it over the lines.
     points = simple.CellDatatoPointData(registrationName="contact forces", Input=contacts)
@@ -65,6 +65,7 @@ def show_contacts(view):
     display = simple.Show(tubes, view)
     colour(display, view, "normal_force", 1, "normal force [N]")
     simple.Hide(contacts, view)
+    return display
 
 
 def show_boundaries(view):
@@ -79,11 +80,13 @@ def show_boundaries(view):
 
 def main():
     view = simple.GetActiveViewOrCreate("RenderView")
-    show_spheres(view)
-    show_contacts(view)
+    coloured = [show_spheres(view), show_contacts(view)]
     show_boundaries(view)
     simple.GetAnimationScene().UpdateAnimationUsingDataTimeSteps()
     simple.GetAnimationScene().GoToLast()
+    # The ranges are those of the last frame.
+    for display in filter(None, coloured):
+        display.RescaleTransferFunctionToDataRange(False, True)
     view.ResetCamera()
     simple.Render(view)
     if len(sys.argv) > 1 and sys.argv[1].endswith(".png"):

@@ -81,6 +81,9 @@ impl Scale {
     pub fn correction(&self, row: &Row, u: Vec3, p: Vec3) -> Correction {
         let n = row.normal;
         let (u_n, u_t) = split(u + row.bias, n);
+        if p == Vec3::zeros() && u_n >= 0.0 && row.law != Law::Bilateral {
+            return Correction::NONE;
+        }
         let (p_n, p_t) = split(p, n);
         let d_n = u_n + row.compliance_n * p_n;
         let d_t = u_t + p_t * row.compliance_t;
@@ -136,6 +139,11 @@ pub struct Correction {
     pub tangential: Vec3,
     /// Size of the corrected impulse.
     pub magnitude: f64,
+}
+
+impl Correction {
+    /// An open contact that stays open.
+    const NONE: Self = Self { normal: 0.0, tangential: Vec3::new(0.0, 0.0, 0.0), magnitude: 0.0 };
 }
 
 /// The residual of `impulses`, `[C]`.

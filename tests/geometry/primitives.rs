@@ -194,6 +194,11 @@ fn a_hopper_of_one_profile_has_no_ghost_edges() {
         panic!()
     };
     same(outer.point, v(2.0, 0.0, 1.5));
+    // Beside the wall the joint is in reach too, but the wall is nearer.
+    let [beside] = touches(&hopper, v(2.2, 0.0, 1.7), 0.2, 0.1)[..] else {
+        panic!()
+    };
+    same(beside.point, v(2.0, 0.0, 1.7));
     for z in [1.9, 1.95, 2.0, 2.05] {
         let [wall] = touches(&hopper, v(1.8, 0.0, z), 0.2, 0.01)[..] else {
             panic!("{z}")

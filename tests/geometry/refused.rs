@@ -46,7 +46,7 @@ fn every_kind_of_stl_is_read() {
     let dir = tempfile::tempdir().unwrap();
     for (name, bytes) in [
         ("binary.stl", binary("made by hand", &SQUARE)),
-        ("binary-solid.stl", binary("solid but binary", &SQUARE)),
+        ("binary-solid.stl", binary("solid but binary\n", &SQUARE)),
         ("ascii.stl", ascii("solid square", &SQUARE).into_bytes()),
         ("nameless.stl", ascii("solid", &SQUARE).into_bytes()),
         (
@@ -169,10 +169,6 @@ fn shapes_that_make_no_sense_are_refused() {
     ];
     for error in refused {
         let message = error.to_string();
-        assert!(
-            message.contains("expected") && message.contains(" is ")
-                || message.contains("expected"),
-            "{message}"
-        );
+        assert!(message.contains("expected"), "{message}");
     }
 }

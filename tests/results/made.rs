@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use nalgebra::UnitQuaternion;
 use sphere_dda::Vec3;
-use sphere_dda::boundaries::{Boundary, Geometry};
+use sphere_dda::boundaries::{Boundary, Facets, Geometry, HalfSpace, Shape};
 use sphere_dda::contacts::{Contact, Key, Partner};
 use sphere_dda::materials::{Material, Pair, PairTable};
 use sphere_dda::motion::{Motion, Pose, Twist};
@@ -97,12 +97,14 @@ pub(crate) fn scene(n: usize) -> Scene {
     }
 }
 
-pub(crate) fn floor() -> Geometry {
-    Geometry::default()
+fn floor() -> Geometry {
+    let up = HalfSpace::new(Vec3::zeros(), Vec3::z()).unwrap();
+    Geometry::new(vec![Shape::HalfSpace(up)]).unwrap()
 }
 
-pub(crate) fn crate_box() -> Geometry {
-    Geometry::default()
+fn crate_box() -> Geometry {
+    let walls = Facets::cuboid(Vec3::new(-0.2, -1.2, 0.0), Vec3::new(2.0, 1.2, 0.5)).unwrap();
+    Geometry::new(vec![Shape::Facets(walls)]).unwrap()
 }
 
 /// Positions and contacts of a state that no solver made.

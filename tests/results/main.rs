@@ -6,4 +6,5 @@ mod frames;
 mod killed;
 mod made;
 mod session;
+mod simulated;
 mod vtu;

@@ -38,7 +38,10 @@ impl Default for Limits {
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum ArchiveError {
-    /// The file, or a file to unpack it to, could not be read or written.
+    /// The archive could not be read.
+    #[error("{0}; expected a file that can be read")]
+    Open(io::Error),
+    /// A file to unpack it to could not be written.
     #[error("{path}: {source}", path = path.display())]
     Io {
         /// The file.
@@ -52,7 +55,7 @@ pub enum ArchiveError {
          export the FMU again"
     )]
     Zip {
-        /// The archive, or the entry in it.
+        /// "archive", or the entry in it.
         place: String,
         /// What is wrong.
         source: ZipError,
@@ -102,11 +105,11 @@ pub(super) fn unpack(path: &Path, limits: Limits) -> Result<TempDir, ArchiveErro
         move |source| ArchiveError::Io { path, source }
     };
     let in_archive = |source| ArchiveError::Zip {
-        place: path.display().to_string(),
+        place: "archive".to_owned(),
         source,
     };
-    let file = File::open(path).map_err(at(path))?;
-    let packed = file.metadata().map_err(at(path))?.len();
+    let file = File::open(path).map_err(ArchiveError::Open)?;
+    let packed = file.metadata().map_err(ArchiveError::Open)?.len();
     let mut archive = ZipArchive::new(io::BufReader::new(file)).map_err(in_archive)?;
     if archive.len() > limits.entries {
         return Err(ArchiveError::Limit {

@@ -59,6 +59,8 @@ pub enum Event<'a> {
         step: u64,
         /// Number of all steps.
         steps: u64,
+        /// What has been recorded, this point included.
+        table: &'a Table,
     },
     /// The FMU has logged a message.
     Message(&'a Message),
@@ -335,6 +337,7 @@ impl Run<'_> {
                 time: grid.time(k),
                 step: k,
                 steps: grid.count,
+                table: self.table,
             };
             if forward(&self.instance, observe).is_break() || observe(event).is_break() {
                 end = End::Interrupted;

@@ -1,0 +1,122 @@
+//! `sphere-dda demo`: the funnel example as an FMU, from the scene to results on the disk.
+
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use miette::miette;
+use sphere_dda_fmu::import::{Fmu, Options, Table};
+
+use crate::export::pack;
+use crate::failure::Failure;
+use crate::progress::{Interrupt, print};
+use crate::run::positive;
+use crate::simulate::{csv, drive};
+
+/// The scene, so that the demo works in any folder.
+const SCENE: &str = include_str!("../../examples/funnel/funnel.toml");
+/// Explains a demo folder, and marks it as one.
+const ABOUT: &str = "about.txt";
+/// First line of that file.
+const MARK: &str = "Output of `sphere-dda demo`";
+/// Name of the FMU's instance, and so of the folder that it writes to.
+const RESULTS: &str = "results";
+
+/// Arguments of `demo`.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  sphere-dda demo
+  sphere-dda demo -o /tmp/funnel
+
+Written to DIR: funnel.toml (the scene), funnel.fmu, outputs.csv (what a master reads from the FMU), and results/ (VTU,
+PVD and CSV files that the FMU itself writes). The output of an earlier demo is replaced.")]
+pub(crate) struct Demo {
+    /// Folder to write to.
+    #[arg(short, long, value_name = "DIR", default_value = "demo-output")]
+    output: PathBuf,
+    /// Stop time [s]; that of the scene if absent.
+    #[arg(long, value_name = "SECONDS", value_parser = positive, hide = true)]
+    stop: Option<f64>,
+}
+
+/// Exports the funnel, drives the FMU through the interface of FMI, and says how to look at the results.
+///
+/// # Errors
+/// A folder that is not ours, a library that does not fit, or what the importer says.
+pub(crate) fn run(arguments: &Demo, interrupt: &Interrupt) -> Result<(), Failure> {
+    let folder = prepare(&arguments.output)?;
+    let (scene, archive) = (folder.join("funnel.toml"), folder.join("funnel.fmu"));
+    put(&scene, SCENE.as_bytes())?;
+    pack(&scene, &archive, None)?;
+
+    let fmu = Fmu::open(&archive)?;
+    let options = Options {
+        stop: arguments.stop,
+        set: vec![
+            ("output.directory".to_owned(), folder.display().to_string()),
+            ("output.overwrite".to_owned(), "true".to_owned()),
+        ],
+        instance_name: Some(RESULTS.to_owned()),
+        ..Options::default()
+    };
+    let driven = drive(&fmu, &options, interrupt);
+    if let Some(table) = &driven.table {
+        let text = csv(table).map_err(Failure::run)?;
+        put(&folder.join("outputs.csv"), &text)?;
+        print(|out| summary(out, table, driven.wall))?;
+        let place = arguments.output.join(RESULTS);
+        print(|out| out.write_all(how_to_look(&place).as_bytes()))?;
+    }
+    driven.end
+}
+
+/// The folder as an absolute path, new, empty or of an earlier demo.
+fn prepare(folder: &Path) -> Result<PathBuf, Failure> {
+    let refuse = |error: io::Error| Failure::Input(miette!("cannot use `{}`: {error}", folder.display()));
+    fs::create_dir_all(folder).map_err(refuse)?;
+    let about = folder.join(ABOUT);
+    let empty = fs::read_dir(folder).map_err(refuse)?.next().is_none();
+    if !empty && !fs::read_to_string(&about).is_ok_and(|text| text.starts_with(MARK)) {
+        return Err(Failure::Input(miette!(
+            "`{}` holds other files than those of a demo; choose another folder with -o",
+            folder.display()
+        )));
+    }
+    let text = format!(
+        "{MARK}, which replaces the files named here when it runs again.\n\n\
+         funnel.toml  the scene\n\
+         funnel.fmu   the scene as an FMU of FMI 2.0 for co-simulation\n\
+         outputs.csv  its outputs, read through the interface of FMI\n\
+         results/     VTU, PVD and CSV files that the FMU wrote itself\n\n{}",
+        how_to_look(Path::new(RESULTS))
+    );
+    put(&about, text.as_bytes())?;
+    std::path::absolute(folder).map_err(refuse)
+}
+
+fn put(path: &Path, content: &[u8]) -> Result<(), Failure> {
+    fs::write(path, content).map_err(|error| Failure::Input(miette!("cannot write `{}`: {error}", path.display())))
+}
+
+/// What happened, from the outputs of the FMU.
+fn summary(out: &mut dyn io::Write, table: &Table, wall: f64) -> io::Result<()> {
+    let values = |name: &str| table.real(name).unwrap_or_default();
+    let last = |name: &str| values(name).last().copied().unwrap_or(f64::NAN);
+    let time = table.time.last().copied().unwrap_or(f64::NAN);
+    let overlap = values("maxOverlap").iter().copied().fold(0.0, f64::max);
+    writeln!(out, "simulated       {time} s in {} communication steps", table.time.len().saturating_sub(1))?;
+    writeln!(out, "discharged      {:.0} kg of {:.0} kg", last("sensor.discharge.mass"), last("mass"))?;
+    writeln!(out, "worst overlap   {overlap:.2e} of the radius, over all steps")?;
+    writeln!(out, "wall time       {wall:.2} s, {:.2} x real time", time / wall)
+}
+
+fn how_to_look(results: &Path) -> String {
+    let place = results.display();
+    format!(
+        "look at them    paraview --script={place}/view.py\n\
+         \x20               or open {place}/spheres.pvd in ParaView\n\
+         \x20               or python -c \"import meshio; print(meshio.read('{place}/spheres_000000.vtu'))\"\n"
+    )
+}

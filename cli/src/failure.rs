@@ -1,0 +1,95 @@
+//! Why a command ends without having done its work, and what it tells the shell.
+
+use std::error::Error;
+use std::process::ExitCode;
+
+use miette::Report;
+use sphere_dda::error::StepError;
+use sphere_dda::observe::error::OutputError;
+use sphere_dda::scene::SceneError;
+use sphere_dda_fmu::export::ExportError;
+use sphere_dda_fmu::import::{ImportError, SignalsError, SimulateError};
+use sphere_dda_fmu::model::ModelError;
+
+/// Why a command has not done its work.
+#[derive(Debug)]
+pub(crate) enum Failure {
+    /// Another scene, file or argument would do: exit code 2, as clap's own.
+    Input(Report),
+    /// The run itself failed: exit code 1.
+    Run(Report),
+    /// Ctrl-C, all files being complete: exit code 130, as shells have it.
+    Interrupted,
+}
+
+impl Failure {
+    /// Bad input, for the reason `error`.
+    pub(crate) fn input(error: impl Error + Send + Sync + 'static) -> Self {
+        Self::Input(Report::from_err(error))
+    }
+
+    /// A failed run, for the reason `error`.
+    pub(crate) fn run(error: impl Error + Send + Sync + 'static) -> Self {
+        Self::Run(Report::from_err(error))
+    }
+
+    /// What the shell is told.
+    pub(crate) fn code(&self) -> ExitCode {
+        ExitCode::from(match self {
+            Self::Run(_) => 1,
+            Self::Input(_) => 2,
+            Self::Interrupted => 130,
+        })
+    }
+}
+
+impl From<SceneError> for Failure {
+    fn from(error: SceneError) -> Self {
+        Self::Input(error.into())
+    }
+}
+
+impl From<ExportError> for Failure {
+    fn from(error: ExportError) -> Self {
+        match error {
+            // As a diagnostic it shows the places in the text.
+            ExportError::Model(ModelError::Scene(scene)) => (*scene).into(),
+            other => Self::input(other),
+        }
+    }
+}
+
+impl From<StepError> for Failure {
+    fn from(error: StepError) -> Self {
+        Self::run(error)
+    }
+}
+
+impl From<OutputError> for Failure {
+    fn from(error: OutputError) -> Self {
+        Self::input(error)
+    }
+}
+
+impl From<ImportError> for Failure {
+    fn from(error: ImportError) -> Self {
+        Self::input(error)
+    }
+}
+
+impl From<SignalsError> for Failure {
+    fn from(error: SignalsError) -> Self {
+        Self::input(error)
+    }
+}
+
+impl From<SimulateError> for Failure {
+    /// What happens after the start, and so leaves something recorded, is a failed run.
+    fn from(error: SimulateError) -> Self {
+        if error.table().is_some() {
+            Self::run(error)
+        } else {
+            Self::input(error)
+        }
+    }
+}

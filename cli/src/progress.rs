@@ -1,0 +1,141 @@
+//! Progress of a run, Ctrl-C, and text for people: a bar on a terminal, a line now and then elsewhere.
+//!
+//! Progress and messages go to standard error, results to standard output, so that a pipe gets results only.
+
+use std::fmt;
+use std::io::{self, IsTerminal, Write};
+use std::process;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::{Duration, Instant};
+
+use indicatif::{ProgressBar, ProgressStyle};
+
+use crate::failure::Failure;
+
+/// Time between two lines of progress where there is no terminal.
+const LINE_INTERVAL: Duration = Duration::from_secs(5);
+/// Time between two updates of the bar.
+const BAR_INTERVAL: Duration = Duration::from_millis(100);
+/// Length of the bar in its own units.
+const BAR_LENGTH: u64 = 1000;
+
+/// Ctrl-C: the first asks the run to end at the next communication point, the second ends the program.
+#[derive(Debug, Clone)]
+pub(crate) struct Interrupt(Arc<AtomicBool>);
+
+impl Interrupt {
+    /// Listens from now on; once per process.
+    pub(crate) fn listen() -> Result<Self, Failure> {
+        let asked = Arc::new(AtomicBool::new(false));
+        let flag = Arc::clone(&asked);
+        let heard = move || {
+            if flag.swap(true, Ordering::Relaxed) {
+                process::exit(130);
+            }
+        };
+        ctrlc::set_handler(heard).map_err(Failure::run)?;
+        Ok(Self(asked))
+    }
+
+    /// Whether the run shall end.
+    pub(crate) fn requested(&self) -> bool {
+        self.0.load(Ordering::Relaxed)
+    }
+}
+
+/// How a run gets on, up to its stop time.
+pub(crate) struct Progress {
+    bar: Option<ProgressBar>,
+    /// Start and stop of the simulated time \[s\].
+    span: (f64, f64),
+    began: Instant,
+    shown: Instant,
+}
+
+impl Progress {
+    /// A run from `start` to `stop` \[s\] that begins now.
+    pub(crate) fn new(start: f64, stop: f64) -> Self {
+        let now = Instant::now();
+        let bar = io::stderr().is_terminal().then(|| {
+            let style = ProgressStyle::with_template("{bar:30} {msg}");
+            let bar = ProgressBar::new(BAR_LENGTH);
+            bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+            bar
+        });
+        Self {
+            bar,
+            span: (start, stop),
+            began: now,
+            shown: now,
+        }
+    }
+
+    /// The run has come to `time` \[s\]; `detail` is asked for only if it is shown.
+    pub(crate) fn show(&mut self, time: f64, detail: impl FnOnce() -> String) {
+        let interval = match &self.bar {
+            Some(_) => BAR_INTERVAL,
+            None => LINE_INTERVAL,
+        };
+        if self.shown.elapsed() < interval {
+            return;
+        }
+        self.shown = Instant::now();
+        let (start, stop) = self.span;
+        let done = (time - start) / (stop - start);
+        let wall = self.began.elapsed().as_secs_f64();
+        let factor = (time - start) / wall;
+        let remaining = wall * (1.0 - done) / done;
+        let mut text = format!("{time:.3} of {stop} s");
+        let detail = detail();
+        if !detail.is_empty() {
+            text += &format!(", {detail}");
+        }
+        text += &format!(", {factor:.2} x real time");
+        if remaining.is_finite() {
+            text += &format!(", ETA {remaining:.0} s");
+        }
+        match &self.bar {
+            Some(bar) => {
+                bar.set_position((done * BAR_LENGTH as f64) as u64);
+                bar.set_message(text);
+            }
+            None => note(&text),
+        }
+    }
+
+    /// Shows a message above the bar.
+    pub(crate) fn note(&self, text: impl fmt::Display) {
+        match &self.bar {
+            Some(bar) => bar.suspend(|| note(text)),
+            None => note(text),
+        }
+    }
+
+    /// Wall time \[s\] since the beginning.
+    pub(crate) fn wall_time(&self) -> f64 {
+        self.began.elapsed().as_secs_f64()
+    }
+}
+
+impl Drop for Progress {
+    fn drop(&mut self) {
+        if let Some(bar) = &self.bar {
+            bar.finish_and_clear();
+        }
+    }
+}
+
+/// Writes a line to standard error; if nobody reads that, there is nobody to tell.
+pub(crate) fn note(text: impl fmt::Display) {
+    let _ = writeln!(io::stderr().lock(), "{text}");
+}
+
+/// Writes to standard output what `write` has to say. A reader that has seen enough is no failure.
+pub(crate) fn print(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), Failure> {
+    let mut out = io::BufWriter::new(io::stdout().lock());
+    match write(&mut out).and_then(|()| out.flush()) {
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(Failure::run(error)),
+        _ => Ok(()),
+    }
+}
