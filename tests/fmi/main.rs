@@ -238,6 +238,14 @@ fn a_step_lands_exactly_and_accepts_rounded_points() {
     }
     assert_eq!(instance.step(t, h), ERROR);
     assert!(instance.log()[0].contains("stop time"));
+    // A master that multiplies: its points differ from the last step's end by rounding, and count.
+    assert_eq!(instance.reset(), OK);
+    instance.initialize();
+    for k in 0..20 {
+        let t = f64::from(k) * 0.01;
+        assert_eq!(instance.step(t, 0.01), OK, "{:?}", instance.log());
+        assert_eq!(instance.real(time), t + 0.01);
+    }
 }
 
 #[test]
