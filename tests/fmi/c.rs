@@ -277,8 +277,8 @@ impl Instance<'_> {
 
     pub(crate) fn state(&self) -> Handle {
         let mut state = null_mut();
-        // SAFETY: the place is valid.
         assert_eq!(
+            // SAFETY: the place is valid.
             unsafe { (self.f().fmi2GetFMUstate)(self.handle, &raw mut state) },
             OK
         );
@@ -291,8 +291,8 @@ impl Instance<'_> {
     }
 
     pub(crate) fn free(&self, mut state: Handle) {
-        // SAFETY: a state of this library, not used again.
         assert_eq!(
+            // SAFETY: a state of this library, not used again.
             unsafe { (self.f().fmi2FreeFMUstate)(self.handle, &raw mut state) },
             OK
         );
@@ -348,8 +348,8 @@ impl Instance<'_> {
 
     pub(crate) fn last_time(&self) -> f64 {
         let mut value = f64::NAN;
-        // SAFETY: a valid place.
         assert_eq!(
+            // SAFETY: a valid place.
             unsafe { (self.f().fmi2GetRealStatus)(self.handle, 2, &raw mut value) },
             OK
         );
@@ -358,8 +358,8 @@ impl Instance<'_> {
 
     pub(crate) fn terminated(&self) -> bool {
         let mut value = -1;
-        // SAFETY: a valid place.
         assert_eq!(
+            // SAFETY: a valid place.
             unsafe { (self.f().fmi2GetBooleanStatus)(self.handle, 3, &raw mut value) },
             OK
         );
