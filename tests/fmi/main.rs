@@ -141,6 +141,7 @@ fn the_guid_is_that_of_the_content() {
 fn all_functions_exist() {
     assert_eq!(c::NAMES.len(), 34);
     let text = |pointer| {
+        // SAFETY: the library hands out NUL-terminated static texts.
         unsafe { std::ffi::CStr::from_ptr(pointer) }
             .to_str()
             .unwrap()
