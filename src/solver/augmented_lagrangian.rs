@@ -376,3 +376,60 @@ fn motion(problem: &Problem, step: &[f64]) -> f64 {
         .map(|row| (row.relative_velocity(&change) - row.drift).norm() * problem.step / row.radius)
         .fold(0.0, f64::max)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn row(law: Law) -> Row {
+        Row {
+            a: 0,
+            b: GROUND,
+            normal: Vec3::new(0.6, 0.0, 0.8),
+            arm_a: Vec3::zeros(),
+            arm_b: Vec3::zeros(),
+            drift: Vec3::zeros(),
+            bias: Vec3::new(0.01, -0.02, 0.005),
+            compliance_n: 0.03,
+            compliance_t: 0.02,
+            law,
+            radius: 1.0,
+            impulse_scale: 1.0,
+        }
+    }
+
+    /// Tangent and energy against central differences in all three states and for springs, error of second order.
+    #[test]
+    fn tangent_and_energy_are_derivatives() {
+        let p = Vec3::new(1.0, 0.3, 1.5);
+        let contact = row(Law::Contact { mu: 0.5 });
+        let cases = [
+            (contact, Vec3::new(0.02, 0.01, -0.1), 0.8),
+            (contact, Vec3::new(0.2, 0.4, -0.1), 0.3),
+            (contact, Vec3::new(0.6, 0.0, 0.9), 0.0),
+            (row(Law::Bilateral), Vec3::new(0.1, -0.3, 0.2), 0.0),
+        ];
+        for (row, u, radius) in cases {
+            let at = |u: Vec3| augmented(&row, u, p, 20.0, radius);
+            let here = at(u);
+            let error = |h: f64| {
+                let mut worst = 0.0f64;
+                for axis in 0..3 {
+                    let step = Vec3::ith(axis, h);
+                    let (plus, minus) = (at(u + step), at(u - step));
+                    let slope = (plus.impulse - minus.impulse) / (2.0 * h);
+                    worst = worst.max((slope + here.tangent.column(axis)).norm());
+                    let slope = (plus.energy - minus.energy) / (2.0 * h);
+                    worst = worst.max((slope + here.impulse[axis]).abs());
+                }
+                worst
+            };
+            let (coarse, fine) = (error(1e-3), error(1e-4));
+            assert!(fine < 1e-6, "{fine:e}");
+            assert!(
+                fine <= coarse / 50.0 || coarse < 1e-9,
+                "second order: {coarse:e} {fine:e}"
+            );
+        }
+    }
+}

@@ -2,6 +2,7 @@
 
 use std::fs;
 use std::path::Path;
+use std::process::Command;
 use std::sync::Arc;
 
 use sphere_dda::scene::Scene;
@@ -83,6 +84,34 @@ fn an_fmu_is_replaced_only_when_asked() {
     assert!(refused.error.contains("--overwrite"), "{}", refused.error);
     done(folder.path(), &[&export[..], &["--overwrite"]].concat());
     assert_eq!(fs::read(folder.path().join("funnel.fmu")).unwrap(), first);
+}
+
+#[test]
+fn a_library_of_other_sources_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = funnel(folder.path(), &[]);
+    let source = "const char *sphere_dda_build_id(void) { return \"0.0.1+old\"; }";
+    fs::write(folder.path().join("old.c"), source).unwrap();
+    let mut compile = Command::new("cc");
+    compile.args(["-shared", "-fPIC", "old.c", "-o", "old.so"]);
+    assert!(
+        compile
+            .current_dir(folder.path())
+            .status()
+            .unwrap()
+            .success()
+    );
+    let export = ["export", scene.to_str().unwrap(), "--library", "old.so"];
+    let refused = said(folder.path(), &export);
+    assert_eq!(refused.code, Some(2), "{}", refused.error);
+    for part in ["build id 0.0.1+old", "run `cargo build --release"] {
+        assert!(
+            refused.error.contains(part),
+            "{part} is not in\n{}",
+            refused.error
+        );
+    }
+    assert!(!folder.path().join("funnel.fmu").exists());
 }
 
 #[test]

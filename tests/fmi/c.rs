@@ -8,13 +8,13 @@ use std::sync::Mutex;
 use libloading::Library;
 use sphere_dda_fmu::export::find_library;
 
-pub const OK: c_int = 0;
-pub const WARNING: c_int = 1;
-pub const DISCARD: c_int = 2;
-pub const ERROR: c_int = 3;
+pub(crate) const OK: c_int = 0;
+pub(crate) const WARNING: c_int = 1;
+pub(crate) const DISCARD: c_int = 2;
+pub(crate) const ERROR: c_int = 3;
 
 /// An `fmi2Component` or `fmi2FMUstate`.
-pub type Handle = *mut c_void;
+pub(crate) type Handle = *mut c_void;
 
 #[repr(C)]
 struct Callbacks {
@@ -50,7 +50,7 @@ macro_rules! functions {
     ($($name:ident: fn($($argument:ty),*) $(-> $result:ty)?;)*) => {
         /// Every function the standard asks of a co-simulation FMU, by its own name.
         #[allow(non_snake_case)]
-        pub struct Functions { $(pub $name: unsafe extern "C" fn($($argument),*) $(-> $result)?,)* }
+        pub(crate) struct Functions { $(pub(crate) $name: unsafe extern "C" fn($($argument),*) $(-> $result)?,)* }
 
         impl Functions {
             fn of(library: &Library) -> Self {
@@ -60,7 +60,7 @@ macro_rules! functions {
         }
 
         /// Their names.
-        pub const NAMES: &[&str] = &[$(stringify!($name)),*];
+        pub(crate) const NAMES: &[&str] = &[$(stringify!($name)),*];
     };
 }
 
@@ -102,13 +102,13 @@ functions! {
 }
 
 /// The loaded library.
-pub struct Fmi {
-    pub f: Functions,
+pub(crate) struct Fmi {
+    pub(crate) f: Functions,
     _library: Library,
 }
 
 impl Fmi {
-    pub fn load() -> Self {
+    pub(crate) fn load() -> Self {
         let path: PathBuf = find_library(None).unwrap();
         // SAFETY: a library of this project.
         let library = unsafe { Library::new(path) }.unwrap();
@@ -119,11 +119,16 @@ impl Fmi {
     }
 
     /// `fmi2Instantiate` of a co-simulation instance; a null handle if it is refused.
-    pub fn instantiate<'a>(&'a self, name: &str, guid: &str, resources: &Path) -> Instance<'a> {
+    pub(crate) fn instantiate<'a>(
+        &'a self,
+        name: &str,
+        guid: &str,
+        resources: &Path,
+    ) -> Instance<'a> {
         self.instantiate_as(1, name, guid, &format!("file://{}", resources.display()))
     }
 
-    pub fn instantiate_as<'a>(
+    pub(crate) fn instantiate_as<'a>(
         &'a self,
         kind: c_int,
         name: &str,
@@ -160,9 +165,9 @@ impl Fmi {
 }
 
 /// An instance with its log.
-pub struct Instance<'a> {
+pub(crate) struct Instance<'a> {
     fmi: &'a Fmi,
-    pub handle: Handle,
+    pub(crate) handle: Handle,
     log: Box<Mutex<Vec<String>>>,
 }
 
@@ -175,16 +180,16 @@ impl Drop for Instance<'_> {
 
 /// Safe calls with slices; the tests of null pointers use [`Functions`] themselves.
 impl Instance<'_> {
-    pub fn f(&self) -> &Functions {
+    pub(crate) fn f(&self) -> &Functions {
         &self.fmi.f
     }
 
     /// The log lines since the last call.
-    pub fn log(&self) -> Vec<String> {
+    pub(crate) fn log(&self) -> Vec<String> {
         std::mem::take(&mut *self.log.lock().unwrap())
     }
 
-    pub fn set_up(&self, start: f64, stop: Option<f64>) -> c_int {
+    pub(crate) fn set_up(&self, start: f64, stop: Option<f64>) -> c_int {
         let defined = c_int::from(stop.is_some());
         // SAFETY: no pointers but the handle.
         unsafe {
@@ -192,17 +197,17 @@ impl Instance<'_> {
         }
     }
 
-    pub fn enter(&self) -> c_int {
+    pub(crate) fn enter(&self) -> c_int {
         // SAFETY: as above.
         unsafe { (self.f().fmi2EnterInitializationMode)(self.handle) }
     }
 
-    pub fn exit(&self) -> c_int {
+    pub(crate) fn exit(&self) -> c_int {
         // SAFETY: as above.
         unsafe { (self.f().fmi2ExitInitializationMode)(self.handle) }
     }
 
-    pub fn initialize(&self) {
+    pub(crate) fn initialize(&self) {
         assert_eq!(
             [self.set_up(0.0, None), self.enter(), self.exit()],
             [OK; 3],
@@ -211,22 +216,22 @@ impl Instance<'_> {
         );
     }
 
-    pub fn step(&self, point: f64, h: f64) -> c_int {
+    pub(crate) fn step(&self, point: f64, h: f64) -> c_int {
         // SAFETY: as above.
         unsafe { (self.f().fmi2DoStep)(self.handle, point, h, 0) }
     }
 
-    pub fn terminate(&self) -> c_int {
+    pub(crate) fn terminate(&self) -> c_int {
         // SAFETY: as above.
         unsafe { (self.f().fmi2Terminate)(self.handle) }
     }
 
-    pub fn reset(&self) -> c_int {
+    pub(crate) fn reset(&self) -> c_int {
         // SAFETY: as above.
         unsafe { (self.f().fmi2Reset)(self.handle) }
     }
 
-    pub fn get(&self, references: &[u32], values: &mut [f64]) -> c_int {
+    pub(crate) fn get(&self, references: &[u32], values: &mut [f64]) -> c_int {
         // SAFETY: slices of the length that is passed.
         unsafe {
             (self.f().fmi2GetReal)(
@@ -238,18 +243,18 @@ impl Instance<'_> {
         }
     }
 
-    pub fn real(&self, reference: u32) -> f64 {
+    pub(crate) fn real(&self, reference: u32) -> f64 {
         let mut value = [f64::NAN];
         assert_eq!(self.get(&[reference], &mut value), OK, "{:?}", self.log());
         value[0]
     }
 
-    pub fn set(&self, reference: u32, value: f64) -> c_int {
+    pub(crate) fn set(&self, reference: u32, value: f64) -> c_int {
         // SAFETY: one reference, one value.
         unsafe { (self.f().fmi2SetReal)(self.handle, &raw const reference, 1, &raw const value) }
     }
 
-    pub fn set_string(&self, reference: u32, value: &str) -> c_int {
+    pub(crate) fn set_string(&self, reference: u32, value: &str) -> c_int {
         let value = CString::new(value).unwrap();
         let pointer = value.as_ptr();
         // SAFETY: one reference, one text.
@@ -258,7 +263,7 @@ impl Instance<'_> {
         }
     }
 
-    pub fn string(&self, reference: u32) -> String {
+    pub(crate) fn string(&self, reference: u32) -> String {
         let mut value = null();
         // SAFETY: one reference, one place; the text is copied at once.
         unsafe {
@@ -270,24 +275,24 @@ impl Instance<'_> {
         }
     }
 
-    pub fn state(&self) -> Handle {
+    pub(crate) fn state(&self) -> Handle {
         let mut state = null_mut();
-        // SAFETY: the place is valid.
         assert_eq!(
+            // SAFETY: the place is valid.
             unsafe { (self.f().fmi2GetFMUstate)(self.handle, &raw mut state) },
             OK
         );
         state
     }
 
-    pub fn restore(&self, state: Handle) -> c_int {
+    pub(crate) fn restore(&self, state: Handle) -> c_int {
         // SAFETY: a state of this library, or null.
         unsafe { (self.f().fmi2SetFMUstate)(self.handle, state) }
     }
 
-    pub fn free(&self, mut state: Handle) {
-        // SAFETY: a state of this library, not used again.
+    pub(crate) fn free(&self, mut state: Handle) {
         assert_eq!(
+            // SAFETY: a state of this library, not used again.
             unsafe { (self.f().fmi2FreeFMUstate)(self.handle, &raw mut state) },
             OK
         );
@@ -295,7 +300,7 @@ impl Instance<'_> {
     }
 
     /// The serialized state.
-    pub fn bytes(&self) -> Vec<u8> {
+    pub(crate) fn bytes(&self) -> Vec<u8> {
         let state = self.state();
         let mut size = 0;
         // SAFETY: the places are valid, the buffer has the length that is passed.
@@ -321,7 +326,7 @@ impl Instance<'_> {
     }
 
     /// Deserializes and restores.
-    pub fn load(&self, bytes: &[u8]) -> c_int {
+    pub(crate) fn load(&self, bytes: &[u8]) -> c_int {
         let mut state = null_mut();
         // SAFETY: a slice of the length that is passed, a valid place.
         let status = unsafe {
@@ -341,20 +346,20 @@ impl Instance<'_> {
         status
     }
 
-    pub fn last_time(&self) -> f64 {
+    pub(crate) fn last_time(&self) -> f64 {
         let mut value = f64::NAN;
-        // SAFETY: a valid place.
         assert_eq!(
+            // SAFETY: a valid place.
             unsafe { (self.f().fmi2GetRealStatus)(self.handle, 2, &raw mut value) },
             OK
         );
         value
     }
 
-    pub fn terminated(&self) -> bool {
+    pub(crate) fn terminated(&self) -> bool {
         let mut value = -1;
-        // SAFETY: a valid place.
         assert_eq!(
+            // SAFETY: a valid place.
             unsafe { (self.f().fmi2GetBooleanStatus)(self.handle, 3, &raw mut value) },
             OK
         );

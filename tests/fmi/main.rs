@@ -49,13 +49,13 @@ mass_flow = { point = [0.0, 0.0, 0.15], normal = [0.0, 0.0, -1.0] }
 "#;
 
 /// A scene in a folder of its own, as `resources/` has it.
-pub struct Scene {
+pub(crate) struct Scene {
     folder: tempfile::TempDir,
-    pub model: Model,
+    pub(crate) model: Model,
 }
 
 impl Scene {
-    pub fn new(text: &str) -> Self {
+    pub(crate) fn new(text: &str) -> Self {
         let folder = tempfile::tempdir().unwrap();
         std::fs::write(folder.path().join("scene.toml"), text).unwrap();
         let model =
@@ -63,12 +63,12 @@ impl Scene {
         Self { folder, model }
     }
 
-    pub fn resources(&self) -> &Path {
+    pub(crate) fn resources(&self) -> &Path {
         self.folder.path()
     }
 
     /// Value reference of a name.
-    pub fn reference(&self, name: &str) -> u32 {
+    pub(crate) fn reference(&self, name: &str) -> u32 {
         let variables = self.model.table.variables();
         variables
             .iter()
@@ -77,7 +77,7 @@ impl Scene {
             .reference
     }
 
-    pub fn instance(&self) -> Instance<'static> {
+    pub(crate) fn instance(&self) -> Instance<'static> {
         let instance = fmi().instantiate("box", &self.model.guid, self.resources());
         assert!(!instance.handle.is_null(), "{:?}", instance.log());
         instance
@@ -88,11 +88,11 @@ impl Scene {
     }
 }
 
-pub fn box_scene() -> Scene {
+pub(crate) fn box_scene() -> Scene {
     Scene::new(BOX)
 }
 
-pub fn fmi() -> &'static Fmi {
+pub(crate) fn fmi() -> &'static Fmi {
     static FMI: OnceLock<Fmi> = OnceLock::new();
     FMI.get_or_init(Fmi::load)
 }
@@ -141,6 +141,7 @@ fn the_guid_is_that_of_the_content() {
 fn all_functions_exist() {
     assert_eq!(c::NAMES.len(), 34);
     let text = |pointer| {
+        // SAFETY: the library hands out NUL-terminated static texts.
         unsafe { std::ffi::CStr::from_ptr(pointer) }
             .to_str()
             .unwrap()
@@ -238,6 +239,14 @@ fn a_step_lands_exactly_and_accepts_rounded_points() {
     }
     assert_eq!(instance.step(t, h), ERROR);
     assert!(instance.log()[0].contains("stop time"));
+    // A master that multiplies: its points differ from the last step's end by rounding, and count.
+    assert_eq!(instance.reset(), OK);
+    instance.initialize();
+    for k in 0..20 {
+        let t = f64::from(k) * 0.01;
+        assert_eq!(instance.step(t, 0.01), OK, "{:?}", instance.log());
+        assert_eq!(instance.real(time), t + 0.01);
+    }
 }
 
 #[test]

@@ -345,6 +345,9 @@ fn only_chosen_categories_are_logged() {
     assert_eq!(select(1, &["logAll", "logMagic"]), WARNING);
     assert!(i.log()[0].contains("logMagic"));
     assert_eq!(select(0, &[]), OK);
+    assert_eq!(i.reset(), OK);
+    i.initialize();
+    assert!(i.log().is_empty());
     assert_eq!(i.step(0.0, -0.1), ERROR);
     assert_eq!(i.log().len(), 1);
 }

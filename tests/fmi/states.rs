@@ -36,8 +36,8 @@ fn step_restore_step_gives_the_same_bytes() {
     assert_eq!(instance.bytes(), once);
     // A state that is handed in again is overwritten, not leaked.
     let mut same = saved;
-    // SAFETY: a state of this library and a valid place.
     assert_eq!(
+        // SAFETY: a state of this library and a valid place.
         unsafe { (instance.f().fmi2GetFMUstate)(instance.handle, &raw mut same) },
         OK
     );

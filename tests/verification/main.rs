@@ -1,9 +1,13 @@
 //! Closed forms the solver has to meet. Each test derives its answer in its comment; `README.md` beside this
-#![allow(unreachable_pub, reason = "a test crate has no outside")]
 //! file lists how each was seen to fail.
+
+#![allow(unreachable_pub, reason = "a test crate has no outside")]
 
 mod contact_statics;
 mod free_motion;
 mod impact;
 mod incline;
+mod paper_examples;
+mod solvers;
+mod springs;
 mod support;

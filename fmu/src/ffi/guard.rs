@@ -175,3 +175,41 @@ fn null(argument: &'static str) -> Refusal {
         expected: "a pointer",
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::log::Log;
+    use crate::model::Model;
+    use std::cell::RefCell;
+    use std::path::Path;
+    use std::rc::Rc;
+
+    #[test]
+    fn a_panic_is_an_error_until_reset() {
+        let folder = tempfile::tempdir().unwrap();
+        let scene = Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples/feeder/feeder.toml");
+        std::fs::copy(scene, folder.path().join("scene.toml")).unwrap();
+        let guid = Model::read(&folder.path().join("scene.toml")).unwrap().guid;
+        let lines = Rc::new(RefCell::new(Vec::new()));
+        let copy = Rc::clone(&lines);
+        let sink: Sink = Box::new(move |_, _, line| copy.borrow_mut().push(line.to_owned()));
+        let log = Log::new(Some(sink), false);
+        let instance = Instance::new("one", &guid, folder.path(), log).unwrap();
+        let mut component = Component {
+            instance,
+            strings: Vec::new(),
+        };
+        let c: fmi2Component = (&raw mut component).cast();
+
+        let panics = |_: &mut Component| panic!("out of {}", "luck");
+        assert_eq!(call(c, "fmi2DoStep", ANY, panics), fmi2Status::fmi2Error);
+        assert!(lines.borrow()[0].contains("internal error: fmi2DoStep: out of luck"));
+        let idle = |_: &mut Component| Ok(fmi2Status::fmi2OK);
+        let stepping: Stages = &[Stage::Instantiated, Stage::StepComplete];
+        assert_eq!(call(c, "fmi2DoStep", stepping, idle), fmi2Status::fmi2Error);
+        assert!(lines.borrow()[1].contains("not allowed in state error"));
+        component.instance.reset();
+        assert_eq!(call(c, "fmi2DoStep", stepping, idle), fmi2Status::fmi2OK);
+    }
+}

@@ -1,0 +1,184 @@
+//! Solvers against each other and against closed forms, on one problem at a time.
+
+use sphere_dda::Vec3;
+use sphere_dda::problem::{Dof6, GROUND, Law, Problem, Row};
+use sphere_dda::scene::{SolverKind, Tolerance};
+use sphere_dda::solver::augmented_lagrangian::Workspace;
+use sphere_dda::solver::residual::{Scale, evaluate};
+use sphere_dda::solver::{Params, Report, solve};
+
+const R: f64 = 0.1;
+const DT: f64 = 1e-3;
+
+fn body(velocity: Vec3) -> (Dof6, Dof6) {
+    let mass = 2.0;
+    let inertia = 0.4 * mass * R * R;
+    let free = Dof6 {
+        linear: velocity,
+        angular: Vec3::zeros(),
+    };
+    let inverse = Dof6 {
+        linear: Vec3::repeat(1.0 / mass),
+        angular: Vec3::repeat(1.0 / inertia),
+    };
+    (free, inverse)
+}
+
+fn row(a: u32, b: u32, normal: Vec3, mu: f64) -> Row {
+    Row {
+        a,
+        b,
+        normal,
+        arm_a: normal * -R,
+        arm_b: if b == GROUND {
+            Vec3::zeros()
+        } else {
+            normal * R
+        },
+        drift: Vec3::zeros(),
+        bias: Vec3::zeros(),
+        compliance_n: 0.0,
+        compliance_t: 0.0,
+        law: Law::Contact { mu },
+        radius: R,
+        impulse_scale: 2.0 * 9.81 * DT,
+    }
+}
+
+/// A leaning pyramid of ten spheres on the ground, pushed sideways: sticking and slipping contacts.
+fn pyramid(mu: f64) -> Problem {
+    let mut problem = Problem {
+        step: DT,
+        ..Problem::default()
+    };
+    let side = 2.0 * R;
+    let mut centres = Vec::new();
+    for (layer, n) in [(0, 3), (1, 2), (2, 1)] {
+        for i in 0..n {
+            for j in 0..n - i {
+                let x = side * (f64::from(i) + 0.5 * f64::from(j));
+                let y = side * (3f64.sqrt() / 2.0 * f64::from(j));
+                let shift = f64::from(layer) * side;
+                let z = shift * (2.0f64 / 3.0).sqrt();
+                centres.push(Vec3::new(
+                    x + 0.5 * shift,
+                    y + shift / (2.0 * 3f64.sqrt()),
+                    z,
+                ));
+            }
+        }
+    }
+    for (i, c) in centres.iter().enumerate() {
+        let (free, inverse) = body(Vec3::new(0.02, 0.01 * i as f64, -9.81 * DT));
+        problem.free.push(free);
+        problem.inverse_mass.push(inverse);
+        for (j, d) in centres.iter().enumerate().skip(i + 1) {
+            let distance = c - d;
+            if distance.norm() < 1.0001 * side {
+                problem
+                    .rows
+                    .push(row(i as u32, j as u32, distance.normalize(), mu));
+            }
+        }
+        if c.z == 0.0 {
+            problem.rows.push(row(i as u32, GROUND, Vec3::z(), mu));
+        }
+    }
+    problem
+}
+
+fn solved(problem: &Problem, kind: SolverKind) -> (Vec<Vec3>, Report) {
+    let params = Params {
+        kind,
+        tolerance: Tolerance {
+            gap: 1e-11,
+            slip: 1e-11,
+            force: 1e-9,
+        },
+        max_sweeps: 100_000,
+        max_factorizations: 2000,
+        penalty: 1e5,
+        adapt_penalty: true,
+    };
+    let mut impulses = vec![Vec3::zeros(); problem.rows.len()];
+    let report = solve(problem, &params, &mut Workspace::default(), &mut impulses);
+    assert!(report.converged, "{kind:?}: {report:?}");
+    (impulses, report)
+}
+
+/// Both solvers meet the same conditions and move the bodies alike, with and without friction.
+#[test]
+fn solvers_agree_on_a_pushed_pyramid() {
+    for mu in [0.0, 0.2, 0.6] {
+        let problem = pyramid(mu);
+        let [a, b] = [SolverKind::GaussSeidel, SolverKind::Direct].map(|kind| {
+            let (impulses, _) = solved(&problem, kind);
+            problem.velocities(&impulses)
+        });
+        for (a, b) in a.iter().zip(&b) {
+            assert!(
+                (a.linear - b.linear).norm() < 1e-8,
+                "{:?} {:?}",
+                a.linear,
+                b.linear
+            );
+        }
+    }
+}
+
+/// The residual sees each way of being wrong: overlap, pull, friction beyond the cone, slip while sticking.
+#[test]
+fn residual_judges() {
+    let mut problem = Problem {
+        step: DT,
+        ..Problem::default()
+    };
+    let (free, inverse) = body(Vec3::new(0.01, 0.0, -0.1));
+    problem.free.push(free);
+    problem.inverse_mass.push(inverse);
+    problem.rows.push(row(0, GROUND, Vec3::z(), 0.5));
+    let scales = Scale::of(&problem);
+    let residual = |p: Vec3| evaluate(&problem, &scales, &[p]);
+    // Closed form: p_n = m 0.1 stops the approach, the surface sticks with p_t = -2/7 m 0.01.
+    let exact = Vec3::new(-2.0 * 0.01 / 3.5, 0.0, 0.2);
+    let right = residual(exact);
+    assert!(
+        right.gap < 1e-15 && right.slip < 1e-15 && right.force < 1e-13,
+        "{right:?}"
+    );
+    let open = residual(Vec3::zeros());
+    assert!(
+        (open.gap - 0.1 * DT / R).abs() < 1e-15,
+        "overlap of v dt over R: {open:?}"
+    );
+    assert!(
+        residual(exact + Vec3::z() * 0.02).gap > 9e-5,
+        "a contact that pulls away under load"
+    );
+    assert!(
+        residual(exact - Vec3::x() * 0.2).slip > 1e-4,
+        "friction beyond the cone"
+    );
+    let sliding = residual(Vec3::new(0.0, 0.0, 0.2));
+    assert!(
+        (sliding.slip - 0.01 * DT / R).abs() < 1e-15,
+        "slip while it could stick: {sliding:?}"
+    );
+}
+
+/// Work is pinned, not time: sweeps and factorizations on the pyramid.
+#[test]
+fn iteration_counts_are_pinned() {
+    let problem = pyramid(0.2);
+    let counts = [SolverKind::GaussSeidel, SolverKind::Direct].map(|kind| {
+        let (_, report) = solved(&problem, kind);
+        format!(
+            "{} sweeps, {} augmentations, {} factorizations",
+            report.sweeps, report.augmentations, report.factorizations
+        )
+    });
+    insta::assert_snapshot!(counts.join("\n"), @r"
+    75 sweeps, 0 augmentations, 0 factorizations
+    0 sweeps, 2 augmentations, 5 factorizations
+    ");
+}
