@@ -278,10 +278,8 @@ impl Instance<'_> {
     pub(crate) fn state(&self) -> Handle {
         let mut state = null_mut();
         // SAFETY: the place is valid.
-        assert_eq!(
-            unsafe { (self.f().fmi2GetFMUstate)(self.handle, &raw mut state) },
-            OK
-        );
+        let status = unsafe { (self.f().fmi2GetFMUstate)(self.handle, &raw mut state) };
+        assert_eq!(status, OK);
         state
     }
 
@@ -292,10 +290,8 @@ impl Instance<'_> {
 
     pub(crate) fn free(&self, mut state: Handle) {
         // SAFETY: a state of this library, not used again.
-        assert_eq!(
-            unsafe { (self.f().fmi2FreeFMUstate)(self.handle, &raw mut state) },
-            OK
-        );
+        let status = unsafe { (self.f().fmi2FreeFMUstate)(self.handle, &raw mut state) };
+        assert_eq!(status, OK);
         assert!(state.is_null());
     }
 
@@ -349,20 +345,16 @@ impl Instance<'_> {
     pub(crate) fn last_time(&self) -> f64 {
         let mut value = f64::NAN;
         // SAFETY: a valid place.
-        assert_eq!(
-            unsafe { (self.f().fmi2GetRealStatus)(self.handle, 2, &raw mut value) },
-            OK
-        );
+        let status = unsafe { (self.f().fmi2GetRealStatus)(self.handle, 2, &raw mut value) };
+        assert_eq!(status, OK);
         value
     }
 
     pub(crate) fn terminated(&self) -> bool {
         let mut value = -1;
         // SAFETY: a valid place.
-        assert_eq!(
-            unsafe { (self.f().fmi2GetBooleanStatus)(self.handle, 3, &raw mut value) },
-            OK
-        );
+        let status = unsafe { (self.f().fmi2GetBooleanStatus)(self.handle, 3, &raw mut value) };
+        assert_eq!(status, OK);
         value == 1
     }
 }
