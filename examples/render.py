@@ -1,9 +1,9 @@
 """Renders one frame of a run to a picture, off screen, from the run's own VTU files.
 
-    python examples/render.py RUN PICTURE.png [--time SECONDS] [--size WIDTHxHEIGHT]
+    python examples/render.py RUN PICTURE.png [--time SECONDS] [--size WIDTHxHEIGHT] [--forces]
 
-Spheres coloured by speed, boundaries translucent, contact forces as dark lines whose width grows with the
-normal force. Needs pyvista; no display.
+Spheres coloured by speed, boundaries translucent. With --forces the spheres turn to glass and the contact forces
+show as dark tubes whose width grows with the normal force. Needs pyvista; no display.
 """
 
 import argparse
@@ -14,20 +14,13 @@ import numpy as np
 import pyvista as pv
 
 
-def frames(run, series):
-    """(time, path) of every frame of a series; empty where the run has none."""
+def frame(run, series, time):
+    """The frame of a series nearest to a time, the last one if the time is None; None if the run has no such series."""
     pvd = run / f"{series}.pvd"
     if not pvd.exists():
-        return []
-    sets = ET.parse(pvd).getroot().findall("./Collection/DataSet")
-    return [(float(s.get("timestep")), run / s.get("file")) for s in sets]
-
-
-def frame(run, series, time):
-    """The frame nearest to a time; the last one if the time is None."""
-    listed = frames(run, series)
-    if not listed:
         return None
+    sets = ET.parse(pvd).getroot().findall("./Collection/DataSet")
+    listed = [(float(s.get("timestep")), run / s.get("file")) for s in sets]
     path = listed[-1][1] if time is None else min(listed, key=lambda f: abs(f[0] - time))[1]
     return pv.read(path)
 
@@ -36,7 +29,7 @@ def balls(spheres):
     """A mesh of true spheres with the speed of each."""
     spheres["speed [m/s]"] = np.linalg.norm(spheres["velocity"], axis=1)
     spheres["diameter"] = 2.0 * spheres["radius"]
-    unit = pv.Sphere(radius=0.5, theta_resolution=32, phi_resolution=32)
+    unit = pv.Sphere(radius=0.5, theta_resolution=48, phi_resolution=48)
     return spheres.glyph(geom=unit, scale="diameter", orient=False)
 
 
@@ -53,36 +46,46 @@ def chains(contacts):
     return lines.tube(radius=0.01 * length, scalars="width", radius_factor=15.0, n_sides=16)
 
 
-def picture(run, path, time, size):
-    spheres = frame(run, "spheres", time)
-    contacts = frame(run, "contacts", time)
-    boundaries = frame(run, "boundaries", time)
+def light(plotter, centre, reach):
+    """Key, fill and back light around the scene."""
+    plotter.remove_all_lights()
+    for direction, intensity in [((0.3, -1.0, 1.3), 0.75), ((-1.0, -0.6, 0.4), 0.35), ((0.2, 1.0, 0.6), 0.30)]:
+        position = centre + reach * np.array(direction)
+        plotter.add_light(pv.Light(position=position, focal_point=centre, intensity=intensity))
+
+
+def picture(run, path, time, size, forces):
+    spheres, contacts, boundaries = (frame(run, series, time) for series in ("spheres", "contacts", "boundaries"))
     plotter = pv.Plotter(off_screen=True, window_size=size)
     plotter.set_background("white")
     shown = boundaries if boundaries is not None else spheres
-    # Colours span the speeds near the boundaries, not those of spheres that have long fallen out.
-    speed = np.linalg.norm(spheres["velocity"], axis=1)
-    near = np.linalg.norm(spheres.points - shown.center, axis=1) < 0.6 * shown.length
-    limit = max(float(speed[near].max(initial=0.0)), 1e-3)
-    # The spheres are lightly see-through so that the forces inside show.
+    centre, length = np.array(shown.center), shown.length
+    # Spheres that have fallen far away would only take the colours from those in view.
+    near = np.linalg.norm(spheres.points - centre, axis=1) < 0.6 * length
+    spheres = spheres.extract_points(near, adjacent_cells=False) if near.any() else spheres
+    limit = max(float(np.linalg.norm(spheres["velocity"], axis=1).max()), 1e-3)
     plotter.add_mesh(
-        balls(spheres), scalars="speed [m/s]", cmap="YlOrRd", clim=[0.0, limit], smooth_shading=True, opacity=0.6,
-        specular=0.3, scalar_bar_args={"color": "black", "vertical": True, "position_x": 0.87, "position_y": 0.25},
+        balls(spheres), scalars="speed [m/s]", cmap="Spectral_r", clim=[0.0, limit], smooth_shading=True,
+        opacity=0.45 if forces else 1.0, ambient=0.3, diffuse=0.85, specular=0.35, specular_power=25,
+        scalar_bar_args={
+            "color": "#333333", "vertical": True, "position_x": 0.88, "position_y": 0.3, "height": 0.34, "width": 0.045,
+            "n_labels": 3, "fmt": "%.0f" if limit > 5 else "%.2g", "title_font_size": 22, "label_font_size": 20,
+        },
     )
-    tubes = chains(contacts)
+    tubes = chains(contacts) if forces else None
     if tubes is not None:
         plotter.add_mesh(tubes, color="midnightblue")
     if boundaries is not None:
         surface = boundaries.extract_surface(algorithm="dataset_surface")
-        plotter.add_mesh(surface, color="lightsteelblue", opacity=0.22, smooth_shading=True)
-        plotter.add_mesh(surface.extract_feature_edges(40), color="slategray", line_width=2)
+        plotter.add_mesh(surface, color="#9db8d2", opacity=0.25, smooth_shading=True, ambient=0.35, show_scalar_bar=False)
+        plotter.add_mesh(surface.extract_feature_edges(40), color="#5b7083", line_width=3)
     plotter.enable_anti_aliasing("ssaa")
     plotter.enable_depth_peeling(8)
     # A little below the middle, to show what leaves.
-    centre, reach = np.array(shown.center) - [0, 0, 0.1 * shown.length], 1.7 * shown.length
-    plotter.camera_position = [centre + reach * np.array([0.55, -0.75, 0.32]), centre, (0, 0, 1)]
+    centre, reach = centre - [0, 0, 0.12 * length], 1.45 * length
+    light(plotter, centre, reach)
+    plotter.camera_position = [centre + reach * np.array([0.55, -0.75, 0.34]), centre, (0, 0, 1)]
     plotter.camera.view_angle = 30
-    plotter.add_text(f"t = {spheres.field_data['TimeValue'][0]:.2f} s", color="black", font_size=14)
     path.parent.mkdir(parents=True, exist_ok=True)
     plotter.screenshot(path)
     plotter.close()
@@ -94,9 +97,10 @@ def main():
     parser.add_argument("picture", type=Path, help="PNG to write")
     parser.add_argument("--time", type=float, help="seconds; the last frame if left out")
     parser.add_argument("--size", default="1280x960", help="pixels, WIDTHxHEIGHT")
+    parser.add_argument("--forces", action="store_true", help="show the contact forces through glassy spheres")
     arguments = parser.parse_args()
     size = [int(n) for n in arguments.size.split("x")]
-    picture(arguments.run, arguments.picture, arguments.time, size)
+    picture(arguments.run, arguments.picture, arguments.time, size, arguments.forces)
 
 
 if __name__ == "__main__":

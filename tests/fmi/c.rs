@@ -277,9 +277,11 @@ impl Instance<'_> {
 
     pub(crate) fn state(&self) -> Handle {
         let mut state = null_mut();
-        // SAFETY: the place is valid.
-        let status = unsafe { (self.f().fmi2GetFMUstate)(self.handle, &raw mut state) };
-        assert_eq!(status, OK);
+        assert_eq!(
+            // SAFETY: the place is valid.
+            unsafe { (self.f().fmi2GetFMUstate)(self.handle, &raw mut state) },
+            OK
+        );
         state
     }
 
@@ -289,9 +291,11 @@ impl Instance<'_> {
     }
 
     pub(crate) fn free(&self, mut state: Handle) {
-        // SAFETY: a state of this library, not used again.
-        let status = unsafe { (self.f().fmi2FreeFMUstate)(self.handle, &raw mut state) };
-        assert_eq!(status, OK);
+        assert_eq!(
+            // SAFETY: a state of this library, not used again.
+            unsafe { (self.f().fmi2FreeFMUstate)(self.handle, &raw mut state) },
+            OK
+        );
         assert!(state.is_null());
     }
 
@@ -344,17 +348,21 @@ impl Instance<'_> {
 
     pub(crate) fn last_time(&self) -> f64 {
         let mut value = f64::NAN;
-        // SAFETY: a valid place.
-        let status = unsafe { (self.f().fmi2GetRealStatus)(self.handle, 2, &raw mut value) };
-        assert_eq!(status, OK);
+        assert_eq!(
+            // SAFETY: a valid place.
+            unsafe { (self.f().fmi2GetRealStatus)(self.handle, 2, &raw mut value) },
+            OK
+        );
         value
     }
 
     pub(crate) fn terminated(&self) -> bool {
         let mut value = -1;
-        // SAFETY: a valid place.
-        let status = unsafe { (self.f().fmi2GetBooleanStatus)(self.handle, 3, &raw mut value) };
-        assert_eq!(status, OK);
+        assert_eq!(
+            // SAFETY: a valid place.
+            unsafe { (self.f().fmi2GetBooleanStatus)(self.handle, 3, &raw mut value) },
+            OK
+        );
         value == 1
     }
 }

@@ -36,9 +36,11 @@ fn step_restore_step_gives_the_same_bytes() {
     assert_eq!(instance.bytes(), once);
     // A state that is handed in again is overwritten, not leaked.
     let mut same = saved;
-    // SAFETY: a state of this library and a valid place.
-    let status = unsafe { (instance.f().fmi2GetFMUstate)(instance.handle, &raw mut same) };
-    assert_eq!(status, OK);
+    assert_eq!(
+        // SAFETY: a state of this library and a valid place.
+        unsafe { (instance.f().fmi2GetFMUstate)(instance.handle, &raw mut same) },
+        OK
+    );
     assert_eq!(same, saved);
     instance.free(saved);
 }

@@ -1,0 +1,39 @@
+"""The command and the exported FMUs that the tests drive.
+
+`tests/run` names the release command in SPHERE_DDA and a folder with the exported examples in SPHERE_DDA_FMUS.
+Without them: the command of target/release, which exports the examples once per session.
+"""
+
+import os
+import subprocess
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+EXAMPLES = ("funnel", "slopes", "feeder")
+
+
+def scene(name):
+    return ROOT / "examples" / name / f"{name}.toml"
+
+
+@pytest.fixture(scope="session")
+def command():
+    """Path of the `sphere-dda` command."""
+    target = Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target"))
+    path = Path(os.environ.get("SPHERE_DDA", target / "release" / "sphere-dda"))
+    assert path.exists(), f"{path} is missing: run `cargo build --release`, or name the command in SPHERE_DDA"
+    return path
+
+
+@pytest.fixture(scope="session")
+def fmus(command, tmp_path_factory):
+    """Name -> path of the FMU of every example."""
+    named = os.environ.get("SPHERE_DDA_FMUS")
+    folder = Path(named) if named else tmp_path_factory.mktemp("fmus")
+    paths = {name: folder / f"{name}.fmu" for name in EXAMPLES}
+    for name, path in paths.items():
+        if not path.exists():
+            subprocess.run([command, "export", scene(name), "-o", path], check=True)
+    return paths

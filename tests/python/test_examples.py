@@ -1,0 +1,70 @@
+"""Every example runs, and does what its README says."""
+
+import subprocess
+import sys
+
+import meshio
+import numpy as np
+import pytest
+from conftest import EXAMPLES, ROOT, scene
+
+# Simulated seconds [s]: long enough for contacts, short enough for a quick suite.
+STOP = {"funnel": 1.0, "slopes": 5.0, "feeder": 0.1}
+
+
+def python(script, *arguments):
+    done = subprocess.run([sys.executable, ROOT / script, *map(str, arguments)], capture_output=True, text=True, timeout=600)
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+@pytest.fixture(scope="module")
+def results(command, tmp_path_factory):
+    """Name -> result directory of a run of each example."""
+    folders = {}
+    for name in EXAMPLES:
+        folders[name] = tmp_path_factory.mktemp("runs") / name
+        subprocess.run([command, "run", scene(name), "-o", folders[name], "--stop", str(STOP[name])], check=True, timeout=600)
+    return folders
+
+
+@pytest.mark.parametrize("name", EXAMPLES)
+def test_run(results, name):
+    table = np.genfromtxt(results[name] / "history.csv", delimiter=",", names=True)
+    assert np.isclose(table["time_s"][-1], STOP[name])
+    overlap = next(c for c in table.dtype.names if c.startswith("max_overlap"))
+    assert table[overlap].max() <= 1e-6
+    frames = sorted(results[name].glob("spheres_*.vtu"))
+    first, last = meshio.read(frames[0]), meshio.read(frames[-1])
+    assert np.linalg.norm(last.points - first.points, axis=1).max() > 1e-3, "nothing moves"
+
+
+def test_check(command):
+    for name in EXAMPLES:
+        subprocess.run([command, "check", scene(name)], check=True, capture_output=True)
+
+
+def test_every_frame_opens_in_meshio_and_vtk(results):
+    from test_vtk import check_frame, listed
+
+    for folder in results.values():
+        collections = sorted(folder.glob("*.pvd"))
+        assert [c.stem for c in collections] == ["boundaries", "contacts", "spheres"]
+        for pvd in collections:
+            for time, path in listed(pvd):
+                check_frame(pvd.stem, time, path)
+
+
+def test_feeder_driver(fmus, tmp_path):
+    """Material is conveyed, and the reaction carries its weight on average."""
+    python("examples/feeder/drive.py", "--fmu", fmus["feeder"], "--stop", 0.8, "--output", tmp_path)
+    assert (tmp_path / "feeder.png").stat().st_size > 10_000
+    table = np.genfromtxt(tmp_path / "feeder.csv", delimiter=",", names=True, deletechars="")
+    assert table["sensor.flow.mass"][-1] > 0.02
+    assert np.abs(table["displacement"]).max() == pytest.approx(1.5e-3, rel=0.05)
+    up = -(table["boundary.trough.averageForce[3]"] + table["boundary.bin.averageForce[3]"])[1:]
+    # Momentum: what the reaction lacks of the weight is in the motion of the grains.
+    moved = table["momentum[3]"][-1] - table["momentum[3]"][1]
+    weight = table["mass"][0] * 9.81
+    assert np.mean(up[1:]) == pytest.approx(weight + moved / (table["time"][-1] - table["time"][1]), rel=1e-6)
+    assert np.mean(up) == pytest.approx(weight, rel=0.1)
