@@ -12,7 +12,7 @@ use crate::motion::{Command, Motion, Pose, Twist};
 use crate::observe::sensors::{Plane, crossings};
 use crate::particles::Kinematics;
 use crate::problem::Dof6;
-use crate::scene::{Measure, Scene};
+use crate::scene::{Integrator, Measure, Scene};
 use crate::state::{State, Work, from_blob, to_blob};
 use crate::step::{Scratch, StepFailure, StepOutcome, initial_forces, step};
 
@@ -23,6 +23,14 @@ pub struct Wrench {
     pub force: Vec3,
     /// Torque about the boundary's point of action \[N m\].
     pub torque: Vec3,
+}
+
+impl Wrench {
+    /// Adds `scale * other`.
+    pub fn add(&mut self, other: &Self, scale: f64) {
+        self.force += other.force * scale;
+        self.torque += other.torque * scale;
+    }
 }
 
 /// What one communication step cost and reached.
@@ -109,6 +117,7 @@ impl Simulation {
             poses,
             commands: vec![Command::default(); boundaries],
             wrenches: vec![Wrench::default(); boundaries],
+            persisting_wrenches: vec![Wrench::default(); boundaries],
             mean_wrenches: vec![Wrench::default(); boundaries],
             work: Work::default(),
             passed: vec![0.0; scene.sensors.len()],
@@ -294,6 +303,7 @@ impl Simulation {
         let start = self.state.time;
         let dt = target - start;
         let before = self.state.kinematics.position.clone();
+        let persisting = self.state.persisting_wrenches.clone();
         match step(
             scene,
             &mut self.state,
@@ -305,9 +315,12 @@ impl Simulation {
                 self.state.time = target;
                 self.state.report.include(&outcome);
                 self.check_finite()?;
-                for (sum, wrench) in impulse.iter_mut().zip(&self.state.wrenches) {
-                    sum.force += wrench.force * dt;
-                    sum.torque += wrench.torque * dt;
+                let shift = self.shift(dt);
+                for (b, sum) in impulse.iter_mut().enumerate() {
+                    sum.add(&self.state.wrenches[b], dt);
+                    // A step of another length moves the half step by persisting forces: their share.
+                    sum.add(&self.state.persisting_wrenches[b], shift);
+                    sum.add(&persisting[b], -shift);
                 }
                 self.count_crossings(&before);
                 Ok(())
@@ -319,6 +332,14 @@ impl Simulation {
                 self.step_to(scene, drive, half, cuts + 1, impulse)?;
                 self.step_to(scene, drive, target, cuts + 1, impulse)
             }
+        }
+    }
+
+    /// Time \[s\] by which the half step after a step of `dt` lies earlier than half a `simulation.step` before its end.
+    fn shift(&self, dt: f64) -> f64 {
+        match self.scene.settings.integrator {
+            Integrator::Moreau => 0.5 * (dt - self.scene.settings.step),
+            Integrator::Shi => 0.0,
         }
     }
 
@@ -486,6 +507,19 @@ impl Simulation {
         Twist {
             linear: reported.linear,
             angular: reported.angular,
+        }
+    }
+
+    /// Velocity \[m/s\] and angular velocity \[rad/s\] of sphere `i` half a `simulation.step` before [`Self::time`]
+    /// (integrator `shi`: at that time): between two communication points the momentum of these velocities changes by
+    /// weight and loads x time less the [`Self::mean_wrench`]es x time, also where steps were cut.
+    #[must_use]
+    pub fn half_step_velocity(&self, i: usize) -> Twist {
+        let shift = self.shift(self.state.last_step);
+        let persisting = &self.state.persisting[i];
+        Twist {
+            linear: self.state.kinematics.velocity[i] + persisting.linear * shift,
+            angular: self.state.kinematics.spin[i] + persisting.angular * shift,
         }
     }
 

@@ -51,6 +51,8 @@ pub struct State {
     pub commands: Vec<Command>,
     /// Wrench on each boundary over the last internal step, `[B]`.
     pub wrenches: Vec<Wrench>,
+    /// Wrench on each boundary by contacts that were no impacts in the last internal step, `[B]`.
+    pub persisting_wrenches: Vec<Wrench>,
     /// Wrench on each boundary averaged over the last communication step, `[B]`.
     pub mean_wrenches: Vec<Wrench>,
     /// Work since t = 0.

@@ -496,6 +496,7 @@ impl<'a> Stage<'a> {
         let boundaries = &self.inputs.scene.boundaries;
         state.contacts.clear();
         state.wrenches = vec![Wrench::default(); boundaries.len()];
+        state.persisting_wrenches = state.wrenches.clone();
         for (k, candidate) in self.candidates.iter().enumerate() {
             let force = self.impulses[k] / step;
             if force == Vec3::zeros() {
@@ -513,8 +514,14 @@ impl<'a> Stage<'a> {
                 let row = &self.problem.rows[k];
                 let point = self.inputs.kinematics.position[row.a as usize] + row.arm_a;
                 let pivot = boundaries[b].point_of_action + self.inputs.poses[0][b].translation;
-                state.wrenches[b].force -= force;
-                state.wrenches[b].torque -= (point - pivot).cross(&force);
+                let wrench = Wrench {
+                    force: -force,
+                    torque: -(point - pivot).cross(&force),
+                };
+                state.wrenches[b].add(&wrench, 1.0);
+                if !self.impact.get(k).copied().unwrap_or(false) {
+                    state.persisting_wrenches[b].add(&wrench, 1.0);
+                }
             }
         }
     }

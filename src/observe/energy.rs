@@ -6,7 +6,7 @@
 //! gravity         - sum m g . c             zero at the origin of the scene
 //! springs         sum P_c |x - t|^2 / 2     x: constrained point, t: its target
 //! loads           - sum f . x               x: point of the load
-//! P               sum m v_h                 v_h, w_h: the integrator's own (half-step) velocity
+//! P               sum m v_h                 v_h, w_h: half-step velocity
 //! L               sum (c x m v_h + I w_h)   about the origin
 //! ```
 //!
@@ -85,11 +85,11 @@ impl Momentum {
     pub fn of(state: &Observation) -> Self {
         let particles = &state.scene.particles;
         let mut momentum = Self::default();
-        for i in 0..particles.len() {
-            let linear = state.kinematics.velocity[i] * particles.mass[i];
+        for (i, velocity) in state.half_step.iter().enumerate() {
+            let linear = velocity.linear * particles.mass[i];
             momentum.linear += linear;
             momentum.angular += state.kinematics.position[i].cross(&linear)
-                + state.kinematics.spin[i] * particles.inertia(i);
+                + velocity.angular * particles.inertia(i);
         }
         momentum
     }

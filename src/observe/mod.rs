@@ -50,6 +50,9 @@ pub struct Observation<'a> {
     pub kinematics: &'a Kinematics,
     /// Reported velocity \[m/s\] and angular velocity \[rad/s\] at `time`, `[N]`.
     pub velocity: Vec<Twist>,
+    /// Velocity \[m/s\] and angular velocity \[rad/s\] whose momentum the impulses balance, `[N]`:
+    /// [`Simulation::half_step_velocity`].
+    pub half_step: Vec<Twist>,
     /// Loaded contacts in canonical order: gap and point at `time`, mean force of the last internal step.
     pub contacts: &'a [Contact],
     /// `[B]`.
@@ -76,6 +79,9 @@ impl<'a> Observation<'a> {
             kinematics: simulation.kinematics(),
             velocity: (0..scene.particles.len())
                 .map(|i| simulation.velocity(i))
+                .collect(),
+            half_step: (0..scene.particles.len())
+                .map(|i| simulation.half_step_velocity(i))
                 .collect(),
             contacts: simulation.contacts(),
             boundaries: (0..scene.boundaries.len())

@@ -160,6 +160,13 @@ impl Made {
             gravity: scene.settings.gravity,
             kinematics: &self.kinematics,
             velocity: vec![twist; scene.particles.len()],
+            half_step: self
+                .kinematics
+                .velocity
+                .iter()
+                .zip(&self.kinematics.spin)
+                .map(|(&linear, &angular)| Twist { linear, angular })
+                .collect(),
             contacts: &self.contacts,
             boundaries: vec![
                 BoundaryState {
