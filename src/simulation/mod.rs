@@ -1,4 +1,4 @@
-//! The simulation: owns the state, advances it ([`march`]), takes and restores snapshots.
+//! The simulation: owns the state, advances it (`march`), takes and restores snapshots.
 
 mod march;
 

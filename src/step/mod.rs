@@ -1,5 +1,5 @@
-//! One internal time step, its stages in order: [`stage`] finds candidates and solves until the true geometry
-//! agrees, [`commit`] writes the solution into the state; [`start`] does the same at t = 0.
+//! One internal time step, its stages in order: `stage` finds candidates and solves until the true geometry
+//! agrees, `commit` writes the solution into the state; `start` does the same at t = 0.
 
 mod commit;
 mod stage;
