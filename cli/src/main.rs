@@ -1,5 +1,10 @@
 //! The `sphere-dda` command: scenes in, results and FMUs out. Each subcommand is a file.
 
+#![allow(
+    rustdoc::broken_intra_doc_links,
+    reason = "`[s]` is a unit in the help that clap prints from these docs"
+)]
+
 mod check;
 mod demo;
 mod export;

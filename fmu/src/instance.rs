@@ -8,13 +8,14 @@
 //! The time of the scene counts from the start time of the experiment. A step ends exactly at `tc + h`; nothing is
 //! accumulated, the simulation is asked for what is left to that point. A refused call changes nothing.
 
+mod values;
+
 use std::fmt;
 use std::path::Path;
 
 use sphere_dda::error::StepError;
 use sphere_dda::motion::{Command, Motion};
 use sphere_dda::simulation::Simulation;
-use sphere_dda_model_description::fmi2::{BaseType, Causality, Variability};
 
 use crate::log::{Level, Log};
 use crate::model::{Model, SCENE_FILE};
@@ -22,7 +23,7 @@ use crate::outputs::Outputs;
 use crate::recorder::Recorder;
 use crate::refusal::{InstantiationError, Refusal};
 use crate::state::{Run, Saved};
-use crate::variables::{Parameters, Quantity, Value, Variable, component};
+use crate::variables::Parameters;
 
 /// Share of the step by which a communication point may miss the end of the last one: masters add up or round their
 /// times, and a mistake of the master is far larger.
@@ -186,142 +187,6 @@ impl Instance {
             format_args!("initialized: {spheres} spheres, t = {} s", self.run.time),
         );
         Ok(())
-    }
-
-    /// Values of variables of one type, in the order of `references`.
-    ///
-    /// # Errors
-    /// [`Refusal::Reference`], [`Refusal::NoValue`]; in initialization mode also [`Refusal::Step`].
-    pub fn get(&mut self, base: BaseType, references: &[u32]) -> Result<Vec<Value>, Refusal> {
-        for &reference in references {
-            self.variable(base, reference)?;
-        }
-        references
-            .iter()
-            .map(|&reference| self.get_one(base, reference))
-            .collect()
-    }
-
-    fn get_one(&mut self, base: BaseType, reference: u32) -> Result<Value, Refusal> {
-        let quantity = self.variable(base, reference)?.quantity;
-        match quantity {
-            Quantity::Time => return Ok(Value::Real(self.run.time)),
-            Quantity::Parameter(parameter) => return Ok(self.run.parameters.get(parameter)),
-            Quantity::Input {
-                boundary,
-                input,
-                axis,
-            } => {
-                let mut command = self.run.commands[boundary];
-                return Ok(Value::Real(*component(&mut command, input, axis)));
-            }
-            _ => {}
-        }
-        match self.run.stage {
-            Stage::Initialization if self.run.pending => self.prepare()?,
-            Stage::StepComplete if self.run.pending && !self.read_ahead => {
-                self.read_ahead = true;
-                let text = "outputs read after a set without a step: they are those of the last step (told once)";
-                self.log.write(Level::Warning, text);
-            }
-            _ => {}
-        }
-        if let (None, Some(simulation)) = (&self.outputs, &self.simulation) {
-            self.outputs = Some(Outputs::of(simulation));
-        }
-        let value = self
-            .outputs
-            .as_ref()
-            .and_then(|outputs| outputs.get(quantity));
-        let no_value = |name: &str| Refusal::NoValue {
-            name: name.to_owned(),
-            stage: self.run.stage,
-        };
-        value.ok_or_else(|| no_value(&self.model.table.variables()[reference as usize].name))
-    }
-
-    /// Sets variables; all or none.
-    ///
-    /// # Errors
-    /// [`Refusal::Reference`], [`Refusal::NotSettable`], [`Refusal::Range`].
-    pub fn set(&mut self, values: Vec<(u32, Value)>) -> Result<(), Refusal> {
-        for (reference, value) in &values {
-            self.check(*reference, value)?;
-        }
-        for (reference, value) in values {
-            match (self.variable(value.base(), reference)?.quantity, value) {
-                (Quantity::Parameter(parameter), value) => {
-                    self.run.parameters.set(parameter, value)
-                }
-                (
-                    Quantity::Input {
-                        boundary,
-                        input,
-                        axis,
-                    },
-                    Value::Real(value),
-                ) => {
-                    *component(&mut self.run.commands[boundary], input, axis) = value;
-                }
-                _ => continue,
-            }
-            self.run.pending = true;
-        }
-        Ok(())
-    }
-
-    fn check(&self, reference: u32, value: &Value) -> Result<(), Refusal> {
-        let variable = self.variable(value.base(), reference)?;
-        let before = matches!(self.run.stage, Stage::Instantiated | Stage::Initialization);
-        let allowed = match (variable.causality, variable.variability) {
-            (Causality::Input, _) | (_, Variability::Tunable) => true,
-            (Causality::Parameter, _) => before,
-            _ => false,
-        };
-        if !allowed {
-            return Err(Refusal::NotSettable {
-                name: variable.name.clone(),
-                kind: format!("{:?}, {:?}", variable.causality, variable.variability)
-                    .to_lowercase(),
-                stage: self.run.stage,
-                allowed: match variable.causality {
-                    Causality::Parameter => "set it before or in initialization mode",
-                    _ => "only parameters and inputs can be set",
-                },
-            });
-        }
-        let Value::Real(found) = *value else {
-            return Ok(());
-        };
-        let (min, max) = (
-            variable.min.unwrap_or(f64::MIN),
-            variable.max.unwrap_or(f64::MAX),
-        );
-        if found.is_finite() && (min..=max).contains(&found) {
-            return Ok(());
-        }
-        let expected = match (variable.min, variable.max) {
-            (None, None) => "a finite number".to_owned(),
-            (Some(min), None) => format!("a finite number of at least {min:e}"),
-            (_, Some(_)) => format!("a number in {min:e}..={max:e}"),
-        };
-        Err(Refusal::Range {
-            name: variable.name.clone(),
-            found,
-            expected,
-        })
-    }
-
-    fn variable(&self, base: BaseType, reference: u32) -> Result<&Variable, Refusal> {
-        let found = self.model.table.get(reference);
-        found
-            .filter(|variable| variable.base == base)
-            .ok_or_else(|| Refusal::Reference {
-                reference,
-                found: found
-                    .map(|variable| format!("`{}` of type {:?}", variable.name, variable.base)),
-                expected: base,
-            })
     }
 
     /// Takes the step from `point` to exactly `point + h` \[s\]. With `final_past` the importer promises not to go

@@ -20,7 +20,7 @@ pub struct Limits {
     pub ratio: u64,
 }
 
-/// Unpacked size [byte] below which no ratio is suspicious: a small file of zeros packs very well.
+/// Unpacked size \[byte\] below which no ratio is suspicious: a small file of zeros packs very well.
 pub const RATIO_FLOOR: u64 = 64 << 20;
 
 impl Default for Limits {
@@ -165,7 +165,7 @@ struct Budget {
 }
 
 impl Budget {
-    /// Largest total [byte] that the ratio allows.
+    /// Largest total \[byte\] that the ratio allows.
     fn by_ratio(&self) -> u64 {
         self.packed
             .saturating_mul(self.limits.ratio)

@@ -42,7 +42,7 @@ pub enum Step {
     Done,
     /// The step is not done, or in part only.
     Discarded {
-        /// Time up to which it is done [s]; `None` if the FMU does not tell.
+        /// Time up to which it is done \[s\]; `None` if the FMU does not tell.
         last_successful_time: Option<f64>,
         /// The FMU wants to end the simulation.
         terminated: bool,
@@ -181,7 +181,7 @@ impl Instance {
         })
     }
 
-    /// `fmi2SetupExperiment`: relative tolerance, start and stop time [s].
+    /// `fmi2SetupExperiment`: relative tolerance, start and stop time \[s\].
     ///
     /// # Errors
     ///
@@ -258,7 +258,7 @@ impl Instance {
         self.plain("fmi2Reset", call, ALIVE, Instantiated)
     }
 
-    /// `fmi2DoStep` from `time` by `step` [s]. `no_rollback` tells that no state saved before `time` will be
+    /// `fmi2DoStep` from `time` by `step` \[s\]. `no_rollback` tells that no state saved before `time` will be
     /// restored.
     ///
     /// A discarded step is no error: the FMU is asked how far it came and whether it wants to end.

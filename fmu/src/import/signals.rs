@@ -183,7 +183,7 @@ impl Signals {
         Ok(())
     }
 
-    /// Value references and values at `time` [s].
+    /// Value references and values at `time` \[s\].
     pub fn at(&self, time: f64) -> Vec<(u32, Value)> {
         // A communication point that misses a time of the table by rounding is meant to be that time.
         let slack = 8.0 * f64::EPSILON * time.abs();

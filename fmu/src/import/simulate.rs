@@ -25,11 +25,11 @@ const MAX_ATTEMPTS: u32 = 12;
 /// What to simulate. What is `None` is taken from the FMU's default experiment.
 #[derive(Debug, Clone, Default)]
 pub struct Options {
-    /// Start time [s]; 0 if the FMU does not tell either.
+    /// Start time \[s\]; 0 if the FMU does not tell either.
     pub start: Option<f64>,
-    /// Stop time [s].
+    /// Stop time \[s\].
     pub stop: Option<f64>,
-    /// Communication step [s]; 1/500 of the duration if the FMU does not tell either.
+    /// Communication step \[s\]; 1/500 of the duration if the FMU does not tell either.
     pub step: Option<f64>,
     /// Relative tolerance, dimensionless; none if the FMU does not tell either.
     pub tolerance: Option<f64>,
@@ -53,7 +53,7 @@ pub struct Options {
 pub enum Event<'a> {
     /// The FMU has reached a communication point.
     Time {
-        /// The point [s].
+        /// The point \[s\].
         time: f64,
         /// Number of the step that led to it; 0 at the start.
         step: u64,
@@ -87,11 +87,11 @@ pub enum SimulateError {
          a step greater than 0 and at most {MAX_STEPS:e} steps"
     )]
     Times {
-        /// Start [s].
+        /// Start \[s\].
         start: f64,
-        /// Stop [s].
+        /// Stop \[s\].
         stop: f64,
-        /// Step [s].
+        /// Step \[s\].
         step: f64,
     },
     /// The FMU needs steps of one length, and the duration is not a multiple of it.
@@ -100,15 +100,15 @@ pub enum SimulateError {
          of one length: give another step or stop time"
     )]
     Uneven {
-        /// Step [s].
+        /// Step \[s\].
         step: f64,
-        /// Duration [s].
+        /// Duration \[s\].
         duration: f64,
     },
     /// A call failed after the FMU was instantiated.
     #[error("at time {time} s: {source}")]
     Call {
-        /// The last communication point reached [s].
+        /// The last communication point reached \[s\].
         time: f64,
         /// What failed.
         source: Box<ImportError>,
@@ -120,7 +120,7 @@ pub enum SimulateError {
         "at time {time} s: variable `{variable}`: found NaN, expected a number: see what the FMU logged, or allow it"
     )]
     Nan {
-        /// The communication point [s].
+        /// The communication point \[s\].
         time: f64,
         /// Name of the first such variable.
         variable: String,
@@ -132,9 +132,9 @@ pub enum SimulateError {
         "at time {time} s: fmi2DoStep: found a discarded step of {step} s, expected it done: {mend}"
     )]
     Discarded {
-        /// Where the last attempt began [s].
+        /// Where the last attempt began \[s\].
         time: f64,
-        /// How far it should have come [s].
+        /// How far it should have come \[s\].
         step: f64,
         /// What to do.
         mend: &'static str,
@@ -271,7 +271,7 @@ impl Grid {
         })
     }
 
-    /// The point after `k` steps [s].
+    /// The point after `k` steps \[s\].
     fn time(&self, k: u64) -> f64 {
         if k == self.count {
             return self.stop;
@@ -279,7 +279,7 @@ impl Grid {
         self.start + k as f64 * self.step
     }
 
-    /// Length of the step after point `k` [s].
+    /// Length of the step after point `k` \[s\].
     fn length(&self, k: u64) -> f64 {
         if self.even || k + 1 < self.count {
             return self.step;

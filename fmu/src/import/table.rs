@@ -32,7 +32,7 @@ pub struct Column {
 /// Variables over time.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Table {
-    /// Times [s]: the start and every communication point.
+    /// Times \[s\]: the start and every communication point.
     pub time: Vec<f64>,
     /// The recorded variables.
     pub columns: Vec<Column>,

@@ -1,20 +1,21 @@
-//! The simulation: owns the state, advances it, takes and restores snapshots.
+//! The simulation: owns the state, advances it (`march`), takes and restores snapshots.
+
+mod march;
 
 use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
 use crate::Vec3;
-use crate::contacts::{Contact, Key, Partner};
-use crate::drive::{Drive, displacement, target};
+use crate::contacts::Contact;
+use crate::drive::target;
 use crate::error::{SnapshotError, StepError};
 use crate::motion::{Command, Motion, Pose, Twist};
-use crate::observe::sensors::{Plane, crossings};
 use crate::particles::Kinematics;
 use crate::problem::Dof6;
-use crate::scene::{Integrator, Measure, Scene};
+use crate::scene::Scene;
 use crate::state::{State, Work, from_blob, to_blob};
-use crate::step::{Scratch, StepFailure, StepOutcome, initial_forces, step};
+use crate::step::{Scratch, StepOutcome, initial_forces};
 
 /// Force and torque on a boundary.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
@@ -256,215 +257,6 @@ impl Simulation {
             self.state = before;
         }
         result
-    }
-
-    fn march(&mut self, start: f64, end: f64) -> Result<StepReport, StepError> {
-        let scene = Arc::clone(&self.scene);
-        let h = end - start;
-        // The margin keeps a communication step that is n internal steps but for rounding at n.
-        let steps = (h / scene.settings.step * (1.0 - 1e-9)).ceil().max(1.0) as u64;
-        let drive = Drive::new(
-            &scene.boundaries,
-            &self.state.commands,
-            &self.state.poses,
-            start,
-            end,
-        );
-        self.check_jump(&drive, start, end, steps)?;
-        self.state.report = StepReport::default();
-        let passed = self.state.passed.clone();
-        let mut impulse = vec![Wrench::default(); scene.boundaries.len()];
-        for k in 1..=steps {
-            let target = if k == steps {
-                end
-            } else {
-                start + h * (k as f64 / steps as f64)
-            };
-            self.step_to(&scene, &drive, target, 0, &mut impulse)?;
-        }
-        for (mean, impulse) in self.state.mean_wrenches.iter_mut().zip(&impulse) {
-            mean.force = impulse.force / h;
-            mean.torque = impulse.torque / h;
-        }
-        let totals = self.state.passed.iter().zip(&passed);
-        self.state.flow = totals.map(|(now, then)| (now - then) / h).collect();
-        Ok(self.state.report)
-    }
-
-    /// One internal step to `target`, or two half steps if it fails.
-    fn step_to(
-        &mut self,
-        scene: &Scene,
-        drive: &Drive,
-        target: f64,
-        cuts: u32,
-        impulse: &mut [Wrench],
-    ) -> Result<(), StepError> {
-        let start = self.state.time;
-        let dt = target - start;
-        let before = self.state.kinematics.position.clone();
-        let persisting = self.state.persisting_wrenches.clone();
-        match step(
-            scene,
-            &mut self.state,
-            &mut self.scratch,
-            dt,
-            drive.poses(target),
-        ) {
-            Ok(outcome) => {
-                self.state.time = target;
-                self.state.report.include(&outcome);
-                self.check_finite()?;
-                let shift = self.shift(dt);
-                for (b, sum) in impulse.iter_mut().enumerate() {
-                    sum.add(&self.state.wrenches[b], dt);
-                    // A step of another length moves the half step by persisting forces: their share.
-                    sum.add(&self.state.persisting_wrenches[b], shift);
-                    sum.add(&persisting[b], -shift);
-                }
-                self.count_crossings(&before);
-                Ok(())
-            }
-            Err(failure) if cuts >= scene.settings.max_cuts => Err(self.explain(failure, dt, cuts)),
-            Err(_) => {
-                self.state.report.cuts += 1;
-                let half = start + 0.5 * dt;
-                self.step_to(scene, drive, half, cuts + 1, impulse)?;
-                self.step_to(scene, drive, target, cuts + 1, impulse)
-            }
-        }
-    }
-
-    /// Time \[s\] by which the half step after a step of `dt` lies earlier than half a `simulation.step` before its end.
-    fn shift(&self, dt: f64) -> f64 {
-        match self.scene.settings.integrator {
-            Integrator::Moreau => 0.5 * (dt - self.scene.settings.step),
-            Integrator::Shi => 0.0,
-        }
-    }
-
-    fn count_crossings(&mut self, before: &[Vec3]) {
-        for (sensor, passed) in self.scene.sensors.iter().zip(&mut self.state.passed) {
-            if let Measure::MassFlow { point, normal } = sensor.measure {
-                let after = &self.state.kinematics.position;
-                *passed += crossings(
-                    before,
-                    after,
-                    &self.scene.particles.mass,
-                    Plane { point, normal },
-                );
-            }
-        }
-    }
-
-    fn check_finite(&self) -> Result<(), StepError> {
-        let kinematics = &self.state.kinematics;
-        for sphere in 0..kinematics.len() {
-            let kinds = [
-                ("position", kinematics.position[sphere]),
-                ("velocity", kinematics.velocity[sphere]),
-                ("angular velocity", kinematics.spin[sphere]),
-            ];
-            for (what, value) in kinds {
-                if !value.iter().all(|x| x.is_finite()) {
-                    return Err(StepError::NotFinite {
-                        time: self.state.time,
-                        sphere,
-                        what,
-                    });
-                }
-            }
-        }
-        Ok(())
-    }
-
-    /// An input boundary must not move farther than the smallest radius in one internal step.
-    fn check_jump(&self, drive: &Drive, start: f64, end: f64, steps: u64) -> Result<(), StepError> {
-        let limit = self
-            .scene
-            .particles
-            .radius
-            .iter()
-            .copied()
-            .fold(f64::INFINITY, f64::min);
-        let poses = drive.poses(start + (end - start) / steps as f64);
-        for ((boundary, from), to) in self
-            .scene
-            .boundaries
-            .iter()
-            .zip(&self.state.poses)
-            .zip(&poses)
-        {
-            if !matches!(boundary.motion, Motion::Input(_)) || from == to {
-                continue;
-            }
-            let jump = displacement(boundary, from, to);
-            if jump > limit {
-                return Err(StepError::Jump {
-                    boundary: boundary.name.clone(),
-                    jump,
-                    limit,
-                });
-            }
-        }
-        Ok(())
-    }
-
-    /// A failure in the scene's words.
-    fn explain(&self, failure: StepFailure, step: f64, cuts: u32) -> StepError {
-        let time = self.state.time;
-        if let Some(key) = failure.contact
-            && let Some(boundaries) = self.pinch(key)
-        {
-            return StepError::Pinched {
-                time,
-                sphere: key.sphere as usize,
-                boundaries,
-            };
-        }
-        let contact = failure.contact.map_or_else(
-            || "the re-linearised gaps".to_owned(),
-            |key| match key.partner {
-                Partner::Sphere(j) => format!("spheres {} and {j}", key.sphere),
-                Partner::Boundary { boundary, .. } => format!(
-                    "sphere {} on boundary `{}`",
-                    key.sphere,
-                    self.scene.boundaries[usize::from(boundary)].name
-                ),
-            },
-        );
-        StepError::NotConverged {
-            time,
-            step,
-            what: failure.what,
-            residual: failure.residual,
-            tolerance: failure.tolerance,
-            contact,
-            cuts,
-        }
-    }
-
-    /// Whether the sphere of `key` sits between rigid boundaries that close on it; their names.
-    fn pinch(&self, key: Key) -> Option<String> {
-        let normals: Vec<(u16, Vec3)> = self
-            .state
-            .contacts
-            .iter()
-            .filter(|c| c.key.sphere == key.sphere)
-            .filter_map(|c| match c.key.partner {
-                Partner::Boundary { boundary, .. } => Some((boundary, c.normal)),
-                Partner::Sphere(_) => None,
-            })
-            .filter(|(b, _)| self.scene.boundaries[usize::from(*b)].stiffness.is_none())
-            .collect();
-        let (first, second) = normals.iter().enumerate().find_map(|(k, (a, n))| {
-            normals[k + 1..]
-                .iter()
-                .find(|(_, m)| n.dot(m) < -0.5)
-                .map(|(b, _)| (*a, *b))
-        })?;
-        let name = |b: u16| &self.scene.boundaries[usize::from(b)].name;
-        Some(format!("`{}` and `{}`", name(first), name(second)))
     }
 
     /// Complete state as a blob: magic, version, scene hash, length, checksum; works in a new process.

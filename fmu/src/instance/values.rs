@@ -1,0 +1,147 @@
+//! Getting and setting values: dispatch by the variable table.
+
+use sphere_dda_model_description::fmi2::{BaseType, Causality, Variability};
+
+use super::{Instance, Stage};
+use crate::log::Level;
+use crate::outputs::Outputs;
+use crate::refusal::Refusal;
+use crate::variables::{Quantity, Value, Variable, component};
+
+impl Instance {
+    /// Values of variables of one type, in the order of `references`.
+    ///
+    /// # Errors
+    /// [`Refusal::Reference`], [`Refusal::NoValue`]; in initialization mode also [`Refusal::Step`].
+    pub fn get(&mut self, base: BaseType, references: &[u32]) -> Result<Vec<Value>, Refusal> {
+        for &reference in references {
+            self.variable(base, reference)?;
+        }
+        references
+            .iter()
+            .map(|&reference| self.get_one(base, reference))
+            .collect()
+    }
+
+    fn get_one(&mut self, base: BaseType, reference: u32) -> Result<Value, Refusal> {
+        let quantity = self.variable(base, reference)?.quantity;
+        match quantity {
+            Quantity::Time => return Ok(Value::Real(self.run.time)),
+            Quantity::Parameter(parameter) => return Ok(self.run.parameters.get(parameter)),
+            Quantity::Input {
+                boundary,
+                input,
+                axis,
+            } => {
+                let mut command = self.run.commands[boundary];
+                return Ok(Value::Real(*component(&mut command, input, axis)));
+            }
+            _ => {}
+        }
+        match self.run.stage {
+            Stage::Initialization if self.run.pending => self.prepare()?,
+            Stage::StepComplete if self.run.pending && !self.read_ahead => {
+                self.read_ahead = true;
+                let text = "outputs read after a set without a step: they are those of the last step (told once)";
+                self.log.write(Level::Warning, text);
+            }
+            _ => {}
+        }
+        if let (None, Some(simulation)) = (&self.outputs, &self.simulation) {
+            self.outputs = Some(Outputs::of(simulation));
+        }
+        let value = self
+            .outputs
+            .as_ref()
+            .and_then(|outputs| outputs.get(quantity));
+        let no_value = |name: &str| Refusal::NoValue {
+            name: name.to_owned(),
+            stage: self.run.stage,
+        };
+        value.ok_or_else(|| no_value(&self.model.table.variables()[reference as usize].name))
+    }
+
+    /// Sets variables; all or none.
+    ///
+    /// # Errors
+    /// [`Refusal::Reference`], [`Refusal::NotSettable`], [`Refusal::Range`].
+    pub fn set(&mut self, values: Vec<(u32, Value)>) -> Result<(), Refusal> {
+        for (reference, value) in &values {
+            self.check(*reference, value)?;
+        }
+        for (reference, value) in values {
+            match (self.variable(value.base(), reference)?.quantity, value) {
+                (Quantity::Parameter(parameter), value) => {
+                    self.run.parameters.set(parameter, value)
+                }
+                (
+                    Quantity::Input {
+                        boundary,
+                        input,
+                        axis,
+                    },
+                    Value::Real(value),
+                ) => {
+                    *component(&mut self.run.commands[boundary], input, axis) = value;
+                }
+                _ => continue,
+            }
+            self.run.pending = true;
+        }
+        Ok(())
+    }
+
+    fn check(&self, reference: u32, value: &Value) -> Result<(), Refusal> {
+        let variable = self.variable(value.base(), reference)?;
+        let before = matches!(self.run.stage, Stage::Instantiated | Stage::Initialization);
+        let allowed = match (variable.causality, variable.variability) {
+            (Causality::Input, _) | (_, Variability::Tunable) => true,
+            (Causality::Parameter, _) => before,
+            _ => false,
+        };
+        if !allowed {
+            return Err(Refusal::NotSettable {
+                name: variable.name.clone(),
+                kind: format!("{:?}, {:?}", variable.causality, variable.variability)
+                    .to_lowercase(),
+                stage: self.run.stage,
+                allowed: match variable.causality {
+                    Causality::Parameter => "set it before or in initialization mode",
+                    _ => "only parameters and inputs can be set",
+                },
+            });
+        }
+        let Value::Real(found) = *value else {
+            return Ok(());
+        };
+        let (min, max) = (
+            variable.min.unwrap_or(f64::MIN),
+            variable.max.unwrap_or(f64::MAX),
+        );
+        if found.is_finite() && (min..=max).contains(&found) {
+            return Ok(());
+        }
+        let expected = match (variable.min, variable.max) {
+            (None, None) => "a finite number".to_owned(),
+            (Some(min), None) => format!("a finite number of at least {min:e}"),
+            (_, Some(_)) => format!("a number in {min:e}..={max:e}"),
+        };
+        Err(Refusal::Range {
+            name: variable.name.clone(),
+            found,
+            expected,
+        })
+    }
+
+    fn variable(&self, base: BaseType, reference: u32) -> Result<&Variable, Refusal> {
+        let found = self.model.table.get(reference);
+        found
+            .filter(|variable| variable.base == base)
+            .ok_or_else(|| Refusal::Reference {
+                reference,
+                found: found
+                    .map(|variable| format!("`{}` of type {:?}", variable.name, variable.base)),
+                expected: base,
+            })
+    }
+}

@@ -1,0 +1,140 @@
+//! From a solution to the next state: motion, contact forces, wrenches, work.
+
+use super::dof;
+use super::stage::Stage;
+use crate::Vec3;
+use crate::contacts::narrow_phase::Placement;
+use crate::contacts::{Contact, Partner};
+use crate::integrate::turned;
+use crate::problem::{Dof6, GROUND};
+use crate::scene::Integrator;
+use crate::simulation::Wrench;
+use crate::state::State;
+
+impl Stage<'_> {
+    /// Contact forces and boundary wrenches into `state`.
+    pub(super) fn store(&self, state: &mut State) {
+        let step = self.inputs.step;
+        let boundaries = &self.inputs.scene.boundaries;
+        state.contacts.clear();
+        state.wrenches = vec![Wrench::default(); boundaries.len()];
+        state.persisting_wrenches = state.wrenches.clone();
+        for (k, candidate) in self.candidates.iter().enumerate() {
+            let force = self.impulses[k] / step;
+            if force == Vec3::zeros() {
+                continue;
+            }
+            state.contacts.push(Contact {
+                key: candidate.key,
+                point: candidate.point,
+                normal: candidate.normal,
+                gap: candidate.gap,
+                force,
+            });
+            if let Partner::Boundary { boundary, .. } = candidate.key.partner {
+                let b = usize::from(boundary);
+                let row = &self.problem.rows[k];
+                let point = self.inputs.kinematics.position[row.a as usize] + row.arm_a;
+                let pivot = boundaries[b].point_of_action + self.inputs.poses[0][b].translation;
+                let wrench = Wrench {
+                    force: -force,
+                    torque: -(point - pivot).cross(&force),
+                };
+                state.wrenches[b].add(&wrench, 1.0);
+                if !self.impact.get(k).copied().unwrap_or(false) {
+                    state.persisting_wrenches[b].add(&wrench, 1.0);
+                }
+            }
+        }
+    }
+
+    pub(super) fn spring_forces(&self) -> Vec<Vec3> {
+        self.impulses[self.candidates.len()..]
+            .iter()
+            .map(|p| p / self.inputs.step)
+            .collect()
+    }
+
+    /// Acceleration by external forces and all contacts that are no impacts, `[N]`.
+    pub(super) fn persisting_acceleration(&self) -> Vec<Dof6> {
+        let mut acceleration = self.inputs.external.to_vec();
+        let mobility = 1.0 / self.inputs.scene.settings.integrator.mobility();
+        for (k, row) in self.problem.rows.iter().enumerate() {
+            if !self.impact.get(k).copied().unwrap_or(false) {
+                let force = self.impulses[k] * (mobility / self.inputs.step);
+                row.apply(&self.problem.inverse_mass, &mut acceleration, force);
+            }
+        }
+        acceleration
+    }
+
+    /// Writes the solution into `state`: motion, forces, work.
+    pub(super) fn commit(&self, state: &mut State, solution: &[Dof6]) {
+        let scene = self.inputs.scene;
+        let settings = &scene.settings;
+        let step = self.inputs.step;
+        self.work(state, solution);
+        self.store(state);
+        state.springs = self.spring_forces();
+        state.persisting = self.persisting_acceleration();
+        let position = self.moved(solution);
+        for (i, v1) in solution.iter().enumerate() {
+            let after = settings
+                .integrator
+                .finish(&dof(self.inputs.kinematics, i), v1, settings);
+            state.kinematics.velocity[i] = after.linear;
+            state.kinematics.spin[i] = after.angular;
+            state.kinematics.orientation[i] =
+                turned(&self.inputs.kinematics.orientation[i], &v1.angular, step);
+        }
+        state.kinematics.position = position;
+        let end = Placement {
+            position: &state.kinematics.position,
+            poses: self.inputs.poses[1],
+            ..self.start
+        };
+        for (contact, candidate) in state.contacts.iter_mut().zip(
+            self.candidates
+                .iter()
+                .zip(&self.impulses)
+                .filter(|(_, p)| **p != Vec3::zeros())
+                .map(|(c, _)| c),
+        ) {
+            let now = end.follow(candidate);
+            contact.point = now.point;
+            contact.gap = now.gap;
+        }
+    }
+
+    /// Adds the step's work. A contact's is `p . (u^- + u^+)/2` in the velocities the integrator carries.
+    fn work(&self, state: &mut State, solution: &[Dof6]) {
+        let settings = &self.inputs.scene.settings;
+        let before: Vec<Dof6> = (0..solution.len())
+            .map(|i| dof(self.inputs.kinematics, i))
+            .collect();
+        let mean: Vec<Dof6> = before
+            .iter()
+            .zip(solution)
+            .map(|(before, v1)| match settings.integrator {
+                Integrator::Moreau => Dof6::ZERO.plus(before, 0.5).plus(v1, 0.5),
+                Integrator::Shi => *v1,
+            })
+            .collect();
+        for (k, row) in self.problem.rows.iter().enumerate() {
+            let p = self.impulses[k];
+            let relative = p.dot(&row.relative_velocity(&mean));
+            if k >= self.candidates.len() {
+                state.work.springs += relative;
+            } else {
+                state.work.dissipated -= relative;
+                if row.b == GROUND {
+                    state.work.boundaries -= p.dot(&row.drift);
+                }
+            }
+        }
+        for load in &self.inputs.scene.loads {
+            let arm = self.inputs.kinematics.orientation[load.sphere] * load.arm;
+            state.work.loads += self.inputs.step * load.force.dot(&mean[load.sphere].at(arm));
+        }
+    }
+}

@@ -1,0 +1,109 @@
+//! One internal time step, its stages in order: `stage` finds candidates and solves until the true geometry
+//! agrees, `commit` writes the solution into the state; `start` does the same at t = 0.
+
+mod commit;
+mod stage;
+mod start;
+
+pub use start::{initial_forces, remove_overlaps};
+
+use crate::Vec3;
+use crate::contacts::broad_phase::NeighborList;
+use crate::motion::Pose;
+use crate::particles::Kinematics;
+use crate::problem::Dof6;
+use crate::problem::assemble::{Inputs, external_acceleration};
+use crate::scene::Scene;
+use crate::solver::Report;
+use crate::solver::augmented_lagrangian::Workspace;
+use crate::state::State;
+use stage::Stage;
+
+/// What is kept between steps for speed and never shows in results.
+#[derive(Debug, Default)]
+pub struct Scratch {
+    neighbors: NeighborList,
+    workspace: Workspace,
+}
+
+/// Cost and quality of one internal step.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct StepOutcome {
+    /// The solver's report, summed over passes.
+    pub solver: Report,
+    /// Largest true overlap over radius at the end \[-\].
+    pub max_overlap: f64,
+}
+
+/// Why an internal step failed; the caller may cut it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StepFailure {
+    /// Which residual: `gap`, `slip` or `force`.
+    pub what: &'static str,
+    /// Its value \[-\].
+    pub residual: f64,
+    /// What was asked for \[-\].
+    pub tolerance: f64,
+    /// The worst contact, if there is one.
+    pub contact: Option<crate::contacts::Key>,
+}
+
+/// Takes `state` from `state.time` to `state.time + dt`, boundaries to `poses`. On failure `state` is unchanged.
+///
+/// # Errors
+/// [`StepFailure`] with the worst contact if the tolerances cannot be met.
+pub fn step(
+    scene: &Scene,
+    state: &mut State,
+    scratch: &mut Scratch,
+    dt: f64,
+    poses: Vec<Pose>,
+) -> Result<StepOutcome, StepFailure> {
+    let integrator = scene.settings.integrator;
+    let (standing, twists) = (state.poses.clone(), state.twists.clone());
+    let external = external_acceleration(scene, &state.kinematics, state.gravity);
+    let mut kinematics = state.kinematics.clone();
+    for (i, persisting) in state.persisting.iter().enumerate() {
+        let v = integrator.restep(&dof(&kinematics, i), persisting, state.last_step, dt);
+        kinematics.velocity[i] = v.linear;
+        kinematics.spin[i] = v.angular;
+    }
+    let end_time = state.time + dt;
+    let targets: Vec<Vec3> = scene
+        .springs
+        .iter()
+        .map(|spring| spring.target + spring.motion.pose_at(end_time).translation)
+        .collect();
+    let inputs = Inputs {
+        scene,
+        kinematics: &kinematics,
+        external: &external,
+        step: dt,
+        poses: [&standing, &poses],
+        twists: &twists,
+        gravity: state.gravity,
+        targets: &targets,
+    };
+    let mut stage = Stage::new(inputs, state, scratch);
+    let (solution, outcome) = stage.resolve(state, scratch)?;
+    stage.commit(state, &solution);
+    if outcome.solver.penalty > 0.0 && outcome.solver.penalty.is_finite() {
+        state.penalty = outcome.solver.penalty;
+    }
+    state.twists = state
+        .poses
+        .iter()
+        .zip(&poses)
+        .map(|(from, to)| from.twist_to(to, dt))
+        .collect();
+    state.poses = poses;
+    state.last_step = dt;
+    Ok(outcome)
+}
+
+fn dof(kinematics: &Kinematics, i: usize) -> Dof6 {
+    Dof6 {
+        linear: kinematics.velocity[i],
+        angular: kinematics.spin[i],
+    }
+}

@@ -1,0 +1,282 @@
+//! The step under way: candidates, rows, and the solve that repeats until the true geometry agrees.
+
+use super::{Scratch, StepFailure, StepOutcome};
+use crate::Vec3;
+use crate::contacts::history;
+use crate::contacts::narrow_phase::{Candidate, Placement};
+use crate::problem::assemble::Inputs;
+use crate::problem::{Dof6, Problem};
+use crate::scene::Method;
+use crate::solver::{Params, Report, solve};
+use crate::state::State;
+
+/// Passes of re-linearisation and late contacts before the step is cut.
+const PASSES: usize = 30;
+/// A loaded contact may leave its linearised surface by this share of the radius before its gap is
+/// re-linearised; overlaps are held to the tolerance whatever this is.
+const OPENING: f64 = 1e-3;
+/// Contacts with a gap below this share of the radius are candidates even at rest.
+const NEAR: f64 = 1e-3;
+/// Share of the gap tolerance left to the linear problem; the rest is for curvature and rounding.
+const LINEAR_SHARE: f64 = 0.5;
+
+/// The step under way: its problem and who its rows are.
+pub(super) struct Stage<'a> {
+    pub(super) inputs: Inputs<'a>,
+    pub(super) start: Placement<'a>,
+    pub(super) problem: Problem,
+    pub(super) candidates: Vec<Candidate>,
+    pub(super) impact: Vec<bool>,
+    pub(super) impulses: Vec<Vec3>,
+}
+
+impl<'a> Stage<'a> {
+    /// Candidates within the step's reach, rows, warm start.
+    pub(super) fn new(inputs: Inputs<'a>, state: &State, scratch: &mut Scratch) -> Self {
+        let scene = inputs.scene;
+        let problem = inputs.bodies();
+        let start = Placement {
+            particles: &scene.particles,
+            position: &inputs.kinematics.position,
+            boundaries: &scene.boundaries,
+            poses: inputs.poses[0],
+        };
+        // What a sphere can move in the step, before contacts change its velocity: the check after the
+        // solve finds what this misses.
+        let reach: Vec<f64> = (0..inputs.kinematics.len())
+            .map(|i| {
+                let free = problem.free[i].linear.norm();
+                let now = inputs.kinematics.velocity[i].norm();
+                inputs.step * free.max(now) + NEAR * scene.particles.radius[i]
+            })
+            .collect();
+        let wall_motion = |i: u32, b: u16| {
+            let (wall, i) = (&scene.boundaries[usize::from(b)], i as usize);
+            let [from, to] = inputs.poses.map(|poses| &poses[usize::from(b)]);
+            let x = inputs.kinematics.position[i];
+            (wall.from_frame(to, wall.to_frame(from, x)) - x).norm()
+        };
+        let largest = reach.iter().copied().fold(0.0, f64::max);
+        scratch.neighbors.ensure(&start, 2.0 * largest);
+        let walls = scratch.neighbors.walls.iter();
+        let widest = walls
+            .map(|&(i, b)| reach[i as usize] + wall_motion(i, b))
+            .fold(0.0, f64::max);
+        scratch.neighbors.ensure(&start, widest);
+        let candidates = start.candidates(
+            &scratch.neighbors,
+            |i, j| reach[i as usize] + reach[j as usize],
+            |i, b| reach[i as usize] + wall_motion(i, b),
+        );
+        let mut stage = Self {
+            inputs,
+            start,
+            problem,
+            candidates,
+            impact: Vec::new(),
+            impulses: Vec::new(),
+        };
+        stage.write_rows(state);
+        stage
+    }
+
+    /// Rows and warm-start impulses for the candidates and the constrained points.
+    fn write_rows(&mut self, state: &State) {
+        let forces = history::transfer(&state.contacts, self.candidates.iter().map(|c| c.key));
+        self.problem.rows.clear();
+        self.impact.clear();
+        for (candidate, &force) in self.candidates.iter().zip(&forces) {
+            let (row, impact) = self.inputs.contact(&self.problem.free, candidate, force);
+            self.problem.rows.push(row);
+            self.impact.push(impact);
+        }
+        let springs = 0..self.inputs.targets.len();
+        self.problem
+            .rows
+            .extend(springs.map(|s| self.inputs.spring(s)));
+        let step = self.inputs.step;
+        let springs_held = state
+            .springs
+            .iter()
+            .copied()
+            .take(self.inputs.targets.len());
+        self.impulses = forces
+            .into_iter()
+            .chain(springs_held)
+            .map(|f| f * step)
+            .collect();
+    }
+    /// Solves the problem as it stands.
+    pub(super) fn solve(&mut self, state: &State, scratch: &mut Scratch) -> Report {
+        let settings = &self.inputs.scene.settings;
+        let mut tolerance = settings.tolerance;
+        tolerance.gap *= LINEAR_SHARE;
+        let penalty_method = settings.method == Method::Penalty;
+        let params = Params {
+            kind: settings.solver,
+            tolerance,
+            max_sweeps: settings.max_iterations,
+            max_factorizations: settings.max_iterations.div_ceil(20),
+            // Contact springs carry the penalty themselves: nothing is left to augment.
+            penalty: if penalty_method {
+                f64::INFINITY
+            } else {
+                state.penalty
+            },
+            adapt_penalty: settings.adapt_penalty && !penalty_method,
+        };
+        solve(
+            &self.problem,
+            &params,
+            &mut scratch.workspace,
+            &mut self.impulses,
+        )
+    }
+
+    /// Solves until the true geometry agrees: gaps are re-linearised, late contacts join.
+    pub(super) fn resolve(
+        &mut self,
+        state: &State,
+        scratch: &mut Scratch,
+    ) -> Result<(Vec<Dof6>, StepOutcome), StepFailure> {
+        let mut total = Report::default();
+        for _ in 0..PASSES {
+            total = total.then(self.solve(state, scratch));
+            if !total.converged {
+                return Err(self.failure(&total));
+            }
+            let solution = self.problem.velocities(&self.impulses);
+            let position = self.moved(&solution);
+            let end = Placement {
+                position: &position,
+                poses: self.inputs.poses[1],
+                ..self.start
+            };
+            scratch.neighbors.ensure(&end, 0.0);
+            let closed = end.candidates(&scratch.neighbors, |_, _| 0.0, |_, _| 0.0);
+            let max_overlap = closed
+                .iter()
+                .map(|c| -c.gap / end.scale(c.key))
+                .fold(0.0, f64::max);
+            if self.inputs.scene.settings.method == Method::Penalty
+                || !self.correct(&end, &closed, &solution, state)
+            {
+                return Ok((
+                    solution,
+                    StepOutcome {
+                        solver: total,
+                        max_overlap,
+                    },
+                ));
+            }
+        }
+        Err(StepFailure {
+            what: "gap",
+            residual: f64::NAN,
+            tolerance: self.inputs.scene.settings.tolerance.gap,
+            contact: None,
+        })
+    }
+
+    /// Compares the linear gaps with the true ones at the end of the step. Re-linearises those that are off
+    /// (the gap only: normals and arms keep the start of the step, as in SHAKE) and adds contacts that closed
+    /// without being candidates. Returns whether anything changed.
+    fn correct(
+        &mut self,
+        end: &Placement,
+        closed: &[Candidate],
+        solution: &[Dof6],
+        state: &State,
+    ) -> bool {
+        let settings = &self.inputs.scene.settings;
+        let tolerance = settings.tolerance.gap;
+        let step = self.inputs.step;
+        let mut true_gaps = Vec::with_capacity(self.candidates.len());
+        let mut off = false;
+        for (k, candidate) in self.candidates.iter().enumerate() {
+            let row = &self.problem.rows[k];
+            // With a contact stiffness the spring's compression is not an overlap.
+            let compression = self.impulses[k].dot(&row.normal) * row.compliance_n * step;
+            let gap = end.follow(candidate).gap + compression;
+            let overlaps = gap < -tolerance * row.radius;
+            let opens =
+                self.impulses[k] != Vec3::zeros() && !self.impact[k] && gap > OPENING * row.radius;
+            off |= overlaps || opens;
+            true_gaps.push(gap);
+        }
+        let late: Vec<Candidate> = closed
+            .iter()
+            .filter(|c| c.gap < -tolerance * end.scale(c.key))
+            .filter(|c| {
+                self.candidates
+                    .binary_search_by_key(&c.key, |known| known.key)
+                    .is_err()
+            })
+            .copied()
+            .collect();
+        if !off && late.is_empty() {
+            return false;
+        }
+        for (k, gap) in true_gaps.into_iter().enumerate() {
+            let row = &mut self.problem.rows[k];
+            let n = row.normal;
+            let linear = step * n.dot(&row.relative_velocity(solution));
+            let compression = self.impulses[k].dot(&n) * row.compliance_n * step;
+            let wanted = (gap - compression - linear) / step;
+            let now = row.bias.dot(&n);
+            if self.impact[k] {
+                // A rebound yields only to an overlap.
+                if gap < -tolerance * row.radius {
+                    row.bias += n * (wanted.min(now) - now);
+                }
+            } else {
+                row.bias += n * (wanted - now);
+            }
+        }
+        for found in late {
+            self.insert(found, solution, state);
+        }
+        true
+    }
+
+    /// Adds a contact that `solution` closes: its normal is the one it closes with.
+    fn insert(&mut self, found: Candidate, solution: &[Dof6], state: &State) {
+        let force = history::transfer(&state.contacts, std::iter::once(found.key))[0];
+        let (mut row, impact) = self.inputs.contact(&self.problem.free, &found, force);
+        let linear = self.inputs.step * found.normal.dot(&row.relative_velocity(solution));
+        row.bias +=
+            row.normal * ((found.gap - linear) / self.inputs.step - row.bias.dot(&row.normal));
+        let at = self.candidates.partition_point(|c| c.key < found.key);
+        self.candidates.insert(at, found);
+        self.problem.rows.insert(at, row);
+        self.impact.insert(at, impact);
+        self.impulses.insert(at, Vec3::zeros());
+    }
+
+    pub(super) fn moved(&self, solution: &[Dof6]) -> Vec<Vec3> {
+        let start = self.inputs.kinematics.position.iter();
+        start
+            .zip(solution)
+            .map(|(x, v)| x + v.linear * self.inputs.step)
+            .collect()
+    }
+
+    pub(super) fn failure(&self, report: &Report) -> StepFailure {
+        let tolerance = &self.inputs.scene.settings.tolerance;
+        let residual = &report.residual;
+        let kinds = [
+            ("gap", residual.gap, tolerance.gap, residual.worst[0]),
+            ("slip", residual.slip, tolerance.slip, residual.worst[1]),
+            ("force", residual.force, tolerance.force, residual.worst[2]),
+        ];
+        let excess = |(_, value, limit, _): &(_, f64, f64, _)| value / limit;
+        let worst = kinds.iter().max_by(|a, b| excess(a).total_cmp(&excess(b)));
+        let (what, residual, tolerance, row) = worst.copied().unwrap_or(kinds[0]);
+        StepFailure {
+            what,
+            residual,
+            tolerance,
+            contact: self.candidates.get(row).map(|c| c.key),
+        }
+    }
+}

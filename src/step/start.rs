@@ -1,0 +1,134 @@
+//! The start of a run: overlaps out by displacement, contact forces at rest.
+
+use super::stage::Stage;
+use super::{Scratch, StepFailure, dof};
+use crate::Vec3;
+use crate::contacts::narrow_phase::Placement;
+use crate::motion::Twist;
+use crate::problem::assemble::{Inputs, external_acceleration};
+use crate::problem::{Dof6, Law};
+use crate::scene::{Method, Scene};
+use crate::state::State;
+
+/// Contact forces at t = 0 from the acceleration-level problem: closed contacts that neither approach nor part
+/// must not accelerate into each other. Leaves them and the persisting accelerations in `state`.
+///
+/// # Errors
+/// [`StepFailure`] if that problem has no solution within the tolerances.
+pub fn initial_forces(
+    scene: &Scene,
+    state: &mut State,
+    scratch: &mut Scratch,
+) -> Result<(), StepFailure> {
+    let dt = 0.5 * scene.settings.step;
+    let kinematics = state.kinematics.clone();
+    let external = external_acceleration(scene, &kinematics, state.gravity);
+    let targets: Vec<Vec3> = scene.springs.iter().map(|spring| spring.target).collect();
+    let (poses, twists) = (state.poses.clone(), state.twists.clone());
+    let inputs = Inputs {
+        scene,
+        kinematics: &kinematics,
+        external: &external,
+        step: dt,
+        poses: [&poses, &poses],
+        twists: &twists,
+        gravity: state.gravity,
+        targets: &targets,
+    };
+    let mut stage = Stage::new(inputs, state, scratch);
+    stage.keep_resting(scene);
+    let report = stage.solve(state, scratch);
+    if scene.settings.method == Method::Alm && !report.converged {
+        return Err(stage.failure(&report));
+    }
+    stage.store(state);
+    state.springs = stage.spring_forces();
+    state.persisting = stage.persisting_acceleration();
+    Ok(())
+}
+
+/// Removes overlaps at t = 0 by the smallest displacement (in the mass metric) that closes no other gap; leaves the
+/// largest overlap found in `state.initial_overlap`. The penalty method keeps its overlaps.
+///
+/// # Errors
+/// [`StepFailure`] if no such displacement is found.
+pub fn remove_overlaps(
+    scene: &Scene,
+    state: &mut State,
+    scratch: &mut Scratch,
+) -> Result<(), StepFailure> {
+    let start = Placement {
+        particles: &scene.particles,
+        position: &state.kinematics.position,
+        boundaries: &scene.boundaries,
+        poses: &state.poses,
+    };
+    scratch.neighbors.ensure(&start, 0.0);
+    let closed = start.candidates(&scratch.neighbors, |_, _| 0.0, |_, _| 0.0);
+    state.initial_overlap = closed
+        .iter()
+        .map(|c| -c.gap / start.scale(c.key))
+        .fold(0.0, f64::max);
+    if scene.settings.method == Method::Penalty
+        || state.initial_overlap <= scene.settings.tolerance.gap
+    {
+        return Ok(());
+    }
+    let mut kinematics = state.kinematics.clone();
+    kinematics.velocity.fill(Vec3::zeros());
+    kinematics.spin.fill(Vec3::zeros());
+    let poses = state.poses.clone();
+    let inputs = Inputs {
+        scene,
+        kinematics: &kinematics,
+        external: &vec![Dof6::ZERO; kinematics.len()],
+        step: scene.settings.step,
+        poses: [&poses, &poses],
+        twists: &vec![Twist::default(); poses.len()],
+        gravity: Vec3::zeros(),
+        targets: &[],
+    };
+    let mut stage = Stage::new(inputs, state, scratch);
+    for row in &mut stage.problem.rows {
+        row.law = Law::Contact { mu: 0.0 };
+    }
+    let (solution, _) = stage.resolve(state, scratch)?;
+    state.kinematics.position = stage.moved(&solution);
+    Ok(())
+}
+
+impl Stage<'_> {
+    /// Keeps the candidates that are closed and neither approach nor part, with zero gap.
+    fn keep_resting(&mut self, scene: &Scene) {
+        let velocity: Vec<Dof6> = (0..self.inputs.kinematics.len())
+            .map(|i| dof(self.inputs.kinematics, i))
+            .collect();
+        let creep = scene.settings.gravity.norm() * self.inputs.step;
+        let closed = scene.settings.tolerance.gap.max(1e-9);
+        let contacts = self.candidates.len();
+        let keep: Vec<bool> = (0..self.problem.rows.len())
+            .map(|k| {
+                let row = &self.problem.rows[k];
+                k >= contacts
+                    || (self.candidates[k].gap <= closed * row.radius
+                        && row.normal.dot(&row.relative_velocity(&velocity)).abs() <= 1e-3 * creep)
+            })
+            .collect();
+        for (row, impact) in self.problem.rows.iter_mut().zip(&mut self.impact) {
+            if row.compliance_n == 0.0 {
+                row.bias = Vec3::zeros();
+            }
+            *impact = false;
+        }
+        retain(&mut self.impulses, &keep);
+        retain(&mut self.problem.rows, &keep);
+        retain(&mut self.candidates, &keep);
+        self.impact.truncate(self.candidates.len());
+    }
+}
+
+/// Keeps the entries whose flag is set; entries beyond the flags stay.
+fn retain<T>(items: &mut Vec<T>, keep: &[bool]) {
+    let mut flags = keep.iter();
+    items.retain(|_| flags.next().copied().unwrap_or(true));
+}
