@@ -267,6 +267,11 @@ fn sensors(state: &Observation) -> Vec<Reading> {
                 mass: mass_in_box(&state.scene.particles, &state.kinematics.position, min, max),
                 rate: 0.0,
             },
+            // Its outputs are those of the boundary.
+            Measure::Wrench { .. } => Reading {
+                mass: 0.0,
+                rate: 0.0,
+            },
             Measure::MassFlow { .. } => Reading {
                 mass: passed,
                 rate: flow,

@@ -7,6 +7,7 @@
 //! |---|---|
 //! | `time [s]` | end of the communication step |
 //! | `sensor.NAME [kg]` | mass in the box |
+//! | `sensor.NAME.force[1..3] [N]`, `sensor.NAME.torque[1..3] [N.m]` | wrench on the sensor's boundary, mean over the communication step |
 //! | `sensor.NAME.mass [kg]`, `sensor.NAME.rate [kg/s]` | cumulated mass, mean flow over the communication step |
 //! | `boundary.NAME.averageForce[k] [N]`, `.averageTorque[k] [N m]` | contact wrench on the boundary about its point of action, mean over the communication step; k = 1, 2, 3 |
 //! | `kineticEnergy [J]`, `potentialEnergy [J]` | see [`super::energy`] |
@@ -39,6 +40,10 @@ pub fn columns(scene: &Scene) -> Vec<String> {
         let name = &sensor.name;
         match sensor.measure {
             Measure::MassInBox { .. } => names.push(format!("sensor.{name} [kg]")),
+            Measure::Wrench { .. } => {
+                vector(&mut names, &format!("sensor.{name}.force"), "N");
+                vector(&mut names, &format!("sensor.{name}.torque"), "N.m");
+            }
             Measure::MassFlow { .. } => {
                 names.push(format!("sensor.{name}.mass [kg]"));
                 names.push(format!("sensor.{name}.rate [kg/s]"));
@@ -89,6 +94,11 @@ pub fn row(state: &Observation) -> Vec<f64> {
             Measure::MassInBox { min, max } => {
                 let centre = &state.kinematics.position;
                 values.push(mass_in_box(&state.scene.particles, centre, min, max));
+            }
+            Measure::Wrench { boundary } => {
+                let wrench = &state.boundaries[boundary].mean_wrench;
+                vector(&mut values, wrench.force);
+                vector(&mut values, wrench.torque);
             }
             Measure::MassFlow { .. } => values.extend([state.passed[s], state.flow[s]]),
         }

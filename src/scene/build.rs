@@ -111,7 +111,7 @@ fn build(
             "add a group `[[spheres]]`",
         );
     }
-    Names::declare(document, "boundary", &file.boundaries);
+    let boundary_names = Names::declare(document, "boundary", &file.boundaries);
     let boundaries: Vec<_> = file
         .boundaries
         .iter()
@@ -123,7 +123,7 @@ fn build(
         hash: String::new(),
         loads: loads(document, &context, &file.loads),
         springs: springs(document, resources, &context, &file.springs, &initial),
-        sensors: sensors(document, &file.sensors),
+        sensors: sensors(document, &boundary_names, &file.sensors),
         probes: probes(document, &context, &file.probes, particles.len()),
         output: output(document, &file.output),
         settings: settings?,
@@ -190,12 +190,16 @@ fn springs(
     springs.collect()
 }
 
-fn sensors(document: &mut Document<'_>, elements: &[Element<file::Sensor>]) -> Vec<Sensor> {
+fn sensors(
+    document: &mut Document<'_>,
+    boundaries: &Names,
+    elements: &[Element<file::Sensor>],
+) -> Vec<Sensor> {
     Names::declare(document, "sensor", elements);
     let sensors = elements.iter().filter_map(|element| {
         let (path, value) = (&element.path, element.value.as_ref()?);
-        let measure = match (value.mass_in_box, value.mass_flow) {
-            (Some(cuboid), None) => {
+        let measure = match (value.mass_in_box, value.mass_flow, &value.wrench) {
+            (Some(cuboid), None, None) => {
                 let path = format!("{path}.mass_in_box");
                 let (min, max) = (Vec3::from(cuboid.min), Vec3::from(cuboid.max));
                 let proper = (0..3).all(|k| min[k] < max[k]);
@@ -203,17 +207,21 @@ fn sensors(document: &mut Document<'_>, elements: &[Element<file::Sensor>]) -> V
                 document.demand(proper, path, found, "min < max in every coordinate [m]");
                 Measure::MassInBox { min, max }
             }
-            (None, Some(plane)) => Measure::MassFlow {
+            (None, None, Some(name)) => Measure::Wrench {
+                boundary: boundaries.resolve(document, &format!("{path}.wrench"), name)?,
+            },
+            (None, Some(plane), None) => Measure::MassFlow {
                 point: plane.point.into(),
                 normal: direction(document, &format!("{path}.mass_flow.normal"), plane.normal)?,
             },
-            (cuboid, plane) => {
-                let n = usize::from(cuboid.is_some()) + usize::from(plane.is_some());
+            (cuboid, plane, wrench) => {
+                let given = [cuboid.is_some(), plane.is_some(), wrench.is_some()];
+                let n = given.into_iter().filter(|is| *is).count();
                 document.demand(
                     false,
                     path,
                     format!("{n} measures"),
-                    "exactly one of mass_in_box, mass_flow",
+                    "exactly one of mass_in_box, mass_flow, wrench",
                 );
                 return None;
             }

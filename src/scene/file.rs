@@ -446,6 +446,8 @@ pub struct Sensor {
     pub name: String,
     /// Mass \[kg\] of the spheres with their centre in this box.
     pub mass_in_box: Option<Cuboid>,
+    /// Force \[N\] and torque \[N m\] on the boundary of this name, averaged over the communication step.
+    pub wrench: Option<String>,
     /// Cumulated mass \[kg\] and flow \[kg/s\] of centres through this plane, along its normal.
     pub mass_flow: Option<Plane>,
 }

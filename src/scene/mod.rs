@@ -181,6 +181,11 @@ pub enum Measure {
         /// Upper corner \[m\].
         max: Vec3,
     },
+    /// Force \[N\] and torque \[N m\] on a boundary, averaged over the communication step.
+    Wrench {
+        /// Index of the boundary.
+        boundary: usize,
+    },
     /// Cumulated mass \[kg\] and mean flow \[kg/s\] of centres that cross a plane along its normal
     /// (crossings against it count negative).
     MassFlow {

@@ -193,3 +193,11 @@ def test_the_fmu_writes_its_own_results(fmus, tmp_path):
     runs = list(tmp_path.iterdir())
     assert len(runs) == 1
     assert (runs[0] / "spheres.pvd").exists() and len(list(runs[0].glob("spheres_*.vtu"))) == 4
+
+
+def test_a_wrench_sensor_is_its_boundarys_average(fmus):
+    names = [f"{of}[{k}]" for of in ("sensor.reaction.force", "boundary.trough.averageForce") for k in (1, 2, 3)]
+    result = fmpy.simulate_fmu(str(fmus["feeder"]), stop_time=0.02, output_interval=2e-3, output=names)
+    values = result.view(np.float64).reshape(len(result), -1)
+    assert np.any(values[:, 1:4] != 0)
+    assert np.array_equal(values[:, 1:4], values[:, 4:7])

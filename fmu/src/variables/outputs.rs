@@ -172,6 +172,31 @@ impl Rows {
                 );
                 self.push(row, Causality::Output, of(SensorOutput::Mass));
             }
+            Measure::Wrench { boundary } => {
+                use BoundaryOutput as B;
+                let parts = [
+                    ("force", "N", "Force on the boundary", B::AverageForce),
+                    (
+                        "torque",
+                        "N.m",
+                        "Torque on the boundary about its point of action",
+                        B::AverageTorque,
+                    ),
+                ];
+                for (name, unit, text, output) in parts {
+                    self.vector(
+                        (format!("{prefix}.{name}"), XYZ),
+                        Some(unit),
+                        &format!("{text}, averaged over the communication step"),
+                        Causality::Output,
+                        |axis| Quantity::Boundary {
+                            boundary: *boundary,
+                            output,
+                            axis,
+                        },
+                    );
+                }
+            }
             Measure::MassFlow { .. } => {
                 let text = "Mass that has crossed the plane along its normal since the start";
                 let row = mass(format!("{prefix}.mass"), text);
