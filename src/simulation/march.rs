@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::{Simulation, StepReport, Wrench};
 use crate::Vec3;
-use crate::contacts::{Key, Partner};
+use crate::contacts::Partner;
 use crate::drive::{Drive, displacement};
 use crate::error::StepError;
 use crate::motion::Motion;
@@ -168,12 +168,12 @@ impl Simulation {
     /// A failure in the scene's words.
     pub(super) fn explain(&self, failure: StepFailure, step: f64, cuts: u32) -> StepError {
         let time = self.state.time;
-        if let Some(key) = failure.contact
-            && let Some(boundaries) = self.pinch(key)
-        {
+        if let Some((sphere, between)) = failure.pinched {
+            let [a, b] = between.map(|b| &self.scene.boundaries[usize::from(b)].name);
+            let boundaries = format!("`{a}` and `{b}`");
             return StepError::Pinched {
                 time,
-                sphere: key.sphere as usize,
+                sphere,
                 boundaries,
             };
         }
@@ -197,28 +197,5 @@ impl Simulation {
             contact,
             cuts,
         }
-    }
-
-    /// Whether the sphere of `key` sits between rigid boundaries that close on it; their names.
-    fn pinch(&self, key: Key) -> Option<String> {
-        let normals: Vec<(u16, Vec3)> = self
-            .state
-            .contacts
-            .iter()
-            .filter(|c| c.key.sphere == key.sphere)
-            .filter_map(|c| match c.key.partner {
-                Partner::Boundary { boundary, .. } => Some((boundary, c.normal)),
-                Partner::Sphere(_) => None,
-            })
-            .filter(|(b, _)| self.scene.boundaries[usize::from(*b)].stiffness.is_none())
-            .collect();
-        let (first, second) = normals.iter().enumerate().find_map(|(k, (a, n))| {
-            normals[k + 1..]
-                .iter()
-                .find(|(_, m)| n.dot(m) < -0.5)
-                .map(|(b, _)| (*a, *b))
-        })?;
-        let name = |b: u16| &self.scene.boundaries[usize::from(b)].name;
-        Some(format!("`{}` and `{}`", name(first), name(second)))
     }
 }

@@ -46,6 +46,8 @@ pub struct StepFailure {
     pub tolerance: f64,
     /// The worst contact, if there is one.
     pub contact: Option<crate::contacts::Key>,
+    /// A sphere that two rigid boundaries press from opposite sides, and the boundaries.
+    pub pinched: Option<(usize, [u16; 2])>,
 }
 
 /// Takes `state` from `state.time` to `state.time + dt`, boundaries to `poses`. On failure `state` is unchanged.

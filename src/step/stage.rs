@@ -2,8 +2,8 @@
 
 use super::{Scratch, StepFailure, StepOutcome};
 use crate::Vec3;
-use crate::contacts::history;
 use crate::contacts::narrow_phase::{Candidate, Placement};
+use crate::contacts::{Partner, history};
 use crate::problem::assemble::Inputs;
 use crate::problem::{Dof6, Problem};
 use crate::scene::Method;
@@ -175,6 +175,7 @@ impl<'a> Stage<'a> {
             residual: f64::NAN,
             tolerance: self.inputs.scene.settings.tolerance.gap,
             contact: None,
+            pinched: None,
         })
     }
 
@@ -277,6 +278,29 @@ impl<'a> Stage<'a> {
             residual,
             tolerance,
             contact: self.candidates.get(row).map(|c| c.key),
+            pinched: report
+                .residual
+                .worst
+                .iter()
+                .find_map(|&row| self.pinch(row)),
         }
+    }
+
+    /// Whether the sphere of contact `row` carries load from two rigid boundaries on opposite sides.
+    fn pinch(&self, row: usize) -> Option<(usize, [u16; 2])> {
+        let sphere = self.candidates.get(row)?.key.sphere;
+        let walls: Vec<(u16, Vec3)> = (0..self.candidates.len())
+            .filter(|&k| self.candidates[k].key.sphere == sphere)
+            .filter(|&k| self.problem.rows[k].compliance_n == 0.0)
+            .filter(|&k| self.impulses[k] != Vec3::zeros())
+            .filter_map(|k| match self.candidates[k].key.partner {
+                Partner::Boundary { boundary, .. } => Some((boundary, self.candidates[k].normal)),
+                Partner::Sphere(_) => None,
+            })
+            .collect();
+        walls.iter().enumerate().find_map(|(k, (a, n))| {
+            let opposite = walls[k + 1..].iter().find(|(_, m)| n.dot(m) < -0.5)?;
+            Some((sphere as usize, [*a, opposite.0]))
+        })
     }
 }

@@ -8,6 +8,7 @@ mod free_motion;
 mod impact;
 mod incline;
 mod paper_examples;
+mod pinched;
 mod solvers;
 mod springs;
 mod support;

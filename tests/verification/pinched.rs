@@ -1,0 +1,89 @@
+//! A sphere squeezed between boundaries whose motion is prescribed has no rigid solution.
+
+use std::sync::Arc;
+
+use sphere_dda::Vec3;
+use sphere_dda::error::StepError;
+use sphere_dda::motion::{Motion, Twist};
+use sphere_dda::scene::SolverKind;
+use sphere_dda::simulation::Simulation;
+
+use crate::support::{Case, G, close};
+
+const RADIUS: f64 = 0.1;
+const SPEED: f64 = 0.01;
+
+/// A sphere on the floor under a lid that comes down from 1 mm above it.
+fn press(stiffness: Option<f64>, solver: SolverKind) -> Case {
+    let mut case = Case::new(1e-2, 0.3, 0.0)
+        .settings(|s| s.solver = solver)
+        .floor()
+        .plane(Vec3::new(0.0, 0.0, 2.0 * RADIUS + 1e-3), -Vec3::z())
+        .sphere(RADIUS, Vec3::new(0.0, 0.0, RADIUS), Vec3::zeros());
+    let lid = &mut case.scene.boundaries[1];
+    lid.stiffness = stiffness;
+    lid.motion = Motion::Constant(Twist {
+        linear: Vec3::new(0.0, 0.0, -SPEED),
+        angular: Vec3::zeros(),
+    });
+    case
+}
+
+/// Without a stiffness the run stops, names sphere and boundaries, and keeps the state of the last step.
+#[test]
+fn a_rigid_press_is_named() {
+    for solver in [
+        SolverKind::Auto,
+        SolverKind::Direct,
+        SolverKind::GaussSeidel,
+    ] {
+        let mut simulation =
+            Simulation::new(Arc::new(press(None, solver).scene)).expect("the case starts");
+        let error = loop {
+            if let Err(error) = simulation.advance(1e-2) {
+                break error;
+            }
+            assert!(simulation.time() < 0.2, "the lid went through the sphere");
+        };
+        let StepError::Pinched {
+            time,
+            sphere,
+            boundaries,
+        } = &error
+        else {
+            panic!("{solver:?}: {error}");
+        };
+        assert!((0.08..0.13).contains(time), "{time}");
+        assert_eq!(*sphere, 0);
+        assert!(
+            boundaries.contains("plane0") && boundaries.contains("plane1"),
+            "{boundaries}"
+        );
+        assert!(error.to_string().contains("stiffness"), "{error}");
+    }
+}
+
+/// With a contact stiffness k on the lid its force is `k` times the compression: `k (v t - 1 mm)`, the floor's that
+/// plus the weight.
+#[test]
+fn a_compliant_lid_presses_with_its_stiffness() {
+    let stiffness = 1e5;
+    for solver in [
+        SolverKind::Auto,
+        SolverKind::Direct,
+        SolverKind::GaussSeidel,
+    ] {
+        let mut run = press(Some(stiffness), solver)
+            .tolerance(1e-9, 1e-9, 1e-9)
+            .start();
+        run.steps(50);
+        let pressed = stiffness * (SPEED * run.simulation.time() - 1e-3);
+        close(run.force_on_boundary(1).z, pressed, 1e-6, 0.0);
+        close(
+            -run.force_on_boundary(0).z,
+            pressed + run.mass(0) * G,
+            1e-6,
+            0.0,
+        );
+    }
+}
