@@ -4,13 +4,13 @@
 //! impulses: `sigma = P dt^2`, `A = W^-1`)
 //!
 //! ```text
-//! 1/2 (v - v_free)^T A (v - v_free) + sum_c s_c/2 |p^_c(v)|^2-like envelope of
-//! p^_n = max(0, (p_n - sigma (u_n + b_n)) / (1 + sigma c_n))          open / closed
+//! 1/2 (v - v_free)^T A (v - v_free) + sum over rows of e(u),   -de/du = p^(u)
+//! p^_n = max(0, (p_n - sigma (u_n + b_n)) / (1 + sigma c_n))              open / closed
 //! p^_t = Proj_{mu p_n}((p_t - sigma_t (u_t + b_t)) / (1 + sigma_t c_t))   stick / slip
 //! ```
 //!
 //! Each open-close iteration solves `K dv = F` with `K = A + J^T diag(dp^/du) J` (paper eqs 19-24 with the
-//! signs put right) by sparse Cholesky. The friction disc's radius is that of the last iterate (Tresca), so `K`
+//! signs put right) by sparse Cholesky. The friction disc's radius is that of the last multiplier update (Tresca), so `K`
 //! stays symmetric and the inner problem convex; a line search on its energy makes the open-close iteration
 //! safe. The multiplier update is `p <- p^` (paper eq 8 with the projection). The penalty is raised when an
 //! update gains too little, and only after the inner problem has converged (Mijar and Arora 2004).
