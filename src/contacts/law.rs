@@ -6,7 +6,7 @@
 //! ```
 //!
 //! With a compliance `c` the gap is `d + c p`, and the fixed point is `max(0, (p - s d)/(1 + s c))`.
-//! `s > 0` is any scale: the fixed points do not depend on it. Source: Alart and Curnier (1991); the paper's
+//! `s > 0` is any scale: the fixed points do not depend on it. Source: the paper's
 //! eq 8 with the projection that print leaves out.
 
 use crate::Vec3;

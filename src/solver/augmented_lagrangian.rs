@@ -13,7 +13,7 @@
 //! signs put right) by sparse Cholesky. The friction disc's radius is that of the last multiplier update (Tresca), so `K`
 //! stays symmetric and the inner problem convex; a line search on its energy makes the open-close iteration
 //! safe. The multiplier update is `p <- p^` (paper eq 8 with the projection). The penalty is raised when an
-//! update gains too little, and only after the inner problem has converged (Mijar and Arora 2004).
+//! update gains too little, and only after the inner problem has converged.
 
 use std::sync::Arc;
 

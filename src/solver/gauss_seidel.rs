@@ -1,7 +1,7 @@
 //! Block Gauss-Seidel on the multipliers.
 //!
 //! Contact by contact, in canonical order: the contact's own law is solved in closed form with all other
-//! multipliers held, and the velocities of its two bodies follow at once (Jean 1999; for a sphere contact
+//! multipliers held, and the velocities of its two bodies follow at once (for a sphere contact
 //! the local operator is diagonal, so normal and tangent do not couple). Deterministic; robust with friction.
 
 use super::residual::{Residual, Scale, evaluate};
