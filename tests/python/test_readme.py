@@ -43,7 +43,7 @@ def test_commands_exist(command):
 
 
 def test_links_lead_somewhere():
-    for page in ["README.md", "CONTRIBUTING.md", "CHANGELOG.md", "examples/README.md", "docs/scene.md", "docs/results.md", "docs/fmu.md"]:
+    for page in ["README.md", "CONTRIBUTING.md", "CHANGELOG.md", "examples/README.md", "docs/scene.md", "docs/results.md", "docs/fmu.md", "docs/theory.md"]:
         for link in re.findall(r"\]\(([^)#]+)\)", (ROOT / page).read_text(encoding="utf-8")):
             if "://" not in link:
                 assert ((ROOT / page).parent / link).exists(), f"{page}: {link}"
