@@ -67,11 +67,8 @@ pub struct Tolerance {
 
 impl Default for Tolerance {
     fn default() -> Self {
-        Self {
-            gap: 1e-6,
-            slip: 1e-6,
-            force: 1e-6,
-        }
+        let super::Tolerance { gap, slip, force } = super::Tolerance::default();
+        Self { gap, slip, force }
     }
 }
 
