@@ -51,6 +51,9 @@ pub struct Kinematics {
     pub velocity: Vec<Vec3>,
     /// Angular velocity in world axes \[rad/s\], `[N]`.
     pub spin: Vec<Vec3>,
+    /// Whether the sphere is in the scene, `[N]`: a source's spheres wait outside, a sink takes spheres out. One that
+    /// is absent rests where it was, touches nothing and counts nowhere.
+    pub present: Vec<bool>,
 }
 
 impl Particles {
@@ -101,6 +104,7 @@ impl Kinematics {
         self.orientation.push(UnitQuaternion::identity());
         self.velocity.push(velocity);
         self.spin.push(spin);
+        self.present.push(true);
     }
 
     /// Number of spheres `N`.

@@ -4,17 +4,19 @@ use std::path::Path;
 
 use miette::NamedSource;
 
-use super::bodies::{boundary, motion};
+use super::bodies::{accept, boundary, motion};
 use super::decode::{Element, SceneFile};
 use super::document::Document;
 use super::names::{Context, Names};
 use super::overlap::Overlaps;
 use super::problem::SceneError;
+use super::regions::{Use, region};
 use super::resources::{Resources, hash};
 use super::settings::{materials, pairs, settings};
 use super::{Loaded, Measure, Output, PointLoad, Probe, Scene, Sensor, Spring};
 use super::{file, spheres};
 use crate::Vec3;
+use crate::boundaries::Facets;
 use crate::motion::Motion;
 use crate::particles::{Kinematics, Particles};
 
@@ -123,6 +125,8 @@ fn build(
         hash: String::new(),
         loads: loads(document, &context, &file.loads),
         springs: springs(document, resources, &context, &file.springs, &initial),
+        sources: Vec::new(),
+        sinks: Vec::new(),
         sensors: sensors(document, &boundary_names, &file.sensors),
         probes: probes(document, &context, &file.probes, particles.len()),
         output: output(document, &file.output),
@@ -198,30 +202,25 @@ fn sensors(
     Names::declare(document, "sensor", elements);
     let sensors = elements.iter().filter_map(|element| {
         let (path, value) = (&element.path, element.value.as_ref()?);
-        let measure = match (value.mass_in_box, value.mass_flow, &value.wrench) {
-            (Some(cuboid), None, None) => {
-                let path = format!("{path}.mass_in_box");
-                let (min, max) = (Vec3::from(cuboid.min), Vec3::from(cuboid.max));
-                let proper = (0..3).all(|k| min[k] < max[k]);
-                let found = format!("min {:?} and max {:?}", cuboid.min.0, cuboid.max.0);
-                document.demand(proper, path, found, "min < max in every coordinate [m]");
-                Measure::MassInBox { min, max }
-            }
+        let measure = match (&value.region, &value.mass_flow, &value.wrench) {
+            (Some(given), None, None) => Measure::Region(region(
+                document,
+                &format!("{path}.region"),
+                given,
+                Use::Measuring,
+            )?),
             (None, None, Some(name)) => Measure::Wrench {
                 boundary: boundaries.resolve(document, &format!("{path}.wrench"), name)?,
             },
-            (None, Some(plane), None) => Measure::MassFlow {
-                point: plane.point.into(),
-                normal: direction(document, &format!("{path}.mass_flow.normal"), plane.normal)?,
-            },
-            (cuboid, plane, wrench) => {
-                let given = [cuboid.is_some(), plane.is_some(), wrench.is_some()];
+            (None, Some(flow), None) => mass_flow(document, &format!("{path}.mass_flow"), flow)?,
+            (region, flow, wrench) => {
+                let given = [region.is_some(), flow.is_some(), wrench.is_some()];
                 let n = given.into_iter().filter(|is| *is).count();
                 document.demand(
                     false,
                     path,
                     format!("{n} measures"),
-                    "exactly one of mass_in_box, mass_flow, wrench",
+                    "exactly one of region, mass_flow, wrench",
                 );
                 return None;
             }
@@ -232,6 +231,31 @@ fn sensors(
         })
     });
     sensors.collect()
+}
+
+/// A flow through a plane, or through a polygon in it.
+fn mass_flow(document: &mut Document<'_>, path: &str, given: &file::MassFlow) -> Option<Measure> {
+    match given {
+        file::MassFlow::Plane(plane) => Some(Measure::MassFlow {
+            point: plane.point.into(),
+            normal: direction(document, &format!("{path}.plane.normal"), plane.normal)?,
+            outline: Vec::new(),
+        }),
+        file::MassFlow::Polygon(corners) => {
+            let outline: Vec<Vec3> = corners.iter().map(|&c| c.into()).collect();
+            let checked = Facets::polygon(&outline);
+            accept(document, &format!("{path}.polygon"), checked)?;
+            // Newell's vector area: a polygon that was accepted has one.
+            let area: Vec3 = (1..outline.len() - 1)
+                .map(|i| (outline[i] - outline[0]).cross(&(outline[i + 1] - outline[0])))
+                .sum();
+            Some(Measure::MassFlow {
+                point: outline[0],
+                normal: area.normalize(),
+                outline,
+            })
+        }
+    }
 }
 
 /// The first, the middle and the last sphere unless the scene names its own.
@@ -275,6 +299,7 @@ fn output(document: &mut Document<'_>, output: &file::Output) -> Output {
     for (key, value) in [
         ("vtu_interval", output.vtu_interval),
         ("csv_interval", output.csv_interval),
+        ("checkpoint_interval", output.checkpoint_interval),
     ] {
         document.demand(
             value >= 0.0,
@@ -287,6 +312,7 @@ fn output(document: &mut Document<'_>, output: &file::Output) -> Output {
         vtu_interval: output.vtu_interval,
         csv_interval: output.csv_interval,
         float64: output.float64,
+        checkpoint_interval: output.checkpoint_interval,
     }
 }
 

@@ -35,6 +35,8 @@ pub(super) struct SceneFile {
     pub(super) pairs: Vec<Element<file::Pair>>,
     pub(super) pair_default: file::PairDefault,
     pub(super) spheres: Vec<Element<file::Spheres>>,
+    pub(super) sources: Vec<Element<file::Source>>,
+    pub(super) sinks: Vec<Element<file::Sink>>,
     pub(super) boundaries: Vec<Element<file::Boundary>>,
     pub(super) loads: Vec<Element<file::Load>>,
     pub(super) springs: Vec<Element<file::Spring>>,
@@ -43,13 +45,15 @@ pub(super) struct SceneFile {
     pub(super) output: file::Output,
 }
 
-const TABLES: [&str; 12] = [
+const TABLES: [&str; 14] = [
     "title",
     "simulation",
     "material",
     "pair",
     "pair_default",
     "spheres",
+    "source",
+    "sink",
     "boundary",
     "load",
     "spring",
@@ -70,6 +74,8 @@ impl SceneFile {
             pairs: list(document, &root, "pair"),
             pair_default: optional(document, &root, "pair_default").unwrap_or_default(),
             spheres: list(document, &root, "spheres"),
+            sources: list(document, &root, "source"),
+            sinks: list(document, &root, "sink"),
             boundaries: list(document, &root, "boundary"),
             loads: list(document, &root, "load"),
             springs: list(document, &root, "spring"),

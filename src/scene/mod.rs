@@ -12,6 +12,7 @@ pub mod file;
 mod names;
 mod overlap;
 mod problem;
+mod regions;
 mod resources;
 mod settings;
 mod spheres;
@@ -31,6 +32,7 @@ use crate::Vec3;
 use crate::boundaries::Boundary;
 use crate::materials::{Material, PairTable};
 use crate::particles::{Kinematics, Particles};
+use crate::region::Region;
 
 /// How contact constraints are enforced.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
@@ -174,13 +176,8 @@ pub struct Spring {
 /// What a named sensor measures.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub enum Measure {
-    /// Mass \[kg\] of the spheres whose centre lies in an axis-parallel box.
-    MassInBox {
-        /// Lower corner \[m\].
-        min: Vec3,
-        /// Upper corner \[m\].
-        max: Vec3,
-    },
+    /// What is inside a region.
+    Region(Region),
     /// Force \[N\] and torque \[N m\] on a boundary, averaged over the communication step.
     Wrench {
         /// Index of the boundary.
@@ -193,7 +190,50 @@ pub enum Measure {
         point: Vec3,
         /// Unit normal.
         normal: Vec3,
+        /// Corners \[m\] of the convex polygon that counts, turning about `normal`; empty: the whole plane.
+        outline: Vec<Vec3>,
     },
+}
+
+/// How much a source emits.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub enum Supply {
+    /// Spheres per second \[1/s\].
+    Spheres(f64),
+    /// Mass per second \[kg/s\].
+    Mass(f64),
+}
+
+/// Emits spheres into a region, wherever there is room.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Source {
+    /// Name.
+    pub name: String,
+    /// Indices of its spheres; they wait outside the scene at t = 0.
+    pub spheres: std::ops::Range<usize>,
+    /// Where they appear.
+    pub region: Region,
+    /// How much it emits.
+    pub supply: Supply,
+    /// Start of the emission \[s\].
+    pub start: f64,
+    /// End of the emission \[s\]; infinite: never.
+    pub stop: f64,
+    /// Velocity \[m/s\] and angular velocity \[rad/s\] of new spheres.
+    pub twist: crate::motion::Twist,
+    /// Seed of the places.
+    pub seed: u64,
+}
+
+/// Removes the spheres whose centre lies in a region.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Sink {
+    /// Name.
+    pub name: String,
+    /// Where spheres are removed.
+    pub region: Region,
+    /// Index of the source that gets them; `None`: a source's spheres return to it, others leave for good.
+    pub recycle: Option<usize>,
 }
 
 /// A named sensor. Every boundary's wrench and every probe are outputs without being named here.
@@ -223,6 +263,8 @@ pub struct Output {
     pub csv_interval: f64,
     /// Write Float64 instead of Float32 arrays.
     pub float64: bool,
+    /// Seconds between checkpoints of a run \[s\]; 0: none.
+    pub checkpoint_interval: f64,
 }
 
 /// A validated scene: every index in range, every number finite, units SI.
@@ -248,6 +290,10 @@ pub struct Scene {
     pub loads: Vec<PointLoad>,
     /// Constrained points.
     pub springs: Vec<Spring>,
+    /// Sources of spheres.
+    pub sources: Vec<Source>,
+    /// Sinks of spheres.
+    pub sinks: Vec<Sink>,
     /// Sensors.
     pub sensors: Vec<Sensor>,
     /// Probed spheres.

@@ -100,7 +100,7 @@ impl Simulation {
 
     fn count_crossings(&mut self, before: &[Vec3]) {
         for (sensor, passed) in self.scene.sensors.iter().zip(&mut self.state.passed) {
-            if let Measure::MassFlow { point, normal } = sensor.measure {
+            if let Measure::MassFlow { point, normal, .. } = sensor.measure {
                 let after = &self.state.kinematics.position;
                 *passed += crossings(
                     before,

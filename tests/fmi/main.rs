@@ -45,7 +45,7 @@ seed = 4
 lattice = { origin = [-0.2, -0.2, 0.06], count = [3, 3, 2], spacing = 0.11, jitter = 0.02 }
 [[sensor]]
 name = "fall"
-mass_flow = { point = [0.0, 0.0, 0.15], normal = [0.0, 0.0, -1.0] }
+mass_flow = { plane = { point = [0.0, 0.0, 0.15], normal = [0.0, 0.0, -1.0] } }
 "#;
 
 /// A scene in a folder of its own, as `resources/` has it.

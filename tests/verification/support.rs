@@ -53,12 +53,15 @@ impl Case {
                 boundaries: vec![],
                 loads: vec![],
                 springs: vec![],
+                sources: vec![],
+                sinks: vec![],
                 sensors: vec![],
                 probes: vec![],
                 output: Output {
                     vtu_interval: 0.0,
                     csv_interval: 0.0,
                     float64: true,
+                    checkpoint_interval: 0.0,
                 },
             },
         }
