@@ -111,7 +111,7 @@ impl Instance {
         if name.is_empty() {
             return Err(InstantiationError::Name);
         }
-        let model = Model::read(&resources.join(SCENE_FILE))?;
+        let model = Model::of_resources(resources)?;
         if model.guid != guid {
             return Err(InstantiationError::Guid {
                 found: guid.to_owned(),

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use nalgebra::Vector3;
 use rand_chacha::ChaCha8Rng;
-use rand_chacha::rand_core::{Rng, SeedableRng};
+use rand_chacha::rand_core::SeedableRng;
 
 use super::columns::Columns;
 use super::document::Document;
@@ -13,6 +13,7 @@ use super::resources::Resources;
 use crate::Vec3;
 use crate::materials::Material;
 use crate::particles::{Kinematics, Locks, Particles};
+use crate::random::symmetric;
 
 /// Most spheres of a scene: a bound that catches a mistyped count before it eats the memory.
 pub(super) const MOST_SPHERES: usize = 10_000_000;
@@ -220,12 +221,6 @@ fn axes(
         expected,
     );
     pair.map(|(x, y)| [x, y, x.cross(&y)])
-}
-
-/// Uniform in \[-1, 1), from the upper 53 bits of one word, so that a seed means the same spheres for ever.
-fn symmetric(random: &mut ChaCha8Rng) -> f64 {
-    let bits = random.next_u64() >> 11;
-    bits as f64 / (1_u64 << 52) as f64 - 1.0
 }
 
 fn radii(
