@@ -83,9 +83,9 @@ impl Region {
         match self {
             Self::Box { min, max } => {
                 let room = (max - min).add_scalar(-2.0 * radius);
-                room.iter().all(|r| fits(r)).then(|| {
-                    min.add_scalar(radius) + room.map(|room| room * unit(random))
-                })
+                room.iter()
+                    .all(|r| fits(r))
+                    .then(|| min.add_scalar(radius) + room.map(|room| room * unit(random)))
             }
             Self::Cylinder {
                 base,

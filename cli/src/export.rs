@@ -65,7 +65,9 @@ pub(crate) fn run(arguments: &Export, interrupt: &Interrupt) -> Result<(), Failu
     // What would stop the export shows before the spheres settle.
     let library = find_library(arguments.library.as_deref())?;
     check_library(&library)?;
-    let start = arguments.settling.start(&Scene::from_file(scene)?.scene, interrupt)?;
+    let start = arguments
+        .settling
+        .start(&Scene::from_file(scene)?.scene, interrupt)?;
     pack(scene, start, &output, &library)
 }
 
@@ -73,7 +75,12 @@ pub(crate) fn run(arguments: &Export, interrupt: &Interrupt) -> Result<(), Failu
 ///
 /// # Errors
 /// As [`run`].
-pub(crate) fn pack(scene: &Path, start: Option<Vec<u8>>, fmu: &Path, library: &Path) -> Result<(), Failure> {
+pub(crate) fn pack(
+    scene: &Path,
+    start: Option<Vec<u8>>,
+    fmu: &Path,
+    library: &Path,
+) -> Result<(), Failure> {
     let exported = export(scene, start, fmu, library)?;
     for warning in &exported.warnings {
         note(format_args!("warning: {warning}"));

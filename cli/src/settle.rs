@@ -29,7 +29,11 @@ impl Settling {
     ///
     /// # Errors
     /// The step that could not be taken; spheres that do not come to rest though they should; Ctrl-C.
-    pub(crate) fn start(&self, scene: &Scene, interrupt: &Interrupt) -> Result<Option<Vec<u8>>, Failure> {
+    pub(crate) fn start(
+        &self,
+        scene: &Scene,
+        interrupt: &Interrupt,
+    ) -> Result<Option<Vec<u8>>, Failure> {
         if self.settle.is_none() && !self.until_rest {
             return Ok(None);
         }
@@ -49,9 +53,17 @@ impl Settling {
         if interrupt.requested() {
             return Err(Failure::Interrupted);
         }
-        let Settled { time, speed, rest_speed, at_rest, .. } = settled;
+        let Settled {
+            time,
+            speed,
+            rest_speed,
+            at_rest,
+            ..
+        } = settled;
         if at_rest {
-            note(format_args!("settled in {time:.3} s; the fastest sphere was slower than {rest_speed:.1e} m/s"));
+            note(format_args!(
+                "settled in {time:.3} s; the fastest sphere was slower than {rest_speed:.1e} m/s"
+            ));
         } else if self.until_rest {
             return Err(Failure::Run(miette::miette!(
                 help = "rolling spheres need friction and walls to stop; allow more time with --settle, or use --settle without --until-rest",

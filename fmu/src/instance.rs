@@ -18,7 +18,7 @@ use sphere_dda::motion::{Command, Motion};
 use sphere_dda::simulation::Simulation;
 
 use crate::log::{Level, Log};
-use crate::model::{Model, SCENE_FILE};
+use crate::model::Model;
 use crate::outputs::Outputs;
 use crate::recorder::Recorder;
 use crate::refusal::{InstantiationError, Refusal};

@@ -1,8 +1,8 @@
 //! A scene as a model: the scene, its variable table and the guid that ties both to a description.
 
 use std::path::{Path, PathBuf};
-use std::{fs, io};
 use std::sync::Arc;
+use std::{fs, io};
 
 use sphere_dda::error::SnapshotError;
 use sphere_dda::scene::{Attachment, Scene, SceneError};

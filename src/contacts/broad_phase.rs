@@ -125,7 +125,11 @@ pub fn sphere_pairs(
     radius: &[f64],
     skin: f64,
 ) -> Vec<(u32, u32)> {
-    let spheres = || (0_u32..).zip(position).filter(|(i, _)| present[*i as usize]);
+    let spheres = || {
+        (0_u32..)
+            .zip(position)
+            .filter(|(i, _)| present[*i as usize])
+    };
     let [low, .., high] = corners(spheres().map(|(_, p)| *p));
     let largest = radius.iter().copied().fold(0.0, f64::max);
     let cell = (2.0 * largest + skin).max((high - low).max() / CELLS);

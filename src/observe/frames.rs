@@ -66,16 +66,31 @@ pub fn frame(state: &Observation, surface: &Surface) -> Vec<(Series, Grid)> {
 pub fn spheres(state: &Observation) -> Grid {
     let present: Vec<usize> = state.present().collect();
     if present.is_empty() {
-        let at_rest = [(Vec3::zeros(), Twist::default(), Vec3::zeros(), Vec3::zeros())];
+        let at_rest = [(
+            Vec3::zeros(),
+            Twist::default(),
+            Vec3::zeros(),
+            Vec3::zeros(),
+        )];
         return sphere_grid(&at_rest, &[UnitQuaternion::identity()], &[0.0], &[(-1, -1)]);
     }
     let particles = &state.scene.particles;
     let (force, torque) = contact_loads(state);
     let motion: Vec<_> = present
         .iter()
-        .map(|&i| (state.kinematics.position[i], state.velocity[i], force[i], torque[i]))
+        .map(|&i| {
+            (
+                state.kinematics.position[i],
+                state.velocity[i],
+                force[i],
+                torque[i],
+            )
+        })
         .collect();
-    let orientation: Vec<_> = present.iter().map(|&i| state.kinematics.orientation[i]).collect();
+    let orientation: Vec<_> = present
+        .iter()
+        .map(|&i| state.kinematics.orientation[i])
+        .collect();
     let radius: Vec<f64> = present.iter().map(|&i| particles.radius[i]).collect();
     let names: Vec<(i32, i32)> = present
         .iter()

@@ -104,8 +104,14 @@ fn build(
     let mut sources = Vec::with_capacity(file.sources.len());
     for element in &file.sources {
         let source = element.value.as_ref().and_then(|value| {
-            let material =
-                sphere_material(document, &context, file, &materials, element, &value.material)?;
+            let material = sphere_material(
+                document,
+                &context,
+                file,
+                &materials,
+                element,
+                &value.material,
+            )?;
             let store = (&mut particles, &mut initial);
             source(document, &element.path, value, material, store)
         });

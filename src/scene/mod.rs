@@ -15,6 +15,7 @@ mod problem;
 mod regions;
 mod resources;
 mod settings;
+mod sizes;
 mod sources;
 mod spheres;
 mod summary;
