@@ -64,7 +64,7 @@ pub enum Integrator {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum SolverKind {
-    /// Gauss-Seidel first, direct where it does not converge.
+    /// Gauss-Seidel first, Newton on the neighbourhoods of what it leaves.
     #[default]
     Auto,
     /// Sparse Cholesky of `K D = F`, open-close iterations, augmented-Lagrangian outer loop.
@@ -82,6 +82,18 @@ pub struct Tolerance {
     pub slip: f64,
     /// Force residual over the contact's force scale \[-\], same range.
     pub force: f64,
+}
+
+impl Tolerance {
+    /// All of them times `factor`.
+    #[must_use]
+    pub fn scaled(&self, factor: f64) -> Self {
+        Self {
+            gap: self.gap * factor,
+            slip: self.slip * factor,
+            force: self.force * factor,
+        }
+    }
 }
 
 impl Default for Tolerance {
