@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::Vec3;
+use crate::boundaries::{Solid, Touch};
 
 /// A region, closed below and open above along its own axes, so that adjacent regions share no point.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -25,6 +26,8 @@ pub enum Region {
         /// Length \[m\].
         height: f64,
     },
+    /// The inside of a closed mesh; its surface belongs to one side or the other.
+    Mesh(Solid),
     /// The points `x` with `(x - point) . normal >= 0`.
     Beyond {
         /// A point of the plane \[m\].
@@ -50,7 +53,86 @@ impl Region {
                 let across = x - base - axis * along;
                 (0.0..*height).contains(&along) && across.norm_squared() < radius * radius
             }
+            Self::Mesh(solid) => solid.contains(x),
             Self::Beyond { point, normal } => (x - point).dot(normal) >= 0.0,
+        }
+    }
+
+    /// Whether a whole sphere \[m\] lies in the region; touching its border counts as inside.
+    #[must_use]
+    pub fn holds(&self, centre: Vec3, radius: f64) -> bool {
+        match self {
+            Self::Box { min, max } => {
+                (0..3).all(|k| min[k] + radius <= centre[k] && centre[k] <= max[k] - radius)
+            }
+            Self::Cylinder {
+                base,
+                axis,
+                radius: bore,
+                height,
+            } => {
+                let along = (centre - base).dot(axis);
+                let across = centre - base - axis * along;
+                along >= radius && along <= height - radius && across.norm() <= bore - radius
+            }
+            Self::Mesh(solid) => solid.holds(centre, radius),
+            Self::Beyond { point, normal } => (centre - point).dot(normal) >= radius,
+        }
+    }
+
+    /// Where a sphere \[m\] whose centre lies in the region has to go, to first order, so that the whole of it does.
+    /// `touches` is scratch. A sphere too large for the region finds no such place: ask [`Self::holds`].
+    #[must_use]
+    pub fn draw_in(&self, centre: Vec3, radius: f64, touches: &mut Vec<Touch>) -> Vec3 {
+        match self {
+            Self::Box { min, max } => centre
+                .sup(&min.add_scalar(radius))
+                .inf(&max.add_scalar(-radius)),
+            Self::Cylinder {
+                base,
+                axis,
+                radius: bore,
+                height,
+            } => {
+                let along = (centre - base).dot(axis);
+                let across = centre - base - axis * along;
+                let room = (bore - radius) * (1.0 - 1e-12);
+                let scale = (room / across.norm()).min(1.0);
+                let within = along.min(height - radius * (1.0 + 1e-12));
+                base + axis * within.max(radius * (1.0 + 1e-12)) + across * scale
+            }
+            Self::Mesh(solid) => {
+                touches.clear();
+                solid.touches(centre, radius, touches);
+                touches.iter().fold(centre, |c, touch| {
+                    c - touch.normal * (touch.gap - 1e-9 * radius)
+                })
+            }
+            Self::Beyond { point, normal } => {
+                let missing = radius - (centre - point).dot(normal);
+                centre + normal * missing.max(0.0)
+            }
+        }
+    }
+
+    /// Smallest axis-parallel box `(min, max)` \[m\] around the region; `None` beyond a plane.
+    #[must_use]
+    pub fn bounds(&self) -> Option<(Vec3, Vec3)> {
+        match self {
+            Self::Box { min, max } => Some((*min, *max)),
+            Self::Cylinder {
+                base,
+                axis,
+                radius,
+                height,
+            } => {
+                let top = base + axis * *height;
+                // A disc of unit normal n reaches R sqrt(1 - n_k^2) along axis k.
+                let reach = axis.map(|n| radius * (1.0 - n * n).max(0.0).sqrt());
+                Some((base.inf(&top) - reach, base.sup(&top) + reach))
+            }
+            Self::Mesh(solid) => Some(solid.bounds()),
+            Self::Beyond { .. } => None,
         }
     }
 
@@ -62,6 +144,7 @@ impl Region {
             Self::Cylinder { radius, height, .. } => {
                 std::f64::consts::PI * radius * radius * height
             }
+            Self::Mesh(solid) => solid.volume(),
             Self::Beyond { .. } => f64::INFINITY,
         }
     }
