@@ -5,6 +5,9 @@ use serde::{Deserialize, Serialize};
 use crate::Vec3;
 use crate::boundaries::{Solid, Touch};
 
+/// Relative length by which a confined sphere keeps clear of curved borders, above rounding \[-\].
+const SLACK: f64 = 1e-9;
+
 /// A region, closed below and open above along its own axes, so that adjacent regions share no point.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub enum Region {
@@ -83,7 +86,7 @@ impl Region {
     /// Where a sphere \[m\] whose centre lies in the region has to go, to first order, so that the whole of it does.
     /// `touches` is scratch. A sphere too large for the region finds no such place: ask [`Self::holds`].
     #[must_use]
-    pub fn draw_in(&self, centre: Vec3, radius: f64, touches: &mut Vec<Touch>) -> Vec3 {
+    pub fn confine(&self, centre: Vec3, radius: f64, touches: &mut Vec<Touch>) -> Vec3 {
         match self {
             Self::Box { min, max } => centre
                 .sup(&min.add_scalar(radius))
@@ -96,16 +99,16 @@ impl Region {
             } => {
                 let along = (centre - base).dot(axis);
                 let across = centre - base - axis * along;
-                let room = (bore - radius) * (1.0 - 1e-12);
+                let room = (bore - radius) * (1.0 - SLACK);
                 let scale = (room / across.norm()).min(1.0);
-                let within = along.min(height - radius * (1.0 + 1e-12));
-                base + axis * within.max(radius * (1.0 + 1e-12)) + across * scale
+                let within = along.min(height - radius * (1.0 + SLACK));
+                base + axis * within.max(radius * (1.0 + SLACK)) + across * scale
             }
             Self::Mesh(solid) => {
                 touches.clear();
-                solid.touches(centre, radius, touches);
+                solid.touches(centre, radius, 0.0, touches);
                 touches.iter().fold(centre, |c, touch| {
-                    c - touch.normal * (touch.gap - 1e-9 * radius)
+                    c - touch.normal * (touch.gap - SLACK * radius)
                 })
             }
             Self::Beyond { point, normal } => {

@@ -97,13 +97,13 @@ impl Solid {
     #[must_use]
     pub fn holds(&self, centre: Vec3, radius: f64) -> bool {
         let mut touches = Vec::new();
-        self.touches(centre, radius, &mut touches);
-        touches.is_empty() && self.contains(centre)
+        self.touches(centre, radius, 0.0, &mut touches);
+        touches.iter().all(|touch| touch.gap >= 0.0) && self.contains(centre)
     }
 
-    /// Appends the places where a sphere overlaps the surface, as [`super::Geometry::touches`] does.
-    pub fn touches(&self, centre: Vec3, radius: f64, out: &mut Vec<Touch>) {
-        self.mesh.touches(centre, radius, 0.0, out);
+    /// Appends the places of the surface within `reach` \[m\] of gap, as [`super::Geometry::touches`] does.
+    pub fn touches(&self, centre: Vec3, radius: f64, reach: f64, out: &mut Vec<Touch>) {
+        self.mesh.touches(centre, radius, reach, out);
     }
 
     /// Smallest axis-parallel box `(min, max)` \[m\] around it.

@@ -7,14 +7,15 @@ use miette::NamedSource;
 use super::bodies::{accept, boundary, motion};
 use super::decode::{Element, SceneFile};
 use super::document::Document;
+use super::file;
 use super::names::{Context, Names};
 use super::overlap::Overlaps;
 use super::problem::SceneError;
 use super::regions::{Use, region};
 use super::resources::{Resources, hash};
 use super::settings::{materials, pairs, settings};
+use super::spheres::{self, Present};
 use super::{Loaded, Measure, Output, PointLoad, Probe, Scene, Sensor, Spring};
-use super::{file, spheres};
 use crate::Vec3;
 use crate::boundaries::Facets;
 use crate::motion::Motion;
@@ -77,6 +78,13 @@ fn build(
     let settings = file.simulation.as_ref().map(|s| settings(document, s));
     let materials = materials(document, file);
     let pairs = pairs(document, &context, file);
+    let boundary_names = Names::declare(document, "boundary", &file.boundaries);
+    let boundaries: Vec<_> = file
+        .boundaries
+        .iter()
+        .map(|b| boundary(document, resources, &context, &b.path, b.value.as_ref()?))
+        .collect();
+    let boundaries: Option<Vec<_>> = boundaries.into_iter().collect();
     let mut particles = Particles::default();
     let mut initial = Kinematics::default();
     for group in &file.spheres {
@@ -101,7 +109,11 @@ fn build(
                 &group.path,
                 value,
                 material,
-                (&mut particles, &mut initial),
+                Present {
+                    particles: &mut particles,
+                    initial: &mut initial,
+                    boundaries: boundaries.as_deref(),
+                },
             )
         });
         context.ranges.push(range);
@@ -113,12 +125,6 @@ fn build(
             "add a group `[[spheres]]`",
         );
     }
-    let boundary_names = Names::declare(document, "boundary", &file.boundaries);
-    let boundaries: Vec<_> = file
-        .boundaries
-        .iter()
-        .map(|b| boundary(document, resources, &context, &b.path, b.value.as_ref()?))
-        .collect();
     let scene = Scene {
         title: file.title.clone(),
         // Known when all files have been read.
@@ -127,7 +133,7 @@ fn build(
         springs: springs(document, resources, &context, &file.springs, &initial),
         sources: Vec::new(),
         sinks: Vec::new(),
-        sensors: sensors(document, &boundary_names, &file.sensors),
+        sensors: sensors(document, resources, &boundary_names, &file.sensors),
         probes: probes(document, &context, &file.probes, particles.len()),
         output: output(document, &file.output),
         settings: settings?,
@@ -135,7 +141,7 @@ fn build(
         pairs,
         particles,
         initial,
-        boundaries: boundaries.into_iter().collect::<Option<_>>()?,
+        boundaries: boundaries?,
     };
     if context.ranges.iter().all(Option::is_some) {
         Overlaps::of(&scene).judge(document, &scene, &context.ranges, &file.spheres);
@@ -196,6 +202,7 @@ fn springs(
 
 fn sensors(
     document: &mut Document<'_>,
+    resources: &mut Resources<'_>,
     boundaries: &Names,
     elements: &[Element<file::Sensor>],
 ) -> Vec<Sensor> {
@@ -205,6 +212,7 @@ fn sensors(
         let measure = match (&value.region, &value.mass_flow, &value.wrench) {
             (Some(given), None, None) => Measure::Region(region(
                 document,
+                resources,
                 &format!("{path}.region"),
                 given,
                 Use::Measuring,
