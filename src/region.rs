@@ -1,9 +1,11 @@
 //! Regions of space: what a packing fills, a source feeds, a sink empties, a sensor looks at. Fixed in the world.
 
+use rand_chacha::ChaCha8Rng;
 use serde::{Deserialize, Serialize};
 
 use crate::Vec3;
 use crate::boundaries::{Solid, Touch};
+use crate::random::{symmetric, unit};
 
 /// Relative length by which a confined sphere keeps clear of curved borders, above rounding \[-\].
 const SLACK: f64 = 1e-9;
@@ -118,7 +120,7 @@ impl Region {
         }
     }
 
-    /// Smallest axis-parallel box `(min, max)` \[m\] around the region; `None` beyond a plane.
+    /// Smallest axis-parallel box `(min, max)` \[m\] around the region; `None` if it is unbounded.
     #[must_use]
     pub fn bounds(&self) -> Option<(Vec3, Vec3)> {
         match self {
@@ -130,11 +132,46 @@ impl Region {
                 height,
             } => {
                 let top = base + axis * *height;
-                // A disc of unit normal n reaches R sqrt(1 - n_k^2) along axis k.
-                let reach = axis.map(|n| radius * (1.0 - n * n).max(0.0).sqrt());
-                Some((base.inf(&top) - reach, base.sup(&top) + reach))
+                // A disc across `axis` reaches r sqrt(1 - a_k^2) along direction k.
+                let disc = axis.map(|a| radius * (1.0 - a * a).max(0.0).sqrt());
+                Some((base.inf(&top) - disc, base.sup(&top) + disc))
             }
             Self::Mesh(solid) => Some(solid.bounds()),
+            Self::Beyond { .. } => None,
+        }
+    }
+
+    /// Centre \[m\], uniform in space, of a sphere of `radius` \[m\] that lies wholly in the region; `None` if it does
+    /// not fit or the region is unbounded.
+    pub fn random_centre(&self, radius: f64, random: &mut ChaCha8Rng) -> Option<Vec3> {
+        let fits = |room: &f64| *room >= 0.0;
+        match self {
+            Self::Box { min, max } => {
+                let room = (max - min).add_scalar(-2.0 * radius);
+                room.iter()
+                    .all(|r| fits(r))
+                    .then(|| min.add_scalar(radius) + room.map(|room| room * unit(random)))
+            }
+            Self::Cylinder {
+                base,
+                axis,
+                radius: wide,
+                height,
+            } => {
+                let around = Some(wide - radius).filter(fits)?;
+                let along = Some(height - 2.0 * radius).filter(fits)?;
+                let side = axis.cross(&Vec3::ith(axis.iamin(), 1.0)).normalize();
+                // By rejection: sine and cosine differ between machines.
+                let (u, v) = loop {
+                    let (u, v) = (symmetric(random), symmetric(random));
+                    if u * u + v * v <= 1.0 {
+                        break (u, v);
+                    }
+                };
+                let across = (side * u + axis.cross(&side) * v) * around;
+                Some(base + across + axis * (radius + along * unit(random)))
+            }
+            Self::Mesh(solid) => solid.random_centre(radius, random),
             Self::Beyond { .. } => None,
         }
     }

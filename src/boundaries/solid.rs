@@ -10,6 +10,7 @@
 //! file does not matter.
 
 use nalgebra::Vector3;
+use rand_chacha::ChaCha8Rng;
 use robust::{Coord, Coord3D, orient2d, orient3d};
 use serde::{Deserialize, Serialize};
 
@@ -18,6 +19,10 @@ use super::facets::Facets;
 use super::mesh::Mesh;
 use super::{Touch, topology};
 use crate::Vec3;
+use crate::random::unit;
+
+/// Random points tried to find room for a sphere.
+const POINTS: usize = 10_000;
 
 /// A closed mesh ready for queries. Serialized as its facets.
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -104,6 +109,19 @@ impl Solid {
     /// Appends the places of the surface within `reach` \[m\] of gap, as [`super::Geometry::touches`] does.
     pub fn touches(&self, centre: Vec3, radius: f64, reach: f64, out: &mut Vec<Touch>) {
         self.mesh.touches(centre, radius, reach, out);
+    }
+
+    /// Centre \[m\], uniform in space, of a sphere of `radius` \[m\] that lies wholly inside; `None` if many random
+    /// points find no such place.
+    pub fn random_centre(&self, radius: f64, random: &mut ChaCha8Rng) -> Option<Vec3> {
+        let low = self.bounds.0.add_scalar(radius);
+        let side = self.bounds.1.add_scalar(-radius) - low;
+        if side.iter().any(|side| *side < 0.0) {
+            return None;
+        }
+        (0..POINTS)
+            .map(|_| low + side.map(|side| side * unit(random)))
+            .find(|place| self.holds(*place, radius))
     }
 
     /// Smallest axis-parallel box `(min, max)` \[m\] around it.

@@ -13,7 +13,7 @@ use rand_chacha::ChaCha8Rng;
 
 use super::document::Document;
 use super::file;
-use super::random::{normal, unit};
+use crate::random::{normal, unit};
 
 /// Bounds nearer than this many deviations are refused: draws would be thrown away for ever.
 const NARROWEST: f64 = 0.1;

@@ -5,9 +5,9 @@ use rand_chacha::ChaCha8Rng;
 
 use super::{MOST_SPHERES, Start};
 use crate::Vec3;
+use crate::random::symmetric;
 use crate::scene::document::Document;
 use crate::scene::file::{self, OneOrMany};
-use crate::scene::random::symmetric;
 
 /// The nodes of a lattice, the first axis fastest.
 pub(super) fn fill(

@@ -12,13 +12,13 @@ use rand_chacha::rand_core::SeedableRng;
 
 use super::document::Document;
 use super::file::{self, Lock, OneOrMany};
-use super::random::symmetric;
 use super::resources::Resources;
 use super::sizes::Sizes;
 use crate::Vec3;
 use crate::boundaries::Boundary;
 use crate::materials::Material;
 use crate::particles::{Kinematics, Locks, Particles};
+use crate::random::symmetric;
 
 /// Most spheres of a scene: a bound that catches a mistyped count before it eats the memory.
 pub(super) const MOST_SPHERES: usize = 10_000_000;

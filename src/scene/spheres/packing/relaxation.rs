@@ -15,11 +15,10 @@ use super::room::Room;
 use crate::Vec3;
 use crate::boundaries::Touch;
 use crate::contacts::broad_phase::sphere_pairs;
-use crate::scene::random::unit;
 
 /// Places tried before a sphere takes the least bad one.
 const TRIES: usize = 30;
-/// Random points tried to find a place that the room admits.
+/// Random places tried to find one that is clear of the walls.
 const POINTS: usize = 20_000;
 /// Pairs are moved to this relative distance, so that the last overlaps end after few sweeps \[-\].
 const MARGIN: f64 = 1e-3;
@@ -129,7 +128,7 @@ impl Bed {
                     .sqrt()
             });
             if 2.0 * moved + 2.0 * MARGIN * smallest > skin {
-                pairs = sphere_pairs(&self.centre, &self.radius, skin);
+                pairs = self.pairs(skin);
                 pairs.retain(|&(i, _)| (i as usize) < number);
                 for (k, border) in at_border.iter_mut().enumerate() {
                     *border = room.borders(self.centre[k], self.radius[k], skin, &mut scratch);
@@ -154,6 +153,12 @@ impl Bed {
             self.confine(room, &before, &at_border, &mut scratch);
         }
         false
+    }
+
+    /// Pairs with a gap below `skin` \[m\].
+    fn pairs(&self, skin: f64) -> Vec<(u32, u32)> {
+        let all = vec![true; self.centre.len()];
+        sphere_pairs(&self.centre, &all, &self.radius, skin)
     }
 
     /// Moves overlapping pairs apart, one after the other; returns how many overlapped.
@@ -226,7 +231,7 @@ impl Bed {
     fn thin(&mut self) {
         let number = self.sphere.len();
         let mut depth = vec![0.0; number];
-        for (i, j) in sphere_pairs(&self.centre, &self.radius, 0.0) {
+        for (i, j) in self.pairs(0.0) {
             let (i, j) = (i as usize, j as usize);
             let arm = self.centre[i] - self.centre[j];
             let overlap = self.radius[i] + self.radius[j] - arm.norm();
@@ -257,15 +262,11 @@ fn drop_one(
     random: &mut ChaCha8Rng,
     scratch: &mut Vec<Touch>,
 ) -> Option<Vec3> {
-    let (low, high) = (room.low.add_scalar(radius), room.high.add_scalar(-radius));
-    if (0..3).any(|k| low[k] > high[k]) {
-        return None;
-    }
     let mut best: Option<(f64, Vec3)> = None;
     let mut tries = 0;
     for _ in 0..POINTS {
-        let place = low + (high - low).map(|side| side * unit(random));
-        if !room.admits(place, radius, scratch) {
+        let place = room.random_centre(radius, random, scratch)?;
+        if !room.is_clear(place, radius, scratch) {
             continue;
         }
         let limit = best.map_or(f64::INFINITY, |(overlap, _)| overlap);

@@ -1,5 +1,7 @@
 //! Where a sphere may be: wholly inside the region and clear of the boundaries as they stand at t = 0.
 
+use rand_chacha::ChaCha8Rng;
+
 use crate::Vec3;
 use crate::boundaries::{Boundary, Touch};
 use crate::motion::Pose;
@@ -50,9 +52,16 @@ impl<'a> Room<'a> {
         near.map(|((c, r), _)| (*c, *r)).collect()
     }
 
-    /// Whether a sphere may be there.
-    pub(super) fn admits(&self, centre: Vec3, radius: f64, scratch: &mut Vec<Touch>) -> bool {
-        self.region.holds(centre, radius) && self.clear(centre, radius, scratch)
+    /// A random place in the region; `None` if the sphere does not fit.
+    pub(super) fn random_centre(
+        &self,
+        radius: f64,
+        random: &mut ChaCha8Rng,
+        scratch: &mut Vec<Touch>,
+    ) -> Option<Vec3> {
+        let place = self.region.random_centre(radius, random)?;
+        // Sums may round beyond the border.
+        Some(self.region.confine(place, radius, scratch))
     }
 
     /// Whether the border of the region or a wall is within `reach` \[m\] of a sphere.
@@ -80,7 +89,7 @@ impl<'a> Room<'a> {
         let mut c = centre;
         for _ in 0..PUSHES {
             c = self.region.confine(c, radius, scratch);
-            if self.clear(c, radius, scratch) {
+            if self.is_clear(c, radius, scratch) {
                 return self.region.holds(c, radius).then_some(c);
             }
             for touch in scratch.iter() {
@@ -90,7 +99,8 @@ impl<'a> Room<'a> {
         None
     }
 
-    fn clear(&self, centre: Vec3, radius: f64, scratch: &mut Vec<Touch>) -> bool {
+    /// Whether a sphere overlaps no wall.
+    pub(super) fn is_clear(&self, centre: Vec3, radius: f64, scratch: &mut Vec<Touch>) -> bool {
         self.overlaps(centre, radius, 0.0, scratch);
         scratch.iter().all(|touch| touch.gap >= 0.0)
     }
