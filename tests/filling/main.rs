@@ -1,5 +1,6 @@
 //! Where spheres come from before t = 0: packings, size distributions, files.
 
+mod files;
 mod packings;
 mod regions;
 

@@ -191,7 +191,11 @@ impl Origin<'_> {
                 let bytes = content(document, "csv", name)?;
                 files::csv(document, &format!("{path}.csv"), name, &bytes)
             }
-            Self::Vtu(_) | Self::Checkpoint(_) | Self::Packing(_) => None,
+            Self::Vtu(name) => {
+                let bytes = content(document, "vtu", name)?;
+                files::vtu(document, &format!("{path}.vtu"), name, &bytes)
+            }
+            Self::Checkpoint(_) | Self::Packing(_) => None,
         }
     }
 }

@@ -24,6 +24,8 @@ const POINTS: usize = 20_000;
 const MARGIN: f64 = 1e-3;
 /// Distance by which a pair is moved apart over its overlap: more than 1 halves the sweeps.
 const PUSH: f64 = 1.4;
+/// Longest way of a sphere in a sweep over its radius: nobody passes through a wall.
+const LONGEST: f64 = 0.5;
 /// Skin of the list of pairs over the smallest radius.
 const SKIN: f64 = 0.3;
 /// Most sweeps for all spheres.
@@ -116,24 +118,20 @@ impl Bed {
         let number = self.sphere.len();
         let mut pairs = Vec::new();
         let mut at_border = vec![false; number];
-        let mut built: Option<Vec<Vec3>> = None;
+        let mut built: Vec<Vec3> = Vec::new();
         let mut scratch = Vec::new();
         let mut last = usize::MAX;
         for sweep in 0..sweeps {
-            let moved = built.as_ref().map_or(f64::INFINITY, |built| {
-                let steps = built.iter().zip(&self.centre);
-                steps
-                    .map(|(a, b)| (a - b).norm_squared())
-                    .fold(0.0, f64::max)
-                    .sqrt()
-            });
-            if 2.0 * moved + 2.0 * MARGIN * smallest > skin {
+            let steps = built.iter().zip(&self.centre);
+            let moved = steps.map(|(a, b)| (a - b).norm_squared());
+            let moved = moved.fold(0.0, f64::max).sqrt();
+            if built.is_empty() || 2.0 * moved > skin {
                 pairs = self.pairs(skin);
                 pairs.retain(|&(i, _)| (i as usize) < number);
                 for (k, border) in at_border.iter_mut().enumerate() {
                     *border = room.borders(self.centre[k], self.radius[k], skin, &mut scratch);
                 }
-                built = Some(self.centre.clone());
+                built.clone_from(&self.centre);
             }
             let before = self.centre[..number].to_vec();
             let n = self.separate(&pairs);
@@ -150,7 +148,8 @@ impl Bed {
                 }
                 self.separate(&pairs);
             }
-            self.confine(room, &before, &at_border, &mut scratch);
+            let far = |k: usize, x: Vec3| at_border[k] || (x - built[k]).norm() >= skin;
+            self.confine(room, &before, far, &mut scratch);
         }
         false
     }
@@ -204,25 +203,23 @@ impl Bed {
         })
     }
 
-    /// Shortens long moves and keeps the spheres in the room.
+    /// Shortens long moves and keeps the spheres in the room; `may_leave` tells whose new place is to be checked.
     fn confine(
         &mut self,
         room: &Room<'_>,
         before: &[Vec3],
-        at_border: &[bool],
+        may_leave: impl Fn(usize, Vec3) -> bool,
         scratch: &mut Vec<Touch>,
     ) {
         for (k, &from) in before.iter().enumerate() {
-            let radius = self.radius[k];
-            let step = self.centre[k] - from;
+            let (centre, radius) = (&mut self.centre[k], self.radius[k]);
+            let step = *centre - from;
             let length = step.norm();
-            let capped = length > 0.5 * radius;
-            if capped {
-                self.centre[k] = from + step * (0.5 * radius / length);
+            if length > LONGEST * radius {
+                *centre = from + step * (LONGEST * radius / length);
             }
-            if length > 0.0 && at_border[k] {
-                let place = room.nearest(self.centre[k], radius, scratch);
-                self.centre[k] = place.unwrap_or(from);
+            if length > 0.0 && may_leave(k, *centre) {
+                *centre = room.nearest(*centre, radius, scratch).unwrap_or(from);
             }
         }
     }
