@@ -78,6 +78,22 @@ proptest! {
     }
 }
 
+/// A sphere that is pushed by more than the skin in one sweep is out of the box though it was far from its border when
+/// the list of border spheres was made.
+#[test]
+fn a_sphere_pushed_far_in_one_sweep_stays_in_the_region() {
+    let keys = format!(
+        "size = {{ uniform = {{ min = 0.05497970426594, max = 0.10617383325683229 }} }}\nseed = 537112863\n\
+         packing = {{ {BOX}, solid_fraction = 0.40351867471466224 }}"
+    );
+    let packed = good(&group("grains", &keys));
+    assert!(in_box(
+        &packed,
+        Vec3::new(-1.0, 0.0, 2.0),
+        Vec3::new(1.0, 1.0, 3.0)
+    ));
+}
+
 #[test]
 fn count_and_mass_are_met() {
     let keys = format!("radius = 0.05\npacking = {{ {BOX}, count = 300 }}");
