@@ -1,5 +1,7 @@
 //! Regions of space: what a packing fills, a source feeds, a sink empties, a sensor looks at. Fixed in the world.
 
+use std::sync::Arc;
+
 use rand_chacha::ChaCha8Rng;
 use serde::{Deserialize, Serialize};
 
@@ -32,7 +34,7 @@ pub enum Region {
         height: f64,
     },
     /// The inside of a closed mesh; its surface belongs to one side or the other.
-    Mesh(Solid),
+    Mesh(Arc<Solid>),
     /// The points `x` with `(x - point) . normal >= 0`.
     Beyond {
         /// A point of the plane \[m\].
@@ -149,7 +151,7 @@ impl Region {
             Self::Box { min, max } => {
                 let room = (max - min).add_scalar(-2.0 * radius);
                 room.iter()
-                    .all(|r| fits(r))
+                    .all(&fits)
                     .then(|| min.add_scalar(radius) + room.map(|room| room * unit(random)))
             }
             Self::Cylinder {

@@ -1,5 +1,7 @@
 //! Regions of space, from the file.
 
+use std::sync::Arc;
+
 use super::bodies::{accept, facets};
 use super::build::direction;
 use super::document::Document;
@@ -65,7 +67,7 @@ pub(super) fn region(
             let path = format!("{path}.mesh");
             let facets = facets(document, resources, &path, mesh)?;
             let solid = accept(document, &format!("{path}.file"), Solid::new(facets))?;
-            Some(Region::Mesh(solid))
+            Some(Region::Mesh(Arc::new(solid)))
         }
         file::Region::Beyond(plane) => {
             let normal = direction(document, &format!("{path}.beyond.normal"), plane.normal);

@@ -102,7 +102,7 @@ pub fn decode(file: &[u8]) -> Result<Cloud, VtuError> {
     let expected = "`<AppendedData encoding=\"raw\">`: the spheres frame of a run";
     let at = file.windows(APPENDED.len()).position(|w| w == APPENDED);
     let (header, rest) = at
-        .and_then(|at| Some((&file[..at], &file[at + APPENDED.len()..])))
+        .map(|at| (&file[..at], &file[at + APPENDED.len()..]))
         .ok_or_else(|| form("the data", "elsewhere", expected))?;
     let data = rest
         .trim_ascii_start()
