@@ -60,6 +60,7 @@ pub mod problem;
 pub mod region;
 pub mod scene;
 pub mod simulation;
+pub mod snapshot;
 pub mod solver;
 pub mod state;
 pub mod step;
