@@ -99,10 +99,9 @@ const SEPARATE: [(&str, &[&str], &str); 6] = [
             "problem",
             "simulation",
             "solver",
-            "state",
             "step",
         ],
-        "a scene is data that a run reads; of results it knows the files a run may start from",
+        "a scene is data that a run reads; of results it knows the states and files a run may start from",
     ),
     (
         "problem",

@@ -97,6 +97,35 @@ fn a_frame_of_singles_starts_where_the_run_was_to_seven_digits() {
 }
 
 #[test]
+fn a_checkpoint_starts_where_the_run_was() {
+    let simulation = run();
+    let started = from_file("checkpoint", &simulation.snapshot()).unwrap();
+    assert_continues(&simulation, &started, 0.0);
+}
+
+#[test]
+fn a_damaged_checkpoint_is_refused() {
+    let mut content = run().snapshot();
+    let middle = content.len() / 2;
+    content[middle] ^= 1;
+    for (content, text) in [
+        (&content[..], "its checksum does not match"),
+        (&content[..middle], "it is cut short"),
+        (
+            b"x,y,z\n0,0,0\n",
+            "it does not begin as every snapshot does",
+        ),
+    ] {
+        let error = from_file("checkpoint", content).unwrap_err();
+        assert!(
+            error.contains("spheres[0].checkpoint: cannot read `./start`"),
+            "{error}"
+        );
+        assert!(error.contains(text), "{error}");
+    }
+}
+
+#[test]
 fn a_file_of_another_kind_is_named() {
     let simulation = run();
     let whole = frame(&simulation, Precision::Single);

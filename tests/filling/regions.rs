@@ -88,11 +88,10 @@ fn rays_through_edges_and_corners_count_once() {
             .collect();
         Facets::mesh("octahedron", vertices, triangles)
     };
-    let cases: [(Facets, fn(Vec3) -> f64); 2] = [
-        (octahedron, |x| 1.0 - x.abs().sum()),
-        (cube(0), |x| 1.0 - x.amax()),
-    ];
-    for (facets, room) in cases {
+    type Room = fn(Vec3) -> f64;
+    let diamond: Room = |x| 1.0 - x.abs().sum();
+    let box_of_two: Room = |x| 1.0 - x.amax();
+    for (facets, room) in [(octahedron, diamond), (cube(0), box_of_two)] {
         let name = facets.name.clone();
         let solid = Solid::new(facets).unwrap();
         for k in 0..13_i32.pow(3) {
@@ -134,6 +133,27 @@ fn volumes_are_the_closed_forms() {
 }
 
 #[test]
+fn random_places_fill_a_mesh_evenly() {
+    use rand_chacha::rand_core::SeedableRng;
+    let mut random = rand_chacha::ChaCha8Rng::seed_from_u64(1);
+    let region = Region::Mesh(Solid::new(cube(0)).unwrap().into());
+    let mut octants = [0_i32; 8];
+    for _ in 0..8000 {
+        let place = region.random_centre(0.3, &mut random).unwrap();
+        assert!(region.holds(place, 0.3));
+        octants[(0..3)
+            .map(|k| usize::from(place[k] > 0.0) << k)
+            .sum::<usize>()] += 1;
+    }
+    // Four standard deviations of a binomial count.
+    assert!(
+        octants.iter().all(|n| (n - 1000).abs() < 4 * 30),
+        "{octants:?}"
+    );
+    assert_eq!(region.random_centre(1.01, &mut random), None);
+}
+
+#[test]
 fn an_open_mesh_names_an_edge() {
     let mut open = cube(0);
     open.triangles.pop();
@@ -149,8 +169,5 @@ fn an_open_mesh_names_an_edge() {
 fn a_solid_survives_its_text() {
     let region = Region::Mesh(Solid::new(cube(0)).unwrap().into());
     let text = serde_json::to_string(&region).unwrap();
-    assert_eq!(
-        serde_json::from_str::<Region>(&text).unwrap(),
-        region
-    );
+    assert_eq!(serde_json::from_str::<Region>(&text).unwrap(), region);
 }

@@ -7,6 +7,7 @@ use crate::Vec3;
 use crate::observe::vtu::{self, Cloud, VtuError};
 use crate::scene::columns::Columns;
 use crate::scene::document::{Document, LARGEST};
+use crate::snapshot;
 
 const COLUMNS: [&str; 10] = ["x", "y", "z", "radius", "vx", "vy", "vz", "wx", "wy", "wz"];
 
@@ -48,15 +49,71 @@ pub(super) fn vtu(
     name: &str,
     content: &[u8],
 ) -> Option<(Vec<Start>, Option<Vec<f64>>)> {
-    let spheres = vtu::decode(content).and_then(|cloud| frame(&cloud));
-    let (starts, radii) = match spheres {
-        Ok(spheres) => spheres,
+    match vtu::decode(content).and_then(|cloud| frame(&cloud)) {
+        Ok(spheres) => accept(document, path, name, spheres),
         Err(error) => {
             let help = "give a file `spheres_NNNNNN.vtu` that `sphere-dda run` wrote";
+            document.error(path, format!("cannot read `{name}`: {error}"), help);
+            None
+        }
+    }
+}
+
+fn frame(cloud: &Cloud) -> Result<(Vec<Start>, Vec<f64>), VtuError> {
+    let (radius, velocity) = (cloud.array::<1>("radius")?, cloud.array::<3>("velocity")?);
+    let spin = cloud.array::<3>("angular_velocity")?;
+    let orientation = cloud.array::<4>("orientation")?;
+    // A frame without spheres holds a point of radius 0 and id -1.
+    let id = cloud.array::<1>("id")?;
+    let present = (0..cloud.points.len()).filter(|&k| id[k][0] >= 0.0);
+    let spheres = present.map(|k| {
+        let [w, i, j, l] = orientation[k];
+        let start = Start {
+            position: cloud.points[k],
+            orientation: UnitQuaternion::new_unchecked(Quaternion::new(w, i, j, l)),
+            velocity: velocity[k].into(),
+            spin: spin[k].into(),
+        };
+        (start, radius[k][0])
+    });
+    Ok(spheres.unzip())
+}
+
+/// The spheres in the scene of a checkpoint.
+pub(super) fn checkpoint(
+    document: &mut Document<'_>,
+    path: &str,
+    name: &str,
+    content: &[u8],
+) -> Option<(Vec<Start>, Option<Vec<f64>>)> {
+    let (radius, spheres) = match snapshot::spheres(content) {
+        Ok(spheres) => spheres,
+        Err(error) => {
+            let help = "give a checkpoint that `sphere-dda run` wrote";
             document.error(path, format!("cannot read `{name}`: {error}"), help);
             return None;
         }
     };
+    let present = (0..spheres.len().min(radius.len())).filter(|&i| spheres.present[i]);
+    let started = present.map(|i| {
+        let start = Start {
+            position: spheres.position[i],
+            orientation: spheres.orientation[i],
+            velocity: spheres.velocity[i],
+            spin: spheres.spin[i],
+        };
+        (start, radius[i])
+    });
+    accept(document, path, name, started.unzip())
+}
+
+/// Refuses numbers that no run has written.
+fn accept(
+    document: &mut Document<'_>,
+    path: &str,
+    name: &str,
+    (starts, radii): (Vec<Start>, Vec<f64>),
+) -> Option<(Vec<Start>, Option<Vec<f64>>)> {
     let usable = |(start, radius): (&Start, &f64)| {
         let numbers = start.position.iter().chain(&start.velocity);
         let in_range = numbers.chain(&start.spin).all(|x| x.abs() <= LARGEST);
@@ -65,12 +122,8 @@ pub(super) fn vtu(
     };
     if let Some(k) = starts.iter().zip(&radii).position(|pair| !usable(pair)) {
         let found = format!("sphere {k} of radius {} in `{name}`", radii[k]);
-        document.demand(
-            false,
-            path,
-            found,
-            "finite numbers, a radius > 0 [m] and a unit quaternion",
-        );
+        let expected = "finite numbers, a radius > 0 [m] and a unit quaternion";
+        document.demand(false, path, found, expected);
         return None;
     }
     let starts = starts.into_iter().map(|start| Start {
@@ -82,25 +135,4 @@ pub(super) fn vtu(
     document
         .demand(some, path, format!("no sphere in `{name}`"), "at least one")
         .then_some((starts, Some(radii)))
-}
-
-fn frame(cloud: &Cloud) -> Result<(Vec<Start>, Vec<f64>), VtuError> {
-    let (radius, velocity) = (cloud.array::<1>("radius")?, cloud.array::<3>("velocity")?);
-    let spin = cloud.array::<3>("angular_velocity")?;
-    let orientation = cloud.array::<4>("orientation")?;
-    // A frame without spheres holds a point of radius 0 and id -1.
-    let id = cloud.array::<1>("id")?;
-    let present = (0..cloud.points.len()).filter(|&k| id[k][0] >= 0.0);
-    Ok(present
-        .map(|k| {
-            let [w, i, j, l] = orientation[k];
-            let start = Start {
-                position: cloud.points[k],
-                orientation: UnitQuaternion::new_unchecked(Quaternion::new(w, i, j, l)),
-                velocity: velocity[k].into(),
-                spin: spin[k].into(),
-            };
-            (start, radius[k][0])
-        })
-        .unzip())
 }

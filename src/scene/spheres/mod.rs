@@ -195,7 +195,12 @@ impl Origin<'_> {
                 let bytes = content(document, "vtu", name)?;
                 files::vtu(document, &format!("{path}.vtu"), name, &bytes)
             }
-            Self::Checkpoint(_) | Self::Packing(_) => None,
+            Self::Checkpoint(name) => {
+                let bytes = content(document, "checkpoint", name)?;
+                files::checkpoint(document, &format!("{path}.checkpoint"), name, &bytes)
+            }
+            // A packing is made of its radii, not read.
+            Self::Packing(_) => None,
         }
     }
 }
