@@ -61,6 +61,7 @@ pub mod random;
 pub mod region;
 pub mod scene;
 pub mod simulation;
+pub mod snapshot;
 pub mod solver;
 pub mod state;
 pub mod step;

@@ -1,10 +1,16 @@
 //! Regions of space: what a packing fills, a source feeds, a sink empties, a sensor looks at. Fixed in the world.
 
+use std::sync::Arc;
+
 use rand_chacha::ChaCha8Rng;
 use serde::{Deserialize, Serialize};
 
 use crate::Vec3;
+use crate::boundaries::{Solid, Touch};
 use crate::random::{symmetric, unit};
+
+/// Relative length by which a confined sphere keeps clear of curved borders, above rounding \[-\].
+const SLACK: f64 = 1e-9;
 
 /// A region, closed below and open above along its own axes, so that adjacent regions share no point.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -27,6 +33,8 @@ pub enum Region {
         /// Length \[m\].
         height: f64,
     },
+    /// The inside of a closed mesh; its surface belongs to one side or the other.
+    Mesh(Arc<Solid>),
     /// The points `x` with `(x - point) . normal >= 0`.
     Beyond {
         /// A point of the plane \[m\].
@@ -52,7 +60,65 @@ impl Region {
                 let across = x - base - axis * along;
                 (0.0..*height).contains(&along) && across.norm_squared() < radius * radius
             }
+            Self::Mesh(solid) => solid.contains(x),
             Self::Beyond { point, normal } => (x - point).dot(normal) >= 0.0,
+        }
+    }
+
+    /// Whether a whole sphere \[m\] lies in the region; touching its border counts as inside.
+    #[must_use]
+    pub fn holds(&self, centre: Vec3, radius: f64) -> bool {
+        match self {
+            Self::Box { min, max } => {
+                (0..3).all(|k| min[k] + radius <= centre[k] && centre[k] <= max[k] - radius)
+            }
+            Self::Cylinder {
+                base,
+                axis,
+                radius: bore,
+                height,
+            } => {
+                let along = (centre - base).dot(axis);
+                let across = centre - base - axis * along;
+                along >= radius && along <= height - radius && across.norm() <= bore - radius
+            }
+            Self::Mesh(solid) => solid.holds(centre, radius),
+            Self::Beyond { point, normal } => (centre - point).dot(normal) >= radius,
+        }
+    }
+
+    /// Where a sphere \[m\] whose centre lies in the region has to go, to first order, so that the whole of it does.
+    /// `touches` is scratch. A sphere too large for the region finds no such place: ask [`Self::holds`].
+    #[must_use]
+    pub fn confine(&self, centre: Vec3, radius: f64, touches: &mut Vec<Touch>) -> Vec3 {
+        match self {
+            Self::Box { min, max } => centre
+                .sup(&min.add_scalar(radius))
+                .inf(&max.add_scalar(-radius)),
+            Self::Cylinder {
+                base,
+                axis,
+                radius: bore,
+                height,
+            } => {
+                let along = (centre - base).dot(axis);
+                let across = centre - base - axis * along;
+                let room = (bore - radius) * (1.0 - SLACK);
+                let scale = (room / across.norm()).min(1.0);
+                let within = along.min(height - radius * (1.0 + SLACK));
+                base + axis * within.max(radius * (1.0 + SLACK)) + across * scale
+            }
+            Self::Mesh(solid) => {
+                touches.clear();
+                solid.touches(centre, radius, 0.0, touches);
+                touches.iter().fold(centre, |c, touch| {
+                    c - touch.normal * (touch.gap - SLACK * radius)
+                })
+            }
+            Self::Beyond { point, normal } => {
+                let missing = radius - (centre - point).dot(normal);
+                centre + normal * missing.max(0.0)
+            }
         }
     }
 
@@ -72,6 +138,7 @@ impl Region {
                 let disc = axis.map(|a| radius * (1.0 - a * a).max(0.0).sqrt());
                 Some((base.inf(&top) - disc, base.sup(&top) + disc))
             }
+            Self::Mesh(solid) => Some(solid.bounds()),
             Self::Beyond { .. } => None,
         }
     }
@@ -84,7 +151,7 @@ impl Region {
             Self::Box { min, max } => {
                 let room = (max - min).add_scalar(-2.0 * radius);
                 room.iter()
-                    .all(|r| fits(r))
+                    .all(&fits)
                     .then(|| min.add_scalar(radius) + room.map(|room| room * unit(random)))
             }
             Self::Cylinder {
@@ -106,6 +173,7 @@ impl Region {
                 let across = (side * u + axis.cross(&side) * v) * around;
                 Some(base + across + axis * (radius + along * unit(random)))
             }
+            Self::Mesh(solid) => solid.random_centre(radius, random),
             Self::Beyond { .. } => None,
         }
     }
@@ -118,6 +186,7 @@ impl Region {
             Self::Cylinder { radius, height, .. } => {
                 std::f64::consts::PI * radius * radius * height
             }
+            Self::Mesh(solid) => solid.volume(),
             Self::Beyond { .. } => f64::INFINITY,
         }
     }

@@ -90,14 +90,18 @@ const SEPARATE: [(&str, &[&str], &str); 6] = [
     (
         "scene",
         &[
-            "observe",
+            "observe::Observation",
+            "observe::energy",
+            "observe::frames",
+            "observe::history",
+            "observe::sensors",
+            "observe::writer",
             "problem",
             "simulation",
             "solver",
-            "state",
             "step",
         ],
-        "a scene is data that a run reads",
+        "a scene is data that a run reads; of results it knows the states and files a run may start from",
     ),
     (
         "problem",

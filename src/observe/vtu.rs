@@ -14,9 +14,13 @@
 //!
 //! Source: VTK file formats, <https://docs.vtk.org/en/latest/design_documents/VTKFileFormats.html>.
 
+mod read;
+
 use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;
+
+pub use read::{Cloud, VtuError, decode};
 
 use super::error::OutputError;
 use crate::Vec3;

@@ -37,6 +37,8 @@ use crate::error::SnapshotError;
 use crate::materials::{Material, PairTable};
 use crate::particles::{Kinematics, Particles};
 use crate::region::Region;
+use crate::snapshot;
+use crate::state::State;
 
 /// How contact constraints are enforced.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
@@ -342,7 +344,7 @@ impl Scene {
     /// # Errors
     /// [`SnapshotError`] if the blob is damaged or belongs to another scene or version; the scene is unchanged.
     pub fn start_from(&mut self, blob: &[u8]) -> Result<(), SnapshotError> {
-        let state = crate::state::from_blob(blob, &self.hash)?;
+        let state: State = snapshot::restore(blob, &self.hash)?;
         self.initial = state.kinematics;
         self.initial_contacts = state.contacts;
         self.hash = resources::digest([self.hash.as_bytes(), blob]);

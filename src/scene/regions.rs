@@ -1,9 +1,14 @@
 //! Regions of space, from the file.
 
+use std::sync::Arc;
+
+use super::bodies::{accept, facets};
 use super::build::direction;
 use super::document::Document;
 use super::file;
+use super::resources::Resources;
 use crate::Vec3;
+use crate::boundaries::Solid;
 use crate::region::Region;
 
 /// What a region is for: not every one serves everything.
@@ -20,6 +25,7 @@ pub(super) enum Use {
 /// The region given at `path`.
 pub(super) fn region(
     document: &mut Document<'_>,
+    resources: &mut Resources<'_>,
     path: &str,
     given: &file::Region,
     purpose: Use,
@@ -53,17 +59,19 @@ pub(super) fn region(
                 height: tube.height,
             })
         }
-        file::Region::Mesh(_) => {
-            document.error(
-                path,
-                "regions of meshes are not read yet",
-                "use a box or a cylinder",
-            );
-            None
+        file::Region::Mesh(mesh) => {
+            if purpose == Use::Measuring {
+                document.demand(false, path, "`mesh`", "`box` or `cylinder`");
+                return None;
+            }
+            let path = format!("{path}.mesh");
+            let facets = facets(document, resources, &path, mesh)?;
+            let solid = accept(document, &format!("{path}.file"), Solid::new(facets))?;
+            Some(Region::Mesh(Arc::new(solid)))
         }
         file::Region::Beyond(plane) => {
             let normal = direction(document, &format!("{path}.beyond.normal"), plane.normal);
-            let expected = "a bounded region: box or cylinder";
+            let expected = "a bounded region: box, cylinder or mesh";
             let fits = document.demand(purpose == Use::Emptying, path, "`beyond`", expected);
             fits.then_some(Region::Beyond {
                 point: plane.point.into(),

@@ -7,6 +7,7 @@ use super::decode::Element;
 use super::document::Document;
 use super::names::Names;
 use super::regions::{Use, region};
+use super::resources::Resources;
 use super::sizes::Sizes;
 use super::spheres::MOST_SPHERES;
 use super::{Sink, Source, Supply, file};
@@ -17,6 +18,7 @@ use crate::particles::{Kinematics, Locks, Particles};
 /// Adds a source and its spheres.
 pub(super) fn source(
     document: &mut Document<'_>,
+    resources: &mut Resources<'_>,
     path: &str,
     given: &file::Source,
     material: (u16, &Material),
@@ -25,6 +27,7 @@ pub(super) fn source(
     let sizes = Sizes::new(document, path, given.radius, given.size.as_ref());
     let region = region(
         document,
+        resources,
         &format!("{path}.region"),
         &given.region,
         Use::Filling,
@@ -111,6 +114,7 @@ fn supply(document: &mut Document<'_>, path: &str, given: &file::Source) -> Opti
 /// The sinks; `sources` are the names of the sources.
 pub(super) fn sinks(
     document: &mut Document<'_>,
+    resources: &mut Resources<'_>,
     sources: &Names,
     elements: &[Element<file::Sink>],
 ) -> Vec<Sink> {
@@ -119,6 +123,7 @@ pub(super) fn sinks(
         let (path, value) = (&element.path, element.value.as_ref()?);
         let region = region(
             document,
+            resources,
             &format!("{path}.region"),
             &value.region,
             Use::Emptying,
