@@ -26,6 +26,18 @@ pub enum OutputError {
         /// The file that says so.
         found: String,
     },
+    /// A file is not as the run left it.
+    #[error(
+        "`{}`: found {found}, expected {expected}; the file was changed since the run wrote it: restore it or start anew", path.display()
+    )]
+    Changed {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it.
+        found: String,
+        /// What is right.
+        expected: String,
+    },
     /// A value that readers would show without a word: NaN, infinite, or beyond the range of Float32.
     #[error(
         "{place}: entry {index} of `{array}` is {value}, expected a finite number of the file's precision; the state is broken or needs `float64`"

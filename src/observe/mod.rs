@@ -13,6 +13,7 @@ pub mod frames;
 pub mod history;
 pub mod pvd;
 pub mod sensors;
+pub mod table;
 pub mod vtu;
 pub mod writer;
 

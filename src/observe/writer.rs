@@ -23,8 +23,9 @@ use serde_json::json;
 use super::Observation;
 use super::error::OutputError;
 use super::frames::{Series, Surface, frame};
-use super::history::{History, columns, row};
+use super::history::{columns, row};
 use super::pvd::Collection;
+use super::table::Table;
 use super::vtu::{Grid, Precision, encode, replace};
 use crate::scene::Scene;
 
@@ -142,7 +143,7 @@ impl Results {
             precision: options.precision,
             series: Series::ALL
                 .map(|s| Collection::new(directory.join(format!("{}.pvd", s.name())))),
-            history: History::create(&directory.join("history.csv"), columns(scene))?,
+            history: Table::create(&directory.join("history.csv"), columns(scene))?,
             status: Arc::clone(&status),
         };
         let (sender, receiver) = sync_channel(QUEUE);
@@ -304,7 +305,7 @@ fn due(time: f64, interval: f64, last: Option<&f64>) -> bool {
 struct Disk {
     precision: Precision,
     series: [Collection; 3],
-    history: History,
+    history: Table,
     status: Arc<Mutex<Status>>,
 }
 
