@@ -3,6 +3,7 @@
 use std::fs::{self, File};
 use std::io;
 use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
 
 use serde_json::{Value, json};
 
@@ -12,6 +13,9 @@ use super::frames::Series;
 use super::vtu::Precision;
 use super::writer::Options;
 use crate::scene::Scene;
+
+/// How long a process that was just killed may take to let go of its files.
+const PATIENCE: Duration = Duration::from_secs(1);
 
 /// A run's directory, in which no other process writes while this lives.
 #[derive(Debug)]
@@ -31,10 +35,14 @@ impl Directory {
         fs::create_dir_all(path).map_err(OutputError::io("create", path))?;
         let name = path.join(".lock");
         let lock = File::create(&name).map_err(OutputError::io("create", &name))?;
-        if let Err(fs::TryLockError::WouldBlock) = lock.try_lock() {
-            return Err(OutputError::Busy {
-                path: path.to_path_buf(),
-            });
+        let began = Instant::now();
+        while let Err(fs::TryLockError::WouldBlock) = lock.try_lock() {
+            if began.elapsed() > PATIENCE {
+                return Err(OutputError::Busy {
+                    path: path.to_path_buf(),
+                });
+            }
+            std::thread::sleep(PATIENCE / 50);
         }
         Ok(Self {
             path: path.to_path_buf(),
@@ -128,7 +136,7 @@ impl Directory {
             .partition(|name| checkpoint::number(name).is_some());
         let (collections, others): (Vec<String>, Vec<String>) = others
             .into_iter()
-            .filter(|name| name != ABOUT)
+            .filter(|name| !name.starts_with(ABOUT))
             .partition(|name| name.ends_with(".pvd"));
         self.remove(&checkpoints)?;
         self.describe(about)?;

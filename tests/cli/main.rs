@@ -4,5 +4,6 @@ mod check;
 mod command;
 mod fmus;
 mod interrupted;
+mod killed;
 mod refused;
 mod runs;
