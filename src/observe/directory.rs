@@ -183,12 +183,18 @@ impl Directory {
     /// # Errors
     /// [`OutputError::Io`].
     pub fn names(&self) -> Result<Vec<String>, OutputError> {
-        let mut names: Vec<String> = fs::read_dir(&self.path)
-            .and_then(|entries| {
-                entries
-                    .map(|entry| Ok(entry?.file_name().to_string_lossy().into_owned()))
-                    .collect::<Result<_, io::Error>>()
-            })
+        let list = |entries: fs::ReadDir| -> io::Result<Vec<String>> {
+            let mut names = Vec::new();
+            for entry in entries {
+                let entry = entry?;
+                if !entry.file_type()?.is_dir() {
+                    names.push(entry.file_name().to_string_lossy().into_owned());
+                }
+            }
+            Ok(names)
+        };
+        let mut names = fs::read_dir(&self.path)
+            .and_then(list)
             .map_err(OutputError::io("list", &self.path))?;
         names.retain(|name| is_result(name));
         names.sort();

@@ -6,4 +6,5 @@ mod fmus;
 mod interrupted;
 mod killed;
 mod refused;
+mod resumed;
 mod runs;
