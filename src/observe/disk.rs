@@ -120,6 +120,12 @@ impl Disk {
         self.series[series as usize].times().collect()
     }
 
+    /// Time \[s\] of the last row or frame.
+    pub(super) fn latest(&self) -> Option<f64> {
+        let frames = self.series.iter().flat_map(Collection::times);
+        self.history.times().chain(frames).reduce(f64::max)
+    }
+
     /// Refuses files in which a row or a frame is missing that was due up to `time` \[s\].
     ///
     /// # Errors

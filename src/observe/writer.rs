@@ -135,6 +135,11 @@ impl Results {
             };
             match outcome {
                 Ok(Some(time)) => {
+                    // Resuming is permission to drop what came after the checkpoint.
+                    let options = Options {
+                        overwrite: true,
+                        ..options
+                    };
                     let results = Self::reopen(directory, scene, options, time, &checkpoints[..k])?;
                     let time = Some(time);
                     return Ok((results, Resumed { time, damaged }));
@@ -182,6 +187,12 @@ impl Results {
         let shown = series(scene, &surface);
         let mut disk = Disk::open(directory, scene, options.precision)?;
         disk.expect_up_to(time, options.row_interval, options.frame_interval, &shown)?;
+        if !options.overwrite && disk.latest() > Some(time) {
+            return Err(OutputError::Exists {
+                path: options.directory,
+                found: format!("results later than {time} s"),
+            });
+        }
         // First the promise that the rows and frames are there, then they.
         disk.directory().remove(later)?;
         disk.rewind(time, &shown)?;
