@@ -2,17 +2,21 @@
 //!
 //! [`Observation`] is what every observer reads: the state at the end of a communication step. From it come
 //! [`energy`] and [`sensors`], the [`frames`] of grids, and the rows of the [`history`]. [`writer::Results`] puts them
-//! into a directory ([`vtu`] files listed by [`pvd`] collections, a CSV table, `run.json`, `view.py`) without keeping
-//! the solver waiting for the disk.
+//! into a [`directory`] ([`vtu`] files listed by [`pvd`] collections, a CSV [`table`], [`checkpoint`]s, `run.json`,
+//! `view.py`) without keeping the solver waiting for the disk.
 //!
 //! Nothing in here feeds back into the solver.
 
+pub mod checkpoint;
+pub mod directory;
+mod disk;
 pub mod energy;
 pub mod error;
 pub mod frames;
 pub mod history;
 pub mod pvd;
 pub mod sensors;
+pub mod table;
 pub mod vtu;
 pub mod writer;
 

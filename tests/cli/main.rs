@@ -4,5 +4,7 @@ mod check;
 mod command;
 mod fmus;
 mod interrupted;
+mod killed;
 mod refused;
+mod resumed;
 mod runs;
