@@ -11,6 +11,7 @@
 //! those that carry a force or overlap; `slip` is the tangential relative speed at the contact with the reported
 //! velocities.
 
+use super::loads::Loads;
 use super::vtu::{Array, Cell, Grid, Values};
 use super::{BoundaryState, Observation};
 use crate::Vec3;
@@ -63,7 +64,7 @@ pub fn frame(state: &Observation, surface: &Surface) -> Vec<(Series, Grid)> {
 pub fn spheres(state: &Observation) -> Grid {
     let particles = &state.scene.particles;
     let kinematics = state.kinematics;
-    let (force, torque) = contact_loads(state);
+    let loads = Loads::of(state).spheres;
     let orientation = kinematics
         .orientation
         .iter()
@@ -76,8 +77,8 @@ pub fn spheres(state: &Observation) -> Grid {
             Array::scalar("radius", particles.radius.iter().copied()),
             Array::vector("velocity", state.velocity.iter().map(|v| v.linear)),
             Array::vector("angular_velocity", state.velocity.iter().map(|v| v.angular)),
-            Array::vector("force", force),
-            Array::vector("torque", torque),
+            Array::vector("force", loads.iter().map(|l| l.wrench.force)),
+            Array::vector("torque", loads.iter().map(|l| l.wrench.torque)),
             Array {
                 name: "orientation",
                 components: 4,
@@ -88,27 +89,6 @@ pub fn spheres(state: &Observation) -> Grid {
         ],
         cell_data: Vec::new(),
     }
-}
-
-/// Sum of the contact forces \[N\] and of their torques about the centre \[N m\], `[N]` each. A force acts on a
-/// sphere's surface where the normal meets it, at `-R n` from the centre of body A and `+R n` from that of B.
-#[must_use]
-pub fn contact_loads(state: &Observation) -> (Vec<Vec3>, Vec<Vec3>) {
-    let radius = &state.scene.particles.radius;
-    let mut force = vec![Vec3::zeros(); radius.len()];
-    let mut torque = force.clone();
-    for contact in state.contacts {
-        let a = contact.key.sphere as usize;
-        // Of the two signs of `-R n x f` on A and `R n x (-f)` on B the torques turn out equal.
-        let moment = -contact.normal.cross(&contact.force);
-        force[a] += contact.force;
-        torque[a] += moment * radius[a];
-        if let Partner::Sphere(b) = contact.key.partner {
-            force[b as usize] -= contact.force;
-            torque[b as usize] += moment * radius[b as usize];
-        }
-    }
-    (force, torque)
 }
 
 /// The contacts that carry a force or overlap.
