@@ -63,6 +63,10 @@ pub struct Observation<'a> {
     pub passed: &'a [f64],
     /// Mean flow of each sensor over the last communication step \[kg/s\], `[S]`; likewise.
     pub flow: &'a [f64],
+    /// Mass that each source has emitted since t = 0 \[kg\], `[sources]`.
+    pub emitted: &'a [f64],
+    /// Mass that each sink has removed since t = 0 \[kg\], `[sinks]`.
+    pub removed: &'a [f64],
     /// Work since t = 0.
     pub work: Work,
     /// Report of the last communication step.
@@ -96,9 +100,17 @@ impl<'a> Observation<'a> {
                 .collect(),
             passed: &simulation.state().passed,
             flow: &simulation.state().flow,
+            emitted: &simulation.state().emitted,
+            removed: &simulation.state().removed,
             work: *simulation.work(),
             report: *simulation.report(),
         }
+    }
+
+    /// Indices of the spheres that are in the scene, ascending.
+    pub fn present(&self) -> impl Iterator<Item = usize> + use<'a> {
+        let present = self.kinematics.present.iter().enumerate();
+        present.filter(|(_, is)| **is).map(|(i, _)| i)
     }
 
     /// Contacts that carry a force or overlap.
@@ -106,12 +118,6 @@ impl<'a> Observation<'a> {
         self.contacts
             .iter()
             .filter(|contact| contact.gap < 0.0 || contact.force != Vec3::zeros())
-    }
-
-    /// Indices of the spheres that are in the scene, ascending.
-    pub fn present(&self) -> impl Iterator<Item = usize> + use<'a> {
-        let present = self.kinematics.present.iter().enumerate();
-        present.filter(|(_, is)| **is).map(|(i, _)| i)
     }
 
     /// Smaller radius of a contact's pair \[m\]: what its overlap is measured against.

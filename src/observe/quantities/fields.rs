@@ -139,6 +139,12 @@ pub(super) const FLOW: [Field<Flow>; 2] = [
     real("rate", "kg/s", "Mass flow along the normal, mean over the communication step", |f| f.rate),
 ];
 
+pub(super) const SOURCE: [Field<f64>; 1] =
+    [real("mass", "kg", "Mass emitted since the start", |m| *m)];
+
+pub(super) const SINK: [Field<f64>; 1] =
+    [real("mass", "kg", "Mass removed since the start", |m| *m)];
+
 #[rustfmt::skip]
 pub(super) const WHOLE: [Field<Whole>; 21] = [
     real("mass", "kg", "Mass of all spheres in the scene", |w| w.mass),

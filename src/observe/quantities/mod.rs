@@ -15,7 +15,7 @@ mod readings;
 use super::Observation;
 use super::loads::Loads;
 use crate::scene::{Measure, Scene};
-use fields::{BODY, FLOW, Field, PROBE, REGION, WHOLE, WRENCH};
+use fields::{BODY, FLOW, Field, PROBE, REGION, SINK, SOURCE, WHOLE, WRENCH};
 use readings::{Body, Flow, Sphere, Whole};
 
 /// What kind of number a quantity is.
@@ -58,6 +58,12 @@ pub fn quantities(scene: &Scene) -> Vec<Quantity> {
             Measure::MassFlow { .. } => describe(&mut list, &prefix, &FLOW),
         }
     }
+    for source in &scene.sources {
+        describe(&mut list, &format!("source.{}.", source.name), &SOURCE);
+    }
+    for sink in &scene.sinks {
+        describe(&mut list, &format!("sink.{}.", sink.name), &SINK);
+    }
     describe(&mut list, "", &WHOLE);
     list
 }
@@ -88,6 +94,12 @@ pub fn values(state: &Observation) -> Vec<f64> {
                 measure(&mut list, &FLOW, &Flow { mass, rate });
             }
         }
+    }
+    for mass in state.emitted {
+        measure(&mut list, &SOURCE, mass);
+    }
+    for mass in state.removed {
+        measure(&mut list, &SINK, mass);
     }
     measure(&mut list, &WHOLE, &Whole::of(state, &loads));
     list

@@ -30,7 +30,10 @@ pub fn share_inside(region: &Region, start: Vec3, end: Vec3) -> f64 {
         }
         Region::Beyond { point, normal } => {
             let all = f64::INFINITY;
-            common((0.0, 1.0), slab((start - point).dot(normal), by.dot(normal), all))
+            common(
+                (0.0, 1.0),
+                slab((start - point).dot(normal), by.dot(normal), all),
+            )
         }
     };
     (to - from).max(0.0)
@@ -43,7 +46,11 @@ fn common(a: Span, b: Span) -> Span {
 /// Where `0 <= from + t by < height`.
 fn slab(from: f64, by: f64, height: f64) -> Span {
     if by == 0.0 {
-        return if (0.0..height).contains(&from) { ALL } else { NONE };
+        return if (0.0..height).contains(&from) {
+            ALL
+        } else {
+            NONE
+        };
     }
     let (a, b) = (-from / by, (height - from) / by);
     (a.min(b), a.max(b))
@@ -100,7 +107,10 @@ mod tests {
         assert_eq!(share_inside(&cuboid, z(0.2), z(0.3)), 1.0);
         assert_eq!(share_inside(&cuboid, z(0.9), z(2.0)), 0.0);
         // A line across the axis: a chord of length 2 R.
-        let (middle, across) = (Vec3::new(0.1, 0.0, -0.4) + Vec3::new(0.6, 0.0, 0.8) * 0.3, Vec3::y());
+        let (middle, across) = (
+            Vec3::new(0.1, 0.0, -0.4) + Vec3::new(0.6, 0.0, 0.8) * 0.3,
+            Vec3::y(),
+        );
         assert!((share_inside(&cylinder, middle - across, middle + across) - 0.5).abs() < 1e-15);
         let point = Vec3::new(0.1, 0.2, 0.3);
         assert!((share_inside(&half, point - across, point + across * 3.0) - 0.75).abs() < 1e-15);

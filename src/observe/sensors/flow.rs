@@ -148,10 +148,20 @@ mod tests {
 
     /// A rectangle cut into tiles along lines that need not be straight: each quadrilateral cell along a random
     /// diagonal into two triangles, the whole laid into space by `place`.
-    fn tiles(nodes: &[[[f64; 2]; 4]; 4], diagonal: &[bool], place: impl Fn([f64; 2]) -> Vec3) -> Vec<[Vec3; 3]> {
+    fn tiles(
+        nodes: &[[[f64; 2]; 4]; 4],
+        diagonal: &[bool],
+        place: impl Fn([f64; 2]) -> Vec3,
+    ) -> Vec<[Vec3; 3]> {
         let mut tiles = Vec::new();
         for (i, j) in (0..3).flat_map(|i| (0..3).map(move |j| (i, j))) {
-            let [a, b, c, d] = [nodes[i][j], nodes[i + 1][j], nodes[i + 1][j + 1], nodes[i][j + 1]].map(&place);
+            let [a, b, c, d] = [
+                nodes[i][j],
+                nodes[i + 1][j],
+                nodes[i + 1][j + 1],
+                nodes[i][j + 1],
+            ]
+            .map(&place);
             tiles.extend(if diagonal[3 * i + j] {
                 [[a, b, c], [a, c, d]]
             } else {

@@ -180,7 +180,9 @@ fn lens(r: f64, q: f64, d: f64) -> f64 {
         return PI * small * small;
     }
     // Four times the triangle of r, q and d (Heron), and its angles at the two centres.
-    let k = ((d + r + q) * (r + q - d) * (d + r - q) * (d + q - r)).max(0.0).sqrt();
+    let k = ((d + r + q) * (r + q - d) * (d + r - q) * (d + q - r))
+        .max(0.0)
+        .sqrt();
     let (at_r, at_q) = (
         k.atan2((d - q) * (d + q) + r * r),
         k.atan2((d - r) * (d + r) + q * q),
@@ -196,7 +198,10 @@ mod tests {
     /// Error over the volume of the sphere.
     #[track_caller]
     fn close(found: f64, expected: f64, error: f64) {
-        assert!((found - expected).abs() <= error * BALL, "{found} {expected}");
+        assert!(
+            (found - expected).abs() <= error * BALL,
+            "{found} {expected}"
+        );
     }
 
     fn boxed(low: [f64; 3], high: [f64; 3]) -> f64 {
@@ -284,9 +289,17 @@ mod tests {
             close(in_cylinder((-FAR, FAR), q, 0.0), BALL - ring, 1e-13);
         }
         // Half of it by height, and a piece that lies within the sphere whole.
-        close(in_cylinder((0.0, FAR), 0.3, 0.0), in_cylinder((-FAR, FAR), 0.3, 0.0) / 2.0, 1e-13);
+        close(
+            in_cylinder((0.0, FAR), 0.3, 0.0),
+            in_cylinder((-FAR, FAR), 0.3, 0.0) / 2.0,
+            1e-13,
+        );
         close(in_cylinder((-0.1, 0.2), 0.3, 0.1), 0.3 * PI * 0.09, 1e-13);
-        close(in_cylinder((-0.1, 0.2), FAR, 1.0), cap(-0.1) - cap(0.2), 1e-13);
+        close(
+            in_cylinder((-0.1, 0.2), FAR, 1.0),
+            cap(-0.1) - cap(0.2),
+            1e-13,
+        );
         assert_eq!(in_cylinder((-FAR, FAR), FAR, 8.0), 0.0);
     }
 
@@ -302,7 +315,11 @@ mod tests {
         // The wall of a cylinder of radius q bends away from the plane by less than 1 / (2 q).
         for distance in [-0.9, -0.2, 0.0, 0.5, 0.99] {
             let q = 1e7;
-            close(in_cylinder((-FAR, FAR), q, q + distance), cap(distance), 1e-7);
+            close(
+                in_cylinder((-FAR, FAR), q, q + distance),
+                cap(distance),
+                1e-7,
+            );
         }
     }
 
@@ -334,7 +351,18 @@ mod tests {
         };
         let mut worst: f64 = 0.0;
         for q in [0.01, 0.3, 0.7, 0.999, 1.0, 1.3, 3.0, 40.0] {
-            for d in [1e-9, 1e-4, 0.01, 0.1, 0.5, 0.999 * q, q, 1.001 * q, q + 0.5, q + 0.99] {
+            for d in [
+                1e-9,
+                1e-4,
+                0.01,
+                0.1,
+                0.5,
+                0.999 * q,
+                q,
+                1.001 * q,
+                q + 0.5,
+                q + 0.99,
+            ] {
                 for ends in [(-2.0, 2.0), (-0.3, 0.6), (0.5, 2.0), (-1.0, -0.99)] {
                     let error = (in_cylinder(ends, q, d) - fine(ends, q, d)).abs() / BALL;
                     worst = worst.max(error);
