@@ -35,8 +35,9 @@ use crate::region::Region;
 
 /// Volume of the unit ball.
 const BALL: f64 = 4.0 / 3.0 * PI;
-/// Points of the rule between two breaks: see the test of its error.
-const POINTS: NonZeroUsize = NonZeroUsize::new(24).unwrap();
+/// Points of the rule between two breaks, 24: see the test of its error.
+const POINTS: NonZeroUsize = NonZeroUsize::MIN.saturating_add(23);
+static RULE: LazyLock<GaussLegendre> = LazyLock::new(|| GaussLegendre::new(POINTS));
 
 /// Volume \[m^3\] of the part of a sphere (`centre`, `radius` \[m\]) that lies in a box or a cylinder, or beyond a plane.
 #[must_use]
@@ -151,21 +152,22 @@ fn in_cylinder(ends: (f64, f64), radius: f64, apart: f64) -> f64 {
     }
     let mut breaks = vec![low, high];
     for rho in [(radius - apart).abs(), radius + apart] {
-        if rho < 1.0 {
-            let z = ((1.0 - rho) * (1.0 + rho)).sqrt();
-            breaks.extend([-z, z].into_iter().filter(|z| low < *z && *z < high));
-        }
+        // Where the greatest disc of the sphere just fails to reach, the middle is nearly such a place.
+        let z = ((1.0 - rho) * (1.0 + rho)).max(0.0).sqrt();
+        breaks.extend([-z, z].into_iter().filter(|z| low < *z && *z < high));
     }
     breaks.sort_by(f64::total_cmp);
     let area = |z: f64| lens(((1.0 - z) * (1.0 + z)).max(0.0).sqrt(), radius, apart);
-    breaks.windows(2).map(|w| smoothed(w[0], w[1], area)).sum()
+    breaks
+        .windows(2)
+        .map(|w| smoothed(&RULE, w[0], w[1], area))
+        .sum()
 }
 
 /// Integral of `f` from `a` to `b`, where it may go as a half power at both ends.
-fn smoothed(a: f64, b: f64, f: impl Fn(f64) -> f64) -> f64 {
-    static RULE: LazyLock<GaussLegendre> = LazyLock::new(|| GaussLegendre::new(POINTS));
+fn smoothed(rule: &GaussLegendre, a: f64, b: f64, f: impl Fn(f64) -> f64) -> f64 {
     let (middle, half) = (0.5 * (a + b), 0.5 * (b - a));
-    RULE.integrate(-FRAC_PI_2, FRAC_PI_2, |s| {
+    rule.integrate(-FRAC_PI_2, FRAC_PI_2, |s| {
         half * s.cos() * f(middle + half * s.sin())
     })
 }
@@ -255,11 +257,12 @@ mod tests {
 
     /// The part `x > a, y > b, z > c` of the unit ball as an integral over x of one over y of lengths in z.
     fn slices(a: f64, b: f64, c: f64) -> f64 {
+        let fine = GaussLegendre::new(NonZeroUsize::new(80).unwrap());
         let pieces = |low: f64, high: f64, breaks: &[f64], f: &dyn Fn(f64) -> f64| -> f64 {
             let mut all = vec![low, high];
             all.extend(breaks.iter().filter(|x| low < **x && **x < high));
             all.sort_by(f64::total_cmp);
-            all.windows(2).map(|w| smoothed(w[0], w[1], f)).sum()
+            all.windows(2).map(|w| smoothed(&fine, w[0], w[1], f)).sum()
         };
         let root = |x: f64| x.max(0.0).sqrt();
         let slice = |x: f64| {
@@ -349,7 +352,7 @@ mod tests {
             });
             pieces.sum::<f64>()
         };
-        let mut worst: f64 = 0.0;
+        let mut worst = (0.0, (0.0, 0.0, (0.0, 0.0)));
         for q in [0.01, 0.3, 0.7, 0.999, 1.0, 1.3, 3.0, 40.0] {
             for d in [
                 1e-9,
@@ -365,10 +368,12 @@ mod tests {
             ] {
                 for ends in [(-2.0, 2.0), (-0.3, 0.6), (0.5, 2.0), (-1.0, -0.99)] {
                     let error = (in_cylinder(ends, q, d) - fine(ends, q, d)).abs() / BALL;
-                    worst = worst.max(error);
+                    if error > worst.0 {
+                        worst = (error, (q, d, ends));
+                    }
                 }
             }
         }
-        assert!(worst < 1e-10, "{worst:e}");
+        assert!(worst.0 < 1e-10, "{worst:?}");
     }
 }
