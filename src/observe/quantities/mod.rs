@@ -14,6 +14,7 @@ mod readings;
 
 use super::Observation;
 use super::loads::Loads;
+use super::sensors::region;
 use crate::scene::{Measure, Scene};
 use fields::{BODY, FLOW, Field, PROBE, REGION, SINK, SOURCE, WHOLE, WRENCH};
 use readings::{Body, Flow, Sphere, Whole};
@@ -82,9 +83,8 @@ pub fn values(state: &Observation) -> Vec<f64> {
     }
     for (s, sensor) in scene.sensors.iter().enumerate() {
         match &sensor.measure {
-            Measure::Region(region) => {
-                let reading = super::sensors::region::Reading::of(region, state);
-                measure(&mut list, &REGION, &reading);
+            Measure::Region(space) => {
+                measure(&mut list, &REGION, &region::Reading::of(space, state));
             }
             Measure::Wrench { boundary } => {
                 measure(&mut list, &WRENCH, &state.boundaries[*boundary].mean_wrench);
