@@ -221,6 +221,33 @@ fn solid_fraction_of_crystals() {
         let region = cuboid(low, low.map(|x| x + 4.0));
         close(read(&sc, &region).solid_fraction, PI / 6.0, 1e-9, 0.0);
     }
+    // Not of whole periods, where counting centres is wrong. Every plane at a multiple of R mirrors the lattice, so each cube
+    // of edge R holds an eighth of a sphere.
+    for (low, size) in [
+        ([3.0, 2.0, 4.0], [1.0, 1.0, 1.0]),
+        ([3.0, 4.0, 3.0], [3.0, 1.0, 5.0]),
+    ] {
+        let high = [0, 1, 2].map(|k| low[k] + size[k]);
+        let found = read(&sc, &cuboid(low, high)).solid_fraction;
+        close(found, PI / 6.0, 1e-9, 0.0);
+    }
+    // A slab of 1.3 R between two layers of centres: from each side a cap of height h = 0.6 R or 0.7 R, per 4 R^2 of area.
+    let cap = |h: f64| PI * h * h * (3.0 - h) / 3.0;
+    let slab = read(&sc, &cuboid([3.4, 2.5, 2.2], [4.7, 6.5, 4.2]));
+    let expected = (cap(0.6) + cap(0.7)) / (4.0 * 1.3);
+    close(slab.solid_fraction, expected, 1e-9, 0.0);
+    // So it is for a cylinder that lies within the two layers' caps of one column: axis from centre to centre.
+    let between = Region::Cylinder {
+        base: Vec3::new(3.4, 3.0, 3.0) * R,
+        axis: Vec3::x(),
+        radius: 0.5 * R,
+        height: 1.3 * R,
+    };
+    // The ends of the two spheres, of height z(rho) = sqrt(1 - rho^2) above their centres, over the disc rho < 0.5.
+    let over = 2.0 * PI / 3.0 * (1.0 - 0.75f64.powf(1.5));
+    let inside = 2.0 * over - PI * 0.25 * (0.4 + 0.3);
+    let expected = inside / (PI * 0.25 * 1.3);
+    close(read(&sc, &between).solid_fraction, expected, 1e-9, 0.0);
     let mut case = Case::new(1e-3, 0.0, 0.0).without_gravity();
     let period = [2.0, 2.0 * 3f64.sqrt(), 2.0 * 6f64.sqrt()];
     for layer in 0..9 {
