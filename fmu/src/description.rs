@@ -113,6 +113,7 @@ pub fn units() -> Vec<Unit> {
         si("N.m", 1, 2, -2),
         si("J", 1, 2, -2),
         si("W", 1, 2, -3),
+        si("Pa", 1, -1, -2).with_display_unit("kPa", 1e-3, 0.0),
     ]
 }
 

@@ -19,7 +19,6 @@ use sphere_dda::simulation::Simulation;
 
 use crate::log::{Level, Log};
 use crate::model::Model;
-use crate::outputs::Outputs;
 use crate::recorder::Recorder;
 use crate::refusal::{InstantiationError, Refusal};
 use crate::state::{Run, Saved};
@@ -75,7 +74,8 @@ pub struct Instance {
     log: Log,
     run: Run,
     simulation: Option<Simulation>,
-    outputs: Option<Outputs>,
+    /// Measured values of the last communication point, in the order of the table; computed when first asked for.
+    outputs: Option<Vec<f64>>,
     recorder: Recorder,
     read_ahead: bool,
 }

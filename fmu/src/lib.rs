@@ -17,7 +17,6 @@ pub mod import;
 pub mod instance;
 pub mod log;
 pub mod model;
-pub mod outputs;
 pub mod recorder;
 pub mod refusal;
 pub mod resource;

@@ -118,6 +118,8 @@ pub(crate) struct Made {
     pub(crate) kinematics: Kinematics,
     pub(crate) contacts: Vec<Contact>,
     pub(crate) passed: Vec<f64>,
+    pub(crate) emitted: Vec<f64>,
+    pub(crate) removed: Vec<f64>,
 }
 
 impl Made {
@@ -152,6 +154,8 @@ impl Made {
             kinematics,
             contacts,
             passed: vec![0.0; scene.sensors.len()],
+            emitted: vec![0.0; scene.sources.len()],
+            removed: vec![0.0; scene.sinks.len()],
         }
     }
 
@@ -191,6 +195,8 @@ impl Made {
             ],
             passed: &self.passed,
             flow: &self.passed,
+            emitted: &self.emitted,
+            removed: &self.removed,
             work: Work::default(),
             report: StepReport::default(),
         }
