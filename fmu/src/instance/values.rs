@@ -3,10 +3,10 @@
 use sphere_dda_model_description::fmi2::{BaseType, Causality, Variability};
 
 use super::{Instance, Stage};
-use crate::log::Level;
 use crate::outputs::Outputs;
 use crate::refusal::Refusal;
 use crate::variables::{Quantity, Value, Variable, component};
+use sphere_dda_fmi_interface::log::Level;
 
 impl Instance {
     /// Values of variables of one type, in the order of `references`.
