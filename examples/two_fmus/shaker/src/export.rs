@@ -21,7 +21,7 @@ const IDENTIFIER: &str = "shaker";
 const LICENSE: &str = include_str!("../../../../LICENSE-MIT");
 
 const ABOUT: &str = "<!DOCTYPE html><html><head><title>Shaker</title></head><body><h1>Shaker</h1>\
-<p>m x'' + d x' + k (x - A sin(2 pi f t)) = F, the force F held over every communication step; exact for every step.</p>\
+<p>m x'' + d x' + k (x - A sin(2 pi f t)) = F + S, the force F held over every communication step, S a constant support; exact for every step.</p>\
 </body></html>\n";
 
 /// Why there is no FMU.

@@ -9,7 +9,7 @@ use thiserror::Error;
 use crate::model::{Motion, Parameters};
 use crate::variables::{
     ACCELERATION, AMPLITUDE, COUNT, DAMPING, FORCE, FREQUENCY, IMPULSE, MASS, POSITION, STIFFNESS,
-    TABLE, VELOCITY,
+    SUPPORT, TABLE, VELOCITY,
 };
 
 /// Difference of two communication points that counts as none, relative to the step and to the time.
@@ -249,7 +249,7 @@ impl Instance {
         let force = self.values[FORCE];
         let next = self
             .parameters()
-            .advance(self.motion(), self.time, h, force);
+            .advance(self.motion(), self.time, h, self.total_force());
         self.time = point + h;
         self.values[POSITION] = next.position;
         self.values[VELOCITY] = next.velocity;
@@ -325,9 +325,14 @@ impl Instance {
         }
     }
 
+    /// What acts on the mass beside spring and damper \[N\].
+    fn total_force(&self) -> f64 {
+        self.values[FORCE] + self.values[SUPPORT]
+    }
+
     /// What follows from the rest.
     fn compute(&mut self) {
-        let force = self.values[FORCE];
+        let force = self.total_force();
         self.values[ACCELERATION] = self
             .parameters()
             .acceleration(self.motion(), self.time, force);
@@ -400,7 +405,7 @@ mod tests {
             (0, f64::NAN),
             (3, 1.0),
             (4, 1.0),
-            (10, 1.0),
+            (11, 1.0),
         ] {
             let pairs = [(0, 7.0), (reference, value)];
             assert!(fresh.set(pairs.into_iter()).is_err(), "{reference} {value}");

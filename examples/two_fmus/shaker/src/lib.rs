@@ -1,7 +1,7 @@
 //! A shaker as an FMU: mass, spring and damper on a shaken foot, with a force that the importer gives.
 //!
 //! ```text
-//! m x'' + d x' + k (x - A sin(2 pi f t)) = F        F held over every communication step
+//! m x'' + d x' + k (x - A sin(2 pi f t)) = F + S     F held over every communication step, S constant
 //! ```
 //!
 //! | module       | holds                                                              |

@@ -3,7 +3,7 @@
 use sphere_dda_model_description::fmi2::{Causality, Variability};
 
 /// Number of variables.
-pub const COUNT: usize = 10;
+pub const COUNT: usize = 11;
 
 /// Value reference of the force from outside \[N\].
 pub const FORCE: usize = 0;
@@ -25,6 +25,8 @@ pub const DAMPING: usize = 7;
 pub const AMPLITUDE: usize = 8;
 /// Value reference of the frequency \[Hz\].
 pub const FREQUENCY: usize = 9;
+/// Value reference of the support \[N\].
+pub const SUPPORT: usize = 10;
 
 /// One variable, a real; its place in [`TABLE`] is its value reference.
 #[derive(Debug, Clone, Copy)]
@@ -117,6 +119,14 @@ pub const TABLE: [Variable; COUNT] = [
         "Amplitude of the foot: A sin(2 pi f t)",
     ),
     parameter("frequency", "Hz", 8.0, true, "Frequency of the foot"),
+    Variable {
+        name: "support",
+        unit: "N",
+        start: Some(0.0),
+        causality: Causality::Parameter,
+        least: None,
+        description: "Constant force on the mass, as of an air spring that carries a load at rest",
+    },
 ];
 
 impl Variable {
