@@ -17,8 +17,8 @@ fn shaker(folder: &Path) -> Fmu {
     let path = folder.join("shaker.fmu");
     let done = Command::new(env!("CARGO_BIN_EXE_export-shaker"))
         .arg(&path)
-        .status();
-    assert!(done.unwrap().success());
+        .output();
+    assert!(done.unwrap().status.success());
     Fmu::open(path).unwrap()
 }
 
@@ -111,10 +111,8 @@ fn the_fmu_of_the_shaker_is_its_equation_and_rolls_back() {
     assert!(other.set_real(&[5], &[1.0]).is_err(), "the mass is fixed");
     let (messages, _) = other.take_messages();
     let told: Vec<&str> = messages.iter().map(|message| &*message.text).collect();
-    assert!(
-        told[1].contains("`mass` cannot be set in state step complete"),
-        "{told:?}"
-    );
+    let part = "`mass` cannot be set in state step complete";
+    assert!(told.iter().any(|text| text.contains(part)), "{told:?}");
 }
 
 #[test]
@@ -220,6 +218,7 @@ fn loose_coupling_is_stable_up_to_the_added_mass_limit() {
                         ("shaker.amplitude", 0.0),
                         ("shaker.support", grain * GRAVITY),
                         ("shaker.velocity", 0.1 * h),
+                        ("bed.solver.step", h),
                     ]),
                     ..Options::default()
                 };
