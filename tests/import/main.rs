@@ -4,6 +4,7 @@ mod coupling;
 #[path = "../foreign_fmu/mod.rs"]
 mod foreign_fmu;
 mod instance;
+mod reference;
 mod refusals;
 mod simulation;
 
