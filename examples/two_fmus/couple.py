@@ -175,7 +175,7 @@ def plot_run(tables, path):
     axes[0].legend(fontsize="small")
     for axis in axes:
         axis.grid(alpha=0.3)
-    figure.savefig(path, dpi=110)
+    figure.savefig(path, dpi=90)
     plt.close(figure)
 
 
@@ -191,7 +191,7 @@ def plot_limit(rows, path):
         axis.grid(alpha=0.3)
         axis.legend(title="mass of the grains / of the shaker", fontsize="x-small", title_fontsize="x-small")
     axes[0].set_ylabel("|force / weight - 1|")
-    figure.savefig(path, dpi=110)
+    figure.savefig(path, dpi=90)
     plt.close(figure)
 
 

@@ -1,6 +1,5 @@
 """The built-in master against fmpy: coupled FMUs of this project, FMUs of others, one that is written in Python."""
 
-import ctypes.util
 import os
 import subprocess
 import sys
@@ -75,3 +74,57 @@ def test_reference_fmus_give_the_same_in_both_masters(command, tmp_path, model):
     assert len(ours) == len(theirs)
     for name in theirs.dtype.names:
         assert np.allclose(ours[name], theirs[name], rtol=0, atol=1e-12), name
+
+
+DECAY = '''
+from math import exp
+
+from pythonfmu import Fmi2Causality, Fmi2Slave, Real
+
+
+class Decay(Fmi2Slave):
+    """x' = u - x / T, T = 0.5 s, u held: exact."""
+
+    def __init__(self, **kwargs):
+        super().__init__(**kwargs)
+        self.u, self.x = 0.0, 2.0
+        self.register_variable(Real("u", causality=Fmi2Causality.input))
+        self.register_variable(Real("x", causality=Fmi2Causality.output))
+
+    def do_step(self, time, step):
+        self.x = 0.5 * self.u + (self.x - 0.5 * self.u) * exp(-step / 0.5)
+        return True
+'''
+
+
+def test_an_fmu_written_in_python_runs_alone_and_coupled(command, tmp_path):
+    pytest.importorskip("pythonfmu")
+    # Such an FMU takes the interpreter from its host; the command has none unless the loader gives it one.
+    library = Path(sysconfig.get_config_var("LIBDIR") or "") / (sysconfig.get_config_var("LDLIBRARY") or "none")
+    if not library.name.endswith(".so") or not library.exists():
+        pytest.skip("this Python has no shared library to host the FMU")
+    environment = {
+        **os.environ,
+        "LD_PRELOAD": str(library),
+        "PYTHONHOME": sys.base_prefix,
+        "PYTHONPATH": os.pathsep.join(path for path in sys.path if path.endswith("site-packages")),
+    }
+    script = tmp_path / "decay.py"
+    script.write_text(DECAY)
+    subprocess.run([sys.executable, "-m", "pythonfmu", "build", "-f", script, "-d", tmp_path], check=True, capture_output=True)
+    fmu = tmp_path / "Decay.fmu"
+    alone = simulate(command, tmp_path, fmu, "--stop", 1, "--step", 0.1, environment=environment)
+    assert np.allclose(alone["x"], 2 * np.exp(-alone["time"] / 0.5), rtol=1e-14)
+
+    # x_n of the Dahlquist equation is 0.9^n; the decay holds it over the step from n to n + 1.
+    source = reference_fmu(tmp_path, "Dahlquist")
+    arguments = [source, fmu, "--connect", "Dahlquist.x=Decay.u", "--stop", 1]
+    coupled = simulate(command, tmp_path, *arguments, environment=environment)
+    x = 2.0
+    for n, found in enumerate(coupled["Decay.x"]):
+        assert found == pytest.approx(x, rel=1e-12)
+        x = 0.5 * 0.9**n + (x - 0.5 * 0.9**n) * np.exp(-0.1 / 0.5)
+
+    # Without an interpreter it is refused with the symbol that is missing.
+    refused = subprocess.run([command, "simulate", fmu, "--stop", "1"], capture_output=True, text=True)
+    assert refused.returncode == 2 and "undefined symbol" in refused.stderr, refused.stderr
