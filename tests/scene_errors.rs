@@ -55,10 +55,10 @@ sphere = "one"
 stiffness = 1e3
 [[sensor]]
 name = "flow"
-mass_flow = { point = [0.0, 0.0, 0.0], normal = [0.0, 0.0, -1.0] }
+mass_flow = { plane = { point = [0.0, 0.0, 0.0], normal = [0.0, 0.0, -1.0] } }
 [[sensor]]
 name = "inside"
-mass_in_box = { min = [0.0, 0.0, 0.0], max = [1.0, 1.0, 1.0] }
+region = { box = { min = [0.0, 0.0, 0.0], max = [1.0, 1.0, 1.0] } }
 [[probe]]
 name = "top"
 sphere = "one"
@@ -182,11 +182,11 @@ const CASES: &[Case] = cases! {
     "\"grains[4]\"" => "\"grain[4]\"", "load[0].sphere", "grain[4]", "did you mean `grains`";
     "\"grains[4]\"" => "\"grains[-1]\"", "load[0].sphere", "grains[-1]", "group[k]";
     "stiffness = 1e3" => "stiffness = -1e3", "spring[0].stiffness", "stiffness", "> 0 [N/m]";
-    "normal = [0.0, 0.0, -1.0]" => "normal = [0.0, 0.0, 0.0]", "sensor[0].mass_flow.normal", "mass_flow", "length > 0";
-    "max = [1.0, 1.0, 1.0]" => "max = [1.0, -1.0, 1.0]", "sensor[1].mass_in_box", "mass_in_box", "min < max";
-    "mass_flow = { point = [0.0, 0.0, 0.0], normal = [0.0, 0.0, -1.0] }" => "wrench = \"flor\"", "sensor[0].wrench", "flor", "did you mean `floor`";
-    "mass_in_box = { min" => "mass_flow = { point = [0, 0, 0], normal = [1, 0, 0] }\nmass_in_box = { min", "sensor[1]", "name = \"inside\"", "2 measures";
-    "name = \"inside\"" => "name = \"flow\"", "sensor[1].name", "name = \"flow\"\nmass_in", "appears twice";
+    "normal = [0.0, 0.0, -1.0]" => "normal = [0.0, 0.0, 0.0]", "sensor[0].mass_flow.plane.normal", "mass_flow", "length > 0";
+    "max = [1.0, 1.0, 1.0]" => "max = [1.0, -1.0, 1.0]", "sensor[1].region.box", "region", "min < max";
+    "mass_flow = { plane = { point = [0.0, 0.0, 0.0], normal = [0.0, 0.0, -1.0] } }" => "wrench = \"flor\"", "sensor[0].wrench", "flor", "did you mean `floor`";
+    "region = { box" => "mass_flow = { plane = { point = [0, 0, 0], normal = [1, 0, 0] } }\nregion = { box", "sensor[1]", "name = \"inside\"", "2 measures";
+    "name = \"inside\"" => "name = \"flow\"", "sensor[1].name", "name = \"flow\"\nregion", "appears twice";
     "sphere = \"one\"\n[output]" => "sphere = \"two\"\n[output]", "probe[0].sphere", "two", "unknown sphere group";
 };
 

@@ -4,7 +4,7 @@ use sphere_dda::Vec3;
 use sphere_dda::contacts::{Contact, Partner};
 use sphere_dda::observe::Observation;
 use sphere_dda::observe::energy::{Energy, Momentum};
-use sphere_dda::observe::sensors::mass_in_box;
+use sphere_dda::observe::sensors::mass_inside;
 use sphere_dda::scene::{Measure, Scene};
 use sphere_dda::simulation::{Simulation, StepReport, Wrench};
 use sphere_dda::state::Work;
@@ -262,9 +262,9 @@ fn probes(state: &Observation, loads: Vec<Load>) -> Vec<ProbeValues> {
 fn sensors(state: &Observation) -> Vec<Reading> {
     let sensors = state.scene.sensors.iter().zip(state.passed).zip(state.flow);
     sensors
-        .map(|((sensor, &passed), &flow)| match sensor.measure {
-            Measure::MassInBox { min, max } => Reading {
-                mass: mass_in_box(&state.scene.particles, &state.kinematics.position, min, max),
+        .map(|((sensor, &passed), &flow)| match &sensor.measure {
+            Measure::Region(region) => Reading {
+                mass: mass_inside(&state.scene.particles, &state.kinematics.position, region),
                 rate: 0.0,
             },
             // Its outputs are those of the boundary.

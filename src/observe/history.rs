@@ -25,7 +25,7 @@ use std::path::{Path, PathBuf};
 use super::Observation;
 use super::energy::{Energy, Momentum};
 use super::error::OutputError;
-use super::sensors::mass_in_box;
+use super::sensors::mass_inside;
 use crate::Vec3;
 use crate::scene::{Measure, Scene};
 
@@ -39,7 +39,7 @@ pub fn columns(scene: &Scene) -> Vec<String> {
     for sensor in &scene.sensors {
         let name = &sensor.name;
         match sensor.measure {
-            Measure::MassInBox { .. } => names.push(format!("sensor.{name} [kg]")),
+            Measure::Region(_) => names.push(format!("sensor.{name}.mass [kg]")),
             Measure::Wrench { .. } => {
                 vector(&mut names, &format!("sensor.{name}.force"), "N");
                 vector(&mut names, &format!("sensor.{name}.torque"), "N.m");
@@ -90,13 +90,13 @@ pub fn row(state: &Observation) -> Vec<f64> {
     let mut values = vec![state.time];
     let vector = |values: &mut Vec<f64>, v: Vec3| values.extend_from_slice(v.as_slice());
     for (s, sensor) in state.scene.sensors.iter().enumerate() {
-        match sensor.measure {
-            Measure::MassInBox { min, max } => {
+        match &sensor.measure {
+            Measure::Region(region) => {
                 let centre = &state.kinematics.position;
-                values.push(mass_in_box(&state.scene.particles, centre, min, max));
+                values.push(mass_inside(&state.scene.particles, centre, region));
             }
             Measure::Wrench { boundary } => {
-                let wrench = &state.boundaries[boundary].mean_wrench;
+                let wrench = &state.boundaries[*boundary].mean_wrench;
                 vector(&mut values, wrench.force);
                 vector(&mut values, wrench.torque);
             }

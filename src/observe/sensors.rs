@@ -12,6 +12,7 @@
 
 use crate::Vec3;
 use crate::particles::Particles;
+use crate::region::Region;
 
 /// An oriented plane.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -43,14 +44,13 @@ pub fn crossings(before: &[Vec3], after: &[Vec3], mass: &[f64], plane: Plane) ->
     sum
 }
 
-/// Mass \[kg\] of the spheres whose `centre` \[m\], `[N]`, lies in the axis-parallel box `min..max` \[m\]: the lower
-/// faces belong to the box, the upper ones do not, so adjacent boxes share no sphere.
+/// Mass \[kg\] of the spheres whose `centre` \[m\], `[N]`, lies in the region.
 #[must_use]
-pub fn mass_in_box(particles: &Particles, centre: &[Vec3], min: Vec3, max: Vec3) -> f64 {
+pub fn mass_inside(particles: &Particles, centre: &[Vec3], region: &Region) -> f64 {
     centre
         .iter()
         .zip(&particles.mass)
-        .filter(|(c, _)| (0..3).all(|k| min[k] <= c[k] && c[k] < max[k]))
+        .filter(|(c, _)| region.contains(**c))
         .map(|(_, mass)| mass)
         .sum()
 }
@@ -104,12 +104,11 @@ mod tests {
         let mass = particles.mass[0];
         let half = Vec3::new(1.0, 1.0, 0.0);
         let inside = |z0: f64, z1: f64| {
-            mass_in_box(
-                &particles,
-                &centre,
-                -half + Vec3::z() * z0,
-                half + Vec3::z() * z1,
-            )
+            let region = Region::Box {
+                min: -half + Vec3::z() * z0,
+                max: half + Vec3::z() * z1,
+            };
+            mass_inside(&particles, &centre, &region)
         };
         assert_eq!(inside(0.0, 1.0), mass);
         assert_eq!(inside(1.0, 2.0), mass);

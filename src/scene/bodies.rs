@@ -277,6 +277,10 @@ fn shape(
             ("cone", cone.map(Shape::from))
         }
         file::Face::Cylinder(c) => ("cylinder", cylinder(c).map(Shape::from)),
+        file::Face::Terrain(_) => {
+            document.error(path, "terrain is not read yet", "use `stl`");
+            return None;
+        }
         file::Face::Stl(mesh) => return stl(document, resources, &format!("{path}.stl"), mesh),
     };
     accept(document, &format!("{path}.{key}"), built)
@@ -321,7 +325,7 @@ fn stl(
 }
 
 /// Reports a refused geometry at its key.
-fn accept<T>(
+pub(super) fn accept<T>(
     document: &mut Document<'_>,
     path: &str,
     built: Result<T, GeometryError>,

@@ -78,6 +78,7 @@ impl Simulation {
                     sum.add(&persisting[b], -shift);
                 }
                 self.count_crossings(&before);
+                self.exchange();
                 Ok(())
             }
             Err(failure) if cuts >= scene.settings.max_cuts => Err(self.explain(failure, dt, cuts)),
@@ -100,7 +101,7 @@ impl Simulation {
 
     fn count_crossings(&mut self, before: &[Vec3]) {
         for (sensor, passed) in self.scene.sensors.iter().zip(&mut self.state.passed) {
-            if let Measure::MassFlow { point, normal } = sensor.measure {
+            if let Measure::MassFlow { point, normal, .. } = sensor.measure {
                 let after = &self.state.kinematics.position;
                 *passed += crossings(
                     before,

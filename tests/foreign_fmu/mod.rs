@@ -9,6 +9,7 @@ use std::sync::Mutex;
 use zip::write::SimpleFileOptions;
 
 /// How the library is built.
+#[allow(dead_code, reason = "each test binary uses its own part")]
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Build {
     Whole,

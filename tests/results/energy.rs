@@ -79,7 +79,7 @@ fn the_history_has_one_value_per_column() {
     let value = |name: &str| values[names.iter().position(|n| n == name).unwrap()];
     assert_eq!(value("time [s]"), 0.5);
     assert_eq!(
-        value("sensor.hold [kg]"),
+        value("sensor.hold.mass [kg]"),
         0.0,
         "no centre in the box: y is beyond it"
     );

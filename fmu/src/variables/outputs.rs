@@ -165,7 +165,7 @@ impl Rows {
         let of = |output| Quantity::Sensor { sensor, output };
         let mass = |name: String, text: &str| Row::real(name, Some("kg"), text);
         match measure {
-            Measure::MassInBox { .. } => {
+            Measure::Region(_) => {
                 let row = mass(
                     prefix.to_owned(),
                     "Mass of the spheres whose centre is in the box",
