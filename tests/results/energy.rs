@@ -5,7 +5,7 @@ use sphere_dda::motion::Motion;
 use sphere_dda::motion::Twist;
 use sphere_dda::observe::energy::{Energy, Momentum};
 use sphere_dda::observe::history::{columns, row};
-use sphere_dda::region::Region;
+use sphere_dda::region::Primitive;
 use sphere_dda::scene::{PointLoad, Sink, Source, Spring, Supply};
 
 use crate::made::{Made, scene};
@@ -70,8 +70,8 @@ fn momentum_uses_the_half_step_velocity() {
     assert!((momentum.angular - angular).norm() < 1e-13);
 }
 
-fn anywhere() -> Region {
-    Region::Box {
+fn anywhere() -> Primitive {
+    Primitive::Box {
         min: Vec3::zeros(),
         max: Vec3::repeat(1.0),
     }
