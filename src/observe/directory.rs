@@ -162,6 +162,9 @@ impl Directory {
     /// # Errors
     /// [`OutputError::Io`].
     pub fn remove(&self, names: &[String]) -> Result<(), OutputError> {
+        if names.is_empty() {
+            return Ok(());
+        }
         for name in names {
             let path = self.path.join(name);
             fs::remove_file(&path).map_err(OutputError::io("remove", &path))?;

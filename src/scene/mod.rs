@@ -281,7 +281,7 @@ pub struct Output {
     pub csv_interval: f64,
     /// Write Float64 instead of Float32 arrays.
     pub float64: bool,
-    /// Seconds between checkpoints of a run \[s\]; 0: none.
+    /// Simulated seconds between checkpoints of a run \[s\]; 0: none for the sake of simulated time.
     pub checkpoint_interval: f64,
 }
 
