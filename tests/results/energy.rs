@@ -83,7 +83,7 @@ fn the_history_has_one_value_per_column() {
     scene.sources.push(Source {
         name: "chute".to_owned(),
         spheres: 3..4,
-        region: anywhere(),
+        region: anywhere().into(),
         supply: Supply::Spheres(1.0),
         start: 0.0,
         stop: 1.0,
@@ -92,7 +92,7 @@ fn the_history_has_one_value_per_column() {
     });
     scene.sinks.push(Sink {
         name: "drain".to_owned(),
-        region: anywhere(),
+        region: anywhere().into(),
         recycle: None,
     });
     let mut made = Made::new(&scene, 0.5);
