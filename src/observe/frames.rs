@@ -48,18 +48,27 @@ impl Series {
     }
 }
 
-/// Every grid of a frame. A series without anything to show (no sphere, no boundary) is left out in all frames.
+/// The series that a scene has, in the order of [`Series::ALL`]: one without anything to show (no sphere, no boundary)
+/// is left out in all frames.
+#[must_use]
+pub fn series(scene: &Scene, surface: &Surface) -> Vec<Series> {
+    let shown = |series: &Series| match series {
+        Series::Spheres | Series::Contacts => !scene.particles.is_empty(),
+        Series::Boundaries => !surface.triangles.is_empty(),
+    };
+    Series::ALL.into_iter().filter(shown).collect()
+}
+
+/// Every grid of a frame.
 #[must_use]
 pub fn frame(state: &Observation, surface: &Surface) -> Vec<(Series, Grid)> {
-    let mut grids = Vec::with_capacity(3);
-    if !state.scene.particles.is_empty() {
-        grids.push((Series::Spheres, spheres(state)));
-        grids.push((Series::Contacts, contacts(state)));
-    }
-    if !surface.triangles.is_empty() {
-        grids.push((Series::Boundaries, surface.grid(state)));
-    }
-    grids
+    let grid = |of: Series| match of {
+        Series::Spheres => (of, spheres(state)),
+        Series::Contacts => (of, contacts(state)),
+        Series::Boundaries => (of, surface.grid(state)),
+    };
+    let shown = series(state.scene, surface);
+    shown.into_iter().map(grid).collect()
 }
 
 /// One vertex of the grid of spheres.

@@ -2,11 +2,14 @@
 //!
 //! [`Observation`] is what every observer reads: the state at the end of a communication step. From it come
 //! [`energy`], [`loads`] and [`sensors`]; [`quantities`] is the one table of all that is measured. The [`frames`] of grids
-//! and the rows of the [`history`] are what is written: [`writer::Results`] puts them into a directory ([`vtu`] files listed by [`pvd`] collections, a CSV table, `run.json`, `view.py`) without keeping
-//! the solver waiting for the disk.
+//! and the rows of the [`history`] are what [`writer::Results`] puts into a [`directory`] ([`vtu`] files listed by [`pvd`]
+//! collections, a CSV [`table`], [`checkpoint`]s, `run.json`, `view.py`) without keeping the solver waiting for the disk.
 //!
 //! Nothing in here feeds back into the solver.
 
+pub mod checkpoint;
+pub mod directory;
+mod disk;
 pub mod energy;
 pub mod error;
 pub mod frames;
@@ -15,6 +18,7 @@ pub mod loads;
 pub mod pvd;
 pub mod quantities;
 pub mod sensors;
+pub mod table;
 pub mod vtu;
 pub mod writer;
 

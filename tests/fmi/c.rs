@@ -273,6 +273,12 @@ impl Instance<'_> {
         }
     }
 
+    pub(crate) fn set_boolean(&self, reference: u32, value: bool) -> c_int {
+        let value = c_int::from(value);
+        // SAFETY: one reference, one value.
+        unsafe { (self.f().fmi2SetBoolean)(self.handle, &raw const reference, 1, &raw const value) }
+    }
+
     pub(crate) fn string(&self, reference: u32) -> String {
         let mut value = null();
         // SAFETY: one reference, one place; the text is copied at once.

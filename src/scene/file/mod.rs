@@ -190,7 +190,8 @@ pub struct Output {
     pub csv_interval: f64,
     /// Write Float64 instead of Float32 arrays. Default: false.
     pub float64: bool,
-    /// Seconds between checkpoints of `run` \[s\], >= 0; 0: none. Default: 0.
+    /// Simulated seconds between checkpoints of `run` \[s\], >= 0; 0: only those every five minutes of wall time, on Ctrl-C
+    /// and at the end. Default: 0.
     pub checkpoint_interval: f64,
 }
 
