@@ -15,7 +15,6 @@ pub mod export;
 pub mod ffi;
 pub mod import;
 pub mod instance;
-pub mod log;
 pub mod model;
 pub mod recorder;
 pub mod refusal;

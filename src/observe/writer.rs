@@ -108,6 +108,19 @@ impl Results {
         Self::begin(Directory::claim(&options.directory)?, scene, options)
     }
 
+    /// Goes on at `time` \[s\] with the files that another session of the same run left in the directory, or begins where
+    /// there are none. What they hold beyond `time` is dropped, for which [`Options::overwrite`] must be set.
+    ///
+    /// # Errors
+    /// As [`Self::resume`].
+    pub fn follow(scene: &Scene, options: Options, time: f64) -> Result<Self, OutputError> {
+        let directory = Directory::claim(&options.directory)?;
+        if !directory.holds(&directory::about(scene, &options))? {
+            return Self::begin(directory, scene, options);
+        }
+        Self::reopen(directory, scene, options, time, &[])
+    }
+
     /// Goes on with the run in the directory: `restore` is handed its checkpoints, newest first, until it has put the
     /// simulation back to one and says to which time \[s\]; `None` passes over one that is whole but not wanted. What
     /// is later is dropped, also from the disk. A directory without checkpoints is begun anew.

@@ -11,7 +11,7 @@ use super::file;
 use super::names::{Context, Names};
 use super::overlap::Overlaps;
 use super::problem::SceneError;
-use super::regions::{Use, region};
+use super::regions::measured;
 use super::resources::{Resources, hash};
 use super::settings::{materials, pairs, settings};
 use super::sources::{sinks, source};
@@ -149,7 +149,7 @@ fn build(
         springs: springs(document, resources, &context, &file.springs, &initial),
         sinks: sinks(document, resources, &source_names, &file.sinks),
         sources,
-        sensors: sensors(document, resources, &boundary_names, &file.sensors),
+        sensors: sensors(document, &boundary_names, &file.sensors),
         probes: probes(document, &context, &file.probes, particles.len()),
         output: output(document, &file.output),
         settings: settings?,
@@ -260,7 +260,6 @@ fn springs(
 
 fn sensors(
     document: &mut Document<'_>,
-    resources: &mut Resources<'_>,
     boundaries: &Names,
     elements: &[Element<file::Sensor>],
 ) -> Vec<Sensor> {
@@ -268,13 +267,10 @@ fn sensors(
     let sensors = elements.iter().filter_map(|element| {
         let (path, value) = (&element.path, element.value.as_ref()?);
         let measure = match (&value.region, &value.mass_flow, &value.wrench) {
-            (Some(given), None, None) => Measure::Region(region(
-                document,
-                resources,
-                &format!("{path}.region"),
-                given,
-                Use::Measuring,
-            )?),
+            (Some(given), None, None) => {
+                let path = format!("{path}.region");
+                Measure::Region(measured(document, &path, given)?)
+            }
             (None, None, Some(name)) => Measure::Wrench {
                 boundary: boundaries.resolve(document, &format!("{path}.wrench"), name)?,
             },

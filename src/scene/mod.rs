@@ -36,7 +36,7 @@ use crate::contacts::Contact;
 use crate::error::SnapshotError;
 use crate::materials::{Material, PairTable};
 use crate::particles::{Kinematics, Particles};
-use crate::region::Region;
+use crate::region::{Primitive, Region};
 use crate::snapshot;
 use crate::state::State;
 
@@ -195,7 +195,7 @@ pub struct Spring {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub enum Measure {
     /// What is inside a region.
-    Region(Region),
+    Region(Primitive),
     /// Force \[N\] and torque \[N m\] on a boundary, averaged over the communication step.
     Wrench {
         /// Index of the boundary.

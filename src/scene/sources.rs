@@ -6,7 +6,7 @@ use rand_chacha::rand_core::SeedableRng;
 use super::decode::Element;
 use super::document::Document;
 use super::names::Names;
-use super::regions::{Use, region};
+use super::regions::{emptied, filled};
 use super::resources::Resources;
 use super::sizes::Sizes;
 use super::spheres::MOST_SPHERES;
@@ -25,12 +25,11 @@ pub(super) fn source(
     (particles, initial): (&mut Particles, &mut Kinematics),
 ) -> Option<Source> {
     let sizes = Sizes::new(document, path, given.radius, given.size.as_ref());
-    let region = region(
+    let region = filled(
         document,
         resources,
         &format!("{path}.region"),
         &given.region,
-        Use::Filling,
     );
     let supply = supply(document, path, given);
     let most = MOST_SPHERES - particles.len();
@@ -121,12 +120,11 @@ pub(super) fn sinks(
     Names::declare(document, "sink", elements);
     let sinks = elements.iter().filter_map(|element| {
         let (path, value) = (&element.path, element.value.as_ref()?);
-        let region = region(
+        let region = emptied(
             document,
             resources,
             &format!("{path}.region"),
             &value.region,
-            Use::Emptying,
         );
         let recycle = match &value.recycle {
             Some(name) => Some(sources.resolve(document, &format!("{path}.recycle"), name)?),

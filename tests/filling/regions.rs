@@ -4,7 +4,7 @@ use nalgebra::UnitQuaternion;
 use proptest::prelude::*;
 use sphere_dda::Vec3;
 use sphere_dda::boundaries::{Facets, GeometryError, Solid};
-use sphere_dda::region::Region;
+use sphere_dda::region::{Primitive, Region};
 
 /// A cube of side 2 around the origin, its triangles' vertices in the order given by bits.
 fn cube(flips: u32) -> Facets {
@@ -59,9 +59,9 @@ proptest! {
         radius in 0.05..0.4_f64,
     ) {
         let axis = Vec3::new(1.0, 2.0, -2.0) / 3.0;
-        let region = match which {
-            0 => Region::Box { min: Vec3::repeat(-1.0), max: Vec3::repeat(1.0) },
-            _ => Region::Cylinder { base: -axis, axis, radius: 1.0, height: 2.0 },
+        let region: Region = match which {
+            0 => Primitive::Box { min: Vec3::repeat(-1.0), max: Vec3::repeat(1.0) }.into(),
+            _ => Primitive::Cylinder { base: -axis, axis, radius: 1.0, height: 2.0 }.into(),
         };
         let x = Vec3::from(at);
         let place = region.confine(x, radius, &mut Vec::new());

@@ -5,7 +5,7 @@ use sphere_dda::motion::Motion;
 use sphere_dda::motion::Twist;
 use sphere_dda::observe::energy::{Energy, Momentum};
 use sphere_dda::observe::history::{columns, row};
-use sphere_dda::region::Region;
+use sphere_dda::region::Primitive;
 use sphere_dda::scene::{PointLoad, Sink, Source, Spring, Supply};
 
 use crate::made::{Made, scene};
@@ -70,8 +70,8 @@ fn momentum_uses_the_half_step_velocity() {
     assert!((momentum.angular - angular).norm() < 1e-13);
 }
 
-fn anywhere() -> Region {
-    Region::Box {
+fn anywhere() -> Primitive {
+    Primitive::Box {
         min: Vec3::zeros(),
         max: Vec3::repeat(1.0),
     }
@@ -83,7 +83,7 @@ fn the_history_has_one_value_per_column() {
     scene.sources.push(Source {
         name: "chute".to_owned(),
         spheres: 3..4,
-        region: anywhere(),
+        region: anywhere().into(),
         supply: Supply::Spheres(1.0),
         start: 0.0,
         stop: 1.0,
@@ -92,7 +92,7 @@ fn the_history_has_one_value_per_column() {
     });
     scene.sinks.push(Sink {
         name: "drain".to_owned(),
-        region: anywhere(),
+        region: anywhere().into(),
         recycle: None,
     });
     let mut made = Made::new(&scene, 0.5);

@@ -12,7 +12,7 @@ use sphere_dda::motion::{Motion, Pose, Twist};
 use sphere_dda::observe::writer::Results;
 use sphere_dda::observe::{BoundaryState, Observation};
 use sphere_dda::particles::{Kinematics, Locks, Particles};
-use sphere_dda::region::Region;
+use sphere_dda::region::Primitive;
 use sphere_dda::scene::{
     Integrator, Measure, Method, Output, Scene, Sensor, Settings, SolverKind, Tolerance,
 };
@@ -79,7 +79,7 @@ pub(crate) fn scene(n: usize) -> Scene {
         sensors: vec![
             Sensor {
                 name: "hold".to_owned(),
-                measure: Measure::Region(Region::Box {
+                measure: Measure::Region(Primitive::Box {
                     min: Vec3::repeat(-0.15),
                     max: Vec3::repeat(0.15),
                 }),

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use sphere_dda::Vec3;
 use sphere_dda::observe::Observation;
 use sphere_dda::observe::sensors::region::Reading;
-use sphere_dda::region::Region;
+use sphere_dda::region::Primitive;
 use sphere_dda::scene::{Measure, PointLoad, Sensor};
 
 use crate::support::{Case, G, Run, close};
@@ -45,14 +45,14 @@ impl Case {
     }
 }
 
-fn cuboid(min: [f64; 3], max: [f64; 3]) -> Region {
-    Region::Box {
+fn cuboid(min: [f64; 3], max: [f64; 3]) -> Primitive {
+    Primitive::Box {
         min: Vec3::from(min) * R,
         max: Vec3::from(max) * R,
     }
 }
 
-fn read(run: &Run, region: &Region) -> Reading {
+fn read(run: &Run, region: &Primitive) -> Reading {
     Reading::of(region, &Observation::of(&run.simulation))
 }
 
@@ -87,7 +87,7 @@ fn a_block_between_plates() {
             stress_is(&read(&run, &region), [0.0, 0.0, pressure, 0.0, 0.0, 0.0]);
         }
         // A cylinder round one column.
-        let region = Region::Cylinder {
+        let region = Primitive::Cylinder {
             base: Vec3::new(3.1, 3.0, 1.3) * R,
             axis: Vec3::z(),
             radius: 0.9 * R,
@@ -237,7 +237,7 @@ fn solid_fraction_of_crystals() {
     let expected = (cap(0.6) + cap(0.7)) / (4.0 * 1.3);
     close(slab.solid_fraction, expected, 1e-9, 0.0);
     // So it is for a cylinder that lies within the two layers' caps of one column: axis from centre to centre.
-    let between = Region::Cylinder {
+    let between = Primitive::Cylinder {
         base: Vec3::new(3.4, 3.0, 3.0) * R,
         axis: Vec3::x(),
         radius: 0.5 * R,
@@ -287,7 +287,7 @@ fn absent_spheres_and_empty_regions() {
     assert_eq!((reading.count, reading.mass), (1, run.mass(1)));
     close(reading.solid_fraction, PI / 12.0, 1e-12, 0.0);
     assert!((reading.centre_of_mass - run.position(1)).norm() < 1e-16);
-    let empty = Region::Cylinder {
+    let empty = Primitive::Cylinder {
         base: Vec3::new(9.0, 0.0, 0.0),
         axis: Vec3::y(),
         radius: 1.0,

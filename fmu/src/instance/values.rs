@@ -5,9 +5,9 @@ use sphere_dda::observe::quantities::values;
 use sphere_dda_model_description::fmi2::{BaseType, Causality, Variability};
 
 use super::{Instance, Stage};
-use crate::log::Level;
 use crate::refusal::Refusal;
 use crate::variables::{Meaning, Value, Variable, component};
+use sphere_dda_fmi_interface::log::Level;
 
 impl Instance {
     /// Values of variables of one type, in the order of `references`.

@@ -1,7 +1,7 @@
 //! How much of a straight line lies in a region: the weight of a branch vector in the mean stress.
 
 use crate::Vec3;
-use crate::region::Region;
+use crate::region::Primitive;
 
 /// An interval of the line's parameter; empty where the second is not above the first.
 type Span = (f64, f64);
@@ -12,13 +12,13 @@ const ALL: Span = (f64::NEG_INFINITY, f64::INFINITY);
 /// Share \[-\] of the length from `start` to `end` \[m\] that lies in the region, 0..=1. A line of no length has share
 /// 1 inside, 0 outside.
 #[must_use]
-pub fn share_inside(region: &Region, start: Vec3, end: Vec3) -> f64 {
+pub fn share_inside(region: &Primitive, start: Vec3, end: Vec3) -> f64 {
     let by = end - start;
     let (from, to) = match region {
-        Region::Box { min, max } => (0..3)
+        Primitive::Box { min, max } => (0..3)
             .map(|k| slab(start[k] - min[k], by[k], max[k] - min[k]))
             .fold((0.0, 1.0), common),
-        Region::Cylinder {
+        Primitive::Cylinder {
             base,
             axis,
             radius,
@@ -27,13 +27,6 @@ pub fn share_inside(region: &Region, start: Vec3, end: Vec3) -> f64 {
             let (from, along) = ((start - base).dot(axis), by.dot(axis));
             let across = round(start - base - axis * from, by - axis * along, *radius);
             common(common((0.0, 1.0), slab(from, along, *height)), across)
-        }
-        Region::Beyond { point, normal } => {
-            let all = f64::INFINITY;
-            common(
-                (0.0, 1.0),
-                slab((start - point).dot(normal), by.dot(normal), all),
-            )
         }
     };
     (to - from).max(0.0)
@@ -79,28 +72,24 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    fn regions() -> [Region; 3] {
+    fn regions() -> [Primitive; 2] {
         [
-            Region::Box {
+            Primitive::Box {
                 min: Vec3::new(-0.5, -0.2, 0.1),
                 max: Vec3::new(0.6, 0.9, 0.8),
             },
-            Region::Cylinder {
+            Primitive::Cylinder {
                 base: Vec3::new(0.1, 0.0, -0.4),
                 axis: Vec3::new(0.6, 0.0, 0.8),
                 radius: 0.5,
                 height: 0.9,
-            },
-            Region::Beyond {
-                point: Vec3::new(0.1, 0.2, 0.3),
-                normal: Vec3::new(0.0, 0.6, 0.8),
             },
         ]
     }
 
     #[test]
     fn a_line_across_a_box_is_inside_by_its_middle() {
-        let [cuboid, cylinder, half] = regions();
+        let [cuboid, cylinder] = regions();
         let z = |z| Vec3::new(0.0, 0.0, z);
         // 0.7 of 1.4 m lie between the lids.
         assert!((share_inside(&cuboid, z(-0.3), z(1.1)) - 0.5).abs() < 1e-15);
@@ -112,8 +101,6 @@ mod tests {
             Vec3::y(),
         );
         assert!((share_inside(&cylinder, middle - across, middle + across) - 0.5).abs() < 1e-15);
-        let point = Vec3::new(0.1, 0.2, 0.3);
-        assert!((share_inside(&half, point - across, point + across * 3.0) - 0.75).abs() < 1e-15);
     }
 
     proptest! {

@@ -26,7 +26,7 @@ use super::solid::volume_inside;
 use crate::Vec3;
 use crate::contacts::Partner;
 use crate::observe::Observation;
-use crate::region::Region;
+use crate::region::Primitive;
 
 /// Reading of a region.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -52,14 +52,14 @@ pub struct Reading {
 impl Reading {
     /// What a region, a box or a cylinder, holds now.
     #[must_use]
-    pub fn of(region: &Region, state: &Observation) -> Self {
+    pub fn of(region: &Primitive, state: &Observation) -> Self {
         let mut reading = Self::default();
         reading.spheres(region, state);
         reading.contacts(region, state);
         reading
     }
 
-    fn spheres(&mut self, region: &Region, state: &Observation) {
+    fn spheres(&mut self, region: &Primitive, state: &Observation) {
         let (mut moment, mut solid) = (Vec3::zeros(), 0.0);
         let particles = &state.scene.particles;
         for (i, &centre) in state.kinematics.position.iter().enumerate() {
@@ -81,7 +81,7 @@ impl Reading {
         };
     }
 
-    fn contacts(&mut self, region: &Region, state: &Observation) {
+    fn contacts(&mut self, region: &Primitive, state: &Observation) {
         let centre = &state.kinematics.position;
         let inside = |i: usize| u64::from(region.contains(centre[i]));
         let (mut ends, mut count, mut sum) = (0, 0u64, 0.0);
@@ -122,13 +122,12 @@ impl Reading {
     }
 }
 
-/// Centre \[m\] of a region; of a half-space a point of its plane.
-fn middle(region: &Region) -> Vec3 {
+/// Centre \[m\] of a region.
+fn middle(region: &Primitive) -> Vec3 {
     match region {
-        Region::Box { min, max } => (min + max) * 0.5,
-        Region::Cylinder {
+        Primitive::Box { min, max } => (min + max) * 0.5,
+        Primitive::Cylinder {
             base, axis, height, ..
         } => base + axis * (0.5 * height),
-        Region::Beyond { point, .. } => *point,
     }
 }

@@ -31,7 +31,7 @@ use std::sync::LazyLock;
 use gauss_quad::GaussLegendre;
 
 use crate::Vec3;
-use crate::region::Region;
+use crate::region::Primitive;
 
 /// Volume of the unit ball.
 const BALL: f64 = 4.0 / 3.0 * PI;
@@ -39,12 +39,12 @@ const BALL: f64 = 4.0 / 3.0 * PI;
 const POINTS: NonZeroUsize = NonZeroUsize::MIN.saturating_add(23);
 static RULE: LazyLock<GaussLegendre> = LazyLock::new(|| GaussLegendre::new(POINTS));
 
-/// Volume \[m^3\] of the part of a sphere (`centre`, `radius` \[m\]) that lies in a box or a cylinder, or beyond a plane.
+/// Volume \[m^3\] of the part of a sphere (`centre`, `radius` \[m\]) that lies in a box or a cylinder.
 #[must_use]
-pub fn volume_inside(region: &Region, centre: Vec3, radius: f64) -> f64 {
+pub fn volume_inside(region: &Primitive, centre: Vec3, radius: f64) -> f64 {
     let share = match region {
-        Region::Box { min, max } => in_box((min - centre) / radius, (max - centre) / radius),
-        Region::Cylinder {
+        Primitive::Box { min, max } => in_box((min - centre) / radius, (max - centre) / radius),
+        Primitive::Cylinder {
             base,
             axis,
             radius: of_cylinder,
@@ -59,7 +59,6 @@ pub fn volume_inside(region: &Region, centre: Vec3, radius: f64) -> f64 {
                 apart / radius,
             )
         }
-        Region::Beyond { point, normal } => cap((point - centre).dot(normal) / radius),
     };
     share * radius * radius * radius
 }

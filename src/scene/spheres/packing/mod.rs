@@ -10,7 +10,7 @@ use crate::Vec3;
 use crate::region::Region;
 use crate::scene::document::Document;
 use crate::scene::file;
-use crate::scene::regions::{Use, region};
+use crate::scene::regions::filled;
 use crate::scene::resources::Resources;
 use relaxation::{Bed, Jam};
 use room::Room;
@@ -44,7 +44,7 @@ impl Task {
         given: &file::Packing,
     ) -> Option<Self> {
         let key = format!("{path}.region");
-        let region = region(document, resources, &key, &given.region, Use::Filling);
+        let region = filled(document, resources, &key, &given.region);
         let amount = match (given.count, given.mass, given.solid_fraction) {
             (Some(count), None, None) => {
                 let key = format!("{path}.count");

@@ -1,20 +1,15 @@
-//! Regions of space: what a packing fills, a source feeds, a sink empties, a sensor looks at. Fixed in the world.
-
-use std::sync::Arc;
+//! Boxes and cylinders: regions of which sensors also know how much of a sphere or of a line lies inside.
 
 use rand_chacha::ChaCha8Rng;
 use serde::{Deserialize, Serialize};
 
+use super::SLACK;
 use crate::Vec3;
-use crate::boundaries::{Solid, Touch};
 use crate::random::{symmetric, unit};
 
-/// Relative length by which a confined sphere keeps clear of curved borders, above rounding \[-\].
-const SLACK: f64 = 1e-9;
-
-/// A region, closed below and open above along its own axes, so that adjacent regions share no point.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub enum Region {
+/// A box or a cylinder, closed below and open above along its own axes.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub enum Primitive {
     /// Axis-parallel box.
     Box {
         /// Lower corner \[m\].
@@ -33,18 +28,9 @@ pub enum Region {
         /// Length \[m\].
         height: f64,
     },
-    /// The inside of a closed mesh; its surface belongs to one side or the other.
-    Mesh(Arc<Solid>),
-    /// The points `x` with `(x - point) . normal >= 0`.
-    Beyond {
-        /// A point of the plane \[m\].
-        point: Vec3,
-        /// Unit normal.
-        normal: Vec3,
-    },
 }
 
-impl Region {
+impl Primitive {
     /// Whether a point \[m\] lies in the region.
     #[must_use]
     pub fn contains(&self, x: Vec3) -> bool {
@@ -60,8 +46,6 @@ impl Region {
                 let across = x - base - axis * along;
                 (0.0..*height).contains(&along) && across.norm_squared() < radius * radius
             }
-            Self::Mesh(solid) => solid.contains(x),
-            Self::Beyond { point, normal } => (x - point).dot(normal) >= 0.0,
         }
     }
 
@@ -82,15 +66,13 @@ impl Region {
                 let across = centre - base - axis * along;
                 along >= radius && along <= height - radius && across.norm() <= bore - radius
             }
-            Self::Mesh(solid) => solid.holds(centre, radius),
-            Self::Beyond { point, normal } => (centre - point).dot(normal) >= radius,
         }
     }
 
     /// Where a sphere \[m\] whose centre lies in the region has to go, to first order, so that the whole of it does.
-    /// `touches` is scratch. A sphere too large for the region finds no such place: ask [`Self::holds`].
+    /// A sphere too large for the region finds no such place: ask [`Self::holds`].
     #[must_use]
-    pub fn confine(&self, centre: Vec3, radius: f64, touches: &mut Vec<Touch>) -> Vec3 {
+    pub fn confine(&self, centre: Vec3, radius: f64) -> Vec3 {
         match self {
             Self::Box { min, max } => centre
                 .sup(&min.add_scalar(radius))
@@ -108,25 +90,14 @@ impl Region {
                 let within = along.min(height - radius * (1.0 + SLACK));
                 base + axis * within.max(radius * (1.0 + SLACK)) + across * scale
             }
-            Self::Mesh(solid) => {
-                touches.clear();
-                solid.touches(centre, radius, 0.0, touches);
-                touches.iter().fold(centre, |c, touch| {
-                    c - touch.normal * (touch.gap - SLACK * radius)
-                })
-            }
-            Self::Beyond { point, normal } => {
-                let missing = radius - (centre - point).dot(normal);
-                centre + normal * missing.max(0.0)
-            }
         }
     }
 
-    /// Smallest axis-parallel box `(min, max)` \[m\] around the region; `None` if it is unbounded.
+    /// Smallest axis-parallel box `(min, max)` \[m\] around the region.
     #[must_use]
-    pub fn bounds(&self) -> Option<(Vec3, Vec3)> {
+    pub fn bounds(&self) -> (Vec3, Vec3) {
         match self {
-            Self::Box { min, max } => Some((*min, *max)),
+            Self::Box { min, max } => (*min, *max),
             Self::Cylinder {
                 base,
                 axis,
@@ -136,15 +107,13 @@ impl Region {
                 let top = base + axis * *height;
                 // A disc across `axis` reaches r sqrt(1 - a_k^2) along direction k.
                 let disc = axis.map(|a| radius * (1.0 - a * a).max(0.0).sqrt());
-                Some((base.inf(&top) - disc, base.sup(&top) + disc))
+                (base.inf(&top) - disc, base.sup(&top) + disc)
             }
-            Self::Mesh(solid) => Some(solid.bounds()),
-            Self::Beyond { .. } => None,
         }
     }
 
     /// Centre \[m\], uniform in space, of a sphere of `radius` \[m\] that lies wholly in the region; `None` if it does
-    /// not fit or the region is unbounded.
+    /// not fit.
     pub fn random_centre(&self, radius: f64, random: &mut ChaCha8Rng) -> Option<Vec3> {
         let fits = |room: &f64| *room >= 0.0;
         match self {
@@ -173,12 +142,10 @@ impl Region {
                 let across = (side * u + axis.cross(&side) * v) * around;
                 Some(base + across + axis * (radius + along * unit(random)))
             }
-            Self::Mesh(solid) => solid.random_centre(radius, random),
-            Self::Beyond { .. } => None,
         }
     }
 
-    /// Volume \[m^3\]; infinite beyond a plane.
+    /// Volume \[m^3\].
     #[must_use]
     pub fn volume(&self) -> f64 {
         match self {
@@ -186,8 +153,6 @@ impl Region {
             Self::Cylinder { radius, height, .. } => {
                 std::f64::consts::PI * radius * radius * height
             }
-            Self::Mesh(solid) => solid.volume(),
-            Self::Beyond { .. } => f64::INFINITY,
         }
     }
 }
