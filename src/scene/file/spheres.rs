@@ -13,7 +13,8 @@ pub struct Spheres {
     pub name: String,
     /// Material. Required.
     pub material: String,
-    /// Radius \[m\], > 0: one for all or a list. Required unless `size` is given or the file has radii.
+    /// Radius \[m\], > 0: one for all or a list (one for all in a packing). Required unless `size` is given or the file
+    /// has radii.
     pub radius: Option<OneOrMany<f64>>,
     /// Distribution the radii are drawn from, instead of `radius`.
     pub size: Option<Size>,
@@ -31,13 +32,14 @@ pub struct Spheres {
     pub positions: Option<Vec<Vector>>,
     /// CSV file with columns x, y, z \[m\] and optionally radius \[m\], vx, vy, vz \[m/s\], wx, wy, wz \[rad/s\].
     pub csv: Option<String>,
-    /// Frame of results, `spheres_NNNNNN.vtu`: its spheres with radius, velocity, spin and orientation.
+    /// Frame of results, `spheres_NNNNNN.vtu`: its spheres with radius, velocity, spin and orientation, to seven digits
+    /// unless the run wrote `float64`.
     pub vtu: Option<String>,
     /// Checkpoint of a run: its spheres with radius, velocity, spin and orientation.
     pub checkpoint: Option<String>,
-    /// Initial velocity \[m/s\] of all. Default: zero, or the CSV file's.
+    /// Initial velocity \[m/s\] of all. Default: zero, or the file's.
     pub velocity: Option<Vector>,
-    /// Initial angular velocity \[rad/s\] of all. Default: zero, or the CSV file's.
+    /// Initial angular velocity \[rad/s\] of all. Default: zero, or the file's.
     pub spin: Option<Vector>,
     /// Held degrees of freedom, world axes, one or a list of them. Default: none.
     pub lock: Option<OneOrMany<Lock>>,
@@ -115,9 +117,9 @@ pub struct Normal {
     pub mean: f64,
     /// Standard deviation \[m\], > 0. Required.
     pub deviation: f64,
-    /// Smallest radius \[m\], > 0. Default: mean - 3 deviations, at least mean / 10.
+    /// Smallest radius \[m\], > 0 and <= mean. Default: mean - 3 deviations, at least mean / 10.
     pub min: Option<f64>,
-    /// Largest radius \[m\]. Default: mean + 3 deviations.
+    /// Largest radius \[m\], >= mean, and `min` + deviation / 10 or more. Default: mean + 3 deviations.
     pub max: Option<f64>,
 }
 
@@ -127,11 +129,11 @@ pub struct Normal {
 pub struct LogNormal {
     /// Median radius \[m\], > 0. Required.
     pub median: f64,
-    /// Standard deviation of ln(radius) \[-\], > 0. Required.
+    /// Standard deviation of ln(radius) \[-\], > 0 and <= 10. Required.
     pub sigma: f64,
-    /// Smallest radius \[m\], > 0. Default: median exp(-3 sigma).
+    /// Smallest radius \[m\], > 0 and <= median. Default: median exp(-3 sigma).
     pub min: Option<f64>,
-    /// Largest radius \[m\]. Default: median exp(3 sigma).
+    /// Largest radius \[m\], >= median, and `min` exp(sigma / 10) or more. Default: median exp(3 sigma).
     pub max: Option<f64>,
 }
 
@@ -145,7 +147,9 @@ pub struct MassTable {
     pub mass: Vec<f64>,
 }
 
-/// A seeded random packing without overlap: exactly one of `count`, `mass`, `solid_fraction`.
+/// A seeded random packing without overlap: exactly one of `count`, `mass`, `solid_fraction`. It keeps clear of the
+/// boundaries as they stand at t = 0 and of the groups before it, on every side of them: a region larger than a hopper
+/// also gets spheres outside of the hopper. Solid fractions up to about 0.57 are reached.
 #[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Packing {
@@ -155,7 +159,7 @@ pub struct Packing {
     pub count: Option<u32>,
     /// Mass \[kg\], > 0: spheres are added until one more would exceed it.
     pub mass: Option<f64>,
-    /// Volume of the spheres over that of the region \[-\], > 0, likewise.
+    /// Volume of the spheres over that of the region \[-\], > 0 and below 0.74, likewise.
     pub solid_fraction: Option<f64>,
 }
 
