@@ -1,12 +1,14 @@
-//! Sparse algebra over 6x6 blocks: symmetric block matrix and its Cholesky factor.
+//! Sparse algebra over 6x6 blocks: symmetric block matrix, its Cholesky factor, its condition number.
 //!
 //! Uses nothing of the solver's own; checked against a dense factorization in the tests below.
 
 mod block_matrix;
 mod cholesky;
+mod condition;
 
 pub use block_matrix::{BlockMatrix, BlockPattern};
 pub use cholesky::{Factor, Symbolic};
+pub use condition::Condition;
 
 use thiserror::Error;
 
