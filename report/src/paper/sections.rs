@@ -1,0 +1,577 @@
+//! The report's sections: tables, plots and words from what was run.
+
+use sphere_dda::boundaries::Shape;
+use sphere_dda::scene::Method;
+
+use super::column::{FACTORS, TOLERANCE};
+use super::held::{MOST, Outcome};
+use super::march::{Example, Moment, Record, Tally, integrator_name, method_name};
+use super::pictures::picture;
+use super::{StackRow, Study, text};
+use crate::document::Document;
+use crate::error::ReportError;
+use crate::folder::Folder;
+use crate::plot::{Axis, Plot, Style};
+use crate::table::{Table, number};
+
+/// The report under construction.
+struct Report {
+    document: Document,
+    folder: Folder,
+}
+
+impl Report {
+    /// A table in the document, and beside it as CSV.
+    fn table(&mut self, name: &str, table: &Table) -> Result<(), ReportError> {
+        let file = format!("paper/{name}.csv");
+        self.folder.add(&file, table.csv(name)?);
+        self.document.table(table);
+        self.document.text(&format!("[{name}.csv]({file})"));
+        Ok(())
+    }
+
+    fn plot(&mut self, name: &str, plot: &Plot, caption: &str) -> Result<(), ReportError> {
+        let file = format!("paper/{name}.svg");
+        self.folder.add(&file, plot.svg()?);
+        self.document.figure(&file, caption);
+        Ok(())
+    }
+}
+
+/// The report of a study.
+pub(super) fn write(study: &Study) -> Result<Folder, ReportError> {
+    let mut report = Report {
+        document: Document::new("The paper reproduced"),
+        folder: Folder::default(),
+    };
+    introduction(&mut report.document, study);
+    overlaps(&mut report, study)?;
+    places(&mut report, study)?;
+    pictures(&mut report, study);
+    work(&mut report, study)?;
+    conditioning(&mut report, study)?;
+    statics(&mut report, study)?;
+    counts(&mut report, study)?;
+    held(&mut report, study)?;
+    report.document.heading(2, "The loop as implemented");
+    report.document.text(
+        "The paper's Fig. 2. *P* is adapted unless `adapt_penalty = false`; then, with `solver = \"direct\"`, it is exactly the paper's loop.",
+    );
+    report.document.code("mermaid", text::LOOP);
+    report.document.heading(2, "The paper's slips in print");
+    report.document.text(text::MISPRINTS);
+    let Report {
+        document,
+        mut folder,
+    } = report;
+    folder.add("paper.md", document.markdown());
+    Ok(folder)
+}
+
+fn introduction(document: &mut Document, study: &Study) {
+    document.text(
+        "S. A. R. Beyabanaki, A. C. Bagtzoglou, *Modified contact constraints in sphere-based 3-D DDA*, American Journal of Engineering Research 9(4), 2020, \
+         \"the paper\": its two examples, and what it claims, as numbers. This page with its drawings and tables is the output of",
+    );
+    document.code("sh", "sphere-dda reproduce-paper -o docs --overwrite");
+    if study.duration < 1.0 {
+        document.text(&format!(
+            "**A trial: every run ends after {} of its duration, so the numbers below are not the examples'.**",
+            study.duration
+        ));
+    }
+    document.heading(2, "What the paper claims, and what was found");
+    let worst = |method| {
+        let records = study.records.iter().filter(|r| r.case.method == method);
+        records.map(|r| r.overlaps.largest).fold(0.0, f64::max)
+    };
+    let most = |method| {
+        let records = study.records.iter().filter(|r| r.case.method == method);
+        records.map(|r| r.most_beyond).max().unwrap_or(0)
+    };
+    let kappa = |k: fn(&[f64]) -> Option<f64>| {
+        let all: Vec<f64> = study
+            .sweeps
+            .iter()
+            .filter_map(|(_, points)| {
+                let kappas: Vec<f64> = points.iter().filter_map(|p| p.condition).collect();
+                k(&kappas)
+            })
+            .collect();
+        all.iter()
+            .map(|&v| number(v))
+            .collect::<Vec<_>>()
+            .join(" and ")
+    };
+    document.text(&format!(
+        "- *\"When using the ALM, no sphere interpenetration occurs, even though the initial penalty number is low.\"* Over all steps of both examples and both integrators \
+           the largest overlap is {} of a radius with ALM (asked for: 1e-6) and {} with the penalty method.\n\
+         - *\"The spheres move along the inclined planes without any violation of boundary planes constraints when the ALM is used.\"* At most {} spheres are beyond a boundary \
+           with ALM, {} with the penalty method.\n\
+         - *\"A very high penalty number leads to progressive ill-conditioning.\"* Six decades of P take the condition number of K from {} to {} (funnel and slopes): it grows with P. \
+           In double precision the factor still has digits to spare there; an iterative solver would pay with its square root.\n\
+         - *\"If the initial penalty number is too small, a large number of iterations is required.\"* With P held the loop takes ln(tol/d0)/ln q augmentations, to the count: \
+           {} for one sphere and {} for a stack of ten with the funnel's numbers. Raising P while it gains too little is the cure used here.\n\
+         - *\"The final exact contact forces can always be obtained by the iterative method, even with small initial values of the penalty number.\"* Forces equal statics at every P \
+           as far as the tolerance on forces says; a tolerance on overlaps alone says little.",
+        number(worst(Method::Alm)),
+        number(worst(Method::Penalty)),
+        most(Method::Alm),
+        most(Method::Penalty),
+        kappa(|k| k.first().copied()),
+        kappa(|k| k.last().copied()),
+        plain_count(study, 1),
+        plain_count(study, 10),
+    ));
+    document.heading(2, "What is the paper's and what is reconstructed");
+    document.text(text::RECONSTRUCTION);
+}
+
+/// Count by the force tolerance at the paper's own penalty, funnel.
+fn plain_count(study: &Study, spheres: usize) -> String {
+    let row = study
+        .stacks
+        .iter()
+        .find(|row| row.example == Example::Funnel && row.spheres == spheres && row.factor == 1.0);
+    row.map_or_else(String::new, |row| row.force.1.to_string())
+}
+
+/// The three cells that name a run.
+fn run_cells(record: &Record) -> [String; 3] {
+    let case = &record.case;
+    [
+        case.example.name().to_owned(),
+        integrator_name(case.integrator).to_owned(),
+        method_name(case.method).to_owned(),
+    ]
+}
+
+/// The moments after the start.
+fn later(record: &Record) -> impl Iterator<Item = &Moment> {
+    record.moments.iter().filter(|m| m.time > 0.0)
+}
+
+fn overlaps(report: &mut Report, study: &Study) -> Result<(), ReportError> {
+    report
+        .document
+        .heading(2, "Overlaps and spheres beyond a boundary");
+    let mut table = Table::new(&[
+        "example",
+        "integrator",
+        "method",
+        "time [s]",
+        "max overlap/R",
+        "RMS overlap/R",
+        "overlapping pairs",
+        "spheres beyond a boundary",
+    ]);
+    for record in &study.records {
+        for moment in later(record) {
+            let overlaps = &moment.overlaps;
+            table.row(run_cells(record).into_iter().chain([
+                moment.time.to_string(),
+                number(overlaps.largest),
+                number(overlaps.rms()),
+                overlaps.pairs.to_string(),
+                moment.beyond_count().to_string(),
+            ]));
+        }
+        let overlaps = &record.overlaps;
+        table.row(run_cells(record).into_iter().chain([
+            "all steps".to_owned(),
+            number(overlaps.largest),
+            number(overlaps.rms()),
+            overlaps.pairs.to_string(),
+            format!("{} at most", record.most_beyond),
+        ]));
+    }
+    report.table("overlap", &table)?;
+    report.document.text(text::DEFINITIONS);
+    let failures: Vec<String> = study
+        .records
+        .iter()
+        .filter_map(|r| Some(format!("- {}: {}", r.case.name(), r.failure.as_ref()?)))
+        .collect();
+    if !failures.is_empty() {
+        report.document.text("Runs that ended before their time:");
+        report.document.text(&failures.join("\n"));
+    }
+    for example in Example::ALL {
+        let mut plot = Plot::new(
+            &format!("{}: largest overlap of every step", example.name()),
+            Axis::linear("time [s]"),
+            Axis::logarithmic("overlap over radius [-]"),
+        );
+        for record in study.records.iter().filter(|r| r.case.example == example) {
+            let [_, integrator, method] = run_cells(record);
+            // Steps without any overlap have no place on a logarithmic axis.
+            let points = record.history.iter().map(|h| (h.0, h.1));
+            plot.add(
+                &format!("{method}, {integrator}"),
+                Style::Line,
+                points.filter(|p| p.1 > 1e-12).collect(),
+            );
+        }
+        let caption = "Penalty overlaps by tenths of a radius and lets spheres through; ALM stays below its tolerance of 1e-6";
+        report.plot(&format!("overlap-{}", example.name()), &plot, caption)?;
+    }
+    Ok(())
+}
+
+fn places(report: &mut Report, study: &Study) -> Result<(), ReportError> {
+    report
+        .document
+        .heading(2, "Where the spheres are at the printed times");
+    let mut funnel = Table::new(&[
+        "integrator",
+        "method",
+        "time [s]",
+        "in the funnel",
+        "through the outlet",
+        "through its wall",
+        "empty at [s]",
+    ]);
+    let mut slopes = Table::new(&[
+        "integrator",
+        "method",
+        "time [s]",
+        "plane 1",
+        "plane 2",
+        "plane 3",
+        "plane 4",
+        "plane 5",
+        "run-out",
+        "beyond",
+    ]);
+    for record in &study.records {
+        let [_, integrator, method] = run_cells(record);
+        for moment in later(record) {
+            let own = || {
+                let spheres = moment.position.iter().zip(&moment.beyond);
+                spheres.filter(|(_, beyond)| !**beyond).map(|(x, _)| *x)
+            };
+            let mut cells = vec![integrator.clone(), method.clone(), moment.time.to_string()];
+            let beyond = moment.beyond_count().to_string();
+            match record.case.example {
+                Example::Funnel => {
+                    let below = own().filter(|x| x.z < 0.0).count();
+                    let inside = own().count() - below;
+                    let emptied = record.emptied.map_or("-".to_owned(), |t| format!("{t:.2}"));
+                    cells.extend([inside.to_string(), below.to_string(), beyond, emptied]);
+                    funnel.row(cells);
+                }
+                Example::Slopes => {
+                    let starts = plane_starts(record);
+                    for plane in 1..=starts.len() {
+                        let on = |x: f64| starts.iter().filter(|&&s| s <= x).count().max(1);
+                        let count = own().filter(|x| on(x.x) == plane).count();
+                        cells.push(count.to_string());
+                    }
+                    cells.push(beyond);
+                    slopes.row(cells);
+                }
+            }
+        }
+    }
+    report.document.text("Funnel, 200 spheres:");
+    report.table("funnel-places", &funnel)?;
+    report.document.text("Slopes, 180 spheres:");
+    report.table("slopes-places", &slopes)
+}
+
+/// Where each plane of the slopes begins \[m\], ascending.
+fn plane_starts(record: &Record) -> Vec<f64> {
+    let shapes = record.scene.boundaries.iter();
+    let mut starts: Vec<f64> = shapes
+        .flat_map(|b| b.geometry.shapes())
+        .filter_map(|shape| match shape {
+            Shape::Facets(f) => f.vertices.iter().map(|v| v.x).min_by(f64::total_cmp),
+            _ => None,
+        })
+        .collect();
+    starts.sort_by(f64::total_cmp);
+    starts
+}
+
+fn pictures(report: &mut Report, study: &Study) {
+    report.document.heading(2, "Pictures");
+    report.document.text(
+        "Integrator `shi`. Colours are the layers the spheres start in; red spheres are beyond a boundary. The early times are not the paper's: \
+         they show how the penalty method loses its spheres.",
+    );
+    for example in Example::ALL {
+        let records: Vec<&Record> = study
+            .records
+            .iter()
+            .filter(|r| r.case.example == example)
+            .take(2)
+            .collect();
+        let times = [0.0, example.early()];
+        for &time in times.iter().chain(example.printed()) {
+            if let Some(svg) = picture(&records, time) {
+                let file = format!("paper/{}-{time}s.svg", example.name());
+                report.folder.add(&file, svg);
+                let caption = format!("{} at {time} s: ALM and penalty method", example.name());
+                report.document.figure(&file, &caption);
+            }
+        }
+    }
+}
+
+fn mean(tally: Tally, steps: u64) -> String {
+    number(tally.sum as f64 / steps.max(1) as f64)
+}
+
+fn work(report: &mut Report, study: &Study) -> Result<(), ReportError> {
+    report.document.heading(2, "Work per step");
+    report.document.text(
+        "Direct solver, penalty adapted from the paper's value, warm start: overlap, slip and force to 1e-6 in every step.",
+    );
+    let mut table = Table::new(&[
+        "example",
+        "integrator",
+        "method",
+        "steps",
+        "augmentations, mean",
+        "max",
+        "linear solves, mean",
+        "max",
+    ]);
+    for record in &study.records {
+        let (a, s) = (record.augmentations, record.solves);
+        table.row(run_cells(record).into_iter().chain([
+            record.steps.to_string(),
+            mean(a, record.steps),
+            a.max.to_string(),
+            mean(s, record.steps),
+            s.max.to_string(),
+        ]));
+    }
+    report.table("work", &table)
+}
+
+fn conditioning(report: &mut Report, study: &Study) -> Result<(), ReportError> {
+    report
+        .document
+        .heading(2, "Conditioning and overlap against the penalty");
+    report.document.text(
+        "kappa(K) in the 2-norm, by power and inverse iteration, of the step at the time given, with its loaded contacts; K in the paper's unknowns (u [m], r [rad]), SI units. \
+         Overlaps are those of runs with `shi` from the start to that time, ALM beginning every run with the penalty of the row.",
+    );
+    let mut growth = Plot::new(
+        "Condition number of K",
+        Axis::logarithmic("P over the paper's P [-]"),
+        Axis::logarithmic("kappa(K) [-]"),
+    );
+    for (example, points) in &study.sweeps {
+        let base = study.penalty(*example);
+        let mut table = Table::new(&[
+            "P [N/m]",
+            "kappa(K)",
+            "penalty: max overlap/R",
+            "RMS",
+            "beyond",
+            "ALM: max overlap/R",
+            "RMS",
+            "beyond",
+            "augmentations, mean",
+            "max",
+        ]);
+        for point in points {
+            let (penalty, alm) = (&point.penalty, &point.alm);
+            table.row([
+                format!("{:.0e}", point.factor * base),
+                point.condition.map_or("no factor".to_owned(), number),
+                number(penalty.overlaps.largest),
+                number(penalty.overlaps.rms()),
+                penalty.most_beyond.to_string(),
+                number(alm.overlaps.largest),
+                number(alm.overlaps.rms()),
+                alm.most_beyond.to_string(),
+                mean(alm.augmentations, alm.steps),
+                alm.augmentations.max.to_string(),
+            ]);
+        }
+        let until = points.first().and_then(|p| p.penalty.moments.last());
+        let until = until.map_or(0.0, |moment| moment.time);
+        report
+            .document
+            .text(&format!("{}, {until} s:", example.name()));
+        report.table(&format!("penalty-{}", example.name()), &table)?;
+        let marks = points.iter().filter_map(|p| Some((p.factor, p.condition?)));
+        growth.add(example.name(), Style::Both, marks.collect());
+    }
+    report.plot(
+        "condition",
+        &growth,
+        "Once contacts are stiffer than inertia, the condition number grows with P",
+    )?;
+    let mut left = Plot::new(
+        "Largest overlap against the penalty",
+        Axis::logarithmic("P over the paper's P [-]"),
+        Axis::logarithmic("overlap over radius [-]"),
+    );
+    for (example, points) in &study.sweeps {
+        for (method, pick) in [
+            ("penalty", (|p| &p.penalty) as fn(&super::Point) -> &Record),
+            ("ALM", |p| &p.alm),
+        ] {
+            let marks = points.iter().map(|p| (p.factor, pick(p).overlaps.largest));
+            left.add(
+                &format!("{}, {method}", example.name()),
+                Style::Both,
+                marks.collect(),
+            );
+        }
+    }
+    report.plot(
+        "overlap-penalty",
+        &left,
+        "The penalty method overlaps by what P is; ALM by its tolerance",
+    )
+}
+
+fn statics(report: &mut Report, study: &Study) -> Result<(), ReportError> {
+    report.document.heading(2, "Final forces against statics");
+    report.document.text(
+        "One sphere and a stack of ten at rest on a floor, with each example's numbers. Forces must be k m g. *Held*: the paper's loop at that P, ended by the force tolerance 1e-6, \
+         which is a local one: in a stack of ten what is left of the slowest mode is about 100 times that. *Adapted*: the library's own step at its default tolerances. \
+         *Penalty*: overlap of the lowest contact at rest, n m g/P/R, and as found by steps without memory of velocity; beyond half a radius it is not run.",
+    );
+    let mut table = Table::new(&[
+        "numbers of",
+        "spheres",
+        "P [N/m]",
+        "force error, held",
+        "force error, adapted",
+        "augmentations, adapted",
+        "penalty overlap/R, n m g/P/R",
+        "found",
+    ]);
+    for row in &study.stacks {
+        table.row([
+            row.example.name().to_owned(),
+            row.spheres.to_string(),
+            format!("{:.0e}", row.factor * study.penalty(row.example)),
+            number(row.force.2),
+            number(row.adapted.1),
+            row.adapted.0.to_string(),
+            number(row.penalty.0),
+            row.penalty.1.map_or("not run".to_owned(), number),
+        ]);
+    }
+    report.table("statics", &table)
+}
+
+fn counts(report: &mut Report, study: &Study) -> Result<(), ReportError> {
+    report
+        .document
+        .heading(2, "Augmentations at a held penalty");
+    report.document.text(&format!(
+        "The paper's loop and nothing else: multipliers from zero, P held, no sweeps. With K = 2 m/dt^2 one sphere contracts by q = K/(K + P), a stack of n by \
+         q = 1/(1 + P/K (2 - 2 cos(pi/(2 n + 1)))) in its slowest mode, and N = ln(tol/a)/ln q with that mode's share *a* of the residual at the start: \
+         d0 = g dt^2/2 for one sphere. Tolerance {TOLERANCE:e}, on the overlap over R and, separately, on the force over the contact's force."
+    ));
+    let mut table = Table::new(&[
+        "numbers of",
+        "spheres",
+        "P [N/m]",
+        "1 - q",
+        "overlap: predicted",
+        "counted",
+        "force: predicted",
+        "counted",
+    ]);
+    let mut plot = Plot::new(
+        "Augmentations to the force tolerance",
+        Axis::logarithmic("P over the paper's P [-]"),
+        Axis::logarithmic("augmentations [-]"),
+    );
+    for row in &study.stacks {
+        table.row([
+            row.example.name().to_owned(),
+            row.spheres.to_string(),
+            format!("{:.0e}", row.factor * study.penalty(row.example)),
+            number(1.0 - row.contraction),
+            format!("{:.1}", row.gap.0),
+            row.gap.1.to_string(),
+            format!("{:.1}", row.force.0),
+            row.force.1.to_string(),
+        ]);
+    }
+    report.table("augmentations", &table)?;
+    for example in Example::ALL {
+        for spheres in super::STACKS {
+            let of = |row: &&StackRow| row.example == example && row.spheres == spheres;
+            let rows: Vec<&StackRow> = study.stacks.iter().filter(of).collect();
+            let name = format!("{}, {spheres}", example.name());
+            let line = rows.iter().map(|r| (r.factor, r.force.0)).collect();
+            plot.add(&format!("{name}: ln(tol/a)/ln q"), Style::Line, line);
+            let marks = rows.iter().map(|r| (r.factor, r.force.1 as f64)).collect();
+            plot.add(&format!("{name}: counted"), Style::Marks, marks);
+        }
+    }
+    report.plot(
+        "augmentations",
+        &plot,
+        "Counted augmentations lie on the prediction",
+    )
+}
+
+fn held(report: &mut Report, study: &Study) -> Result<(), ReportError> {
+    report
+        .document
+        .heading(2, "Whole examples at a held penalty");
+    report.document.text(&format!(
+        "The paper's loop over the examples, P held from {} P to {} P, `shi`, default tolerances (overlap, slip and force 1e-6). A run is left out as soon as a step needs more than \
+         {MOST} augmentations, re-linearised passes together, or as many linear solves as four to each of them; it is not begun if one sphere alone needs more by the force tolerance. \
+         Runs without friction are beside those with it: Coulomb friction whose disc lags one update behind converges slowest.",
+        FACTORS[0], FACTORS[4],
+    ));
+    let mut table = Table::new(&[
+        "example",
+        "friction",
+        "P [N/m]",
+        "outcome",
+        "augmentations, mean",
+        "max",
+        "linear solves, mean",
+        "max",
+        "max overlap/R",
+    ]);
+    for (held, outcome) in &study.held {
+        let mut cells = vec![
+            held.example.name().to_owned(),
+            if held.friction { "5 degrees" } else { "none" }.to_owned(),
+            format!("{:.0e}", held.factor * study.penalty(held.example)),
+        ];
+        match outcome {
+            Outcome::Predicted(count) => {
+                cells.push(format!("left out: one sphere needs {count:.0}"));
+            }
+            Outcome::Stopped { time, before } => {
+                cells.push(format!(
+                    "left out: the step to {time:.2} s needs more than {MOST}"
+                ));
+                cells.extend([String::new(), before.max.to_string()]);
+            }
+            Outcome::Whole {
+                steps,
+                augmentations,
+                solves,
+                overlap,
+            } => {
+                cells.push(format!("whole, {steps} steps"));
+                cells.extend([
+                    mean(*augmentations, *steps),
+                    augmentations.max.to_string(),
+                    mean(*solves, *steps),
+                    solves.max.to_string(),
+                    number(*overlap),
+                ]);
+            }
+        }
+        table.row(cells);
+    }
+    report.table("held", &table)
+}
