@@ -174,7 +174,7 @@ pub fn svg(rows: &[Vec<Panel>]) -> String {
             "<radialGradient id=\"s{k}\" cx=\"0.36\" cy=\"0.32\" r=\"0.72\"><stop offset=\"0\" stop-color=\"{light}\"/><stop offset=\"1\" stop-color=\"{dark}\"/></radialGradient>"
         );
     }
-    out += "</defs>\n<style>.wall{fill:#8796a5;fill-opacity:.16;stroke:#5d6b78;stroke-opacity:.25;stroke-width:.5}\
+    out += "</defs>\n<style>.wall{fill:#8796a5;fill-opacity:.16;stroke:#5d6b78;stroke-opacity:.16;stroke-width:.5}\
             line{stroke:#3f4a54;stroke-width:1}text{font:14px sans-serif;fill:#222}circle{stroke:#000;stroke-opacity:.35;stroke-width:.4}</style>\n\
             <rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n";
     let mut top = MARGIN;

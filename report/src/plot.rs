@@ -156,6 +156,13 @@ impl Plot {
         Some((self.x.place(x)?, self.y.place(y)?))
     }
 
+    /// Whether there is a point that the axes can show.
+    #[must_use]
+    pub fn shows(&self) -> bool {
+        let mut points = self.series.iter().flat_map(|s| s.points.iter());
+        points.any(|&p| self.place(p).is_some())
+    }
+
     /// The plot as SVG.
     ///
     /// # Errors
@@ -183,6 +190,29 @@ impl Plot {
             area.present().map_err(|e| refuse(e.to_string()))?;
         }
         Ok(text)
+    }
+
+    /// The corner of the ranges `(low, high, _)` with the fewest points near it: place for the legend.
+    fn emptiest_corner(&self, x: (f64, f64, usize), y: (f64, f64, usize)) -> SeriesLabelPosition {
+        let points = || self.series.iter().flat_map(|s| s.points.iter());
+        let near = |right: bool, top: bool| {
+            let beside = |v: f64, (low, high, _): (f64, f64, usize), far: bool| {
+                let share = (v - low) / (high - low);
+                if far { share > 0.6 } else { share < 0.4 }
+            };
+            let placed = points().filter_map(|&p| self.place(p));
+            placed
+                .filter(|p| beside(p.0, x, right) && beside(p.1, y, top))
+                .count()
+        };
+        let corners = [
+            (near(true, true), SeriesLabelPosition::UpperRight),
+            (near(false, true), SeriesLabelPosition::UpperLeft),
+            (near(true, false), SeriesLabelPosition::LowerRight),
+            (near(false, false), SeriesLabelPosition::LowerLeft),
+        ];
+        let emptiest = corners.into_iter().min_by_key(|(count, _)| *count);
+        emptiest.map_or(SeriesLabelPosition::UpperRight, |(_, corner)| corner)
     }
 
     fn draw<D: DrawingBackend>(
@@ -240,7 +270,7 @@ impl Plot {
                 .background_style(WHITE.mix(0.85))
                 .border_style(BLACK.mix(0.3))
                 .label_font(("sans-serif", 13))
-                .position(SeriesLabelPosition::UpperRight)
+                .position(self.emptiest_corner(x, y))
                 .draw()?;
         }
         Ok(())
@@ -309,6 +339,7 @@ mod tests {
         let mut plot = powers();
         plot.series.clear();
         plot.add("zero", Style::Line, vec![(1.0, 0.0), (f64::NAN, 1.0)]);
+        assert!(powers().shows() && !plot.shows());
         assert!(matches!(plot.svg(), Err(ReportError::Drawing { .. })));
     }
 }

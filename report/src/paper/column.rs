@@ -17,13 +17,12 @@ use std::path::Path;
 use std::sync::Arc;
 
 use sphere_dda::Vec3;
-use sphere_dda::contacts::Partner;
 use sphere_dda::error::StepError;
 use sphere_dda::problem::{GROUND, Problem};
 use sphere_dda::scene::{Method, Scene, SolverKind, Tolerance};
 use sphere_dda::simulation::Simulation;
 use sphere_dda::solver::augmented_lagrangian::Workspace;
-use sphere_dda::solver::{Params, solve};
+use sphere_dda::solver::{Params, SMOOTHING, solve};
 
 use super::march::Example;
 use crate::error::ReportError;
@@ -48,6 +47,17 @@ pub struct Column {
     pub step: f64,
     /// The paper's penalty \[N/m\].
     pub penalty: f64,
+}
+
+/// What the paper's loop took.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Counted {
+    /// Augmentations to the gap tolerance.
+    pub gap: u64,
+    /// Augmentations to the force tolerance.
+    pub force: u64,
+    /// Largest error of a force against `k m g` \[-\] then.
+    pub error: f64,
 }
 
 /// Which residual ends the loop.
@@ -129,55 +139,62 @@ impl Column {
         Ok(problem.map_err(|error| self.failed(error))?.0)
     }
 
-    /// Augmentations that the paper's loop takes at penalty `p` \[N/m\], and the largest error of a force against
-    /// `k m g` \[-\].
+    /// Augmentations that the paper's loop takes at penalty `p` \[N/m\] until each residual is small.
     ///
     /// # Errors
-    /// What loading or starting it says, or a loop that does not end.
-    pub fn counted(&self, p: f64, stop: Stop) -> Result<(u64, f64), ReportError> {
+    /// What loading or starting it says.
+    pub fn counted(&self, p: f64) -> Result<Counted, ReportError> {
         let problem = self.problem()?;
         let mut impulses = vec![Vec3::zeros(); problem.rows.len()];
-        let off = f64::INFINITY;
-        let (gap, force) = match stop {
-            Stop::Gap => (TOLERANCE, off),
-            Stop::Force => (off, TOLERANCE),
-        };
-        let params = Params {
+        let held = Params {
             kind: SolverKind::Direct,
-            // The slip tolerance takes part in when the inner iteration has settled; nothing slips here.
-            tolerance: Tolerance {
-                gap,
-                slip: TOLERANCE,
-                force,
-            },
+            tolerance: Tolerance::default(),
             max_sweeps: 0,
             max_factorizations: usize::MAX,
             penalty: p,
             adapt_penalty: false,
             smoothing: 0,
         };
-        let report = solve(&problem, &params, &mut Workspace::default(), &mut impulses);
-        // Contact (a, b) between spheres a < b = a + 1, or (0, ground): it carries all spheres above.
-        let forces = problem.rows.iter().zip(&impulses).map(|(row, p)| {
-            let lower = if row.b == GROUND { 0 } else { row.b as usize };
-            (lower, p.dot(&row.normal) / self.step)
-        });
-        Ok((report.augmentations as u64, self.force_error(forces)))
+        // From where one residual is small the loop goes on as if it had not stopped. The slip tolerance stays: a tenth of
+        // the tighter one of gap and slip is what the inner iteration settles to; nothing slips here.
+        let mut go_on = |gap: f64, force: f64| -> u64 {
+            let tolerance = Tolerance {
+                gap,
+                slip: TOLERANCE,
+                force,
+            };
+            let params = Params { tolerance, ..held };
+            solve(&problem, &params, &mut Workspace::default(), &mut impulses).augmentations as u64
+        };
+        let gap = go_on(TOLERANCE, f64::INFINITY);
+        let force = gap + go_on(f64::INFINITY, TOLERANCE);
+        Ok(Counted {
+            gap,
+            force,
+            error: self.force_error(&problem, &impulses),
+        })
     }
 
-    /// Largest error of a contact force against `k m g` \[-\] after a step by the library's own solver, from penalty `p`.
+    /// Augmentations of the library's own loop, sweeps and adapted penalty, from zero multipliers and penalty `p` \[N/m\]
+    /// to its default tolerances, and the largest error of a force against `k m g` \[-\].
     ///
     /// # Errors
-    /// What loading, starting or stepping it says.
+    /// What loading or starting it says.
     pub fn adapted(&self, p: f64) -> Result<(u64, f64), ReportError> {
-        let mut simulation = self.simulation(Method::Alm, p, 1.0)?;
-        let report = simulation
-            .advance(self.step)
-            .map_err(|error| self.failed(error))?;
-        Ok((
-            report.augmentations,
-            self.force_error(self.forces(&simulation)),
-        ))
+        let problem = self.problem()?;
+        let mut impulses = vec![Vec3::zeros(); problem.rows.len()];
+        let params = Params {
+            kind: SolverKind::Direct,
+            tolerance: Tolerance::default(),
+            max_sweeps: 0,
+            max_factorizations: 1000,
+            penalty: p,
+            adapt_penalty: true,
+            smoothing: SMOOTHING,
+        };
+        let report = solve(&problem, &params, &mut Workspace::default(), &mut impulses);
+        let error = self.force_error(&problem, &impulses);
+        Ok((report.augmentations as u64, error))
     }
 
     /// Overlap of the lowest contact over the radius \[-\] by the penalty method at rest, its closed form
@@ -241,28 +258,20 @@ impl Column {
         Simulation::new(Arc::new(scene)).map_err(|error| self.failed(error))
     }
 
-    /// Lower contact's number from the floor, and normal force \[N\], of every loaded contact.
-    fn forces(&self, simulation: &Simulation) -> impl Iterator<Item = (usize, f64)> {
-        simulation.contacts().iter().map(|contact| {
-            let lower = match contact.key.partner {
-                Partner::Sphere(upper) => upper as usize,
-                Partner::Boundary { .. } => 0,
-            };
-            (lower, contact.force.dot(&contact.normal))
-        })
-    }
-
-    /// Largest error against `(n - lower) m g` \[-\]; a missing contact counts as an error of 1.
-    fn force_error(&self, forces: impl Iterator<Item = (usize, f64)>) -> f64 {
+    /// Largest error of a normal force against `(n - k) m g`, `k` being the number of spheres below the contact \[-\]; a
+    /// missing contact counts as an error of 1.
+    fn force_error(&self, problem: &Problem, impulses: &[Vec3]) -> f64 {
         let mut found = vec![0.0; self.spheres];
-        for (lower, force) in forces {
-            if let Some(found) = found.get_mut(lower) {
-                *found += force;
+        for (row, p) in problem.rows.iter().zip(impulses) {
+            // The floor's contact is below sphere 0, that of spheres a < b below sphere b.
+            let below = if row.b == GROUND { 0 } else { row.b as usize };
+            if let Some(found) = found.get_mut(below) {
+                *found += p.dot(&row.normal) / self.step;
             }
         }
         let weight = self.mass() * G;
-        let error = |(lower, force): (usize, f64)| {
-            (force / ((self.spheres - lower) as f64 * weight) - 1.0).abs()
+        let error = |(below, force): (usize, f64)| {
+            (force / ((self.spheres - below) as f64 * weight) - 1.0).abs()
         };
         found.into_iter().enumerate().map(error).fold(0.0, f64::max)
     }
@@ -326,9 +335,9 @@ mod tests {
         for (spheres, factors) in [(1, &FACTORS[..]), (10, &FACTORS[2..])] {
             let column = Column::of(Example::Funnel, spheres).expect("the example");
             for factor in factors {
-                for stop in [Stop::Gap, Stop::Force] {
-                    let p = factor * column.penalty;
-                    let (count, _) = column.counted(p, stop).expect("it ends");
+                let p = factor * column.penalty;
+                let counted = column.counted(p).expect("it ends");
+                for (stop, count) in [(Stop::Gap, counted.gap), (Stop::Force, counted.force)] {
                     let predicted = column.predicted(p, stop);
                     let off = count as f64 - predicted;
                     assert!((-0.01..=1.01).contains(&off), "{count} {predicted}");

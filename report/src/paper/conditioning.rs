@@ -22,9 +22,9 @@ pub struct Point {
     pub factor: f64,
     /// Condition number of `K` with the contacts that carry load \[-\]; `None` if its Cholesky factor does not exist.
     pub condition: Option<f64>,
-    /// The penalty method's run, to the early time.
+    /// The penalty method's run, to the time given.
     pub penalty: Record,
-    /// The augmented-Lagrangian run from that penalty, to the early time.
+    /// The augmented-Lagrangian run from that penalty, to the time given.
     pub alm: Record,
 }
 

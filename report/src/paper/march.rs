@@ -57,6 +57,15 @@ impl Example {
         }
     }
 
+    /// Until when \[s\] penalties are compared: the spheres have met the funnel, or begun to slide.
+    #[must_use]
+    pub fn compared(self) -> f64 {
+        match self {
+            Self::Funnel => 1.0,
+            Self::Slopes => 5.0,
+        }
+    }
+
     /// Layers that its spheres start in.
     #[must_use]
     pub fn layers(self) -> usize {

@@ -65,8 +65,10 @@ struct StackRow {
     contraction: f64,
     /// Augmentations to the gap tolerance: predicted, counted.
     gap: (f64, u64),
-    /// Augmentations to the force tolerance: predicted, counted; error of the forces \[-\].
-    force: (f64, u64, f64),
+    /// Augmentations to the force tolerance: predicted, counted.
+    force: (f64, u64),
+    /// Error of the forces then \[-\].
+    error: f64,
     /// Augmentations and error of the forces \[-\] of the library's own step.
     adapted: (u64, f64),
     /// Overlap over radius of the penalty method: closed form, found.
@@ -100,7 +102,7 @@ pub fn study(options: &Options, watch: &dyn Watch) -> Result<Folder, ReportError
             record.problem.as_ref().filter(|_| wanted)
         });
         if let Some(problem) = frozen {
-            let until = example.early().min(end(example));
+            let until = example.compared().min(end(example));
             let points = conditioning::study(example, problem, until, options.threads, watch)?;
             sweeps.push((example, points));
         }
@@ -158,23 +160,22 @@ fn stacks(options: &Options, watch: &dyn Watch) -> Result<Vec<StackRow>, ReportE
                     if watch.stop() {
                         return Err(ReportError::Interrupted);
                     }
-                    let (force, error) = column.counted(p, Stop::Force)?;
+                    let counted = column.counted(p)?;
                     let row = StackRow {
                         example,
                         spheres,
                         factor,
                         contraction: column.contraction(p),
-                        gap: (
-                            column.predicted(p, Stop::Gap),
-                            column.counted(p, Stop::Gap)?.0,
-                        ),
-                        force: (column.predicted(p, Stop::Force), force, error),
+                        gap: (column.predicted(p, Stop::Gap), counted.gap),
+                        force: (column.predicted(p, Stop::Force), counted.force),
+                        error: counted.error,
                         adapted: column.adapted(p)?,
                         penalty: column.penalty_overlap(p)?,
                     };
                     let name = example.name();
                     watch.note(&format!(
-                        "{name}: stack of {spheres} at {factor} P, {force} augmentations"
+                        "{name}: stack of {spheres} at {factor} P, {} augmentations",
+                        counted.force
                     ));
                     Ok(row)
                 });
@@ -191,8 +192,12 @@ fn held(
 ) -> Result<Vec<(Held, Outcome)>, ReportError> {
     let mut jobs = Vec::new();
     for example in Example::ALL {
-        for friction in [true, false] {
-            for factor in column::FACTORS {
+        for factor in column::FACTORS {
+            let largest = factor == column::FACTORS[column::FACTORS.len() - 1];
+            for friction in [true, false] {
+                if !friction && !largest {
+                    continue;
+                }
                 let held = Held {
                     example,
                     factor,

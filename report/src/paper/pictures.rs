@@ -9,6 +9,10 @@ use crate::picture::{Ball, Panel, View, svg};
 
 /// Colour of spheres beyond a boundary.
 const BEYOND: usize = 3;
+/// Width of the slopes' panels \[px\].
+const WIDTH: f64 = 1100.0;
+/// Greatest height of a close view \[px\].
+const TALLEST: f64 = 300.0;
 
 /// The moment nearest to `time` \[s\] of each record, one picture; `None` if no record came so far.
 #[must_use]
@@ -97,7 +101,7 @@ fn funnel(record: &Record, moment: &Moment) -> Panel {
 fn slopes(record: &Record, moment: &Moment) -> Vec<Panel> {
     let triangles = sheets(&record.scene);
     let lines: Vec<[Vec3; 2]> = edges(&triangles);
-    let view = View::along(Vec3::new(0.12, 1.0, -0.42), Vec3::z());
+    let view = View::along(Vec3::new(0.0, 1.0, -0.4), Vec3::z());
     let place = |x: Vec3| view.project(x);
     let corners: Vec<Vec3> = triangles.iter().flatten().map(|&x| place(x)).collect();
     // The run-out is longer than the spheres come: 600 m of it are shown.
@@ -116,7 +120,7 @@ fn slopes(record: &Record, moment: &Moment) -> Vec<Panel> {
         title: title(record, moment),
         view,
         window: [(left - 40.0, low - 90.0), (right, high + 30.0)],
-        width: 1100.0,
+        width: WIDTH,
         balls: balls(record, moment),
         triangles: triangles.clone(),
         lines: lines.clone(),
@@ -145,9 +149,12 @@ fn slopes(record: &Record, moment: &Moment) -> Vec<Panel> {
             })
     };
     let ((x0, x1), (y0, y1)) = (span(|p| p.x), span(|p| p.y));
+    let window = [(x0 - 30.0, y0 - 25.0), (x1 + 30.0, y1 + 25.0)];
+    let shape = (window[1].0 - window[0].0) / (window[1].1 - window[0].1);
     let close = Panel {
         title: format!("the same, {:.0} m of it", x1 - x0 + 60.0),
-        window: [(x0 - 30.0, y0 - 25.0), (x1 + 30.0, y1 + 25.0)],
+        window,
+        width: WIDTH.min(TALLEST * shape),
         ..whole.clone()
     };
     vec![whole, close]
