@@ -4,5 +4,6 @@ mod check;
 mod command;
 mod fmus;
 mod interrupted;
+mod paper;
 mod refused;
 mod runs;

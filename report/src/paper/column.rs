@@ -9,8 +9,9 @@
 //! v_j(k) = cos((k - 1/2) t_j) / sqrt((2 n + 1)/4)
 //! ```
 //!
-//! For `n = 1`: `l = 1`, `q = K/(K + P)`. The slowest mode `j = 1` decides: `N = ln(tol/a)/ln q_1`, `a` its share of the
-//! residual at the start. Tolerances: gap `d/R`, force `(d_k m/(2 dt^2) ...)/F_k`, as the solver's own residual has them.
+//! For `n = 1`: `l = 1`, `q = K/(K + P)`. The slowest mode `j = 1` decides: `N = ln(tol/a)/ln q_1`, with `a` its share of
+//! the residual at the start. Residuals as the solver has them: gap `d_k/R`, force `K d_k/w_k/F_k` with `w_1 = 1` on the
+//! floor, `w_k = 2` between spheres, `F_k = (n + 1 - k) m g`.
 
 use std::f64::consts::PI;
 use std::path::Path;
@@ -345,7 +346,24 @@ mod tests {
                 }
             }
         }
-        insta::assert_snapshot!(text, @"");
+        insta::assert_snapshot!(text, @r"
+        1 at 0.01 P, Gap: 24815
+        1 at 0.01 P, Force: 45219
+        1 at 0.1 P, Gap: 2485
+        1 at 0.1 P, Force: 4529
+        1 at 1 P, Gap: 252
+        1 at 1 P, Force: 459
+        1 at 10 P, Gap: 29
+        1 at 10 P, Force: 52
+        1 at 100 P, Gap: 6
+        1 at 100 P, Force: 10
+        10 at 1 P, Gap: 8673
+        10 at 1 P, Force: 14434
+        10 at 10 P, Gap: 870
+        10 at 10 P, Force: 1448
+        10 at 100 P, Gap: 90
+        10 at 100 P, Force: 150
+        ");
     }
 
     #[test]

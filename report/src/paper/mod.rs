@@ -145,7 +145,7 @@ fn records(
     parallel::run(options.threads, jobs).into_iter().collect()
 }
 
-/// Stacks at held penalties; a trial leaves out those that need more than a hundred thousand augmentations.
+/// Stacks at held penalties; a trial leaves out those that need more than ten thousand augmentations.
 fn stacks(options: &Options, watch: &dyn Watch) -> Result<Vec<StackRow>, ReportError> {
     let mut jobs = Vec::new();
     for example in Example::ALL {
@@ -153,7 +153,7 @@ fn stacks(options: &Options, watch: &dyn Watch) -> Result<Vec<StackRow>, ReportE
             let column = Column::of(example, spheres)?;
             for factor in column::FACTORS {
                 let p = factor * column.penalty;
-                if options.duration < 1.0 && column.predicted(p, Stop::Force) > 1e5 {
+                if options.duration < 1.0 && column.predicted(p, Stop::Force) > 1e4 {
                     continue;
                 }
                 jobs.push(move || {
