@@ -8,9 +8,10 @@
 use super::{BlockMatrix, Factor};
 
 /// Most iterations for one eigenvalue.
-const MOST: usize = 3000;
-/// An eigenvalue that changes by less than this share in an iteration is taken.
-const SETTLED: f64 = 1e-9;
+const MOST: usize = 20_000;
+/// An eigenvalue that changes by less than this share in an iteration is taken: near rounding, since where the next
+/// eigenvalue is close each iteration gains little.
+const SETTLED: f64 = 1e-13;
 
 /// Extreme eigenvalues of a matrix.
 #[derive(Debug, Clone, Copy, PartialEq)]
