@@ -33,7 +33,7 @@ pub struct Point {
 pub fn condition(problem: &Problem, penalty: f64) -> Option<f64> {
     let mut impulses = vec![Vec3::zeros(); problem.rows.len()];
     let params = Params {
-        kind: SolverKind::Auto,
+        kind: SolverKind::Direct,
         tolerance: Tolerance::default(),
         max_sweeps: 10_000,
         max_factorizations: 1000,
