@@ -51,6 +51,9 @@ pub struct Kinematics {
     pub velocity: Vec<Vec3>,
     /// Angular velocity in world axes \[rad/s\], `[N]`.
     pub spin: Vec<Vec3>,
+    /// Whether the sphere is in the scene, `[N]`: a source's spheres wait outside, a sink takes spheres out. One that
+    /// is absent rests where it was, touches nothing and counts nowhere.
+    pub present: Vec<bool>,
 }
 
 impl Particles {
@@ -101,6 +104,15 @@ impl Kinematics {
         self.orientation.push(UnitQuaternion::identity());
         self.velocity.push(velocity);
         self.spin.push(spin);
+        self.present.push(true);
+    }
+
+    /// Adds a sphere that waits outside the scene; `position` \[m\] is where drawings would put it.
+    pub fn push_absent(&mut self, position: Vec3) {
+        self.push(position, Vec3::zeros(), Vec3::zeros());
+        if let Some(present) = self.present.last_mut() {
+            *present = false;
+        }
     }
 
     /// Number of spheres `N`.

@@ -55,10 +55,10 @@ sphere = "one"
 stiffness = 1e3
 [[sensor]]
 name = "flow"
-mass_flow = { point = [0.0, 0.0, 0.0], normal = [0.0, 0.0, -1.0] }
+mass_flow = { plane = { point = [0.0, 0.0, 0.0], normal = [0.0, 0.0, -1.0] } }
 [[sensor]]
 name = "inside"
-mass_in_box = { min = [0.0, 0.0, 0.0], max = [1.0, 1.0, 1.0] }
+region = { box = { min = [0.0, 0.0, 0.0], max = [1.0, 1.0, 1.0] } }
 [[probe]]
 name = "top"
 sphere = "one"
@@ -137,7 +137,7 @@ const CASES: &[Case] = cases! {
     "spacing = 0.3" => "spacing = [0.3, 0.3]", "spheres[0].lattice.spacing", "spacing", "one or three lengths";
     "jitter = 0.1" => "jitter = 0.9", "spheres[0].lattice.jitter", "jitter", "<= 0.5";
     "jitter = 0.1" => "axes = [[1, 0, 0], [2, 0, 0]]", "spheres[0].lattice.axes", "axes", "not parallel";
-    "positions = [[0.0, 0.0, 3.0]]\n" => "", "spheres[1]", "name = \"one\"", "found 0 of lattice, positions, csv";
+    "positions = [[0.0, 0.0, 3.0]]\n" => "", "spheres[1]", "name = \"one\"", "found 0 of lattice, packing, positions, csv, vtu, checkpoint";
     "positions = [[0.0, 0.0, 3.0]]" => "positions = []", "spheres[1].positions", "positions", "an empty list";
     "positions = [[0.0, 0.0, 3.0]]" => "positions = [[0.0, 0.0, \"3\"]]", "spheres[1].positions[0][2]", "positions", "expected f64";
     "radius = [0.2]\npositions = [[0.0, 0.0, 3.0]]" => "csv = \"none.csv\"", "spheres[1].csv", "csv", "cannot read";
@@ -147,6 +147,44 @@ const CASES: &[Case] = cases! {
     "spacing = 0.3" => "spacing = 0.1", "spheres[0]", "name = \"grains\"", "of the smaller radius, expected at most max_initial_overlap = 0.05";
     "origin = [0.0, 0.0, 0.2]" => "origin = [0.0, 0.0, -0.2]", "spheres[0]", "name = \"grains\"", "boundary `floor`";
     "material = \"rock\"\nradius = 0.1" => "material = \"rokc\"\nradius = 0.1", "spheres[0].material", "rokc", "did you mean `rock`";
+    // Packings, sizes, files of results.
+    "lattice = { origin = [0.0, 0.0, 0.2], count = [3, 2, 1], spacing = 0.3, jitter = 0.1 }" => "lattice = { origin = [0.0, 0.0, 0.2], count = [3, 2, 1], spacing = 0.3, jitter = 0.1 }\npacking = { region = { box = { min = [0, 0, 5], max = [1, 1, 6] } }, count = 9 }", "spheres[0]", "name = \"grains\"", "found 2 of lattice, packing";
+    "lattice = { origin = [0.0, 0.0, 0.2], count = [3, 2, 1], spacing = 0.3, jitter = 0.1 }" => "packing = { region = { box = { min = [0, 0, 5], max = [1, 1, 6] } } }", "spheres[0].packing", "packing", "found 0 of count, mass, solid_fraction";
+    "lattice = { origin = [0.0, 0.0, 0.2], count = [3, 2, 1], spacing = 0.3, jitter = 0.1 }" => "packing = { region = { box = { min = [0, 0, 5], max = [1, 1, 6] } }, count = 9, mass = 1 }", "spheres[0].packing", "packing", "found 2 of count, mass, solid_fraction";
+    "lattice = { origin = [0.0, 0.0, 0.2], count = [3, 2, 1], spacing = 0.3, jitter = 0.1 }" => "packing = { region = { box = { min = [0, 0, 5], max = [1, 1, 6] } }, number = 9 }", "spheres[0].packing.number", "packing", "unknown key `number`";
+    "lattice = { origin = [0.0, 0.0, 0.2], count = [3, 2, 1], spacing = 0.3, jitter = 0.1 }" => "packing = { region = { box = { min = [0, 0, 5], max = [1, 1, 6] } }, count = 0 }", "spheres[0].packing.count", "packing", "found 0, expected 1 to 10000000";
+    "lattice = { origin = [0.0, 0.0, 0.2], count = [3, 2, 1], spacing = 0.3, jitter = 0.1 }" => "packing = { region = { box = { min = [0, 0, 5], max = [1, 1, 6] } }, mass = -1 }", "spheres[0].packing.mass", "packing", "> 0 [kg]";
+    "lattice = { origin = [0.0, 0.0, 0.2], count = [3, 2, 1], spacing = 0.3, jitter = 0.1 }" => "packing = { region = { box = { min = [0, 0, 5], max = [1, 1, 6] } }, mass = 1e-6 }", "spheres[0].packing", "packing", "less than the first one, expected at least one sphere";
+    "lattice = { origin = [0.0, 0.0, 0.2], count = [3, 2, 1], spacing = 0.3, jitter = 0.1 }" => "packing = { region = { box = { min = [0, 0, 5], max = [1, 1, 6] } }, solid_fraction = 0.8 }", "spheres[0].packing.solid_fraction", "packing", "found 0.8, expected a share > 0 and below 0.74";
+    "lattice = { origin = [0.0, 0.0, 0.2], count = [3, 2, 1], spacing = 0.3, jitter = 0.1 }" => "packing = { region = { box = { min = [0, 0, 5], max = [1, 1, 6] } }, count = 200 }", "spheres[0].packing", "packing", "at most 0.74 of the region's 1.0000e0 m^3";
+    "lattice = { origin = [0.0, 0.0, 0.2], count = [3, 2, 1], spacing = 0.3, jitter = 0.1 }" => "packing = { region = { box = { min = [0, 0, 5], max = [1, 1, 6] } }, count = 145 }", "spheres[0].packing", "packing", "of 145 spheres, a solid fraction of 0.4";
+    "lattice = { origin = [0.0, 0.0, 0.2], count = [3, 2, 1], spacing = 0.3, jitter = 0.1 }" => "packing = { region = { box = { min = [0, 0, 5], max = [1, 1, 5.15] } }, count = 9 }", "spheres[0].packing", "packing", "found no place for a sphere of radius 0.1 m";
+    "lattice = { origin = [0.0, 0.0, 0.2], count = [3, 2, 1], spacing = 0.3, jitter = 0.1 }" => "packing = { region = { box = { min = [0, 0, -2], max = [1, 1, -1] } }, count = 9 }", "spheres[0].packing", "packing", "move it out of the boundaries";
+    "lattice = { origin = [0.0, 0.0, 0.2], count = [3, 2, 1], spacing = 0.3, jitter = 0.1 }" => "packing = { region = { beyond = { point = [0, 0, 0], normal = [0, 0, 1] } }, count = 9 }", "spheres[0].packing.region", "packing", "a bounded region: box, cylinder or mesh";
+    "lattice = { origin = [0.0, 0.0, 0.2], count = [3, 2, 1], spacing = 0.3, jitter = 0.1 }" => "packing = { region = { cylinder = { base = [0, 0, 5], radius = 0, height = 1 } }, count = 9 }", "spheres[0].packing.region.cylinder.radius", "packing", "> 0 [m]";
+    "lattice = { origin = [0.0, 0.0, 0.2], count = [3, 2, 1], spacing = 0.3, jitter = 0.1 }" => "packing = { region = { mesh = { file = \"none.stl\" } }, count = 9 }", "spheres[0].packing.region.mesh.file", "packing", "cannot read";
+    "lattice = { origin = [0.0, 0.0, 0.2], count = [3, 2, 1], spacing = 0.3, jitter = 0.1 }" => "packing = { region = { mesh = { file = \"good.stl\" } }, count = 9 }", "spheres[0].packing.region.mesh.file", "packing", "3 edges have one facet only, the first from (10, 0, 0) to (11, 0, 0)";
+    "region = { box = { min = [0.0, 0.0, 0.0], max = [1.0, 1.0, 1.0] } }" => "region = { mesh = { file = \"good.stl\" } }", "sensor[1].region", "region", "found `mesh`, expected `box` or `cylinder`";
+    "radius = 0.1\nlattice = { origin = [0.0, 0.0, 0.2], count = [3, 2, 1], spacing = 0.3, jitter = 0.1 }" => "radius = [0.1, 0.2]\npacking = { region = { box = { min = [0, 0, 5], max = [1, 1, 6] } }, count = 9 }", "spheres[0].radius", "radius = [0.1", "found a list of 2 radii, expected one radius for all";
+    "radius = 0.1\n" => "radius = 0.1\nsize = { uniform = { min = 0.1, max = 0.1 } }\n", "spheres[0].size", "size =", "found both `radius` and `size`";
+    "radius = 0.1\n" => "size = { unifrm = { min = 0.1, max = 0.1 } }\n", "spheres[0].size", "size =", "did you mean `uniform`";
+    "radius = 0.1\n" => "size = { uniform = { min = 0, max = 0.1 } }\n", "spheres[0].size.uniform.min", "size =", "a radius > 0 [m]";
+    "radius = 0.1\n" => "size = { uniform = { min = 0.1, max = 0.05 } }\n", "spheres[0].size.uniform.max", "size =", "found 0.05, expected at least min = 0.1 [m]";
+    "radius = 0.1\n" => "size = { normal = { mean = 0, deviation = 0.1 } }\n", "spheres[0].size.normal.mean", "size =", "a radius > 0 [m]";
+    "radius = 0.1\n" => "size = { normal = { mean = 0.1, deviation = 0 } }\n", "spheres[0].size.normal.deviation", "size =", "a length > 0 [m]";
+    "radius = 0.1\n" => "size = { normal = { mean = 0.1, deviation = 0.01, min = 0.11 } }\n", "spheres[0].size.normal.min", "size =", "found 0.11, expected 0 < min <= mean = 0.1 [m]";
+    "radius = 0.1\n" => "size = { normal = { mean = 0.1, deviation = 0.01, max = 0.09 } }\n", "spheres[0].size.normal.max", "size =", "at least mean = 0.1 [m]";
+    "radius = 0.1\n" => "size = { normal = { mean = 0.1, deviation = 0.01, min = 0.1, max = 0.1001 } }\n", "spheres[0].size.normal.max", "size =", "a tenth of a deviation apart";
+    "radius = 0.1\n" => "size = { log_normal = { median = 0.1, sigma = 0 } }\n", "spheres[0].size.log_normal.sigma", "size =", "0 < sigma <= 10 [-]";
+    "radius = 0.1\n" => "size = { log_normal = { median = 0.1, sigma = 0.1, min = 0 } }\n", "spheres[0].size.log_normal.min", "size =", "0 < min <= median = 0.1 [m]";
+    "radius = 0.1\n" => "size = { table = { radius = [], mass = [] } }\n", "spheres[0].size.table.radius", "size =", "an empty list";
+    "radius = 0.1\n" => "size = { table = { radius = [0.1, 0.2], mass = [1] } }\n", "spheres[0].size.table.mass", "size =", "found 1 shares, expected one share for each of the 2 radii";
+    "radius = 0.1\n" => "size = { table = { radius = [0.1, 0], mass = [1, 1] } }\n", "spheres[0].size.table.radius[1]", "size =", "a radius > 0 [m]";
+    "radius = 0.1\n" => "size = { table = { radius = [0.1, 0.2], mass = [1, -1] } }\n", "spheres[0].size.table.mass[1]", "size =", "a share of the mass >= 0";
+    "radius = 0.1\n" => "size = { table = { radius = [0.1, 0.2], mass = [0, 0] } }\n", "spheres[0].size.table.mass", "size =", "found only zeros";
+    "radius = [0.2]\npositions = [[0.0, 0.0, 3.0]]" => "vtu = \"none.vtu\"", "spheres[1].vtu", "vtu", "cannot read";
+    "radius = [0.2]\npositions = [[0.0, 0.0, 3.0]]" => "vtu = \"../a.vtu\"", "spheres[1].vtu", "vtu", "below the scene's folder";
+    "radius = [0.2]\npositions = [[0.0, 0.0, 3.0]]" => "vtu = \"good.csv\"", "spheres[1].vtu", "vtu", "cannot read `good.csv`: the data is elsewhere";
     // Boundaries.
     "material = \"steel\"\nfaces = [{" => "material = \"iron\"\nfaces = [{", "boundary[0].material", "iron", "unknown material `iron`";
     "name = \"gate\"" => "name = \"floor\"", "boundary[1].name", "floor\"\nmaterial = \"steel\"\nfaces = [\n", "appears twice";
@@ -182,11 +220,11 @@ const CASES: &[Case] = cases! {
     "\"grains[4]\"" => "\"grain[4]\"", "load[0].sphere", "grain[4]", "did you mean `grains`";
     "\"grains[4]\"" => "\"grains[-1]\"", "load[0].sphere", "grains[-1]", "group[k]";
     "stiffness = 1e3" => "stiffness = -1e3", "spring[0].stiffness", "stiffness", "> 0 [N/m]";
-    "normal = [0.0, 0.0, -1.0]" => "normal = [0.0, 0.0, 0.0]", "sensor[0].mass_flow.normal", "mass_flow", "length > 0";
-    "max = [1.0, 1.0, 1.0]" => "max = [1.0, -1.0, 1.0]", "sensor[1].mass_in_box", "mass_in_box", "min < max";
-    "mass_flow = { point = [0.0, 0.0, 0.0], normal = [0.0, 0.0, -1.0] }" => "wrench = \"flor\"", "sensor[0].wrench", "flor", "did you mean `floor`";
-    "mass_in_box = { min" => "mass_flow = { point = [0, 0, 0], normal = [1, 0, 0] }\nmass_in_box = { min", "sensor[1]", "name = \"inside\"", "2 measures";
-    "name = \"inside\"" => "name = \"flow\"", "sensor[1].name", "name = \"flow\"\nmass_in", "appears twice";
+    "normal = [0.0, 0.0, -1.0]" => "normal = [0.0, 0.0, 0.0]", "sensor[0].mass_flow.plane.normal", "mass_flow", "length > 0";
+    "max = [1.0, 1.0, 1.0]" => "max = [1.0, -1.0, 1.0]", "sensor[1].region.box", "region", "min < max";
+    "mass_flow = { plane = { point = [0.0, 0.0, 0.0], normal = [0.0, 0.0, -1.0] } }" => "wrench = \"flor\"", "sensor[0].wrench", "flor", "did you mean `floor`";
+    "region = { box" => "mass_flow = { plane = { point = [0, 0, 0], normal = [1, 0, 0] } }\nregion = { box", "sensor[1]", "name = \"inside\"", "2 measures";
+    "name = \"inside\"" => "name = \"flow\"", "sensor[1].name", "name = \"flow\"\nregion", "appears twice";
     "sphere = \"one\"\n[output]" => "sphere = \"two\"\n[output]", "probe[0].sphere", "two", "unknown sphere group";
 };
 

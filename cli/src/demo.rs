@@ -6,7 +6,8 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use miette::miette;
-use sphere_dda_fmu::import::{Fmu, Options, Table};
+use sphere_dda_fmu::export::find_library;
+use sphere_dda_fmu::import::{Fmu, Options, System, Table};
 
 use crate::export::pack;
 use crate::failure::Failure;
@@ -49,7 +50,7 @@ pub(crate) fn run(arguments: &Demo, interrupt: &Interrupt) -> Result<(), Failure
     let folder = prepare(&arguments.output)?;
     let (scene, archive) = (folder.join("funnel.toml"), folder.join("funnel.fmu"));
     put(&scene, SCENE.as_bytes())?;
-    pack(&scene, &archive, None)?;
+    pack(&scene, None, &archive, &find_library(None)?)?;
 
     let fmu = Fmu::open(&archive)?;
     let options = Options {
@@ -61,7 +62,7 @@ pub(crate) fn run(arguments: &Demo, interrupt: &Interrupt) -> Result<(), Failure
         instance_name: Some(RESULTS.to_owned()),
         ..Options::default()
     };
-    let driven = drive(&fmu, &options, interrupt);
+    let driven = drive(&System::of(&fmu), &options, interrupt);
     if let Some(table) = &driven.table {
         let text = csv(table).map_err(Failure::run)?;
         put(&folder.join("outputs.csv"), &text)?;

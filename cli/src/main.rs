@@ -13,6 +13,7 @@ mod inspect;
 mod progress;
 mod reproduce_paper;
 mod run;
+mod settle;
 mod simulate;
 
 use std::process::ExitCode;
@@ -55,7 +56,7 @@ enum Command {
     Export(export::Export),
     /// Show what an FMU is and its variables.
     Inspect(inspect::Inspect),
-    /// Run an FMU, any of FMI 2.0 for co-simulation, and write its outputs as CSV.
+    /// Run an FMU, or several coupled, any of FMI 2.0 for co-simulation, and write the outputs as CSV.
     Simulate(simulate::Simulate),
 }
 
@@ -84,7 +85,7 @@ fn dispatch(command: &Command) -> Result<(), Failure> {
         Command::ReproducePaper(arguments) => {
             reproduce_paper::run(arguments, &Interrupt::listen()?)
         }
-        Command::Export(arguments) => export::run(arguments),
+        Command::Export(arguments) => export::run(arguments, &Interrupt::listen()?),
         Command::Inspect(arguments) => inspect::run(arguments),
         Command::Simulate(arguments) => simulate::run(arguments, &Interrupt::listen()?),
     }

@@ -61,6 +61,19 @@ impl Mesh {
         &self.topology.corners
     }
 
+    /// Numbers of the welded vertices of each triangle.
+    pub(super) fn indices(&self) -> &[[u32; 3]] {
+        &self.topology.triangles
+    }
+
+    /// The triangles whose bounding box meets the ray from `x` to z = +infinity.
+    pub(super) fn above(&self, x: Vec3) -> impl Iterator<Item = u32> {
+        let ray = AABB::from_corners([x.x, x.y, x.z], [x.x, x.y, f64::MAX]);
+        self.tree
+            .locate_in_envelope_intersecting(ray)
+            .map(|leaf| leaf.data)
+    }
+
     pub(super) fn touches(&self, centre: Vec3, radius: f64, reach: f64, out: &mut Vec<Touch>) {
         let start = out.len();
         let range = radius + reach;

@@ -14,6 +14,7 @@ mod facets;
 mod mesh;
 mod plane;
 mod revolution;
+mod solid;
 mod stl;
 mod tessellate;
 mod topology;
@@ -24,6 +25,7 @@ pub use error::GeometryError;
 pub use facets::Facets;
 pub use plane::HalfSpace;
 pub use revolution::Revolution;
+pub use solid::Solid;
 pub use tessellate::Triangulation;
 pub use topology::Repair;
 

@@ -44,6 +44,8 @@ pub(super) enum Feature {
 pub(super) struct Topology {
     /// Corners of each triangle \[m\].
     pub(super) corners: Vec<[Vec3; 3]>,
+    /// Numbers of the welded vertices of each triangle.
+    pub(super) triangles: Vec<[u32; 3]>,
     /// Feature of each part of each triangle: face, edges ab, bc, ca, vertices a, b, c.
     pub(super) parts: Vec<[u32; 7]>,
     pub(super) features: Vec<Feature>,
@@ -53,10 +55,10 @@ pub(super) struct Topology {
 }
 
 /// An edge of the welded mesh.
-struct Edge {
-    ends: [u32; 2],
+pub(super) struct Edge {
+    pub(super) ends: [u32; 2],
     /// The triangles at it.
-    triangles: Vec<u32>,
+    pub(super) triangles: Vec<u32>,
     /// Whether the surface goes on flat across it.
     flat: bool,
 }
@@ -117,6 +119,7 @@ pub(super) fn build(shapes: &[&Facets]) -> Result<Topology, GeometryError> {
         .collect();
     Ok(Topology {
         corners,
+        triangles: welded.triangles,
         parts,
         features,
         tolerance: welded.tolerance,
@@ -240,7 +243,7 @@ fn is_sliver(&[a, b, c]: &[Vec3; 3], tolerance: f64) -> bool {
 }
 
 /// All edges in the order of their ends, and the edges ab, bc, ca of each triangle.
-fn edges(triangles: &[[u32; 3]]) -> (Vec<Edge>, Vec<[u32; 3]>) {
+pub(super) fn edges(triangles: &[[u32; 3]]) -> (Vec<Edge>, Vec<[u32; 3]>) {
     let mut sides: Vec<([u32; 2], u32, usize)> = Vec::with_capacity(3 * triangles.len());
     for (t, &[a, b, c]) in triangles.iter().enumerate() {
         for (slot, (p, q)) in [(a, b), (b, c), (c, a)].into_iter().enumerate() {

@@ -5,10 +5,12 @@
 mod block_matrix;
 mod cholesky;
 mod condition;
+mod lu;
 
 pub use block_matrix::{BlockMatrix, BlockPattern};
 pub use cholesky::{Factor, Symbolic};
 pub use condition::Condition;
+pub use lu::GeneralMatrix;
 
 use thiserror::Error;
 
@@ -21,6 +23,12 @@ pub enum LinearError {
         "the matrix of {rows} rows is not positive definite to working precision; lower the penalty"
     )]
     NotPositiveDefinite {
+        /// Number of scalar rows.
+        rows: usize,
+    },
+    /// The matrix has no inverse to working precision.
+    #[error("the matrix of {rows} rows is singular to working precision")]
+    Singular {
         /// Number of scalar rows.
         rows: usize,
     },

@@ -4,17 +4,22 @@ use std::path::Path;
 
 use miette::NamedSource;
 
-use super::bodies::{boundary, motion};
+use super::bodies::{accept, boundary, motion};
 use super::decode::{Element, SceneFile};
 use super::document::Document;
+use super::file;
 use super::names::{Context, Names};
 use super::overlap::Overlaps;
 use super::problem::SceneError;
+use super::regions::measured;
 use super::resources::{Resources, hash};
 use super::settings::{materials, pairs, settings};
+use super::sources::{sinks, source};
+use super::spheres::{self, Present};
 use super::{Loaded, Measure, Output, PointLoad, Probe, Scene, Sensor, Spring};
-use super::{file, spheres};
 use crate::Vec3;
+use crate::boundaries::Facets;
+use crate::materials::Material;
 use crate::motion::Motion;
 use crate::particles::{Kinematics, Particles};
 
@@ -55,9 +60,14 @@ fn build(
     resources: &mut Resources<'_>,
     file: &SceneFile,
 ) -> Option<Scene> {
+    let groups = file.spheres.iter().map(Element::declaration);
     let mut context = Context {
         materials: Names::declare(document, "material", &file.materials),
-        groups: Names::declare(document, "sphere group", &file.spheres),
+        groups: Names::declare_all(
+            document,
+            "sphere group",
+            groups.chain(file.sources.iter().map(Element::declaration)),
+        ),
         ranges: Vec::new(),
     };
     for (kind, names) in [
@@ -75,54 +85,70 @@ fn build(
     let settings = file.simulation.as_ref().map(|s| settings(document, s));
     let materials = materials(document, file);
     let pairs = pairs(document, &context, file);
-    let mut particles = Particles::default();
-    let mut initial = Kinematics::default();
-    for group in &file.spheres {
-        let range = group.value.as_ref().and_then(|value| {
-            let key = format!("{}.material", group.path);
-            let index = context.materials.resolve(document, &key, &value.material)?;
-            if file.materials[index]
-                .value
-                .as_ref()
-                .is_some_and(|m| m.density.is_none())
-            {
-                let help = format!(
-                    "`{}` uses it for spheres: add `density = ...` in kg/m^3",
-                    group.path
-                );
-                document.error(&file.materials[index].path, "missing key `density`", help);
-            }
-            let material = (u16::try_from(index).ok()?, materials.get(index)?);
-            spheres::add(
-                document,
-                resources,
-                &group.path,
-                value,
-                material,
-                (&mut particles, &mut initial),
-            )
-        });
-        context.ranges.push(range);
-    }
-    if file.spheres.is_empty() {
-        document.error(
-            "spheres",
-            "found no spheres, expected at least one",
-            "add a group `[[spheres]]`",
-        );
-    }
     let boundary_names = Names::declare(document, "boundary", &file.boundaries);
     let boundaries: Vec<_> = file
         .boundaries
         .iter()
         .map(|b| boundary(document, resources, &context, &b.path, b.value.as_ref()?))
         .collect();
+    let boundaries: Option<Vec<_>> = boundaries.into_iter().collect();
+    let mut particles = Particles::default();
+    let mut initial = Kinematics::default();
+    for group in &file.spheres {
+        let range = group.value.as_ref().and_then(|value| {
+            let material =
+                sphere_material(document, &context, file, &materials, group, &value.material)?;
+            spheres::add(
+                document,
+                resources,
+                &group.path,
+                value,
+                material,
+                Present {
+                    particles: &mut particles,
+                    initial: &mut initial,
+                    boundaries: boundaries.as_deref(),
+                },
+            )
+        });
+        context.ranges.push(range);
+    }
+    let mut sources = Vec::with_capacity(file.sources.len());
+    for element in &file.sources {
+        let source = element.value.as_ref().and_then(|value| {
+            let material = sphere_material(
+                document,
+                &context,
+                file,
+                &materials,
+                element,
+                &value.material,
+            )?;
+            let store = (&mut particles, &mut initial);
+            source(document, resources, &element.path, value, material, store)
+        });
+        context
+            .ranges
+            .push(source.as_ref().map(|source| source.spheres.clone()));
+        sources.extend(source);
+    }
+    if file.spheres.is_empty() && file.sources.is_empty() {
+        document.error(
+            "spheres",
+            "found no spheres, expected at least one",
+            "add a group `[[spheres]]` or a `[[source]]`",
+        );
+    }
+    // Their names are declared, and judged, among the groups.
+    let source_names = Names::of("source", file.sources.iter().map(Element::declaration));
     let scene = Scene {
         title: file.title.clone(),
         // Known when all files have been read.
         hash: String::new(),
-        loads: loads(document, &context, &file.loads),
+        loads: loads(document, &context, &file.loads, &initial),
         springs: springs(document, resources, &context, &file.springs, &initial),
+        sinks: sinks(document, resources, &source_names, &file.sinks),
+        sources,
         sensors: sensors(document, &boundary_names, &file.sensors),
         probes: probes(document, &context, &file.probes, particles.len()),
         output: output(document, &file.output),
@@ -131,28 +157,70 @@ fn build(
         pairs,
         particles,
         initial,
-        boundaries: boundaries.into_iter().collect::<Option<_>>()?,
+        initial_contacts: Vec::new(),
+        boundaries: boundaries?,
     };
     if context.ranges.iter().all(Option::is_some) {
-        Overlaps::of(&scene).judge(document, &scene, &context.ranges, &file.spheres);
+        let groups = &context.ranges[..file.spheres.len()];
+        Overlaps::of(&scene).judge(document, &scene, groups, &file.spheres);
     }
     Some(scene)
+}
+
+/// The material of a group or a source of spheres; it must have a density.
+fn sphere_material<'a, T>(
+    document: &mut Document<'_>,
+    context: &Context,
+    file: &SceneFile,
+    materials: &'a [Material],
+    element: &Element<T>,
+    name: &str,
+) -> Option<(u16, &'a Material)> {
+    let key = format!("{}.material", element.path);
+    let index = context.materials.resolve(document, &key, name)?;
+    let typed = &file.materials[index];
+    if typed.value.as_ref().is_some_and(|m| m.density.is_none()) {
+        let help = format!(
+            "`{}` uses it for spheres: add `density = ...` in kg/m^3",
+            element.path
+        );
+        document.error(&typed.path, "missing key `density`", help);
+    }
+    Some((u16::try_from(index).ok()?, materials.get(index)?))
 }
 
 fn loads(
     document: &mut Document<'_>,
     context: &Context,
     elements: &[Element<file::Load>],
+    initial: &Kinematics,
 ) -> Vec<PointLoad> {
     let loads = elements.iter().filter_map(|element| {
         let value = element.value.as_ref()?;
         Some(PointLoad {
-            sphere: context.sphere(document, &format!("{}.sphere", element.path), &value.sphere)?,
+            sphere: held(document, context, initial, &element.path, &value.sphere)?,
             arm: value.point.into(),
             force: value.force.into(),
         })
     });
     loads.collect()
+}
+
+/// The sphere that the element at `path` pushes or holds: one that is there from the start.
+fn held(
+    document: &mut Document<'_>,
+    context: &Context,
+    initial: &Kinematics,
+    path: &str,
+    text: &str,
+) -> Option<usize> {
+    let path = format!("{path}.sphere");
+    let sphere = context.sphere(document, &path, text)?;
+    let found = format!("`{text}`, which waits in a source");
+    let expected = "a sphere of a group `[[spheres]]`";
+    document
+        .demand(initial.present[sphere], path, found, expected)
+        .then_some(sphere)
 }
 
 fn springs(
@@ -175,7 +243,7 @@ fn springs(
             Some(given) => motion(document, resources, &format!("{path}.motion"), given),
             None => Some(Motion::Fixed),
         };
-        let sphere = context.sphere(document, &format!("{path}.sphere"), &value.sphere)?;
+        let sphere = held(document, context, initial, path, &value.sphere)?;
         let arm = Vec3::from(value.point);
         Some(Spring {
             sphere,
@@ -198,30 +266,23 @@ fn sensors(
     Names::declare(document, "sensor", elements);
     let sensors = elements.iter().filter_map(|element| {
         let (path, value) = (&element.path, element.value.as_ref()?);
-        let measure = match (value.mass_in_box, value.mass_flow, &value.wrench) {
-            (Some(cuboid), None, None) => {
-                let path = format!("{path}.mass_in_box");
-                let (min, max) = (Vec3::from(cuboid.min), Vec3::from(cuboid.max));
-                let proper = (0..3).all(|k| min[k] < max[k]);
-                let found = format!("min {:?} and max {:?}", cuboid.min.0, cuboid.max.0);
-                document.demand(proper, path, found, "min < max in every coordinate [m]");
-                Measure::MassInBox { min, max }
+        let measure = match (&value.region, &value.mass_flow, &value.wrench) {
+            (Some(given), None, None) => {
+                let path = format!("{path}.region");
+                Measure::Region(measured(document, &path, given)?)
             }
             (None, None, Some(name)) => Measure::Wrench {
                 boundary: boundaries.resolve(document, &format!("{path}.wrench"), name)?,
             },
-            (None, Some(plane), None) => Measure::MassFlow {
-                point: plane.point.into(),
-                normal: direction(document, &format!("{path}.mass_flow.normal"), plane.normal)?,
-            },
-            (cuboid, plane, wrench) => {
-                let given = [cuboid.is_some(), plane.is_some(), wrench.is_some()];
+            (None, Some(flow), None) => mass_flow(document, &format!("{path}.mass_flow"), flow)?,
+            (region, flow, wrench) => {
+                let given = [region.is_some(), flow.is_some(), wrench.is_some()];
                 let n = given.into_iter().filter(|is| *is).count();
                 document.demand(
                     false,
                     path,
                     format!("{n} measures"),
-                    "exactly one of mass_in_box, mass_flow, wrench",
+                    "exactly one of region, mass_flow, wrench",
                 );
                 return None;
             }
@@ -232,6 +293,31 @@ fn sensors(
         })
     });
     sensors.collect()
+}
+
+/// A flow through a plane, or through a polygon in it.
+fn mass_flow(document: &mut Document<'_>, path: &str, given: &file::MassFlow) -> Option<Measure> {
+    match given {
+        file::MassFlow::Plane(plane) => Some(Measure::MassFlow {
+            point: plane.point.into(),
+            normal: direction(document, &format!("{path}.plane.normal"), plane.normal)?,
+            outline: Vec::new(),
+        }),
+        file::MassFlow::Polygon(corners) => {
+            let outline: Vec<Vec3> = corners.iter().map(|&c| c.into()).collect();
+            let checked = Facets::polygon(&outline);
+            accept(document, &format!("{path}.polygon"), checked)?;
+            // Newell's vector area: a polygon that was accepted has one.
+            let area: Vec3 = (1..outline.len() - 1)
+                .map(|i| (outline[i] - outline[0]).cross(&(outline[i + 1] - outline[0])))
+                .sum();
+            Some(Measure::MassFlow {
+                point: outline[0],
+                normal: area.normalize(),
+                outline,
+            })
+        }
+    }
 }
 
 /// The first, the middle and the last sphere unless the scene names its own.
@@ -275,6 +361,7 @@ fn output(document: &mut Document<'_>, output: &file::Output) -> Output {
     for (key, value) in [
         ("vtu_interval", output.vtu_interval),
         ("csv_interval", output.csv_interval),
+        ("checkpoint_interval", output.checkpoint_interval),
     ] {
         document.demand(
             value >= 0.0,
@@ -287,6 +374,7 @@ fn output(document: &mut Document<'_>, output: &file::Output) -> Output {
         vtu_interval: output.vtu_interval,
         csv_interval: output.csv_interval,
         float64: output.float64,
+        checkpoint_interval: output.checkpoint_interval,
     }
 }
 

@@ -27,6 +27,26 @@ pub(super) struct Element<T> {
     pub(super) value: Option<T>,
 }
 
+/// What an element declares to others.
+pub(super) struct Declaration<'a> {
+    /// Its place in the file.
+    pub(super) path: &'a str,
+    /// Its name.
+    pub(super) name: Option<&'a String>,
+    /// Whether its types are right.
+    pub(super) usable: bool,
+}
+
+impl<T> Element<T> {
+    pub(super) fn declaration(&self) -> Declaration<'_> {
+        Declaration {
+            path: &self.path,
+            name: self.name.as_ref(),
+            usable: self.value.is_some(),
+        }
+    }
+}
+
 /// The scene file with right types.
 pub(super) struct SceneFile {
     pub(super) title: String,
@@ -35,6 +55,8 @@ pub(super) struct SceneFile {
     pub(super) pairs: Vec<Element<file::Pair>>,
     pub(super) pair_default: file::PairDefault,
     pub(super) spheres: Vec<Element<file::Spheres>>,
+    pub(super) sources: Vec<Element<file::Source>>,
+    pub(super) sinks: Vec<Element<file::Sink>>,
     pub(super) boundaries: Vec<Element<file::Boundary>>,
     pub(super) loads: Vec<Element<file::Load>>,
     pub(super) springs: Vec<Element<file::Spring>>,
@@ -43,13 +65,15 @@ pub(super) struct SceneFile {
     pub(super) output: file::Output,
 }
 
-const TABLES: [&str; 12] = [
+const TABLES: [&str; 14] = [
     "title",
     "simulation",
     "material",
     "pair",
     "pair_default",
     "spheres",
+    "source",
+    "sink",
     "boundary",
     "load",
     "spring",
@@ -70,6 +94,8 @@ impl SceneFile {
             pairs: list(document, &root, "pair"),
             pair_default: optional(document, &root, "pair_default").unwrap_or_default(),
             spheres: list(document, &root, "spheres"),
+            sources: list(document, &root, "source"),
+            sinks: list(document, &root, "sink"),
             boundaries: list(document, &root, "boundary"),
             loads: list(document, &root, "load"),
             springs: list(document, &root, "spring"),

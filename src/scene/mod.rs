@@ -12,8 +12,11 @@ pub mod file;
 mod names;
 mod overlap;
 mod problem;
+mod regions;
 mod resources;
 mod settings;
+mod sizes;
+mod sources;
 mod spheres;
 mod summary;
 mod values;
@@ -29,8 +32,13 @@ use serde::{Deserialize, Serialize};
 
 use crate::Vec3;
 use crate::boundaries::Boundary;
+use crate::contacts::Contact;
+use crate::error::SnapshotError;
 use crate::materials::{Material, PairTable};
 use crate::particles::{Kinematics, Particles};
+use crate::region::{Primitive, Region};
+use crate::snapshot;
+use crate::state::State;
 
 /// How contact constraints are enforced.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
@@ -58,7 +66,7 @@ pub enum Integrator {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum SolverKind {
-    /// Gauss-Seidel first, direct where it does not converge.
+    /// Gauss-Seidel first, Newton on the neighbourhoods of what it leaves.
     #[default]
     Auto,
     /// Sparse Cholesky of `K D = F`, open-close iterations, augmented-Lagrangian outer loop.
@@ -76,6 +84,18 @@ pub struct Tolerance {
     pub slip: f64,
     /// Force residual over the contact's force scale \[-\], same range.
     pub force: f64,
+}
+
+impl Tolerance {
+    /// All of them times `factor`.
+    #[must_use]
+    pub fn scaled(&self, factor: f64) -> Self {
+        Self {
+            gap: self.gap * factor,
+            slip: self.slip * factor,
+            force: self.force * factor,
+        }
+    }
 }
 
 impl Default for Tolerance {
@@ -175,13 +195,8 @@ pub struct Spring {
 /// What a named sensor measures.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub enum Measure {
-    /// Mass \[kg\] of the spheres whose centre lies in an axis-parallel box.
-    MassInBox {
-        /// Lower corner \[m\].
-        min: Vec3,
-        /// Upper corner \[m\].
-        max: Vec3,
-    },
+    /// What is inside a region.
+    Region(Primitive),
     /// Force \[N\] and torque \[N m\] on a boundary, averaged over the communication step.
     Wrench {
         /// Index of the boundary.
@@ -194,7 +209,50 @@ pub enum Measure {
         point: Vec3,
         /// Unit normal.
         normal: Vec3,
+        /// Corners \[m\] of the convex polygon that counts, turning about `normal`; empty: the whole plane.
+        outline: Vec<Vec3>,
     },
+}
+
+/// How much a source emits.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub enum Supply {
+    /// Spheres per second \[1/s\].
+    Spheres(f64),
+    /// Mass per second \[kg/s\].
+    Mass(f64),
+}
+
+/// Emits spheres into a region, wherever there is room.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Source {
+    /// Name.
+    pub name: String,
+    /// Indices of its spheres; they wait outside the scene at t = 0.
+    pub spheres: std::ops::Range<usize>,
+    /// Where they appear.
+    pub region: Region,
+    /// How much it emits.
+    pub supply: Supply,
+    /// Start of the emission \[s\].
+    pub start: f64,
+    /// End of the emission \[s\]; infinite: never.
+    pub stop: f64,
+    /// Velocity \[m/s\] and angular velocity \[rad/s\] of new spheres.
+    pub twist: crate::motion::Twist,
+    /// Seed of the places.
+    pub seed: u64,
+}
+
+/// Removes the spheres whose centre lies in a region.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Sink {
+    /// Name.
+    pub name: String,
+    /// Where spheres are removed.
+    pub region: Region,
+    /// Index of the source that gets them; `None`: a source's spheres return to it, others leave for good.
+    pub recycle: Option<usize>,
 }
 
 /// A named sensor. Every boundary's wrench and every probe are outputs without being named here.
@@ -224,6 +282,8 @@ pub struct Output {
     pub csv_interval: f64,
     /// Write Float64 instead of Float32 arrays.
     pub float64: bool,
+    /// Simulated seconds between checkpoints of a run \[s\]; 0: none for the sake of simulated time.
+    pub checkpoint_interval: f64,
 }
 
 /// A validated scene: every index in range, every number finite, units SI.
@@ -243,12 +303,18 @@ pub struct Scene {
     pub particles: Particles,
     /// Their placement and velocity at t = 0.
     pub initial: Kinematics,
+    /// Contacts whose forces at t = 0 are known, in canonical order: where their solution starts from.
+    pub initial_contacts: Vec<Contact>,
     /// Boundaries.
     pub boundaries: Vec<Boundary>,
     /// Point loads.
     pub loads: Vec<PointLoad>,
     /// Constrained points.
     pub springs: Vec<Spring>,
+    /// Sources of spheres.
+    pub sources: Vec<Source>,
+    /// Sinks of spheres.
+    pub sinks: Vec<Sink>,
     /// Sensors.
     pub sensors: Vec<Sensor>,
     /// Probed spheres.
@@ -273,6 +339,19 @@ pub struct Loaded {
 }
 
 impl Scene {
+    /// Starts from another state of the spheres than the file's: from a [`crate::simulation::Settled::start`], or any
+    /// snapshot of this scene, of which placement, velocities and contact forces are taken. The hash changes with it.
+    ///
+    /// # Errors
+    /// [`SnapshotError`] if the blob is damaged or belongs to another scene or version; the scene is unchanged.
+    pub fn start_from(&mut self, blob: &[u8]) -> Result<(), SnapshotError> {
+        let state: State = snapshot::restore(blob, &self.hash)?;
+        self.initial = state.kinematics;
+        self.initial_contacts = state.contacts;
+        self.hash = resources::digest([self.hash.as_bytes(), blob]);
+        Ok(())
+    }
+
     /// Reads a scene file; the files it names are looked for in its folder.
     ///
     /// # Errors

@@ -1,6 +1,8 @@
 //! The simulation: owns the state, advances it (`march`), takes and restores snapshots.
 
+mod exchange;
 mod march;
+mod settle;
 
 use std::sync::Arc;
 
@@ -14,8 +16,10 @@ use crate::motion::{Command, Motion, Pose, Twist};
 use crate::particles::Kinematics;
 use crate::problem::{Dof6, Impulses, Problem};
 use crate::scene::Scene;
-use crate::state::{State, Work, from_blob, to_blob};
+use crate::snapshot;
+use crate::state::{State, Work};
 use crate::step::{Scratch, StepOutcome, initial_forces};
+pub use settle::{Settle, Settled};
 
 /// Force and torque on a boundary.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
@@ -108,7 +112,7 @@ impl Simulation {
             gravity: settings.gravity,
             kinematics: scene.initial.clone(),
             persisting: vec![Dof6::ZERO; n],
-            contacts: Vec::new(),
+            contacts: scene.initial_contacts.clone(),
             springs: vec![Vec3::zeros(); scene.springs.len()],
             twists: poses
                 .iter()
@@ -121,6 +125,9 @@ impl Simulation {
             persisting_wrenches: vec![Wrench::default(); boundaries],
             mean_wrenches: vec![Wrench::default(); boundaries],
             work: Work::default(),
+            reserves: exchange::reserves(&scene),
+            emitted: vec![0.0; scene.sources.len()],
+            removed: vec![0.0; scene.sinks.len()],
             passed: vec![0.0; scene.sensors.len()],
             flow: vec![0.0; scene.sensors.len()],
             initial_overlap: 0.0,
@@ -279,18 +286,33 @@ impl Simulation {
         Ok(crate::step::problem(&self.scene, state, dt, &poses))
     }
 
-    /// Complete state as a blob: magic, version, scene hash, length, checksum; works in a new process.
+    /// Complete state as bytes that work in a new process: [`crate::snapshot`].
     #[must_use]
     pub fn snapshot(&self) -> Vec<u8> {
-        to_blob(&self.state, &self.scene.hash)
+        let velocities = (0..self.state.kinematics.len()).map(|i| self.velocity(i));
+        let (velocity, spin) = velocities.map(|v| (v.linear, v.angular)).unzip();
+        let reported = Kinematics {
+            velocity,
+            spin,
+            ..self.state.kinematics.clone()
+        };
+        let radius = &self.scene.particles.radius;
+        snapshot::take(&self.scene.hash, radius, &reported, &self.state)
     }
 
     /// Restores a [`Self::snapshot`] of the same scene.
     ///
     /// # Errors
-    /// [`SnapshotError`] if the blob is damaged or belongs to another scene or version; the state is unchanged.
+    /// [`SnapshotError`] if the bytes are damaged or belong to another scene or version; the state is unchanged.
     pub fn restore(&mut self, blob: &[u8]) -> Result<(), SnapshotError> {
-        self.state = from_blob(blob, &self.scene.hash)?;
+        let state: State = snapshot::restore(blob, &self.scene.hash)?;
+        let counts = (state.kinematics.len(), state.poses.len());
+        if counts != (self.scene.particles.len(), self.scene.boundaries.len()) {
+            return Err(SnapshotError::Format(
+                "it has other numbers of spheres or boundaries than the scene of its hash",
+            ));
+        }
+        self.state = state;
         Ok(())
     }
 

@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 
 use sphere_dda_fmu::import::{
     End, Event, Fmu, ImportError, Instance, Options, Phase, Signals, SimulateError, Status, Step,
-    simulate,
+    System, simulate,
 };
 
 use crate::foreign_fmu::{Build, pack};
@@ -28,26 +28,26 @@ fn a_failing_call_is_named_with_its_status_and_what_the_fmu_says() {
         let (folder, fmu) = open(Build::Whole);
         let options = Options {
             inputs: Some(
-                Signals::read("time,force[1]\n0,1\n".as_bytes(), "", fmu.description()).unwrap(),
+                Signals::read("time,force[1]\n0,1\n".as_bytes(), "", &System::of(&fmu)).unwrap(),
             ),
             ..with(&[("fault", &format!("{function}:{code}"))])
         };
         let mut heard = Vec::new();
-        let error = simulate(&fmu, &options, |event| {
+        let error = simulate(&System::of(&fmu), &options, |event| {
             if let Event::Message(message) = event {
                 heard.push(message.to_string());
             }
             ControlFlow::Continue(())
         })
         .unwrap_err();
-        let SimulateError::Call { source, .. } = &error else {
+        let SimulateError::Call { failure, .. } = &error else {
             panic!("{function}: {error}");
         };
         let ImportError::Call {
             function: found,
             status: found_status,
             log,
-        } = &**source
+        } = &**failure
         else {
             panic!("{function}: {error}");
         };
@@ -85,11 +85,11 @@ fn a_failing_call_is_named_with_its_status_and_what_the_fmu_says() {
 fn a_status_beyond_the_standard_is_an_error_and_a_warning_is_none() {
     let (_folder, fmu) = open(Build::Whole);
     let error = run(&fmu, &with(&[("fault", "fmi2DoStep:17")])).unwrap_err();
-    let SimulateError::Call { source, .. } = &error else {
+    let SimulateError::Call { failure, .. } = &error else {
         panic!("{error}");
     };
     assert!(
-        matches!(**source, ImportError::UnknownStatus { found: 17, .. }),
+        matches!(**failure, ImportError::UnknownStatus { found: 17, .. }),
         "{error}"
     );
     let table = run(&fmu, &with(&[("fault", "fmi2DoStep:1")])).unwrap();

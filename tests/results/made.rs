@@ -12,6 +12,7 @@ use sphere_dda::motion::{Motion, Pose, Twist};
 use sphere_dda::observe::writer::Results;
 use sphere_dda::observe::{BoundaryState, Observation};
 use sphere_dda::particles::{Kinematics, Locks, Particles};
+use sphere_dda::region::Primitive;
 use sphere_dda::scene::{
     Integrator, Measure, Method, Output, Scene, Sensor, Settings, SolverKind, Tolerance,
 };
@@ -69,22 +70,26 @@ pub(crate) fn scene(n: usize) -> Scene {
         pairs: PairTable::new(1, Pair::default()),
         particles,
         initial,
+        initial_contacts: Vec::new(),
         boundaries: vec![boundary("floor", floor()), boundary("crate", crate_box())],
         loads: Vec::new(),
         springs: Vec::new(),
+        sources: Vec::new(),
+        sinks: Vec::new(),
         sensors: vec![
             Sensor {
                 name: "hold".to_owned(),
-                measure: Measure::MassInBox {
+                measure: Measure::Region(Primitive::Box {
                     min: Vec3::repeat(-0.15),
                     max: Vec3::repeat(0.15),
-                },
+                }),
             },
             Sensor {
                 name: "outflow".to_owned(),
                 measure: Measure::MassFlow {
                     point: Vec3::zeros(),
                     normal: Vec3::z(),
+                    outline: Vec::new(),
                 },
             },
         ],
@@ -93,6 +98,7 @@ pub(crate) fn scene(n: usize) -> Scene {
             vtu_interval: 0.1,
             csv_interval: 0.0,
             float64: false,
+            checkpoint_interval: 0.0,
         },
     }
 }
@@ -112,6 +118,8 @@ pub(crate) struct Made {
     pub(crate) kinematics: Kinematics,
     pub(crate) contacts: Vec<Contact>,
     pub(crate) passed: Vec<f64>,
+    pub(crate) emitted: Vec<f64>,
+    pub(crate) removed: Vec<f64>,
 }
 
 impl Made {
@@ -146,6 +154,8 @@ impl Made {
             kinematics,
             contacts,
             passed: vec![0.0; scene.sensors.len()],
+            emitted: vec![0.0; scene.sources.len()],
+            removed: vec![0.0; scene.sinks.len()],
         }
     }
 
@@ -185,6 +195,8 @@ impl Made {
             ],
             passed: &self.passed,
             flow: &self.passed,
+            emitted: &self.emitted,
+            removed: &self.removed,
             work: Work::default(),
             report: StepReport::default(),
         }

@@ -43,7 +43,7 @@ fn the_funnel_writes_a_run() {
         let record = record.unwrap();
         let value = |name: &str| -> f64 { record[column(name)].parse().unwrap() };
         // A box that ends at the plane where the flow is counted: what is not inside has passed.
-        let kept = value("sensor.content [kg]") + value("sensor.discharge.mass [kg]");
+        let kept = value("sensor.content.mass [kg]") + value("sensor.discharge.mass [kg]");
         assert!((kept - mass).abs() < 1e-9 * mass);
         assert!(value("maxOverlap [-]") <= scene.settings.tolerance.gap);
         assert!(value("dissipatedEnergy [J]") >= -1e-9 * value("potentialEnergy [J]").abs());

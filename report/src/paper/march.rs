@@ -298,6 +298,7 @@ impl March {
         let placement = Placement {
             particles: &record.scene.particles,
             position,
+            present: &simulation.kinematics().present,
             boundaries: &record.scene.boundaries,
             poses: &self.poses,
         };

@@ -75,6 +75,7 @@ mod tests {
         let placement = Placement {
             particles: &particles,
             position: &position,
+            present: &[true; 3],
             boundaries: &[],
             poses: &[],
         };

@@ -1,0 +1,218 @@
+//! `[[boundary]]`: faces and motion.
+
+use serde::Deserialize;
+
+use super::Vector;
+
+/// `[[boundary]]`: a named rigid body made of faces.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Boundary {
+    /// Name, unique. Required.
+    pub name: String,
+    /// Material. Required.
+    pub material: String,
+    /// Its faces, at least one. Required.
+    pub faces: Vec<Face>,
+    /// Centre of rotation and reference of the torque \[m\]. Default: the origin.
+    #[serde(default)]
+    pub point_of_action: Vector,
+    /// Contact stiffness \[N/m\], > 0. Default: rigid.
+    pub stiffness: Option<f64>,
+    /// Motion prescribed by the scene. Default: fixed.
+    pub motion: Option<Motion>,
+    /// Motion driven from outside: an input of the FMU. Not together with `motion`.
+    pub input: Option<Input>,
+}
+
+/// One face of a boundary: a table with one key.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Face {
+    /// Half-space: solid on the side the normal leaves.
+    Plane(Plane),
+    /// Rectangle: a corner and two perpendicular edges.
+    Rectangle(Rectangle),
+    /// Triangle: three corners \[m\].
+    Triangle(Vec<Vector>),
+    /// Convex plane polygon: corners \[m\] in order.
+    Polygon(Vec<Vector>),
+    /// The six faces of a box; spheres may be inside or outside.
+    Box(Cuboid),
+    /// Side of a cone or frustum, open at both ends.
+    Cone(Cone),
+    /// Side of a cylinder, with or without its discs.
+    Cylinder(Cylinder),
+    /// Triangle mesh from a file.
+    Stl(Stl),
+    /// Height field from an ESRI ASCII grid.
+    Terrain(Terrain),
+}
+
+/// A plane.
+#[derive(Debug, Clone, Copy, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Plane {
+    /// A point of it \[m\]. Required.
+    pub point: Vector,
+    /// Normal, any length > 0. Required.
+    pub normal: Vector,
+}
+
+/// A rectangle.
+#[derive(Debug, Clone, Copy, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Rectangle {
+    /// A corner \[m\]. Required.
+    pub corner: Vector,
+    /// First edge from that corner \[m\]. Required.
+    pub u: Vector,
+    /// Second edge from that corner \[m\], perpendicular to `u`. Required.
+    pub v: Vector,
+}
+
+/// An axis-parallel box.
+#[derive(Debug, Clone, Copy, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Cuboid {
+    /// Lower corner \[m\]. Required.
+    pub min: Vector,
+    /// Upper corner \[m\], larger in every coordinate. Required.
+    pub max: Vector,
+}
+
+/// The side of a cone or frustum.
+#[derive(Debug, Clone, Copy, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Cone {
+    /// Centre of the first end \[m\]. Required.
+    pub base: Vector,
+    /// Direction from the first end to the second, any length > 0. Default: `[0, 0, 1]`.
+    #[serde(default = "super::up")]
+    pub axis: Vector,
+    /// Radius at the first end \[m\], >= 0. Required.
+    pub r0: f64,
+    /// Radius at the second end \[m\], >= 0; not both zero. Required.
+    pub r1: f64,
+    /// Distance of the ends \[m\], > 0. Required.
+    pub height: f64,
+}
+
+/// A cylinder.
+#[derive(Debug, Clone, Copy, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Cylinder {
+    /// Centre of the first end \[m\]. Required.
+    pub base: Vector,
+    /// Direction from the first end to the second, any length > 0. Default: `[0, 0, 1]`.
+    #[serde(default = "super::up")]
+    pub axis: Vector,
+    /// Radius \[m\], > 0. Required.
+    pub radius: f64,
+    /// Length \[m\], > 0. Required.
+    pub height: f64,
+    /// Whether discs close both ends. Default: false.
+    #[serde(default)]
+    pub closed: bool,
+}
+
+/// A triangle mesh in an STL file, ASCII or binary.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Stl {
+    /// File beside or below the scene file. Required.
+    pub file: String,
+    /// Factor on the file's coordinates, > 0: 0.001 for millimetres. Default: 1.
+    #[serde(default = "super::one")]
+    pub scale: f64,
+    /// Translation after scaling \[m\]. Default: zero.
+    #[serde(default)]
+    pub translate: Vector,
+}
+
+/// A height field in an ESRI ASCII grid (`.asc`): its values are heights at the cell centres, solid below; each
+/// square of four neighbouring centres is two triangles. Squares with a corner without data are left out.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Terrain {
+    /// File beside or below the scene file. Required.
+    pub file: String,
+    /// Moves the grid \[m\]; map coordinates are large, so bring them near zero. Default: zero.
+    #[serde(default)]
+    pub translate: Vector,
+}
+
+/// A prescribed motion, counted from the scene: a table with one key.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Motion {
+    /// Constant velocity.
+    Constant(Constant),
+    /// A sin(2 pi f t + phase) - A sin(phase).
+    Sinusoid(Sinusoid),
+    /// Piecewise linear in time.
+    Table(Table),
+}
+
+/// Constant velocity.
+#[derive(Debug, Clone, Copy, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Constant {
+    /// Velocity \[m/s\]. Default: zero.
+    #[serde(default)]
+    pub velocity: Vector,
+    /// Angular velocity \[rad/s\] about the point of action. Default: zero.
+    #[serde(default)]
+    pub angular_velocity: Vector,
+}
+
+/// Harmonic motion.
+#[derive(Debug, Clone, Copy, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Sinusoid {
+    /// Amplitude of the translation \[m\]. Default: zero.
+    #[serde(default)]
+    pub translation: Vector,
+    /// Amplitude of the rotation vector \[rad\]. Default: zero.
+    #[serde(default)]
+    pub rotation: Vector,
+    /// Frequency \[Hz\], > 0. Required.
+    pub frequency: f64,
+    /// Phase \[rad\]. Default: 0.
+    #[serde(default)]
+    pub phase: f64,
+}
+
+/// Motion by a time table, held constant outside: either `csv`, or `time` with `translation` or `rotation`.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Table {
+    /// Times \[s\], strictly increasing.
+    pub time: Option<Vec<f64>>,
+    /// Translations \[m\], one per time. Default: zero.
+    pub translation: Option<Vec<Vector>>,
+    /// Rotation vectors \[rad\], one per time. Default: zero.
+    pub rotation: Option<Vec<Vector>>,
+    /// CSV file with columns time \[s\], x, y, z \[m\] and optionally rx, ry, rz \[rad\].
+    pub csv: Option<String>,
+}
+
+/// What drives a boundary from outside. Zero always means "as in the scene".
+#[derive(Debug, Clone, Copy, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Input {
+    /// Total translation \[m\] and rotation vector \[rad\].
+    Pose,
+    /// Pose and twist together.
+    Motion,
+    /// Velocity \[m/s\] and angular velocity \[rad/s\].
+    Twist,
+    /// Displacement \[m\] along this axis, any length > 0.
+    Slide(Vector),
+    /// Speed \[m/s\] along this axis.
+    SlideSpeed(Vector),
+    /// Angle \[rad\] about this axis through the point of action.
+    Hinge(Vector),
+    /// Angular speed \[rad/s\] about this axis.
+    HingeSpeed(Vector),
+}

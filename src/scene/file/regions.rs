@@ -1,0 +1,34 @@
+//! Regions of space: filled, emptied or measured.
+
+use serde::Deserialize;
+
+use super::{Cuboid, Plane, Stl, Vector};
+
+/// A region of space, fixed in the world: a table with one key.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Region {
+    /// An axis-parallel box.
+    Box(Cuboid),
+    /// A solid cylinder.
+    Cylinder(Tube),
+    /// The inside of a closed triangle mesh. Not for sensors.
+    Mesh(Stl),
+    /// Everything on the side of a plane that its normal points to. For sinks only.
+    Beyond(Plane),
+}
+
+/// A solid cylinder.
+#[derive(Debug, Clone, Copy, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Tube {
+    /// Centre of the first end \[m\]. Required.
+    pub base: Vector,
+    /// Direction from the first end to the second, any length > 0. Default: `[0, 0, 1]`.
+    #[serde(default = "super::up")]
+    pub axis: Vector,
+    /// Radius \[m\], > 0. Required.
+    pub radius: f64,
+    /// Length \[m\], > 0. Required.
+    pub height: f64,
+}

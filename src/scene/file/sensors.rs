@@ -1,0 +1,42 @@
+//! `[[sensor]]` and `[[probe]]`: what is measured.
+
+use serde::Deserialize;
+
+use super::{Plane, Region, Vector};
+
+/// `[[sensor]]`: exactly one of the measures.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Sensor {
+    /// Name, unique. Required.
+    pub name: String,
+    /// Everything inside this region, a box or a cylinder: mass \[kg\], count, solid fraction, centre of mass \[m\],
+    /// coordination number, stress \[Pa\] (compression positive), largest and mean normal force \[N\].
+    pub region: Option<Region>,
+    /// Force \[N\] and torque \[N m\] on the boundary of this name about its point of action, averaged over the communication step.
+    pub wrench: Option<String>,
+    /// Mass \[kg\] that has passed a plane or a polygon along its normal since the start, and its flow \[kg/s\], the
+    /// mean of the communication step. A sphere passes with its centre; against the normal it counts negative.
+    pub mass_flow: Option<MassFlow>,
+}
+
+/// What a mass flow passes through: a table with one key.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum MassFlow {
+    /// The whole plane.
+    Plane(Plane),
+    /// A convex plane polygon: three or more corners \[m\] in order; its normal is the one they turn about (right hand).
+    /// Polygons that share an edge, corner for corner, miss no sphere and count none twice.
+    Polygon(Vec<Vector>),
+}
+
+/// `[[probe]]`: a sphere whose state is an output. Default: the first, the middle and the last sphere.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Probe {
+    /// Name, unique. Required.
+    pub name: String,
+    /// The sphere: `"group[k]"`, or `"group"` if the group is one sphere. Required.
+    pub sphere: String,
+}

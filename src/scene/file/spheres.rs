@@ -1,0 +1,209 @@
+//! `[[spheres]]`, `[[source]]` and `[[sink]]`: where spheres are, where they come from and where they go.
+
+use serde::Deserialize;
+
+use super::{OneOrMany, Region, Triple, Vector};
+
+/// `[[spheres]]`: a named group, placed by exactly one of `lattice`, `packing`, `positions`, `csv`, `vtu`,
+/// `checkpoint`.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Spheres {
+    /// Name of the group, unique. Required. Sphere k of it is `"name[k]"` elsewhere, counted from 0.
+    pub name: String,
+    /// Material. Required.
+    pub material: String,
+    /// Radius \[m\], > 0: one for all or a list. Required unless `size` is given or the file has radii.
+    pub radius: Option<OneOrMany<f64>>,
+    /// Distribution the radii are drawn from, instead of `radius`.
+    pub size: Option<Size>,
+    /// Each radius is multiplied by 1 + `radius_jitter` U(-1, 1) \[-\], 0..1. Default: 0.
+    #[serde(default)]
+    pub radius_jitter: f64,
+    /// Seed of jitters, sizes and packing. Default: 0.
+    #[serde(default)]
+    pub seed: u64,
+    /// A regular lattice.
+    pub lattice: Option<Lattice>,
+    /// A random packing of a region.
+    pub packing: Option<Packing>,
+    /// Centres \[m\].
+    pub positions: Option<Vec<Vector>>,
+    /// CSV file with columns x, y, z \[m\] and optionally radius \[m\], vx, vy, vz \[m/s\], wx, wy, wz \[rad/s\].
+    pub csv: Option<String>,
+    /// Frame of results, `spheres_NNNNNN.vtu`: its spheres with radius, velocity, spin and orientation.
+    pub vtu: Option<String>,
+    /// Checkpoint of a run: its spheres with radius, velocity, spin and orientation.
+    pub checkpoint: Option<String>,
+    /// Initial velocity \[m/s\] of all. Default: zero, or the CSV file's.
+    pub velocity: Option<Vector>,
+    /// Initial angular velocity \[rad/s\] of all. Default: zero, or the CSV file's.
+    pub spin: Option<Vector>,
+    /// Held degrees of freedom, world axes, one or a list of them. Default: none.
+    pub lock: Option<OneOrMany<Lock>>,
+}
+
+/// A held degree of freedom.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Lock {
+    /// Translation along x.
+    X,
+    /// Translation along y.
+    Y,
+    /// Translation along z.
+    Z,
+    /// Rotation about x.
+    Rx,
+    /// Rotation about y.
+    Ry,
+    /// Rotation about z.
+    Rz,
+    /// All three translations.
+    Translations,
+    /// All three rotations: the sphere slides like a block.
+    Rotations,
+}
+
+/// A lattice: centre (i, j, k) = `origin` + i s_x e_x + j s_y e_y + k s_z e_z, i fastest.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Lattice {
+    /// Centre of the first sphere \[m\]. Required.
+    pub origin: Vector,
+    /// Number of spheres along each axis, each >= 1. Required.
+    pub count: Triple<u32>,
+    /// Distance between centres \[m\], > 0: one or three. Required.
+    pub spacing: OneOrMany<f64>,
+    /// Each coordinate is moved by `jitter` spacing U(-1, 1) \[-\], 0..=0.5. Default: 0.
+    #[serde(default)]
+    pub jitter: f64,
+    /// Directions of e_x and e_y; normalised, e_y made perpendicular to e_x, e_z = e_x x e_y.
+    /// Default: world axes.
+    pub axes: Option<Vec<Vector>>,
+}
+
+/// Distribution of radii: a table with one key. Numbers of spheres follow it, except for `table`, where masses do.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Size {
+    /// Every radius between two bounds is as likely as any other.
+    Uniform(Uniform),
+    /// Normal, cut off.
+    Normal(Normal),
+    /// The logarithm of the radius is normal; cut off.
+    LogNormal(LogNormal),
+    /// Classes of radii with their shares of the mass, as from a sieve.
+    Table(MassTable),
+}
+
+/// Uniform radii.
+#[derive(Debug, Clone, Copy, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Uniform {
+    /// Smallest radius \[m\], > 0. Required.
+    pub min: f64,
+    /// Largest radius \[m\], >= `min`. Required.
+    pub max: f64,
+}
+
+/// Normally distributed radii; draws outside the bounds are drawn again.
+#[derive(Debug, Clone, Copy, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Normal {
+    /// Mean radius \[m\], > 0. Required.
+    pub mean: f64,
+    /// Standard deviation \[m\], > 0. Required.
+    pub deviation: f64,
+    /// Smallest radius \[m\], > 0. Default: mean - 3 deviations, at least mean / 10.
+    pub min: Option<f64>,
+    /// Largest radius \[m\]. Default: mean + 3 deviations.
+    pub max: Option<f64>,
+}
+
+/// Log-normally distributed radii; draws outside the bounds are drawn again.
+#[derive(Debug, Clone, Copy, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct LogNormal {
+    /// Median radius \[m\], > 0. Required.
+    pub median: f64,
+    /// Standard deviation of ln(radius) \[-\], > 0. Required.
+    pub sigma: f64,
+    /// Smallest radius \[m\], > 0. Default: median exp(-3 sigma).
+    pub min: Option<f64>,
+    /// Largest radius \[m\]. Default: median exp(3 sigma).
+    pub max: Option<f64>,
+}
+
+/// Radii in classes.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct MassTable {
+    /// Radius of each class \[m\], > 0. Required.
+    pub radius: Vec<f64>,
+    /// Share of the mass of each class, >= 0, in any unit; they are divided by their sum. Required.
+    pub mass: Vec<f64>,
+}
+
+/// A seeded random packing without overlap: exactly one of `count`, `mass`, `solid_fraction`.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Packing {
+    /// What is filled; spheres lie wholly inside. Required.
+    pub region: Region,
+    /// Number of spheres, >= 1.
+    pub count: Option<u32>,
+    /// Mass \[kg\], > 0: spheres are added until one more would exceed it.
+    pub mass: Option<f64>,
+    /// Volume of the spheres over that of the region \[-\], > 0, likewise.
+    pub solid_fraction: Option<f64>,
+}
+
+/// `[[source]]`: emits spheres into a region while time goes on: exactly one of `rate`, `mass_rate`.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Source {
+    /// Name, unique among sources and sphere groups: `"name[k]"` is its sphere k. Required.
+    pub name: String,
+    /// Material. Required.
+    pub material: String,
+    /// Radius \[m\], > 0. Required unless `size` is given.
+    pub radius: Option<f64>,
+    /// Distribution the radii are drawn from, instead of `radius`.
+    pub size: Option<Size>,
+    /// Where spheres appear, wholly inside, wherever there is room. Required.
+    pub region: Region,
+    /// Most spheres of this source that can be in the scene at a time, >= 1. Required.
+    pub capacity: u32,
+    /// Spheres per second \[1/s\], > 0.
+    pub rate: Option<f64>,
+    /// Mass per second \[kg/s\], > 0.
+    pub mass_rate: Option<f64>,
+    /// Start of the emission \[s\], >= 0. Default: 0.
+    #[serde(default)]
+    pub start: f64,
+    /// End of the emission \[s\], > `start`. Default: never.
+    pub stop: Option<f64>,
+    /// Velocity of new spheres \[m/s\]. Default: zero.
+    #[serde(default)]
+    pub velocity: Vector,
+    /// Angular velocity of new spheres \[rad/s\]. Default: zero.
+    #[serde(default)]
+    pub spin: Vector,
+    /// Seed of sizes and places. Default: 0.
+    #[serde(default)]
+    pub seed: u64,
+}
+
+/// `[[sink]]`: removes spheres whose centre lies in a region.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Sink {
+    /// Name, unique. Required.
+    pub name: String,
+    /// Where spheres are removed. Required.
+    pub region: Region,
+    /// Name of a source that gets the spheres back and emits them anew, whatever group they were of. Default: none,
+    /// spheres of a source return to it, others leave for good.
+    pub recycle: Option<String>,
+}
