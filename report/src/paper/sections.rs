@@ -215,7 +215,7 @@ fn overlaps(report: &mut Report, study: &Study) -> Result<(), ReportError> {
                 points.filter(|p| p.1 > 1e-12).collect(),
             );
         }
-        let caption = "Penalty overlaps by tenths of a radius and lets spheres through; ALM stays below its tolerance of 1e-6";
+        let caption = "The penalty method overlaps by tenths of a radius; ALM stays below its tolerance of 1e-6";
         report.plot(&format!("overlap-{}", example.name()), &plot, caption)?;
     }
     Ok(())
@@ -300,7 +300,7 @@ fn pictures(report: &mut Report, study: &Study) {
     report.document.heading(2, "Pictures");
     report.document.text(
         "Integrator `shi`. Colours are the layers the spheres start in; red spheres are beyond a boundary. The early times are not the paper's: \
-         they show how the penalty method loses its spheres.",
+         they show the spheres while most of them touch.",
     );
     for example in Example::ALL {
         let records: Vec<&Record> = study
@@ -527,7 +527,7 @@ fn held(report: &mut Report, study: &Study) -> Result<(), ReportError> {
     report.document.text(&format!(
         "The paper's loop over the examples, P held from {} P to {} P, `shi`, default tolerances (overlap, slip and force 1e-6). A run is left out as soon as a step needs more than \
          {MOST} augmentations, re-linearised passes together, or three linear solves to each of them; it is not begun if one sphere alone needs more by the force tolerance. \
-         At {} P it is also run without friction: Coulomb friction whose disc lags one update behind is what converges slowest.",
+         At {} P it is also run without friction: leaving friction out does not save it.",
         FACTORS[0], FACTORS[4], FACTORS[4],
     ));
     let mut table = Table::new(&[
