@@ -11,6 +11,7 @@ mod export;
 mod failure;
 mod inspect;
 mod progress;
+mod reproduce_paper;
 mod run;
 mod settle;
 mod simulate;
@@ -49,6 +50,8 @@ enum Command {
     Check(check::Check),
     /// Run a scene and write VTU, PVD and CSV files.
     Run(run::Run),
+    /// Run the paper's examples and write what it claims, as numbers, plots and pictures.
+    ReproducePaper(reproduce_paper::ReproducePaper),
     /// Pack a scene into an FMU of FMI 2.0 for co-simulation.
     Export(export::Export),
     /// Show what an FMU is and its variables.
@@ -79,6 +82,9 @@ fn dispatch(command: &Command) -> Result<(), Failure> {
         Command::Demo(arguments) => demo::run(arguments, &Interrupt::listen()?),
         Command::Check(arguments) => check::run(arguments),
         Command::Run(arguments) => run::run(arguments, &Interrupt::listen()?),
+        Command::ReproducePaper(arguments) => {
+            reproduce_paper::run(arguments, &Interrupt::listen()?)
+        }
         Command::Export(arguments) => export::run(arguments, &Interrupt::listen()?),
         Command::Inspect(arguments) => inspect::run(arguments),
         Command::Simulate(arguments) => simulate::run(arguments, &Interrupt::listen()?),

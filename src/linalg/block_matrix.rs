@@ -111,4 +111,29 @@ impl BlockMatrix {
             }
         }
     }
+
+    /// `K x`; `x` has `6 n` entries.
+    #[must_use]
+    pub fn multiply(&self, x: &[f64]) -> Vec<f64> {
+        let mut y = vec![0.0; x.len()];
+        for column in 0..self.pattern.len() {
+            let rows = self.pattern.column(column);
+            let height = 6 * rows.len();
+            for c in 0..6 {
+                let start = 36 * self.pattern.starts[column] + c * height;
+                let at = 6 * column + c;
+                for (rank, &row) in rows.iter().enumerate() {
+                    for r in 0..6 {
+                        let value = self.values[start + 6 * rank + r];
+                        let to = 6 * row as usize + r;
+                        y[to] += value * x[at];
+                        if row as usize != column {
+                            y[at] += value * x[to];
+                        }
+                    }
+                }
+            }
+        }
+        y
+    }
 }

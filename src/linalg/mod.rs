@@ -1,13 +1,15 @@
-//! Sparse algebra over 6x6 blocks: symmetric block matrix and its Cholesky factor.
+//! Sparse algebra over 6x6 blocks: symmetric block matrix, its Cholesky factor, its condition number.
 //!
 //! Uses nothing of the solver's own; checked against a dense factorization in the tests below.
 
 mod block_matrix;
 mod cholesky;
+mod condition;
 mod lu;
 
 pub use block_matrix::{BlockMatrix, BlockPattern};
 pub use cholesky::{Factor, Symbolic};
+pub use condition::Condition;
 pub use lu::GeneralMatrix;
 
 use thiserror::Error;

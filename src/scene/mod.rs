@@ -149,7 +149,8 @@ pub struct Settings {
     pub solver: SolverKind,
     /// Penalty number `P_n` \[N/m\]; `None`: chosen from mass and step. The penalty method needs it.
     pub penalty: Option<f64>,
-    /// Whether the augmented-Lagrangian loop may change the penalty.
+    /// Whether the augmented-Lagrangian loop may change the penalty and sweep between its multiplier updates;
+    /// `false` is exactly the paper's loop.
     pub adapt_penalty: bool,
     /// Tolerances of every step.
     pub tolerance: Tolerance,

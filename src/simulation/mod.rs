@@ -10,11 +10,11 @@ use serde::{Deserialize, Serialize};
 
 use crate::Vec3;
 use crate::contacts::Contact;
-use crate::drive::target;
+use crate::drive::{Drive, target};
 use crate::error::{SnapshotError, StepError};
 use crate::motion::{Command, Motion, Pose, Twist};
 use crate::particles::Kinematics;
-use crate::problem::Dof6;
+use crate::problem::{Dof6, Impulses, Problem};
 use crate::scene::Scene;
 use crate::snapshot;
 use crate::state::{State, Work};
@@ -264,6 +264,26 @@ impl Simulation {
             self.state = before;
         }
         result
+    }
+
+    /// The problem that an internal step of `dt` \[s\] from here begins with, and the impulses \[N s\] that the solver
+    /// would start from: for the study of solvers. Commands count as reached at the end of `dt`.
+    ///
+    /// # Errors
+    /// [`StepError::Argument`] if `dt` is not a finite time > 0.
+    pub fn problem(&self, dt: f64) -> Result<(Problem, Impulses), StepError> {
+        if !(dt > 0.0 && dt.is_finite()) {
+            return Err(StepError::Argument {
+                what: "step",
+                found: format!("{dt} s"),
+                expected: "a finite time > 0",
+            });
+        }
+        let (state, end) = (&self.state, self.state.time + dt);
+        let boundaries = &self.scene.boundaries;
+        let drive = Drive::new(boundaries, &state.commands, &state.poses, state.time, end);
+        let poses = drive.poses(end);
+        Ok(crate::step::problem(&self.scene, state, dt, &poses))
     }
 
     /// Complete state as bytes that work in a new process: [`crate::snapshot`].

@@ -24,7 +24,7 @@ use super::residual::{Scale, evaluate};
 use super::{Params, Report};
 use crate::Vec3;
 use crate::contacts::law::{project_disc, split};
-use crate::linalg::{BlockMatrix, BlockPattern, LinearError, Symbolic};
+use crate::linalg::{BlockMatrix, BlockPattern, Factor, LinearError, Symbolic};
 use crate::problem::{Dof6, GROUND, Law, Problem, Row};
 
 /// Shear penalty over normal penalty, `P_t = P_n / 2.5` (Shi's constant).
@@ -35,9 +35,6 @@ const OPEN_CLOSE: usize = 40;
 const GAIN: f64 = 0.25;
 /// Factor of a penalty increase.
 const RAISE: f64 = 8.0;
-/// Gauss-Seidel sweeps after each multiplier update: they bring friction onto the true cone, where the lagged
-/// discs alone converge slowly (five times fewer factorizations on the funnel).
-const SMOOTHING: usize = 60;
 /// Largest penalty over the mass scale `m/dt^2`: beyond it the factor loses the digits the tolerance needs.
 const CEILING: f64 = 1e3;
 
@@ -153,7 +150,14 @@ struct Inner<'a> {
     masses: Vec<[f64; 6]>,
 }
 
-impl Inner<'_> {
+impl<'a> Inner<'a> {
+    fn of(problem: &'a Problem) -> Self {
+        Self {
+            problem,
+            masses: problem.inverse_mass.iter().map(masses).collect(),
+        }
+    }
+
     /// Energy \[J\] and out-of-balance impulse `A (v - v_free) - J^T p^` \[N s\], `[6 N]`, at `velocity`.
     fn balance(&self, velocity: &[Dof6], rows: &[Augmented]) -> (f64, Vec<f64>) {
         let mut energy = 0.0;
@@ -247,6 +251,32 @@ pub fn solve(
     report
 }
 
+/// `K = A + J^T diag(dp^/du) J` \[kg\], \[kg m\], \[kg m^2\], `[6 N, 6 N]`, of the open-close iteration at the
+/// velocities that `impulses` give: `dt^2` times the paper's `K` (its eqs 5, 19-22), so of the same condition number.
+#[must_use]
+pub fn stiffness(problem: &Problem, penalty: f64, impulses: &[Vec3]) -> BlockMatrix {
+    let sigma = penalty * problem.step * problem.step;
+    let velocity = problem.velocities(impulses);
+    let rows: Vec<Augmented> = problem
+        .rows
+        .iter()
+        .zip(impulses)
+        .map(|(row, &p)| {
+            let u = row.relative_velocity(&velocity);
+            augmented(row, u, p, sigma, friction_radius(row, p))
+        })
+        .collect();
+    let mut matrix = BlockMatrix::zeros(Arc::new(pattern(problem)));
+    Inner::of(problem).assemble(&mut matrix, &rows);
+    matrix
+}
+
+/// The blocks that the rows couple.
+fn pattern(problem: &Problem) -> BlockPattern {
+    let pairs = problem.rows.iter().filter(|row| row.b != GROUND);
+    BlockPattern::new(problem.free.len(), pairs.map(|row| (row.a, row.b)))
+}
+
 /// The augmented-Lagrangian loop; returns at convergence or when the work allowed is spent.
 fn outer_loop(
     problem: &Problem,
@@ -256,24 +286,16 @@ fn outer_loop(
     scales: &[Scale],
     report: &mut Report,
 ) -> Result<(), LinearError> {
-    let pairs = problem
-        .rows
-        .iter()
-        .filter(|row| row.b != GROUND)
-        .map(|row| (row.a, row.b));
-    let pattern = BlockPattern::new(problem.free.len(), pairs);
-    let symbolic = workspace.analyse(pattern)?;
+    let symbolic = workspace.analyse(pattern(problem))?;
     let mut matrix = BlockMatrix::zeros(Arc::clone(symbolic.pattern()));
-    let inner = Inner {
-        problem,
-        masses: problem.inverse_mass.iter().map(masses).collect(),
-    };
+    let inner = Inner::of(problem);
     let heaviest = inner.masses.iter().map(|m| m[0]).fold(0.0, f64::max);
     let dt2 = problem.step * problem.step;
     let mut ceiling = CEILING * heaviest / dt2;
     if params.adapt_penalty {
         report.penalty = report.penalty.min(ceiling);
     }
+    let mut held: Option<(BlockMatrix, Factor)> = None;
     let small = 0.1 * params.tolerance.gap.min(params.tolerance.slip);
     let mut velocity = problem.velocities(impulses);
 
@@ -300,10 +322,15 @@ fn outer_loop(
                 break;
             }
             inner.assemble(&mut matrix, &rows);
-            let factor = symbolic.factorize(&matrix)?;
+            // Contacts that keep their states keep `K`: with the penalty held that is most of the loop.
+            let factor = match held.take().filter(|(of, _)| *of == matrix) {
+                Some((_, factor)) => factor,
+                None => symbolic.factorize(&matrix)?,
+            };
             report.factorizations += 1;
             let mut step: Vec<f64> = gradient.iter().map(|g| -g).collect();
             factor.solve(&mut step);
+            held = Some((matrix.clone(), factor));
             let slope: f64 = gradient.iter().zip(&step).map(|(g, s)| g * s).sum();
             let mut scale = 1.0;
             settled = loop {
@@ -344,7 +371,7 @@ fn outer_loop(
             };
         }
         report.augmentations += 1;
-        smooth(problem, scales, SMOOTHING, impulses);
+        smooth(problem, scales, params.smoothing, impulses);
         velocity = problem.velocities(impulses);
         let before = report.residual;
         report.residual = evaluate(problem, scales, impulses);

@@ -26,6 +26,10 @@ const BETWEEN: usize = 100;
 /// Gauss-Seidel sweeps that `auto` spends before it turns to the direct solver.
 const AUTO_SWEEPS: usize = 1000;
 
+/// Sweeps after each multiplier update of the augmented-Lagrangian loop: they bring friction onto the true cone, where
+/// the lagged discs alone converge slowly (five times fewer factorizations on the funnel).
+pub const SMOOTHING: usize = 60;
+
 /// What a solver is asked for.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Params {
@@ -39,8 +43,10 @@ pub struct Params {
     pub max_factorizations: usize,
     /// Penalty number `P_n` \[N/m\] at the start of the augmented-Lagrangian loop.
     pub penalty: f64,
-    /// Whether that loop may raise it.
+    /// Whether that loop may change it.
     pub adapt_penalty: bool,
+    /// Gauss-Seidel sweeps after each of its multiplier updates; 0: none, as in the paper.
+    pub smoothing: usize,
 }
 
 /// What a solver did.
@@ -54,7 +60,7 @@ pub struct Report {
     pub sweeps: usize,
     /// Multiplier updates of the augmented-Lagrangian loop.
     pub augmentations: usize,
-    /// Factorizations: open-close iterations over all augmentations.
+    /// Linear solves: open-close iterations over all augmentations. An unchanged matrix keeps its factor.
     pub factorizations: usize,
     /// Penalty number at the end \[N/m\]; zero if the augmented-Lagrangian loop did not run.
     pub penalty: f64,

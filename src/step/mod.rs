@@ -9,10 +9,10 @@ pub use start::{initial_forces, remove_overlaps};
 
 use crate::Vec3;
 use crate::contacts::broad_phase::NeighborList;
-use crate::motion::Pose;
+use crate::motion::{Pose, Twist};
 use crate::particles::Kinematics;
-use crate::problem::Dof6;
 use crate::problem::assemble::{Inputs, external_acceleration};
+use crate::problem::{Dof6, Impulses, Problem};
 use crate::scene::Scene;
 use crate::solver::Report;
 use crate::solver::augmented_lagrangian::Workspace;
@@ -61,32 +61,8 @@ pub fn step(
     dt: f64,
     poses: Vec<Pose>,
 ) -> Result<StepOutcome, StepFailure> {
-    let integrator = scene.settings.integrator;
-    let (standing, twists) = (state.poses.clone(), state.twists.clone());
-    let external = external_acceleration(scene, &state.kinematics, state.gravity);
-    let mut kinematics = state.kinematics.clone();
-    for (i, persisting) in state.persisting.iter().enumerate() {
-        let v = integrator.restep(&dof(&kinematics, i), persisting, state.last_step, dt);
-        kinematics.velocity[i] = v.linear;
-        kinematics.spin[i] = v.angular;
-    }
-    let end_time = state.time + dt;
-    let targets: Vec<Vec3> = scene
-        .springs
-        .iter()
-        .map(|spring| spring.target + spring.motion.pose_at(end_time).translation)
-        .collect();
-    let inputs = Inputs {
-        scene,
-        kinematics: &kinematics,
-        external: &external,
-        step: dt,
-        poses: [&standing, &poses],
-        twists: &twists,
-        gravity: state.gravity,
-        targets: &targets,
-    };
-    let mut stage = Stage::new(inputs, state, scratch);
+    let start = Start::of(scene, state, dt);
+    let mut stage = Stage::new(start.inputs(scene, state, dt, &poses), state, scratch);
     let (solution, outcome) = stage.resolve(state, scratch)?;
     stage.commit(state, &solution);
     if outcome.solver.penalty > 0.0 && outcome.solver.penalty.is_finite() {
@@ -101,6 +77,67 @@ pub fn step(
     state.poses = poses;
     state.last_step = dt;
     Ok(outcome)
+}
+
+/// The problem that a step of `dt` \[s\] from `state` begins with, boundaries moving to `poses`, and the impulses \[N s\] it
+/// starts from: candidates within reach, gaps not yet re-linearised.
+#[must_use]
+pub fn problem(scene: &Scene, state: &State, dt: f64, poses: &[Pose]) -> (Problem, Impulses) {
+    let start = Start::of(scene, state, dt);
+    let inputs = start.inputs(scene, state, dt, poses);
+    let stage = Stage::new(inputs, state, &mut Scratch::default());
+    (stage.problem, stage.impulses)
+}
+
+/// What a step takes from the state before it moves anything.
+struct Start {
+    kinematics: Kinematics,
+    external: Vec<Dof6>,
+    targets: Vec<Vec3>,
+    standing: Vec<Pose>,
+    twists: Vec<Twist>,
+}
+
+impl Start {
+    fn of(scene: &Scene, state: &State, dt: f64) -> Self {
+        let integrator = scene.settings.integrator;
+        let mut kinematics = state.kinematics.clone();
+        for (i, persisting) in state.persisting.iter().enumerate() {
+            let v = integrator.restep(&dof(&kinematics, i), persisting, state.last_step, dt);
+            kinematics.velocity[i] = v.linear;
+            kinematics.spin[i] = v.angular;
+        }
+        let end_time = state.time + dt;
+        let springs = scene.springs.iter();
+        Self {
+            external: external_acceleration(scene, &state.kinematics, state.gravity),
+            kinematics,
+            targets: springs
+                .map(|spring| spring.target + spring.motion.pose_at(end_time).translation)
+                .collect(),
+            standing: state.poses.clone(),
+            twists: state.twists.clone(),
+        }
+    }
+
+    fn inputs<'a>(
+        &'a self,
+        scene: &'a Scene,
+        state: &State,
+        dt: f64,
+        poses: &'a [Pose],
+    ) -> Inputs<'a> {
+        Inputs {
+            scene,
+            kinematics: &self.kinematics,
+            external: &self.external,
+            step: dt,
+            poses: [&self.standing, poses],
+            twists: &self.twists,
+            gravity: state.gravity,
+            targets: &self.targets,
+        }
+    }
 }
 
 fn dof(kinematics: &Kinematics, i: usize) -> Dof6 {

@@ -7,7 +7,7 @@ use crate::contacts::{Partner, history};
 use crate::problem::assemble::Inputs;
 use crate::problem::{Dof6, Problem};
 use crate::scene::Method;
-use crate::solver::{Params, Report, solve};
+use crate::solver::{Params, Report, SMOOTHING, solve};
 use crate::state::State;
 
 /// Passes of re-linearisation and late contacts before the step is cut.
@@ -125,6 +125,8 @@ impl<'a> Stage<'a> {
                 state.penalty
             },
             adapt_penalty: settings.adapt_penalty && !penalty_method,
+            // A penalty held by the scene asks for the paper's loop and nothing else.
+            smoothing: if settings.adapt_penalty { SMOOTHING } else { 0 },
         };
         solve(
             &self.problem,

@@ -9,6 +9,7 @@ mod fmus;
 mod foreign_fmu;
 mod interrupted;
 mod killed;
+mod paper;
 mod refused;
 mod resumed;
 mod runs;

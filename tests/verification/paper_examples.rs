@@ -58,12 +58,12 @@ fn in_funnel(x: Vec3, r: f64) -> bool {
 /// Centres stay above the profile of the five planes and between the side walls.
 fn on_slopes(x: Vec3, r: f64) -> bool {
     let mut low = f64::INFINITY;
-    let (mut px, mut pz) = (0.0, 224.462_456_307);
+    let (mut px, mut pz) = (0.0, 220.286_410_608);
     for degrees in [10.0f64, 8.0, 6.0, 4.0, 2.0, 0.0] {
         let (sin, cos) = degrees.to_radians().sin_cos();
         low = low.min((x.x - px) * sin + (x.z - pz) * cos);
-        px += 430.0 * cos;
-        pz -= 430.0 * sin;
+        px += 422.0 * cos;
+        pz -= 422.0 * sin;
     }
     let wall = r * (1.0 - 2e-6);
     low >= wall && x.y >= wall && 80.0 - x.y >= wall

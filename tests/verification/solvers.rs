@@ -5,7 +5,7 @@ use sphere_dda::problem::{Dof6, GROUND, Law, Problem, Row};
 use sphere_dda::scene::{SolverKind, Tolerance};
 use sphere_dda::solver::augmented_lagrangian::Workspace;
 use sphere_dda::solver::residual::{Scale, evaluate};
-use sphere_dda::solver::{Params, Report, solve};
+use sphere_dda::solver::{Params, Report, SMOOTHING, solve};
 
 const R: f64 = 0.1;
 const DT: f64 = 1e-3;
@@ -99,6 +99,7 @@ fn solved(problem: &Problem, kind: SolverKind) -> (Vec<Vec3>, Report) {
         max_factorizations: 2000,
         penalty: 1e5,
         adapt_penalty: true,
+        smoothing: SMOOTHING,
     };
     let mut impulses = vec![Vec3::zeros(); problem.rows.len()];
     let report = solve(problem, &params, &mut Workspace::default(), &mut impulses);

@@ -1,0 +1,215 @@
+//! The study of S. A. R. Beyabanaki, A. C. Bagtzoglou, *Modified contact constraints in sphere-based 3-D DDA*, 2020: both
+//! examples, both integrators, augmented Lagrangian beside penalty, and the claims of the text as numbers.
+
+pub mod beyond;
+pub mod column;
+pub mod conditioning;
+pub mod held;
+pub mod march;
+pub mod overlap;
+mod pictures;
+mod sections;
+mod text;
+
+use sphere_dda::scene::{Integrator, Method};
+
+use crate::error::ReportError;
+use crate::folder::Folder;
+use crate::{Watch, parallel};
+use column::{Column, Stop};
+use conditioning::Point;
+use held::{Held, Outcome};
+use march::{Case, Example, Record, march};
+
+/// How much is run.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Options {
+    /// Share of each run's duration, 0 to 1; below 1 it is a trial, and the report says so.
+    pub duration: f64,
+    /// Threads; they do not change the report.
+    pub threads: usize,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self {
+            duration: 1.0,
+            threads: 2,
+        }
+    }
+}
+
+/// All that was run.
+#[derive(Debug, Clone)]
+pub(crate) struct Study {
+    duration: f64,
+    /// Example, integrator, method in this order of nesting.
+    records: Vec<Record>,
+    /// Per example: its sweep of penalties.
+    sweeps: Vec<(Example, Vec<Point>)>,
+    /// One sphere and a stack, with each example's numbers.
+    stacks: Vec<StackRow>,
+    /// Whole examples at held penalties.
+    held: Vec<(Held, Outcome)>,
+}
+
+/// Numbers of spheres in a stack.
+const STACKS: [usize; 2] = [1, 10];
+
+/// A stack at one penalty.
+#[derive(Debug, Clone)]
+struct StackRow {
+    example: Example,
+    spheres: usize,
+    factor: f64,
+    contraction: f64,
+    /// Augmentations to the gap tolerance: predicted, counted.
+    gap: (f64, u64),
+    /// Augmentations to the force tolerance: predicted, counted.
+    force: (f64, u64),
+    /// Error of the forces then \[-\].
+    error: f64,
+    /// Augmentations and error of the forces \[-\] of the library's own step.
+    adapted: (u64, f64),
+    /// Overlap over radius of the penalty method: closed form, found.
+    penalty: (f64, Option<f64>),
+}
+
+impl Study {
+    /// The paper's penalty \[N/m\].
+    fn penalty(&self, example: Example) -> f64 {
+        let mut records = self.records.iter().filter(|r| r.case.example == example);
+        let penalty = records.next().and_then(|r| r.scene.settings.penalty);
+        penalty.unwrap_or(f64::NAN)
+    }
+}
+
+/// Runs the study and writes it: `paper.md`, and below `paper/` its drawings (SVG) and tables (CSV).
+///
+/// # Errors
+/// What a case that must run says, or [`ReportError::Interrupted`].
+pub fn study(options: &Options, watch: &dyn Watch) -> Result<Folder, ReportError> {
+    let end = |example: Example| {
+        let last = example.printed().iter().copied().fold(0.0, f64::max);
+        last * options.duration
+    };
+    let records = records(options, &end, watch)?;
+    let mut sweeps = Vec::new();
+    for example in Example::ALL {
+        let frozen = records.iter().find_map(|record| {
+            let case = record.case;
+            let wanted = case.example == example && case.method == Method::Alm;
+            record.problem.as_ref().filter(|_| wanted)
+        });
+        if let Some(problem) = frozen {
+            let until = example.compared().min(end(example));
+            let points = conditioning::study(example, problem, until, options.threads, watch)?;
+            sweeps.push((example, points));
+        }
+    }
+    let study = Study {
+        duration: options.duration,
+        records,
+        sweeps,
+        stacks: stacks(options, watch)?,
+        held: held(options, &end, watch)?,
+    };
+    sections::write(&study)
+}
+
+/// Both examples, both integrators, both methods.
+fn records(
+    options: &Options,
+    end: &(dyn Fn(Example) -> f64 + Sync),
+    watch: &dyn Watch,
+) -> Result<Vec<Record>, ReportError> {
+    let mut jobs = Vec::new();
+    for example in Example::ALL {
+        for integrator in [Integrator::Shi, Integrator::Moreau] {
+            for method in [Method::Alm, Method::Penalty] {
+                jobs.push(move || {
+                    let case = Case {
+                        example,
+                        integrator,
+                        method,
+                        factor: 1.0,
+                        end: end(example),
+                    };
+                    let record = march(case, watch)?;
+                    watch.note(&format!("{}: {} steps", case.name(), record.steps));
+                    Ok(record)
+                });
+            }
+        }
+    }
+    parallel::run(options.threads, jobs).into_iter().collect()
+}
+
+/// Stacks at held penalties; a trial leaves out those that need more than ten thousand augmentations.
+fn stacks(options: &Options, watch: &dyn Watch) -> Result<Vec<StackRow>, ReportError> {
+    let mut jobs = Vec::new();
+    for example in Example::ALL {
+        for spheres in STACKS {
+            let column = Column::of(example, spheres)?;
+            for factor in column::FACTORS {
+                let p = factor * column.penalty;
+                if options.duration < 1.0 && column.predicted(p, Stop::Force) > 1e4 {
+                    continue;
+                }
+                jobs.push(move || {
+                    if watch.stop() {
+                        return Err(ReportError::Interrupted);
+                    }
+                    let counted = column.counted(p)?;
+                    let row = StackRow {
+                        example,
+                        spheres,
+                        factor,
+                        contraction: column.contraction(p),
+                        gap: (column.predicted(p, Stop::Gap), counted.gap),
+                        force: (column.predicted(p, Stop::Force), counted.force),
+                        error: counted.error,
+                        adapted: column.adapted(p)?,
+                        penalty: column.penalty_overlap(p)?,
+                    };
+                    let name = example.name();
+                    watch.note(&format!(
+                        "{name}: stack of {spheres} at {factor} P, {} augmentations",
+                        counted.force
+                    ));
+                    Ok(row)
+                });
+            }
+        }
+    }
+    parallel::run(options.threads, jobs).into_iter().collect()
+}
+
+fn held(
+    options: &Options,
+    end: &(dyn Fn(Example) -> f64 + Sync),
+    watch: &dyn Watch,
+) -> Result<Vec<(Held, Outcome)>, ReportError> {
+    let mut jobs = Vec::new();
+    for example in Example::ALL {
+        for factor in column::FACTORS {
+            let largest = factor == column::FACTORS[column::FACTORS.len() - 1];
+            for friction in [true, false] {
+                if !friction && !largest {
+                    continue;
+                }
+                let held = Held {
+                    example,
+                    factor,
+                    friction,
+                };
+                jobs.push(move || {
+                    let outcome = held.run(end(example), watch)?;
+                    watch.note(&format!("{}: penalty held at {factor} P", example.name()));
+                    Ok((held, outcome))
+                });
+            }
+        }
+    }
+    parallel::run(options.threads, jobs).into_iter().collect()
+}

@@ -1,0 +1,57 @@
+//! `reproduce-paper`, every run cut to a hundredth of its duration.
+
+use std::fs;
+
+use tempfile::tempdir;
+
+use crate::command::{done, rows, said};
+
+#[test]
+fn a_short_study_writes_its_report_once() {
+    let folder = tempdir().unwrap();
+    let study = ["reproduce-paper", "-o", "report", "--duration", "0.005"];
+    let first = done(folder.path(), &study);
+    assert!(first.out.contains("paper.md"), "{}", first.out);
+    assert!(first.error.contains("funnel, shi, ALM"), "{}", first.error);
+
+    let report = folder.path().join("report");
+    let text = fs::read_to_string(report.join("paper.md")).unwrap();
+    assert!(text.contains("sphere-dda reproduce-paper"));
+    assert!(
+        text.contains("**A trial"),
+        "a short study says that it is one"
+    );
+    // Everything the text shows or links to is there, and is what its name says.
+    let links: Vec<&str> = text
+        .split("](paper/")
+        .skip(1)
+        .map(|rest| rest.split(')').next().unwrap())
+        .collect();
+    assert!(links.len() > 8, "{links:?}");
+    for link in links {
+        let file = report.join("paper").join(link);
+        if link.ends_with(".csv") {
+            assert!(rows_quoted(&file) > 0, "{link}");
+        } else {
+            let svg = fs::read_to_string(&file).unwrap();
+            assert!(svg.starts_with("<svg") && svg.trim_end().ends_with("</svg>"));
+        }
+    }
+    // Both examples, integrators and methods, over all steps.
+    assert!(rows(&report.join("paper/work.csv")) == 8);
+
+    let again = said(folder.path(), &study);
+    assert_eq!(again.code, Some(2));
+    assert!(again.error.contains("--overwrite"), "{}", again.error);
+
+    // Another run gives the same bytes.
+    let mut over = study.to_vec();
+    over.push("--overwrite");
+    done(folder.path(), &over);
+    assert_eq!(text, fs::read_to_string(report.join("paper.md")).unwrap());
+}
+
+/// Lines of a CSV file without its header; fields may be quoted.
+fn rows_quoted(csv: &std::path::Path) -> usize {
+    fs::read_to_string(csv).unwrap().lines().count() - 1
+}
