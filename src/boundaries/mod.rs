@@ -3,7 +3,7 @@
 //! For a sphere of centre `c` and radius `R` the closest point `P0` on a face, edge or vertex gives the
 //! normal `n = (c - P0)/|c - P0|` and the gap `g = |c - P0| - R` (paper eqs 9-10, section IV).
 //!
-//! A [`Geometry`] is a list of [`Shape`]s: half-spaces, flat [`Facets`] (polygons, boxes, STL) and surfaces of
+//! A [`Geometry`] is a list of [`Shape`]s: half-spaces, flat [`Facets`] (polygons, boxes, STL, terrain) and surfaces of
 //! [`Revolution`] (cylinders, cones, discs). All facets of a boundary form one mesh, so a sphere rolls from one
 //! to the next without noticing; between shapes of different kinds nothing is merged.
 //! Half-spaces are one-sided; everything else is a thin sheet with two sides.
@@ -15,6 +15,7 @@ mod mesh;
 mod plane;
 mod revolution;
 mod stl;
+mod terrain;
 mod tessellate;
 mod topology;
 
@@ -24,6 +25,7 @@ pub use error::GeometryError;
 pub use facets::Facets;
 pub use plane::HalfSpace;
 pub use revolution::Revolution;
+pub use terrain::{GridProblem, HeightField};
 pub use tessellate::Triangulation;
 pub use topology::Repair;
 

@@ -12,6 +12,8 @@ use crate::Vec3;
 
 /// Welding and flatness tolerance over the diagonal of the bounding box \[-\]: seven typed digits.
 pub(super) const RELATIVE_TOLERANCE: f64 = 4e-7;
+/// The same for computed vertices: a smooth surface of many facets is then not cut into flats with steps between.
+const COMPUTED_TOLERANCE: f64 = 1e-11;
 /// Coplanar neighbours may differ by at most this cosine (0.01 rad) besides lying in the plane.
 const FLAT_COSINE: f64 = 1.0 - 5e-5;
 
@@ -134,7 +136,15 @@ fn weld(shapes: &[&Facets]) -> Result<Welded, GeometryError> {
         }
     }
     let rounding = shapes.iter().map(|s| s.rounding).fold(0.0, f64::max);
-    let tolerance = (RELATIVE_TOLERANCE * (max - min).norm()).max(4.0 * rounding);
+    let relative = if shapes.iter().all(|s| s.computed) {
+        COMPUTED_TOLERANCE
+    } else {
+        RELATIVE_TOLERANCE
+    };
+    let largest = min.amax().max(max.amax());
+    let tolerance = (relative * (max - min).norm())
+        .max(4.0 * rounding)
+        .max(16.0 * f64::EPSILON * largest);
 
     let mut grid = WeldGrid::new(tolerance);
     let mut triangles = Vec::new();

@@ -2,7 +2,7 @@
 
 use serde::Deserialize;
 
-use super::Vector;
+use super::{OneOrMany, Vector};
 
 /// `[[boundary]]`: a named rigid body made of faces.
 #[derive(Debug, Clone, Deserialize)]
@@ -130,14 +130,17 @@ pub struct Stl {
     pub translate: Vector,
 }
 
-/// A height field in an ESRI ASCII grid (`.asc`): its values are heights at the cell centres, solid below; each
-/// square of four neighbouring centres is two triangles. Squares with a corner without data are left out.
+/// A height field in an ESRI ASCII grid (`.asc`): its values are heights at the cell centres; each square of four
+/// neighbouring centres is two triangles. Squares with a corner without data are left out. Give it a boundary of its own.
 #[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Terrain {
     /// File beside or below the scene file. Required.
     pub file: String,
-    /// Moves the grid \[m\]; map coordinates are large, so bring them near zero. Default: zero.
+    /// Factor on the file's coordinates and heights, > 0: one, or three for x, y and height. Default: 1.
+    #[serde(default = "super::one_for_all")]
+    pub scale: OneOrMany<f64>,
+    /// Translation after scaling \[m\]; map coordinates are large, so bring them near zero. Default: zero.
     #[serde(default)]
     pub translate: Vector,
 }

@@ -94,6 +94,10 @@ fn one() -> f64 {
     1.0
 }
 
+fn one_for_all() -> OneOrMany<f64> {
+    OneOrMany::One(1.0)
+}
+
 fn up() -> Vector {
     Triple([0.0, 0.0, 1.0])
 }
