@@ -11,6 +11,7 @@
 mod closest;
 mod error;
 mod facets;
+mod features;
 mod mesh;
 mod plane;
 mod revolution;
@@ -290,8 +291,9 @@ impl Geometry {
         let mut include = |(min, max): (Vec3, Vec3)| {
             bounds = Some(bounds.map_or((min, max), |(low, high)| (low.inf(&min), high.sup(&max))));
         };
-        for &[a, b, c] in self.mesh_triangles() {
-            include((a.inf(&b).inf(&c), a.sup(&b).sup(&c)));
+        let vertices = self.mesh.iter().flat_map(|mesh| mesh.triangulation().0);
+        for &v in vertices {
+            include((v, v));
         }
         for shape in &self.shapes {
             match shape {
@@ -301,10 +303,6 @@ impl Geometry {
             }
         }
         bounds
-    }
-
-    fn mesh_triangles(&self) -> &[[Vec3; 3]] {
-        self.mesh.as_ref().map_or(&[], Mesh::triangles)
     }
 }
 
