@@ -57,6 +57,7 @@ pub mod motion;
 pub mod observe;
 pub mod particles;
 pub mod problem;
+pub mod random;
 pub mod region;
 pub mod scene;
 pub mod simulation;

@@ -107,6 +107,14 @@ impl Kinematics {
         self.present.push(true);
     }
 
+    /// Adds a sphere that waits outside the scene; `position` \[m\] is where drawings would put it.
+    pub fn push_absent(&mut self, position: Vec3) {
+        self.push(position, Vec3::zeros(), Vec3::zeros());
+        if let Some(present) = self.present.last_mut() {
+            *present = false;
+        }
+    }
+
     /// Number of spheres `N`.
     #[must_use]
     pub fn len(&self) -> usize {

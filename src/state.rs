@@ -3,6 +3,8 @@
 //! A blob is `magic, version, scene hash, length, postcard body, CRC-32`: no pointers, the same bytes in any
 //! process. What is not in it (neighbour list, symbolic analysis) never shows in results.
 
+use std::collections::VecDeque;
+
 use serde::{Deserialize, Serialize};
 
 use crate::Vec3;
@@ -24,6 +26,17 @@ pub struct Work {
     pub loads: f64,
     /// Work of constrained springs on the spheres.
     pub springs: f64,
+}
+
+/// What a source has yet to emit.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct Reserve {
+    /// Spheres outside the scene, in the order they will be emitted.
+    pub waiting: VecDeque<u32>,
+    /// How much of what is due since the source's start has been emitted or forgone: spheres, or mass \[kg\].
+    pub spent: f64,
+    /// Number of the next draw of a place.
+    pub draws: u64,
 }
 
 /// Everything that decides the future of a run.
@@ -57,6 +70,12 @@ pub struct State {
     pub mean_wrenches: Vec<Wrench>,
     /// Work since t = 0.
     pub work: Work,
+    /// Spheres of each source that wait outside the scene, `[sources]`.
+    pub reserves: Vec<Reserve>,
+    /// Mass each source has emitted \[kg\], `[sources]`.
+    pub emitted: Vec<f64>,
+    /// Mass each sink has removed \[kg\], `[sinks]`.
+    pub removed: Vec<f64>,
     /// Cumulated mass of each sensor \[kg\], `[sensors]`; zero for those that do not cumulate.
     pub passed: Vec<f64>,
     /// Mean flow of each sensor over the last communication step \[kg/s\], `[sensors]`.

@@ -4,10 +4,12 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use miette::miette;
-use sphere_dda_fmu::export::{export, find_library};
+use sphere_dda::scene::Scene;
+use sphere_dda_fmu::export::{check_library, export, find_library};
 
 use crate::failure::Failure;
-use crate::progress::{note, print};
+use crate::progress::{Interrupt, note, print};
+use crate::settle::Settling;
 
 /// Arguments of `export`.
 #[derive(Debug, Args)]
@@ -15,6 +17,9 @@ use crate::progress::{note, print};
 Examples:
   sphere-dda export examples/feeder/feeder.toml
   sphere-dda export scene.toml -o build/scene.fmu --overwrite
+  sphere-dda export hopper.toml --until-rest
+
+With --settle or --until-rest the FMU carries the settled spheres: a full hopper is there at t = 0.
 
 The library is looked for beside this program and in its `deps` folder, unless --library or the environment variable
 SPHERE_DDA_LIBRARY names it; one that was built from other sources than this program is refused.")]
@@ -30,13 +35,15 @@ pub(crate) struct Export {
     /// Replace the FMU if there is one.
     #[arg(long)]
     overwrite: bool,
+    #[command(flatten)]
+    settling: Settling,
 }
 
 /// Packs a scene and the library into an FMU.
 ///
 /// # Errors
 /// All problems of the scene, or why there is no FMU.
-pub(crate) fn run(arguments: &Export) -> Result<(), Failure> {
+pub(crate) fn run(arguments: &Export, interrupt: &Interrupt) -> Result<(), Failure> {
     let scene = &arguments.scene;
     let output = match &arguments.output {
         Some(output) => output.clone(),
@@ -55,16 +62,26 @@ pub(crate) fn run(arguments: &Export) -> Result<(), Failure> {
             output.display()
         )));
     }
-    pack(scene, &output, arguments.library.as_deref())
+    // What would stop the export shows before the spheres settle.
+    let library = find_library(arguments.library.as_deref())?;
+    check_library(&library)?;
+    let start = arguments
+        .settling
+        .start(&Scene::from_file(scene)?.scene, interrupt)?;
+    pack(scene, start, &output, &library)
 }
 
-/// Exports `scene` with the library found and says what was packed.
+/// Exports `scene` and its settled start, if there is one, with `library`, and says what was packed.
 ///
 /// # Errors
 /// As [`run`].
-pub(crate) fn pack(scene: &Path, fmu: &Path, library: Option<&Path>) -> Result<(), Failure> {
-    let library = find_library(library)?;
-    let exported = export(scene, fmu, &library)?;
+pub(crate) fn pack(
+    scene: &Path,
+    start: Option<Vec<u8>>,
+    fmu: &Path,
+    library: &Path,
+) -> Result<(), Failure> {
+    let exported = export(scene, start, fmu, library)?;
     for warning in &exported.warnings {
         note(format_args!("warning: {warning}"));
     }

@@ -12,6 +12,7 @@ mod failure;
 mod inspect;
 mod progress;
 mod run;
+mod settle;
 mod simulate;
 
 use std::process::ExitCode;
@@ -78,7 +79,7 @@ fn dispatch(command: &Command) -> Result<(), Failure> {
         Command::Demo(arguments) => demo::run(arguments, &Interrupt::listen()?),
         Command::Check(arguments) => check::run(arguments),
         Command::Run(arguments) => run::run(arguments, &Interrupt::listen()?),
-        Command::Export(arguments) => export::run(arguments),
+        Command::Export(arguments) => export::run(arguments, &Interrupt::listen()?),
         Command::Inspect(arguments) => inspect::run(arguments),
         Command::Simulate(arguments) => simulate::run(arguments, &Interrupt::listen()?),
     }

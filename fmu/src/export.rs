@@ -4,6 +4,7 @@
 //! modelDescription.xml
 //! binaries/linux64/<identifier>.so      the scene-agnostic library
 //! resources/scene.toml, meshes, tables  what the instance reads
+//! resources/start.state                 the settled spheres, if there are any
 //! documentation/index.html              variables, for people
 //! documentation/licenses/license.txt
 //! ```
@@ -25,7 +26,7 @@ use zip::write::SimpleFileOptions;
 
 use crate::description::describe;
 use crate::documentation;
-use crate::model::{Model, ModelError, SCENE_FILE};
+use crate::model::{Model, ModelError, SCENE_FILE, START_FILE};
 
 /// Environment variable that names the library to pack.
 pub const LIBRARY_VARIABLE: &str = "SPHERE_DDA_LIBRARY";
@@ -120,12 +121,17 @@ fn places(folders: &[PathBuf]) -> String {
         .join(", ")
 }
 
-/// Packs the scene with `library` (see [`find_library`]) into the archive `fmu`, replacing it when all is done.
+/// Packs the scene, with the `start` it has settled to (see [`sphere_dda::simulation::Settled`]), and `library` (see [`find_library`]) into the archive `fmu`, replacing it when all is done.
 ///
 /// # Errors
 /// [`ExportError`]; no half-written archive is left.
-pub fn export(scene: &Path, fmu: &Path, library: &Path) -> Result<Exported, ExportError> {
-    let model = Model::read(scene)?;
+pub fn export(
+    scene: &Path,
+    start: Option<Vec<u8>>,
+    fmu: &Path,
+    library: &Path,
+) -> Result<Exported, ExportError> {
+    let model = Model::read(scene, start)?;
     let identifier = identifier(scene);
     let description =
         describe(&model.scene, &model.table, &identifier).map_err(ModelError::from)?;
@@ -174,8 +180,11 @@ fn pack(
             documentation::LICENSE.as_bytes(),
         ),
     ];
+    if let Some(start) = &model.start {
+        files.push((format!("resources/{START_FILE}"), start));
+    }
     for file in &model.files {
-        if file.path == SCENE_FILE {
+        if [SCENE_FILE, START_FILE].contains(&file.path.as_str()) {
             return Err(ExportError::Reserved(file.path.clone()));
         }
         files.push((format!("resources/{}", file.path), &file.content));

@@ -18,7 +18,7 @@ use sphere_dda::motion::{Command, Motion};
 use sphere_dda::simulation::Simulation;
 
 use crate::log::{Level, Log};
-use crate::model::{Model, SCENE_FILE};
+use crate::model::Model;
 use crate::outputs::Outputs;
 use crate::recorder::Recorder;
 use crate::refusal::{InstantiationError, Refusal};
@@ -111,7 +111,7 @@ impl Instance {
         if name.is_empty() {
             return Err(InstantiationError::Name);
         }
-        let model = Model::read(&resources.join(SCENE_FILE))?;
+        let model = Model::of_resources(resources)?;
         if model.guid != guid {
             return Err(InstantiationError::Guid {
                 found: guid.to_owned(),

@@ -1,8 +1,10 @@
 //! A scene as a model: the scene, its variable table and the guid that ties both to a description.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use std::{fs, io};
 
+use sphere_dda::error::SnapshotError;
 use sphere_dda::scene::{Attachment, Scene, SceneError};
 use thiserror::Error;
 
@@ -11,6 +13,9 @@ use crate::variables::Table;
 
 /// Name of the scene file inside `resources/` of an FMU.
 pub const SCENE_FILE: &str = "scene.toml";
+
+/// Name of the settled start inside `resources/` of an FMU.
+pub const START_FILE: &str = "start.state";
 
 /// What exporter and instance build from a scene file, each for itself.
 #[derive(Debug, Clone)]
@@ -25,23 +30,43 @@ pub struct Model {
     pub text: String,
     /// The files it refers to.
     pub files: Vec<Attachment>,
+    /// What the scene starts from instead of its own placement.
+    pub start: Option<Vec<u8>>,
     /// Findings about the scene that do not stop it.
     pub warnings: Vec<String>,
 }
 
 impl Model {
-    /// Reads a scene file and the files it refers to.
+    /// Reads the folder `resources` of an FMU.
+    ///
+    /// # Errors
+    /// As [`Self::read`], and [`ModelError::Unreadable`].
+    pub fn of_resources(resources: &Path) -> Result<Self, ModelError> {
+        let path = resources.join(START_FILE);
+        let start = match fs::read(&path) {
+            Ok(start) => Some(start),
+            Err(error) if error.kind() == io::ErrorKind::NotFound => None,
+            Err(source) => return Err(ModelError::Unreadable { path, source }),
+        };
+        Self::read(&resources.join(SCENE_FILE), start)
+    }
+
+    /// Reads a scene file and the files it refers to; the scene starts from `start`, if it is given.
     ///
     /// # Errors
     /// [`ModelError::Scene`] with all problems of the scene, [`ModelError::Description`] if a name cannot be written
-    /// to XML.
-    pub fn read(path: &Path) -> Result<Self, ModelError> {
-        let loaded = Scene::from_file(path).map_err(Box::new)?;
+    /// to XML, [`ModelError::Start`] if the start belongs to another scene.
+    pub fn read(path: &Path, start: Option<Vec<u8>>) -> Result<Self, ModelError> {
+        let mut loaded = Scene::from_file(path).map_err(Box::new)?;
+        if let Some(start) = &start {
+            loaded.scene.start_from(start)?;
+        }
         let table = Table::new(&loaded.scene);
         let guid = description::guid(&loaded.scene, &table)?;
         Ok(Self {
             table,
             guid,
+            start,
             warnings: loaded
                 .warnings
                 .iter()
@@ -61,6 +86,17 @@ pub enum ModelError {
     /// The scene is refused.
     #[error("{}", .0.plain())]
     Scene(#[from] Box<SceneError>),
+    /// The start does not fit the scene.
+    #[error("settled start: {0}; export the scene again")]
+    Start(#[from] SnapshotError),
+    /// The start cannot be read.
+    #[error("cannot read `{}`: {source}; unpack the FMU again", path.display())]
+    Unreadable {
+        /// The file.
+        path: PathBuf,
+        /// The reason.
+        source: io::Error,
+    },
     /// A name or title does not fit into XML.
     #[error("model description: {0}; change the name or title in the scene")]
     Description(#[from] sphere_dda_model_description::Error),

@@ -22,6 +22,7 @@ const CELLS: f64 = 1e6;
 pub struct NeighborList {
     skin: f64,
     built_at: Vec<Vec3>,
+    built_present: Vec<bool>,
     built_poses: Vec<Pose>,
     /// Sphere pairs `(i, j)`, `i < j`, ascending.
     pub pairs: Vec<(u32, u32)>,
@@ -32,7 +33,7 @@ pub struct NeighborList {
 impl NeighborList {
     /// Makes sure that every pair with a gap of at most `reach` \[m\] in `now` is listed.
     pub fn ensure(&mut self, now: &Placement, reach: f64) {
-        if self.built_at.len() != now.position.len() || self.moved(now) + reach > self.skin {
+        if self.built_present != now.present || self.moved(now) + reach > self.skin {
             self.build(now, reach);
         }
     }
@@ -47,7 +48,7 @@ impl NeighborList {
             .fold(0.0, f64::max)
             .sqrt();
         // A rigid displacement is largest at a corner of the box around the spheres.
-        let corners = corners(now.position);
+        let corners = corners(now.present_positions());
         let walls = now
             .boundaries
             .iter()
@@ -73,12 +74,18 @@ impl NeighborList {
         self.skin = (SKIN * smallest).max(STEPS * reach);
         self.built_at.clear();
         self.built_at.extend_from_slice(now.position);
+        self.built_present.clear();
+        self.built_present.extend_from_slice(now.present);
         self.built_poses.clear();
         self.built_poses.extend_from_slice(now.poses);
-        self.pairs = sphere_pairs(now.position, &now.particles.radius, self.skin);
+        let radius = &now.particles.radius;
+        self.pairs = sphere_pairs(now.position, now.present, radius, self.skin);
         self.walls.clear();
         let mut touches = Vec::new();
-        for (i, (&centre, &radius)) in now.position.iter().zip(&now.particles.radius).enumerate() {
+        for (i, (&centre, &radius)) in now.position.iter().zip(radius).enumerate() {
+            if !now.present[i] {
+                continue;
+            }
             for (b, (boundary, pose)) in now.boundaries.iter().zip(now.poses).enumerate() {
                 touches.clear();
                 let centre = boundary.to_frame(pose, centre);
@@ -93,14 +100,12 @@ impl NeighborList {
     }
 }
 
-/// The corners of the box around `points`.
-fn corners(points: &[Vec3]) -> [Vec3; 8] {
-    let low = points
-        .iter()
-        .fold(Vec3::repeat(f64::INFINITY), |a, p| a.inf(p));
-    let high = points
-        .iter()
-        .fold(Vec3::repeat(f64::NEG_INFINITY), |a, p| a.sup(p));
+/// The corners of the box around `points`; the origin eight times if there are none.
+fn corners(points: impl Iterator<Item = Vec3>) -> [Vec3; 8] {
+    let (low, high) = points
+        .map(|p| (p, p))
+        .reduce(|(low, high), (p, _)| (low.inf(&p), high.sup(&p)))
+        .unwrap_or_default();
     std::array::from_fn(|k| {
         Vec3::from_fn(|axis, _| {
             if k >> axis & 1 == 0 {
@@ -112,24 +117,29 @@ fn corners(points: &[Vec3]) -> [Vec3; 8] {
     })
 }
 
-/// All pairs `i < j` whose gap is below `skin` \[m\], ascending.
+/// All pairs `i < j` of present spheres whose gap is below `skin` \[m\], ascending.
 #[must_use]
-pub fn sphere_pairs(position: &[Vec3], radius: &[f64], skin: f64) -> Vec<(u32, u32)> {
-    if position.is_empty() {
-        return Vec::new();
-    }
-    let [low, .., high] = corners(position);
+pub fn sphere_pairs(
+    position: &[Vec3],
+    present: &[bool],
+    radius: &[f64],
+    skin: f64,
+) -> Vec<(u32, u32)> {
+    let spheres = || {
+        (0_u32..)
+            .zip(position)
+            .filter(|(i, _)| present[*i as usize])
+    };
+    let [low, .., high] = corners(spheres().map(|(_, p)| *p));
     let largest = radius.iter().copied().fold(0.0, f64::max);
     let cell = (2.0 * largest + skin).max((high - low).max() / CELLS);
     // One empty layer on either side keeps the runs of cells from wrapping around.
     let index = |x: f64, low: f64| ((x - low) / cell) as i64 + 1;
     let [nx, ny] = [0, 1].map(|k| index(high[k], low[k]) + 2);
-    let mut cells: Vec<(i64, u32)> = position
-        .iter()
-        .enumerate()
+    let mut cells: Vec<(i64, u32)> = spheres()
         .map(|(i, p)| {
             let [x, y, z] = std::array::from_fn(|k| index(p[k], low[k]));
-            ((z * ny + y) * nx + x, i as u32)
+            ((z * ny + y) * nx + x, i)
         })
         .collect();
     cells.sort_unstable();
@@ -181,15 +191,17 @@ mod tests {
         ) {
             let position: Vec<Vec3> = spheres.iter().map(|(p, _)| Vec3::from(*p)).collect();
             let radius: Vec<f64> = spheres.iter().map(|(_, r)| *r).collect();
+            let present: Vec<bool> = (0..position.len()).map(|i| i % 7 != 3).collect();
             let mut expected = Vec::new();
             for i in 0..position.len() {
                 for j in i + 1..position.len() {
-                    if (position[i] - position[j]).norm() < radius[i] + radius[j] + skin {
+                    let both = present[i] && present[j];
+                    if both && (position[i] - position[j]).norm() < radius[i] + radius[j] + skin {
                         expected.push((i as u32, j as u32));
                     }
                 }
             }
-            prop_assert_eq!(sphere_pairs(&position, &radius, skin), expected);
+            prop_assert_eq!(sphere_pairs(&position, &present, &radius, skin), expected);
         }
     }
 }

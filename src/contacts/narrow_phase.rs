@@ -14,6 +14,8 @@ pub struct Placement<'a> {
     pub particles: &'a Particles,
     /// Their centres \[m\], `[N]`.
     pub position: &'a [Vec3],
+    /// Which of them are in the scene, `[N]`.
+    pub present: &'a [bool],
     /// The boundaries, `[B]`.
     pub boundaries: &'a [Boundary],
     /// Their poses, `[B]`.
@@ -36,6 +38,12 @@ pub struct Candidate {
 }
 
 impl Placement<'_> {
+    /// Centres of the spheres that are in the scene \[m\].
+    pub fn present_positions(&self) -> impl Iterator<Item = Vec3> {
+        let spheres = self.position.iter().zip(self.present);
+        spheres.filter(|(_, present)| **present).map(|(x, _)| *x)
+    }
+
     /// Radius of the smaller partner \[m\]: the scale of a pair's overlap.
     #[must_use]
     pub fn scale(&self, key: Key) -> f64 {

@@ -42,7 +42,9 @@ impl Energy {
             let mass = particles.mass[i];
             energy.translational += 0.5 * mass * velocity.linear.norm_squared();
             energy.rotational += 0.5 * particles.inertia(i) * velocity.angular.norm_squared();
-            energy.gravity -= mass * state.gravity.dot(&state.kinematics.position[i]);
+            if state.kinematics.present[i] {
+                energy.gravity -= mass * state.gravity.dot(&state.kinematics.position[i]);
+            }
         }
         for spring in &scene.springs {
             let target = spring.target + spring.motion.pose_at(state.time).translation;

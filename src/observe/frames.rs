@@ -11,6 +11,8 @@
 //! those that carry a force or overlap; `slip` is the tangential relative speed at the contact with the reported
 //! velocities.
 
+use nalgebra::UnitQuaternion;
+
 use super::vtu::{Array, Cell, Grid, Values};
 use super::{BoundaryState, Observation};
 use crate::Vec3;
@@ -58,33 +60,72 @@ pub fn frame(state: &Observation, surface: &Surface) -> Vec<(Series, Grid)> {
     grids
 }
 
-/// The spheres.
+/// The spheres in the scene, by index. Where there is none, one vertex of radius 0 and id -1 at the origin stands
+/// for them: readers refuse files without cells.
 #[must_use]
 pub fn spheres(state: &Observation) -> Grid {
+    let present: Vec<usize> = state.present().collect();
+    if present.is_empty() {
+        let at_rest = [(
+            Vec3::zeros(),
+            Twist::default(),
+            Vec3::zeros(),
+            Vec3::zeros(),
+        )];
+        return sphere_grid(&at_rest, &[UnitQuaternion::identity()], &[0.0], &[(-1, -1)]);
+    }
     let particles = &state.scene.particles;
-    let kinematics = state.kinematics;
     let (force, torque) = contact_loads(state);
-    let orientation = kinematics
-        .orientation
+    let motion: Vec<_> = present
         .iter()
-        .flat_map(|q| [q.w, q.i, q.j, q.k]);
+        .map(|&i| {
+            (
+                state.kinematics.position[i],
+                state.velocity[i],
+                force[i],
+                torque[i],
+            )
+        })
+        .collect();
+    let orientation: Vec<_> = present
+        .iter()
+        .map(|&i| state.kinematics.orientation[i])
+        .collect();
+    let radius: Vec<f64> = present.iter().map(|&i| particles.radius[i]).collect();
+    let names: Vec<(i32, i32)> = present
+        .iter()
+        .map(|&i| (i as i32, i32::from(particles.material[i])))
+        .collect();
+    sphere_grid(&motion, &orientation, &radius, &names)
+}
+
+/// Position, velocity, force and torque of one sphere.
+type SphereRow = (Vec3, Twist, Vec3, Vec3);
+
+fn sphere_grid(
+    rows: &[SphereRow],
+    orientation: &[UnitQuaternion<f64>],
+    radius: &[f64],
+    names: &[(i32, i32)],
+) -> Grid {
+    let orientation = orientation.iter().flat_map(|q| [q.w, q.i, q.j, q.k]);
     Grid {
-        points: kinematics.position.clone(),
+        points: rows.iter().map(|row| row.0).collect(),
         cell: Cell::Vertex,
-        connectivity: (0..particles.len() as u32).collect(),
+        connectivity: (0..rows.len() as u32).collect(),
         point_data: vec![
-            Array::scalar("radius", particles.radius.iter().copied()),
-            Array::vector("velocity", state.velocity.iter().map(|v| v.linear)),
-            Array::vector("angular_velocity", state.velocity.iter().map(|v| v.angular)),
-            Array::vector("force", force),
-            Array::vector("torque", torque),
+            Array::scalar("radius", radius.iter().copied()),
+            Array::vector("velocity", rows.iter().map(|row| row.1.linear)),
+            Array::vector("angular_velocity", rows.iter().map(|row| row.1.angular)),
+            Array::vector("force", rows.iter().map(|row| row.2)),
+            Array::vector("torque", rows.iter().map(|row| row.3)),
             Array {
                 name: "orientation",
                 components: 4,
                 values: Values::Real(orientation.collect()),
             },
-            Array::integer("id", 0..particles.len() as i32),
-            Array::integer("material", particles.material.iter().map(|&m| i32::from(m))),
+            Array::integer("id", names.iter().map(|name| name.0)),
+            Array::integer("material", names.iter().map(|name| name.1)),
         ],
         cell_data: Vec::new(),
     }
@@ -118,7 +159,7 @@ pub fn contacts(state: &Observation) -> Grid {
     let active: Vec<&Contact> = state.active_contacts().collect();
     if active.is_empty() {
         return Grid {
-            points: centre.clone(),
+            points: spheres(state).points,
             cell: Cell::Vertex,
             connectivity: vec![0],
             point_data: Vec::new(),

@@ -99,6 +99,12 @@ impl<'a> Observation<'a> {
         }
     }
 
+    /// Indices of the spheres that are in the scene, ascending.
+    pub fn present(&self) -> impl Iterator<Item = usize> + use<'a> {
+        let present = self.kinematics.present.iter().enumerate();
+        present.filter(|(_, is)| **is).map(|(i, _)| i)
+    }
+
     /// Contacts that carry a force or overlap.
     pub fn active_contacts(&self) -> impl Iterator<Item = &'a Contact> {
         self.contacts

@@ -208,16 +208,19 @@ impl Inputs<'_> {
     }
 }
 
-/// External acceleration of every sphere: gravity and point loads, `[N]`; zero where locked.
+/// External acceleration of every sphere: gravity and point loads, `[N]`; zero where locked or absent.
 #[must_use]
 pub fn external_acceleration(scene: &Scene, kinematics: &Kinematics, gravity: Vec3) -> Vec<Dof6> {
     let particles = &scene.particles;
     let mut external: Vec<Dof6> = (0..particles.len())
-        .map(|i| Dof6 {
-            linear: particles
-                .inverse_mass(i)
-                .component_mul(&(gravity * particles.mass[i])),
-            angular: Vec3::zeros(),
+        .map(|i| match kinematics.present[i] {
+            true => Dof6 {
+                linear: particles
+                    .inverse_mass(i)
+                    .component_mul(&(gravity * particles.mass[i])),
+                angular: Vec3::zeros(),
+            },
+            false => Dof6::ZERO,
         })
         .collect();
     for load in &scene.loads {

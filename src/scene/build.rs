@@ -13,10 +13,12 @@ use super::problem::SceneError;
 use super::regions::{Use, region};
 use super::resources::{Resources, hash};
 use super::settings::{materials, pairs, settings};
+use super::sources::{sinks, source};
 use super::{Loaded, Measure, Output, PointLoad, Probe, Scene, Sensor, Spring};
 use super::{file, spheres};
 use crate::Vec3;
 use crate::boundaries::Facets;
+use crate::materials::Material;
 use crate::motion::Motion;
 use crate::particles::{Kinematics, Particles};
 
@@ -57,9 +59,14 @@ fn build(
     resources: &mut Resources<'_>,
     file: &SceneFile,
 ) -> Option<Scene> {
+    let groups = file.spheres.iter().map(Element::declaration);
     let mut context = Context {
         materials: Names::declare(document, "material", &file.materials),
-        groups: Names::declare(document, "sphere group", &file.spheres),
+        groups: Names::declare_all(
+            document,
+            "sphere group",
+            groups.chain(file.sources.iter().map(Element::declaration)),
+        ),
         ranges: Vec::new(),
     };
     for (kind, names) in [
@@ -81,20 +88,8 @@ fn build(
     let mut initial = Kinematics::default();
     for group in &file.spheres {
         let range = group.value.as_ref().and_then(|value| {
-            let key = format!("{}.material", group.path);
-            let index = context.materials.resolve(document, &key, &value.material)?;
-            if file.materials[index]
-                .value
-                .as_ref()
-                .is_some_and(|m| m.density.is_none())
-            {
-                let help = format!(
-                    "`{}` uses it for spheres: add `density = ...` in kg/m^3",
-                    group.path
-                );
-                document.error(&file.materials[index].path, "missing key `density`", help);
-            }
-            let material = (u16::try_from(index).ok()?, materials.get(index)?);
+            let material =
+                sphere_material(document, &context, file, &materials, group, &value.material)?;
             spheres::add(
                 document,
                 resources,
@@ -106,11 +101,30 @@ fn build(
         });
         context.ranges.push(range);
     }
-    if file.spheres.is_empty() {
+    let mut sources = Vec::with_capacity(file.sources.len());
+    for element in &file.sources {
+        let source = element.value.as_ref().and_then(|value| {
+            let material = sphere_material(
+                document,
+                &context,
+                file,
+                &materials,
+                element,
+                &value.material,
+            )?;
+            let store = (&mut particles, &mut initial);
+            source(document, &element.path, value, material, store)
+        });
+        context
+            .ranges
+            .push(source.as_ref().map(|source| source.spheres.clone()));
+        sources.extend(source);
+    }
+    if file.spheres.is_empty() && file.sources.is_empty() {
         document.error(
             "spheres",
             "found no spheres, expected at least one",
-            "add a group `[[spheres]]`",
+            "add a group `[[spheres]]` or a `[[source]]`",
         );
     }
     let boundary_names = Names::declare(document, "boundary", &file.boundaries);
@@ -119,14 +133,16 @@ fn build(
         .iter()
         .map(|b| boundary(document, resources, &context, &b.path, b.value.as_ref()?))
         .collect();
+    // Their names are declared, and judged, among the groups.
+    let source_names = Names::of("source", file.sources.iter().map(Element::declaration));
     let scene = Scene {
         title: file.title.clone(),
         // Known when all files have been read.
         hash: String::new(),
-        loads: loads(document, &context, &file.loads),
+        loads: loads(document, &context, &file.loads, &initial),
         springs: springs(document, resources, &context, &file.springs, &initial),
-        sources: Vec::new(),
-        sinks: Vec::new(),
+        sinks: sinks(document, &source_names, &file.sinks),
+        sources,
         sensors: sensors(document, &boundary_names, &file.sensors),
         probes: probes(document, &context, &file.probes, particles.len()),
         output: output(document, &file.output),
@@ -135,28 +151,70 @@ fn build(
         pairs,
         particles,
         initial,
+        initial_contacts: Vec::new(),
         boundaries: boundaries.into_iter().collect::<Option<_>>()?,
     };
     if context.ranges.iter().all(Option::is_some) {
-        Overlaps::of(&scene).judge(document, &scene, &context.ranges, &file.spheres);
+        let groups = &context.ranges[..file.spheres.len()];
+        Overlaps::of(&scene).judge(document, &scene, groups, &file.spheres);
     }
     Some(scene)
+}
+
+/// The material of a group or a source of spheres; it must have a density.
+fn sphere_material<'a, T>(
+    document: &mut Document<'_>,
+    context: &Context,
+    file: &SceneFile,
+    materials: &'a [Material],
+    element: &Element<T>,
+    name: &str,
+) -> Option<(u16, &'a Material)> {
+    let key = format!("{}.material", element.path);
+    let index = context.materials.resolve(document, &key, name)?;
+    let typed = &file.materials[index];
+    if typed.value.as_ref().is_some_and(|m| m.density.is_none()) {
+        let help = format!(
+            "`{}` uses it for spheres: add `density = ...` in kg/m^3",
+            element.path
+        );
+        document.error(&typed.path, "missing key `density`", help);
+    }
+    Some((u16::try_from(index).ok()?, materials.get(index)?))
 }
 
 fn loads(
     document: &mut Document<'_>,
     context: &Context,
     elements: &[Element<file::Load>],
+    initial: &Kinematics,
 ) -> Vec<PointLoad> {
     let loads = elements.iter().filter_map(|element| {
         let value = element.value.as_ref()?;
         Some(PointLoad {
-            sphere: context.sphere(document, &format!("{}.sphere", element.path), &value.sphere)?,
+            sphere: held(document, context, initial, &element.path, &value.sphere)?,
             arm: value.point.into(),
             force: value.force.into(),
         })
     });
     loads.collect()
+}
+
+/// The sphere that the element at `path` pushes or holds: one that is there from the start.
+fn held(
+    document: &mut Document<'_>,
+    context: &Context,
+    initial: &Kinematics,
+    path: &str,
+    text: &str,
+) -> Option<usize> {
+    let path = format!("{path}.sphere");
+    let sphere = context.sphere(document, &path, text)?;
+    let found = format!("`{text}`, which waits in a source");
+    let expected = "a sphere of a group `[[spheres]]`";
+    document
+        .demand(initial.present[sphere], path, found, expected)
+        .then_some(sphere)
 }
 
 fn springs(
@@ -179,7 +237,7 @@ fn springs(
             Some(given) => motion(document, resources, &format!("{path}.motion"), given),
             None => Some(Motion::Fixed),
         };
-        let sphere = context.sphere(document, &format!("{path}.sphere"), &value.sphere)?;
+        let sphere = held(document, context, initial, path, &value.sphere)?;
         let arm = Vec3::from(value.point);
         Some(Spring {
             sphere,

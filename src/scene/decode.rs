@@ -27,6 +27,26 @@ pub(super) struct Element<T> {
     pub(super) value: Option<T>,
 }
 
+/// What an element declares to others.
+pub(super) struct Declaration<'a> {
+    /// Its place in the file.
+    pub(super) path: &'a str,
+    /// Its name.
+    pub(super) name: Option<&'a String>,
+    /// Whether its types are right.
+    pub(super) usable: bool,
+}
+
+impl<T> Element<T> {
+    pub(super) fn declaration(&self) -> Declaration<'_> {
+        Declaration {
+            path: &self.path,
+            name: self.name.as_ref(),
+            usable: self.value.is_some(),
+        }
+    }
+}
+
 /// The scene file with right types.
 pub(super) struct SceneFile {
     pub(super) title: String,

@@ -15,6 +15,8 @@ mod problem;
 mod regions;
 mod resources;
 mod settings;
+mod sizes;
+mod sources;
 mod spheres;
 mod summary;
 mod values;
@@ -30,6 +32,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::Vec3;
 use crate::boundaries::Boundary;
+use crate::contacts::Contact;
+use crate::error::SnapshotError;
 use crate::materials::{Material, PairTable};
 use crate::particles::{Kinematics, Particles};
 use crate::region::Region;
@@ -284,6 +288,8 @@ pub struct Scene {
     pub particles: Particles,
     /// Their placement and velocity at t = 0.
     pub initial: Kinematics,
+    /// Contacts whose forces at t = 0 are known, in canonical order: where their solution starts from.
+    pub initial_contacts: Vec<Contact>,
     /// Boundaries.
     pub boundaries: Vec<Boundary>,
     /// Point loads.
@@ -318,6 +324,19 @@ pub struct Loaded {
 }
 
 impl Scene {
+    /// Starts from another state of the spheres than the file's: from a [`crate::simulation::Settled::start`], or any
+    /// snapshot of this scene, of which placement, velocities and contact forces are taken. The hash changes with it.
+    ///
+    /// # Errors
+    /// [`SnapshotError`] if the blob is damaged or belongs to another scene or version; the scene is unchanged.
+    pub fn start_from(&mut self, blob: &[u8]) -> Result<(), SnapshotError> {
+        let state = crate::state::from_blob(blob, &self.hash)?;
+        self.initial = state.kinematics;
+        self.initial_contacts = state.contacts;
+        self.hash = resources::digest([self.hash.as_bytes(), blob]);
+        Ok(())
+    }
+
     /// Reads a scene file; the files it names are looked for in its folder.
     ///
     /// # Errors

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::decode::Element;
+use super::decode::{Declaration, Element};
 use super::document::{Document, did_you_mean};
 
 /// The names declared by one kind of element. An element that is unusable for another reason still declares its
@@ -19,9 +19,19 @@ impl Names {
         kind: &'static str,
         elements: &[Element<T>],
     ) -> Self {
-        let names: Vec<_> = elements.iter().map(|e| e.name.clone()).collect();
+        Self::declare_all(document, kind, elements.iter().map(Element::declaration))
+    }
+
+    /// The same for elements of several lists that share their names.
+    pub(super) fn declare_all<'a>(
+        document: &mut Document<'_>,
+        kind: &'static str,
+        elements: impl Iterator<Item = Declaration<'a>>,
+    ) -> Self {
+        let elements: Vec<_> = elements.collect();
+        let names: Vec<_> = elements.iter().map(|e| e.name.cloned()).collect();
         for (i, element) in elements.iter().enumerate() {
-            let Some(name) = &element.name else { continue };
+            let Some(name) = element.name else { continue };
             let path = format!("{}.name", element.path);
             let mut letters = name.chars();
             let starts = letters
@@ -43,10 +53,19 @@ impl Names {
                 document.error(path, format!("{kind} `{name}` appears twice"), help);
             }
         }
+        Self::of(kind, elements.into_iter())
+    }
+
+    /// Names that are judged elsewhere.
+    pub(super) fn of<'a>(
+        kind: &'static str,
+        elements: impl Iterator<Item = Declaration<'a>>,
+    ) -> Self {
+        let (names, usable) = elements.map(|e| (e.name.cloned(), e.usable)).unzip();
         Self {
             kind,
-            usable: elements.iter().map(|e| e.value.is_some()).collect(),
             names,
+            usable,
         }
     }
 

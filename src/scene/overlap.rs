@@ -44,8 +44,10 @@ impl Overlaps {
             let (c, r) = (position[i], radius[i]);
             Rectangle::from_corners([c.x - r, c.y - r, c.z - r], [c.x + r, c.y + r, c.z + r])
         };
+        let present = |i: &usize| scene.initial.present[*i];
         let tree = RTree::bulk_load(
             (0..radius.len())
+                .filter(present)
                 .map(|i| GeomWithData::new(cube(i), i))
                 .collect(),
         );
@@ -53,7 +55,7 @@ impl Overlaps {
         let start = |b: &Boundary| b.motion.pose_at(0.0);
         let poses: Vec<Pose> = scene.boundaries.iter().map(start).collect();
         let mut touches = Vec::new();
-        for i in 0..radius.len() {
+        for i in (0..radius.len()).filter(present) {
             let envelope = AABB::from_corners(cube(i).lower(), cube(i).upper());
             let mut near: Vec<usize> = tree
                 .locate_in_envelope_intersecting(envelope)

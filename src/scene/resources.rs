@@ -97,18 +97,20 @@ fn inside(file: &str) -> Option<String> {
     (!parts.is_empty()).then(|| parts.join("/"))
 }
 
-/// SHA-256 of the text and the attachments in their order, 64 hex digits: each part is preceded by its length,
-/// so that no two scenes share their bytes.
+/// Hash of the text and the attachments in their order.
 pub(super) fn hash(text: &str, attachments: &[Attachment]) -> String {
+    let files = attachments.iter();
+    let files = files.flat_map(|file| [file.path.as_bytes(), &file.content]);
+    digest(std::iter::once(text.as_bytes()).chain(files))
+}
+
+/// SHA-256 of the parts, 64 hexadecimal digits: each is preceded by its length, so that no two lists of parts share
+/// their bytes.
+pub(super) fn digest<'a>(parts: impl IntoIterator<Item = &'a [u8]>) -> String {
     let mut digest = Sha256::new();
-    let mut part = |bytes: &[u8]| {
-        digest.update((bytes.len() as u64).to_le_bytes());
-        digest.update(bytes);
-    };
-    part(text.as_bytes());
-    for attachment in attachments {
-        part(attachment.path.as_bytes());
-        part(&attachment.content);
+    for part in parts {
+        digest.update((part.len() as u64).to_le_bytes());
+        digest.update(part);
     }
     let bytes = digest.finalize();
     bytes

@@ -4,15 +4,17 @@ use std::ops::Range;
 
 use nalgebra::Vector3;
 use rand_chacha::ChaCha8Rng;
-use rand_chacha::rand_core::{Rng, SeedableRng};
+use rand_chacha::rand_core::SeedableRng;
 
 use super::columns::Columns;
 use super::document::Document;
 use super::file::{self, Lock, OneOrMany};
 use super::resources::Resources;
+use super::sizes::Sizes;
 use crate::Vec3;
 use crate::materials::Material;
 use crate::particles::{Kinematics, Locks, Particles};
+use crate::random::symmetric;
 
 /// Most spheres of a scene: a bound that catches a mistyped count before it eats the memory.
 pub(super) const MOST_SPHERES: usize = 10_000_000;
@@ -57,7 +59,7 @@ pub(super) fn add(
         "0 <= radius_jitter < 1 [-]",
     );
     let placed = placed?;
-    let radii = radii(document, path, group, &placed)?;
+    let radii = Radii::new(document, path, group, &placed)?;
     if particles.len() + placed.len() > MOST_SPHERES {
         let found = particles.len() + placed.len();
         document.error(
@@ -71,8 +73,9 @@ pub(super) fn add(
         return None;
     }
     let first = particles.len();
-    for (sphere, radius) in placed.iter().zip(radii) {
-        let radius = radius * (1.0 + group.radius_jitter * symmetric(&mut random));
+    for (k, sphere) in placed.iter().enumerate() {
+        let radius =
+            radii.of(k, &mut random) * (1.0 + group.radius_jitter * symmetric(&mut random));
         particles.push(radius, material.1.density, material.0, locks);
         let velocity = group.velocity.map_or(sphere.velocity, Vec3::from);
         let spin = group.spin.map_or(sphere.spin, Vec3::from);
@@ -222,49 +225,57 @@ fn axes(
     pair.map(|(x, y)| [x, y, x.cross(&y)])
 }
 
-/// Uniform in \[-1, 1), from the upper 53 bits of one word, so that a seed means the same spheres for ever.
-fn symmetric(random: &mut ChaCha8Rng) -> f64 {
-    let bits = random.next_u64() >> 11;
-    bits as f64 / (1_u64 << 52) as f64 - 1.0
+/// Radii of a group whose places are known.
+enum Radii {
+    /// One each \[m\].
+    Listed(Vec<f64>),
+    /// Drawn in the order of the spheres.
+    Drawn(Sizes),
 }
 
-fn radii(
-    document: &mut Document<'_>,
-    path: &str,
-    group: &file::Spheres,
-    placed: &[Placed],
-) -> Option<Vec<f64>> {
-    let key = format!("{path}.radius");
-    let from_csv = placed.iter().any(|p| p.radius.is_some());
-    if from_csv && group.radius.is_some() {
-        document.error(
-            key,
-            "found both this key and a CSV column `radius`, expected one of them",
-            "remove one of the two",
-        );
-        return None;
-    }
-    match &group.radius {
-        None if from_csv => placed.iter().map(|p| p.radius).collect(),
-        None => {
-            document.error(path, "missing key `radius`", "add `radius = ...` in metres");
-            None
-        }
-        Some(OneOrMany::One(r)) => document
-            .demand(*r > 0.0, key, r, "a radius > 0 [m]")
-            .then(|| vec![*r; placed.len()]),
-        Some(OneOrMany::Many(list)) => {
-            let expected = format!("one radius, or {} of them", placed.len());
-            let mut good = document.demand(
-                list.len() == placed.len(),
-                key.as_str(),
-                format!("{} radii", list.len()),
-                &expected,
-            );
-            for (k, r) in list.iter().enumerate() {
-                good &= document.demand(*r > 0.0, format!("{key}[{k}]"), r, "a radius > 0 [m]");
+impl Radii {
+    fn new(
+        document: &mut Document<'_>,
+        path: &str,
+        group: &file::Spheres,
+        placed: &[Placed],
+    ) -> Option<Self> {
+        let key = format!("{path}.radius");
+        let from_file: Option<Vec<f64>> = placed.iter().map(|p| p.radius).collect();
+        match (&group.radius, from_file) {
+            (None, Some(list)) if group.size.is_none() => Some(Self::Listed(list)),
+            (given, Some(_)) => {
+                let key = given.as_ref().map_or(format!("{path}.size"), |_| key);
+                let message = "found both this key and radii in the file, expected one of them";
+                document.error(key, message, "remove one of the two");
+                None
             }
-            good.then(|| list.clone())
+            (Some(OneOrMany::Many(_)), None) if group.size.is_some() => {
+                // The radius stands for the whole list: only that both are there matters.
+                Sizes::new(document, path, Some(1.0), group.size.as_ref()).map(Self::Drawn)
+            }
+            (Some(OneOrMany::Many(list)), None) => {
+                let expected = format!("one radius, or {} of them", placed.len());
+                let found = format!("{} radii", list.len());
+                let mut good =
+                    document.demand(list.len() == placed.len(), key.as_str(), found, &expected);
+                for (k, r) in list.iter().enumerate() {
+                    good &= document.demand(*r > 0.0, format!("{key}[{k}]"), r, "a radius > 0 [m]");
+                }
+                good.then(|| Self::Listed(list.clone()))
+            }
+            (Some(OneOrMany::One(radius)), None) => {
+                Sizes::new(document, path, Some(*radius), group.size.as_ref()).map(Self::Drawn)
+            }
+            (None, None) => Sizes::new(document, path, None, group.size.as_ref()).map(Self::Drawn),
+        }
+    }
+
+    /// Radius of sphere `k` of the group \[m\].
+    fn of(&self, k: usize, random: &mut ChaCha8Rng) -> f64 {
+        match self {
+            Self::Listed(list) => list[k],
+            Self::Drawn(sizes) => sizes.draw(random),
         }
     }
 }

@@ -78,6 +78,7 @@ impl Simulation {
                     sum.add(&persisting[b], -shift);
                 }
                 self.count_crossings(&before);
+                self.exchange();
                 Ok(())
             }
             Err(failure) if cuts >= scene.settings.max_cuts => Err(self.explain(failure, dt, cuts)),

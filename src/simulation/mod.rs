@@ -1,6 +1,8 @@
 //! The simulation: owns the state, advances it (`march`), takes and restores snapshots.
 
+mod exchange;
 mod march;
+mod settle;
 
 use std::sync::Arc;
 
@@ -16,6 +18,7 @@ use crate::problem::Dof6;
 use crate::scene::Scene;
 use crate::state::{State, Work, from_blob, to_blob};
 use crate::step::{Scratch, StepOutcome, initial_forces};
+pub use settle::{Settle, Settled};
 
 /// Force and torque on a boundary.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
@@ -108,7 +111,7 @@ impl Simulation {
             gravity: settings.gravity,
             kinematics: scene.initial.clone(),
             persisting: vec![Dof6::ZERO; n],
-            contacts: Vec::new(),
+            contacts: scene.initial_contacts.clone(),
             springs: vec![Vec3::zeros(); scene.springs.len()],
             twists: poses
                 .iter()
@@ -121,6 +124,9 @@ impl Simulation {
             persisting_wrenches: vec![Wrench::default(); boundaries],
             mean_wrenches: vec![Wrench::default(); boundaries],
             work: Work::default(),
+            reserves: exchange::reserves(&scene),
+            emitted: vec![0.0; scene.sources.len()],
+            removed: vec![0.0; scene.sinks.len()],
             passed: vec![0.0; scene.sensors.len()],
             flow: vec![0.0; scene.sensors.len()],
             initial_overlap: 0.0,

@@ -38,6 +38,7 @@ impl<'a> Stage<'a> {
         let start = Placement {
             particles: &scene.particles,
             position: &inputs.kinematics.position,
+            present: &inputs.kinematics.present,
             boundaries: &scene.boundaries,
             poses: inputs.poses[0],
         };

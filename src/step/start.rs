@@ -60,6 +60,7 @@ pub fn remove_overlaps(
     let start = Placement {
         particles: &scene.particles,
         position: &state.kinematics.position,
+        present: &state.kinematics.present,
         boundaries: &scene.boundaries,
         poses: &state.poses,
     };

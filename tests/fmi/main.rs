@@ -59,7 +59,7 @@ impl Scene {
         let folder = tempfile::tempdir().unwrap();
         std::fs::write(folder.path().join("scene.toml"), text).unwrap();
         let model =
-            Model::read(&folder.path().join("scene.toml")).unwrap_or_else(|e| panic!("{e}"));
+            Model::read(&folder.path().join("scene.toml"), None).unwrap_or_else(|e| panic!("{e}"));
         Self { folder, model }
     }
 
@@ -108,7 +108,7 @@ fn examples() -> Vec<PathBuf> {
 fn the_table_is_the_description() {
     let mut models: Vec<Model> = examples()
         .iter()
-        .map(|path| Model::read(path).unwrap())
+        .map(|path| Model::read(path, None).unwrap())
         .collect();
     models.push(box_scene().model);
     for model in models {

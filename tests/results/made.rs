@@ -70,6 +70,7 @@ pub(crate) fn scene(n: usize) -> Scene {
         pairs: PairTable::new(1, Pair::default()),
         particles,
         initial,
+        initial_contacts: Vec::new(),
         boundaries: vec![boundary("floor", floor()), boundary("crate", crate_box())],
         loads: Vec::new(),
         springs: Vec::new(),

@@ -50,6 +50,7 @@ impl Case {
                 pairs,
                 particles: Particles::default(),
                 initial: Kinematics::default(),
+                initial_contacts: vec![],
                 boundaries: vec![],
                 loads: vec![],
                 springs: vec![],

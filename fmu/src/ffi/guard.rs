@@ -190,7 +190,9 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let scene = Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples/feeder/feeder.toml");
         std::fs::copy(scene, folder.path().join("scene.toml")).unwrap();
-        let guid = Model::read(&folder.path().join("scene.toml")).unwrap().guid;
+        let guid = Model::read(&folder.path().join("scene.toml"), None)
+            .unwrap()
+            .guid;
         let lines = Rc::new(RefCell::new(Vec::new()));
         let copy = Rc::clone(&lines);
         let sink: Sink = Box::new(move |_, _, line| copy.borrow_mut().push(line.to_owned()));

@@ -1,0 +1,233 @@
+//! Radii \[m\]: one for all, or drawn from a distribution.
+//!
+//! | key | density of the numbers of spheres over `R` |
+//! |---|---|
+//! | `uniform` | constant on `min..=max` |
+//! | `normal` | `exp(-(R - mean)^2 / (2 deviation^2))` on `min..=max` |
+//! | `log_normal` | `exp(-ln(R/median)^2 / (2 sigma^2)) / R` on `min..=max` |
+//! | `table` | class `k` with probability `(w_k / R_k^3) / sum_j (w_j / R_j^3)`, so that its share of the mass is `w_k` |
+//!
+//! The same seed draws the same radii, bit for bit, on every machine.
+
+use rand_chacha::ChaCha8Rng;
+
+use super::document::Document;
+use super::file;
+use crate::random::{normal, unit};
+
+/// Bounds nearer than this many deviations are refused: draws would be thrown away for ever.
+const NARROWEST: f64 = 0.1;
+
+/// Where radii come from; checked, so that drawing cannot fail.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Sizes {
+    /// The same for all \[m\].
+    One(f64),
+    /// Uniform between two bounds \[m\].
+    Uniform { min: f64, max: f64 },
+    /// Normal, drawn again outside the bounds; all \[m\].
+    Normal {
+        mean: f64,
+        deviation: f64,
+        min: f64,
+        max: f64,
+    },
+    /// Log-normal, drawn again outside the bounds; lengths in \[m\].
+    LogNormal {
+        median: f64,
+        sigma: f64,
+        min: f64,
+        max: f64,
+    },
+    /// Radius of each class \[m\], and the probability that a sphere is of this class or an earlier one.
+    Classes(Vec<(f64, f64)>),
+}
+
+impl Sizes {
+    /// The radii of the element at `path`, which gives exactly one of `radius` and `size`.
+    pub(super) fn new(
+        document: &mut Document<'_>,
+        path: &str,
+        radius: Option<f64>,
+        size: Option<&file::Size>,
+    ) -> Option<Self> {
+        match (radius, size) {
+            (Some(radius), None) => {
+                positive(document, format!("{path}.radius"), radius).then_some(Self::One(radius))
+            }
+            (None, Some(size)) => Self::drawn(document, &format!("{path}.size"), size),
+            (None, None) => {
+                let help = "add `radius = ...` in metres, or `size = { ... }`";
+                document.error(path, "missing key `radius`", help);
+                None
+            }
+            (Some(_), Some(_)) => {
+                let help = "keep `radius` for equal spheres, `size` for a distribution";
+                let message = "found both `radius` and `size`, expected one of them";
+                document.error(format!("{path}.size"), message, help);
+                None
+            }
+        }
+    }
+
+    fn drawn(document: &mut Document<'_>, path: &str, size: &file::Size) -> Option<Self> {
+        match size {
+            file::Size::Uniform(given) => {
+                let path = format!("{path}.uniform");
+                let (min, max) = (given.min, given.max);
+                let good = positive(document, format!("{path}.min"), min)
+                    && ordered(document, format!("{path}.max"), max, "min", min);
+                good.then_some(Self::Uniform { min, max })
+            }
+            file::Size::Normal(given) => {
+                let path = format!("{path}.normal");
+                let (mean, deviation) = (given.mean, given.deviation);
+                let good = positive(document, format!("{path}.mean"), mean)
+                    & document.demand(
+                        deviation > 0.0,
+                        format!("{path}.deviation"),
+                        deviation,
+                        "a length > 0 [m]",
+                    );
+                let min = given
+                    .min
+                    .unwrap_or((mean - 3.0 * deviation).max(0.1 * mean));
+                let max = given.max.unwrap_or(mean + 3.0 * deviation);
+                let wide = max - min >= NARROWEST * deviation;
+                let good = good && bounds(document, &path, ("mean", mean), (min, max), wide);
+                good.then_some(Self::Normal {
+                    mean,
+                    deviation,
+                    min,
+                    max,
+                })
+            }
+            file::Size::LogNormal(given) => {
+                let path = format!("{path}.log_normal");
+                let (median, sigma) = (given.median, given.sigma);
+                let in_range = sigma > 0.0 && sigma <= 10.0;
+                let good = positive(document, format!("{path}.median"), median)
+                    & document.demand(
+                        in_range,
+                        format!("{path}.sigma"),
+                        sigma,
+                        "0 < sigma <= 10 [-]",
+                    );
+                let min = given.min.unwrap_or(median * libm::exp(-3.0 * sigma));
+                let max = given.max.unwrap_or(median * libm::exp(3.0 * sigma));
+                let wide = libm::log(max / min) >= NARROWEST * sigma;
+                let good = good && bounds(document, &path, ("median", median), (min, max), wide);
+                good.then_some(Self::LogNormal {
+                    median,
+                    sigma,
+                    min,
+                    max,
+                })
+            }
+            file::Size::Table(given) => Self::classes(document, &format!("{path}.table"), given),
+        }
+    }
+
+    fn classes(document: &mut Document<'_>, path: &str, given: &file::MassTable) -> Option<Self> {
+        let (radius, mass) = (&given.radius, &given.mass);
+        let mut good = document.demand(
+            !radius.is_empty(),
+            format!("{path}.radius"),
+            "an empty list",
+            "at least one radius > 0 [m]",
+        );
+        let expected = format!("one share for each of the {} radii", radius.len());
+        good &= document.demand(
+            mass.len() == radius.len(),
+            format!("{path}.mass"),
+            format!("{} shares", mass.len()),
+            &expected,
+        );
+        for (k, r) in radius.iter().enumerate() {
+            good &= positive(document, format!("{path}.radius[{k}]"), *r);
+        }
+        for (k, m) in mass.iter().enumerate() {
+            let key = format!("{path}.mass[{k}]");
+            good &= document.demand(*m >= 0.0, key, m, "a share of the mass >= 0");
+        }
+        let some = mass.is_empty() || mass.iter().any(|m| *m > 0.0);
+        good &= document.demand(some, format!("{path}.mass"), "only zeros", "a share > 0");
+        if !good {
+            return None;
+        }
+        // Over the smallest radius, so that no power overflows.
+        let smallest = radius.iter().copied().fold(f64::INFINITY, f64::min);
+        let number = |(r, m): (&f64, &f64)| m * (smallest / r).powi(3);
+        let total: f64 = radius.iter().zip(mass).map(number).sum();
+        let mut sum = 0.0;
+        let classes = radius.iter().zip(mass).map(|(r, m)| {
+            sum += number((r, m));
+            (*r, sum / total)
+        });
+        Some(Self::Classes(classes.collect()))
+    }
+
+    /// One radius \[m\].
+    pub(super) fn draw(&self, random: &mut ChaCha8Rng) -> f64 {
+        match *self {
+            Self::One(radius) => radius,
+            Self::Uniform { min, max } => min + (max - min) * unit(random),
+            Self::Normal {
+                mean,
+                deviation,
+                min,
+                max,
+            } => within(min, max, || mean + deviation * normal(random)),
+            Self::LogNormal {
+                median,
+                sigma,
+                min,
+                max,
+            } => within(min, max, || median * libm::exp(sigma * normal(random))),
+            Self::Classes(ref classes) => {
+                let u = unit(random);
+                let drawn = classes.iter().find(|(_, up_to)| u < *up_to);
+                // Only rounding of the sum gets past the last class.
+                drawn.or(classes.last()).map_or(0.0, |(radius, _)| *radius)
+            }
+        }
+    }
+}
+
+/// Draws until the bounds are met.
+fn within(min: f64, max: f64, mut draw: impl FnMut() -> f64) -> f64 {
+    loop {
+        let radius = draw();
+        if (min..=max).contains(&radius) {
+            return radius;
+        }
+    }
+}
+
+fn positive(document: &mut Document<'_>, path: String, value: f64) -> bool {
+    document.demand(value > 0.0, path, value, "a radius > 0 [m]")
+}
+
+fn ordered(document: &mut Document<'_>, path: String, max: f64, of: &str, min: f64) -> bool {
+    document.demand(max >= min, path, max, &format!("at least {of} = {min} [m]"))
+}
+
+/// `0 < min <= centre <= max`, and wide enough to be met by draws.
+fn bounds(
+    document: &mut Document<'_>,
+    path: &str,
+    (name, centre): (&str, f64),
+    (min, max): (f64, f64),
+    wide: bool,
+) -> bool {
+    let low = min > 0.0 && min <= centre;
+    let expected = format!("0 < min <= {name} = {centre} [m]");
+    document.demand(low, format!("{path}.min"), min, &expected)
+        & ordered(document, format!("{path}.max"), max, name, centre)
+        && document.demand(
+            wide,
+            format!("{path}.max"),
+            max,
+            "bounds at least a tenth of a deviation apart; use `radius` for equal spheres",
+        )
+}

@@ -1,0 +1,226 @@
+//! Sinks take spheres out of the scene, sources put them into it: at the end of every internal step, sinks first.
+//!
+//! What a source owes at time `t` is `rate (min(t, stop) - start)`, in spheres or in mass. It emits the first of its
+//! waiting spheres whenever that much is due and a random place in its region is free; a source that finds no room or
+//! has no sphere left forgoes what is due beyond that one sphere, as a choked feeder does.
+//!
+//! A new sphere has the source's velocity at `t`. Momentum and energy of the scene change by those of the spheres that
+//! come and go; contact forces do not notice.
+
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::SeedableRng;
+
+use super::Simulation;
+use crate::Vec3;
+use crate::boundaries::Touch;
+use crate::contacts::Partner;
+use crate::problem::Dof6;
+use crate::scene::{Integrator, Scene, Source, Supply};
+use crate::state::Reserve;
+
+/// Places tried for one sphere before its source waits for the next step.
+const TRIES: u32 = 200;
+/// Share of a sphere by which what is due may fall short of it, for rounding.
+const EARLY: f64 = 1e-9;
+
+/// All sources before the start.
+pub(super) fn reserves(scene: &Scene) -> Vec<Reserve> {
+    let sources = scene.sources.iter();
+    sources
+        .map(|source| Reserve {
+            waiting: source
+                .spheres
+                .clone()
+                .filter(|&i| !scene.initial.present[i])
+                .map(|i| i as u32)
+                .collect(),
+            ..Reserve::default()
+        })
+        .collect()
+}
+
+impl Source {
+    /// What is due since its start, at time `t` \[s\]: spheres, or mass \[kg\].
+    fn due(&self, t: f64) -> f64 {
+        let (Supply::Spheres(rate) | Supply::Mass(rate)) = self.supply;
+        rate * (t.min(self.stop) - self.start).max(0.0)
+    }
+
+    /// What one sphere of `mass` \[kg\] counts.
+    fn cost(&self, mass: f64) -> f64 {
+        match self.supply {
+            Supply::Spheres(_) => 1.0,
+            Supply::Mass(_) => mass,
+        }
+    }
+}
+
+impl Simulation {
+    /// Empties the sinks, then feeds from the sources.
+    pub(super) fn exchange(&mut self) {
+        for sink in 0..self.scene.sinks.len() {
+            self.drain(sink);
+        }
+        for source in 0..self.scene.sources.len() {
+            self.feed(source);
+        }
+    }
+
+    /// Takes the spheres in a sink out of the scene; one that is held by a spring or pushed by a load stays.
+    fn drain(&mut self, sink: usize) {
+        let scene = &self.scene;
+        let held = |i: usize| {
+            scene.springs.iter().any(|spring| spring.sphere == i)
+                || scene.loads.iter().any(|load| load.sphere == i)
+        };
+        let kinematics = &mut self.state.kinematics;
+        let mut taken = false;
+        for i in 0..kinematics.len() {
+            let inside = scene.sinks[sink].region.contains(kinematics.position[i]);
+            if !(kinematics.present[i] && inside) || held(i) {
+                continue;
+            }
+            taken = true;
+            kinematics.present[i] = false;
+            kinematics.velocity[i] = Vec3::zeros();
+            kinematics.spin[i] = Vec3::zeros();
+            self.state.persisting[i] = Dof6::ZERO;
+            self.state.removed[sink] += scene.particles.mass[i];
+            let home = scene.sources.iter().position(|s| s.spheres.contains(&i));
+            if let Some(source) = scene.sinks[sink].recycle.or(home) {
+                self.state.reserves[source].waiting.push_back(i as u32);
+            }
+        }
+        if taken {
+            let present = &kinematics.present;
+            self.state.contacts.retain(|contact| {
+                let other = match contact.key.partner {
+                    Partner::Sphere(j) => present[j as usize],
+                    Partner::Boundary { .. } => true,
+                };
+                present[contact.key.sphere as usize] && other
+            });
+        }
+    }
+
+    /// Emits what is due.
+    fn feed(&mut self, source: usize) {
+        let scene = std::sync::Arc::clone(&self.scene);
+        let given = &scene.sources[source];
+        let due = given.due(self.state.time);
+        let mut room: Option<Room> = None;
+        loop {
+            let reserve = &self.state.reserves[source];
+            let Some(&next) = reserve.waiting.front() else {
+                self.state.reserves[source].spent = due;
+                return;
+            };
+            let i = next as usize;
+            let cost = given.cost(scene.particles.mass[i]);
+            if due - reserve.spent < cost * (1.0 - EARLY) {
+                return;
+            }
+            let room = room.get_or_insert_with(|| Room::around(self, given));
+            let place = room.place(self, source, scene.particles.radius[i]);
+            let reserve = &mut self.state.reserves[source];
+            let Some(place) = place else {
+                reserve.spent = due - cost;
+                return;
+            };
+            reserve.spent += cost;
+            reserve.waiting.pop_front();
+            room.spheres.push((place, scene.particles.radius[i]));
+            self.emit(i, place, given);
+            self.state.emitted[source] += scene.particles.mass[i];
+        }
+    }
+
+    /// Puts sphere `i` into the scene with the source's velocity at the present time.
+    fn emit(&mut self, i: usize, place: Vec3, source: &Source) {
+        let state = &mut self.state;
+        state.kinematics.present[i] = true;
+        state.kinematics.position[i] = place;
+        let weight = self.scene.particles.inverse_mass(i) * self.scene.particles.mass[i];
+        state.persisting[i] = Dof6 {
+            linear: weight.component_mul(&state.gravity),
+            angular: Vec3::zeros(),
+        };
+        // The integrator carries the velocity half a step before.
+        let back = match self.scene.settings.integrator {
+            Integrator::Moreau => -0.5 * state.last_step,
+            Integrator::Shi => 0.0,
+        };
+        state.kinematics.velocity[i] = source.twist.linear + state.persisting[i].linear * back;
+        state.kinematics.spin[i] = source.twist.angular;
+    }
+}
+
+/// What stands in the way in and around a source's region.
+struct Room {
+    /// Centre \[m\] and radius \[m\] of the spheres there.
+    spheres: Vec<(Vec3, f64)>,
+}
+
+impl Room {
+    fn around(simulation: &Simulation, source: &Source) -> Self {
+        let particles = &simulation.scene.particles;
+        let kinematics = &simulation.state.kinematics;
+        let largest = particles.radius.iter().copied().fold(0.0, f64::max);
+        let near = source
+            .region
+            .bounds()
+            .map(|(min, max)| (min.add_scalar(-largest), max.add_scalar(largest)));
+        let inside = |x: &Vec3| {
+            near.is_none_or(|(min, max)| (0..3).all(|k| min[k] <= x[k] && x[k] <= max[k]))
+        };
+        let spheres = kinematics.position.iter().zip(&particles.radius);
+        Self {
+            spheres: spheres
+                .zip(&kinematics.present)
+                .filter(|((x, _), present)| **present && inside(x))
+                .map(|((&x, &r), _)| (x, r))
+                .collect(),
+        }
+    }
+
+    /// A random free place for a sphere of `radius` \[m\], if one is found.
+    fn place(&self, simulation: &mut Simulation, source: usize, radius: f64) -> Option<Vec3> {
+        let scene = std::sync::Arc::clone(&simulation.scene);
+        let given = &scene.sources[source];
+        let mut touches = Vec::new();
+        for _ in 0..TRIES {
+            // One stream of the generator per draw: the counter is all of its state.
+            let draws = &mut simulation.state.reserves[source].draws;
+            let mut random = ChaCha8Rng::seed_from_u64(given.seed);
+            random.set_stream(*draws);
+            *draws += 1;
+            let place = given.region.random_centre(radius, &mut random)?;
+            let free = self
+                .spheres
+                .iter()
+                .all(|(x, r)| (x - place).norm_squared() >= (r + radius).powi(2));
+            if free && !touches_any(simulation, place, radius, &mut touches) {
+                return Some(place);
+            }
+        }
+        None
+    }
+}
+
+/// Whether a sphere of `radius` \[m\] at `place` \[m\] would overlap a boundary where it stands now.
+fn touches_any(
+    simulation: &Simulation,
+    place: Vec3,
+    radius: f64,
+    touches: &mut Vec<Touch>,
+) -> bool {
+    let boundaries = simulation.scene.boundaries.iter();
+    boundaries
+        .zip(&simulation.state.poses)
+        .any(|(boundary, pose)| {
+            touches.clear();
+            let centre = boundary.to_frame(pose, place);
+            boundary.geometry.touches(centre, radius, 0.0, touches);
+            !touches.is_empty()
+        })
+}
