@@ -11,7 +11,9 @@ mod export;
 mod failure;
 mod inspect;
 mod progress;
+mod reference;
 mod run;
+mod schema;
 mod settle;
 mod simulate;
 
@@ -47,6 +49,8 @@ enum Command {
     Demo(demo::Demo),
     /// Check a scene: all its problems at once, or its counts, mass, extent, suggested step and penalty.
     Check(check::Check),
+    /// Print the JSON schema of scene files for editors, or their reference.
+    Schema(schema::Schema),
     /// Run a scene and write VTU, PVD and CSV files.
     Run(run::Run),
     /// Pack a scene into an FMU of FMI 2.0 for co-simulation.
@@ -78,6 +82,7 @@ fn dispatch(command: &Command) -> Result<(), Failure> {
     match command {
         Command::Demo(arguments) => demo::run(arguments, &Interrupt::listen()?),
         Command::Check(arguments) => check::run(arguments),
+        Command::Schema(arguments) => schema::run(arguments),
         Command::Run(arguments) => run::run(arguments, &Interrupt::listen()?),
         Command::Export(arguments) => export::run(arguments, &Interrupt::listen()?),
         Command::Inspect(arguments) => inspect::run(arguments),
