@@ -10,7 +10,13 @@ use std::{env, fs, io};
 fn main() -> io::Result<()> {
     let root = PathBuf::from(env::var_os("CARGO_MANIFEST_DIR").unwrap_or_default()).join("..");
     let mut hasher = DefaultHasher::new();
-    for part in ["src", "modelDescription/src", "fmu/src", "Cargo.lock"] {
+    for part in [
+        "src",
+        "interface/src",
+        "modelDescription/src",
+        "fmu/src",
+        "Cargo.lock",
+    ] {
         let path = root.join(part);
         println!("cargo::rerun-if-changed={}", path.display());
         hash(&path, part, &mut hasher)?;

@@ -79,15 +79,28 @@ pub enum StepError {
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum SnapshotError {
-    /// Not one of ours, or cut short.
-    #[error("not a sphere-dda state: {0}")]
+    /// Not one of ours, or damaged.
+    #[error("not a whole sphere-dda state: {0}")]
     Format(&'static str),
-    /// Written for another scene or version.
-    #[error("state belongs to {found}, this is {expected}")]
-    Mismatch {
-        /// What the blob says.
+    /// Written by another version of the program.
+    #[error(
+        "the state has format {found}, this version of sphere-dda reads {expected}: use the version that wrote it"
+    )]
+    Version {
+        /// What the state says.
+        found: u32,
+        /// What is read.
+        expected: u32,
+    },
+    /// Written for another scene; the hashes are shortened.
+    #[error(
+        "the state belongs to scene {found}, this is scene {expected}: the scene or a file it names has changed since; \
+         restore the old files or start anew"
+    )]
+    Scene {
+        /// What the state says.
         found: String,
-        /// What is expected.
+        /// The scene's.
         expected: String,
     },
 }

@@ -47,6 +47,7 @@
 //! [`scene`] comes before all of this, [`observe`] after.
 
 pub mod boundaries;
+pub mod clock;
 pub mod contacts;
 pub mod drive;
 pub mod error;
@@ -61,6 +62,7 @@ pub mod random;
 pub mod region;
 pub mod scene;
 pub mod simulation;
+pub mod snapshot;
 pub mod solver;
 pub mod state;
 pub mod step;

@@ -1,7 +1,4 @@
-//! The complete state of a simulation, and its blob.
-//!
-//! A blob is `magic, version, scene hash, length, postcard body, CRC-32`: no pointers, the same bytes in any
-//! process. What is not in it (neighbour list, symbolic analysis) never shows in results.
+//! The complete state of a simulation; as bytes: [`crate::snapshot`].
 
 use std::collections::VecDeque;
 
@@ -9,7 +6,6 @@ use serde::{Deserialize, Serialize};
 
 use crate::Vec3;
 use crate::contacts::Contact;
-use crate::error::SnapshotError;
 use crate::motion::{Command, Pose, Twist};
 use crate::particles::Kinematics;
 use crate::problem::Dof6;
@@ -86,68 +82,4 @@ pub struct State {
     pub penalty: f64,
     /// Report of the last communication step.
     pub report: StepReport,
-}
-
-const MAGIC: &[u8; 8] = b"SPHDDA\0\n";
-const VERSION: u32 = 1;
-const HASH: usize = 64;
-const HEADER: usize = MAGIC.len() + 4 + HASH + 8;
-
-/// Writes `state` of the scene with the given hash (hexadecimal, 64 characters; shorter ones are padded).
-#[must_use]
-pub fn to_blob(state: &State, scene_hash: &str) -> Vec<u8> {
-    // Postcard fails only when its buffer is too small; a Vec grows.
-    let body = postcard::to_allocvec(state).unwrap_or_default();
-    let mut blob = Vec::with_capacity(HEADER + body.len() + 4);
-    blob.extend_from_slice(MAGIC);
-    blob.extend_from_slice(&VERSION.to_le_bytes());
-    blob.extend_from_slice(&padded(scene_hash));
-    blob.extend_from_slice(&(body.len() as u64).to_le_bytes());
-    blob.extend_from_slice(&body);
-    let checksum = crc32fast::hash(&blob);
-    blob.extend_from_slice(&checksum.to_le_bytes());
-    blob
-}
-
-/// Reads a blob written for the scene with the given hash.
-///
-/// # Errors
-/// [`SnapshotError`] for anything that is not a whole, undamaged blob of this scene and version.
-pub fn from_blob(blob: &[u8], scene_hash: &str) -> Result<State, SnapshotError> {
-    let format = SnapshotError::Format;
-    let rest = blob.strip_prefix(MAGIC).ok_or(format("wrong magic"))?;
-    let (version, rest) = rest.split_first_chunk().ok_or(format("cut short"))?;
-    let version = u32::from_le_bytes(*version);
-    if version != VERSION {
-        return Err(SnapshotError::Mismatch {
-            found: format!("state format {version}"),
-            expected: format!("state format {VERSION}"),
-        });
-    }
-    let (hash, rest) = rest
-        .split_first_chunk::<HASH>()
-        .ok_or(format("cut short"))?;
-    let (length, rest) = rest.split_first_chunk().ok_or(format("cut short"))?;
-    let (body, checksum) = rest
-        .split_at_checked(u64::from_le_bytes(*length) as usize)
-        .ok_or(format("cut short"))?;
-    let sum = crc32fast::hash(&blob[..HEADER + body.len()]);
-    if checksum != sum.to_le_bytes() {
-        return Err(format("checksum does not match, the blob is damaged"));
-    }
-    if *hash != padded(scene_hash) {
-        return Err(SnapshotError::Mismatch {
-            found: format!("scene {}", String::from_utf8_lossy(hash)),
-            expected: format!("scene {scene_hash}"),
-        });
-    }
-    postcard::from_bytes(body).map_err(|_| format("body does not parse"))
-}
-
-fn padded(hash: &str) -> [u8; HASH] {
-    let mut field = [b' '; HASH];
-    for (to, from) in field.iter_mut().zip(hash.bytes()) {
-        *to = from;
-    }
-    field
 }

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use sphere_dda::error::SnapshotError;
 use sphere_dda::scene::Scene;
 use sphere_dda::simulation::Simulation;
+use sphere_dda::snapshot::spheres;
 
 /// Communication steps of a run.
 const STEPS: usize = 40;
@@ -101,8 +102,16 @@ fn foreign_and_damaged_states_are_refused() {
 
     let mut other = Simulation::new(scene("funnel")).expect("a start");
     let refusal = other.restore(&own).expect_err("another scene");
+    assert!(matches!(refusal, SnapshotError::Scene { .. }), "{refusal}");
+    for hash in [&simulation.scene().hash, &other.scene().hash] {
+        assert!(refusal.to_string().contains(&hash[..12]), "{refusal}");
+    }
+
+    let mut old = own.clone();
+    old[8] = 1;
+    let refusal = simulation.restore(&old).expect_err("another version");
     assert!(
-        matches!(refusal, SnapshotError::Mismatch { .. }),
+        matches!(refusal, SnapshotError::Version { found: 1, .. }),
         "{refusal}"
     );
 
@@ -124,9 +133,28 @@ fn foreign_and_damaged_states_are_refused() {
     }
     for (what, blob) in bad {
         assert!(simulation.restore(&blob).is_err(), "{what}");
+        assert!(spheres(&blob).is_err(), "spheres of {what}");
         assert!(
             simulation.snapshot() == own,
             "{what}: the state has changed"
         );
     }
+}
+
+/// Another run starts with the velocities at the moment of the snapshot, not with the integrator's of half a step before.
+#[test]
+fn spheres_are_read_from_a_snapshot_of_any_scene() {
+    let mut simulation = Simulation::new(funnel()).expect("a start");
+    run(&mut simulation, 0, 15);
+    let (radius, kinematics) = spheres(&simulation.snapshot()).expect("a whole snapshot");
+    assert_eq!(radius, simulation.scene().particles.radius);
+    let own = simulation.kinematics();
+    assert_eq!(kinematics.position, own.position);
+    assert_eq!(kinematics.orientation, own.orientation);
+    assert_eq!(kinematics.present, own.present);
+    for i in 0..radius.len() {
+        assert_eq!(kinematics.velocity[i], simulation.velocity(i).linear);
+        assert_eq!(kinematics.spin[i], simulation.velocity(i).angular);
+    }
+    assert_ne!(kinematics.velocity, own.velocity);
 }

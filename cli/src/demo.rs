@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use miette::miette;
 use sphere_dda_fmu::export::find_library;
-use sphere_dda_fmu::import::{Fmu, Options, Table};
+use sphere_dda_fmu::import::{Fmu, Options, System, Table};
 
 use crate::export::pack;
 use crate::failure::Failure;
@@ -62,7 +62,7 @@ pub(crate) fn run(arguments: &Demo, interrupt: &Interrupt) -> Result<(), Failure
         instance_name: Some(RESULTS.to_owned()),
         ..Options::default()
     };
-    let driven = drive(&fmu, &options, interrupt);
+    let driven = drive(&System::of(&fmu), &options, interrupt);
     if let Some(table) = &driven.table {
         let text = csv(table).map_err(Failure::run)?;
         put(&folder.join("outputs.csv"), &text)?;

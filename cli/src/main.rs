@@ -57,7 +57,7 @@ enum Command {
     Export(export::Export),
     /// Show what an FMU is and its variables.
     Inspect(inspect::Inspect),
-    /// Run an FMU, any of FMI 2.0 for co-simulation, and write its outputs as CSV.
+    /// Run an FMU, or several coupled, any of FMI 2.0 for co-simulation, and write the outputs as CSV.
     Simulate(simulate::Simulate),
 }
 

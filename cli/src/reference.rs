@@ -6,10 +6,12 @@ use serde_json::Value;
 
 const TEMPLATE: &str = include_str!("../../docs/scene.in.md");
 
+const GENERATED: &str = "<!-- Printed by `sphere-dda schema --markdown` from docs/scene.in.md and the types in src/scene/file: edit those. -->\n\n";
+
 /// Fills the tables of `schema` into the template.
 pub(crate) fn markdown(schema: &Value) -> String {
     let reference = Reference::new(schema);
-    let mut text = String::new();
+    let mut text = GENERATED.to_owned();
     for line in TEMPLATE.lines() {
         match placeholder(line) {
             Some(name) => text.push_str(&reference.section(name)),
@@ -66,7 +68,15 @@ impl<'s> Reference<'s> {
         if !text.is_empty() {
             text.push_str("\n\n");
         }
-        if let Some(options) = definition["oneOf"].as_array() {
+        if definition["maxProperties"] == 1 {
+            text.push_str("| key | type | unit | meaning |\n|---|---|---|---|");
+            for key in keys(definition) {
+                let property = &definition["properties"][key];
+                let (unit, meaning) = meaning(property);
+                let kind = self.kind(property);
+                text.push_str(&format!("\n| `{key}` | {kind} | {unit} | {meaning} |"));
+            }
+        } else if let Some(options) = definition["oneOf"].as_array() {
             text.push_str("| value | meaning |\n|---|---|");
             for option in options {
                 let meaning = option["description"].as_str().unwrap_or_default();
@@ -76,8 +86,7 @@ impl<'s> Reference<'s> {
             text.push_str(
                 "| key | type | unit | default | range | meaning |\n|---|---|---|---|---|---|",
             );
-            let keys = definition["x-order"].as_array().into_iter().flatten();
-            for key in keys.filter_map(Value::as_str) {
+            for key in keys(definition) {
                 text.push_str(&self.row(definition, key));
             }
         }
@@ -97,9 +106,7 @@ impl<'s> Reference<'s> {
                 value => literal(value),
             }
         };
-        let unit = property["x-unit"].as_str().unwrap_or_default();
-        let meaning = property["description"].as_str().unwrap_or_default();
-        let meaning = meaning.replacen(&format!(" [{unit}]"), "", 1);
+        let (unit, meaning) = meaning(property);
         format!(
             "\n| `{key}` | {} | {unit} | {default} | {} | {meaning} |",
             self.kind(property),
@@ -156,6 +163,19 @@ impl<'s> Reference<'s> {
             None => String::new(),
         }
     }
+}
+
+/// The keys of a table in their order.
+fn keys(definition: &Value) -> impl Iterator<Item = &str> {
+    let keys = definition["x-order"].as_array().into_iter().flatten();
+    keys.filter_map(Value::as_str)
+}
+
+/// Unit and meaning of a key.
+fn meaning(property: &Value) -> (&str, String) {
+    let unit = property["x-unit"].as_str().unwrap_or_default();
+    let description = property["description"].as_str().unwrap_or_default();
+    (unit, description.replacen(&format!(" [{unit}]"), "", 1))
 }
 
 /// Name of the type that a value refers to.

@@ -2,18 +2,24 @@
 
 use std::path::PathBuf;
 use std::sync::Arc;
+use std::time::{Duration, Instant};
 
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use miette::miette;
+use sphere_dda::clock::{Clock, due};
 use sphere_dda::observe::Observation;
+use sphere_dda::observe::checkpoint::{Checkpoint, KEPT};
 use sphere_dda::observe::writer::{Options, Results, Status};
 use sphere_dda::scene::{Method, Scene, SolverKind};
 use sphere_dda::simulation::{Simulation, StepReport};
 
 use crate::check;
 use crate::failure::Failure;
-use crate::progress::{Interrupt, Progress, print};
+use crate::progress::{Interrupt, Progress, note, print};
+
+/// Wall time after which a checkpoint is written whatever the simulated time: what a killed run loses at most.
+const LONGEST_WORK: Duration = Duration::from_mins(5);
 
 /// Arguments of `run`.
 #[derive(Debug, Args)]
@@ -21,9 +27,13 @@ use crate::progress::{Interrupt, Progress, print};
 Examples:
   sphere-dda run examples/funnel/funnel.toml -o funnel-results
   sphere-dda run scene.toml -o results --stop 0.5 --overwrite
+  sphere-dda run scene.toml -o results --resume               begins, goes on, or has nothing left to do
+  sphere-dda run scene.toml -o results --resume --stop 2      makes a run longer
 
 Written to DIR: spheres.pvd, contacts.pvd and boundaries.pvd with their frames (ParaView, meshio), history.csv, run.json,
-and view.py for ParaView. Ctrl-C ends the run after the current step; all files are then complete.")]
+view.py for ParaView, and checkpoints to go on from: every five minutes, every --checkpoint-interval, at the end. Ctrl-C
+ends the run after the current step; all files are then complete. A run that was killed at any moment and resumed leaves
+the same files, bit for bit, as one that was not.")]
 pub(crate) struct Run {
     /// The scene file (TOML).
     scene: PathBuf,
@@ -33,6 +43,12 @@ pub(crate) struct Run {
     /// Replace the results of an earlier run in DIR.
     #[arg(long)]
     overwrite: bool,
+    /// Go on with the run in DIR from its last checkpoint; without one, start.
+    #[arg(long, conflicts_with = "overwrite")]
+    resume: bool,
+    /// Simulated time between checkpoints [s], 0: none; that of the scene if absent.
+    #[arg(long, value_name = "SECONDS", value_parser = interval, allow_negative_numbers = true)]
+    checkpoint_interval: Option<f64>,
     /// Stop time [s]; that of the scene if absent.
     #[arg(long, value_name = "SECONDS", value_parser = positive, allow_negative_numbers = true)]
     stop: Option<f64>,
@@ -49,6 +65,13 @@ pub(crate) fn positive(text: &str) -> Result<f64, String> {
     match text.parse() {
         Ok(value) if value > 0.0 && f64::is_finite(value) => Ok(value),
         _ => Err("expected a finite number of seconds greater than 0".to_owned()),
+    }
+}
+
+fn interval(text: &str) -> Result<f64, String> {
+    match text.parse() {
+        Ok(value) if value >= 0.0 && f64::is_finite(value) => Ok(value),
+        _ => Err("expected a finite number of seconds, at least 0".to_owned()),
     }
 }
 
@@ -74,6 +97,10 @@ impl Run {
         settings.duration = self.stop.unwrap_or(settings.duration);
         settings.method = self.method.unwrap_or(settings.method);
         settings.solver = self.solver.unwrap_or(settings.solver);
+        let output = &mut scene.output;
+        output.checkpoint_interval = self
+            .checkpoint_interval
+            .unwrap_or(output.checkpoint_interval);
         if settings.method == Method::Penalty && settings.penalty.is_none() {
             return Err(Failure::Input(miette!(
                 "--method penalty: found no `penalty` in the scene, expected one in N/m: add it to [simulation]; \
@@ -96,11 +123,19 @@ pub(crate) fn run(arguments: &Run, interrupt: &Interrupt) -> Result<(), Failure>
     options.overwrite = arguments.overwrite;
 
     let mut simulation = Simulation::new(Arc::clone(&scene))?;
-    let mut results = Results::create(&scene, options)?;
-    let (total, end) = march(&mut simulation, &mut results, interrupt);
+    let settings = &scene.settings;
+    let clock = Clock::new(settings.communication_step, settings.duration);
+    let (mut results, start) = if arguments.resume {
+        resume(&mut simulation, &clock, options)?
+    } else {
+        (Results::create(&scene, options)?, None)
+    };
+    let (total, end) = march(&mut simulation, &mut results, &clock, start, interrupt);
     let status = results.finish();
     let printed = print(|out| {
-        write!(out, "{total}")?;
+        if total.report.internal_steps > 0 {
+            write!(out, "{total}")?;
+        }
         let place = arguments.output.display();
         writeln!(
             out,
@@ -114,22 +149,102 @@ pub(crate) fn run(arguments: &Run, interrupt: &Interrupt) -> Result<(), Failure>
     printed
 }
 
-/// To the end of the scene's duration, or as far as it gets.
+/// Puts the simulation back to the last checkpoint that lies on the way to the stop time, and says where that is.
+fn resume(
+    simulation: &mut Simulation,
+    clock: &Clock,
+    options: Options,
+) -> Result<(Results, Option<u64>), Failure> {
+    let scene = Arc::clone(simulation.scene());
+    let place = options.directory.display().to_string();
+    let mut start = None;
+    let restore = |blob: &[u8]| {
+        simulation.restore(blob)?;
+        start = clock.number(simulation.time());
+        Ok(start.map(|_| simulation.time()))
+    };
+    let (results, resumed) = Results::resume(&scene, options, restore)?;
+    for damaged in &resumed.damaged {
+        note(format_args!("passed over {damaged}"));
+    }
+    match (resumed.time, start) {
+        (None, _) => note(format_args!("no checkpoint in `{place}`: starts at 0 s")),
+        (Some(time), Some(k)) if k == clock.count() => {
+            note(format_args!("the run in `{place}` is finished: {time} s"));
+        }
+        (Some(time), _) => note(format_args!("goes on at {time} s")),
+    }
+    Ok((results, resumed.time.and(start)))
+}
+
+/// When a checkpoint is written, and how many stay.
+struct Checkpoints<'a> {
+    clock: &'a Clock,
+    /// Simulated time between two \[s\]; 0: no matter.
+    interval: f64,
+    /// Simulated time of the last one \[s\].
+    last: f64,
+    written: Instant,
+}
+
+impl Checkpoints<'_> {
+    /// After communication step `k`, the run going on.
+    fn pass(&mut self, k: u64, simulation: &Simulation, results: &mut Results) {
+        let time = simulation.time();
+        let simulated = self.interval > 0.0 && due(time, self.interval, Some(self.last));
+        // From here the run can be made longer.
+        let last_shared = k == self.clock.extensible();
+        if simulated || last_shared || self.written.elapsed() >= LONGEST_WORK {
+            self.write(k, simulation, results, KEPT);
+        }
+    }
+
+    /// After the last step. A finished run can only be made longer: older checkpoints than that takes are removed.
+    fn finish(&mut self, simulation: &Simulation, results: &mut Results) {
+        let count = self.clock.count();
+        let keep = if self.clock.extensible() == count {
+            1
+        } else {
+            2
+        };
+        self.write(count, simulation, results, keep);
+    }
+
+    fn write(&mut self, number: u64, simulation: &Simulation, results: &mut Results, keep: usize) {
+        self.last = simulation.time();
+        self.written = Instant::now();
+        results.checkpoint(Checkpoint {
+            number,
+            snapshot: simulation.snapshot(),
+            keep,
+        });
+    }
+}
+
+/// From communication point `start`, if the run was resumed, to the end of the scene's duration, or as far as it gets.
 fn march(
     simulation: &mut Simulation,
     results: &mut Results,
+    clock: &Clock,
+    start: Option<u64>,
     interrupt: &Interrupt,
 ) -> (Total, Result<(), Failure>) {
-    let settings = simulation.scene().settings.clone();
-    let (stop, step) = (settings.duration, settings.communication_step);
-    let mut progress = Progress::new(0.0, stop);
+    let (begin, stop) = (simulation.time(), clock.point(clock.count()));
+    let mut progress = Progress::new(begin, stop);
     let mut total = Total::default();
-    results.record(&Observation::of(simulation));
+    let mut checkpoints = Checkpoints {
+        clock,
+        interval: simulation.scene().output.checkpoint_interval,
+        last: begin,
+        written: Instant::now(),
+    };
+    if start.is_none() {
+        results.record(&Observation::of(simulation));
+    }
     let mut end = Ok(());
-    // A duration that is n steps but for rounding takes n.
-    let count = (stop / step * (1.0 - 1e-9)).ceil().max(1.0) as u64;
-    for k in 1..=count {
-        let point = if k == count { stop } else { k as f64 * step };
+    let mut reached = start.unwrap_or(0);
+    while reached < clock.count() {
+        let point = clock.point(reached + 1);
         match simulation.advance_to(point) {
             Ok(report) => total.add(&report),
             Err(error) => {
@@ -137,15 +252,27 @@ fn march(
                 break;
             }
         }
+        reached += 1;
         let state = Observation::of(simulation);
         results.record(&state);
         progress.show(point, || detail(&state));
-        if interrupt.requested() && k < count {
-            progress.note(format_args!("interrupted at {point} s"));
-            end = Err(Failure::Interrupted);
-            break;
+        if reached < clock.count() {
+            if interrupt.requested() {
+                progress.note(format_args!(
+                    "interrupted at {point} s; --resume goes on from here"
+                ));
+                end = Err(Failure::Interrupted);
+                break;
+            }
+            checkpoints.pass(reached, simulation, results);
         }
     }
+    if end.is_ok() {
+        checkpoints.finish(simulation, results);
+    } else {
+        checkpoints.write(reached, simulation, results, KEPT);
+    }
+    total.begin = begin;
     total.time = simulation.time();
     total.wall = progress.wall_time();
     (total, end)
@@ -175,6 +302,7 @@ fn complete(status: &Status) -> Result<(), Failure> {
 /// What a run cost and reached, over all steps.
 #[derive(Debug, Default)]
 struct Total {
+    begin: f64,
     time: f64,
     wall: f64,
     report: StepReport,
@@ -194,10 +322,19 @@ impl Total {
 
 impl std::fmt::Display for Total {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let Self { time, wall, report } = self;
+        let Self {
+            begin,
+            time,
+            wall,
+            report,
+        } = self;
+        write!(f, "simulated       {time} s ")?;
+        if *begin > 0.0 {
+            write!(f, "from {begin} s on ")?;
+        }
         writeln!(
             f,
-            "simulated       {time} s in {} steps, {} cuts",
+            "in {} steps, {} cuts",
             report.internal_steps, report.cuts
         )?;
         writeln!(
@@ -213,7 +350,7 @@ impl std::fmt::Display for Total {
         writeln!(
             f,
             "wall time       {wall:.2} s, {:.2} x real time",
-            time / wall
+            (time - begin) / wall
         )
     }
 }

@@ -1,13 +1,15 @@
-//! `sphere-dda simulate X.fmu`.
+//! `sphere-dda simulate X.fmu ...`.
 
 use std::fs::{self, File, OpenOptions};
 use std::io::Write;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
-use clap::Args;
+use clap::{Args, ValueEnum};
 use miette::miette;
-use sphere_dda_fmu::import::{End, Event, Fmu, Options, Signals, Table, simulate};
+use sphere_dda_fmu::import::{
+    Coupling, End, Event, Fmu, Options, Signals, System, Table, Value, simulate,
+};
 
 use crate::failure::Failure;
 use crate::progress::{Interrupt, Progress, note, print};
@@ -19,11 +21,21 @@ Examples:
   sphere-dda simulate funnel.fmu -o outputs.csv
   sphere-dda simulate feeder.fmu --input drive.csv --step 0.002 --stop 2 -o outputs.csv
   sphere-dda simulate funnel.fmu --set output.directory=results --record maxOverlap
+  sphere-dda simulate shaker.fmu bed.fmu --connect shaker.position=bed.boundary.tray.displacement \\
+      --connect 'bed.boundary.tray.averageForce[3]=shaker.force' --set shaker.amplitude=0.001 -o outputs.csv
 
+With several FMUs every name of a variable, also in files, is `<file name without .fmu>.<variable>`.
 What was recorded before a failure or Ctrl-C is written too. An FMU that ends before the stop time makes exit code 1.")]
 pub(crate) struct Simulate {
-    /// The FMU: any of FMI 2.0 for co-simulation with a library for this system.
-    fmu: PathBuf,
+    /// The FMUs: any of FMI 2.0 for co-simulation with a library for this system. They step in this order.
+    #[arg(required = true, value_name = "FMU")]
+    fmus: Vec<PathBuf>,
+    /// Let an output feed an input; can be repeated.
+    #[arg(long = "connect", value_name = "OUTPUT=INPUT", value_parser = connection)]
+    connect: Vec<(String, String)>,
+    /// When connected FMUs exchange values.
+    #[arg(long, value_enum, default_value_t)]
+    coupling: Scheme,
     /// Inputs over time: CSV with the header `time,name,...`. Continuous reals are interpolated, all else is held.
     #[arg(long, value_name = "CSV")]
     input: Option<PathBuf>,
@@ -56,6 +68,32 @@ pub(crate) struct Simulate {
     allow_nan: bool,
 }
 
+/// When connected FMUs exchange values.
+#[derive(Debug, Clone, Copy, Default, ValueEnum)]
+enum Scheme {
+    /// All at the start of a step.
+    #[default]
+    Jacobi,
+    /// Each before its own step, so that it gets what the FMUs before it have just reached.
+    GaussSeidel,
+}
+
+impl From<Scheme> for Coupling {
+    fn from(scheme: Scheme) -> Self {
+        match scheme {
+            Scheme::Jacobi => Self::Jacobi,
+            Scheme::GaussSeidel => Self::GaussSeidel,
+        }
+    }
+}
+
+/// `output=input`.
+fn connection(text: &str) -> Result<(String, String), String> {
+    let (output, input) =
+        assignment(text).map_err(|_| format!("found `{text}`, expected OUTPUT=INPUT"))?;
+    Ok((output, input.trim().to_owned()))
+}
+
 /// `name=value`, split at the first `=` that is not in single quotes, as names may have.
 fn assignment(text: &str) -> Result<(String, String), String> {
     let mut quoted = false;
@@ -76,20 +114,31 @@ fn assignment(text: &str) -> Result<(String, String), String> {
     Err(format!("found `{text}`, expected NAME=VALUE"))
 }
 
-/// Simulates an FMU and writes its outputs; what was recorded before a failure or Ctrl-C is written too.
+/// Simulates FMUs and writes their outputs; what was recorded before a failure or Ctrl-C is written too.
 ///
 /// # Errors
 /// What the importer says, and files that cannot be read or written.
 pub(crate) fn run(arguments: &Simulate, interrupt: &Interrupt) -> Result<(), Failure> {
-    let fmu = Fmu::open(&arguments.fmu)?;
+    let fmus: Vec<Fmu> = arguments
+        .fmus
+        .iter()
+        .map(Fmu::open)
+        .collect::<Result<_, _>>()?;
+    let mut system = match &*fmus {
+        [fmu] => System::of(fmu),
+        _ => System::coupled(fmus.iter().map(|fmu| (stem(fmu.path()), fmu)))?,
+    };
+    let pairs = arguments.connect.iter();
+    system.connect(pairs.map(|(output, input)| (&**output, &**input)))?;
     let inputs = match &arguments.input {
-        Some(path) => Some(Signals::from_csv(path, fmu.description())?),
+        Some(path) => Some(Signals::from_csv(path, &system)?),
         None => None,
     };
     let options = Options {
         start: arguments.start,
         stop: arguments.stop,
         step: arguments.step,
+        coupling: arguments.coupling.into(),
         inputs,
         outputs: (!arguments.record.is_empty()).then(|| arguments.record.clone()),
         set: arguments.set.clone(),
@@ -101,7 +150,7 @@ pub(crate) fn run(arguments: &Simulate, interrupt: &Interrupt) -> Result<(), Fai
     let file = output
         .map(|path| CsvFile::open(path, arguments.overwrite))
         .transpose()?;
-    let driven = drive(&fmu, &options, interrupt);
+    let driven = drive(&system, &options, interrupt);
     match (&driven.table, file) {
         (Some(table), Some(file)) => file.write(table)?,
         (Some(table), None) => print(|out| out.write_all(&csv(table)?))?,
@@ -119,6 +168,14 @@ pub(crate) fn run(arguments: &Simulate, interrupt: &Interrupt) -> Result<(), Fai
     driven.end
 }
 
+/// Name of a file without its ending.
+fn stem(path: &Path) -> String {
+    path.file_stem()
+        .unwrap_or_default()
+        .to_string_lossy()
+        .into_owned()
+}
+
 /// A simulation that was begun.
 pub(crate) struct Driven {
     /// What was recorded; `None` if it did not start.
@@ -129,13 +186,13 @@ pub(crate) struct Driven {
     pub(crate) end: Result<(), Failure>,
 }
 
-/// Drives an FMU from start to stop and shows how it gets on.
-pub(crate) fn drive(fmu: &Fmu, options: &Options, interrupt: &Interrupt) -> Driven {
-    let default = fmu.description().default_experiment.unwrap_or_default();
+/// Drives FMUs from start to stop and shows how they get on.
+pub(crate) fn drive(system: &System<'_>, options: &Options, interrupt: &Interrupt) -> Driven {
+    let default = system.experiment();
     let start = options.start.or(default.start_time).unwrap_or(0.0);
     let stop = options.stop.or(default.stop_time).unwrap_or(f64::NAN);
     let mut progress = Progress::new(start, stop);
-    let result = simulate(fmu, options, |event| {
+    let result = simulate(system, options, |event| {
         match event {
             Event::Time { time, table, .. } => progress.show(time, || detail(table)),
             Event::Message(message) => progress.note(message),
@@ -158,7 +215,7 @@ pub(crate) fn drive(fmu: &Fmu, options: &Options, interrupt: &Interrupt) -> Driv
             let end = match table.end {
                 End::Stop => Ok(()),
                 End::Terminated => Err(Failure::Run(miette!(
-                    "the FMU ended the simulation at {last} s, expected {stop} s: see what it logged"
+                    "an FMU ended the simulation at {last} s, expected {stop} s: see what it logged"
                 ))),
                 End::Interrupted => {
                     note(format_args!("interrupted at {last} s"));
@@ -174,12 +231,18 @@ pub(crate) fn drive(fmu: &Fmu, options: &Options, interrupt: &Interrupt) -> Driv
 /// The last values of outputs that tell how a sphere-dda FMU gets on; other FMUs have none of these names.
 fn detail(table: &Table) -> String {
     let last = |name: &str| {
-        let column = table.columns.iter().find(|column| column.name == name)?;
+        let of_a_component = |full: &str| full.strip_suffix(name).is_some_and(|r| r.ends_with('.'));
+        let column = table
+            .columns
+            .iter()
+            .find(|column| column.name == name || of_a_component(&column.name))?;
         column.values.get(table.time.len().checked_sub(1)?)
     };
     let contacts = last("contactCount").map(|count| format!("{count} contacts"));
-    let overlap = table.real("maxOverlap").and_then(|values| values.last());
-    let overlap = overlap.map(|overlap| format!("overlap {overlap:.1e} R"));
+    let overlap = match last("maxOverlap") {
+        Some(Value::Real(overlap)) => Some(format!("overlap {overlap:.1e} R")),
+        _ => None,
+    };
     let iterations = last("solver.sweeps").map(|sweeps| format!("{sweeps} iterations"));
     contacts
         .into_iter()

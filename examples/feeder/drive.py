@@ -22,7 +22,7 @@ OUTPUTS = [
     *(f"momentum[{axis}]" for axis in (1, 2, 3)),
     "sensor.flow.rate",
     "sensor.flow.mass",
-    "sensor.collected",
+    "sensor.collected.mass",
     "mass",
     "maxOverlap",
 ]
@@ -91,7 +91,7 @@ def plot(table, frequency, path):
     axes[1].set_ylabel("vertical force [N]")
     axes[1].legend(loc="upper right", fontsize="small")
     axes[2].plot(time, table["sensor.flow.mass"], color="tab:orange", label="left the trough")
-    axes[2].plot(time, table["sensor.collected"], color="tab:green", label="in the bin")
+    axes[2].plot(time, table["sensor.collected.mass"], color="tab:green", label="in the bin")
     axes[2].set_ylabel("mass [kg]")
     axes[2].set_xlabel("time [s]")
     axes[2].legend(loc="upper left", fontsize="small")

@@ -1,7 +1,8 @@
 //! The model description of a scene, and the guid that ties it to its variable table.
 
-use sha2::{Digest, Sha256};
 use sphere_dda::scene::Scene;
+use sphere_dda_fmi_interface::archive;
+use sphere_dda_fmi_interface::log::Category;
 use sphere_dda_model_description::Error;
 use sphere_dda_model_description::fmi2::{
     BaseType, BooleanVariable, CoSimulation, DefaultExperiment, IntegerVariable, LogCategory,
@@ -9,7 +10,6 @@ use sphere_dda_model_description::fmi2::{
 };
 use sphere_dda_model_description::units::{BaseUnit, Unit};
 
-use crate::log::Category;
 use crate::variables::{Table, Value, Variable};
 
 /// Version of this crate: part of the guid, so that a library and a description of another version part ways.
@@ -33,25 +33,7 @@ pub fn describe(scene: &Scene, table: &Table, identifier: &str) -> Result<ModelD
 /// As [`describe`].
 pub fn guid(scene: &Scene, table: &Table) -> Result<String, Error> {
     let text = unsigned(scene, table, "").to_xml()?;
-    let mut digest = Sha256::new();
-    for part in [VERSION, &scene.hash, &text] {
-        digest.update(part.len().to_le_bytes());
-        digest.update(part);
-    }
-    let hex: String = digest
-        .finalize()
-        .iter()
-        .take(16)
-        .map(|byte| format!("{byte:02x}"))
-        .collect();
-    let parts = [
-        &hex[..8],
-        &hex[8..12],
-        &hex[12..16],
-        &hex[16..20],
-        &hex[20..],
-    ];
-    Ok(format!("{{{}}}", parts.join("-")))
+    Ok(archive::guid(&[VERSION, &scene.hash, &text]))
 }
 
 /// The description with an empty guid.
@@ -113,6 +95,7 @@ pub fn units() -> Vec<Unit> {
         si("N.m", 1, 2, -2),
         si("J", 1, 2, -2),
         si("W", 1, 2, -3),
+        si("Pa", 1, -1, -2).with_display_unit("kPa", 1e-3, 0.0),
     ]
 }
 

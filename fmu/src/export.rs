@@ -9,20 +9,19 @@
 //! documentation/licenses/license.txt
 //! ```
 //!
-//! The archive is deflated, without zip64 and with one fixed time stamp: the same scene and library give the same bytes.
+//! The same scene and library give the same bytes.
 
 use std::env;
 use std::ffi::OsString;
-use std::fs::{self, File};
-use std::io::{self, Write};
+use std::fs;
+use std::io;
 use std::path::{Path, PathBuf};
 
+use sphere_dda_fmi_interface::archive::{self, ArchiveError};
 use sphere_dda_model_description::Finding;
 use sphere_dda_model_description::fmi2::ModelDescription;
 use sphere_dda_model_description::names::is_c_identifier;
 use thiserror::Error;
-use zip::ZipWriter;
-use zip::write::SimpleFileOptions;
 
 use crate::description::describe;
 use crate::documentation;
@@ -93,16 +92,17 @@ pub enum ExportError {
     /// A file of the scene would overwrite another one in the archive.
     #[error("the scene refers to a file named `{0}`, which the FMU needs for itself; rename it")]
     Reserved(String),
-    /// Reading or writing failed.
-    #[error("cannot {action} `{}`: {source}", path.display())]
-    Io {
-        /// What was tried.
-        action: &'static str,
-        /// The file.
+    /// The library cannot be read.
+    #[error("cannot read `{}`: {source}", path.display())]
+    Read {
+        /// Its path.
         path: PathBuf,
         /// The reason.
         source: io::Error,
     },
+    /// The archive cannot be written.
+    #[error(transparent)]
+    Archive(#[from] ArchiveError),
 }
 
 fn list(findings: &[Finding]) -> String {
@@ -140,9 +140,11 @@ pub fn export(
         return Err(ExportError::Invalid(findings));
     }
     check_library(library)?;
-    let code = fs::read(library).map_err(failed("read", library))?;
-    let archive = pack(&model, &description, &identifier, &code)?;
-    write(fmu, &archive)?;
+    let code = fs::read(library).map_err(|source| ExportError::Read {
+        path: library.to_path_buf(),
+        source,
+    })?;
+    pack(&model, &description, &identifier, &code, fmu)?;
 
     let variables = model.table.variables().len();
     let mut warnings = model.warnings;
@@ -157,22 +159,18 @@ pub fn export(
     })
 }
 
-/// The archive as bytes.
 fn pack(
     model: &Model,
     description: &ModelDescription,
     identifier: &str,
     library: &[u8],
-) -> Result<Vec<u8>, ExportError> {
+    fmu: &Path,
+) -> Result<(), ExportError> {
     let xml = description.to_xml().map_err(ModelError::from)?;
     let html = documentation::page(model);
-    let binary = format!(
-        "binaries/{PLATFORM}/{identifier}{}",
-        env::consts::DLL_SUFFIX
-    );
     let mut files: Vec<(String, &[u8])> = vec![
         ("modelDescription.xml".to_owned(), xml.as_bytes()),
-        (binary, library),
+        (archive::library_path(identifier), library),
         (format!("resources/{SCENE_FILE}"), model.text.as_bytes()),
         ("documentation/index.html".to_owned(), html.as_bytes()),
         (
@@ -189,67 +187,8 @@ fn pack(
         }
         files.push((format!("resources/{}", file.path), &file.content));
     }
-    zipped(&files).map_err(failed("compress", Path::new(identifier)))
+    Ok(archive::write(fmu, &files)?)
 }
-
-fn zipped(files: &[(String, &[u8])]) -> io::Result<Vec<u8>> {
-    let options = SimpleFileOptions::default()
-        .compression_method(zip::CompressionMethod::Deflated)
-        .last_modified_time(zip::DateTime::default())
-        .unix_permissions(0o644);
-    let mut archive = ZipWriter::new(io::Cursor::new(Vec::new()));
-    for (name, content) in files {
-        archive.start_file(name.as_str(), options)?;
-        archive.write_all(content)?;
-    }
-    Ok(archive.finish()?.into_inner())
-}
-
-/// Writes beside the target and renames: whoever opens the target sees the old archive or the new one.
-fn write(fmu: &Path, archive: &[u8]) -> Result<(), ExportError> {
-    let folder = match fmu.parent() {
-        Some(parent) if parent != Path::new("") => parent,
-        _ => Path::new("."),
-    };
-    let mut file = tempfile::NamedTempFile::new_in(folder).map_err(failed("write into", folder))?;
-    file.write_all(archive).map_err(failed("write", fmu))?;
-    let file: File = file
-        .persist(fmu)
-        .map_err(|e| failed("write", fmu)(e.error))?;
-    file.sync_all().map_err(failed("write", fmu))?;
-    readable(&file).map_err(failed("set the permissions of", fmu))
-}
-
-/// Temporary files are private; an FMU is passed on.
-#[cfg(unix)]
-fn readable(file: &File) -> io::Result<()> {
-    use std::os::unix::fs::PermissionsExt;
-    file.set_permissions(fs::Permissions::from_mode(0o644))
-}
-
-#[cfg(not(unix))]
-fn readable(_: &File) -> io::Result<()> {
-    Ok(())
-}
-
-fn failed(action: &'static str, path: &Path) -> impl Fn(io::Error) -> ExportError {
-    let path = path.to_path_buf();
-    move |source| ExportError::Io {
-        action,
-        path: path.clone(),
-        source,
-    }
-}
-
-/// Folder of this platform's binaries in FMI 2.0.
-#[cfg(target_os = "windows")]
-const PLATFORM: &str = "win64";
-/// Folder of this platform's binaries in FMI 2.0.
-#[cfg(target_os = "macos")]
-const PLATFORM: &str = "darwin64";
-/// Folder of this platform's binaries in FMI 2.0.
-#[cfg(not(any(target_os = "windows", target_os = "macos")))]
-const PLATFORM: &str = "linux64";
 
 /// The scene file's name as a C identifier.
 fn identifier(scene: &Path) -> String {

@@ -1,9 +1,10 @@
-//! Runs foreign FMUs: any FMI 2.0 co-simulation FMU with a library for this system.
+//! Runs foreign FMUs, alone or coupled: any FMI 2.0 co-simulation FMU with a library for this system.
 //!
 //! | type or function | is                                                                     |
 //! |------------------|------------------------------------------------------------------------|
 //! | [`Fmu`]          | an unpacked archive and its model description; loads the library once   |
 //! | [`Instance`]     | one running instance: every call of the standard, judged by its status  |
+//! | [`System`]       | one FMU, or several with outputs connected to inputs                    |
 //! | [`simulate`]     | a small master: inputs from a table, outputs to a table                 |
 //!
 //! The archive and the description are untrusted: they are read within limits and refused with a reason. The
@@ -11,23 +12,28 @@
 //! that a library that keeps to the standard cannot do harm; one that does not can do anything, as everywhere.
 //!
 //! ```no_run
-//! use sphere_dda_fmu::import::{Fmu, Options, simulate};
+//! use sphere_dda_fmu::import::{Fmu, Options, System, simulate};
 //! use std::ops::ControlFlow;
 //!
 //! let fmu = Fmu::open("funnel.fmu")?;
-//! let table = simulate(&fmu, &Options::default(), |_| ControlFlow::Continue(()))?;
+//! let table = simulate(&System::of(&fmu), &Options::default(), |_| ControlFlow::Continue(()))?;
 //! table.write_csv(std::io::stdout())?;
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
 mod abi;
 mod archive;
+mod connection;
 mod error;
+mod exchange;
+mod grid;
 mod instance;
 mod library;
 mod logger;
+mod run;
 mod signals;
 mod simulate;
+mod system;
 mod table;
 mod values;
 
@@ -41,11 +47,13 @@ use sphere_dda_model_description::names;
 use tempfile::TempDir;
 
 pub use archive::{ArchiveError, Limits, RATIO_FLOOR};
+pub use connection::{ConnectionError, ConnectionFault};
 pub use error::ImportError;
 pub use instance::{Instance, SavedState, Step};
 pub use logger::Message;
 pub use signals::{Signals, SignalsError};
-pub use simulate::{Event, Options, SimulateError, simulate};
+pub use simulate::{Coupling, Event, Options, SimulateError, simulate};
+pub use system::{System, SystemError};
 pub use table::{Column, End, Table};
 pub use values::{Value, Values, VariableError};
 

@@ -17,13 +17,13 @@ use sphere_dda::error::StepError;
 use sphere_dda::motion::{Command, Motion};
 use sphere_dda::simulation::Simulation;
 
-use crate::log::{Level, Log};
 use crate::model::Model;
-use crate::outputs::Outputs;
 use crate::recorder::Recorder;
 use crate::refusal::{InstantiationError, Refusal};
 use crate::state::{Run, Saved};
 use crate::variables::Parameters;
+use sphere_dda_fmi_interface::log::{Level, Log};
+use sphere_dda_fmi_interface::pointers::BadArgument;
 
 /// Share of the step by which a communication point may miss the end of the last one: masters add up or round their
 /// times, and a mistake of the master is far larger.
@@ -75,7 +75,8 @@ pub struct Instance {
     log: Log,
     run: Run,
     simulation: Option<Simulation>,
-    outputs: Option<Outputs>,
+    /// Measured values of the last communication point, in the order of the table; computed when first asked for.
+    outputs: Option<Vec<f64>>,
     recorder: Recorder,
     read_ahead: bool,
 }
@@ -420,9 +421,9 @@ fn command(simulation: &mut Simulation, commands: &[Command]) -> Result<(), Step
 }
 
 fn argument(argument: &'static str, found: f64, expected: &'static str) -> Refusal {
-    Refusal::Argument {
+    Refusal::Argument(BadArgument {
         argument,
         found: found.to_string(),
         expected,
-    }
+    })
 }

@@ -7,8 +7,8 @@ use sphere_dda::observe::error::OutputError;
 use sphere_dda::observe::writer::{Options, Results};
 use sphere_dda::simulation::Simulation;
 
-use crate::log::{Level, Log};
 use crate::variables::Parameters;
+use sphere_dda_fmi_interface::log::{Level, Log};
 
 /// Writes result files, or nothing while `output.directory` is empty.
 #[derive(Default)]
@@ -20,11 +20,11 @@ pub struct Recorder {
 }
 
 impl Recorder {
-    /// Opens the directory that the parameters name and records the present state.
+    /// Begins in the directory that the parameters name, with the present state.
     ///
     /// # Errors
     /// [`OutputError::Exists`] where the run of another instance lies, unless `output.overwrite` is set;
-    /// [`OutputError::Io`].
+    /// [`OutputError::Busy`] where one is being written, [`OutputError::Io`].
     pub fn open(
         &mut self,
         name: &str,
@@ -33,23 +33,42 @@ impl Recorder {
         log: &Log,
     ) -> Result<(), OutputError> {
         self.close(log);
-        if parameters.output_directory.is_empty() {
+        let Some(options) = self.options(name, parameters, simulation) else {
             return Ok(());
+        };
+        let directory = options.directory.clone();
+        let results = Results::create(simulation.scene(), options)?;
+        self.begin(results, directory, simulation, log);
+        Ok(())
+    }
+
+    /// What to write where; `None`: nothing.
+    fn options(
+        &self,
+        name: &str,
+        parameters: &Parameters,
+        simulation: &Simulation,
+    ) -> Option<Options> {
+        if parameters.output_directory.is_empty() {
+            return None;
         }
         let directory = Path::new(&parameters.output_directory).join(folder(name));
         let mut options = Options::new(&directory, simulation.scene());
         options.overwrite = parameters.output_overwrite || self.own.as_ref() == Some(&directory);
         options.frame_interval = parameters.output_interval;
         options.hold = true;
-        self.results = Some(Results::create(simulation.scene(), options)?);
+        Some(options)
+    }
+
+    fn begin(&mut self, results: Results, directory: PathBuf, simulation: &Simulation, log: &Log) {
         log.write(
             Level::Ok,
             format_args!("results go to `{}`", directory.display()),
         );
+        self.results = Some(results);
         self.own = Some(directory);
         self.failures = 0;
         self.record(simulation, log);
-        Ok(())
     }
 
     /// Takes what is due; files that could not be written are told in the log.
@@ -77,7 +96,9 @@ impl Recorder {
         }
     }
 
-    /// A state was restored: what was recorded later is dropped, or, in a new instance, recording begins.
+    /// A state was restored: what was recorded later is dropped. A new instance goes on with the files that the one
+    /// which saved the state has left, or begins where there are none; it may drop what was recorded later only with
+    /// `output.overwrite`.
     pub fn follow(
         &mut self,
         name: &str,
@@ -86,12 +107,18 @@ impl Recorder {
         log: &Log,
     ) {
         if let Some(results) = &mut self.results {
-            results.rollback(simulation.time());
-        } else if let Err(error) = self.open(name, parameters, simulation, log) {
-            log.write(
+            return results.rollback(simulation.time());
+        }
+        let Some(options) = self.options(name, parameters, simulation) else {
+            return;
+        };
+        let directory = options.directory.clone();
+        match Results::follow(simulation.scene(), options, simulation.time()) {
+            Ok(results) => self.begin(results, directory, simulation, log),
+            Err(error) => log.write(
                 Level::Warning,
                 format_args!("no results are written: {error}"),
-            );
+            ),
         }
     }
 

@@ -2,6 +2,7 @@
 
 use sphere_dda::error::{SnapshotError, StepError};
 use sphere_dda::observe::error::OutputError;
+use sphere_dda_fmi_interface::pointers::BadArgument;
 use sphere_dda_model_description::fmi2::BaseType;
 use thiserror::Error;
 
@@ -22,16 +23,9 @@ pub enum Refusal {
         /// States in which it is allowed.
         expected: String,
     },
-    /// A null pointer, or a negative size.
-    #[error("argument `{argument}` is {found}, expected {expected}")]
-    Argument {
-        /// Its name in the standard.
-        argument: &'static str,
-        /// What was found.
-        found: String,
-        /// What is allowed.
-        expected: &'static str,
-    },
+    /// A null pointer, or a value that the argument cannot have.
+    #[error(transparent)]
+    Argument(#[from] BadArgument),
     /// No such variable, or one of another type.
     #[error("value reference {reference} is no {expected:?} variable{}", .found.as_ref().map(|f| format!(", it is {f}")).unwrap_or_default())]
     Reference {

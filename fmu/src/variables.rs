@@ -1,7 +1,9 @@
 //! The variable table: names, references, types, units, start values and what each variable means.
 //!
 //! One table is built from a [`Scene`]. The XML of the model description and the dispatch of every get and set
-//! come from it, so they cannot disagree. Names of the scene are identifiers, so they need no quotes. The value reference of a variable is its rank in the table, from 0.
+//! come from it, so they cannot disagree. Its outputs are the solver's own list of what is measured,
+//! [`sphere_dda::observe::quantities`]. Names of the scene are identifiers, so they need no quotes. The value reference of a
+//! variable is its rank in the table, from 0.
 //!
 //! # When a command holds
 //!
@@ -9,11 +11,11 @@
 //! (a rotation by its logarithm) from where it is to the commanded pose and reaches it at the end of the
 //! communication step. Speeds are held over the step. Zero always means "as in the scene".
 
-mod outputs;
 mod parameters;
 mod rows;
 
 use sphere_dda::motion::{Command, Motion};
+use sphere_dda::observe::quantities::{Kind, quantities};
 use sphere_dda::scene::Scene;
 use sphere_dda_model_description::fmi2::{BaseType, Causality, Variability};
 
@@ -49,7 +51,7 @@ impl Value {
 /// What a variable stands for: the getter, and for inputs and parameters the setter.
 /// `axis` counts components from 0.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Quantity {
+pub enum Meaning {
     /// Time at the last communication point \[s\].
     Time,
     /// A setting of the run.
@@ -63,38 +65,8 @@ pub enum Quantity {
         /// Component.
         axis: usize,
     },
-    /// A quantity of a boundary.
-    Boundary {
-        /// Index of the boundary.
-        boundary: usize,
-        /// Which one.
-        output: BoundaryOutput,
-        /// Component.
-        axis: usize,
-    },
-    /// A quantity of a probed sphere.
-    Probe {
-        /// Index of the probe.
-        probe: usize,
-        /// Which one.
-        output: ProbeOutput,
-        /// Component.
-        axis: usize,
-    },
-    /// A reading of a sensor.
-    Sensor {
-        /// Index of the sensor.
-        sensor: usize,
-        /// Which one.
-        output: SensorOutput,
-    },
-    /// A quantity of the whole scene.
-    Global {
-        /// Which one.
-        output: GlobalOutput,
-        /// Component.
-        axis: usize,
-    },
+    /// A measured quantity: its rank in [`sphere_dda::observe::quantities::values`].
+    Output(usize),
 }
 
 /// Settings that an importer may change.
@@ -133,104 +105,6 @@ pub enum Input {
     Scalar,
 }
 
-/// Outputs of a boundary; the sign of a wrench is that of the spheres acting on the boundary.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum BoundaryOutput {
-    /// Force over the last internal step \[N\].
-    Force,
-    /// Torque about the point of action over the last internal step \[N m\].
-    Torque,
-    /// Force averaged over the communication step \[N\].
-    AverageForce,
-    /// Torque averaged over the communication step \[N m\].
-    AverageTorque,
-    /// Point of action \[m\].
-    Position,
-    /// Orientation, quaternion w, x, y, z.
-    Orientation,
-    /// Number of loaded contacts.
-    ContactCount,
-    /// Largest normal force of one contact \[N\].
-    MaxNormalForce,
-    /// Power of the spheres on the boundary \[W\].
-    Power,
-}
-
-/// Outputs of a probed sphere.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum ProbeOutput {
-    /// Centre \[m\].
-    Position,
-    /// Orientation, quaternion w, x, y, z.
-    Orientation,
-    /// Velocity \[m/s\].
-    Velocity,
-    /// Angular velocity \[rad/s\].
-    AngularVelocity,
-    /// Sum of the contact forces on it \[N\].
-    ContactForce,
-    /// Torque of the contact forces about its centre \[N m\].
-    ContactTorque,
-    /// Number of loaded contacts.
-    ContactCount,
-    /// Largest normal force of one contact \[N\].
-    MaxNormalForce,
-}
-
-/// Outputs of a sensor.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum SensorOutput {
-    /// Mass in a box, or cumulated mass through a plane \[kg\].
-    Mass,
-    /// Mass flow through a plane, mean over the communication step \[kg/s\].
-    Rate,
-}
-
-/// Outputs of the whole scene.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum GlobalOutput {
-    /// Total mass of the spheres \[kg\].
-    Mass,
-    /// Momentum of the spheres, half-step velocities \[kg m/s\].
-    Momentum,
-    /// Angular momentum about the origin, half-step velocities \[kg m^2/s\].
-    AngularMomentum,
-    /// Kinetic energy \[J\].
-    KineticEnergy,
-    /// Potential energy of gravity and springs \[J\].
-    PotentialEnergy,
-    /// Energy lost in contacts since the start \[J\].
-    DissipatedEnergy,
-    /// Work of moving boundaries on the spheres since the start \[J\].
-    BoundaryWork,
-    /// Work of point loads since the start \[J\].
-    LoadWork,
-    /// Work of constrained springs since the start \[J\].
-    SpringWork,
-    /// Number of loaded contacts.
-    ContactCount,
-    /// Largest true overlap over radius of the communication step \[-\].
-    MaxOverlap,
-    /// Internal steps of the communication step.
-    InternalSteps,
-    /// Of those, how many came from halving.
-    Cuts,
-    /// Gauss-Seidel sweeps of the communication step.
-    Sweeps,
-    /// Augmented-Lagrangian iterations of the communication step.
-    Augmentations,
-    /// Factorizations of the communication step.
-    Factorizations,
-    /// Gap residual \[-\].
-    GapResidual,
-    /// Slip residual \[-\].
-    SlipResidual,
-    /// Force residual \[-\].
-    ForceResidual,
-    /// Internal step that is advised at the present speeds \[s\].
-    RecommendedStep,
-}
-
 /// One variable.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Variable {
@@ -255,7 +129,7 @@ pub struct Variable {
     /// One line for people.
     pub description: String,
     /// What it stands for.
-    pub quantity: Quantity,
+    pub meaning: Meaning,
 }
 
 /// The variables of a scene.
@@ -265,30 +139,28 @@ pub struct Table {
 }
 
 impl Table {
-    /// Builds the table: time, parameters, then inputs and outputs of boundaries, probes, sensors and the whole.
+    /// Builds the table: time, parameters, inputs of driven boundaries, then everything that is measured.
     #[must_use]
     pub fn new(scene: &Scene) -> Self {
         let mut rows = Rows::default();
         rows.push(
             Row::real("time", Some("s"), "Simulated time"),
             Causality::Independent,
-            Quantity::Time,
+            Meaning::Time,
         );
         rows.parameters(scene);
         for (b, boundary) in scene.boundaries.iter().enumerate() {
-            let prefix = format!("boundary.{}", boundary.name);
             if let Motion::Input(kind) = boundary.motion {
-                rows.inputs(&prefix, b, kind);
+                rows.inputs(&format!("boundary.{}", boundary.name), b, kind);
             }
-            rows.boundary(&prefix, b);
         }
-        for (p, probe) in scene.probes.iter().enumerate() {
-            rows.probe(&format!("probe.{}", probe.name), p);
+        for (rank, quantity) in quantities(scene).into_iter().enumerate() {
+            let row = match quantity.kind {
+                Kind::Real => Row::real(quantity.name, quantity.unit, quantity.description),
+                Kind::Count => Row::count(quantity.name, quantity.description),
+            };
+            rows.push(row, Causality::Output, Meaning::Output(rank));
         }
-        for (s, sensor) in scene.sensors.iter().enumerate() {
-            rows.sensor(&format!("sensor.{}", sensor.name), s, &sensor.measure);
-        }
-        rows.globals();
         Self {
             variables: rows.variables,
         }

@@ -62,6 +62,20 @@ pub enum GeometryError {
         /// Ends of the edge \[m\].
         edge: [Vec3; 2],
     },
+    /// A mesh that should close and does not.
+    #[error(
+        "{name}: {edges} edges have one facet only, the first from ({}, {}, {}) to ({}, {}, {}); \
+         expected a closed mesh: fill the hole there, or let neighbours share whole edges",
+        edge[0].x, edge[0].y, edge[0].z, edge[1].x, edge[1].y, edge[1].z
+    )]
+    Open {
+        /// The shape.
+        name: String,
+        /// Number of such edges.
+        edges: usize,
+        /// Ends of the first \[m\].
+        edge: [Vec3; 2],
+    },
     /// A polygon without area.
     #[error(
         "{name}: {vertices} vertices span an area of {area:e} m2; expected three or more that are not in line"

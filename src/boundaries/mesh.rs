@@ -55,9 +55,27 @@ impl Mesh {
         &self.topology.repair
     }
 
-    /// Welded vertices \[m\], and the vertices of each triangle.
-    pub(super) fn triangulation(&self) -> (&[Vec3], &[[u32; 3]]) {
-        (&self.topology.vertices, &self.topology.triangles)
+    /// Welded vertices \[m\]. Slivers that were left out may have been the only ones at some.
+    pub(super) fn vertices(&self) -> &[Vec3] {
+        &self.topology.vertices
+    }
+
+    /// Corners of a triangle \[m\].
+    pub(super) fn corners(&self, triangle: u32) -> [Vec3; 3] {
+        self.topology.corners(triangle)
+    }
+
+    /// Numbers of the welded vertices of each triangle.
+    pub(super) fn indices(&self) -> &[[u32; 3]] {
+        &self.topology.triangles
+    }
+
+    /// The triangles whose bounding box meets the ray from `x` to z = +infinity.
+    pub(super) fn above(&self, x: Vec3) -> impl Iterator<Item = u32> {
+        let ray = AABB::from_corners([x.x, x.y, x.z], [x.x, x.y, f64::MAX]);
+        self.tree
+            .locate_in_envelope_intersecting(ray)
+            .map(|leaf| leaf.data)
     }
 
     pub(super) fn touches(&self, centre: Vec3, radius: f64, reach: f64, out: &mut Vec<Touch>) {

@@ -15,6 +15,7 @@ mod features;
 mod mesh;
 mod plane;
 mod revolution;
+mod solid;
 mod stl;
 mod terrain;
 mod tessellate;
@@ -26,6 +27,7 @@ pub use error::GeometryError;
 pub use facets::Facets;
 pub use plane::HalfSpace;
 pub use revolution::Revolution;
+pub use solid::Solid;
 pub use terrain::{GridProblem, HeightField};
 pub use tessellate::Triangulation;
 pub use topology::Repair;
@@ -291,7 +293,7 @@ impl Geometry {
         let mut include = |(min, max): (Vec3, Vec3)| {
             bounds = Some(bounds.map_or((min, max), |(low, high)| (low.inf(&min), high.sup(&max))));
         };
-        let vertices = self.mesh.iter().flat_map(|mesh| mesh.triangulation().0);
+        let vertices = self.mesh.iter().flat_map(|mesh| mesh.vertices());
         for &v in vertices {
             include((v, v));
         }

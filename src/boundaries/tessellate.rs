@@ -77,9 +77,8 @@ impl Geometry {
     pub fn tessellate(&self, extent: (Vec3, Vec3)) -> Triangulation {
         let mut out = Triangulation::default();
         if let Some(mesh) = &self.mesh {
-            let (points, triangles) = mesh.triangulation();
-            out.points.extend(points);
-            out.triangles.extend(triangles);
+            out.points.extend(mesh.vertices());
+            out.triangles.extend(mesh.indices());
         }
         for shape in self.shapes() {
             match shape {

@@ -28,10 +28,10 @@ pub struct Repair {
 }
 
 /// An edge of the welded mesh.
-struct Edge {
-    ends: [u32; 2],
+pub(super) struct Edge {
+    pub(super) ends: [u32; 2],
     /// The triangles at it.
-    triangles: Vec<u32>,
+    pub(super) triangles: Vec<u32>,
     /// Whether the surface goes on flat across it.
     flat: bool,
 }
@@ -232,7 +232,7 @@ fn is_sliver(&[a, b, c]: &[Vec3; 3], tolerance: f64) -> bool {
 }
 
 /// All edges in the order of their ends, and the edges ab, bc, ca of each triangle.
-fn edges(triangles: &[[u32; 3]]) -> (Vec<Edge>, Vec<[u32; 3]>) {
+pub(super) fn edges(triangles: &[[u32; 3]]) -> (Vec<Edge>, Vec<[u32; 3]>) {
     let mut sides: Vec<([u32; 2], u32, usize)> = Vec::with_capacity(3 * triangles.len());
     for (t, &[a, b, c]) in triangles.iter().enumerate() {
         for (slot, (p, q)) in [(a, b), (b, c), (c, a)].into_iter().enumerate() {

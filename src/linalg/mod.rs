@@ -4,9 +4,11 @@
 
 mod block_matrix;
 mod cholesky;
+mod lu;
 
 pub use block_matrix::{BlockMatrix, BlockPattern};
 pub use cholesky::{Factor, Symbolic};
+pub use lu::GeneralMatrix;
 
 use thiserror::Error;
 
@@ -19,6 +21,12 @@ pub enum LinearError {
         "the matrix of {rows} rows is not positive definite to working precision; lower the penalty"
     )]
     NotPositiveDefinite {
+        /// Number of scalar rows.
+        rows: usize,
+    },
+    /// The matrix has no inverse to working precision.
+    #[error("the matrix of {rows} rows is singular to working precision")]
+    Singular {
         /// Number of scalar rows.
         rows: usize,
     },

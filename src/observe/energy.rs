@@ -11,7 +11,7 @@
 //! ```
 //!
 //! Momenta use the half-step velocity because that is the one whose change over a step is exactly the impulse of the
-//! step. Units: J, N s, N m s.
+//! step. Only spheres in the scene count. Units: J, N s, N m s.
 
 use super::Observation;
 use crate::Vec3;
@@ -38,20 +38,20 @@ impl Energy {
         let scene = state.scene;
         let particles = &scene.particles;
         let mut energy = Self::default();
-        for (i, velocity) in state.velocity.iter().enumerate() {
+        for i in state.present() {
+            let velocity = state.velocity[i];
             let mass = particles.mass[i];
             energy.translational += 0.5 * mass * velocity.linear.norm_squared();
             energy.rotational += 0.5 * particles.inertia(i) * velocity.angular.norm_squared();
-            if state.kinematics.present[i] {
-                energy.gravity -= mass * state.gravity.dot(&state.kinematics.position[i]);
-            }
+            energy.gravity -= mass * state.gravity.dot(&state.kinematics.position[i]);
         }
-        for spring in &scene.springs {
+        let present = |sphere: usize| state.kinematics.present[sphere];
+        for spring in scene.springs.iter().filter(|s| present(s.sphere)) {
             let target = spring.target + spring.motion.pose_at(state.time).translation;
             let stretch = material_point(state, spring.sphere, spring.arm) - target;
             energy.springs += 0.5 * spring.stiffness * stretch.norm_squared();
         }
-        for load in &scene.loads {
+        for load in scene.loads.iter().filter(|l| present(l.sphere)) {
             energy.loads -= load
                 .force
                 .dot(&material_point(state, load.sphere, load.arm));
@@ -87,7 +87,8 @@ impl Momentum {
     pub fn of(state: &Observation) -> Self {
         let particles = &state.scene.particles;
         let mut momentum = Self::default();
-        for (i, velocity) in state.half_step.iter().enumerate() {
+        for i in state.present() {
+            let velocity = state.half_step[i];
             let linear = velocity.linear * particles.mass[i];
             momentum.linear += linear;
             momentum.angular += state.kinematics.position[i].cross(&linear)

@@ -26,6 +26,42 @@ pub enum OutputError {
         /// The file that says so.
         found: String,
     },
+    /// Another run writes to the directory at this moment.
+    #[error("another run is writing to `{}`; wait for its end or choose another directory", path.display())]
+    Busy {
+        /// The directory.
+        path: PathBuf,
+    },
+    /// The directory holds a run that the present one cannot go on with.
+    #[error(
+        "`{}` holds another run: {differences}; resume it with its own scene and settings, or start anew in another directory or overwriting", path.display()
+    )]
+    OtherRun {
+        /// The directory.
+        path: PathBuf,
+        /// What differs, key by key.
+        differences: String,
+    },
+    /// None of the checkpoints can be read.
+    #[error("no checkpoint in `{}` can be used: {reasons}; start anew in another directory or overwriting", path.display())]
+    Unusable {
+        /// The directory.
+        path: PathBuf,
+        /// What is wrong with each.
+        reasons: String,
+    },
+    /// A file is not as the run left it.
+    #[error(
+        "`{}`: found {found}, expected {expected}; the file was changed since the run wrote it: restore it or start anew", path.display()
+    )]
+    Changed {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it.
+        found: String,
+        /// What is right.
+        expected: String,
+    },
     /// A value that readers would show without a word: NaN, infinite, or beyond the range of Float32.
     #[error(
         "{place}: entry {index} of `{array}` is {value}, expected a finite number of the file's precision; the state is broken or needs `float64`"

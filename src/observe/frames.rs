@@ -13,12 +13,14 @@
 
 use nalgebra::UnitQuaternion;
 
+use super::loads::Loads;
 use super::vtu::{Array, Cell, Grid, Values};
 use super::{BoundaryState, Observation};
 use crate::Vec3;
 use crate::contacts::{Contact, Partner};
 use crate::motion::Twist;
 use crate::scene::Scene;
+use crate::simulation::Wrench;
 
 /// The three series of a run, in the order they are written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -46,110 +48,92 @@ impl Series {
     }
 }
 
-/// Every grid of a frame. A series without anything to show (no sphere, no boundary) is left out in all frames.
+/// The series that a scene has, in the order of [`Series::ALL`]: one without anything to show (no sphere, no boundary)
+/// is left out in all frames.
+#[must_use]
+pub fn series(scene: &Scene, surface: &Surface) -> Vec<Series> {
+    let shown = |series: &Series| match series {
+        Series::Spheres | Series::Contacts => !scene.particles.is_empty(),
+        Series::Boundaries => !surface.triangles.is_empty(),
+    };
+    Series::ALL.into_iter().filter(shown).collect()
+}
+
+/// Every grid of a frame.
 #[must_use]
 pub fn frame(state: &Observation, surface: &Surface) -> Vec<(Series, Grid)> {
-    let mut grids = Vec::with_capacity(3);
-    if !state.scene.particles.is_empty() {
-        grids.push((Series::Spheres, spheres(state)));
-        grids.push((Series::Contacts, contacts(state)));
-    }
-    if !surface.triangles.is_empty() {
-        grids.push((Series::Boundaries, surface.grid(state)));
-    }
-    grids
+    let grid = |of: Series| match of {
+        Series::Spheres => (of, spheres(state)),
+        Series::Contacts => (of, contacts(state)),
+        Series::Boundaries => (of, surface.grid(state)),
+    };
+    let shown = series(state.scene, surface);
+    shown.into_iter().map(grid).collect()
+}
+
+/// One vertex of the grid of spheres.
+struct Vertex {
+    position: Vec3,
+    orientation: UnitQuaternion<f64>,
+    velocity: Twist,
+    wrench: Wrench,
+    radius: f64,
+    id: i32,
+    material: i32,
 }
 
 /// The spheres in the scene, by index. Where there is none, one vertex of radius 0 and id -1 at the origin stands
 /// for them: readers refuse files without cells.
 #[must_use]
 pub fn spheres(state: &Observation) -> Grid {
-    let present: Vec<usize> = state.present().collect();
-    if present.is_empty() {
-        let at_rest = [(
-            Vec3::zeros(),
-            Twist::default(),
-            Vec3::zeros(),
-            Vec3::zeros(),
-        )];
-        return sphere_grid(&at_rest, &[UnitQuaternion::identity()], &[0.0], &[(-1, -1)]);
-    }
     let particles = &state.scene.particles;
-    let (force, torque) = contact_loads(state);
-    let motion: Vec<_> = present
-        .iter()
-        .map(|&i| {
-            (
-                state.kinematics.position[i],
-                state.velocity[i],
-                force[i],
-                torque[i],
-            )
-        })
-        .collect();
-    let orientation: Vec<_> = present
-        .iter()
-        .map(|&i| state.kinematics.orientation[i])
-        .collect();
-    let radius: Vec<f64> = present.iter().map(|&i| particles.radius[i]).collect();
-    let names: Vec<(i32, i32)> = present
-        .iter()
-        .map(|&i| (i as i32, i32::from(particles.material[i])))
-        .collect();
-    sphere_grid(&motion, &orientation, &radius, &names)
-}
-
-/// Position, velocity, force and torque of one sphere.
-type SphereRow = (Vec3, Twist, Vec3, Vec3);
-
-fn sphere_grid(
-    rows: &[SphereRow],
-    orientation: &[UnitQuaternion<f64>],
-    radius: &[f64],
-    names: &[(i32, i32)],
-) -> Grid {
-    let orientation = orientation.iter().flat_map(|q| [q.w, q.i, q.j, q.k]);
+    let loads = Loads::of(state).spheres;
+    let present = state.present().map(|i| Vertex {
+        position: state.kinematics.position[i],
+        orientation: state.kinematics.orientation[i],
+        velocity: state.velocity[i],
+        wrench: loads[i].wrench,
+        radius: particles.radius[i],
+        id: i as i32,
+        material: i32::from(particles.material[i]),
+    });
+    let mut rows: Vec<Vertex> = present.collect();
+    if rows.is_empty() {
+        rows.push(Vertex {
+            position: Vec3::zeros(),
+            orientation: UnitQuaternion::identity(),
+            velocity: Twist::default(),
+            wrench: Wrench::default(),
+            radius: 0.0,
+            id: -1,
+            material: -1,
+        });
+    }
+    let orientation = rows.iter().map(|row| row.orientation);
+    let orientation = orientation.flat_map(|q| [q.w, q.i, q.j, q.k]);
     Grid {
-        points: rows.iter().map(|row| row.0).collect(),
+        points: rows.iter().map(|row| row.position).collect(),
         cell: Cell::Vertex,
         connectivity: (0..rows.len() as u32).collect(),
         point_data: vec![
-            Array::scalar("radius", radius.iter().copied()),
-            Array::vector("velocity", rows.iter().map(|row| row.1.linear)),
-            Array::vector("angular_velocity", rows.iter().map(|row| row.1.angular)),
-            Array::vector("force", rows.iter().map(|row| row.2)),
-            Array::vector("torque", rows.iter().map(|row| row.3)),
+            Array::scalar("radius", rows.iter().map(|row| row.radius)),
+            Array::vector("velocity", rows.iter().map(|row| row.velocity.linear)),
+            Array::vector(
+                "angular_velocity",
+                rows.iter().map(|row| row.velocity.angular),
+            ),
+            Array::vector("force", rows.iter().map(|row| row.wrench.force)),
+            Array::vector("torque", rows.iter().map(|row| row.wrench.torque)),
             Array {
                 name: "orientation",
                 components: 4,
                 values: Values::Real(orientation.collect()),
             },
-            Array::integer("id", names.iter().map(|name| name.0)),
-            Array::integer("material", names.iter().map(|name| name.1)),
+            Array::integer("id", rows.iter().map(|row| row.id)),
+            Array::integer("material", rows.iter().map(|row| row.material)),
         ],
         cell_data: Vec::new(),
     }
-}
-
-/// Sum of the contact forces \[N\] and of their torques about the centre \[N m\], `[N]` each. A force acts on a
-/// sphere's surface where the normal meets it, at `-R n` from the centre of body A and `+R n` from that of B.
-#[must_use]
-pub fn contact_loads(state: &Observation) -> (Vec<Vec3>, Vec<Vec3>) {
-    let radius = &state.scene.particles.radius;
-    let mut force = vec![Vec3::zeros(); radius.len()];
-    let mut torque = force.clone();
-    for contact in state.contacts {
-        let a = contact.key.sphere as usize;
-        // Of the two signs of `-R n x f` on A and `R n x (-f)` on B the torques turn out equal.
-        let moment = -contact.normal.cross(&contact.force);
-        force[a] += contact.force;
-        torque[a] += moment * radius[a];
-        if let Partner::Sphere(b) = contact.key.partner {
-            force[b as usize] -= contact.force;
-            torque[b as usize] += moment * radius[b as usize];
-        }
-    }
-    (force, torque)
 }
 
 /// The contacts that carry a force or overlap.

@@ -1,18 +1,24 @@
 //! Results: read-only views of a simulation, and the files they are written to.
 //!
 //! [`Observation`] is what every observer reads: the state at the end of a communication step. From it come
-//! [`energy`] and [`sensors`], the [`frames`] of grids, and the rows of the [`history`]. [`writer::Results`] puts them
-//! into a directory ([`vtu`] files listed by [`pvd`] collections, a CSV table, `run.json`, `view.py`) without keeping
-//! the solver waiting for the disk.
+//! [`energy`], [`loads`] and [`sensors`]; [`quantities`] is the one table of all that is measured. The [`frames`] of grids
+//! and the rows of the [`history`] are what [`writer::Results`] puts into a [`directory`] ([`vtu`] files listed by [`pvd`]
+//! collections, a CSV [`table`], [`checkpoint`]s, `run.json`, `view.py`) without keeping the solver waiting for the disk.
 //!
 //! Nothing in here feeds back into the solver.
 
+pub mod checkpoint;
+pub mod directory;
+mod disk;
 pub mod energy;
 pub mod error;
 pub mod frames;
 pub mod history;
+pub mod loads;
 pub mod pvd;
+pub mod quantities;
 pub mod sensors;
+pub mod table;
 pub mod vtu;
 pub mod writer;
 
@@ -61,6 +67,10 @@ pub struct Observation<'a> {
     pub passed: &'a [f64],
     /// Mean flow of each sensor over the last communication step \[kg/s\], `[S]`; likewise.
     pub flow: &'a [f64],
+    /// Mass that each source has emitted since t = 0 \[kg\], `[sources]`.
+    pub emitted: &'a [f64],
+    /// Mass that each sink has removed since t = 0 \[kg\], `[sinks]`.
+    pub removed: &'a [f64],
     /// Work since t = 0.
     pub work: Work,
     /// Report of the last communication step.
@@ -94,6 +104,8 @@ impl<'a> Observation<'a> {
                 .collect(),
             passed: &simulation.state().passed,
             flow: &simulation.state().flow,
+            emitted: &simulation.state().emitted,
+            removed: &simulation.state().removed,
             work: *simulation.work(),
             report: *simulation.report(),
         }
@@ -130,5 +142,28 @@ impl<'a> Observation<'a> {
             .iter()
             .map(|contact| -contact.gap / self.pair_radius(contact))
             .fold(0.0, f64::max)
+    }
+
+    /// Internal step \[s\] at which the gap tolerance also makes forces mean something:
+    /// `min(sqrt(tol R / (0.2 g)), 0.15 R / v)` with the smallest radius and the largest speed, at most the scene's.
+    #[must_use]
+    pub fn recommended_step(&self) -> f64 {
+        let scene = self.scene;
+        let radius = self
+            .present()
+            .map(|i| scene.particles.radius[i])
+            .fold(f64::INFINITY, f64::min);
+        let of_spheres = self.present().map(|i| self.velocity[i].linear.norm());
+        let of_boundaries = self.boundaries.iter().map(|b| b.twist.linear.norm());
+        let speed = of_spheres.chain(of_boundaries).fold(0.0, f64::max);
+        let gravity = self.gravity.norm();
+        let mut step = scene.settings.step;
+        if gravity > 0.0 {
+            step = step.min((scene.settings.tolerance.gap * radius / (0.2 * gravity)).sqrt());
+        }
+        if speed > 0.0 {
+            step = step.min(0.15 * radius / speed);
+        }
+        step
     }
 }

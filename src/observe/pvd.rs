@@ -8,8 +8,11 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
+use super::directory::{replace, sync};
 use super::error::OutputError;
-use super::vtu::replace;
+
+const HEAD: &str = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n<Collection>\n";
+const TAIL: &str = "</Collection>\n</VTKFile>\n";
 
 /// One frame of a series.
 #[derive(Debug, Clone, PartialEq)]
@@ -20,11 +23,25 @@ struct Entry {
     file: String,
 }
 
+impl Entry {
+    /// Reads back a line of a collection.
+    fn parse(line: &str) -> Option<Self> {
+        let rest = line.strip_prefix("<DataSet timestep=\"")?;
+        let (time, rest) = rest.split_once("\" group=\"\" part=\"0\" file=\"")?;
+        Some(Self {
+            time: time.parse().ok()?,
+            file: rest.strip_suffix("\"/>")?.to_owned(),
+        })
+    }
+}
+
 /// A series of frames in one folder, times strictly increasing.
 #[derive(Debug)]
 pub struct Collection {
     path: PathBuf,
     entries: Vec<Entry>,
+    /// Files of the frames written since the last [`Self::sync`].
+    fresh: Vec<PathBuf>,
 }
 
 impl Collection {
@@ -34,6 +51,30 @@ impl Collection {
         Self {
             path,
             entries: Vec::new(),
+            fresh: Vec::new(),
+        }
+    }
+
+    /// The collection that an earlier process has written to `path`; empty if there is no such file.
+    ///
+    /// # Errors
+    /// [`OutputError::Io`]; [`OutputError::Changed`] if it is not as [`Self::push`] writes it.
+    pub fn open(path: PathBuf) -> Result<Self, OutputError> {
+        let text = match fs::read_to_string(&path) {
+            Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Self::new(path)),
+            text => text.map_err(OutputError::io("read", &path))?,
+        };
+        let lines = text.strip_prefix(HEAD).and_then(|t| t.strip_suffix(TAIL));
+        match lines.and_then(|lines| lines.lines().map(Entry::parse).collect()) {
+            Some(entries) => Ok(Self {
+                entries,
+                ..Self::new(path)
+            }),
+            None => Err(OutputError::Changed {
+                path,
+                found: "another text".to_owned(),
+                expected: "a list of frames as sphere-dda writes it".to_owned(),
+            }),
         }
     }
 
@@ -44,7 +85,9 @@ impl Collection {
     /// [`OutputError::Io`]; the collection on disk then still lists complete frames only.
     pub fn push(&mut self, time: f64, file: &str, bytes: &[u8]) -> Result<(), OutputError> {
         self.drop_from(|entry| entry.time >= time)?;
-        replace(&self.folder().join(file), bytes)?;
+        let path = self.folder().join(file);
+        replace(&path, bytes)?;
+        self.fresh.push(path);
         self.entries.push(Entry {
             time,
             file: file.to_owned(),
@@ -60,16 +103,28 @@ impl Collection {
         self.drop_from(|entry| entry.time > time)
     }
 
-    /// Number of frames listed.
-    #[must_use]
-    pub fn len(&self) -> usize {
-        self.entries.len()
+    /// Waits until all frames and the collection have reached the disk; their names do with their folder's.
+    ///
+    /// # Errors
+    /// [`OutputError::Io`].
+    pub fn sync(&mut self) -> Result<(), OutputError> {
+        for path in std::mem::take(&mut self.fresh) {
+            sync(&path)?;
+        }
+        if self.entries.is_empty() {
+            return Ok(());
+        }
+        sync(&self.path)
     }
 
-    /// Whether no frame is listed.
-    #[must_use]
-    pub fn is_empty(&self) -> bool {
-        self.entries.is_empty()
+    /// Times \[s\] of the frames.
+    pub fn times(&self) -> impl Iterator<Item = f64> {
+        self.entries.iter().map(|entry| entry.time)
+    }
+
+    /// Names of the frames' files.
+    pub fn files(&self) -> impl Iterator<Item = &str> {
+        self.entries.iter().map(|entry| entry.file.as_str())
     }
 
     fn folder(&self) -> &Path {
@@ -84,6 +139,8 @@ impl Collection {
         let dropped = self.entries.split_off(kept);
         // The list first: a run killed in between leaves unlisted files, not dangling names.
         self.save()?;
+        self.fresh
+            .retain(|path| !dropped.iter().any(|entry| path.ends_with(&entry.file)));
         for entry in dropped {
             let path = self.folder().join(entry.file);
             match fs::remove_file(&path) {
@@ -97,9 +154,7 @@ impl Collection {
     }
 
     fn save(&self) -> Result<(), OutputError> {
-        let mut text = String::from(
-            "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n<Collection>\n",
-        );
+        let mut text = HEAD.to_owned();
         for Entry { time, file } in &self.entries {
             // Writing to a String cannot fail.
             let _ = writeln!(
@@ -107,7 +162,7 @@ impl Collection {
                 "<DataSet timestep=\"{time:.16e}\" group=\"\" part=\"0\" file=\"{file}\"/>"
             );
         }
-        text.push_str("</Collection>\n</VTKFile>\n");
+        text.push_str(TAIL);
         replace(&self.path, text.as_bytes())
     }
 }

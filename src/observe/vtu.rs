@@ -14,9 +14,11 @@
 //!
 //! Source: VTK file formats, <https://docs.vtk.org/en/latest/design_documents/VTKFileFormats.html>.
 
+mod read;
+
 use std::fmt::Write as _;
-use std::fs;
-use std::path::Path;
+
+pub use read::{Cloud, VtuError, decode};
 
 use super::error::OutputError;
 use crate::Vec3;
@@ -195,19 +197,6 @@ pub fn encode(
     }
     document.section("</CellData>\n</Piece>");
     Ok(document.finish())
-}
-
-/// Writes `bytes` to `path` such that a reader finds the old file or the whole new one, never a part:
-/// `path.tmp` first, then a rename.
-///
-/// # Errors
-/// [`OutputError::Io`].
-pub fn replace(path: &Path, bytes: &[u8]) -> Result<(), OutputError> {
-    let mut name = path.as_os_str().to_owned();
-    name.push(".tmp");
-    let draft = Path::new(&name);
-    fs::write(draft, bytes).map_err(OutputError::io("write", draft))?;
-    fs::rename(draft, path).map_err(OutputError::io("replace", path))
 }
 
 /// Refuses grids whose arrays do not fit.

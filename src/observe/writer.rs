@@ -5,6 +5,7 @@
 //! DIR/history.csv                 one row per output time, see `history`
 //! DIR/spheres.pvd                 and contacts.pvd, boundaries.pvd: frames with their times
 //! DIR/spheres_000042.vtu          frame 42: the first communication point at or after 42 intervals
+//! DIR/checkpoint_000860.state     states to go on from, see `checkpoint`
 //! DIR/view.py                     macro for ParaView
 //! ```
 //!
@@ -12,21 +13,24 @@
 //! does not stop the simulation: it is counted and told in [`Status`].
 
 use std::collections::VecDeque;
-use std::fs;
 use std::path::{Path, PathBuf};
-use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::mpsc::{SyncSender, sync_channel};
+use std::sync::{Arc, Mutex};
 use std::thread::JoinHandle;
 
-use serde_json::json;
-
 use super::Observation;
+use super::checkpoint::{self, Checkpoint};
+use super::directory::{self, Directory, replace};
+use super::disk::{Disk, Item, Message, fail, lock};
 use super::error::OutputError;
-use super::frames::{Series, Surface, frame};
-use super::history::{History, columns, row};
-use super::pvd::Collection;
-use super::vtu::{Grid, Precision, encode, replace};
+use super::frames::{Surface, frame, series};
+use super::history::row;
+use super::vtu::Precision;
+use crate::clock::{due, tick};
+use crate::error::SnapshotError;
 use crate::scene::Scene;
+
+pub use super::disk::Status;
 
 /// Frames and rows that may wait for the disk before the simulation waits too.
 const QUEUE: usize = 8;
@@ -34,8 +38,6 @@ const QUEUE: usize = 8;
 const HELD_FRAMES: usize = 16;
 /// Rows that may be held back, likewise.
 const HELD_ROWS: usize = 4096;
-/// Share of an interval by which a communication point may fall short of it, for rounding.
-const EARLY: f64 = 1e-6;
 
 /// What is written where, and when.
 #[derive(Debug, Clone, PartialEq)]
@@ -74,42 +76,13 @@ impl Options {
     }
 }
 
-/// What has reached the disk.
-#[derive(Debug, Clone, PartialEq, Eq, Default)]
-pub struct Status {
-    /// Frames written, overwritten ones counted again.
-    pub frames: u64,
-    /// Rows written, likewise.
-    pub rows: u64,
-    /// Frames, rows or rollbacks that failed.
-    pub failures: u64,
-    /// The first failure, in words.
-    pub first_failure: Option<String>,
-}
-
-/// A frame or a row on its way to the disk.
-enum Item {
-    Frame {
-        number: u64,
-        time: f64,
-        grids: Vec<(Series, Grid)>,
-    },
-    Row(Vec<f64>),
-}
-
-impl Item {
-    fn time(&self) -> f64 {
-        match self {
-            Self::Frame { time, .. } => *time,
-            Self::Row(values) => values[0],
-        }
-    }
-}
-
-enum Message {
-    Write(Item),
-    Rollback(f64),
-    Flush(SyncSender<()>),
+/// Where a run that was resumed goes on.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Resumed {
+    /// Time \[s\]; `None`: there was nothing to go on from, the run starts anew.
+    pub time: Option<f64>,
+    /// Checkpoints that were passed over because they are damaged, and why.
+    pub damaged: Vec<String>,
 }
 
 /// A session of results. Dropping it writes what is held and joins the thread.
@@ -129,31 +102,140 @@ impl Results {
     /// Prepares the directory and starts the thread.
     ///
     /// # Errors
-    /// [`OutputError::Exists`] where a run lies already, unless `overwrite`; [`OutputError::Io`].
+    /// [`OutputError::Exists`] where a run lies already, unless `overwrite`; [`OutputError::Busy`] where one is going
+    /// on; [`OutputError::Io`].
     pub fn create(scene: &Scene, options: Options) -> Result<Self, OutputError> {
-        let directory = &options.directory;
-        fs::create_dir_all(directory).map_err(OutputError::io("create", directory))?;
-        clear(directory, options.overwrite)?;
-        let about = directory.join("run.json");
-        replace(&about, &describe(scene, &options, &about)?)?;
-        replace(&directory.join("view.py"), include_bytes!("view.py"))?;
-        let status = Arc::new(Mutex::new(Status::default()));
-        let disk = Disk {
-            precision: options.precision,
-            series: Series::ALL
-                .map(|s| Collection::new(directory.join(format!("{}.pvd", s.name())))),
-            history: History::create(&directory.join("history.csv"), columns(scene))?,
-            status: Arc::clone(&status),
+        Self::begin(Directory::claim(&options.directory)?, scene, options)
+    }
+
+    /// Goes on at `time` \[s\] with the files that another session of the same run left in the directory, or begins where
+    /// there are none. What they hold beyond `time` is dropped, for which [`Options::overwrite`] must be set.
+    ///
+    /// # Errors
+    /// As [`Self::resume`].
+    pub fn follow(scene: &Scene, options: Options, time: f64) -> Result<Self, OutputError> {
+        let directory = Directory::claim(&options.directory)?;
+        if !directory.holds(&directory::about(scene, &options))? {
+            return Self::begin(directory, scene, options);
+        }
+        Self::reopen(directory, scene, options, time, &[])
+    }
+
+    /// Goes on with the run in the directory: `restore` is handed its checkpoints, newest first, until it has put the
+    /// simulation back to one and says to which time \[s\]; `None` passes over one that is whole but not wanted. What
+    /// is later is dropped, also from the disk. A directory without checkpoints is begun anew.
+    ///
+    /// # Errors
+    /// [`OutputError::OtherRun`] if the directory holds another scene's or other settings' run,
+    /// [`OutputError::Unusable`] if no checkpoint can be read, [`OutputError::Changed`] if rows or frames before it are
+    /// missing: then nothing is changed; [`OutputError::Exists`], [`OutputError::Busy`], [`OutputError::Io`].
+    pub fn resume(
+        scene: &Scene,
+        options: Options,
+        mut restore: impl FnMut(&[u8]) -> Result<Option<f64>, SnapshotError>,
+    ) -> Result<(Self, Resumed), OutputError> {
+        let directory = Directory::claim(&options.directory)?;
+        if !directory.holds(&directory::about(scene, &options))? {
+            let anew = Self::begin(directory, scene, options)?;
+            return Ok((anew, Resumed::default()));
+        }
+        let checkpoints = checkpoint::list(&directory)?;
+        let mut damaged = Vec::new();
+        for (k, name) in checkpoints.iter().enumerate() {
+            let outcome = match directory.read(name) {
+                Ok(blob) => restore(&blob).map_err(|error| error.to_string()),
+                Err(error) => Err(error.to_string()),
+            };
+            match outcome {
+                Ok(Some(time)) => {
+                    // Resuming is permission to drop what came after the checkpoint.
+                    let options = Options {
+                        overwrite: true,
+                        ..options
+                    };
+                    let results = Self::reopen(directory, scene, options, time, &checkpoints[..k])?;
+                    let time = Some(time);
+                    return Ok((results, Resumed { time, damaged }));
+                }
+                Ok(None) => {}
+                Err(why) => damaged.push(format!("{name}: {why}")),
+            }
+        }
+        if !damaged.is_empty() {
+            return Err(OutputError::Unusable {
+                path: options.directory,
+                reasons: damaged.join("; "),
+            });
+        }
+        let overwrite = Options {
+            overwrite: true,
+            ..options
         };
+        Ok((
+            Self::begin(directory, scene, overwrite)?,
+            Resumed::default(),
+        ))
+    }
+
+    fn begin(directory: Directory, scene: &Scene, options: Options) -> Result<Self, OutputError> {
+        if !options.overwrite {
+            directory.expect_empty()?;
+        }
+        directory.clear(&directory::about(scene, &options))?;
+        let view = directory.path().join("view.py");
+        replace(&view, include_bytes!("view.py"))?;
+        let disk = Disk::create(directory, scene, options.precision)?;
+        Self::start(disk, Surface::new(scene), options, Vec::new(), Vec::new())
+    }
+
+    /// Takes up the files of an earlier run at `time` \[s\], without the checkpoints `later`.
+    fn reopen(
+        directory: Directory,
+        scene: &Scene,
+        options: Options,
+        time: f64,
+        later: &[String],
+    ) -> Result<Self, OutputError> {
+        let surface = Surface::new(scene);
+        let shown = series(scene, &surface);
+        let mut disk = Disk::open(directory, scene, options.precision)?;
+        disk.expect_up_to(time, options.row_interval, options.frame_interval, &shown)?;
+        if !options.overwrite && disk.latest() > Some(time) {
+            return Err(OutputError::Exists {
+                path: options.directory,
+                found: format!("results later than {time} s"),
+            });
+        }
+        // First the promise that the rows and frames are there, then they.
+        disk.directory().remove(later)?;
+        disk.rewind(time, &shown)?;
+        disk.directory()
+            .describe(&directory::about(scene, &options))?;
+        let frames = match shown.first() {
+            Some(&series) => disk.frames(series),
+            None => vec![time],
+        };
+        let rows = disk.rows();
+        Self::start(disk, surface, options, frames, rows)
+    }
+
+    fn start(
+        disk: Disk,
+        surface: Surface,
+        options: Options,
+        frames: Vec<f64>,
+        rows: Vec<f64>,
+    ) -> Result<Self, OutputError> {
+        let status = disk.status();
         let (sender, receiver) = sync_channel(QUEUE);
         let worker = std::thread::Builder::new()
             .name("results".to_owned())
             .spawn(move || disk.serve(&receiver))
-            .map_err(OutputError::io("start the writer of", directory))?;
+            .map_err(OutputError::io("start the writer of", &options.directory))?;
         Ok(Self {
-            surface: Surface::new(scene),
-            frames: Vec::new(),
-            rows: Vec::new(),
+            surface,
+            frames,
+            rows,
             held: VecDeque::new(),
             sender: Some(sender),
             worker: Some(worker),
@@ -167,12 +249,12 @@ impl Results {
     pub fn record(&mut self, state: &Observation) {
         let time = state.time;
         self.retract(|t| t < time);
-        if due(time, self.options.row_interval, self.rows.last()) {
+        if due(time, self.options.row_interval, self.rows.last().copied()) {
             self.rows.push(time);
             self.submit(Item::Row(row(state)));
         }
         let interval = self.options.frame_interval;
-        if interval > 0.0 && due(time, interval, self.frames.last()) {
+        if interval > 0.0 && due(time, interval, self.frames.last().copied()) {
             self.frames.push(time);
             self.submit(Item::Frame {
                 number: tick(time, interval),
@@ -192,6 +274,12 @@ impl Results {
         while self.held.front().is_some_and(|item| item.time() <= time) {
             self.release();
         }
+    }
+
+    /// Writes a checkpoint behind the frames and rows recorded so far. After a failure none is written.
+    pub fn checkpoint(&mut self, checkpoint: Checkpoint) {
+        self.commit(f64::INFINITY);
+        self.send(Message::Checkpoint(checkpoint));
     }
 
     /// Waits until everything that is not held has been written.
@@ -282,149 +370,4 @@ impl Drop for Results {
             self.close();
         }
     }
-}
-
-/// Number of the interval that `time` \[s\] lies in.
-fn tick(time: f64, interval: f64) -> u64 {
-    (time / interval + EARLY).floor().max(0.0) as u64
-}
-
-/// Whether an output is due at `time` \[s\], the last one being of time `last` \[s\].
-fn due(time: f64, interval: f64, last: Option<&f64>) -> bool {
-    last.is_none_or(|&last| {
-        if interval > 0.0 {
-            tick(time, interval) > tick(last, interval)
-        } else {
-            time > last
-        }
-    })
-}
-
-/// The thread's side: owns the files.
-struct Disk {
-    precision: Precision,
-    series: [Collection; 3],
-    history: History,
-    status: Arc<Mutex<Status>>,
-}
-
-impl Disk {
-    fn serve(mut self, messages: &Receiver<Message>) {
-        while let Ok(message) = messages.recv() {
-            let outcome = match message {
-                Message::Write(Item::Frame {
-                    number,
-                    time,
-                    grids,
-                }) => self.frame(number, time, &grids),
-                Message::Write(Item::Row(values)) => self.history.push(&values).map(|()| {
-                    lock(&self.status).rows += 1;
-                }),
-                Message::Rollback(time) => self.rollback(time),
-                Message::Flush(done) => {
-                    // Nobody waiting any more is no failure.
-                    let _ = done.send(());
-                    Ok(())
-                }
-            };
-            if let Err(error) = outcome {
-                fail(&self.status, &error.to_string());
-            }
-        }
-    }
-
-    fn frame(
-        &mut self,
-        number: u64,
-        time: f64,
-        grids: &[(Series, Grid)],
-    ) -> Result<(), OutputError> {
-        for (series, grid) in grids {
-            let file = format!("{}_{number:06}.vtu", series.name());
-            let bytes = encode(grid, time, self.precision, &file)?;
-            self.series[*series as usize].push(time, &file, &bytes)?;
-        }
-        lock(&self.status).frames += 1;
-        Ok(())
-    }
-
-    fn rollback(&mut self, time: f64) -> Result<(), OutputError> {
-        for series in &mut self.series {
-            series.rollback(time)?;
-        }
-        self.history.rollback(time)
-    }
-}
-
-fn lock(status: &Mutex<Status>) -> MutexGuard<'_, Status> {
-    status.lock().unwrap_or_else(PoisonError::into_inner)
-}
-
-fn fail(status: &Mutex<Status>, what: &str) {
-    let mut status = lock(status);
-    status.failures += 1;
-    status.first_failure.get_or_insert_with(|| what.to_owned());
-}
-
-/// Refuses or removes the files of an earlier run; files of other names stay.
-fn clear(directory: &Path, overwrite: bool) -> Result<(), OutputError> {
-    let mut old: Vec<String> = fs::read_dir(directory)
-        .and_then(|entries| {
-            entries
-                .map(|entry| Ok(entry?.file_name().to_string_lossy().into_owned()))
-                .collect::<Result<Vec<String>, std::io::Error>>()
-        })
-        .map_err(OutputError::io("list", directory))?;
-    old.retain(|name| is_result(name));
-    // Collections before the frames they list: a kill in between leaves no dangling name.
-    old.sort_by_key(|name| (!name.contains(".pvd"), name.clone()));
-    if let Some(found) = old.first()
-        && !overwrite
-    {
-        return Err(OutputError::Exists {
-            path: directory.to_path_buf(),
-            found: found.clone(),
-        });
-    }
-    for name in old {
-        let path = directory.join(name);
-        fs::remove_file(&path).map_err(OutputError::io("remove", &path))?;
-    }
-    Ok(())
-}
-
-/// Whether a file name is one of those a run writes.
-fn is_result(name: &str) -> bool {
-    let name = name.strip_suffix(".tmp").unwrap_or(name);
-    let of_series = |name: &str| {
-        Series::ALL.iter().any(|series| {
-            name.strip_prefix(series.name()).is_some_and(|rest| {
-                let number = rest.strip_prefix('_').and_then(|r| r.strip_suffix(".vtu"));
-                rest == ".pvd" || number.is_some_and(|n| n.bytes().all(|b| b.is_ascii_digit()))
-            })
-        })
-    };
-    matches!(name, "run.json" | "history.csv" | "view.py") || of_series(name)
-}
-
-/// The text of `run.json`.
-fn describe(scene: &Scene, options: &Options, path: &Path) -> Result<Vec<u8>, OutputError> {
-    let refuse =
-        |error: serde_json::Error| OutputError::io("describe the run in", path)(error.into());
-    let about = json!({
-        "generator": env!("CARGO_PKG_NAME"),
-        "version": env!("CARGO_PKG_VERSION"),
-        "title": scene.title,
-        "scene_hash": scene.hash,
-        "spheres": scene.particles.len(),
-        "materials": scene.materials.iter().map(|m| &m.name).collect::<Vec<_>>(),
-        "boundaries": scene.boundaries.iter().map(|b| &b.name).collect::<Vec<_>>(),
-        "settings": scene.settings,
-        "output": {
-            "frame_interval": options.frame_interval,
-            "row_interval": options.row_interval,
-            "float64": options.precision == Precision::Double,
-        },
-    });
-    serde_json::to_vec_pretty(&about).map_err(refuse)
 }

@@ -303,9 +303,22 @@ fn stl(
     path: &str,
     mesh: &file::Stl,
 ) -> Option<Shape> {
-    let scaled = mesh.scale > 0.0;
-    document.demand(
-        scaled,
+    let facets = facets(document, resources, path, mesh)?;
+    // Welding and non-manifold edges are judged per file, so that the message points at it.
+    let built = Geometry::new(vec![facets.clone().into()]);
+    accept(document, &format!("{path}.file"), built)?;
+    Some(facets.into())
+}
+
+/// The facets of an STL file where the scene puts them.
+pub(super) fn facets(
+    document: &mut Document<'_>,
+    resources: &mut Resources<'_>,
+    path: &str,
+    mesh: &file::Stl,
+) -> Option<Facets> {
+    let scaled = document.demand(
+        mesh.scale > 0.0,
         format!("{path}.scale"),
         mesh.scale,
         "a factor > 0 [-]",
@@ -315,14 +328,13 @@ fn stl(
     let mut facets = accept(document, &key, Facets::stl(&resources.place(&mesh.file)))?;
     // The scene must not depend on where its folder lies.
     facets.name.clone_from(&mesh.file);
-    // Welding and non-manifold edges are judged per file, so that the message points at it.
-    accept(document, &key, Geometry::new(vec![facets.clone().into()]))?;
-    let placed = facets.placed(
-        mesh.scale,
-        UnitQuaternion::identity(),
-        mesh.translate.into(),
-    );
-    scaled.then_some(placed.into())
+    scaled.then(|| {
+        facets.placed(
+            mesh.scale,
+            UnitQuaternion::identity(),
+            mesh.translate.into(),
+        )
+    })
 }
 
 fn terrain(

@@ -7,15 +7,16 @@ use miette::NamedSource;
 use super::bodies::{accept, boundary, motion};
 use super::decode::{Element, SceneFile};
 use super::document::Document;
+use super::file;
 use super::names::{Context, Names};
 use super::overlap::Overlaps;
 use super::problem::SceneError;
-use super::regions::{Use, region};
+use super::regions::measured;
 use super::resources::{Resources, hash};
 use super::settings::{materials, pairs, settings};
 use super::sources::{sinks, source};
+use super::spheres::{self, Present};
 use super::{Loaded, Measure, Output, PointLoad, Probe, Scene, Sensor, Spring};
-use super::{file, spheres};
 use crate::Vec3;
 use crate::boundaries::Facets;
 use crate::materials::Material;
@@ -84,6 +85,13 @@ fn build(
     let settings = file.simulation.as_ref().map(|s| settings(document, s));
     let materials = materials(document, file);
     let pairs = pairs(document, &context, file);
+    let boundary_names = Names::declare(document, "boundary", &file.boundaries);
+    let boundaries: Vec<_> = file
+        .boundaries
+        .iter()
+        .map(|b| boundary(document, resources, &context, &b.path, b.value.as_ref()?))
+        .collect();
+    let boundaries: Option<Vec<_>> = boundaries.into_iter().collect();
     let mut particles = Particles::default();
     let mut initial = Kinematics::default();
     for group in &file.spheres {
@@ -96,7 +104,11 @@ fn build(
                 &group.path,
                 value,
                 material,
-                (&mut particles, &mut initial),
+                Present {
+                    particles: &mut particles,
+                    initial: &mut initial,
+                    boundaries: boundaries.as_deref(),
+                },
             )
         });
         context.ranges.push(range);
@@ -113,7 +125,7 @@ fn build(
                 &value.material,
             )?;
             let store = (&mut particles, &mut initial);
-            source(document, &element.path, value, material, store)
+            source(document, resources, &element.path, value, material, store)
         });
         context
             .ranges
@@ -127,12 +139,6 @@ fn build(
             "add a group `[[spheres]]` or a `[[source]]`",
         );
     }
-    let boundary_names = Names::declare(document, "boundary", &file.boundaries);
-    let boundaries: Vec<_> = file
-        .boundaries
-        .iter()
-        .map(|b| boundary(document, resources, &context, &b.path, b.value.as_ref()?))
-        .collect();
     // Their names are declared, and judged, among the groups.
     let source_names = Names::of("source", file.sources.iter().map(Element::declaration));
     let scene = Scene {
@@ -141,7 +147,7 @@ fn build(
         hash: String::new(),
         loads: loads(document, &context, &file.loads, &initial),
         springs: springs(document, resources, &context, &file.springs, &initial),
-        sinks: sinks(document, &source_names, &file.sinks),
+        sinks: sinks(document, resources, &source_names, &file.sinks),
         sources,
         sensors: sensors(document, &boundary_names, &file.sensors),
         probes: probes(document, &context, &file.probes, particles.len()),
@@ -152,7 +158,7 @@ fn build(
         particles,
         initial,
         initial_contacts: Vec::new(),
-        boundaries: boundaries.into_iter().collect::<Option<_>>()?,
+        boundaries: boundaries?,
     };
     if context.ranges.iter().all(Option::is_some) {
         let groups = &context.ranges[..file.spheres.len()];
@@ -261,12 +267,10 @@ fn sensors(
     let sensors = elements.iter().filter_map(|element| {
         let (path, value) = (&element.path, element.value.as_ref()?);
         let measure = match (&value.region, &value.mass_flow, &value.wrench) {
-            (Some(given), None, None) => Measure::Region(region(
-                document,
-                &format!("{path}.region"),
-                given,
-                Use::Measuring,
-            )?),
+            (Some(given), None, None) => {
+                let path = format!("{path}.region");
+                Measure::Region(measured(document, &path, given)?)
+            }
             (None, None, Some(name)) => Measure::Wrench {
                 boundary: boundaries.resolve(document, &format!("{path}.wrench"), name)?,
             },

@@ -40,7 +40,9 @@ use crate::contacts::Contact;
 use crate::error::SnapshotError;
 use crate::materials::{Material, PairTable};
 use crate::particles::{Kinematics, Particles};
-use crate::region::Region;
+use crate::region::{Primitive, Region};
+use crate::snapshot;
+use crate::state::State;
 
 /// How contact constraints are enforced.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
@@ -68,7 +70,7 @@ pub enum Integrator {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum SolverKind {
-    /// Gauss-Seidel first, direct where it does not converge.
+    /// Gauss-Seidel first, Newton on the neighbourhoods of what it leaves.
     #[default]
     Auto,
     /// Sparse Cholesky of `K D = F`, open-close iterations, augmented-Lagrangian outer loop.
@@ -86,6 +88,18 @@ pub struct Tolerance {
     pub slip: f64,
     /// Force residual over the contact's force scale \[-\], same range.
     pub force: f64,
+}
+
+impl Tolerance {
+    /// All of them times `factor`.
+    #[must_use]
+    pub fn scaled(&self, factor: f64) -> Self {
+        Self {
+            gap: self.gap * factor,
+            slip: self.slip * factor,
+            force: self.force * factor,
+        }
+    }
 }
 
 impl Default for Tolerance {
@@ -185,7 +199,7 @@ pub struct Spring {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub enum Measure {
     /// What is inside a region.
-    Region(Region),
+    Region(Primitive),
     /// Force \[N\] and torque \[N m\] on a boundary, averaged over the communication step.
     Wrench {
         /// Index of the boundary.
@@ -271,7 +285,7 @@ pub struct Output {
     pub csv_interval: f64,
     /// Write Float64 instead of Float32 arrays.
     pub float64: bool,
-    /// Seconds between checkpoints of a run \[s\]; 0: none.
+    /// Simulated seconds between checkpoints of a run \[s\]; 0: none for the sake of simulated time.
     pub checkpoint_interval: f64,
 }
 
@@ -334,7 +348,7 @@ impl Scene {
     /// # Errors
     /// [`SnapshotError`] if the blob is damaged or belongs to another scene or version; the scene is unchanged.
     pub fn start_from(&mut self, blob: &[u8]) -> Result<(), SnapshotError> {
-        let state = crate::state::from_blob(blob, &self.hash)?;
+        let state: State = snapshot::restore(blob, &self.hash)?;
         self.initial = state.kinematics;
         self.initial_contacts = state.contacts;
         self.hash = resources::digest([self.hash.as_bytes(), blob]);

@@ -26,6 +26,9 @@ pub fn json_schema() -> Value {
         .into_root_schema_for::<file::TopLevel>()
         .to_value();
     simplify(&mut schema);
+    if let Some(definitions) = schema["definitions"].as_object_mut() {
+        definitions.values_mut().for_each(join_choice);
+    }
     schema["title"] = "sphere-dda scene".into();
     order(&mut schema);
     schema
@@ -79,6 +82,42 @@ fn simplify(value: &mut Value) {
         }
         _ => {}
     }
+}
+
+/// A choice of tables with one key each becomes one table of which one key is given: an editor then names the key that
+/// is wrong instead of refusing the whole table.
+fn join_choice(definition: &mut Value) {
+    let Some(options) = definition["oneOf"].as_array() else {
+        return;
+    };
+    let mut keys = Vec::new();
+    let mut properties = Map::new();
+    for option in options {
+        let Some((key, inner)) = option["properties"]
+            .as_object()
+            .and_then(|p| p.iter().next())
+        else {
+            return;
+        };
+        let mut property = match inner.get("$ref") {
+            Some(_) => Map::from_iter([("allOf".to_owned(), vec![inner.clone()].into())]),
+            None => inner.as_object().cloned().unwrap_or_default(),
+        };
+        property.insert("description".into(), option["description"].clone());
+        name_unit(&mut property);
+        keys.push(key.clone());
+        properties.insert(key.clone(), property.into());
+    }
+    let description = definition["description"].take();
+    *definition = serde_json::json!({
+        "description": description,
+        "type": "object",
+        "properties": properties,
+        "additionalProperties": false,
+        "minProperties": 1,
+        "maxProperties": 1,
+        "x-order": keys,
+    });
 }
 
 /// A range given for a key holds for every number of a list as well.

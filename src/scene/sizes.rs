@@ -231,3 +231,170 @@ fn bounds(
             "bounds at least a tenth of a deviation apart; use `radius` for equal spheres",
         )
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rand_chacha::rand_core::SeedableRng;
+
+    const DRAWS: usize = 200_000;
+
+    fn drawn(sizes: &Sizes, seed: u64) -> Vec<f64> {
+        let mut random = ChaCha8Rng::seed_from_u64(seed);
+        (0..DRAWS).map(|_| sizes.draw(&mut random)).collect()
+    }
+
+    /// Mean and standard deviation of the draws agree with the closed forms within four standard errors.
+    fn agree(draws: &[f64], mean: f64, deviation: f64) {
+        let n = draws.len() as f64;
+        let found = draws.iter().sum::<f64>() / n;
+        let square = draws.iter().map(|r| (r - found).powi(2)).sum::<f64>() / n;
+        assert!(
+            (found - mean).abs() < 4.0 * deviation / n.sqrt(),
+            "mean {found}, expected {mean}"
+        );
+        // The fourth moment of these distributions is at most three variances squared.
+        assert!(
+            (square.sqrt() / deviation - 1.0).abs() < 4.0 / (2.0 * n).sqrt(),
+            "deviation {}, expected {deviation}",
+            square.sqrt()
+        );
+    }
+
+    /// Standard normal density and distribution function.
+    fn density(x: f64) -> f64 {
+        (-0.5 * x * x).exp() / (2.0 * std::f64::consts::PI).sqrt()
+    }
+    fn below(x: f64) -> f64 {
+        0.5 * (1.0 + libm::erf(x / std::f64::consts::SQRT_2))
+    }
+
+    #[test]
+    fn uniform_moments_are_those_of_the_closed_form() {
+        let (min, max) = (0.01, 0.03);
+        let draws = drawn(&Sizes::Uniform { min, max }, 1);
+        assert!(draws.iter().all(|r| (min..=max).contains(r)));
+        agree(&draws, 0.5 * (min + max), (max - min) / 12_f64.sqrt());
+    }
+
+    #[test]
+    fn normal_moments_are_those_of_the_truncated_distribution() {
+        let (mean, deviation, min, max) = (0.01, 0.002, 0.009, 0.014);
+        let draws = drawn(
+            &Sizes::Normal {
+                mean,
+                deviation,
+                min,
+                max,
+            },
+            2,
+        );
+        assert!(draws.iter().all(|r| (min..=max).contains(r)));
+        let (a, b) = ((min - mean) / deviation, (max - mean) / deviation);
+        let kept = below(b) - below(a);
+        let shift = (density(a) - density(b)) / kept;
+        let variance = 1.0 + (a * density(a) - b * density(b)) / kept - shift * shift;
+        agree(
+            &draws,
+            mean + deviation * shift,
+            deviation * variance.sqrt(),
+        );
+    }
+
+    #[test]
+    fn log_normal_moments_are_those_of_the_truncated_distribution() {
+        let (median, sigma, min, max) = (0.01, 0.4, 0.006, 0.025);
+        let draws = drawn(
+            &Sizes::LogNormal {
+                median,
+                sigma,
+                min,
+                max,
+            },
+            3,
+        );
+        assert!(draws.iter().all(|r| (min..=max).contains(r)));
+        let (a, b) = ((min / median).ln() / sigma, (max / median).ln() / sigma);
+        // E[R^k] = median^k exp(k^2 sigma^2 / 2) times the share kept of the distribution shifted by k sigma.
+        let moment = |k: f64| {
+            let share = (below(b - k * sigma) - below(a - k * sigma)) / (below(b) - below(a));
+            median.powf(k) * (0.5 * k * k * sigma * sigma).exp() * share
+        };
+        let mean = moment(1.0);
+        agree(&draws, mean, (moment(2.0) - mean * mean).sqrt());
+    }
+
+    #[test]
+    fn classes_share_the_mass_as_the_table_says() {
+        let (radius, mass) = (vec![0.01, 0.02, 0.04, 0.03], vec![20.0, 50.0, 30.0, 0.0]);
+        let mut document = Document::parse("");
+        let table = file::Size::Table(file::MassTable {
+            radius: radius.clone(),
+            mass: mass.clone(),
+        });
+        let sizes = Sizes::new(&mut document, "spheres[0]", None, Some(&table)).unwrap();
+        let draws = drawn(&sizes, 4);
+        let number = |k: usize| mass[k] / radius[k].powi(3);
+        let total: f64 = (0..4).map(number).sum();
+        // Pearson's sum over the three classes with mass: 99.9 % of samples lie below 13.8 for two degrees of freedom.
+        let pearson: f64 = (0..3)
+            .map(|k| {
+                let expected = number(k) / total * DRAWS as f64;
+                let found = draws.iter().filter(|r| **r == radius[k]).count() as f64;
+                (found - expected).powi(2) / expected
+            })
+            .sum();
+        assert!(pearson < 13.8, "{pearson}");
+        assert!(draws.iter().all(|r| radius[..3].contains(r)));
+        let volume: f64 = draws.iter().map(|r| r.powi(3)).sum();
+        for k in 0..3 {
+            let own = draws.iter().filter(|r| **r == radius[k]).count() as f64 * radius[k].powi(3);
+            assert!((own / volume - mass[k] / 100.0).abs() < 0.01, "class {k}");
+        }
+    }
+
+    /// Re-mint only for a change that is meant to give every seeded scene other spheres.
+    #[test]
+    fn a_seed_means_the_same_radii_for_ever() {
+        let bits = |sizes: Sizes| {
+            let mut random = ChaCha8Rng::seed_from_u64(7);
+            [(); 3].map(|()| sizes.draw(&mut random).to_bits())
+        };
+        let (min, max) = (0.5, 1.5);
+        let normal = Sizes::Normal {
+            mean: 1.0,
+            deviation: 0.3,
+            min,
+            max,
+        };
+        let log_normal = Sizes::LogNormal {
+            median: 1.0,
+            sigma: 0.3,
+            min,
+            max,
+        };
+        let found = [
+            bits(Sizes::Uniform { min, max }),
+            bits(normal),
+            bits(log_normal),
+        ];
+        let expected = [
+            [
+                4604100120060132072,
+                4604191932835812197,
+                4608102396694123081,
+            ],
+            [
+                4606336892571839216,
+                4608453229958992992,
+                4608807689734140250,
+            ],
+            [
+                4606375365111750089,
+                4608650651220024900,
+                4609139661087439521,
+            ],
+        ];
+        assert_eq!(found, expected);
+    }
+}

@@ -6,7 +6,8 @@ use rand_chacha::rand_core::SeedableRng;
 use super::decode::Element;
 use super::document::Document;
 use super::names::Names;
-use super::regions::{Use, region};
+use super::regions::{emptied, filled};
+use super::resources::Resources;
 use super::sizes::Sizes;
 use super::spheres::MOST_SPHERES;
 use super::{Sink, Source, Supply, file};
@@ -17,17 +18,18 @@ use crate::particles::{Kinematics, Locks, Particles};
 /// Adds a source and its spheres.
 pub(super) fn source(
     document: &mut Document<'_>,
+    resources: &mut Resources<'_>,
     path: &str,
     given: &file::Source,
     material: (u16, &Material),
     (particles, initial): (&mut Particles, &mut Kinematics),
 ) -> Option<Source> {
     let sizes = Sizes::new(document, path, given.radius, given.size.as_ref());
-    let region = region(
+    let region = filled(
         document,
+        resources,
         &format!("{path}.region"),
         &given.region,
-        Use::Filling,
     );
     let supply = supply(document, path, given);
     let most = MOST_SPHERES - particles.len();
@@ -111,17 +113,18 @@ fn supply(document: &mut Document<'_>, path: &str, given: &file::Source) -> Opti
 /// The sinks; `sources` are the names of the sources.
 pub(super) fn sinks(
     document: &mut Document<'_>,
+    resources: &mut Resources<'_>,
     sources: &Names,
     elements: &[Element<file::Sink>],
 ) -> Vec<Sink> {
     Names::declare(document, "sink", elements);
     let sinks = elements.iter().filter_map(|element| {
         let (path, value) = (&element.path, element.value.as_ref()?);
-        let region = region(
+        let region = emptied(
             document,
+            resources,
             &format!("{path}.region"),
             &value.region,
-            Use::Emptying,
         );
         let recycle = match &value.recycle {
             Some(name) => Some(sources.resolve(document, &format!("{path}.recycle"), name)?),

@@ -8,7 +8,7 @@ use crate::contacts::Partner;
 use crate::drive::{Drive, displacement};
 use crate::error::StepError;
 use crate::motion::Motion;
-use crate::observe::sensors::{Plane, crossings};
+use crate::observe::sensors::flow::{Gate, crossings};
 use crate::scene::{Integrator, Measure, Scene};
 use crate::step::{StepFailure, step};
 
@@ -101,14 +101,20 @@ impl Simulation {
 
     fn count_crossings(&mut self, before: &[Vec3]) {
         for (sensor, passed) in self.scene.sensors.iter().zip(&mut self.state.passed) {
-            if let Measure::MassFlow { point, normal, .. } = sensor.measure {
-                let after = &self.state.kinematics.position;
-                *passed += crossings(
-                    before,
-                    after,
-                    &self.scene.particles.mass,
-                    Plane { point, normal },
-                );
+            if let Measure::MassFlow {
+                point,
+                normal,
+                outline,
+            } = &sensor.measure
+            {
+                let gate = Gate {
+                    point: *point,
+                    normal: *normal,
+                    outline,
+                };
+                let after = &self.state.kinematics;
+                let mass = &self.scene.particles.mass;
+                *passed += crossings(before, &after.position, mass, &after.present, gate);
             }
         }
     }

@@ -16,7 +16,8 @@ use crate::motion::{Command, Motion, Pose, Twist};
 use crate::particles::Kinematics;
 use crate::problem::Dof6;
 use crate::scene::Scene;
-use crate::state::{State, Work, from_blob, to_blob};
+use crate::snapshot;
+use crate::state::{State, Work};
 use crate::step::{Scratch, StepOutcome, initial_forces};
 pub use settle::{Settle, Settled};
 
@@ -265,18 +266,33 @@ impl Simulation {
         result
     }
 
-    /// Complete state as a blob: magic, version, scene hash, length, checksum; works in a new process.
+    /// Complete state as bytes that work in a new process: [`crate::snapshot`].
     #[must_use]
     pub fn snapshot(&self) -> Vec<u8> {
-        to_blob(&self.state, &self.scene.hash)
+        let velocities = (0..self.state.kinematics.len()).map(|i| self.velocity(i));
+        let (velocity, spin) = velocities.map(|v| (v.linear, v.angular)).unzip();
+        let reported = Kinematics {
+            velocity,
+            spin,
+            ..self.state.kinematics.clone()
+        };
+        let radius = &self.scene.particles.radius;
+        snapshot::take(&self.scene.hash, radius, &reported, &self.state)
     }
 
     /// Restores a [`Self::snapshot`] of the same scene.
     ///
     /// # Errors
-    /// [`SnapshotError`] if the blob is damaged or belongs to another scene or version; the state is unchanged.
+    /// [`SnapshotError`] if the bytes are damaged or belong to another scene or version; the state is unchanged.
     pub fn restore(&mut self, blob: &[u8]) -> Result<(), SnapshotError> {
-        self.state = from_blob(blob, &self.scene.hash)?;
+        let state: State = snapshot::restore(blob, &self.scene.hash)?;
+        let counts = (state.kinematics.len(), state.poses.len());
+        if counts != (self.scene.particles.len(), self.scene.boundaries.len()) {
+            return Err(SnapshotError::Format(
+                "it has other numbers of spheres or boundaries than the scene of its hash",
+            ));
+        }
+        self.state = state;
         Ok(())
     }
 

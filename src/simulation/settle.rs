@@ -21,7 +21,6 @@ use crate::Vec3;
 use crate::error::StepError;
 use crate::motion::Motion;
 use crate::scene::Scene;
-use crate::state::to_blob;
 
 /// Share of `sqrt(|g| R)` that counts as rest.
 const STILL: f64 = 1e-3;
@@ -96,7 +95,7 @@ impl Settled {
         start.initial_contacts = simulation.state.contacts;
         let rested = Simulation::new(Arc::new(start))?;
         Ok(Self {
-            start: to_blob(&rested.state, &scene.hash),
+            start: rested.snapshot(),
             time,
             speed,
             rest_speed,

@@ -27,12 +27,7 @@ pub fn solve(problem: &Problem, params: &Params, impulses: &mut [Vec3]) -> Repor
             .find(|(after, _)| report.sweeps > *after)
             .map_or(1.0, |(_, damping)| *damping);
         let change = sweep(problem, &scales, damping, &mut velocity, impulses);
-        let wanted = crate::scene::Tolerance {
-            gap: params.tolerance.gap * confidence,
-            slip: params.tolerance.slip * confidence,
-            force: params.tolerance.force * confidence,
-        };
-        if change.within(&wanted) {
+        if change.within(&params.tolerance.scaled(confidence)) {
             report.residual = evaluate(problem, &scales, impulses);
             if report.residual.within(&params.tolerance) {
                 report.converged = true;

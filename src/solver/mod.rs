@@ -2,18 +2,26 @@
 //!
 //! [`gauss_seidel`] updates one contact's multiplier at a time with its closed-form local solution;
 //! [`augmented_lagrangian`] is the paper's loop: `K D = F` by sparse Cholesky, open-close iterations inside,
-//! multiplier updates outside. Both leave impulses that satisfy the same conditions
-//! ([`crate::problem`]); a faster solver is one more function of the same shape.
+//! multiplier updates outside; [`newton`] works on the true friction cone and finishes what both leave. All leave
+//! impulses that satisfy the same conditions ([`crate::problem`]); a faster solver is one more function of the same shape.
 
 pub mod augmented_lagrangian;
 pub mod gauss_seidel;
+mod neighbourhood;
+pub mod newton;
 pub mod residual;
 
 use crate::Vec3;
 use crate::problem::Problem;
 use crate::scene::{SolverKind, Tolerance};
 use augmented_lagrangian::Workspace;
-use residual::Residual;
+use neighbourhood::Part;
+use residual::{Residual, Scale, evaluate};
+
+/// Contacts that lead from an unsolved row to the border of the first part that Newton solves.
+const HOPS: usize = 2;
+/// Gauss-Seidel sweeps over the whole after each part.
+const BETWEEN: usize = 100;
 
 /// Gauss-Seidel sweeps that `auto` spends before it turns to the direct solver.
 const AUTO_SWEEPS: usize = 1000;
@@ -75,17 +83,64 @@ pub fn solve(
     match params.kind {
         SolverKind::GaussSeidel => gauss_seidel::solve(problem, params, impulses),
         SolverKind::Direct => augmented_lagrangian::solve(problem, params, workspace, impulses),
-        SolverKind::Auto => {
-            let brief = Params {
-                max_sweeps: params.max_sweeps.min(AUTO_SWEEPS),
-                ..*params
-            };
-            let first = gauss_seidel::solve(problem, &brief, impulses);
-            if first.converged {
-                return first;
-            }
-            let second = augmented_lagrangian::solve(problem, params, workspace, impulses);
-            first.then(second)
-        }
+        SolverKind::Auto => auto(problem, params, workspace, impulses),
     }
+}
+
+/// Gauss-Seidel; where it crawls or goes in circles, Newton on the neighbourhoods of the rows that are left.
+fn auto(
+    problem: &Problem,
+    params: &Params,
+    workspace: &mut Workspace,
+    impulses: &mut [Vec3],
+) -> Report {
+    let mut brief = Params {
+        max_sweeps: params.max_sweeps.min(AUTO_SWEEPS),
+        ..*params
+    };
+    let mut report = gauss_seidel::solve(problem, &brief, impulses);
+    let scales = Scale::of(problem);
+    let mut hops = HOPS;
+    while !report.converged && report.factorizations < params.max_factorizations {
+        let velocity = problem.velocities(impulses);
+        let unsolved = |&k: &usize| {
+            let row = &problem.rows[k];
+            let correction =
+                scales[k].correction(row, row.relative_velocity(&velocity), impulses[k]);
+            let [gap, slip, force] = scales[k].residuals(row, problem.step, &correction);
+            let wanted = &params.tolerance;
+            !(gap <= wanted.gap && slip <= wanted.slip && force <= wanted.force)
+        };
+        let seeds: Vec<usize> = (0..problem.rows.len()).filter(unsolved).collect();
+        let part = Part::around(problem, impulses, seeds.into_iter(), hops);
+        let mut own: Vec<Vec3> = part.rows.iter().map(|&k| impulses[k]).collect();
+        // What the part's border costs the whole must fit in as well.
+        let rest = Params {
+            tolerance: params.tolerance.scaled(0.5),
+            max_factorizations: params.max_factorizations - report.factorizations,
+            ..*params
+        };
+        match newton::solve(&part.problem, &rest, &mut own) {
+            Ok(newton) => {
+                report = report.then(newton);
+                for (&k, p) in part.rows.iter().zip(&own) {
+                    impulses[k] = *p;
+                }
+            }
+            Err(_) => {
+                return report.then(augmented_lagrangian::solve(
+                    problem, params, workspace, impulses,
+                ));
+            }
+        }
+        report.residual = evaluate(problem, &scales, impulses);
+        report.converged = report.residual.within(&params.tolerance);
+        if report.converged || part.closed {
+            break;
+        }
+        brief.max_sweeps = BETWEEN;
+        report = report.then(gauss_seidel::solve(problem, &brief, impulses));
+        hops *= 2;
+    }
+    report
 }

@@ -2,7 +2,14 @@
 
 mod check;
 mod command;
+mod failing;
 mod fmus;
+#[path = "../foreign_fmu/mod.rs"]
+#[expect(dead_code, reason = "the tests of the importer use the rest")]
+mod foreign_fmu;
 mod interrupted;
+mod killed;
 mod refused;
+mod resumed;
 mod runs;
+mod schema;

@@ -243,6 +243,16 @@ impl Instance<'_> {
         }
     }
 
+    pub(crate) fn integer(&self, reference: u32) -> i32 {
+        let mut value = -1;
+        // SAFETY: one reference, room for one value.
+        let status = unsafe {
+            (self.f().fmi2GetInteger)(self.handle, &raw const reference, 1, &raw mut value)
+        };
+        assert_eq!(status, OK, "{:?}", self.log());
+        value
+    }
+
     pub(crate) fn real(&self, reference: u32) -> f64 {
         let mut value = [f64::NAN];
         assert_eq!(self.get(&[reference], &mut value), OK, "{:?}", self.log());
@@ -261,6 +271,12 @@ impl Instance<'_> {
         unsafe {
             (self.f().fmi2SetString)(self.handle, &raw const reference, 1, &raw const pointer)
         }
+    }
+
+    pub(crate) fn set_boolean(&self, reference: u32, value: bool) -> c_int {
+        let value = c_int::from(value);
+        // SAFETY: one reference, one value.
+        unsafe { (self.f().fmi2SetBoolean)(self.handle, &raw const reference, 1, &raw const value) }
     }
 
     pub(crate) fn string(&self, reference: u32) -> String {

@@ -8,11 +8,13 @@ use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
 use c::{DISCARD, ERROR, Fmi, Instance, OK};
+use sphere_dda::observe::Observation;
+use sphere_dda::observe::history::columns;
+use sphere_dda::observe::quantities::values;
 use sphere_dda::simulation::Simulation;
 use sphere_dda_fmu::description::describe;
 use sphere_dda_fmu::model::Model;
-use sphere_dda_fmu::outputs::Outputs;
-use sphere_dda_fmu::variables::Value;
+use sphere_dda_fmu::variables::Meaning;
 use sphere_dda_model_description::fmi2::{BaseType, Causality};
 
 /// 18 balls fall on a floor that can be driven, beside a wall that can be pushed.
@@ -46,6 +48,9 @@ lattice = { origin = [-0.2, -0.2, 0.06], count = [3, 3, 2], spacing = 0.11, jitt
 [[sensor]]
 name = "fall"
 mass_flow = { plane = { point = [0.0, 0.0, 0.15], normal = [0.0, 0.0, -1.0] } }
+[[sensor]]
+name = "low"
+region = { box = { min = [-0.3, -0.3, 0.0], max = [0.3, 0.3, 0.12] } }
 "#;
 
 /// A scene in a folder of its own, as `resources/` has it.
@@ -129,6 +134,48 @@ fn the_table_is_the_description() {
     }
 }
 
+/// One list behind both: the outputs of the FMU are the columns of the history, in the same order.
+#[test]
+fn the_history_and_the_fmu_name_the_same_quantities() {
+    let model = box_scene().model;
+    let outputs = model.table.variables().iter();
+    let outputs = outputs.filter(|variable| variable.causality == Causality::Output);
+    let names: Vec<String> = outputs
+        .map(|variable| format!("{} [{}]", variable.name, variable.unit.unwrap_or("-")))
+        .collect();
+    assert_eq!(columns(&model.scene)[1..], names);
+    let of_sensor: Vec<&str> = names
+        .iter()
+        .filter_map(|name| name.strip_prefix("sensor.low."))
+        .collect();
+    let expected = "mass [kg], count [-], solidFraction [-], centreOfMass[1] [m], centreOfMass[2] [m], \
+        centreOfMass[3] [m], coordinationNumber [-], stress[1] [Pa], stress[2] [Pa], stress[3] [Pa], stress[4] [Pa], \
+        stress[5] [Pa], stress[6] [Pa], maxNormalForce [N], meanNormalForce [N]";
+    assert_eq!(of_sensor.join(", "), expected);
+}
+
+/// At t = 0, and an integer through its own function.
+#[test]
+fn a_region_is_measured_from_the_start() {
+    let scene = box_scene();
+    let instance = scene.instance();
+    assert_eq!([instance.set_up(0.0, None), instance.enter()], [OK; 2]);
+    // The lower layer of nine; the jitter moves no centre across z = 0.12.
+    let count = scene.reference("sensor.low.count");
+    assert_eq!(instance.integer(count), 9);
+    let mass = instance.real(scene.reference("sensor.low.mass"));
+    let all = instance.real(scene.reference("mass"));
+    assert!((mass - 0.5 * all).abs() < 1e-12 * all);
+    assert_eq!(instance.integer(scene.reference("sphereCount")), 18);
+    let solid = instance.real(scene.reference("sensor.low.solidFraction"));
+    let volume = mass / 2500.0 / (0.6 * 0.6 * 0.12);
+    assert!(
+        solid > 0.9 * volume && solid < 1.3 * volume,
+        "{solid} {volume}"
+    );
+    assert_eq!(instance.exit(), OK);
+}
+
 #[test]
 fn the_guid_is_that_of_the_content() {
     let (one, same) = (box_scene().model, box_scene().model);
@@ -155,12 +202,10 @@ fn all_functions_exist() {
 
 /// Every real output of the instance equals the library's, bit for bit.
 fn assert_same_outputs(scene: &Scene, instance: &Instance, simulation: &Simulation) {
-    let outputs = Outputs::of(simulation);
+    let outputs = values(&Observation::of(simulation));
     for variable in scene.model.table.variables() {
-        if variable.causality == Causality::Output && variable.base == BaseType::Real {
-            let Some(Value::Real(expected)) = outputs.get(variable.quantity) else {
-                panic!("`{}` is no real output", variable.name)
-            };
+        if let (Meaning::Output(rank), BaseType::Real) = (variable.meaning, variable.base) {
+            let expected = outputs[rank];
             let found = instance.real(variable.reference);
             assert_eq!(
                 found.to_bits(),

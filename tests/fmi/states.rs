@@ -218,3 +218,55 @@ fn results_follow_a_rollback() {
     assert_eq!(instance.terminate(), OK);
     assert_eq!(times(), [0.0]);
 }
+
+#[test]
+fn results_go_on_in_another_instance_that_takes_the_state() {
+    let scene = box_scene();
+    let folder = tempfile::tempdir().unwrap();
+    let start = |instance: &Instance, place: &str, overwrite: bool| {
+        let place = folder.path().join(place).display().to_string();
+        let (directory, may) = ("output.directory", "output.overwrite");
+        assert_eq!(instance.set_string(scene.reference(directory), &place), OK);
+        if overwrite {
+            assert_eq!(instance.set_boolean(scene.reference(may), true), OK);
+        }
+        assert_eq!([instance.set_up(0.0, None), instance.enter()], [OK; 2]);
+        assert_eq!(instance.exit(), OK);
+    };
+    let history = |place: &str| {
+        std::fs::read_to_string(folder.path().join(place).join("box/history.csv")).unwrap()
+    };
+    let whole = scene.instance();
+    start(&whole, "whole", false);
+    drive(&scene, &whole, 0, 9);
+    assert_eq!(whole.terminate(), OK);
+
+    for (place, overwrite, further) in [
+        ("ended", false, 0),
+        ("further", true, 3),
+        ("kept", false, 3),
+    ] {
+        let first = scene.instance();
+        start(&first, place, overwrite);
+        drive(&scene, &first, 0, 5);
+        let state = first.bytes();
+        drive(&scene, &first, 5, 5 + further);
+        assert_eq!(first.terminate(), OK);
+        let left = history(place);
+
+        let second = scene.instance();
+        assert_eq!(second.load(&state), OK);
+        let log = second.log();
+        drive(&scene, &second, 5, 9);
+        assert_eq!(second.terminate(), OK);
+        if place == "kept" {
+            assert_eq!(history(place), left, "what is later stays");
+            assert!(
+                log.iter().any(|line| line.contains("later than 0.05 s")),
+                "{log:?}"
+            );
+        } else {
+            assert_eq!(history(place), history("whole"), "{place}: {log:?}");
+        }
+    }
+}

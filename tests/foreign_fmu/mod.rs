@@ -9,6 +9,7 @@ use std::sync::Mutex;
 use zip::write::SimpleFileOptions;
 
 /// How the library is built.
+#[allow(dead_code, reason = "each test binary uses its own part")]
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Build {
     Whole,
@@ -16,6 +17,9 @@ pub(crate) enum Build {
     WithoutStates,
     UndefinedSymbol,
     OtherVersion,
+    OtherTypes,
+    NoInstance,
+    SetupFails,
 }
 
 impl Build {
@@ -26,6 +30,9 @@ impl Build {
             Self::WithoutStates => "WITHOUT_STATES",
             Self::UndefinedSymbol => "UNDEFINED_SYMBOL",
             Self::OtherVersion => "OTHER_VERSION",
+            Self::OtherTypes => "OTHER_TYPES",
+            Self::NoInstance => "NO_INSTANCE",
+            Self::SetupFails => "SETUP_FAILS",
         }
     }
 }
@@ -38,18 +45,23 @@ fn source(name: &str) -> PathBuf {
 
 /// The shared library, built on first use.
 fn library(build: Build) -> PathBuf {
+    let definition = format!("-D{}", build.definition());
+    let oscillator = source("oscillator.c");
+    compiled(build.definition(), &[Path::new(&definition), &oscillator])
+}
+
+/// A shared library of this name, built by `cc` with these arguments on first use.
+fn compiled(name: &str, arguments: &[&Path]) -> PathBuf {
     static BUILDING: Mutex<()> = Mutex::new(());
     let _guard = BUILDING.lock().unwrap_or_else(|error| error.into_inner());
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("foreign_fmu");
     std::fs::create_dir_all(&folder).unwrap();
     // The process is part of the name: other test processes may build at the same time.
-    let name = format!("{}-{}.so", build.definition(), std::process::id());
-    let library = folder.join(name);
+    let library = folder.join(format!("{name}-{}.so", std::process::id()));
     if !library.is_file() {
         let status = Command::new("cc")
             .args(["-O2", "-Wall", "-Wextra", "-shared", "-fPIC"])
-            .arg(format!("-D{}", build.definition()))
-            .arg(source("oscillator.c"))
+            .args(arguments)
             .arg("-o")
             .arg(&library)
             .arg("-lm")
@@ -60,20 +72,25 @@ fn library(build: Build) -> PathBuf {
     library
 }
 
+/// Folder of this platform's binaries.
+fn platform() -> &'static str {
+    if cfg!(target_os = "macos") {
+        "darwin64"
+    } else {
+        "linux64"
+    }
+}
+
 /// Names and contents of the files of the FMU, its description first.
 pub(crate) fn entries(build: Build, edit: impl FnOnce(&mut String)) -> Vec<(String, Vec<u8>)> {
     let mut xml = std::fs::read_to_string(source("modelDescription.xml")).unwrap();
     edit(&mut xml);
-    let platform = if cfg!(target_os = "macos") {
-        "darwin64"
-    } else {
-        "linux64"
-    };
     vec![
         ("modelDescription.xml".to_owned(), xml.into_bytes()),
         (
             format!(
-                "binaries/{platform}/oscillator{}",
+                "binaries/{}/oscillator{}",
+                platform(),
                 std::env::consts::DLL_SUFFIX
             ),
             std::fs::read(library(build)).unwrap(),
@@ -114,4 +131,40 @@ pub(crate) fn write_link(path: &Path, name: &str, target: &str) {
         .add_symlink(name, target, SimpleFileOptions::default())
         .unwrap();
     archive.finish().unwrap();
+}
+
+/// Packs one of the Reference FMUs of the Modelica Association, built here from its sources, as `<model>.fmu`.
+pub(crate) fn pack_reference(folder: &Path, model: &str) -> PathBuf {
+    let sources = source("reference_fmus");
+    let include = |part: &str| PathBuf::from(format!("-I{}", sources.join(part).display()));
+    let (headers, own) = (include("include"), include(model));
+    let files = ["src/fmi2Functions.c", "src/cosimulation.c"].map(|file| sources.join(file));
+    let arguments = [
+        Path::new("-DFMI_VERSION=2"),
+        Path::new("-DDISABLE_PREFIX"),
+        Path::new("-w"),
+        &headers,
+        &own,
+        &files[0],
+        &files[1],
+        &sources.join(model).join("model.c"),
+    ];
+    let binary = format!(
+        "binaries/{}/{model}{}",
+        platform(),
+        std::env::consts::DLL_SUFFIX
+    );
+    let entries = [
+        (
+            "modelDescription.xml",
+            std::fs::read(sources.join(model).join("FMI2.xml")).unwrap(),
+        ),
+        (
+            &*binary,
+            std::fs::read(compiled(model, &arguments)).unwrap(),
+        ),
+    ];
+    let path = folder.join(format!("{model}.fmu"));
+    write_archive(&path, &entries);
+    path
 }

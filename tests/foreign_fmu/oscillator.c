@@ -4,8 +4,10 @@
  *
  * advanced by its closed form, so that no step size matters. It can fail on purpose: the string parameter `fault`
  * is "<function>:<status>", for example "fmi2DoStep:3"; the fault strikes from time `faultTime` on. Every call of
- * its life is written to `trace.txt` in the resources. Built with WITHOUT_DO_STEP, WITHOUT_STATES, UNDEFINED_SYMBOL
- * or OTHER_VERSION it is a library that cannot be loaded or lacks something.
+ * its life is written to `trace.txt` in the resources. Other faults are "nan", "terminate", "short", "half" and
+ * "logger", which calls the logger in every way that the standard does not foresee. Built with WITHOUT_DO_STEP,
+ * WITHOUT_STATES, UNDEFINED_SYMBOL, OTHER_VERSION, OTHER_TYPES, NO_INSTANCE or SETUP_FAILS it is a library that
+ * cannot be loaded, lacks something, or fails before a parameter can be set.
  */
 #include <math.h>
 #include <stdarg.h>
@@ -66,6 +68,25 @@ static fmi2Status fault(Instance *instance, const char *function) {
     return status;
 }
 
+/* Formats, texts and numbers that no reasonable library passes. */
+static void abuse_logger(const Instance *instance) {
+    void (*tell)(void *, fmi2String, fmi2Status, fmi2String, fmi2String, ...) = instance->callbacks.logger;
+    void *environment = instance->callbacks.componentEnvironment;
+    static char endless[100000];
+    memset(endless, 'x', sizeof endless - 1);
+    tell(environment, NULL, fmi2OK, NULL, NULL);
+    tell(environment, "", (fmi2Status)77, "", "");
+    tell(environment, "name", fmi2Error, "logStatusError", "%s", (const char *)NULL);
+    tell(environment, "name", fmi2Error, "logStatusError", "%");
+    tell(environment, "name", fmi2Error, "logStatusError", "%%%");
+    tell(environment, "name", fmi2Error, "logStatusError", "%d of %f, %n and %*s", 1, 2.0);
+    tell(environment, "\xff\xfe", fmi2Error, "\x80", "\xc3\x28 is not UTF-8");
+    tell(environment, "name", fmi2Error, "logStatusError", "%s", endless);
+    tell(environment, "name", fmi2Error, "logStatusError", "\033[2J#r1# and a line\nbreak");
+    for (int k = 0; k < 20000; k++) tell(environment, "name", fmi2OK, "logEvents", "again");
+    tell(environment, "name", fmi2Error, "logStatusError", "the last word");
+}
+
 #define RETURN_IF_FAULT(function)                                                                                  \
     do {                                                                                                           \
         fmi2Status status = fault(instance, function);                                                             \
@@ -81,7 +102,13 @@ static void defaults(State *state) {
     strcpy(state->string[LABEL], "nobody");
 }
 
-FMI2_EXPORT const char *fmi2GetTypesPlatform(void) { return "default"; }
+FMI2_EXPORT const char *fmi2GetTypesPlatform(void) {
+#ifdef OTHER_TYPES
+    return NULL;
+#else
+    return "default";
+#endif
+}
 
 FMI2_EXPORT const char *fmi2GetVersion(void) {
 #ifdef OTHER_VERSION
@@ -104,6 +131,9 @@ FMI2_EXPORT fmi2Component fmi2Instantiate(fmi2String name, fmi2Type type, fmi2St
         callbacks->logger(callbacks->componentEnvironment, name, fmi2Error, "logStatusError", "wrong guid %s", guid);
         return NULL;
     }
+#ifdef NO_INSTANCE
+    return NULL;
+#endif
     Instance *instance = callbacks->allocateMemory(1, sizeof *instance);
     if (instance == NULL) return NULL;
     defaults(&instance->state);
@@ -133,6 +163,9 @@ FMI2_EXPORT fmi2Status fmi2SetupExperiment(fmi2Component c, fmi2Boolean toleranc
     (void)tolerance_defined, (void)tolerance, (void)stop_defined, (void)stop;
     trace(instance, "fmi2SetupExperiment");
     instance->state.time = start;
+#ifdef SETUP_FAILS
+    return fmi2Error;
+#endif
     return fmi2OK;
 }
 
@@ -203,6 +236,10 @@ FMI2_EXPORT fmi2Status fmi2DoStep(fmi2Component c, fmi2Real time, fmi2Real h, fm
     if (fabs(time - state->time) > 1e-9 * h) return fmi2Error;
     instance->reached = time;
     instance->terminated = 0;
+    if (strcmp(state->string[FAULT], "logger") == 0) {
+        abuse_logger(instance);
+        return fmi2Error;
+    }
     if (strcmp(state->string[FAULT], "nan") == 0 && time >= state->real[FAULT_TIME] - 1e-12) {
         state->real[X] = NAN;
         state->time = time + h;

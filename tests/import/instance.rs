@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 
 use sphere_dda_fmu::import::{
     End, Event, Fmu, ImportError, Instance, Options, Phase, Signals, SimulateError, Status, Step,
-    simulate,
+    System, simulate,
 };
 
 use crate::foreign_fmu::{Build, pack};
@@ -28,12 +28,12 @@ fn a_failing_call_is_named_with_its_status_and_what_the_fmu_says() {
         let (folder, fmu) = open(Build::Whole);
         let options = Options {
             inputs: Some(
-                Signals::read("time,force[1]\n0,1\n".as_bytes(), "", fmu.description()).unwrap(),
+                Signals::read("time,force[1]\n0,1\n".as_bytes(), "", &System::of(&fmu)).unwrap(),
             ),
             ..with(&[("fault", &format!("{function}:{code}"))])
         };
         let mut heard = Vec::new();
-        let error = simulate(&fmu, &options, |event| {
+        let error = simulate(&System::of(&fmu), &options, |event| {
             if let Event::Message(message) = event {
                 heard.push(message.to_string());
             }

@@ -1,15 +1,17 @@
 //! The importer against an FMU that is not of this project: `tests/foreign_fmu`, built with `cc` here.
 
+mod coupling;
 #[path = "../foreign_fmu/mod.rs"]
 mod foreign_fmu;
 mod instance;
+mod reference;
 mod refusals;
 mod simulation;
 
 use std::ops::ControlFlow;
 
 use foreign_fmu::{Build, pack};
-use sphere_dda_fmu::import::{Fmu, Options, SimulateError, Table, simulate};
+use sphere_dda_fmu::import::{Fmu, Options, SimulateError, System, Table, simulate};
 
 fn open(build: Build) -> (tempfile::TempDir, Fmu) {
     let folder = tempfile::tempdir().unwrap();
@@ -19,8 +21,12 @@ fn open(build: Build) -> (tempfile::TempDir, Fmu) {
     (folder, fmu)
 }
 
+fn drive(system: &System<'_>, options: &Options) -> Result<Table, SimulateError> {
+    simulate(system, options, |_| ControlFlow::Continue(()))
+}
+
 fn run(fmu: &Fmu, options: &Options) -> Result<Table, SimulateError> {
-    simulate(fmu, options, |_| ControlFlow::Continue(()))
+    drive(&System::of(fmu), options)
 }
 
 fn with(set: &[(&str, &str)]) -> Options {

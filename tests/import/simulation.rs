@@ -3,7 +3,8 @@
 use std::ops::ControlFlow;
 
 use sphere_dda_fmu::import::{
-    End, Event, Fmu, Options, Signals, SignalsError, SimulateError, Values, VariableError, simulate,
+    End, Event, Fmu, Options, Signals, SignalsError, SimulateError, System, Values, VariableError,
+    simulate,
 };
 
 use crate::foreign_fmu::{Build, pack};
@@ -132,7 +133,7 @@ fn inputs_are_linear_or_held_and_jump_at_double_times() {
                 1, 5, high\n\
                 1, 10, low\n\
                 1.5, 20, 2\n";
-    let signals = Signals::read(text.as_bytes(), "drive.csv", fmu.description()).unwrap();
+    let signals = Signals::read(text.as_bytes(), "drive.csv", &System::of(&fmu)).unwrap();
     let options = Options {
         inputs: Some(signals),
         ..Options::default()
@@ -201,12 +202,12 @@ fn bad_tables_of_inputs_are_refused_with_their_place() {
         ("time,force[1]\ninf,1\n", "line 2: found time \"inf\""),
         ("time,force[1]\n0\n", "as many in each line"),
     ] {
-        let error = Signals::read(text.as_bytes(), "drive.csv", fmu.description()).unwrap_err();
+        let error = Signals::read(text.as_bytes(), "drive.csv", &System::of(&fmu)).unwrap_err();
         let message = error.to_string();
         assert!(message.starts_with("drive.csv"), "{message}");
         assert!(message.contains(part), "{text:?}: {message}");
     }
-    let error = Signals::from_csv("/no/such.csv", fmu.description()).unwrap_err();
+    let error = Signals::from_csv("/no/such.csv", &System::of(&fmu)).unwrap_err();
     assert!(matches!(error, SignalsError::Open { .. }), "{error}");
 }
 
@@ -289,10 +290,14 @@ fn discarded_steps_are_taken_up_again_or_end_the_simulation() {
 #[test]
 fn the_observer_can_end_the_simulation() {
     let (_folder, fmu) = open(Build::Whole);
-    let table = simulate(&fmu, &Options::default(), |event| match event {
-        Event::Time { step: 7, .. } => ControlFlow::Break(()),
-        _ => ControlFlow::Continue(()),
-    })
+    let table = simulate(
+        &System::of(&fmu),
+        &Options::default(),
+        |event| match event {
+            Event::Time { step: 7, .. } => ControlFlow::Break(()),
+            _ => ControlFlow::Continue(()),
+        },
+    )
     .unwrap();
     assert_eq!((table.end, table.time.len()), (End::Interrupted, 8));
     assert!(trace(&fmu).ends_with(&["fmi2Terminate".to_owned(), "fmi2FreeInstance".to_owned()]));

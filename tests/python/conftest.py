@@ -11,11 +11,13 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
-EXAMPLES = ("funnel", "slopes", "feeder", "landslide")
+EXAMPLES = ("funnel", "slopes", "feeder", "landslide", "bed")
 
 
 def scene(name):
-    return ROOT / "examples" / name / f"{name}.toml"
+    """The scene of this name in the folder of some example."""
+    (path,) = ROOT.glob(f"examples/*/{name}.toml")
+    return path
 
 
 @pytest.fixture(scope="session")
@@ -29,11 +31,15 @@ def command():
 
 @pytest.fixture(scope="session")
 def fmus(command, tmp_path_factory):
-    """Name -> path of the FMU of every example."""
+    """Name -> path of the FMU of every example, and of the shaker."""
     named = os.environ.get("SPHERE_DDA_FMUS")
     folder = Path(named) if named else tmp_path_factory.mktemp("fmus")
-    paths = {name: folder / f"{name}.fmu" for name in EXAMPLES}
+    paths = {name: folder / f"{name}.fmu" for name in (*EXAMPLES, "shaker")}
     for name, path in paths.items():
-        if not path.exists():
+        if path.exists():
+            continue
+        if name == "shaker":
+            subprocess.run([command.parent / "export-shaker", path], check=True)
+        else:
             subprocess.run([command, "export", scene(name), "-o", path], check=True)
     return paths

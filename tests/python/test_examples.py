@@ -9,7 +9,7 @@ import pytest
 from conftest import EXAMPLES, ROOT, scene
 
 # Simulated seconds [s]: long enough for contacts, short enough for a quick suite.
-STOP = {"funnel": 1.0, "slopes": 5.0, "feeder": 0.1, "landslide": 1.5}
+STOP = {"funnel": 1.0, "slopes": 5.0, "feeder": 0.1, "landslide": 1.5, "bed": 0.1}
 
 
 def python(script, *arguments):

@@ -33,12 +33,12 @@ def advance(slave, start, end):
     return seen
 
 
-@pytest.mark.parametrize("name", EXAMPLES)
+@pytest.mark.parametrize("name", (*EXAMPLES, "shaker"))
 def test_fmpy_finds_nothing_to_complain_about(fmus, name):
     assert validate_fmu(str(fmus[name])) == []
 
 
-@pytest.mark.parametrize("name", EXAMPLES)
+@pytest.mark.parametrize("name", (*EXAMPLES, "shaker"))
 def test_fmutool_finds_nothing_to_complain_about(fmus, name):
     tool = Path(sys.executable).parent / "fmutool"
     done = subprocess.run([tool, "-input", fmus[name], "-check"], capture_output=True, text=True, timeout=120)

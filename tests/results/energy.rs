@@ -2,9 +2,11 @@
 
 use sphere_dda::Vec3;
 use sphere_dda::motion::Motion;
+use sphere_dda::motion::Twist;
 use sphere_dda::observe::energy::{Energy, Momentum};
 use sphere_dda::observe::history::{columns, row};
-use sphere_dda::scene::{PointLoad, Spring};
+use sphere_dda::region::Primitive;
+use sphere_dda::scene::{PointLoad, Sink, Source, Spring, Supply};
 
 use crate::made::{Made, scene};
 
@@ -68,11 +70,36 @@ fn momentum_uses_the_half_step_velocity() {
     assert!((momentum.angular - angular).norm() < 1e-13);
 }
 
+fn anywhere() -> Primitive {
+    Primitive::Box {
+        min: Vec3::zeros(),
+        max: Vec3::repeat(1.0),
+    }
+}
+
 #[test]
 fn the_history_has_one_value_per_column() {
-    let scene = scene(4);
+    let mut scene = scene(4);
+    scene.sources.push(Source {
+        name: "chute".to_owned(),
+        spheres: 3..4,
+        region: anywhere().into(),
+        supply: Supply::Spheres(1.0),
+        start: 0.0,
+        stop: 1.0,
+        twist: Twist::default(),
+        seed: 1,
+    });
+    scene.sinks.push(Sink {
+        name: "drain".to_owned(),
+        region: anywhere().into(),
+        recycle: None,
+    });
     let mut made = Made::new(&scene, 0.5);
     made.passed[1] = 7.0;
+    (made.emitted[0], made.removed[0]) = (3.0, 1.5);
+    // It waits in the source, and counts nowhere.
+    made.kinematics.present[3] = false;
     let names = columns(&scene);
     let values = row(&made.observe(&scene, 0.5));
     assert_eq!(names.len(), values.len());
@@ -87,6 +114,17 @@ fn the_history_has_one_value_per_column() {
     assert_eq!(value("contactCount [-]"), 3.0);
     // The overlaps are 1e-7 m; the smallest radius is 0.1 m.
     assert!((value("maxOverlap [-]") - 1e-6).abs() < 1e-18);
-    let kinetic = 0.5 * scene.particles.mass.iter().sum::<f64>() * V.norm_squared();
-    assert!(value("kineticEnergy [J]") > kinetic);
+    assert_eq!(value("source.chute.mass [kg]"), 3.0);
+    assert_eq!(value("sink.drain.mass [kg]"), 1.5);
+    let present: f64 = scene.particles.mass[..3].iter().sum();
+    assert_eq!(value("mass [kg]"), present);
+    assert_eq!(value("sphereCount [-]"), 3.0);
+    // Speed |V|, 1 rad/s, I = 2/5 m R^2.
+    let spin: f64 = (0..3).map(|i| 0.5 * scene.particles.inertia(i)).sum();
+    let kinetic = 0.5 * present * V.norm_squared() + spin;
+    assert!((value("kineticEnergy [J]") - kinetic).abs() < 1e-12);
+    assert_eq!(value("boundary.floor.force[3] [N]"), -7.0);
+    // Power: force (0, -0.5, -7) N at (0.1, 0.2, 0.3) m/s.
+    assert!((value("boundary.floor.power [W]") + 2.2).abs() < 1e-12);
+    assert_eq!(value("boundary.floor.position[1] [m]"), 0.5);
 }

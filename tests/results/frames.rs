@@ -3,7 +3,8 @@
 use std::fs;
 
 use sphere_dda::Vec3;
-use sphere_dda::observe::frames::{Series, Surface, contact_loads, frame};
+use sphere_dda::observe::frames::{Series, Surface, frame};
+use sphere_dda::observe::loads::{Load, Loads};
 use sphere_dda::observe::vtu::{Array, Cell, Grid, Precision, Values, encode};
 use sphere_dda::observe::writer::{Options, Results};
 
@@ -44,15 +45,22 @@ fn contact_loads_balance() {
     let scene = scene(4);
     let made = Made::new(&scene, 0.0);
     let state = made.observe(&scene, 0.0);
-    let (force, torque) = contact_loads(&state);
+    let loads = Loads::of(&state);
+    let wrench = |i: usize| loads.spheres[i].wrench;
     // Sphere 0 is pushed by 1 and by the floor, 1 by 0 alone.
-    assert_eq!(force[0], Vec3::new(1.0, 0.0, 5.0));
-    assert_eq!(force[1], Vec3::new(-1.0, 0.0, -2.0));
+    assert_eq!(wrench(0).force, Vec3::new(1.0, 0.0, 5.0));
+    assert_eq!(wrench(1).force, Vec3::new(-1.0, 0.0, -2.0));
     // -R n x f with n = z: f_x at the lowest point of 0 turns it about -y, and 1, pushed at its top, likewise.
     let radius = &scene.particles.radius;
-    assert_eq!(torque[0], Vec3::new(0.0, -radius[0], 0.0));
-    assert_eq!(torque[1], Vec3::new(0.0, -radius[1], 0.0));
-    assert_eq!(torque[2], Vec3::new(0.5 * radius[2], 0.0, 0.0));
+    assert_eq!(wrench(0).torque, Vec3::new(0.0, -radius[0], 0.0));
+    assert_eq!(wrench(1).torque, Vec3::new(0.0, -radius[1], 0.0));
+    assert_eq!(wrench(2).torque, Vec3::new(0.5 * radius[2], 0.0, 0.0));
+    // Normal forces 2 and 3 on sphere 0, 3 and 4 on the floor; the candidate on sphere 3 carries nothing.
+    let counted = |load: &Load| (load.count, load.max_normal_force);
+    assert_eq!(counted(&loads.spheres[0]), (2, 3.0));
+    assert_eq!(counted(&loads.boundaries[0]), (2, 4.0));
+    assert_eq!(counted(&loads.spheres[3]), (0, 0.0));
+    assert_eq!(loads.contacts, 3);
 }
 
 /// Frames with a value file beside each, in both precisions, for the Python readers.

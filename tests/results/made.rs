@@ -12,7 +12,7 @@ use sphere_dda::motion::{Motion, Pose, Twist};
 use sphere_dda::observe::writer::Results;
 use sphere_dda::observe::{BoundaryState, Observation};
 use sphere_dda::particles::{Kinematics, Locks, Particles};
-use sphere_dda::region::Region;
+use sphere_dda::region::Primitive;
 use sphere_dda::scene::{
     Integrator, Measure, Method, Output, Scene, Sensor, Settings, SolverKind, Tolerance,
 };
@@ -79,7 +79,7 @@ pub(crate) fn scene(n: usize) -> Scene {
         sensors: vec![
             Sensor {
                 name: "hold".to_owned(),
-                measure: Measure::Region(Region::Box {
+                measure: Measure::Region(Primitive::Box {
                     min: Vec3::repeat(-0.15),
                     max: Vec3::repeat(0.15),
                 }),
@@ -118,6 +118,8 @@ pub(crate) struct Made {
     pub(crate) kinematics: Kinematics,
     pub(crate) contacts: Vec<Contact>,
     pub(crate) passed: Vec<f64>,
+    pub(crate) emitted: Vec<f64>,
+    pub(crate) removed: Vec<f64>,
 }
 
 impl Made {
@@ -152,6 +154,8 @@ impl Made {
             kinematics,
             contacts,
             passed: vec![0.0; scene.sensors.len()],
+            emitted: vec![0.0; scene.sources.len()],
+            removed: vec![0.0; scene.sinks.len()],
         }
     }
 
@@ -191,6 +195,8 @@ impl Made {
             ],
             passed: &self.passed,
             flow: &self.passed,
+            emitted: &self.emitted,
+            removed: &self.removed,
             work: Work::default(),
             report: StepReport::default(),
         }

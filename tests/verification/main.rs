@@ -9,6 +9,7 @@ mod impact;
 mod incline;
 mod paper_examples;
 mod pinched;
+mod regions;
 mod solvers;
 mod springs;
 mod support;

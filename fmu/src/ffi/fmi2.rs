@@ -8,12 +8,13 @@ mod values;
 use std::ffi::{c_char, c_int};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use super::abi2::*;
-use super::guard::{ANY, Component, Stages, array, call, sink, str_from, text, value_mut};
+use super::guard::{ANY, Component, Stages, call};
 use crate::instance::{Instance, Stage, Step};
-use crate::log::{Level, Log};
 use crate::refusal::{InstantiationError, Refusal};
 use crate::resource;
+use sphere_dda_fmi_interface::abi2::*;
+use sphere_dda_fmi_interface::log::{Level, Log};
+use sphere_dda_fmi_interface::pointers::{array, panic_text, sink, str_from, value_mut};
 
 use fmi2Status::{fmi2Discard, fmi2OK, fmi2Warning};
 
@@ -97,7 +98,7 @@ extern "C" fn fmi2Instantiate(
             .cast();
         }
         Ok(Err(error)) => error.to_string(),
-        Err(panic) => format!("internal error: {}", text(&*panic)),
+        Err(panic) => format!("internal error: {}", panic_text(&*panic)),
     };
     log().write(Level::Error, format_args!("fmi2Instantiate: {refused}"));
     std::ptr::null_mut()

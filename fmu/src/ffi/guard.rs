@@ -1,13 +1,13 @@
 //! What every exported function does first and last: null, life cycle, panic, log line, status.
 
-use std::any::Any;
-use std::ffi::{CStr, CString, c_char, c_int};
+use std::ffi::CString;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use super::abi2::{fmi2CallbackFunctions, fmi2Component, fmi2Status, fmi2String};
 use crate::instance::{Instance, Stage};
-use crate::log::{Category, Level, Sink, printf};
 use crate::refusal::Refusal;
+use sphere_dda_fmi_interface::abi2::{fmi2Component, fmi2Status};
+use sphere_dda_fmi_interface::log::Level;
+use sphere_dda_fmi_interface::pointers::panic_text;
 
 /// What an `fmi2Component` points to.
 pub(super) struct Component {
@@ -59,7 +59,7 @@ pub(super) fn call(
             let fail = || {
                 component
                     .instance
-                    .fail(&format!("{function}: {}", text(&*panic)))
+                    .fail(&format!("{function}: {}", panic_text(&*panic)))
             };
             let _ = catch_unwind(AssertUnwindSafe(fail));
             fmi2Status::fmi2Error
@@ -78,109 +78,11 @@ fn require(found: Stage, allowed: Stages) -> Result<(), Refusal> {
     })
 }
 
-/// The message of a panic.
-pub(super) fn text(panic: &(dyn Any + Send)) -> &str {
-    let owned = panic.downcast_ref::<String>().map(String::as_str);
-    owned
-        .or_else(|| panic.downcast_ref::<&str>().copied())
-        .unwrap_or("panic without a message")
-}
-
-/// A sink that calls the importer's logger. The callbacks are copied: they need not outlive the instantiation.
-pub(super) fn sink(callbacks: fmi2CallbackFunctions, name: &str) -> Option<Sink> {
-    let logger = callbacks.logger?;
-    let environment = callbacks.component_environment;
-    let name = c_string(name);
-    Some(Box::new(
-        move |level: Level, category: Category, message: &str| {
-            let (category, message) = (c_string(category.name()), c_string(&printf(message)));
-            // SAFETY: the logger is the importer's own, valid as long as the instance; all texts end with NUL and outlive
-            // the call; the message holds no printf directive, so no further argument is read.
-            unsafe {
-                logger(
-                    environment,
-                    name.as_ptr(),
-                    level as c_int,
-                    category.as_ptr(),
-                    message.as_ptr(),
-                )
-            };
-        },
-    ))
-}
-
-/// A C string; a NUL inside cuts it.
-pub(super) fn c_string(text: &str) -> CString {
-    let end = text.find('\0').unwrap_or(text.len());
-    CString::new(&text[..end]).unwrap_or_default()
-}
-
-/// A text from C.
-pub(super) fn str_from<'a>(
-    pointer: fmi2String,
-    argument: &'static str,
-) -> Result<&'a str, Refusal> {
-    if pointer.is_null() {
-        return Err(null(argument));
-    }
-    // SAFETY: not null; the importer passes a NUL-terminated text that lives through the call.
-    let text = unsafe { CStr::from_ptr(pointer.cast::<c_char>()) };
-    text.to_str().map_err(|error| Refusal::Argument {
-        argument,
-        found: error.to_string(),
-        expected: "UTF-8",
-    })
-}
-
-/// An array from C; of no length it may be null.
-pub(super) fn array<'a, T>(
-    pointer: *const T,
-    length: usize,
-    argument: &'static str,
-) -> Result<&'a [T], Refusal> {
-    match (pointer.is_null(), length) {
-        (_, 0) => Ok(&[]),
-        (true, _) => Err(null(argument)),
-        // SAFETY: not null; the importer passes `length` values that live through the call.
-        (false, _) => Ok(unsafe { std::slice::from_raw_parts(pointer, length) }),
-    }
-}
-
-/// An array of C that is written.
-pub(super) fn array_mut<'a, T>(
-    pointer: *mut T,
-    length: usize,
-    argument: &'static str,
-) -> Result<&'a mut [T], Refusal> {
-    match (pointer.is_null(), length) {
-        (_, 0) => Ok(&mut []),
-        (true, _) => Err(null(argument)),
-        // SAFETY: not null; the importer lends `length` values through the call and reads none of them meanwhile.
-        (false, _) => Ok(unsafe { std::slice::from_raw_parts_mut(pointer, length) }),
-    }
-}
-
-/// One value of C that is written.
-pub(super) fn value_mut<'a, T>(
-    pointer: *mut T,
-    argument: &'static str,
-) -> Result<&'a mut T, Refusal> {
-    Ok(&mut array_mut(pointer, 1, argument)?[0])
-}
-
-fn null(argument: &'static str) -> Refusal {
-    Refusal::Argument {
-        argument,
-        found: "null".to_owned(),
-        expected: "a pointer",
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::log::Log;
     use crate::model::Model;
+    use sphere_dda_fmi_interface::log::{Log, Sink};
     use std::cell::RefCell;
     use std::path::Path;
     use std::rc::Rc;

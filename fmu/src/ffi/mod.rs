@@ -10,7 +10,6 @@
 //!
 //! Model exchange is not offered; its functions are not exported, as the standard asks of a co-simulation FMU.
 
-mod abi2;
 mod fmi2;
 mod guard;
 

@@ -3,27 +3,16 @@
 //! Types follow `fmi2TypesPlatform.h` ("default") and `fmi2FunctionTypes.h`. Enumerations cross the border
 //! as integers: a foreign library may return a number that no enumeration has.
 
-use std::ffi::{c_char, c_int, c_uint, c_void};
+use std::ffi::{c_char, c_int, c_void};
 
-/// `fmi2Component`: the instance, owned by the foreign library.
-pub(super) type Component = *mut c_void;
-/// `fmi2FMUstate`: a saved state, owned by the foreign library.
-pub(super) type FmuState = *mut c_void;
-/// `fmi2ValueReference`.
-pub(super) type ValueReference = c_uint;
-/// `fmi2Status`.
+pub(super) use sphere_dda_fmi_interface::abi2::{
+    FMI2_CO_SIMULATION as CO_SIMULATION, FMI2_LAST_SUCCESSFUL_TIME as LAST_SUCCESSFUL_TIME,
+    FMI2_TERMINATED as TERMINATED, fmi2Boolean as Boolean, fmi2Component as Component,
+    fmi2FMUstate as FmuState, fmi2String as Text, fmi2ValueReference as ValueReference,
+};
+
+/// `fmi2Status` as it arrives: perhaps none of the enumeration.
 pub(super) type RawStatus = c_int;
-/// `fmi2Boolean`: 0 is false, all else is true.
-pub(super) type Boolean = c_int;
-/// `fmi2String`.
-pub(super) type Text = *const c_char;
-
-/// `fmi2CoSimulation` of `fmi2Type`.
-pub(super) const CO_SIMULATION: c_int = 1;
-/// `fmi2LastSuccessfulTime` of `fmi2StatusKind`.
-pub(super) const LAST_SUCCESSFUL_TIME: c_int = 2;
-/// `fmi2Terminated` of `fmi2StatusKind`.
-pub(super) const TERMINATED: c_int = 3;
 
 /// `fmi2CallbackLogger`, with one argument in place of the variable ones: see [`super::logger`].
 pub(super) type Logger =

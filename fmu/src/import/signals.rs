@@ -5,10 +5,11 @@ use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
 use csv::{ReaderBuilder, StringRecord, Trim};
-use sphere_dda_model_description::fmi2::{ModelDescription, ScalarVariable, Variability};
+use sphere_dda_model_description::fmi2::Variability;
 use thiserror::Error;
 
-use super::values::{check_settable_in_steps, find, parse};
+use super::system::{System, Variable};
+use super::values::{check_settable_in_steps, parse};
 use super::{Value, VariableError};
 
 /// Why a table of inputs cannot be used.
@@ -82,6 +83,7 @@ pub enum SignalsError {
 /// One input over time.
 #[derive(Debug, Clone, PartialEq)]
 struct Signal {
+    component: usize,
     reference: u32,
     /// Linear between two times; else the value of the earlier.
     linear: bool,
@@ -106,16 +108,13 @@ impl Signals {
     /// # Errors
     ///
     /// Every variant of [`SignalsError`].
-    pub fn from_csv(
-        path: impl AsRef<Path>,
-        description: &ModelDescription,
-    ) -> Result<Self, SignalsError> {
+    pub fn from_csv(path: impl AsRef<Path>, system: &System<'_>) -> Result<Self, SignalsError> {
         let path = path.as_ref();
         let file = File::open(path).map_err(|source| SignalsError::Open {
             path: path.to_owned(),
             source,
         })?;
-        Self::read(file, &path.display().to_string(), description)
+        Self::read(file, &path.display().to_string(), system)
     }
 
     /// Reads a table as [`from_csv`](Self::from_csv) does; `place` names it in errors.
@@ -123,24 +122,20 @@ impl Signals {
     /// # Errors
     ///
     /// Every variant of [`SignalsError`] but [`Open`](SignalsError::Open).
-    pub fn read(
-        source: impl Read,
-        place: &str,
-        description: &ModelDescription,
-    ) -> Result<Self, SignalsError> {
+    pub fn read(source: impl Read, place: &str, system: &System<'_>) -> Result<Self, SignalsError> {
         let csv = |source| SignalsError::Csv {
             place: place.to_owned(),
             source,
         };
         let mut reader = ReaderBuilder::new().trim(Trim::All).from_reader(source);
         let header = reader.headers().map_err(csv)?.clone();
-        let variables = variables(&header, place, description)?;
+        let variables = variables(&header, place, system)?;
         let mut result = Self {
             times: Vec::new(),
-            signals: variables.iter().map(|variable| signal(variable)).collect(),
+            signals: variables.iter().map(signal).collect(),
         };
         for record in reader.records() {
-            result.push(&record.map_err(csv)?, &variables, place, description)?;
+            result.push(&record.map_err(csv)?, &variables, place)?;
         }
         if result.times.is_empty() {
             return Err(SignalsError::Empty {
@@ -153,9 +148,8 @@ impl Signals {
     fn push(
         &mut self,
         record: &StringRecord,
-        variables: &[&ScalarVariable],
+        variables: &[Variable<'_>],
         place: &str,
-        description: &ModelDescription,
     ) -> Result<(), SignalsError> {
         let line = record.position().map_or(0, csv::Position::line);
         let mut fields = record.iter();
@@ -171,7 +165,7 @@ impl Signals {
         };
         self.times.push(time);
         for ((signal, variable), field) in self.signals.iter_mut().zip(variables).zip(fields) {
-            let value = parse(description, variable, field);
+            let value = parse(variable, field);
             signal
                 .values
                 .push(value.map_err(|source| SignalsError::Variable {
@@ -183,8 +177,8 @@ impl Signals {
         Ok(())
     }
 
-    /// Value references and values at `time` \[s\].
-    pub fn at(&self, time: f64) -> Vec<(u32, Value)> {
+    /// Value references and values at `time` \[s\] of the inputs of one component, counted from 0.
+    pub(super) fn at(&self, time: f64, component: usize) -> Vec<(u32, Value)> {
         // A communication point that misses a time of the table by rounding is meant to be that time.
         let slack = 8.0 * f64::EPSILON * time.abs();
         let next = self.times.partition_point(|&known| known <= time + slack);
@@ -199,24 +193,26 @@ impl Signals {
             };
             Some((signal.reference, value))
         };
-        self.signals.iter().filter_map(value).collect()
+        let own = |signal: &&Signal| signal.component == component;
+        self.signals.iter().filter(own).filter_map(value).collect()
     }
 }
 
-fn signal(variable: &ScalarVariable) -> Signal {
+fn signal(variable: &Variable<'_>) -> Signal {
     Signal {
-        reference: variable.value_reference,
-        linear: variable.variability == Variability::Continuous,
+        component: variable.component,
+        reference: variable.scalar.value_reference,
+        linear: variable.scalar.variability == Variability::Continuous,
         values: Vec::new(),
     }
 }
 
 /// The variables of the columns after the first, which must be time.
-fn variables<'a>(
+fn variables<'f>(
     header: &StringRecord,
     place: &str,
-    description: &'a ModelDescription,
-) -> Result<Vec<&'a ScalarVariable>, SignalsError> {
+    system: &System<'f>,
+) -> Result<Vec<Variable<'f>>, SignalsError> {
     let mut names = header.iter();
     match names.next() {
         Some("time") => {}
@@ -227,15 +223,13 @@ fn variables<'a>(
             });
         }
     }
-    let mut variables: Vec<&ScalarVariable> = Vec::new();
+    let mut variables: Vec<Variable<'f>> = Vec::new();
     for name in names {
-        let variable = find(description, name)
-            .and_then(|variable| check_settable_in_steps(variable).map(|()| variable))
-            .map_err(|source| SignalsError::Variable {
-                place: place.to_owned(),
-                line: 1,
-                source,
-            })?;
+        let variable = column(system, name).map_err(|source| SignalsError::Variable {
+            place: place.to_owned(),
+            line: 1,
+            source,
+        })?;
         if variables.iter().any(|known| known.name == name) {
             return Err(SignalsError::Twice {
                 place: place.to_owned(),
@@ -245,4 +239,11 @@ fn variables<'a>(
         variables.push(variable);
     }
     Ok(variables)
+}
+
+fn column<'f>(system: &System<'f>, name: &str) -> Result<Variable<'f>, VariableError> {
+    let variable = system.find(name)?;
+    check_settable_in_steps(&variable)?;
+    system.check_free(&variable)?;
+    Ok(variable)
 }

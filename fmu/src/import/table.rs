@@ -2,10 +2,19 @@
 
 use std::io::Write;
 
-use sphere_dda_model_description::fmi2::{ModelDescription, ScalarVariable};
+use sphere_dda_model_description::fmi2::{BaseType, Causality};
 
-use super::values::{Values, find};
-use super::{ImportError, Instance, VariableError};
+use super::exchange::Broken;
+use super::system::{System, Variable};
+use super::values::{self, Value, Values};
+use super::{Instance, VariableError};
+
+const BASES: [BaseType; 4] = [
+    BaseType::Real,
+    BaseType::Integer,
+    BaseType::Boolean,
+    BaseType::String,
+];
 
 /// Why a simulation ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -23,6 +32,8 @@ pub enum End {
 pub struct Column {
     /// Name of the variable.
     pub name: String,
+    /// Number of its FMU, from 0.
+    pub component: usize,
     /// Its value reference.
     pub reference: u32,
     /// One value for each time.
@@ -43,24 +54,23 @@ pub struct Table {
 impl Table {
     /// An empty table for the variables of these names, or for all outputs.
     pub(super) fn for_outputs(
-        description: &ModelDescription,
+        system: &System<'_>,
         names: Option<&[String]>,
     ) -> Result<Self, VariableError> {
-        use sphere_dda_model_description::fmi2::Causality;
-        let column = |variable: &ScalarVariable| Column {
-            name: variable.name.clone(),
-            reference: variable.value_reference,
-            values: Values::none(variable.variable_type.base()),
+        let column = |variable: Variable<'_>| Column {
+            reference: variable.scalar.value_reference,
+            values: Values::none(variable.scalar.variable_type.base()),
+            component: variable.component,
+            name: variable.name,
         };
         let columns = match names {
             Some(names) => names
                 .iter()
-                .map(|name| find(description, name).map(column))
+                .map(|name| system.find(name).map(column))
                 .collect::<Result<_, _>>()?,
-            None => description
-                .model_variables
-                .iter()
-                .filter(|variable| variable.causality == Causality::Output)
+            None => system
+                .variables()
+                .filter(|variable| variable.scalar.causality == Causality::Output)
                 .map(column)
                 .collect(),
         };
@@ -71,26 +81,31 @@ impl Table {
         })
     }
 
-    /// Appends the values that the instance has now, with one call for each type.
-    pub(super) fn record(&mut self, time: f64, instance: &mut Instance) -> Result<(), ImportError> {
-        let references = |wanted: fn(&Values) -> bool| -> Vec<u32> {
-            let columns = self.columns.iter().filter(|column| wanted(&column.values));
-            columns.map(|column| column.reference).collect()
-        };
-        let real = references(|values| matches!(values, Values::Real(_)));
-        let integer = references(|values| matches!(values, Values::Integer(_)));
-        let boolean = references(|values| matches!(values, Values::Boolean(_)));
-        let string = references(|values| matches!(values, Values::String(_)));
-        let mut real = instance.get_real(&real)?.into_iter();
-        let mut integer = instance.get_integer(&integer)?.into_iter();
-        let mut boolean = instance.get_boolean(&boolean)?.into_iter();
-        let mut string = instance.get_string(&string)?.into_iter();
-        for column in &mut self.columns {
-            match &mut column.values {
-                Values::Real(list) => list.extend(real.next()),
-                Values::Integer(list) => list.extend(integer.next()),
-                Values::Boolean(list) => list.extend(boolean.next()),
-                Values::String(list) => list.extend(string.next()),
+    /// Appends the values that the instances have now, with one call for each type; no row if one fails.
+    pub(super) fn record(&mut self, time: f64, instances: &mut [Instance]) -> Result<(), Broken> {
+        let mut row: Vec<(usize, Option<Value>)> = Vec::new();
+        for (component, instance) in instances.iter_mut().enumerate() {
+            for base in BASES {
+                let wanted = |(_, column): &(usize, &Column)| {
+                    column.component == component && column.values.base() == base
+                };
+                let columns = self.columns.iter().enumerate().filter(wanted);
+                let (places, references): (Vec<usize>, Vec<u32>) = columns
+                    .map(|(place, column)| (place, column.reference))
+                    .unzip();
+                let found =
+                    values::get(instance, base, &references).map_err(Broken::at(component))?;
+                row.extend(
+                    places
+                        .into_iter()
+                        .enumerate()
+                        .map(|(k, place)| (place, found.get(k))),
+                );
+            }
+        }
+        for (place, value) in row {
+            if let Some(column) = self.columns.get_mut(place) {
+                column.values.extend(value);
             }
         }
         self.time.push(time);

@@ -3,11 +3,11 @@
 use std::fmt;
 
 use sphere_dda_model_description::fmi2::{
-    BaseType, Causality, Initial, ModelDescription, ScalarVariable, TypeDefinition, Variability,
-    VariableType,
+    BaseType, Causality, Initial, ModelDescription, TypeDefinition, Variability, VariableType,
 };
 use thiserror::Error;
 
+use super::system::Variable;
 use super::{ImportError, Instance};
 
 /// A value of one of the four types of the interface; enumerations are integers.
@@ -40,10 +40,12 @@ impl fmt::Display for Value {
 #[non_exhaustive]
 pub enum VariableError {
     /// No variable has the name.
-    #[error("variable: found `{name}`, expected a name in the model description{}", did_you_mean(.similar))]
+    #[error("variable: found `{name}`, expected {expected}{}", did_you_mean(.similar))]
     Unknown {
         /// The name.
         name: String,
+        /// What a name looks like.
+        expected: &'static str,
         /// Names like it, the most similar first.
         similar: Vec<String>,
     },
@@ -60,6 +62,16 @@ pub enum VariableError {
         variability: Variability,
         /// What can be set.
         expected: &'static str,
+    },
+    /// The variable has its values from an output.
+    #[error(
+        "variable `{name}`: found an input that `{source_name}` feeds, expected one that nothing feeds: set it in one way"
+    )]
+    Connected {
+        /// The name.
+        name: String,
+        /// The output that feeds it.
+        source_name: String,
     },
     /// The text is not a value of the type of the variable.
     #[error("variable `{name}`: found {found:?}, expected {expected}")]
@@ -80,40 +92,15 @@ fn did_you_mean(similar: &[String]) -> String {
     }
 }
 
-/// The variable of this name.
-pub(super) fn find<'a>(
-    description: &'a ModelDescription,
-    name: &str,
-) -> Result<&'a ScalarVariable, VariableError> {
-    let variables = &description.model_variables;
-    if let Some(variable) = variables.iter().find(|variable| variable.name == name) {
-        return Ok(variable);
-    }
-    let mut ranked: Vec<(f64, &str)> = variables
-        .iter()
-        .map(|variable| (strsim::jaro_winkler(name, &variable.name), &*variable.name))
-        .filter(|(likeness, _)| *likeness > 0.8)
-        .collect();
-    ranked.sort_by(|a, b| b.0.total_cmp(&a.0));
-    Err(VariableError::Unknown {
-        name: name.to_owned(),
-        similar: ranked
-            .into_iter()
-            .take(3)
-            .map(|(_, name)| name.to_owned())
-            .collect(),
-    })
-}
-
 /// Whether the variable can be set before the initialization: section 2.2.7 of the standard.
-pub(super) fn check_settable_at_start(variable: &ScalarVariable) -> Result<(), VariableError> {
-    let settable = match variable.causality {
+pub(super) fn check_settable_at_start(variable: &Variable<'_>) -> Result<(), VariableError> {
+    let settable = match variable.scalar.causality {
         Causality::Independent => false,
         Causality::Input => true,
         _ => {
-            variable.variability != Variability::Constant
+            variable.scalar.variability != Variability::Constant
                 && matches!(
-                    variable.effective_initial(),
+                    variable.scalar.effective_initial(),
                     Some(Initial::Exact | Initial::Approx)
                 )
         }
@@ -126,17 +113,17 @@ pub(super) fn check_settable_at_start(variable: &ScalarVariable) -> Result<(), V
 }
 
 /// Whether the variable can be set between steps.
-pub(super) fn check_settable_in_steps(variable: &ScalarVariable) -> Result<(), VariableError> {
-    let settable = match variable.causality {
+pub(super) fn check_settable_in_steps(variable: &Variable<'_>) -> Result<(), VariableError> {
+    let settable = match variable.scalar.causality {
         Causality::Input => true,
-        Causality::Parameter => variable.variability == Variability::Tunable,
+        Causality::Parameter => variable.scalar.variability == Variability::Tunable,
         _ => false,
     };
     settable_or(variable, settable, "an input or a tunable parameter")
 }
 
 fn settable_or(
-    variable: &ScalarVariable,
+    variable: &Variable<'_>,
     settable: bool,
     expected: &'static str,
 ) -> Result<(), VariableError> {
@@ -145,20 +132,16 @@ fn settable_or(
     }
     Err(VariableError::NotSettable {
         name: variable.name.clone(),
-        causality: variable.causality,
-        variability: variable.variability,
+        causality: variable.scalar.causality,
+        variability: variable.scalar.variability,
         expected,
     })
 }
 
 /// The value that `text` stands for. Reals must be finite; an item of an enumeration may be given by its name.
-pub(super) fn parse(
-    description: &ModelDescription,
-    variable: &ScalarVariable,
-    text: &str,
-) -> Result<Value, VariableError> {
+pub(super) fn parse(variable: &Variable<'_>, text: &str) -> Result<Value, VariableError> {
     let trimmed = text.trim();
-    let (value, expected) = match &variable.variable_type {
+    let (value, expected) = match &variable.scalar.variable_type {
         VariableType::Real(_) => (
             trimmed
                 .parse()
@@ -181,7 +164,7 @@ pub(super) fn parse(
         ),
         VariableType::String(_) => (Some(Value::String(text.to_owned())), String::new()),
         VariableType::Enumeration(enumeration) => {
-            let items = items(description, &enumeration.declared_type);
+            let items = items_of(variable.description, &enumeration.declared_type);
             let named = items.iter().find(|(name, _)| *name == trimmed);
             let value = named.map_or_else(|| trimmed.parse().ok(), |(_, value)| Some(*value));
             let names: Vec<&str> = items.iter().map(|(name, _)| *name).collect();
@@ -199,7 +182,10 @@ pub(super) fn parse(
 }
 
 /// Names and values of the items of an enumeration.
-fn items<'a>(description: &'a ModelDescription, declared_type: &str) -> Vec<(&'a str, i32)> {
+pub(super) fn items_of<'a>(
+    description: &'a ModelDescription,
+    declared_type: &str,
+) -> Vec<(&'a str, i32)> {
     let definition = description
         .type_definitions
         .iter()
@@ -238,6 +224,27 @@ impl Values {
         }
     }
 
+    /// Their type.
+    pub(super) fn base(&self) -> BaseType {
+        match self {
+            Self::Real(_) => BaseType::Real,
+            Self::Integer(_) => BaseType::Integer,
+            Self::Boolean(_) => BaseType::Boolean,
+            Self::String(_) => BaseType::String,
+        }
+    }
+
+    /// Appends a value, if it is of this type.
+    pub(super) fn extend(&mut self, value: Option<Value>) {
+        match (self, value) {
+            (Self::Real(list), Some(Value::Real(value))) => list.push(value),
+            (Self::Integer(list), Some(Value::Integer(value))) => list.push(value),
+            (Self::Boolean(list), Some(Value::Boolean(value))) => list.push(value),
+            (Self::String(list), Some(Value::String(value))) => list.push(value),
+            _ => {}
+        }
+    }
+
     /// The value at `index`.
     pub fn get(&self, index: usize) -> Option<Value> {
         match self {
@@ -247,6 +254,20 @@ impl Values {
             Self::String(list) => list.get(index).cloned().map(Value::String),
         }
     }
+}
+
+/// The values of variables of one type.
+pub(super) fn get(
+    instance: &mut Instance,
+    base: BaseType,
+    references: &[u32],
+) -> Result<Values, ImportError> {
+    Ok(match base {
+        BaseType::Real => Values::Real(instance.get_real(references)?),
+        BaseType::Integer => Values::Integer(instance.get_integer(references)?),
+        BaseType::Boolean => Values::Boolean(instance.get_boolean(references)?),
+        BaseType::String => Values::String(instance.get_string(references)?),
+    })
 }
 
 /// Sets values of any types, with one call for each type.

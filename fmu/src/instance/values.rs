@@ -1,12 +1,13 @@
 //! Getting and setting values: dispatch by the variable table.
 
+use sphere_dda::observe::Observation;
+use sphere_dda::observe::quantities::values;
 use sphere_dda_model_description::fmi2::{BaseType, Causality, Variability};
 
 use super::{Instance, Stage};
-use crate::log::Level;
-use crate::outputs::Outputs;
 use crate::refusal::Refusal;
-use crate::variables::{Quantity, Value, Variable, component};
+use crate::variables::{Meaning, Value, Variable, component};
+use sphere_dda_fmi_interface::log::Level;
 
 impl Instance {
     /// Values of variables of one type, in the order of `references`.
@@ -24,11 +25,10 @@ impl Instance {
     }
 
     fn get_one(&mut self, base: BaseType, reference: u32) -> Result<Value, Refusal> {
-        let quantity = self.variable(base, reference)?.quantity;
-        match quantity {
-            Quantity::Time => return Ok(Value::Real(self.run.time)),
-            Quantity::Parameter(parameter) => return Ok(self.run.parameters.get(parameter)),
-            Quantity::Input {
+        let rank = match self.variable(base, reference)?.meaning {
+            Meaning::Time => return Ok(Value::Real(self.run.time)),
+            Meaning::Parameter(parameter) => return Ok(self.run.parameters.get(parameter)),
+            Meaning::Input {
                 boundary,
                 input,
                 axis,
@@ -36,8 +36,8 @@ impl Instance {
                 let mut command = self.run.commands[boundary];
                 return Ok(Value::Real(*component(&mut command, input, axis)));
             }
-            _ => {}
-        }
+            Meaning::Output(rank) => rank,
+        };
         match self.run.stage {
             Stage::Initialization if self.run.pending => self.prepare()?,
             Stage::StepComplete if self.run.pending && !self.read_ahead => {
@@ -48,17 +48,18 @@ impl Instance {
             _ => {}
         }
         if let (None, Some(simulation)) = (&self.outputs, &self.simulation) {
-            self.outputs = Some(Outputs::of(simulation));
+            self.outputs = Some(values(&Observation::of(simulation)));
         }
-        let value = self
-            .outputs
-            .as_ref()
-            .and_then(|outputs| outputs.get(quantity));
-        let no_value = |name: &str| Refusal::NoValue {
-            name: name.to_owned(),
-            stage: self.run.stage,
-        };
-        value.ok_or_else(|| no_value(&self.model.table.variables()[reference as usize].name))
+        let outputs = self.outputs.as_ref();
+        match outputs.and_then(|values| values.get(rank)) {
+            // A cast keeps within the range: the C interface has no integer beyond 2^31.
+            Some(&value) if base == BaseType::Integer => Ok(Value::Integer(value as i32)),
+            Some(&value) => Ok(Value::Real(value)),
+            None => Err(Refusal::NoValue {
+                name: self.variable(base, reference)?.name.clone(),
+                stage: self.run.stage,
+            }),
+        }
     }
 
     /// Sets variables; all or none.
@@ -70,12 +71,10 @@ impl Instance {
             self.check(*reference, value)?;
         }
         for (reference, value) in values {
-            match (self.variable(value.base(), reference)?.quantity, value) {
-                (Quantity::Parameter(parameter), value) => {
-                    self.run.parameters.set(parameter, value)
-                }
+            match (self.variable(value.base(), reference)?.meaning, value) {
+                (Meaning::Parameter(parameter), value) => self.run.parameters.set(parameter, value),
                 (
-                    Quantity::Input {
+                    Meaning::Input {
                         boundary,
                         input,
                         axis,

@@ -4,10 +4,7 @@ use sphere_dda::motion::InputKind;
 use sphere_dda::scene::Scene;
 use sphere_dda_model_description::fmi2::{BaseType, Causality, Variability};
 
-use super::{Input, Parameter, Parameters, Quantity, Value, Variable};
-
-/// Length of every vector quantity; orientations have four components.
-pub(super) const XYZ: usize = 3;
+use super::{Input, Meaning, Parameter, Parameters, Value, Variable};
 
 /// A variable about to be added, without causality and meaning.
 pub(super) struct Row {
@@ -37,7 +34,7 @@ impl Row {
         }
     }
 
-    pub(super) fn count(name: impl Into<String>, description: &str) -> Self {
+    pub(super) fn count(name: impl Into<String>, description: impl Into<String>) -> Self {
         let mut row = Self::real(name, None, description);
         row.base = BaseType::Integer;
         row.min(0.0)
@@ -66,10 +63,10 @@ pub(super) struct Rows {
 }
 
 impl Rows {
-    pub(super) fn push(&mut self, row: Row, causality: Causality, quantity: Quantity) {
+    pub(super) fn push(&mut self, row: Row, causality: Causality, meaning: Meaning) {
         let variability = match (causality, row.base) {
             (Causality::Parameter, _)
-                if matches!(quantity, Quantity::Parameter(Parameter::Gravity(_))) =>
+                if matches!(meaning, Meaning::Parameter(Parameter::Gravity(_))) =>
             {
                 Variability::Tunable
             }
@@ -88,34 +85,31 @@ impl Rows {
             min: row.min,
             max: row.max,
             description: row.description,
-            quantity,
+            meaning,
         });
     }
 
-    /// `size` real variables `name[1]`, `name[2]` ...
-    pub(super) fn vector(
+    /// The three components of an input, `name[1]` to `name[3]`.
+    fn vector(
         &mut self,
-        (name, size): (String, usize),
-        unit: Option<&'static str>,
-        description: &str,
-        causality: Causality,
-        quantity: impl Fn(usize) -> Quantity,
+        name: &str,
+        unit: &'static str,
+        text: &str,
+        boundary: usize,
+        input: Input,
     ) {
-        let letters = if size == XYZ {
-            ["x", "y", "z", ""]
-        } else {
-            ["w", "x", "y", "z"]
-        };
-        for (axis, letter) in letters.iter().enumerate().take(size) {
-            let mut row = Row::real(
+        for (axis, letter) in ["x", "y", "z"].iter().enumerate() {
+            let row = Row::real(
                 format!("{name}[{}]", axis + 1),
-                unit,
-                format!("{description}; {letter}"),
+                Some(unit),
+                format!("{text}; {letter}"),
             );
-            if causality == Causality::Input {
-                row = row.start(Value::Real(0.0));
-            }
-            self.push(row, causality, quantity(axis));
+            let meaning = Meaning::Input {
+                boundary,
+                input,
+                axis,
+            };
+            self.push(row.start(Value::Real(0.0)), Causality::Input, meaning);
         }
     }
 
@@ -123,7 +117,7 @@ impl Rows {
         let parameters = Parameters::of(scene);
         let mut add = |row: Row, parameter: Parameter| {
             let row = row.start(parameters.get(parameter));
-            self.push(row, Causality::Parameter, Quantity::Parameter(parameter));
+            self.push(row, Causality::Parameter, Meaning::Parameter(parameter));
         };
         for (axis, letter) in ["x", "y", "z"].iter().enumerate() {
             let name = format!("gravity[{}]", axis + 1);
@@ -198,18 +192,8 @@ impl Rows {
                 ),
             ];
             for (name, unit, what, input) in vectors {
-                let name = (format!("{prefix}.{name}"), XYZ);
-                self.vector(
-                    name,
-                    Some(unit),
-                    &format!("{what}, {pose}"),
-                    Causality::Input,
-                    |axis| Quantity::Input {
-                        boundary,
-                        input,
-                        axis,
-                    },
-                );
+                let (name, text) = (format!("{prefix}.{name}"), format!("{what}, {pose}"));
+                self.vector(&name, unit, &text, boundary, input);
             }
         }
         if matches!(kind, InputKind::Twist | InputKind::Motion) {
@@ -228,18 +212,8 @@ impl Rows {
                 ),
             ];
             for (name, unit, what, input) in vectors {
-                let name = (format!("{prefix}.{name}"), XYZ);
-                self.vector(
-                    name,
-                    Some(unit),
-                    &format!("{what}, {HELD}"),
-                    Causality::Input,
-                    |axis| Quantity::Input {
-                        boundary,
-                        input,
-                        axis,
-                    },
-                );
+                let (name, text) = (format!("{prefix}.{name}"), format!("{what}, {HELD}"));
+                self.vector(&name, unit, &text, boundary, input);
             }
         }
         let (name, unit, text) = match kind {
@@ -262,11 +236,11 @@ impl Rows {
             InputKind::Pose | InputKind::Motion | InputKind::Twist => return,
         };
         let row = Row::real(format!("{prefix}.{name}"), Some(unit), text).start(Value::Real(0.0));
-        let quantity = Quantity::Input {
+        let meaning = Meaning::Input {
             boundary,
             input: Input::Scalar,
             axis: 0,
         };
-        self.push(row, Causality::Input, quantity);
+        self.push(row, Causality::Input, meaning);
     }
 }

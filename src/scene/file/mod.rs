@@ -269,7 +269,8 @@ pub struct Output {
     pub csv_interval: f64,
     /// Write Float64 instead of Float32 arrays.
     pub float64: bool,
-    /// Seconds between checkpoints of `run` \[s\]; 0: none.
+    /// Simulated seconds between checkpoints of `run` \[s\]; 0: only those every five minutes of wall time, on Ctrl-C and at
+    /// the end.
     #[schemars(extend("minimum" = 0))]
     pub checkpoint_interval: f64,
 }

@@ -12,12 +12,13 @@ pub struct Sensor {
     /// Name, unique.
     #[schemars(extend("pattern" = "^[A-Za-z_][A-Za-z0-9_]*$"))]
     pub name: String,
-    /// Everything inside this region: mass, solid fraction, centre of mass, coordination number, stress, normal
-    /// forces.
+    /// Everything inside this region, a box or a cylinder: mass \[kg\], count, solid fraction, centre of mass \[m\],
+    /// coordination number, stress \[Pa\] (compression positive), largest and mean normal force \[N\].
     pub region: Option<Region>,
-    /// Force \[N\] and torque \[N m\] on the boundary of this name, averaged over the communication step.
+    /// Force \[N\] and torque \[N m\] on the boundary of this name about its point of action, averaged over the communication step.
     pub wrench: Option<String>,
-    /// Cumulated mass \[kg\] and flow \[kg/s\] of centres through a plane or a polygon, along its normal.
+    /// Mass \[kg\] that has passed a plane or a polygon along its normal since the start, and its flow \[kg/s\], the
+    /// mean of the communication step. A sphere passes with its centre; against the normal it counts negative.
     pub mass_flow: Option<MassFlow>,
 }
 
@@ -25,9 +26,10 @@ pub struct Sensor {
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum MassFlow {
-    /// The whole plane, counted along its normal.
+    /// The whole plane.
     Plane(Plane),
-    /// A convex plane polygon: corners \[m\] in order, counted along the normal they turn about (right hand).
+    /// A convex plane polygon: three or more corners \[m\] in order; its normal is the one they turn about (right hand).
+    /// Polygons that share an edge, corner for corner, miss no sphere and count none twice.
     Polygon(Vec<Vector>),
 }
 

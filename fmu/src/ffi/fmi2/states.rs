@@ -1,7 +1,9 @@
 //! Saved states: an `fmi2FMUstate` points to the bytes that its serialized form has.
 
-use super::super::abi2::*;
-use super::super::guard::{ANY, Stages, array, array_mut, call, value_mut};
+use sphere_dda_fmi_interface::abi2::*;
+use sphere_dda_fmi_interface::pointers::{BadArgument, array, array_mut, value_mut};
+
+use super::super::guard::{ANY, Stages, call};
 use crate::instance::Stage;
 use crate::refusal::Refusal;
 
@@ -17,7 +19,7 @@ const SAVEABLE: Stages = &[
 
 /// The saved state behind a pointer.
 fn saved<'a>(state: fmi2FMUstate) -> Result<&'a mut Vec<u8>, Refusal> {
-    value_mut(state.cast::<Vec<u8>>(), "FMUstate")
+    Ok(value_mut(state.cast::<Vec<u8>>(), "FMUstate")?)
 }
 
 /// Saves the state; a state that is passed in is overwritten.
@@ -82,11 +84,12 @@ extern "C" fn fmi2SerializeFMUstate(
         let bytes = saved(state)?;
         if size != bytes.len() {
             let expected = "the size of fmi2SerializedFMUstateSize";
-            return Err(Refusal::Argument {
+            return Err(BadArgument {
                 argument: "size",
                 found: size.to_string(),
                 expected,
-            });
+            }
+            .into());
         }
         array_mut(serialized.cast::<u8>(), size, "serializedState")?.copy_from_slice(bytes);
         Ok(fmi2OK)

@@ -1,9 +1,10 @@
 //! Getting and setting values.
 
+use sphere_dda_fmi_interface::abi2::*;
+use sphere_dda_fmi_interface::pointers::{array, array_mut, c_string, str_from};
 use sphere_dda_model_description::fmi2::BaseType;
 
-use super::super::abi2::*;
-use super::super::guard::{ANY, Stages, array, array_mut, c_string, call, str_from};
+use super::super::guard::{ANY, Stages, call};
 use crate::instance::Stage;
 use crate::refusal::Refusal;
 use crate::variables::Value;

@@ -1,14 +1,15 @@
-//! Regions of space: what a packing fills, a source feeds, a sink empties, a sensor looks at. Fixed in the world.
+//! Boxes and cylinders: regions of which sensors also know how much of a sphere or of a line lies inside.
 
 use rand_chacha::ChaCha8Rng;
 use serde::{Deserialize, Serialize};
 
+use super::SLACK;
 use crate::Vec3;
 use crate::random::{symmetric, unit};
 
-/// A region, closed below and open above along its own axes, so that adjacent regions share no point.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub enum Region {
+/// A box or a cylinder, closed below and open above along its own axes.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub enum Primitive {
     /// Axis-parallel box.
     Box {
         /// Lower corner \[m\].
@@ -27,16 +28,9 @@ pub enum Region {
         /// Length \[m\].
         height: f64,
     },
-    /// The points `x` with `(x - point) . normal >= 0`.
-    Beyond {
-        /// A point of the plane \[m\].
-        point: Vec3,
-        /// Unit normal.
-        normal: Vec3,
-    },
 }
 
-impl Region {
+impl Primitive {
     /// Whether a point \[m\] lies in the region.
     #[must_use]
     pub fn contains(&self, x: Vec3) -> bool {
@@ -52,15 +46,58 @@ impl Region {
                 let across = x - base - axis * along;
                 (0.0..*height).contains(&along) && across.norm_squared() < radius * radius
             }
-            Self::Beyond { point, normal } => (x - point).dot(normal) >= 0.0,
         }
     }
 
-    /// Smallest axis-parallel box `(min, max)` \[m\] around the region; `None` if it is unbounded.
+    /// Whether a whole sphere \[m\] lies in the region; touching its border counts as inside.
     #[must_use]
-    pub fn bounds(&self) -> Option<(Vec3, Vec3)> {
+    pub fn holds(&self, centre: Vec3, radius: f64) -> bool {
         match self {
-            Self::Box { min, max } => Some((*min, *max)),
+            Self::Box { min, max } => {
+                (0..3).all(|k| min[k] + radius <= centre[k] && centre[k] <= max[k] - radius)
+            }
+            Self::Cylinder {
+                base,
+                axis,
+                radius: bore,
+                height,
+            } => {
+                let along = (centre - base).dot(axis);
+                let across = centre - base - axis * along;
+                along >= radius && along <= height - radius && across.norm() <= bore - radius
+            }
+        }
+    }
+
+    /// Where a sphere \[m\] whose centre lies in the region has to go, to first order, so that the whole of it does.
+    /// A sphere too large for the region finds no such place: ask [`Self::holds`].
+    #[must_use]
+    pub fn confine(&self, centre: Vec3, radius: f64) -> Vec3 {
+        match self {
+            Self::Box { min, max } => centre
+                .sup(&min.add_scalar(radius))
+                .inf(&max.add_scalar(-radius)),
+            Self::Cylinder {
+                base,
+                axis,
+                radius: bore,
+                height,
+            } => {
+                let along = (centre - base).dot(axis);
+                let across = centre - base - axis * along;
+                let room = (bore - radius) * (1.0 - SLACK);
+                let scale = (room / across.norm()).min(1.0);
+                let within = along.min(height - radius * (1.0 + SLACK));
+                base + axis * within.max(radius * (1.0 + SLACK)) + across * scale
+            }
+        }
+    }
+
+    /// Smallest axis-parallel box `(min, max)` \[m\] around the region.
+    #[must_use]
+    pub fn bounds(&self) -> (Vec3, Vec3) {
+        match self {
+            Self::Box { min, max } => (*min, *max),
             Self::Cylinder {
                 base,
                 axis,
@@ -70,21 +107,20 @@ impl Region {
                 let top = base + axis * *height;
                 // A disc across `axis` reaches r sqrt(1 - a_k^2) along direction k.
                 let disc = axis.map(|a| radius * (1.0 - a * a).max(0.0).sqrt());
-                Some((base.inf(&top) - disc, base.sup(&top) + disc))
+                (base.inf(&top) - disc, base.sup(&top) + disc)
             }
-            Self::Beyond { .. } => None,
         }
     }
 
     /// Centre \[m\], uniform in space, of a sphere of `radius` \[m\] that lies wholly in the region; `None` if it does
-    /// not fit or the region is unbounded.
+    /// not fit.
     pub fn random_centre(&self, radius: f64, random: &mut ChaCha8Rng) -> Option<Vec3> {
         let fits = |room: &f64| *room >= 0.0;
         match self {
             Self::Box { min, max } => {
                 let room = (max - min).add_scalar(-2.0 * radius);
                 room.iter()
-                    .all(|r| fits(r))
+                    .all(&fits)
                     .then(|| min.add_scalar(radius) + room.map(|room| room * unit(random)))
             }
             Self::Cylinder {
@@ -106,11 +142,10 @@ impl Region {
                 let across = (side * u + axis.cross(&side) * v) * around;
                 Some(base + across + axis * (radius + along * unit(random)))
             }
-            Self::Beyond { .. } => None,
         }
     }
 
-    /// Volume \[m^3\]; infinite beyond a plane.
+    /// Volume \[m^3\].
     #[must_use]
     pub fn volume(&self) -> f64 {
         match self {
@@ -118,7 +153,6 @@ impl Region {
             Self::Cylinder { radius, height, .. } => {
                 std::f64::consts::PI * radius * radius * height
             }
-            Self::Beyond { .. } => f64::INFINITY,
         }
     }
 }

@@ -8,39 +8,39 @@
 use std::ffi::{c_char, c_int, c_uint, c_void};
 
 /// An instance.
-pub(super) type fmi2Component = *mut c_void;
+pub type fmi2Component = *mut c_void;
 /// What the importer wants back with every log line.
-pub(super) type fmi2ComponentEnvironment = *mut c_void;
+pub type fmi2ComponentEnvironment = *mut c_void;
 /// A saved state.
-pub(super) type fmi2FMUstate = *mut c_void;
+pub type fmi2FMUstate = *mut c_void;
 /// Handle of a variable.
-pub(super) type fmi2ValueReference = c_uint;
+pub type fmi2ValueReference = c_uint;
 /// A real number.
-pub(super) type fmi2Real = f64;
+pub type fmi2Real = f64;
 /// An integer.
-pub(super) type fmi2Integer = c_int;
+pub type fmi2Integer = c_int;
 /// A truth value: 0 is false.
-pub(super) type fmi2Boolean = c_int;
+pub type fmi2Boolean = c_int;
 /// A text, UTF-8, ended by NUL.
-pub(super) type fmi2String = *const c_char;
+pub type fmi2String = *const c_char;
 /// A byte of a serialized state.
-pub(super) type fmi2Byte = c_char;
+pub type fmi2Byte = c_char;
 
 /// False.
-pub(super) const FMI2_FALSE: fmi2Boolean = 0;
+pub const FMI2_FALSE: fmi2Boolean = 0;
 /// True.
-pub(super) const FMI2_TRUE: fmi2Boolean = 1;
+pub const FMI2_TRUE: fmi2Boolean = 1;
 /// `fmi2CoSimulation` of `fmi2Type`.
-pub(super) const FMI2_CO_SIMULATION: c_int = 1;
+pub const FMI2_CO_SIMULATION: c_int = 1;
 /// `fmi2LastSuccessfulTime` of `fmi2StatusKind`.
-pub(super) const FMI2_LAST_SUCCESSFUL_TIME: c_int = 2;
+pub const FMI2_LAST_SUCCESSFUL_TIME: c_int = 2;
 /// `fmi2Terminated` of `fmi2StatusKind`.
-pub(super) const FMI2_TERMINATED: c_int = 3;
+pub const FMI2_TERMINATED: c_int = 3;
 
 /// Status of a call. `fmi2Fatal` and `fmi2Pending` are never returned.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum fmi2Status {
+pub enum fmi2Status {
     /// Done.
     fmi2OK,
     /// Done, with a hint in the log.
@@ -52,21 +52,21 @@ pub(super) enum fmi2Status {
 }
 
 /// The importer's logger: a C function like `printf`.
-pub(super) type fmi2CallbackLogger =
+pub type fmi2CallbackLogger =
     unsafe extern "C" fn(fmi2ComponentEnvironment, fmi2String, c_int, fmi2String, fmi2String, ...);
 
 /// Functions of the importer. Only the logger is used.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
-pub(super) struct fmi2CallbackFunctions {
+pub struct fmi2CallbackFunctions {
     /// Takes log lines; may be null.
-    pub(super) logger: Option<fmi2CallbackLogger>,
+    pub logger: Option<fmi2CallbackLogger>,
     /// Not used: `canNotUseMemoryManagementFunctions`.
-    pub(super) allocate_memory: Option<unsafe extern "C" fn(usize, usize) -> *mut c_void>,
+    pub allocate_memory: Option<unsafe extern "C" fn(usize, usize) -> *mut c_void>,
     /// Not used.
-    pub(super) free_memory: Option<unsafe extern "C" fn(*mut c_void)>,
+    pub free_memory: Option<unsafe extern "C" fn(*mut c_void)>,
     /// Not used: steps are not asynchronous.
-    pub(super) step_finished: Option<unsafe extern "C" fn(fmi2ComponentEnvironment, c_int)>,
+    pub step_finished: Option<unsafe extern "C" fn(fmi2ComponentEnvironment, c_int)>,
     /// Handed to the logger.
-    pub(super) component_environment: fmi2ComponentEnvironment,
+    pub component_environment: fmi2ComponentEnvironment,
 }

@@ -1,0 +1,287 @@
+//! Which FMUs run together, and which outputs feed which inputs.
+
+use sphere_dda_model_description::fmi2::{
+    Causality, DefaultExperiment, ModelDescription, ScalarVariable,
+};
+use thiserror::Error;
+
+use super::connection::{Connection, ConnectionError, ConnectionFault, mismatch};
+use super::{Fmu, VariableError};
+
+/// Names that resemble an unknown one, at most.
+const SUGGESTIONS: usize = 3;
+
+/// FMUs and the connections between them. One FMU alone is a system too.
+///
+/// With one FMU the names of variables are those of its model description; with several they are
+/// `<component>.<variable>`.
+#[derive(Debug)]
+pub struct System<'f> {
+    components: Vec<Component<'f>>,
+    connections: Vec<Connection>,
+}
+
+#[derive(Debug)]
+struct Component<'f> {
+    /// What its variables' names begin with; `None` if it is alone.
+    name: Option<String>,
+    fmu: &'f Fmu,
+}
+
+/// A variable of a system.
+#[derive(Debug, Clone)]
+pub(super) struct Variable<'s> {
+    /// Number of its component.
+    pub(super) component: usize,
+    /// Its name in the system.
+    pub(super) name: String,
+    pub(super) scalar: &'s ScalarVariable,
+    pub(super) description: &'s ModelDescription,
+}
+
+/// Why FMUs do not make a system.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[non_exhaustive]
+pub enum SystemError {
+    /// Two components have the same name.
+    #[error("FMUs: found two named `{0}`, expected different names: rename one of the files")]
+    Twice(String),
+    /// Connections that cannot be made: all of them.
+    #[error("{}", list(.0))]
+    Connections(Vec<ConnectionError>),
+}
+
+fn list(errors: &[ConnectionError]) -> String {
+    let lines: Vec<String> = errors.iter().map(ConnectionError::to_string).collect();
+    lines.join("\n")
+}
+
+impl<'f> System<'f> {
+    /// One FMU. Its variables keep their names.
+    pub fn of(fmu: &'f Fmu) -> Self {
+        Self {
+            components: vec![Component { name: None, fmu }],
+            connections: Vec::new(),
+        }
+    }
+
+    /// FMUs by name, in the order in which they step.
+    ///
+    /// # Errors
+    ///
+    /// [`SystemError::Twice`].
+    pub fn coupled(
+        components: impl IntoIterator<Item = (String, &'f Fmu)>,
+    ) -> Result<Self, SystemError> {
+        let mut system = Self {
+            components: Vec::new(),
+            connections: Vec::new(),
+        };
+        for (name, fmu) in components {
+            let same = |known: &Component<'_>| known.name.as_ref() == Some(&name);
+            if system.components.iter().any(same) {
+                return Err(SystemError::Twice(name));
+            }
+            let name = Some(name);
+            system.components.push(Component { name, fmu });
+        }
+        Ok(system)
+    }
+
+    /// Connects outputs to inputs: pairs of names, output first. Types must be the same, and units as far as both
+    /// variables have one; an input has one source.
+    ///
+    /// # Errors
+    ///
+    /// [`SystemError::Connections`] with all that is wrong; then none is made.
+    pub fn connect<'n>(
+        &mut self,
+        pairs: impl IntoIterator<Item = (&'n str, &'n str)>,
+    ) -> Result<(), SystemError> {
+        let mut made = self.connections.clone();
+        let mut errors = Vec::new();
+        for (from, to) in pairs {
+            match self.connection(from, to, &made) {
+                Ok(connection) => made.push(connection),
+                Err(faults) => errors.extend(faults.into_iter().map(|fault| ConnectionError {
+                    from: from.to_owned(),
+                    to: to.to_owned(),
+                    fault,
+                })),
+            }
+        }
+        if !errors.is_empty() {
+            return Err(SystemError::Connections(errors));
+        }
+        self.connections = made;
+        Ok(())
+    }
+
+    fn connection(
+        &self,
+        from: &str,
+        to: &str,
+        made: &[Connection],
+    ) -> Result<Connection, Vec<ConnectionFault>> {
+        let (source, target) = match (self.find(from), self.find(to)) {
+            (Ok(source), Ok(target)) => (source, target),
+            (source, target) => {
+                let errors = [source.err(), target.err()].into_iter().flatten();
+                return Err(errors.map(ConnectionFault::from).collect());
+            }
+        };
+        let mut faults = Vec::new();
+        for (variable, expected) in [(&source, Causality::Output), (&target, Causality::Input)] {
+            if variable.scalar.causality != expected {
+                faults.push(ConnectionFault::Causality {
+                    name: variable.name.clone(),
+                    found: variable.scalar.causality,
+                    expected,
+                });
+            }
+        }
+        faults.extend(mismatch(&source, &target));
+        let connection = Connection {
+            source: (source.component, source.scalar.value_reference),
+            target: (target.component, target.scalar.value_reference),
+            base: source.scalar.variable_type.base(),
+        };
+        let same = |known: &&Connection| {
+            known.target == connection.target && known.base == connection.base
+        };
+        if let Some(known) = made.iter().find(same) {
+            faults.push(ConnectionFault::Taken(self.source_name(known)));
+        }
+        if faults.is_empty() {
+            Ok(connection)
+        } else {
+            Err(faults)
+        }
+    }
+
+    /// The FMUs in the order in which they step.
+    pub fn fmus(&self) -> impl ExactSizeIterator<Item = &'f Fmu> {
+        self.components.iter().map(|component| component.fmu)
+    }
+
+    /// Name of a component; `None` if it is the only one.
+    pub(super) fn component_name(&self, component: usize) -> Option<&str> {
+        self.components.get(component)?.name.as_deref()
+    }
+
+    pub(super) fn connections(&self) -> &[Connection] {
+        &self.connections
+    }
+
+    /// Whether nothing feeds the input.
+    pub(super) fn check_free(&self, variable: &Variable<'_>) -> Result<(), VariableError> {
+        let target = (variable.component, variable.scalar.value_reference);
+        let base = variable.scalar.variable_type.base();
+        let feeds = |known: &&Connection| known.target == target && known.base == base;
+        match self.connections.iter().find(feeds) {
+            None => Ok(()),
+            Some(connection) => Err(VariableError::Connected {
+                name: variable.name.clone(),
+                source_name: self.source_name(connection),
+            }),
+        }
+    }
+
+    /// Name of the output of a connection.
+    pub(super) fn source_name(&self, connection: &Connection) -> String {
+        let (component, reference) = connection.source;
+        let is = |variable: &Variable<'_>| {
+            variable.component == component
+                && variable.scalar.value_reference == reference
+                && variable.scalar.causality == Causality::Output
+                && variable.scalar.variable_type.base() == connection.base
+        };
+        let variable = self.variables().find(is);
+        variable.map(|variable| variable.name).unwrap_or_default()
+    }
+
+    /// What the FMUs propose as experiment: each value from the first that has one.
+    pub fn experiment(&self) -> DefaultExperiment {
+        let mut proposed = DefaultExperiment::default();
+        for fmu in self.fmus() {
+            let own = fmu.description().default_experiment.unwrap_or_default();
+            proposed.start_time = proposed.start_time.or(own.start_time);
+            proposed.stop_time = proposed.stop_time.or(own.stop_time);
+            proposed.step_size = proposed.step_size.or(own.step_size);
+            proposed.tolerance = proposed.tolerance.or(own.tolerance);
+        }
+        proposed
+    }
+
+    /// All variables, component by component.
+    pub(super) fn variables(&self) -> impl Iterator<Item = Variable<'f>> {
+        self.components
+            .iter()
+            .enumerate()
+            .flat_map(|(k, component)| {
+                let description = component.fmu.description();
+                let scalars = description.model_variables.iter();
+                scalars.map(move |scalar| Variable {
+                    component: k,
+                    name: component.full_name(&scalar.name),
+                    scalar,
+                    description,
+                })
+            })
+    }
+
+    /// The variable of this name.
+    pub(super) fn find(&self, name: &str) -> Result<Variable<'f>, VariableError> {
+        for (k, component) in self.components.iter().enumerate() {
+            let description = component.fmu.description();
+            let mut scalars = description.model_variables.iter();
+            if let Some(own) = component.own_name(name)
+                && let Some(scalar) = scalars.find(|scalar| scalar.name == own)
+            {
+                return Ok(Variable {
+                    component: k,
+                    name: name.to_owned(),
+                    scalar,
+                    description,
+                });
+            }
+        }
+        Err(VariableError::Unknown {
+            name: name.to_owned(),
+            expected: match &*self.components {
+                [Component { name: None, .. }] => "a name in the model description",
+                _ => "`<FMU>.<variable>` with a name in the FMU's model description",
+            },
+            similar: self.similar(name),
+        })
+    }
+
+    /// Names like `name`, the most similar first.
+    fn similar(&self, name: &str) -> Vec<String> {
+        let mut ranked: Vec<(f64, String)> = self
+            .variables()
+            .map(|variable| (strsim::jaro_winkler(name, &variable.name), variable.name))
+            .filter(|(likeness, _)| *likeness > 0.8)
+            .collect();
+        ranked.sort_by(|a, b| b.0.total_cmp(&a.0));
+        let names = ranked.into_iter().map(|(_, name)| name);
+        names.take(SUGGESTIONS).collect()
+    }
+}
+
+impl Component<'_> {
+    fn full_name(&self, variable: &str) -> String {
+        match &self.name {
+            Some(name) => format!("{name}.{variable}"),
+            None => variable.to_owned(),
+        }
+    }
+
+    /// What is left of a name without that of the component.
+    fn own_name<'n>(&self, name: &'n str) -> Option<&'n str> {
+        match &self.name {
+            Some(own) => name.strip_prefix(own.as_str())?.strip_prefix('.'),
+            None => Some(name),
+        }
+    }
+}

@@ -1,0 +1,151 @@
+//! The archive of an FMU: deflated, without zip64 and with one fixed time stamp, so that the same files give the same
+//! bytes; and the guid that ties a description to a library.
+
+use std::env::consts::DLL_SUFFIX;
+use std::fs::{self, File};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+use sha2::{Digest, Sha256};
+use thiserror::Error;
+use zip::ZipWriter;
+use zip::write::SimpleFileOptions;
+
+/// Folder of this platform's binaries in FMI 2.0.
+#[cfg(target_os = "windows")]
+const PLATFORM: &str = "win64";
+/// Folder of this platform's binaries in FMI 2.0.
+#[cfg(target_os = "macos")]
+const PLATFORM: &str = "darwin64";
+/// Folder of this platform's binaries in FMI 2.0.
+#[cfg(not(any(target_os = "windows", target_os = "macos")))]
+const PLATFORM: &str = "linux64";
+
+/// Why there is no archive.
+#[derive(Debug, Error)]
+#[error("cannot {action} `{}`: {source}", path.display())]
+pub struct ArchiveError {
+    /// What was tried.
+    action: &'static str,
+    /// The file or folder.
+    path: PathBuf,
+    /// The reason.
+    source: io::Error,
+}
+
+/// Where the library of the model `identifier` for this platform lies in the archive.
+#[must_use]
+pub fn library_path(identifier: &str) -> String {
+    format!("binaries/{PLATFORM}/{identifier}{DLL_SUFFIX}")
+}
+
+/// A guid in the usual form, `{8-4-4-4-12}` hexadecimal digits: the hash of `parts`.
+#[must_use]
+pub fn guid(parts: &[&str]) -> String {
+    let mut digest = Sha256::new();
+    for part in parts {
+        digest.update(part.len().to_le_bytes());
+        digest.update(part);
+    }
+    let hash = digest.finalize();
+    let mut text = String::from("{");
+    for (k, byte) in hash.iter().take(16).enumerate() {
+        if matches!(k, 4 | 6 | 8 | 10) {
+            text.push('-');
+        }
+        text += &format!("{byte:02x}");
+    }
+    text + "}"
+}
+
+/// Packs files, given by their paths in the archive, into `fmu`, replacing it when all is done: whoever opens it sees
+/// the old archive or the new one.
+///
+/// # Errors
+/// [`ArchiveError`]; no half-written archive is left.
+pub fn write(fmu: &Path, files: &[(String, &[u8])]) -> Result<(), ArchiveError> {
+    let archive = zipped(files).map_err(failed("compress", fmu))?;
+    let folder = match fmu.parent() {
+        Some(parent) if parent != Path::new("") => parent,
+        _ => Path::new("."),
+    };
+    let mut file = tempfile::NamedTempFile::new_in(folder).map_err(failed("write into", folder))?;
+    file.write_all(&archive).map_err(failed("write", fmu))?;
+    let file: File = file
+        .persist(fmu)
+        .map_err(|e| failed("write", fmu)(e.error))?;
+    file.sync_all().map_err(failed("write", fmu))?;
+    readable(&file).map_err(failed("set the permissions of", fmu))
+}
+
+fn zipped(files: &[(String, &[u8])]) -> io::Result<Vec<u8>> {
+    let options = SimpleFileOptions::default()
+        .compression_method(zip::CompressionMethod::Deflated)
+        .last_modified_time(zip::DateTime::default())
+        .unix_permissions(0o644);
+    let mut archive = ZipWriter::new(io::Cursor::new(Vec::new()));
+    for (name, content) in files {
+        archive.start_file(name.as_str(), options)?;
+        archive.write_all(content)?;
+    }
+    Ok(archive.finish()?.into_inner())
+}
+
+/// Temporary files are private; an FMU is passed on.
+#[cfg(unix)]
+fn readable(file: &File) -> io::Result<()> {
+    use std::os::unix::fs::PermissionsExt;
+    file.set_permissions(fs::Permissions::from_mode(0o644))
+}
+
+#[cfg(not(unix))]
+fn readable(_: &File) -> io::Result<()> {
+    Ok(())
+}
+
+fn failed(action: &'static str, path: &Path) -> impl Fn(io::Error) -> ArchiveError {
+    let path = path.to_path_buf();
+    move |source| ArchiveError {
+        action,
+        path: path.clone(),
+        source,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_guid_has_the_usual_form_and_keeps_its_parts_apart() {
+        let one = guid(&["ab", "c"]);
+        assert_eq!(one.len(), 38);
+        let groups: Vec<usize> = one
+            .trim_matches(['{', '}'])
+            .split('-')
+            .map(str::len)
+            .collect();
+        assert_eq!(groups, [8, 4, 4, 4, 12]);
+        assert_eq!(one, guid(&["ab", "c"]));
+        assert_ne!(one, guid(&["a", "bc"]));
+    }
+
+    #[test]
+    fn the_same_files_give_the_same_bytes() {
+        let folder = tempfile::tempdir().unwrap();
+        let files = [("a/b".to_owned(), &b"text"[..])];
+        let paths = ["1.fmu", "2.fmu"].map(|name| folder.path().join(name));
+        for path in &paths {
+            write(path, &files).unwrap();
+        }
+        let [one, two] = paths.map(|path| fs::read(path).unwrap());
+        assert_eq!(one, two);
+        let error = write(Path::new("/no/such/folder/x.fmu"), &files).unwrap_err();
+        assert!(
+            error
+                .to_string()
+                .starts_with("cannot write into `/no/such/folder`"),
+            "{error}"
+        );
+    }
+}

@@ -1,0 +1,13 @@
+//! What every FMU of FMI 2.0 has, whatever it computes; knows no model.
+//!
+//! | module       | holds                                                                |
+//! |--------------|----------------------------------------------------------------------|
+//! | [`abi2`]     | the types of the C interface, for both sides of it                   |
+//! | [`pointers`] | pointers from C as slices and texts, or a reason why not             |
+//! | [`log`]      | log lines, their categories, and the way to the importer's logger    |
+//! | [`archive`]  | files to an `.fmu`, with the same bytes every time; the guid's form   |
+
+pub mod abi2;
+pub mod archive;
+pub mod log;
+pub mod pointers;

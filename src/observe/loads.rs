@@ -1,0 +1,75 @@
+//! Contact forces summed over bodies.
+//!
+//! A force acts on a sphere's surface where the normal meets it, at `-R n` from the centre of body A and `+R n` from that
+//! of B; its torque is about the centre. What a boundary gets as a wrench is the step's own account
+//! ([`super::BoundaryState::wrench`]); here its contacts are counted.
+
+use super::Observation;
+use crate::contacts::{Contact, Partner};
+use crate::simulation::Wrench;
+
+/// All loaded contacts of one body.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Load {
+    /// Force \[N\] and torque about the centre \[N m\] on a sphere; zero for boundaries.
+    pub wrench: Wrench,
+    /// Number of loaded contacts.
+    pub count: u64,
+    /// Largest normal force of one of them \[N\].
+    pub max_normal_force: f64,
+}
+
+impl Load {
+    fn count(&mut self, contact: &Contact) {
+        self.count += 1;
+        self.max_normal_force = self
+            .max_normal_force
+            .max(contact.force.dot(&contact.normal));
+    }
+
+    fn sphere(&mut self, contact: &Contact, radius: f64, sign: f64) {
+        self.count(contact);
+        self.wrench.force += sign * contact.force;
+        // Of the two signs of `-R n x f` on A and `R n x (-f)` on B the torques turn out equal.
+        self.wrench.torque -= contact.normal.cross(&contact.force) * radius;
+    }
+}
+
+/// The loads of a state.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Loads {
+    /// `[N]`.
+    pub spheres: Vec<Load>,
+    /// `[B]`.
+    pub boundaries: Vec<Load>,
+    /// Number of loaded contacts.
+    pub contacts: u64,
+}
+
+impl Loads {
+    /// Sums the contacts of a state.
+    #[must_use]
+    pub fn of(state: &Observation) -> Self {
+        let radius = &state.scene.particles.radius;
+        let mut loads = Self {
+            spheres: vec![Load::default(); radius.len()],
+            boundaries: vec![Load::default(); state.scene.boundaries.len()],
+            contacts: 0,
+        };
+        for contact in state.active_contacts() {
+            loads.contacts += 1;
+            let a = contact.key.sphere as usize;
+            loads.spheres[a].sphere(contact, radius[a], 1.0);
+            match contact.key.partner {
+                Partner::Sphere(b) => {
+                    let b = b as usize;
+                    loads.spheres[b].sphere(contact, radius[b], -1.0);
+                }
+                Partner::Boundary { boundary, .. } => {
+                    loads.boundaries[usize::from(boundary)].count(contact);
+                }
+            }
+        }
+        loads
+    }
+}

@@ -1,0 +1,171 @@
+//! The fields of each kind of reading: name, unit, meaning, and how to read the value.
+
+use super::Kind;
+use super::readings::{Body, Flow, Sphere, Whole};
+use crate::Vec3;
+use crate::observe::sensors::region::Reading;
+use crate::simulation::Wrench;
+
+/// One quantity of a reading `T`, a number or several components.
+pub(super) struct Field<T> {
+    pub(super) name: &'static str,
+    pub(super) unit: Option<&'static str>,
+    pub(super) text: &'static str,
+    value: Value<T>,
+}
+
+enum Value<T> {
+    Real(fn(&T) -> f64),
+    Count(fn(&T) -> u64),
+    Vector(fn(&T) -> Vec3),
+    Quaternion(fn(&T) -> [f64; 4]),
+    Tensor(fn(&T) -> [f64; 6]),
+}
+
+impl<T> Field<T> {
+    /// Letters of the components; none for a single number.
+    pub(super) fn components(&self) -> &'static [&'static str] {
+        match self.value {
+            Value::Real(_) | Value::Count(_) => &[],
+            Value::Vector(_) => &["x", "y", "z"],
+            Value::Quaternion(_) => &["w", "x", "y", "z"],
+            Value::Tensor(_) => &["xx", "yy", "zz", "xy", "yz", "xz"],
+        }
+    }
+
+    pub(super) fn kind(&self) -> Kind {
+        match self.value {
+            Value::Count(_) => Kind::Count,
+            _ => Kind::Real,
+        }
+    }
+
+    /// Appends the value, or the components.
+    pub(super) fn read(&self, reading: &T, list: &mut Vec<f64>) {
+        match self.value {
+            Value::Real(of) => list.push(of(reading)),
+            Value::Count(of) => list.push(of(reading) as f64),
+            Value::Vector(of) => list.extend_from_slice(of(reading).as_slice()),
+            Value::Quaternion(of) => list.extend(of(reading)),
+            Value::Tensor(of) => list.extend(of(reading)),
+        }
+    }
+}
+
+type Text = &'static str;
+
+const fn real<T>(name: Text, unit: Text, text: Text, of: fn(&T) -> f64) -> Field<T> {
+    field(name, Some(unit), text, Value::Real(of))
+}
+
+const fn number<T>(name: Text, text: Text, of: fn(&T) -> f64) -> Field<T> {
+    field(name, None, text, Value::Real(of))
+}
+
+const fn count<T>(name: Text, text: Text, of: fn(&T) -> u64) -> Field<T> {
+    field(name, None, text, Value::Count(of))
+}
+
+const fn vector<T>(name: Text, unit: Text, text: Text, of: fn(&T) -> Vec3) -> Field<T> {
+    field(name, Some(unit), text, Value::Vector(of))
+}
+
+const fn turn<T>(name: Text, text: Text, of: fn(&T) -> [f64; 4]) -> Field<T> {
+    field(name, None, text, Value::Quaternion(of))
+}
+
+const fn tensor<T>(name: Text, unit: Text, text: Text, of: fn(&T) -> [f64; 6]) -> Field<T> {
+    field(name, Some(unit), text, Value::Tensor(of))
+}
+
+const fn field<T>(name: Text, unit: Option<Text>, text: Text, value: Value<T>) -> Field<T> {
+    Field {
+        name,
+        unit,
+        text,
+        value,
+    }
+}
+
+const LOADED: Text = "Number of loaded contacts";
+const LARGEST: Text = "Largest normal force of one contact";
+
+#[rustfmt::skip]
+pub(super) const BODY: [Field<Body>; 9] = [
+    vector("force", "N", "Force of the spheres on the boundary, last internal step", |b| b.state.wrench.force),
+    vector("torque", "N.m", "Its torque about the point of action", |b| b.state.wrench.torque),
+    vector("averageForce", "N", "Force averaged over the communication step, impulse / h", |b| b.state.mean_wrench.force),
+    vector("averageTorque", "N.m", "Torque averaged over the communication step", |b| b.state.mean_wrench.torque),
+    vector("position", "m", "Point of action", |b| b.position),
+    turn("orientation", "Orientation from the scene's, unit quaternion", |b| b.orientation),
+    count("contactCount", LOADED, |b| b.load.count),
+    real("maxNormalForce", "N", LARGEST, |b| b.load.max_normal_force),
+    real("power", "W", "Power of the spheres on the boundary", Body::power),
+];
+
+#[rustfmt::skip]
+pub(super) const PROBE: [Field<Sphere>; 8] = [
+    vector("position", "m", "Centre of the sphere", |s| s.position),
+    turn("orientation", "Orientation, unit quaternion", |s| s.orientation),
+    vector("velocity", "m/s", "Velocity of the centre", |s| s.velocity.linear),
+    vector("angularVelocity", "rad/s", "Angular velocity, world axes", |s| s.velocity.angular),
+    vector("contactForce", "N", "Sum of the contact forces on the sphere", |s| s.load.wrench.force),
+    vector("contactTorque", "N.m", "Torque of the contact forces about the centre", |s| s.load.wrench.torque),
+    count("contactCount", LOADED, |s| s.load.count),
+    real("maxNormalForce", "N", LARGEST, |s| s.load.max_normal_force),
+];
+
+#[rustfmt::skip]
+pub(super) const REGION: [Field<Reading>; 8] = [
+    real("mass", "kg", "Mass of the spheres whose centre is in the region", |r| r.mass),
+    count("count", "Number of spheres whose centre is in the region", |r| r.count),
+    number("solidFraction", "Volume of the spheres in the region over its own", |r| r.solid_fraction),
+    vector("centreOfMass", "m", "Centre of mass of the spheres whose centre is in the region; the region's when empty", |r| r.centre_of_mass),
+    number("coordinationNumber", "Mean number of loaded contacts of a sphere whose centre is in the region", |r| r.coordination_number),
+    tensor("stress", "Pa", "Mean stress in the region (Love-Weber), compression positive", |r| r.stress),
+    real("maxNormalForce", "N", "Largest normal force of a contact in the region", |r| r.max_normal_force),
+    real("meanNormalForce", "N", "Mean normal force of the contacts in the region", |r| r.mean_normal_force),
+];
+
+#[rustfmt::skip]
+pub(super) const WRENCH: [Field<Wrench>; 2] = [
+    vector("force", "N", "Force of the spheres on the boundary, averaged over the communication step", |w| w.force),
+    vector("torque", "N.m", "Torque about the boundary's point of action, averaged over the communication step", |w| w.torque),
+];
+
+#[rustfmt::skip]
+pub(super) const FLOW: [Field<Flow>; 2] = [
+    real("mass", "kg", "Mass that has passed along the normal since the start", |f| f.mass),
+    real("rate", "kg/s", "Mass flow along the normal, mean over the communication step", |f| f.rate),
+];
+
+pub(super) const SOURCE: [Field<f64>; 1] =
+    [real("mass", "kg", "Mass emitted since the start", |m| *m)];
+
+pub(super) const SINK: [Field<f64>; 1] =
+    [real("mass", "kg", "Mass removed since the start", |m| *m)];
+
+#[rustfmt::skip]
+pub(super) const WHOLE: [Field<Whole>; 21] = [
+    real("mass", "kg", "Mass of all spheres in the scene", |w| w.mass),
+    count("sphereCount", "Number of spheres in the scene", |w| w.spheres),
+    vector("momentum", "kg.m/s", "Momentum of the spheres, half-step velocities: averaged wrench x time + weight = its change", |w| w.momentum.linear),
+    vector("angularMomentum", "kg.m2/s", "Angular momentum about the origin, half-step velocities", |w| w.momentum.angular),
+    real("kineticEnergy", "J", "Kinetic energy", |w| w.energy.kinetic()),
+    real("potentialEnergy", "J", "Potential energy of gravity, springs and point loads", |w| w.energy.potential()),
+    real("dissipatedEnergy", "J", "Energy lost in contacts since the start", |w| w.work.dissipated),
+    real("boundaryWork", "J", "Work of moving boundaries on the spheres since the start", |w| w.work.boundaries),
+    real("loadWork", "J", "Work of point loads since the start", |w| w.work.loads),
+    real("springWork", "J", "Work of constrained springs since the start", |w| w.work.springs),
+    count("contactCount", LOADED, |w| w.contacts),
+    number("maxOverlap", "Largest true overlap over radius in the communication step", |w| w.max_overlap),
+    count("solver.internalSteps", "Internal steps of the communication step", |w| w.report.internal_steps),
+    count("solver.cuts", "How many of them came from halving", |w| w.report.cuts),
+    count("solver.sweeps", "Gauss-Seidel sweeps of the communication step", |w| w.report.sweeps),
+    count("solver.augmentations", "Augmented-Lagrangian iterations of the communication step", |w| w.report.augmentations),
+    count("solver.factorizations", "Factorizations of the communication step", |w| w.report.factorizations),
+    number("solver.gapResidual", "Largest gap residual in the communication step", |w| w.report.gap_residual),
+    number("solver.slipResidual", "Largest slip residual in the communication step", |w| w.report.slip_residual),
+    number("solver.forceResidual", "Largest force residual in the communication step", |w| w.report.force_residual),
+    real("recommendedStep", "s", "Internal step advised at the present speeds", |w| w.recommended_step),
+];

@@ -1,0 +1,92 @@
+//! What the fields are read from: one record for each boundary, probe and mass flow, and one for the whole scene.
+
+use crate::Vec3;
+use crate::motion::Twist;
+use crate::observe::energy::{Energy, Momentum};
+use crate::observe::loads::{Load, Loads};
+use crate::observe::{BoundaryState, Observation};
+use crate::simulation::StepReport;
+use crate::state::Work;
+
+pub(super) struct Body {
+    pub(super) load: Load,
+    pub(super) state: BoundaryState,
+    pub(super) position: Vec3,
+    pub(super) orientation: [f64; 4],
+}
+
+impl Body {
+    pub(super) fn of(state: &Observation, loads: &Loads, b: usize) -> Self {
+        let body = state.boundaries[b];
+        Self {
+            load: loads.boundaries[b],
+            position: state.scene.boundaries[b].point_of_action + body.pose.translation,
+            orientation: wxyz(&body.pose.rotation),
+            state: body,
+        }
+    }
+
+    /// Power \[W\] of the last internal step's wrench.
+    pub(super) fn power(&self) -> f64 {
+        let (wrench, twist) = (&self.state.wrench, &self.state.twist);
+        wrench.force.dot(&twist.linear) + wrench.torque.dot(&twist.angular)
+    }
+}
+
+pub(super) struct Sphere {
+    pub(super) load: Load,
+    pub(super) position: Vec3,
+    pub(super) orientation: [f64; 4],
+    pub(super) velocity: Twist,
+}
+
+impl Sphere {
+    pub(super) fn of(state: &Observation, loads: &Loads, i: usize) -> Self {
+        Self {
+            load: loads.spheres[i],
+            position: state.kinematics.position[i],
+            orientation: wxyz(&state.kinematics.orientation[i]),
+            velocity: state.velocity[i],
+        }
+    }
+}
+
+fn wxyz(rotation: &nalgebra::UnitQuaternion<f64>) -> [f64; 4] {
+    [rotation.w, rotation.i, rotation.j, rotation.k]
+}
+
+pub(super) struct Flow {
+    /// \[kg\]
+    pub(super) mass: f64,
+    /// \[kg/s\]
+    pub(super) rate: f64,
+}
+
+pub(super) struct Whole {
+    pub(super) mass: f64,
+    pub(super) spheres: u64,
+    pub(super) energy: Energy,
+    pub(super) momentum: Momentum,
+    pub(super) work: Work,
+    pub(super) contacts: u64,
+    pub(super) max_overlap: f64,
+    pub(super) report: StepReport,
+    pub(super) recommended_step: f64,
+}
+
+impl Whole {
+    pub(super) fn of(state: &Observation, loads: &Loads) -> Self {
+        let mass = |i: usize| state.scene.particles.mass[i];
+        Self {
+            mass: state.present().map(mass).sum(),
+            spheres: state.present().count() as u64,
+            energy: Energy::of(state),
+            momentum: Momentum::of(state),
+            work: state.work,
+            contacts: loads.contacts,
+            max_overlap: state.report.max_overlap.max(state.max_overlap()),
+            report: state.report,
+            recommended_step: state.recommended_step(),
+        }
+    }
+}

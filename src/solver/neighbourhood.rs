@@ -1,0 +1,82 @@
+//! The part of a problem around rows that are not solved, with everything farther off held.
+//!
+//! Bodies that some number of contacts lead to from the rows in question take part; the bodies they touch keep their
+//! present velocity (their inverse mass is zero in the part). What the part changes in their balance, the solver of the whole
+//! has to settle.
+
+use std::collections::BTreeMap;
+
+use crate::Vec3;
+use crate::problem::{Dof6, GROUND, Problem};
+
+/// A part of a problem.
+pub(super) struct Part {
+    /// The problem of the bodies that take part and, held, of those they touch.
+    pub(super) problem: Problem,
+    /// Rank of each of its rows in the whole problem, ascending.
+    pub(super) rows: Vec<usize>,
+    /// Whether nothing is held: a larger part would be no other.
+    pub(super) closed: bool,
+}
+
+impl Part {
+    /// The part of `problem` within `hops` contacts of the rows `seeds`; `impulses` give the velocities of what is held.
+    pub(super) fn around(
+        problem: &Problem,
+        impulses: &[Vec3],
+        seeds: impl Iterator<Item = usize>,
+        hops: usize,
+    ) -> Self {
+        let bodies = |k: usize| {
+            let row = &problem.rows[k];
+            [row.a, row.b].into_iter().filter(|&body| body != GROUND)
+        };
+        let mut inside = vec![false; problem.free.len()];
+        seeds
+            .flat_map(bodies)
+            .for_each(|body| inside[body as usize] = true);
+        for _ in 0..hops {
+            let before = inside.clone();
+            for k in 0..problem.rows.len() {
+                if bodies(k).any(|body| before[body as usize]) {
+                    bodies(k).for_each(|body| inside[body as usize] = true);
+                }
+            }
+        }
+        let rows: Vec<usize> = (0..problem.rows.len())
+            .filter(|&k| bodies(k).any(|body| inside[body as usize]))
+            .collect();
+        let velocity = problem.velocities(impulses);
+        let mut part = Problem {
+            step: problem.step,
+            ..Problem::default()
+        };
+        let mut rank = BTreeMap::new();
+        for body in rows.iter().flat_map(|&k| bodies(k)) {
+            rank.entry(body).or_insert_with(|| {
+                let i = body as usize;
+                let (free, inverse_mass) = match inside[i] {
+                    true => (problem.free[i], problem.inverse_mass[i]),
+                    false => (velocity[i], Dof6::ZERO),
+                };
+                part.free.push(free);
+                part.inverse_mass.push(inverse_mass);
+                part.free.len() as u32 - 1
+            });
+        }
+        part.rows = rows.iter().map(|&k| problem.rows[k]).collect();
+        for row in &mut part.rows {
+            row.a = rank[&row.a];
+            if row.b != GROUND {
+                row.b = rank[&row.b];
+            }
+        }
+        Self {
+            problem: part,
+            closed: rows
+                .iter()
+                .all(|&k| bodies(k).all(|body| inside[body as usize])),
+            rows,
+        }
+    }
+}

@@ -1,0 +1,178 @@
+//! The Reference FMUs of the Modelica Association, against the recursions that their sources state.
+
+use sphere_dda_fmu::import::{Coupling, End, Fmu, Options, Signals, System, Table, Values};
+
+use crate::foreign_fmu::pack_reference;
+use crate::{drive, run};
+
+fn reference(model: &str) -> (tempfile::TempDir, Fmu) {
+    let folder = tempfile::tempdir().unwrap();
+    let fmu = Fmu::open(pack_reference(folder.path(), model)).unwrap();
+    assert_eq!(fmu.missing_functions().unwrap(), [""; 0]);
+    (folder, fmu)
+}
+
+fn integers<'t>(table: &'t Table, name: &str) -> &'t [i32] {
+    match &table
+        .columns
+        .iter()
+        .find(|column| column.name == name)
+        .unwrap()
+        .values
+    {
+        Values::Integer(values) => values,
+        values => panic!("{name}: {values:?}"),
+    }
+}
+
+/// x' = -k x by explicit Euler steps of 0.1 s: x_n = (1 - 0.1 k)^n.
+#[test]
+fn dahlquist_decays_as_its_euler_steps() {
+    let (_folder, fmu) = reference("Dahlquist");
+    for k in [1.0, 0.3, 15.0_f64] {
+        let options = Options {
+            set: vec![
+                ("k".to_owned(), k.to_string()),
+                ("x".to_owned(), "2".to_owned()),
+            ],
+            ..Options::default()
+        };
+        let table = run(&fmu, &options).unwrap();
+        assert_eq!((table.end, table.time.len()), (End::Stop, 101));
+        for (n, x) in table.real("x").unwrap().iter().enumerate() {
+            let exact = 2.0 * (1.0 - 0.1 * k).powi(n as i32);
+            assert!(
+                (x - exact).abs() <= 1e-12 * exact.abs(),
+                "k {k} row {n}: {x}"
+            );
+        }
+    }
+}
+
+/// x0' = x1, x1' = (1 - x0^2) x1 - x0 by explicit Euler steps of 0.01 s.
+#[test]
+fn van_der_pol_equals_its_euler_steps() {
+    let (_folder, fmu) = reference("VanDerPol");
+    let table = run(&fmu, &Options::default()).unwrap();
+    assert_eq!(table.time.len(), 2001);
+    let [mut x0, mut x1] = [2.0, 0.0];
+    let (found0, found1) = (table.real("x0").unwrap(), table.real("x1").unwrap());
+    for n in 0..=2000 {
+        assert!(
+            (found0[n] - x0).abs() + (found1[n] - x1).abs() < 1e-9,
+            "row {n}"
+        );
+        [x0, x1] = [x0 + 0.01 * x1, x1 + 0.01 * ((1.0 - x0 * x0) * x1 - x0)];
+    }
+}
+
+/// The counter is 1 + floor(t); at 10 the FMU wants to end.
+#[test]
+fn stair_ends_the_simulation_itself() {
+    let (_folder, fmu) = reference("Stair");
+    let table = run(&fmu, &Options::default()).unwrap();
+    assert_eq!(table.end, End::Terminated);
+    assert!((table.time.last().unwrap() - 9.0).abs() < 0.3);
+    for (t, counter) in table.time.iter().zip(integers(&table, "counter")) {
+        assert_eq!(f64::from(*counter), 1.0 + (t + 1e-6).floor(), "at {t}");
+    }
+}
+
+/// h = 1 - g t^2/2 until it hits the ground at t = sqrt(2/g), up to the Euler steps of 0.001 s.
+#[test]
+fn bouncing_ball_falls_and_bounces() {
+    let (_folder, fmu) = reference("BouncingBall");
+    let table = run(&fmu, &Options::default()).unwrap();
+    let h = table.real("h").unwrap();
+    for (t, h) in table.time.iter().zip(h).take_while(|(t, _)| **t < 0.44) {
+        // n steps of explicit Euler: h_n = 1 - g dt^2 n (n - 1) / 2.
+        let exact = 1.0 - 9.81 / 2.0 * t * (t - 0.001);
+        assert!((h - exact).abs() < 1e-9, "at {t}: {h}");
+    }
+    let top = h[60..].iter().copied().fold(0.0, f64::max);
+    assert!((top - 0.49).abs() < 0.03, "restitution 0.7: {top}");
+}
+
+#[test]
+fn feedthrough_gives_back_values_of_every_type() {
+    let (_folder, fmu) = reference("Feedthrough");
+    let system = System::of(&fmu);
+    let text = "time,Float64_continuous_input,Float64_discrete_input,Int32_input,Boolean_input,String_input,Enumeration_input\n\
+                0,1.5,-2,7,false,first,Option 1\n\
+                1,2.5,3,-8,true,\"a, \"\"b\"\" %s\",Option 2\n";
+    let options = Options {
+        inputs: Some(Signals::read(text.as_bytes(), "drive.csv", &system).unwrap()),
+        stop: Some(1.5),
+        step: Some(0.5),
+        ..Options::default()
+    };
+    let table = drive(&system, &options).unwrap();
+    // A row shows the inputs of the step before it.
+    let mut csv = Vec::new();
+    table.write_csv(&mut csv).unwrap();
+    assert_eq!(
+        String::from_utf8(csv).unwrap(),
+        "time,Float64_continuous_output,Float64_discrete_output,Int32_output,Boolean_output,String_output,Enumeration_output\n\
+         0.0,1.5,-2.0,7,false,first,1\n\
+         0.5,1.5,-2.0,7,false,first,1\n\
+         1.0,2.0,-2.0,7,false,first,1\n\
+         1.5,2.5,3.0,-8,true,\"a, \"\"b\"\" %s\",2\n"
+    );
+}
+
+/// Two feedthroughs in a chain behind a decay: values pass through both at initialization; with Gauss-Seidel in the
+/// order of the chain also in every step, with Jacobi one late for each.
+#[test]
+fn values_run_through_a_chain() {
+    let folder = tempfile::tempdir().unwrap();
+    let source = Fmu::open(pack_reference(folder.path(), "Dahlquist")).unwrap();
+    let wire = Fmu::open(pack_reference(folder.path(), "Feedthrough")).unwrap();
+    for (coupling, late) in [(Coupling::Jacobi, 2), (Coupling::GaussSeidel, 0)] {
+        // In the wrong order for the initialization, in the right one for the steps.
+        let parts = [("source", &source), ("one", &wire), ("two", &wire)];
+        let parts = parts.map(|(name, fmu)| (name.to_owned(), fmu));
+        let mut system = System::coupled(parts).unwrap();
+        system
+            .connect([
+                (
+                    "one.Float64_continuous_output",
+                    "two.Float64_continuous_input",
+                ),
+                ("source.x", "one.Float64_continuous_input"),
+                ("one.String_output", "two.String_input"),
+                ("one.Boolean_output", "two.Boolean_input"),
+                ("one.Enumeration_output", "two.Enumeration_input"),
+                ("one.Int32_output", "two.Int32_input"),
+            ])
+            .unwrap();
+        let options = Options {
+            coupling,
+            stop: Some(2.0),
+            set: vec![
+                ("one.String_input".to_owned(), "through".to_owned()),
+                ("one.Enumeration_input".to_owned(), "Option 2".to_owned()),
+                ("one.Int32_input".to_owned(), "-3".to_owned()),
+            ],
+            ..Options::default()
+        };
+        let table = drive(&system, &options).unwrap();
+        let (x, out) = (
+            table.real("source.x").unwrap(),
+            table.real("two.Float64_continuous_output").unwrap(),
+        );
+        assert_eq!(out[0], 1.0);
+        assert_eq!(
+            out[late.max(1)..],
+            x[late.max(1) - late..x.len() - late],
+            "{coupling:?}"
+        );
+        assert_eq!(integers(&table, "two.Int32_output")[0], -3);
+        assert_eq!(integers(&table, "two.Enumeration_output")[5], 2);
+        let text = table
+            .columns
+            .iter()
+            .find(|column| column.name == "two.String_output")
+            .unwrap();
+        assert_eq!(text.values.get(0).unwrap().to_string(), "through");
+    }
+}
