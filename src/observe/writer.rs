@@ -115,10 +115,15 @@ impl Results {
     /// As [`Self::resume`].
     pub fn follow(scene: &Scene, options: Options, time: f64) -> Result<Self, OutputError> {
         let directory = Directory::claim(&options.directory)?;
-        if !directory.holds(&directory::about(scene, &options))? {
-            return Self::begin(directory, scene, options);
+        match directory.holds(&directory::about(scene, &options)) {
+            Ok(true) => Self::reopen(directory, scene, options, time, &[]),
+            // Another run may be replaced, if anything may.
+            Err(OutputError::OtherRun { .. }) if options.overwrite => {
+                Self::begin(directory, scene, options)
+            }
+            Ok(false) => Self::begin(directory, scene, options),
+            Err(error) => Err(error),
         }
-        Self::reopen(directory, scene, options, time, &[])
     }
 
     /// Goes on with the run in the directory: `restore` is handed its checkpoints, newest first, until it has put the

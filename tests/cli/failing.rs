@@ -56,7 +56,17 @@ fn every_status_of_every_call_is_a_message() {
                 _ => format!("{function}: found status {name}"),
             };
             let arguments = ["--set", &fault, "--input", "drive.csv"];
-            let said = fails(folder, &arguments, 1, &["at time 0 s: ", &part]);
+            let place = match function {
+                "fmi2Terminate" => "at time 2 s: ",
+                _ => "at time 0 s: ",
+            };
+            let said = fails(folder, &arguments, 1, &[place, &part]);
+            assert_eq!(
+                said.error.matches("found ").count(),
+                1,
+                "told twice: {}",
+                said.error
+            );
             if function != "fmi2DoStep" || status != 2 {
                 let told = said.error.contains("failed on purpose") || status > 5 || status < 0;
                 assert!(told || status == 5, "{}", said.error);

@@ -40,14 +40,14 @@ fn a_failing_call_is_named_with_its_status_and_what_the_fmu_says() {
             ControlFlow::Continue(())
         })
         .unwrap_err();
-        let SimulateError::Call { source, .. } = &error else {
+        let SimulateError::Call { failure, .. } = &error else {
             panic!("{function}: {error}");
         };
         let ImportError::Call {
             function: found,
             status: found_status,
             log,
-        } = &**source
+        } = &**failure
         else {
             panic!("{function}: {error}");
         };
@@ -85,11 +85,11 @@ fn a_failing_call_is_named_with_its_status_and_what_the_fmu_says() {
 fn a_status_beyond_the_standard_is_an_error_and_a_warning_is_none() {
     let (_folder, fmu) = open(Build::Whole);
     let error = run(&fmu, &with(&[("fault", "fmi2DoStep:17")])).unwrap_err();
-    let SimulateError::Call { source, .. } = &error else {
+    let SimulateError::Call { failure, .. } = &error else {
         panic!("{error}");
     };
     assert!(
-        matches!(**source, ImportError::UnknownStatus { found: 17, .. }),
+        matches!(**failure, ImportError::UnknownStatus { found: 17, .. }),
         "{error}"
     );
     let table = run(&fmu, &with(&[("fault", "fmi2DoStep:1")])).unwrap();

@@ -109,14 +109,14 @@ pub enum SimulateError {
         duration: f64,
     },
     /// A call failed after the FMU was instantiated.
-    #[error("at time {time} s: {}{source}", prefix(.component))]
+    #[error("at time {time} s: {}{failure}", prefix(.component))]
     Call {
         /// The last communication point reached \[s\].
         time: f64,
         /// Name of the FMU, if there are several.
         component: Option<String>,
-        /// What failed.
-        source: Box<ImportError>,
+        /// What failed; told by the message above, so not once more as its source.
+        failure: Box<ImportError>,
         /// What was recorded so far.
         table: Box<Table>,
     },
@@ -228,10 +228,10 @@ pub fn simulate(
     let table = Box::new(table);
     let named = |component| system.component_name(component).map(str::to_owned);
     Err(match halt {
-        Halt::Call(component, source) => SimulateError::Call {
+        Halt::Call(component, failure) => SimulateError::Call {
             time,
             component: named(component),
-            source,
+            failure,
             table,
         },
         Halt::Nan(variable) => SimulateError::Nan {

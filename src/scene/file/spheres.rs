@@ -15,7 +15,8 @@ pub struct Spheres {
     pub name: String,
     /// Material.
     pub material: String,
-    /// Radius \[m\]: one for all or a list. Required unless `size` is given or the file has radii.
+    /// Radius \[m\]: one for all or a list (one for all in a packing). Required unless `size` is given or the file
+    /// has radii.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub radius: Option<OneOrMany<f64>>,
     /// Distribution the radii are drawn from, instead of `radius`.
@@ -35,15 +36,16 @@ pub struct Spheres {
     pub positions: Option<Vec<Vector>>,
     /// CSV file with columns x, y, z \[m\] and optionally radius \[m\], vx, vy, vz \[m/s\], wx, wy, wz \[rad/s\].
     pub csv: Option<String>,
-    /// Frame of results, `spheres_NNNNNN.vtu`: its spheres with radius, velocity, spin and orientation.
+    /// Frame of results, `spheres_NNNNNN.vtu`: its spheres with radius, velocity, spin and orientation, to seven
+    /// digits unless the run wrote `float64`.
     pub vtu: Option<String>,
     /// Checkpoint of a run: its spheres with radius, velocity, spin and orientation.
     pub checkpoint: Option<String>,
     /// Initial velocity \[m/s\] of all.
-    #[schemars(extend("x-default" = "zero, or the CSV file's"))]
+    #[schemars(extend("x-default" = "zero, or the file's"))]
     pub velocity: Option<Vector>,
     /// Initial angular velocity \[rad/s\] of all.
-    #[schemars(extend("x-default" = "zero, or the CSV file's"))]
+    #[schemars(extend("x-default" = "zero, or the file's"))]
     pub spin: Option<Vector>,
     /// Held degrees of freedom, world axes, one or a list of them.
     #[schemars(extend("x-default" = "none"))]
@@ -128,10 +130,10 @@ pub struct Normal {
     /// Standard deviation \[m\].
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub deviation: f64,
-    /// Smallest radius \[m\].
+    /// Smallest radius \[m\], at most the mean.
     #[schemars(extend("x-default" = "mean - 3 deviations, at least mean / 10", "exclusiveMinimum" = 0))]
     pub min: Option<f64>,
-    /// Largest radius \[m\].
+    /// Largest radius \[m\], at least the mean and `min` + deviation / 10 or more.
     #[schemars(extend("x-default" = "mean + 3 deviations"))]
     pub max: Option<f64>,
 }
@@ -144,12 +146,12 @@ pub struct LogNormal {
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub median: f64,
     /// Standard deviation of ln(radius) \[-\].
-    #[schemars(extend("exclusiveMinimum" = 0))]
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 10))]
     pub sigma: f64,
-    /// Smallest radius \[m\].
+    /// Smallest radius \[m\], at most the median.
     #[schemars(extend("x-default" = "median exp(-3 sigma)", "exclusiveMinimum" = 0))]
     pub min: Option<f64>,
-    /// Largest radius \[m\].
+    /// Largest radius \[m\], at least the median and `min` exp(sigma / 10) or more.
     #[schemars(extend("x-default" = "median exp(3 sigma)"))]
     pub max: Option<f64>,
 }
@@ -166,7 +168,9 @@ pub struct MassTable {
     pub mass: Vec<f64>,
 }
 
-/// A seeded random packing without overlap: exactly one of `count`, `mass`, `solid_fraction`.
+/// A seeded random packing without overlap: exactly one of `count`, `mass`, `solid_fraction`. It keeps clear of the
+/// boundaries as they stand at t = 0 and of the groups before it, on every side of them: a region larger than a hopper
+/// also gets spheres outside of the hopper. Solid fractions up to about 0.57 are reached.
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Packing {
@@ -179,7 +183,7 @@ pub struct Packing {
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub mass: Option<f64>,
     /// Volume of the spheres over that of the region \[-\], likewise.
-    #[schemars(extend("exclusiveMinimum" = 0))]
+    #[schemars(extend("exclusiveMinimum" = 0, "exclusiveMaximum" = 0.74))]
     pub solid_fraction: Option<f64>,
 }
 

@@ -31,13 +31,13 @@ const SKIN: f64 = 0.3;
 /// Most sweeps for all spheres.
 const SWEEPS: usize = 3000;
 /// Sweeps after each thinning of a packing that was too dense.
-const MORE_SWEEPS: usize = 200;
+const MORE_SWEEPS: usize = 60;
 /// Sweeps after which at least a tenth fewer pairs must overlap, unless they are few.
-const STALL: usize = 300;
+const STALL: usize = 150;
 /// Overlapping pairs that are few.
-const FEW: usize = 50;
+const FEW: usize = 200;
 /// Share of the spheres taken out by a thinning.
-const THINNING: f64 = 0.02;
+const THINNING: f64 = 0.03;
 
 /// Why a packing fails.
 #[derive(Debug)]
