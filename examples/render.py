@@ -1,9 +1,9 @@
 """Renders one frame of a run to a picture, off screen, from the run's own VTU files.
 
-    python examples/render.py RUN PICTURE.png [--time SECONDS] [--size WIDTHxHEIGHT] [--forces]
+    python examples/render.py RUN PICTURE.png [--time SECONDS] [--size WIDTHxHEIGHT] [--forces] [--solid]
 
-Spheres coloured by speed, boundaries translucent. With --forces the spheres turn to glass and the contact forces
-show as dark tubes whose width grows with the normal force. Needs pyvista; no display.
+Spheres coloured by speed, boundaries translucent or, with --solid, opaque. With --forces the spheres turn to glass
+and the contact forces show as dark tubes whose width grows with the normal force. Needs pyvista; no display.
 """
 
 import argparse
@@ -54,7 +54,7 @@ def light(plotter, centre, reach):
         plotter.add_light(pv.Light(position=position, focal_point=centre, intensity=intensity))
 
 
-def picture(run, path, time, size, forces):
+def picture(run, path, time, size, forces, solid):
     spheres, contacts, boundaries = (frame(run, series, time) for series in ("spheres", "contacts", "boundaries"))
     plotter = pv.Plotter(off_screen=True, window_size=size)
     plotter.set_background("white")
@@ -77,12 +77,13 @@ def picture(run, path, time, size, forces):
         plotter.add_mesh(tubes, color="midnightblue")
     if boundaries is not None:
         surface = boundaries.extract_surface(algorithm="dataset_surface")
-        plotter.add_mesh(surface, color="#9db8d2", opacity=0.25, smooth_shading=True, ambient=0.35, show_scalar_bar=False)
+        look = {"color": "#c3b299", "split_sharp_edges": True} if solid else {"color": "#9db8d2", "opacity": 0.25}
+        plotter.add_mesh(surface, smooth_shading=True, ambient=0.35, show_scalar_bar=False, **look)
         plotter.add_mesh(surface.extract_feature_edges(40), color="#5b7083", line_width=3)
     plotter.enable_anti_aliasing("ssaa")
     plotter.enable_depth_peeling(8)
-    # A little below the middle, to show what leaves.
-    centre, reach = centre - [0, 0, 0.12 * length], 1.45 * length
+    # A little below the middle, to show what leaves; nothing leaves the ground.
+    centre, reach = centre - [0, 0, (0.02 if solid else 0.12) * length], (1.3 if solid else 1.45) * length
     light(plotter, centre, reach)
     plotter.camera_position = [centre + reach * np.array([0.55, -0.75, 0.34]), centre, (0, 0, 1)]
     plotter.camera.view_angle = 30
@@ -98,9 +99,10 @@ def main():
     parser.add_argument("--time", type=float, help="seconds; the last frame if left out")
     parser.add_argument("--size", default="1280x960", help="pixels, WIDTHxHEIGHT")
     parser.add_argument("--forces", action="store_true", help="show the contact forces through glassy spheres")
+    parser.add_argument("--solid", action="store_true", help="show the boundaries opaque, as the ground")
     arguments = parser.parse_args()
     size = [int(n) for n in arguments.size.split("x")]
-    picture(arguments.run, arguments.picture, arguments.time, size, arguments.forces)
+    picture(arguments.run, arguments.picture, arguments.time, size, arguments.forces, arguments.solid)
 
 
 if __name__ == "__main__":

@@ -205,6 +205,11 @@ const CASES: &[Case] = cases! {
     "{ cone = { base = [20.0, 0.0, 0.0], r0 = 1.0, r1 = 2.0, height = 1.0 } }" => "{ stl = { file = \"nan.stl\" } }", "boundary[1].faces[1].stl.file", "nan.stl", "expected";
     "{ cone = { base = [20.0, 0.0, 0.0], r0 = 1.0, r1 = 2.0, height = 1.0 } }" => "{ stl = { file = \"fin.stl\" } }", "boundary[1].faces[1].stl.file", "fin.stl", "at most two facets";
     "{ cone = { base = [20.0, 0.0, 0.0], r0 = 1.0, r1 = 2.0, height = 1.0 } }" => "{ stl = { file = \"good.stl\", scale = 0 } }", "boundary[1].faces[1].stl.scale", "good.stl", "a factor > 0";
+    "{ cone = { base = [20.0, 0.0, 0.0], r0 = 1.0, r1 = 2.0, height = 1.0 } }" => "{ terrain = { file = \"none.asc\" } }", "boundary[1].faces[1].terrain.file", "none.asc", "cannot read";
+    "{ cone = { base = [20.0, 0.0, 0.0], r0 = 1.0, r1 = 2.0, height = 1.0 } }" => "{ terrain = { file = \"bad.asc\" } }", "boundary[1].faces[1].terrain.file", "bad.asc", "`bad.asc` line 6: found `x`, expected a height";
+    "{ cone = { base = [20.0, 0.0, 0.0], r0 = 1.0, r1 = 2.0, height = 1.0 } }" => "{ terrain = { file = \"bad.asc\" } }", "boundary[1].faces[1].terrain.file", "bad.asc", "`bad.asc` line 6: found the end after 3 heights";
+    "{ cone = { base = [20.0, 0.0, 0.0], r0 = 1.0, r1 = 2.0, height = 1.0 } }" => "{ terrain = { file = \"holes.asc\" } }", "boundary[1].faces[1].terrain.file", "holes.asc", "no four neighbouring heights";
+    "{ cone = { base = [20.0, 0.0, 0.0], r0 = 1.0, r1 = 2.0, height = 1.0 } }" => "{ terrain = { file = \"good.asc\", scale = [1, 0, 1] } }", "boundary[1].faces[1].terrain.scale", "good.asc", "found [1.0, 0.0, 1.0], expected one or three factors > 0";
     // Motion.
     "motion = {" => "input = \"pose\"\nmotion = {", "boundary[1].input", "input", "both `motion` and `input`";
     "time = [0.0, 1.0]" => "time = [1.0, 1.0]", "boundary[1].motion.table.time", "time", "strictly increasing";
@@ -262,7 +267,15 @@ fn folder() -> tempfile::TempDir {
             ]),
         ),
     ];
-    for (name, content) in files {
+    let grid = |heights: &str| {
+        format!("ncols 2\nnrows 2\nxllcorner 30\nyllcorner 0\ncellsize 1\n{heights}\n")
+    };
+    let grids = [
+        ("good.asc", grid("1 2 3 4")),
+        ("bad.asc", grid("1 x 3")),
+        ("holes.asc", grid("1 2 3 -9999")),
+    ];
+    for (name, content) in files.into_iter().chain(grids) {
         std::fs::write(folder.path().join(name), content).unwrap();
     }
     folder
@@ -383,7 +396,7 @@ fn inputs_meshes_and_csv_are_read_and_packed() {
     let folder = folder();
     let text = GOOD
         .replacen("radius = [0.2]\npositions = [[0.0, 0.0, 3.0]]", "csv = \"./good.csv\"", 1)
-        .replacen("{ cone = { base = [20.0, 0.0, 0.0], r0 = 1.0, r1 = 2.0, height = 1.0 } }", "{ stl = { file = \"good.stl\" } }", 1)
+        .replacen("{ cone = { base = [20.0, 0.0, 0.0], r0 = 1.0, r1 = 2.0, height = 1.0 } }", "{ stl = { file = \"good.stl\" } }, { terrain = { file = \"good.asc\" } }", 1)
         .replacen("motion = { table = { time = [0.0, 1.0], translation = [[0.0, 0.0, 0.0], [0.0, 0.0, 1.0]] } }", "input = { hinge = [0, 3, 0] }", 1)
         .replace("\"one\"\nstiffness", "\"one[0]\"\nstiffness")
         .replace("\"one\"\n[output]", "\"one[1]\"\n[output]");
@@ -395,7 +408,7 @@ fn inputs_meshes_and_csv_are_read_and_packed() {
         matches!(scene.boundaries[1].motion, Motion::Input(InputKind::Hinge { axis }) if axis.y == 1.0)
     );
     let packed: Vec<&str> = loaded.attachments.iter().map(|a| a.path.as_str()).collect();
-    assert_eq!(packed, ["good.csv", "good.stl"]);
+    assert_eq!(packed, ["good.asc", "good.csv", "good.stl"]);
     // The same content in another folder is the same scene; other content is another.
     let elsewhere = tempfile::tempdir().unwrap();
     for file in &loaded.attachments {
@@ -463,7 +476,12 @@ fn summary_suggests_step_and_penalty_by_their_formulas() {
 
 #[test]
 fn the_examples_are_good_scenes_without_overlaps() {
-    for (name, spheres) in [("funnel", 200), ("slopes", 180), ("feeder", 150)] {
+    for (name, spheres) in [
+        ("funnel", 200),
+        ("slopes", 180),
+        ("feeder", 150),
+        ("landslide", 300),
+    ] {
         let path =
             Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("examples/{name}/{name}.toml"));
         let loaded = Scene::from_file(&path).unwrap_or_else(|e| panic!("{}", e.plain()));

@@ -11,8 +11,10 @@ mod export;
 mod failure;
 mod inspect;
 mod progress;
+mod reference;
 mod reproduce_paper;
 mod run;
+mod schema;
 mod settle;
 mod simulate;
 
@@ -48,6 +50,8 @@ enum Command {
     Demo(demo::Demo),
     /// Check a scene: all its problems at once, or its counts, mass, extent, suggested step and penalty.
     Check(check::Check),
+    /// Print the JSON schema of scene files for editors, or their reference.
+    Schema(schema::Schema),
     /// Run a scene and write VTU, PVD and CSV files.
     Run(run::Run),
     /// Run the paper's examples and write what it claims, as numbers, plots and pictures.
@@ -81,6 +85,7 @@ fn dispatch(command: &Command) -> Result<(), Failure> {
     match command {
         Command::Demo(arguments) => demo::run(arguments, &Interrupt::listen()?),
         Command::Check(arguments) => check::run(arguments),
+        Command::Schema(arguments) => schema::run(arguments),
         Command::Run(arguments) => run::run(arguments, &Interrupt::listen()?),
         Command::ReproducePaper(arguments) => {
             reproduce_paper::run(arguments, &Interrupt::listen()?)

@@ -19,6 +19,9 @@ pub struct Facets {
     pub triangles: Vec<[u32; 3]>,
     /// How far a coordinate may be off because of the number format it was stored in \[m\]; 0 for double precision.
     pub rounding: f64,
+    /// Whether vertices are computed, so that those which belong together agree to double precision. Others are
+    /// taken to have seven correct digits of the mesh's size, as typed ones do.
+    pub computed: bool,
 }
 
 impl Facets {
@@ -30,6 +33,7 @@ impl Facets {
             vertices,
             triangles,
             rounding: 0.0,
+            computed: false,
         }
     }
 

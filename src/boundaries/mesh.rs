@@ -13,7 +13,8 @@ use rstar::{AABB, RTree};
 use super::closest::{on_segment, on_triangle};
 use super::error::GeometryError;
 use super::facets::Facets;
-use super::topology::{self, Feature, Repair, Topology};
+use super::features::{Feature, Topology};
+use super::topology::{self, Repair};
 use super::{Touch, keep_distinct};
 use crate::Vec3;
 
@@ -30,14 +31,12 @@ impl Mesh {
     pub(super) fn new(shapes: &[&Facets]) -> Result<Self, GeometryError> {
         let topology = topology::build(shapes)?;
         let mut largest: f64 = 0.0;
-        let leaves = topology
-            .corners
-            .iter()
-            .enumerate()
-            .map(|(t, [a, b, c])| {
-                let (min, max) = (a.inf(b).inf(c), a.sup(b).sup(c));
+        let leaves = (0..topology.triangles.len() as u32)
+            .map(|t| {
+                let [a, b, c] = topology.corners(t);
+                let (min, max) = (a.inf(&b).inf(&c), a.sup(&b).sup(&c));
                 largest = largest.max(min.amax()).max(max.amax());
-                GeomWithData::new(Rectangle::from_corners(min.into(), max.into()), t as u32)
+                GeomWithData::new(Rectangle::from_corners(min.into(), max.into()), t)
             })
             .collect();
         Ok(Self {
@@ -49,16 +48,21 @@ impl Mesh {
 
     /// Number of features.
     pub(super) fn features(&self) -> u32 {
-        self.topology.features.len() as u32
+        self.topology.features()
     }
 
     pub(super) fn repair(&self) -> &Repair {
         &self.topology.repair
     }
 
-    /// Corners of the triangles \[m\].
-    pub(super) fn triangles(&self) -> &[[Vec3; 3]] {
-        &self.topology.corners
+    /// Welded vertices \[m\]. Slivers that were left out may have been the only ones at some.
+    pub(super) fn vertices(&self) -> &[Vec3] {
+        &self.topology.vertices
+    }
+
+    /// Corners of a triangle \[m\].
+    pub(super) fn corners(&self, triangle: u32) -> [Vec3; 3] {
+        self.topology.corners(triangle)
     }
 
     /// Numbers of the welded vertices of each triangle.
@@ -80,10 +84,12 @@ impl Mesh {
         let _: ControlFlow<()> = self.near(centre, range + self.topology.tolerance, |t| {
             let (closest, feature) = self.closest_in(t, centre);
             let seen = out[start..].iter().any(|touch| touch.feature == feature);
-            if seen || (closest.is_none() && self.is_face(feature)) {
+            if seen || (closest.is_none() && self.topology.is_face(feature)) {
                 return ControlFlow::Continue(());
             }
-            let touch = self.touch(feature, closest, centre, radius);
+            let Some(touch) = self.touch(feature, closest, centre, radius) else {
+                return ControlFlow::Continue(());
+            };
             let local = closest.is_some() || !self.is_undercut(touch.point, centre);
             if touch.gap <= reach && local {
                 out.push(touch);
@@ -100,7 +106,7 @@ impl Mesh {
         centre: Vec3,
         radius: f64,
     ) -> Option<Touch> {
-        match self.topology.features.get(feature as usize)? {
+        match self.topology.feature(feature)? {
             Feature::Face {
                 normal: face,
                 offset,
@@ -120,7 +126,8 @@ impl Mesh {
                 }
                 let nearest = border
                     .iter()
-                    .map(|&[a, b]| on_segment(a, b, foot))
+                    .map(|ends| ends.map(|v| self.topology.vertices[v as usize]))
+                    .map(|[a, b]| on_segment(a, b, foot))
                     .min_by(|p, q| {
                         (p - foot)
                             .norm_squared()
@@ -136,26 +143,26 @@ impl Mesh {
             }
             Feature::Edge { ends: [a, b], .. } => Some(Touch::at_point(
                 feature,
-                on_segment(*a, *b, centre),
+                on_segment(a, b, centre),
                 centre,
                 radius,
                 normal,
             )),
             Feature::Vertex { point, .. } => {
-                Some(Touch::at_point(feature, *point, centre, radius, normal))
+                Some(Touch::at_point(feature, point, centre, radius, normal))
             }
         }
     }
 
     /// The touch on a feature; `foot` is the centre's foot where the feature is a face.
-    fn touch(&self, feature: u32, foot: Option<Vec3>, centre: Vec3, radius: f64) -> Touch {
-        match &self.topology.features[feature as usize] {
+    fn touch(&self, feature: u32, foot: Option<Vec3>, centre: Vec3, radius: f64) -> Option<Touch> {
+        Some(match self.topology.feature(feature)? {
             Feature::Face { normal, offset, .. } => {
                 let distance = normal.dot(&centre) - offset;
                 Touch {
                     feature,
                     point: foot.unwrap_or(centre - normal * distance),
-                    normal: if distance < 0.0 { -normal } else { *normal },
+                    normal: if distance < 0.0 { -normal } else { normal },
                     gap: distance.abs() - radius,
                     curvature: 0.0,
                 }
@@ -163,11 +170,11 @@ impl Mesh {
             Feature::Edge {
                 ends: [a, b],
                 normal,
-            } => Touch::at_point(feature, on_segment(*a, *b, centre), centre, radius, *normal),
+            } => Touch::at_point(feature, on_segment(a, b, centre), centre, radius, normal),
             Feature::Vertex { point, normal } => {
-                Touch::at_point(feature, *point, centre, radius, *normal)
+                Touch::at_point(feature, point, centre, radius, normal)
             }
-        }
+        })
     }
 
     /// The feature of triangle `t` closest to `c`, and the foot of `c` on the plane of its face if the triangle
@@ -175,7 +182,7 @@ impl Mesh {
     fn closest_in(&self, t: u32, c: Vec3) -> (Option<Vec3>, u32) {
         let parts = &self.topology.parts[t as usize];
         let (foot, normal) = self.foot(t, c);
-        let (closest, part) = on_triangle(&self.topology.corners[t as usize], foot);
+        let (closest, part) = on_triangle(&self.topology.corners(t), foot);
         let off = closest - foot;
         let contained = (off - normal * off.dot(&normal)).norm() <= self.slack;
         if contained {
@@ -188,26 +195,14 @@ impl Mesh {
     /// Foot of `c` on the plane of the face that triangle `t` belongs to, and its normal. All triangles of a face
     /// use one plane: they tile it without gaps or overlaps.
     fn foot(&self, t: u32, c: Vec3) -> (Vec3, Vec3) {
-        let face = self.topology.parts[t as usize][0];
-        match &self.topology.features[face as usize] {
-            Feature::Face { normal, offset, .. } => {
-                (c - normal * (normal.dot(&c) - offset), *normal)
-            }
-            Feature::Edge { normal, .. } | Feature::Vertex { normal, .. } => (c, *normal),
-        }
-    }
-
-    fn is_face(&self, feature: u32) -> bool {
-        matches!(
-            self.topology.features[feature as usize],
-            Feature::Face { .. }
-        )
+        let (normal, offset) = self.topology.plane(t);
+        (c - normal * (normal.dot(&c) - offset), normal)
     }
 
     /// Whether a triangle through `x` has a point closer to the centre `c` than `x`.
     fn is_undercut(&self, x: Vec3, c: Vec3) -> bool {
         self.near(x, self.topology.tolerance, |t| {
-            let corners = &self.topology.corners[t as usize];
+            let corners = &self.topology.corners(t);
             if (on_triangle(corners, x).0 - x).norm() > self.topology.tolerance {
                 return ControlFlow::Continue(());
             }

@@ -3,7 +3,7 @@
 //! For a sphere of centre `c` and radius `R` the closest point `P0` on a face, edge or vertex gives the
 //! normal `n = (c - P0)/|c - P0|` and the gap `g = |c - P0| - R` (paper eqs 9-10, section IV).
 //!
-//! A [`Geometry`] is a list of [`Shape`]s: half-spaces, flat [`Facets`] (polygons, boxes, STL) and surfaces of
+//! A [`Geometry`] is a list of [`Shape`]s: half-spaces, flat [`Facets`] (polygons, boxes, STL, terrain) and surfaces of
 //! [`Revolution`] (cylinders, cones, discs). All facets of a boundary form one mesh, so a sphere rolls from one
 //! to the next without noticing; between shapes of different kinds nothing is merged.
 //! Half-spaces are one-sided; everything else is a thin sheet with two sides.
@@ -11,11 +11,13 @@
 mod closest;
 mod error;
 mod facets;
+mod features;
 mod mesh;
 mod plane;
 mod revolution;
 mod solid;
 mod stl;
+mod terrain;
 mod tessellate;
 mod topology;
 
@@ -26,6 +28,7 @@ pub use facets::Facets;
 pub use plane::HalfSpace;
 pub use revolution::Revolution;
 pub use solid::Solid;
+pub use terrain::{GridProblem, HeightField};
 pub use tessellate::Triangulation;
 pub use topology::Repair;
 
@@ -290,8 +293,9 @@ impl Geometry {
         let mut include = |(min, max): (Vec3, Vec3)| {
             bounds = Some(bounds.map_or((min, max), |(low, high)| (low.inf(&min), high.sup(&max))));
         };
-        for &[a, b, c] in self.mesh_triangles() {
-            include((a.inf(&b).inf(&c), a.sup(&b).sup(&c)));
+        let vertices = self.mesh.iter().flat_map(|mesh| mesh.vertices());
+        for &v in vertices {
+            include((v, v));
         }
         for shape in &self.shapes {
             match shape {
@@ -301,10 +305,6 @@ impl Geometry {
             }
         }
         bounds
-    }
-
-    fn mesh_triangles(&self) -> &[[Vec3; 3]] {
-        self.mesh.as_ref().map_or(&[], Mesh::triangles)
     }
 }
 

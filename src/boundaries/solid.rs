@@ -61,22 +61,16 @@ impl Solid {
     /// What [`super::Geometry::new`] refuses, and [`GeometryError::Open`] for an edge with one facet.
     pub fn new(facets: Facets) -> Result<Self, GeometryError> {
         let mesh = Mesh::new(&[&facets])?;
-        let (triangles, corners) = (mesh.indices(), mesh.triangles());
-        let (edges, edge_of) = topology::edges(triangles);
+        let (edges, edge_of) = topology::edges(mesh.indices());
         let open: Vec<_> = edges.iter().filter(|e| e.triangles.len() < 2).collect();
         if let Some(first) = open.first() {
-            let t = first.triangles[0] as usize;
-            let place = |v: u32| {
-                let slot = triangles[t].iter().position(|&w| w == v).unwrap_or(0);
-                corners[t][slot]
-            };
             return Err(GeometryError::Open {
                 name: facets.name,
                 edges: open.len(),
-                edge: first.ends.map(place),
+                edge: first.ends.map(|v| mesh.vertices()[v as usize]),
             });
         }
-        let bounds = corners.iter().flatten().fold(
+        let bounds = mesh.vertices().iter().fold(
             (Vec3::repeat(f64::INFINITY), Vec3::repeat(f64::NEG_INFINITY)),
             |(min, max), v| (min.inf(v), max.sup(v)),
         );
@@ -94,7 +88,7 @@ impl Solid {
     /// Whether a point \[m\] lies inside. Decided exactly for the welded mesh; the surface belongs to one side.
     #[must_use]
     pub fn contains(&self, x: Vec3) -> bool {
-        let crossed = |t: &u32| crosses(&self.mesh.triangles()[*t as usize], x);
+        let crossed = |t: &u32| crosses(&self.mesh.corners(*t), x);
         self.mesh.above(x).filter(crossed).count() % 2 == 1
     }
 
@@ -138,7 +132,9 @@ impl Solid {
 
     /// Sum over the shells; `shells` has the number of its shell and its orientation (1, -1) for each triangle.
     fn measure(&self, shells: &[(usize, f64)]) -> f64 {
-        let corners = self.mesh.triangles();
+        let corners: Vec<_> = (0..shells.len() as u32)
+            .map(|t| self.mesh.corners(t))
+            .collect();
         let number = shells.iter().map(|(shell, _)| shell + 1).max().unwrap_or(0);
         let mut volume = 0.0;
         for shell in 0..number {

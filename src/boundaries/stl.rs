@@ -51,6 +51,7 @@ impl Facets {
             vertices,
             triangles,
             rounding: largest * f64::from(f32::EPSILON),
+            computed: false,
         })
     }
 }

@@ -76,8 +76,9 @@ impl Geometry {
     #[must_use]
     pub fn tessellate(&self, extent: (Vec3, Vec3)) -> Triangulation {
         let mut out = Triangulation::default();
-        for &corners in self.mesh_triangles() {
-            out.push_triangle(corners);
+        if let Some(mesh) = &self.mesh {
+            out.points.extend(mesh.vertices());
+            out.triangles.extend(mesh.indices());
         }
         for shape in self.shapes() {
             match shape {

@@ -8,10 +8,13 @@ use std::collections::BTreeMap;
 
 use super::error::{GeometryError, finite};
 use super::facets::Facets;
+use super::features::{Face, Topology};
 use crate::Vec3;
 
 /// Welding and flatness tolerance over the diagonal of the bounding box \[-\]: seven typed digits.
 pub(super) const RELATIVE_TOLERANCE: f64 = 4e-7;
+/// The same for computed vertices: a smooth surface of many facets is then not cut into flats with steps between.
+const COMPUTED_TOLERANCE: f64 = 1e-11;
 /// Coplanar neighbours may differ by at most this cosine (0.01 rad) besides lying in the plane.
 const FLAT_COSINE: f64 = 1.0 - 5e-5;
 
@@ -22,36 +25,6 @@ pub struct Repair {
     pub welded_vertices: usize,
     /// Facets without area that were left out: name of the shape, number of the facet.
     pub dropped_facets: Vec<(String, usize)>,
-}
-
-/// A named part of the mesh surface.
-#[derive(Debug, Clone)]
-pub(super) enum Feature {
-    /// A flat group of triangles in the plane `normal . x = offset`.
-    Face {
-        normal: Vec3,
-        offset: f64,
-        border: Vec<[Vec3; 2]>,
-    },
-    /// A straight edge; `normal` of one of its faces, for a centre that lies on it.
-    Edge { ends: [Vec3; 2], normal: Vec3 },
-    /// A corner; `normal` of one of its faces, for a centre that lies on it.
-    Vertex { point: Vec3, normal: Vec3 },
-}
-
-/// A welded mesh with its features, numbered faces first, then edges, then vertices.
-#[derive(Debug, Clone)]
-pub(super) struct Topology {
-    /// Corners of each triangle \[m\].
-    pub(super) corners: Vec<[Vec3; 3]>,
-    /// Numbers of the welded vertices of each triangle.
-    pub(super) triangles: Vec<[u32; 3]>,
-    /// Feature of each part of each triangle: face, edges ab, bc, ca, vertices a, b, c.
-    pub(super) parts: Vec<[u32; 7]>,
-    pub(super) features: Vec<Feature>,
-    /// Points closer than this are one \[m\].
-    pub(super) tolerance: f64,
-    pub(super) repair: Repair,
 }
 
 /// An edge of the welded mesh.
@@ -84,31 +57,12 @@ pub(super) fn build(shapes: &[&Facets]) -> Result<Topology, GeometryError> {
         edge.flat = is_flat(edge, &group, &welded);
     }
 
-    let mut features: Vec<Feature> = planes
-        .iter()
-        .map(|&(normal, offset)| Feature::Face {
-            normal,
-            offset,
-            border: Vec::new(),
-        })
-        .collect();
-    for edge in edges.iter().filter(|e| !e.flat) {
-        let ends = edge.ends.map(|v| welded.vertices[v as usize]);
-        for g in groups_at(edge, &group) {
-            if let Feature::Face { border, .. } = &mut features[g as usize] {
-                border.push(ends);
-            }
-        }
-    }
-    let edge_feature = straight_edges(&edges, &group, &planes, &welded, &mut features);
-    let vertex_feature = corner_features(
-        &edges,
-        &edge_feature,
-        &group,
-        &planes,
-        &welded,
-        &mut features,
-    );
+    let (faces, border) = faces(&planes, &edges, &group);
+    let first_edge = faces.len() as u32;
+    let (edge_feature, straight) = straight_edges(&edges, &group, &welded, first_edge);
+    let first_corner = first_edge + straight.len() as u32;
+    let (vertex_feature, sharp) =
+        corner_features(&edges, &edge_feature, &group, &welded, first_corner);
 
     let parts = (0..corners.len())
         .map(|t| {
@@ -118,13 +72,40 @@ pub(super) fn build(shapes: &[&Facets]) -> Result<Topology, GeometryError> {
         })
         .collect();
     Ok(Topology {
-        corners,
+        vertices: welded.vertices,
         triangles: welded.triangles,
         parts,
-        features,
+        faces,
+        border,
+        edges: straight,
+        corners: sharp,
         tolerance: welded.tolerance,
         repair: welded.repair,
     })
+}
+
+/// The faces, and the ends of the edges around each.
+fn faces(planes: &[(Vec3, f64)], edges: &[Edge], group: &[u32]) -> (Vec<Face>, Vec<[u32; 2]>) {
+    let mut sides: Vec<(u32, [u32; 2])> = Vec::new();
+    for edge in edges.iter().filter(|e| !e.flat) {
+        sides.extend(groups_at(edge, group).into_iter().map(|g| (g, edge.ends)));
+    }
+    // Stable: the border of a face keeps the order of the edges.
+    sides.sort_by_key(|&(g, _)| g);
+    let mut end = 0;
+    let faces = (0..).zip(planes).map(|(g, &(normal, offset))| {
+        let first = end;
+        end += sides[first..].partition_point(|&(at, _)| at == g);
+        Face {
+            normal,
+            offset,
+            border: [first as u32, end as u32],
+        }
+    });
+    (
+        faces.collect(),
+        sides.iter().map(|&(_, ends)| ends).collect(),
+    )
 }
 
 /// Joins coinciding vertices, leaves out slivers, refuses what cannot be mended.
@@ -137,7 +118,15 @@ fn weld(shapes: &[&Facets]) -> Result<Welded, GeometryError> {
         }
     }
     let rounding = shapes.iter().map(|s| s.rounding).fold(0.0, f64::max);
-    let tolerance = (RELATIVE_TOLERANCE * (max - min).norm()).max(4.0 * rounding);
+    let relative = if shapes.iter().all(|s| s.computed) {
+        COMPUTED_TOLERANCE
+    } else {
+        RELATIVE_TOLERANCE
+    };
+    let largest = min.amax().max(max.amax());
+    let tolerance = (relative * (max - min).norm())
+        .max(4.0 * rounding)
+        .max(16.0 * f64::EPSILON * largest);
 
     let mut grid = WeldGrid::new(tolerance);
     let mut triangles = Vec::new();
@@ -352,14 +341,14 @@ fn groups_at(edge: &Edge, group: &[u32]) -> Vec<u32> {
     at
 }
 
-/// The feature of each edge: its face where flat, else a straight chain of edges between the same faces.
+/// The feature of each edge: its face where flat, else a straight chain of edges between the same faces, numbered from
+/// `first` on; and the ends and one face of each chain.
 fn straight_edges(
     edges: &[Edge],
     group: &[u32],
-    planes: &[(Vec3, f64)],
     welded: &Welded,
-    features: &mut Vec<Feature>,
-) -> Vec<u32> {
+    first: u32,
+) -> (Vec<u32>, Vec<([u32; 2], u32)>) {
     let point = |v: u32| welded.vertices[v as usize];
     let at_vertex = sharp_edges(edges, welded.vertices.len());
     let length = |e: u32| {
@@ -405,23 +394,23 @@ fn straight_edges(
         chains.push(ends);
     }
 
+    let mut straight = Vec::with_capacity(chains.len());
     let mut number = vec![NONE; chains.len()];
-    (0..edges.len())
+    let feature = (0..edges.len())
         .map(|e| {
             if edges[e].flat {
                 return flat_group(&edges[e], group);
             }
             let n = &mut number[chain_of[e] as usize];
             if *n == NONE {
-                *n = features.len() as u32;
-                features.push(Feature::Edge {
-                    ends: chains[chain_of[e] as usize].map(point),
-                    normal: planes[group[edges[e].triangles[0] as usize] as usize].0,
-                });
+                *n = first + straight.len() as u32;
+                let face = group[edges[e].triangles[0] as usize];
+                straight.push((chains[chain_of[e] as usize], face));
             }
             *n
         })
-        .collect()
+        .collect();
+    (feature, straight)
 }
 
 /// The group that goes on across a flat edge: the one with two triangles there.
@@ -442,15 +431,15 @@ fn sharp_edges(edges: &[Edge], vertices: usize) -> Vec<Vec<u32>> {
     at_vertex
 }
 
-/// The feature of each vertex: the face or straight edge that runs through it, else a corner of its own.
+/// The feature of each vertex: the face or straight edge that runs through it, else a corner of its own, numbered from
+/// `first` on; and the vertex and one face of each corner.
 fn corner_features(
     edges: &[Edge],
     edge_feature: &[u32],
     group: &[u32],
-    planes: &[(Vec3, f64)],
     welded: &Welded,
-    features: &mut Vec<Feature>,
-) -> Vec<u32> {
+    first: u32,
+) -> (Vec<u32>, Vec<(u32, u32)>) {
     const NONE: u32 = u32::MAX;
     let at_vertex = sharp_edges(edges, welded.vertices.len());
     let mut triangle_at = vec![NONE; welded.vertices.len()];
@@ -459,7 +448,8 @@ fn corner_features(
             triangle_at[v as usize] = t as u32;
         }
     }
-    (0..welded.vertices.len())
+    let mut corners = Vec::new();
+    let feature = (0..welded.vertices.len())
         .map(|v| {
             if triangle_at[v] == NONE {
                 return NONE;
@@ -471,13 +461,11 @@ fn corner_features(
                     edge_feature[d as usize]
                 }
                 _ => {
-                    features.push(Feature::Vertex {
-                        point: welded.vertices[v],
-                        normal: planes[face as usize].0,
-                    });
-                    features.len() as u32 - 1
+                    corners.push((v as u32, face));
+                    first + corners.len() as u32 - 1
                 }
             }
         })
-        .collect()
+        .collect();
+    (feature, corners)
 }

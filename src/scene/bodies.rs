@@ -9,7 +9,9 @@ use super::file;
 use super::names::Context;
 use super::resources::Resources;
 use crate::Vec3;
-use crate::boundaries::{Boundary, Facets, Geometry, GeometryError, HalfSpace, Revolution, Shape};
+use crate::boundaries::{
+    Boundary, Facets, Geometry, GeometryError, HalfSpace, HeightField, Revolution, Shape,
+};
 use crate::motion::{InputKind, Motion, Twist};
 
 /// Builds one boundary; `None` if a part of it was refused.
@@ -277,9 +279,8 @@ fn shape(
             ("cone", cone.map(Shape::from))
         }
         file::Face::Cylinder(c) => ("cylinder", cylinder(c).map(Shape::from)),
-        file::Face::Terrain(_) => {
-            document.error(path, "terrain is not read yet", "use `stl`");
-            return None;
+        file::Face::Terrain(grid) => {
+            return terrain(document, resources, &format!("{path}.terrain"), grid);
         }
         file::Face::Stl(mesh) => return stl(document, resources, &format!("{path}.stl"), mesh),
     };
@@ -334,6 +335,42 @@ pub(super) fn facets(
             mesh.translate.into(),
         )
     })
+}
+
+fn terrain(
+    document: &mut Document<'_>,
+    resources: &mut Resources<'_>,
+    path: &str,
+    grid: &file::Terrain,
+) -> Option<Shape> {
+    let scale = match &grid.scale {
+        file::OneOrMany::One(s) => vec![*s; 3],
+        file::OneOrMany::Many(list) => list.clone(),
+    };
+    let found = format!("{scale:?}");
+    let scale = <[f64; 3]>::try_from(scale).ok();
+    let scale = scale.filter(|s| s.iter().all(|&s| s > 0.0));
+    let expected = "one or three factors > 0 [-]";
+    document.demand(scale.is_some(), format!("{path}.scale"), found, expected);
+    let key = format!("{path}.file");
+    let content = resources.read(document, &key, &grid.file)?;
+    match HeightField::esri_ascii(content) {
+        Ok(field) => {
+            let facets = field.facets(&grid.file, scale?, grid.translate.into());
+            if facets.triangles.is_empty() {
+                let message = format!("`{}` has no four neighbouring heights", grid.file);
+                document.error(key, message, "check NODATA_value");
+                return None;
+            }
+            Some(facets.into())
+        }
+        Err(problems) => {
+            for problem in problems {
+                document.error(&key, format!("`{}` {problem}", grid.file), "");
+            }
+            None
+        }
+    }
 }
 
 /// Reports a refused geometry at its key.

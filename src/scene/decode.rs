@@ -11,6 +11,7 @@ use toml::de::{DeArray, DeValue, ValueDeserializer};
 
 use super::document::{Document, LARGEST, Step, child, did_you_mean, join};
 use super::file;
+use super::keys::keys_of;
 
 /// Most problems reported for one element: a mistyped list of a million numbers stays readable.
 const PROBLEMS_PER_ELEMENT: usize = 20;
@@ -65,23 +66,6 @@ pub(super) struct SceneFile {
     pub(super) output: file::Output,
 }
 
-const TABLES: [&str; 14] = [
-    "title",
-    "simulation",
-    "material",
-    "pair",
-    "pair_default",
-    "spheres",
-    "source",
-    "sink",
-    "boundary",
-    "load",
-    "spring",
-    "sensor",
-    "probe",
-    "output",
-];
-
 impl SceneFile {
     /// Decodes the whole document; what is wrong is added to its problems.
     pub(super) fn decode(document: &mut Document<'_>) -> Self {
@@ -108,10 +92,12 @@ impl SceneFile {
 
 fn refuse_unknown_tables(document: &mut Document<'_>, root: &DeValue<'_>) {
     let Some(table) = root.as_table() else { return };
+    let tables = keys_of::<file::TopLevel>();
     for key in table.keys() {
         let name: &str = key.get_ref();
-        if !TABLES.contains(&name) {
-            let help = format!("{}known: {}", did_you_mean(name, TABLES), TABLES.join(", "));
+        if !tables.contains(&name) {
+            let suggestion = did_you_mean(name, tables.iter().copied());
+            let help = format!("{suggestion}known: {}", tables.join(", "));
             let message = format!("unknown key `{name}`");
             document.report(Severity::Error, name.to_owned(), key.span(), message, help);
         }

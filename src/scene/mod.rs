@@ -9,11 +9,13 @@ mod columns;
 mod decode;
 mod document;
 pub mod file;
+mod keys;
 mod names;
 mod overlap;
 mod problem;
 mod regions;
 mod resources;
+mod schema;
 mod settings;
 mod sizes;
 mod sources;
@@ -26,8 +28,10 @@ use std::path::Path;
 pub use overlap::{Overlap, Overlaps};
 pub use problem::{Problem, SceneError};
 pub use resources::Attachment;
+pub use schema::json_schema;
 pub use summary::Summary;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::Vec3;
@@ -41,7 +45,7 @@ use crate::snapshot;
 use crate::state::State;
 
 /// How contact constraints are enforced.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Method {
     /// Augmented Lagrangian: overlap within the tolerance whatever the penalty.
@@ -52,7 +56,7 @@ pub enum Method {
 }
 
 /// Time integration.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Integrator {
     /// Velocity-level Moreau-Jean step on staggered velocities.
@@ -63,7 +67,7 @@ pub enum Integrator {
 }
 
 /// Which solver takes the step's problem.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum SolverKind {
     /// Gauss-Seidel first, Newton on the neighbourhoods of what it leaves.

@@ -1,7 +1,7 @@
 //! Settling: a scene comes to rest before its t = 0.
 //!
 //! Boundaries stay where they are at t = 0, sources and sinks do nothing, and the spheres fall, roll and rest as in a
-//! run. Then every velocity is set to zero and the contact forces are solved anew: the scene starts from rest, in
+//! run, gaps held to the scene's tolerance, forces and slips to coarser ones. Then every velocity is set to zero and the contact forces are solved anew: the scene starts from rest, in
 //! equilibrium if the spheres had come to rest.
 //!
 //! The spheres are at rest when no speed, of a centre or of a surface about it, exceeds
@@ -104,6 +104,10 @@ impl Settled {
     }
 }
 
+/// Force and slip tolerances while settling: the way to rest need not be exact, the forces at rest are solved anew.
+const FORCE: f64 = 1e-2;
+const SLIP: f64 = 1e-4;
+
 /// The scene with boundaries and targets of springs held as at t = 0, without sources and sinks.
 fn held(scene: &Scene) -> Scene {
     let hold = |motion: &mut Motion| {
@@ -123,6 +127,9 @@ fn held(scene: &Scene) -> Scene {
         .springs
         .iter_mut()
         .for_each(|spring| hold(&mut spring.motion));
+    let tolerance = &mut scene.settings.tolerance;
+    tolerance.force = tolerance.force.max(FORCE);
+    tolerance.slip = tolerance.slip.max(SLIP);
     scene.sources.clear();
     scene.sinks.clear();
     scene

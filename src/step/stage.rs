@@ -6,7 +6,8 @@ use crate::contacts::narrow_phase::{Candidate, Placement};
 use crate::contacts::{Partner, history};
 use crate::problem::assemble::Inputs;
 use crate::problem::{Dof6, Problem};
-use crate::scene::Method;
+use crate::scene::{Method, SolverKind};
+use crate::solver::residual::{Scale, evaluate};
 use crate::solver::{Params, Report, SMOOTHING, solve};
 use crate::state::State;
 
@@ -107,13 +108,35 @@ impl<'a> Stage<'a> {
             .map(|f| f * step)
             .collect();
     }
+
     /// Solves the problem as it stands.
     pub(super) fn solve(&mut self, state: &State, scratch: &mut Scratch) -> Report {
+        let params = self.params(state);
+        let workspace = &mut scratch.workspace;
+        solve(&self.problem, &params, workspace, &mut self.impulses)
+    }
+
+    /// Brings forces that are solved already to the residual `force` as far as Gauss-Seidel gets.
+    pub(super) fn polish(&mut self, state: &State, scratch: &mut Scratch, force: f64) {
+        let mut params = self.params(state);
+        params.kind = SolverKind::GaussSeidel;
+        params.tolerance.force = params.tolerance.force.min(force);
+        let before = self.impulses.clone();
+        let scales = Scale::of(&self.problem);
+        let coarse = evaluate(&self.problem, &scales, &before).force;
+        let workspace = &mut scratch.workspace;
+        let report = solve(&self.problem, &params, workspace, &mut self.impulses);
+        if !report.converged && report.residual.force > coarse {
+            self.impulses = before;
+        }
+    }
+
+    fn params(&self, state: &State) -> Params {
         let settings = &self.inputs.scene.settings;
         let mut tolerance = settings.tolerance;
         tolerance.gap *= LINEAR_SHARE;
         let penalty_method = settings.method == Method::Penalty;
-        let params = Params {
+        Params {
             kind: settings.solver,
             tolerance,
             max_sweeps: settings.max_iterations,
@@ -127,13 +150,7 @@ impl<'a> Stage<'a> {
             adapt_penalty: settings.adapt_penalty && !penalty_method,
             // A penalty held by the scene asks for the paper's loop and nothing else.
             smoothing: if settings.adapt_penalty { SMOOTHING } else { 0 },
-        };
-        solve(
-            &self.problem,
-            &params,
-            &mut scratch.workspace,
-            &mut self.impulses,
-        )
+        }
     }
 
     /// Solves until the true geometry agrees: gaps are re-linearised, late contacts join.

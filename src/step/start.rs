@@ -10,6 +10,9 @@ use crate::problem::{Dof6, Law};
 use crate::scene::{Method, Scene};
 use crate::state::State;
 
+/// Force residual at t = 0: forces at rest balance the weight, whatever the steps are asked for \[-\].
+const AT_REST: f64 = 1e-8;
+
 /// Contact forces at t = 0 from the acceleration-level problem: closed contacts that neither approach nor part
 /// must not accelerate into each other. Leaves them and the persisting accelerations in `state`.
 ///
@@ -40,6 +43,9 @@ pub fn initial_forces(
     let report = stage.solve(state, scratch);
     if scene.settings.method == Method::Alm && !report.converged {
         return Err(stage.failure(&report));
+    }
+    if scene.settings.method == Method::Alm {
+        stage.polish(state, scratch, AT_REST);
     }
     stage.store(state);
     state.springs = stage.spring_forces();

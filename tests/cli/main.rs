@@ -13,3 +13,4 @@ mod paper;
 mod refused;
 mod resumed;
 mod runs;
+mod schema;

@@ -4,6 +4,7 @@ mod meshes;
 mod primitives;
 mod properties;
 mod refused;
+mod terrain;
 
 use sphere_dda::Vec3;
 use sphere_dda::boundaries::{Geometry, Shape, Touch};

@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
-EXAMPLES = ("funnel", "slopes", "feeder", "bed")
+EXAMPLES = ("funnel", "slopes", "feeder", "landslide", "bed")
 
 
 def scene(name):

@@ -9,7 +9,7 @@ import pytest
 from conftest import EXAMPLES, ROOT, scene
 
 # Simulated seconds [s]: long enough for contacts, short enough for a quick suite.
-STOP = {"funnel": 1.0, "slopes": 5.0, "feeder": 0.1, "bed": 0.1}
+STOP = {"funnel": 1.0, "slopes": 5.0, "feeder": 0.1, "landslide": 1.5, "bed": 0.1}
 
 
 def python(script, *arguments):
@@ -53,6 +53,14 @@ def test_every_frame_opens_in_meshio_and_vtk(results):
         for pvd in collections:
             for time, path in listed(pvd):
                 check_frame(pvd.stem, time, path)
+
+
+def test_landslide_valley_is_the_formula(tmp_path):
+    """The committed grid is what its script writes."""
+    script = tmp_path / "valley.py"
+    script.write_text((ROOT / "examples/landslide/valley.py").read_text())
+    subprocess.run([sys.executable, script], check=True)
+    assert (tmp_path / "valley.asc").read_text() == (ROOT / "examples/landslide/valley.asc").read_text()
 
 
 def test_feeder_driver(fmus, tmp_path):

@@ -8,6 +8,7 @@
 //! It rolls iff `2/7 sin a <= mu cos a`, that is `tan a <= 3.5 mu`.
 
 use sphere_dda::Vec3;
+use sphere_dda::boundaries::{Geometry, HeightField};
 use sphere_dda::particles::Locks;
 
 use crate::support::{Case, G, Run, close};
@@ -115,4 +116,30 @@ fn locked_rotations_slide_like_a_block() {
         close(travelled, 0.5 * acceleration * t * t, 1e-4, 0.0);
         assert_eq!(run.spin(0), Vec3::zeros());
     }
+}
+
+/// Row 4 on a height field: a plane grid of 2 x 60 squares is the plane, so the sphere crosses its joints, and runs
+/// along those in the middle, without its velocity or spin noticing.
+#[test]
+fn rolls_over_a_plane_grid_without_noticing_the_joints() {
+    let angle = 30f64.to_radians();
+    let (mut plane, _) = on_incline(angle, 0.5, Locks::default());
+    let mut grid = "ncols 61\nnrows 3\nxllcenter -1\nyllcenter -0.1\ncellsize 0.1\n".to_owned();
+    let heights: Vec<String> = (0..61)
+        .map(|i| (-angle.tan() * (0.1 * f64::from(i) - 1.0)).to_string())
+        .collect();
+    grid += &(heights.join(" ") + "\n").repeat(3);
+    let field = HeightField::esri_ascii(grid.as_bytes()).expect("a grid");
+    let facets = field.facets("grid", [1.0; 3], Vec3::zeros());
+    let mut scene = plane.simulation.scene().as_ref().clone();
+    scene.boundaries[0].geometry = Geometry::new(vec![facets.into()]).expect("a geometry");
+    let mut terrain = Case { scene }.start();
+    for _ in 0..1200 {
+        plane.step();
+        terrain.step();
+        let slower = (plane.velocity(0) - terrain.velocity(0)).norm();
+        let turned = (plane.spin(0) - terrain.spin(0)).norm() * RADIUS;
+        assert!(slower < 1e-9 && turned < 1e-9, "{slower:e} {turned:e} m/s");
+    }
+    assert!(terrain.position(0).x > 2.0, "it crossed twenty joints");
 }

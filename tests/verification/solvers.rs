@@ -202,6 +202,7 @@ fn hard_steps_are_solved() {
                 max_factorizations: 1000,
                 penalty: 1e3,
                 adapt_penalty: true,
+                smoothing: 0,
             };
             let report = solve(&problem, &params, &mut Workspace::default(), &mut impulses);
             (report, evaluate(&problem, &Scale::of(&problem), &impulses))

@@ -1,32 +1,37 @@
 //! `[[boundary]]`: faces and motion.
 
+use schemars::JsonSchema;
 use serde::Deserialize;
 
-use super::Vector;
+use super::{OneOrMany, Vector};
 
 /// `[[boundary]]`: a named rigid body made of faces.
-#[derive(Debug, Clone, Deserialize)]
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Boundary {
-    /// Name, unique. Required.
+    /// Name, unique.
+    #[schemars(extend("pattern" = "^[A-Za-z_][A-Za-z0-9_]*$"))]
     pub name: String,
-    /// Material. Required.
+    /// Material.
     pub material: String,
-    /// Its faces, at least one. Required.
+    /// Its faces, at least one.
+    #[schemars(extend("minItems" = 1))]
     pub faces: Vec<Face>,
-    /// Centre of rotation and reference of the torque \[m\]. Default: the origin.
+    /// Centre of rotation and reference of the torque \[m\].
     #[serde(default)]
     pub point_of_action: Vector,
-    /// Contact stiffness \[N/m\], > 0. Default: rigid.
+    /// Contact stiffness \[N/m\].
+    #[schemars(extend("x-default" = "rigid", "exclusiveMinimum" = 0))]
     pub stiffness: Option<f64>,
-    /// Motion prescribed by the scene. Default: fixed.
+    /// Motion prescribed by the scene.
+    #[schemars(extend("x-default" = "fixed"))]
     pub motion: Option<Motion>,
     /// Motion driven from outside: an input of the FMU. Not together with `motion`.
     pub input: Option<Input>,
 }
 
 /// One face of a boundary: a table with one key.
-#[derive(Debug, Clone, Deserialize)]
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Face {
     /// Half-space: solid on the side the normal leaves.
@@ -50,100 +55,110 @@ pub enum Face {
 }
 
 /// A plane.
-#[derive(Debug, Clone, Copy, Deserialize)]
+#[derive(Debug, Clone, Copy, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Plane {
-    /// A point of it \[m\]. Required.
+    /// A point of it \[m\].
     pub point: Vector,
-    /// Normal, any length > 0. Required.
+    /// Normal, any length > 0.
     pub normal: Vector,
 }
 
 /// A rectangle.
-#[derive(Debug, Clone, Copy, Deserialize)]
+#[derive(Debug, Clone, Copy, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Rectangle {
-    /// A corner \[m\]. Required.
+    /// A corner \[m\].
     pub corner: Vector,
-    /// First edge from that corner \[m\]. Required.
+    /// First edge from that corner \[m\].
     pub u: Vector,
-    /// Second edge from that corner \[m\], perpendicular to `u`. Required.
+    /// Second edge from that corner \[m\], perpendicular to `u`.
     pub v: Vector,
 }
 
 /// An axis-parallel box.
-#[derive(Debug, Clone, Copy, Deserialize)]
+#[derive(Debug, Clone, Copy, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Cuboid {
-    /// Lower corner \[m\]. Required.
+    /// Lower corner \[m\].
     pub min: Vector,
-    /// Upper corner \[m\], larger in every coordinate. Required.
+    /// Upper corner \[m\], larger in every coordinate.
     pub max: Vector,
 }
 
 /// The side of a cone or frustum.
-#[derive(Debug, Clone, Copy, Deserialize)]
+#[derive(Debug, Clone, Copy, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Cone {
-    /// Centre of the first end \[m\]. Required.
+    /// Centre of the first end \[m\].
     pub base: Vector,
-    /// Direction from the first end to the second, any length > 0. Default: `[0, 0, 1]`.
+    /// Direction from the first end to the second, any length > 0.
     #[serde(default = "super::up")]
     pub axis: Vector,
-    /// Radius at the first end \[m\], >= 0. Required.
+    /// Radius at the first end \[m\].
+    #[schemars(extend("minimum" = 0))]
     pub r0: f64,
-    /// Radius at the second end \[m\], >= 0; not both zero. Required.
+    /// Radius at the second end \[m\]; not both zero.
+    #[schemars(extend("minimum" = 0))]
     pub r1: f64,
-    /// Distance of the ends \[m\], > 0. Required.
+    /// Distance of the ends \[m\].
+    #[schemars(extend("exclusiveMinimum" = 0))]
     pub height: f64,
 }
 
 /// A cylinder.
-#[derive(Debug, Clone, Copy, Deserialize)]
+#[derive(Debug, Clone, Copy, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Cylinder {
-    /// Centre of the first end \[m\]. Required.
+    /// Centre of the first end \[m\].
     pub base: Vector,
-    /// Direction from the first end to the second, any length > 0. Default: `[0, 0, 1]`.
+    /// Direction from the first end to the second, any length > 0.
     #[serde(default = "super::up")]
     pub axis: Vector,
-    /// Radius \[m\], > 0. Required.
+    /// Radius \[m\].
+    #[schemars(extend("exclusiveMinimum" = 0))]
     pub radius: f64,
-    /// Length \[m\], > 0. Required.
+    /// Length \[m\].
+    #[schemars(extend("exclusiveMinimum" = 0))]
     pub height: f64,
-    /// Whether discs close both ends. Default: false.
+    /// Whether discs close both ends.
     #[serde(default)]
     pub closed: bool,
 }
 
 /// A triangle mesh in an STL file, ASCII or binary.
-#[derive(Debug, Clone, Deserialize)]
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Stl {
-    /// File beside or below the scene file. Required.
+    /// File beside or below the scene file.
     pub file: String,
-    /// Factor on the file's coordinates, > 0: 0.001 for millimetres. Default: 1.
+    /// Factor on the file's coordinates: 0.001 for millimetres.
     #[serde(default = "super::one")]
+    #[schemars(extend("exclusiveMinimum" = 0))]
     pub scale: f64,
-    /// Translation after scaling \[m\]. Default: zero.
+    /// Translation after scaling \[m\].
     #[serde(default)]
     pub translate: Vector,
 }
 
-/// A height field in an ESRI ASCII grid (`.asc`): its values are heights at the cell centres, solid below; each
-/// square of four neighbouring centres is two triangles. Squares with a corner without data are left out.
-#[derive(Debug, Clone, Deserialize)]
+/// A height field in an ESRI ASCII grid (`.asc`): its values are heights at the cell centres; each square of four
+/// neighbouring centres is two triangles. Squares with a corner without data are left out. Give it a boundary of its own.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Terrain {
-    /// File beside or below the scene file. Required.
+    /// File beside or below the scene file.
     pub file: String,
-    /// Moves the grid \[m\]; map coordinates are large, so bring them near zero. Default: zero.
+    /// Factor on the file's coordinates and heights: one, or three for x, y and height.
+    #[serde(default = "super::one_for_all")]
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub scale: OneOrMany<f64>,
+    /// Translation after scaling \[m\]; map coordinates are large, so bring them near zero.
     #[serde(default)]
     pub translate: Vector,
 }
 
 /// A prescribed motion, counted from the scene: a table with one key.
-#[derive(Debug, Clone, Deserialize)]
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Motion {
     /// Constant velocity.
@@ -155,50 +170,53 @@ pub enum Motion {
 }
 
 /// Constant velocity.
-#[derive(Debug, Clone, Copy, Deserialize)]
+#[derive(Debug, Clone, Copy, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Constant {
-    /// Velocity \[m/s\]. Default: zero.
+    /// Velocity \[m/s\].
     #[serde(default)]
     pub velocity: Vector,
-    /// Angular velocity \[rad/s\] about the point of action. Default: zero.
+    /// Angular velocity \[rad/s\] about the point of action.
     #[serde(default)]
     pub angular_velocity: Vector,
 }
 
 /// Harmonic motion.
-#[derive(Debug, Clone, Copy, Deserialize)]
+#[derive(Debug, Clone, Copy, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Sinusoid {
-    /// Amplitude of the translation \[m\]. Default: zero.
+    /// Amplitude of the translation \[m\].
     #[serde(default)]
     pub translation: Vector,
-    /// Amplitude of the rotation vector \[rad\]. Default: zero.
+    /// Amplitude of the rotation vector \[rad\].
     #[serde(default)]
     pub rotation: Vector,
-    /// Frequency \[Hz\], > 0. Required.
+    /// Frequency \[Hz\].
+    #[schemars(extend("exclusiveMinimum" = 0))]
     pub frequency: f64,
-    /// Phase \[rad\]. Default: 0.
+    /// Phase \[rad\].
     #[serde(default)]
     pub phase: f64,
 }
 
 /// Motion by a time table, held constant outside: either `csv`, or `time` with `translation` or `rotation`.
-#[derive(Debug, Clone, Deserialize)]
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Table {
     /// Times \[s\], strictly increasing.
     pub time: Option<Vec<f64>>,
-    /// Translations \[m\], one per time. Default: zero.
+    /// Translations \[m\], one per time.
+    #[schemars(extend("x-default" = "zero"))]
     pub translation: Option<Vec<Vector>>,
-    /// Rotation vectors \[rad\], one per time. Default: zero.
+    /// Rotation vectors \[rad\], one per time.
+    #[schemars(extend("x-default" = "zero"))]
     pub rotation: Option<Vec<Vector>>,
     /// CSV file with columns time \[s\], x, y, z \[m\] and optionally rx, ry, rz \[rad\].
     pub csv: Option<String>,
 }
 
 /// What drives a boundary from outside. Zero always means "as in the scene".
-#[derive(Debug, Clone, Copy, Deserialize)]
+#[derive(Debug, Clone, Copy, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Input {
     /// Total translation \[m\] and rotation vector \[rad\].

@@ -6,7 +6,8 @@ mod regions;
 mod sensors;
 mod spheres;
 
-use serde::Deserialize;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
 
 pub use super::values::{OneOrMany, Triple, Vector};
 use super::{Integrator, Method, SolverKind};
@@ -20,62 +21,123 @@ pub use spheres::{
     Lattice, Lock, LogNormal, MassTable, Normal, Packing, Sink, Size, Source, Spheres, Uniform,
 };
 
+/// A scene file: its top level.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct TopLevel {
+    /// Title of results and FMUs.
+    #[serde(default)]
+    pub title: String,
+    /// The run and its numerics.
+    pub simulation: Simulation,
+    /// Materials of spheres and boundaries.
+    #[serde(default)]
+    pub material: Vec<Material>,
+    /// How two materials touch.
+    #[serde(default)]
+    pub pair: Vec<Pair>,
+    /// How materials touch unless a `[[pair]]` says otherwise.
+    #[serde(default)]
+    pub pair_default: PairDefault,
+    /// Groups of spheres.
+    #[serde(default)]
+    pub spheres: Vec<Spheres>,
+    /// Where spheres come from during the run.
+    #[serde(default)]
+    pub source: Vec<Source>,
+    /// Where spheres go during the run.
+    #[serde(default)]
+    pub sink: Vec<Sink>,
+    /// Rigid bodies that bound the spheres.
+    #[serde(default)]
+    pub boundary: Vec<Boundary>,
+    /// Forces on spheres.
+    #[serde(default)]
+    pub load: Vec<Load>,
+    /// Springs on spheres.
+    #[serde(default)]
+    pub spring: Vec<Spring>,
+    /// What is measured.
+    #[serde(default)]
+    pub sensor: Vec<Sensor>,
+    /// Spheres whose states are outputs.
+    #[serde(default)]
+    pub probe: Vec<Probe>,
+    /// Result files.
+    #[serde(default)]
+    pub output: Output,
+}
+
 /// `[simulation]`: the run and its numerics.
-#[derive(Debug, Clone, Deserialize)]
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Simulation {
-    /// End time of a run \[s\], > 0. Required.
+    /// End time of a run \[s\].
+    #[schemars(extend("exclusiveMinimum" = 0))]
     pub duration: f64,
-    /// Largest internal time step \[s\], > 0. Required.
+    /// Largest internal time step \[s\].
+    #[schemars(extend("exclusiveMinimum" = 0))]
     pub step: f64,
-    /// Communication step of `run` and of the FMU's default experiment \[s\], > 0. Default: `step`.
+    /// Communication step of `run` and of the FMU's default experiment \[s\].
+    #[schemars(extend("x-default" = "`step`", "exclusiveMinimum" = 0))]
     pub communication_step: Option<f64>,
-    /// `"alm"` (default): overlap within the tolerance; `"penalty"`: contact springs of stiffness `penalty`.
+    /// How contact constraints are enforced: `"alm"` keeps the overlap within the tolerance, `"penalty"` puts contact
+    /// springs of stiffness `penalty`.
     #[serde(default)]
     pub method: Method,
-    /// `"moreau"` (default) or `"shi"`, the paper's constant acceleration.
+    /// Time integration: `"moreau"`, or `"shi"`, the paper's constant acceleration.
     #[serde(default)]
     pub integrator: Integrator,
-    /// `"auto"` (default), `"direct"` or `"gauss-seidel"`.
+    /// Solver of a step: `"auto"` takes Gauss-Seidel first and Newton on what it leaves.
     #[serde(default)]
     pub solver: SolverKind,
-    /// Penalty number \[N/m\], > 0. Default: chosen from mass and step; the penalty method needs it.
+    /// Penalty number \[N/m\].
+    #[schemars(extend("x-default" = "chosen from mass and step; the penalty method needs it", "exclusiveMinimum" = 0))]
     pub penalty: Option<f64>,
-    /// Whether the augmented-Lagrangian loop may change the penalty. Default: true.
+    /// Whether the augmented-Lagrangian loop may change the penalty and sweep between its multiplier updates; `false` with
+    /// `solver = "direct"` is exactly the paper's loop, slow unless the penalty is large ([how slow](paper.md#augmentations-at-a-held-penalty)).
     #[serde(default = "yes")]
     pub adapt_penalty: bool,
-    /// Gravity \[m/s^2\]. Default: `[0, 0, -9.81]`.
+    /// Gravity \[m/s^2\].
     #[serde(default = "earth")]
     pub gravity: Vector,
-    /// Initial overlap over the smaller radius that is removed before t = 0 \[-\], 0..=0.5. Default: 0.05.
+    /// Initial overlap over the smaller radius that is removed before t = 0 \[-\].
     #[serde(default = "five_percent")]
+    #[schemars(extend("minimum" = 0, "maximum" = 0.5))]
     pub max_initial_overlap: f64,
-    /// Approach speed below which an impact does not rebound \[m/s\], >= 0. Default: 0.
+    /// Approach speed below which an impact does not rebound \[m/s\].
     #[serde(default)]
+    #[schemars(extend("minimum" = 0))]
     pub threshold_velocity: f64,
-    /// Share of the velocity that the next step keeps (integrator `shi`) \[-\], 0..=1. Default: 1.
+    /// Share of the velocity that the next step keeps (integrator `shi`) \[-\].
     #[serde(default = "one")]
+    #[schemars(extend("minimum" = 0, "maximum" = 1))]
     pub dynamic_coefficient: f64,
-    /// Most solver iterations in one step \[-\], >= 1. Default: 20000.
+    /// Most solver iterations in one step \[-\].
     #[serde(default = "iterations")]
+    #[schemars(extend("minimum" = 1))]
     pub max_iterations: u32,
-    /// How often a step may be halved, 0..=20. Default: 6.
+    /// How often a step may be halved.
     #[serde(default = "cuts")]
+    #[schemars(extend("minimum" = 0, "maximum" = 20))]
     pub max_cuts: u32,
-    /// Tolerances.
+    /// Tolerances of a step.
     #[serde(default)]
     pub tolerance: Tolerance,
 }
 
-/// `[simulation.tolerance]`: dimensionless, each 1e-12..=1e-1, default 1e-6.
-#[derive(Debug, Clone, Copy, Deserialize)]
+/// `[simulation.tolerance]`: dimensionless tolerances of every step.
+#[derive(Debug, Clone, Copy, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Tolerance {
     /// True overlap over the smaller radius of the pair \[-\].
+    #[schemars(extend("minimum" = 1e-12, "maximum" = 1e-1))]
     pub gap: f64,
     /// Slip of a sticking contact over the smaller radius \[-\].
+    #[schemars(extend("minimum" = 1e-12, "maximum" = 1e-1))]
     pub slip: f64,
     /// Force residual over the contact's force scale \[-\].
+    #[schemars(extend("minimum" = 1e-12, "maximum" = 1e-1))]
     pub force: f64,
 }
 
@@ -92,6 +154,10 @@ fn yes() -> bool {
 
 fn one() -> f64 {
     1.0
+}
+
+fn one_for_all() -> OneOrMany<f64> {
+    OneOrMany::One(1.0)
 }
 
 fn up() -> Vector {
@@ -115,83 +181,98 @@ fn cuts() -> u32 {
 }
 
 /// `[[material]]`.
-#[derive(Debug, Clone, Deserialize)]
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Material {
-    /// Name, unique. Required.
+    /// Name, unique.
+    #[schemars(extend("pattern" = "^[A-Za-z_][A-Za-z0-9_]*$"))]
     pub name: String,
-    /// Density \[kg/m^3\], > 0. Needed by materials of spheres only.
+    /// Density \[kg/m^3\]. Needed by materials of spheres only.
+    #[schemars(extend("exclusiveMinimum" = 0))]
     pub density: Option<f64>,
 }
 
 /// `[pair_default]`: how materials touch unless a `[[pair]]` says otherwise.
-#[derive(Debug, Clone, Copy, Default, Deserialize)]
+#[derive(Debug, Clone, Copy, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PairDefault {
-    /// Friction coefficient \[-\], >= 0. Default: 0. Not together with `friction_angle`.
+    /// Friction coefficient \[-\]. Not together with `friction_angle`.
+    #[schemars(extend("x-default" = "`0`", "minimum" = 0))]
     pub friction: Option<f64>,
-    /// Friction angle in degrees, 0..90; the coefficient is its tangent.
+    /// Friction angle \[deg\]; the coefficient is its tangent.
+    #[schemars(extend("minimum" = 0, "exclusiveMaximum" = 90))]
     pub friction_angle: Option<f64>,
-    /// Coefficient of restitution \[-\], 0..=1. Default: 0.
+    /// Coefficient of restitution \[-\].
+    #[schemars(extend("x-default" = "`0`", "minimum" = 0, "maximum" = 1))]
     pub restitution: Option<f64>,
 }
 
 /// `[[pair]]`: how two materials touch; what is left out is taken from `[pair_default]`.
-#[derive(Debug, Clone, Deserialize)]
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Pair {
-    /// The two materials, in either order. Required.
+    /// The two materials, in either order.
+    #[schemars(extend("minItems" = 2, "maxItems" = 2))]
     pub materials: Vec<String>,
-    /// Friction coefficient \[-\], >= 0. Not together with `friction_angle`.
+    /// Friction coefficient \[-\]. Not together with `friction_angle`.
+    #[schemars(extend("minimum" = 0))]
     pub friction: Option<f64>,
-    /// Friction angle in degrees, 0..90.
+    /// Friction angle \[deg\].
+    #[schemars(extend("minimum" = 0, "exclusiveMaximum" = 90))]
     pub friction_angle: Option<f64>,
-    /// Coefficient of restitution \[-\], 0..=1.
+    /// Coefficient of restitution \[-\].
+    #[schemars(extend("minimum" = 0, "maximum" = 1))]
     pub restitution: Option<f64>,
 }
 
 /// `[[load]]`: a force on a sphere at a point that moves with it.
-#[derive(Debug, Clone, Deserialize)]
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Load {
-    /// The sphere: `"group[k]"`, or `"group"` if the group is one sphere. Required.
+    /// The sphere: `"group[k]"`, or `"group"` if the group is one sphere.
     pub sphere: String,
-    /// Force \[N\], world axes. Required.
+    /// Force \[N\], world axes.
     pub force: Vector,
-    /// Point of the sphere, from its centre, at t = 0 \[m\]. Default: the centre.
+    /// Point of the sphere, from its centre, at t = 0 \[m\].
     #[serde(default)]
     pub point: Vector,
 }
 
 /// `[[spring]]`: a constrained point, a spring from a point of a sphere to a target.
-#[derive(Debug, Clone, Deserialize)]
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Spring {
-    /// The sphere: `"group[k]"`, or `"group"` if the group is one sphere. Required.
+    /// The sphere: `"group[k]"`, or `"group"` if the group is one sphere.
     pub sphere: String,
-    /// Stiffness \[N/m\], > 0. Required.
+    /// Stiffness \[N/m\].
+    #[schemars(extend("exclusiveMinimum" = 0))]
     pub stiffness: f64,
-    /// Point of the sphere, from its centre, at t = 0 \[m\]. Default: the centre.
+    /// Point of the sphere, from its centre, at t = 0 \[m\].
     #[serde(default)]
     pub point: Vector,
-    /// Target \[m\]. Default: where the point is at t = 0.
+    /// Target \[m\].
+    #[schemars(extend("x-default" = "where the point is at t = 0"))]
     pub target: Option<Vector>,
-    /// Motion of the target; translations only. Default: fixed.
+    /// Motion of the target; translations only.
+    #[schemars(extend("x-default" = "fixed"))]
     pub motion: Option<Motion>,
 }
 
 /// `[output]`: result files.
-#[derive(Debug, Clone, Copy, Deserialize)]
+#[derive(Debug, Clone, Copy, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Output {
-    /// Seconds between VTU frames \[s\], >= 0; 0: none. Default: 0.1.
+    /// Seconds between VTU frames \[s\]; 0: none.
+    #[schemars(extend("minimum" = 0))]
     pub vtu_interval: f64,
-    /// Seconds between rows of the CSV history \[s\], >= 0; 0: every communication step. Default: 0.
+    /// Seconds between rows of the CSV history \[s\]; 0: every communication step.
+    #[schemars(extend("minimum" = 0))]
     pub csv_interval: f64,
-    /// Write Float64 instead of Float32 arrays. Default: false.
+    /// Write Float64 instead of Float32 arrays.
     pub float64: bool,
-    /// Simulated seconds between checkpoints of `run` \[s\], >= 0; 0: only those every five minutes of wall time, on Ctrl-C
-    /// and at the end. Default: 0.
+    /// Simulated seconds between checkpoints of `run` \[s\]; 0: only those every five minutes of wall time, on Ctrl-C and at
+    /// the end.
+    #[schemars(extend("minimum" = 0))]
     pub checkpoint_interval: f64,
 }
 

@@ -1,11 +1,12 @@
 //! Regions of space: filled, emptied or measured.
 
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::{Cuboid, Plane, Stl, Vector};
 
 /// A region of space, fixed in the world: a table with one key.
-#[derive(Debug, Clone, Deserialize)]
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Region {
     /// An axis-parallel box.
@@ -19,16 +20,18 @@ pub enum Region {
 }
 
 /// A solid cylinder.
-#[derive(Debug, Clone, Copy, Deserialize)]
+#[derive(Debug, Clone, Copy, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Tube {
-    /// Centre of the first end \[m\]. Required.
+    /// Centre of the first end \[m\].
     pub base: Vector,
-    /// Direction from the first end to the second, any length > 0. Default: `[0, 0, 1]`.
+    /// Direction from the first end to the second, any length > 0.
     #[serde(default = "super::up")]
     pub axis: Vector,
-    /// Radius \[m\], > 0. Required.
+    /// Radius \[m\].
+    #[schemars(extend("exclusiveMinimum" = 0))]
     pub radius: f64,
-    /// Length \[m\], > 0. Required.
+    /// Length \[m\].
+    #[schemars(extend("exclusiveMinimum" = 0))]
     pub height: f64,
 }

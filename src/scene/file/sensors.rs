@@ -1,14 +1,16 @@
 //! `[[sensor]]` and `[[probe]]`: what is measured.
 
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::{Plane, Region, Vector};
 
 /// `[[sensor]]`: exactly one of the measures.
-#[derive(Debug, Clone, Deserialize)]
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Sensor {
-    /// Name, unique. Required.
+    /// Name, unique.
+    #[schemars(extend("pattern" = "^[A-Za-z_][A-Za-z0-9_]*$"))]
     pub name: String,
     /// Everything inside this region, a box or a cylinder: mass \[kg\], count, solid fraction, centre of mass \[m\],
     /// coordination number, stress \[Pa\] (compression positive), largest and mean normal force \[N\].
@@ -21,7 +23,7 @@ pub struct Sensor {
 }
 
 /// What a mass flow passes through: a table with one key.
-#[derive(Debug, Clone, Deserialize)]
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum MassFlow {
     /// The whole plane.
@@ -32,11 +34,12 @@ pub enum MassFlow {
 }
 
 /// `[[probe]]`: a sphere whose state is an output. Default: the first, the middle and the last sphere.
-#[derive(Debug, Clone, Deserialize)]
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Probe {
-    /// Name, unique. Required.
+    /// Name, unique.
+    #[schemars(extend("pattern" = "^[A-Za-z_][A-Za-z0-9_]*$"))]
     pub name: String,
-    /// The sphere: `"group[k]"`, or `"group"` if the group is one sphere. Required.
+    /// The sphere: `"group[k]"`, or `"group"` if the group is one sphere.
     pub sphere: String,
 }
