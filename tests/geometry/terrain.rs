@@ -204,7 +204,9 @@ fn scales_apply_before_the_translation() {
 fn bad_grids_are_refused_with_line_and_reason() {
     let good = "ncols 3\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\nNODATA_value -9999\n1 2 3\n4 5 6\n";
     assert!(HeightField::esri_ascii(good.as_bytes()).is_ok());
-    let cases: &[(&str, &str, &[(usize, &str)])] = &[
+    /// Text that is replaced, by what, and the lines and parts of the problems.
+    type Case = (&'static str, &'static str, &'static [(usize, &'static str)]);
+    let cases: &[Case] = &[
         ("ncols 3\n", "", &[(1, "without ncols")]),
         (
             "xllcorner 0\nyllcorner 0\ncellsize 1\n",
