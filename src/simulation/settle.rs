@@ -1,7 +1,7 @@
 //! Settling: a scene comes to rest before its t = 0.
 //!
 //! Boundaries stay where they are at t = 0, sources and sinks do nothing, and the spheres fall, roll and rest as in a
-//! run, gaps held to the scene's tolerance, forces and slips to coarser ones. Then every velocity is set to zero and the contact forces are solved anew: the scene starts from rest, in
+//! run: first to coarse tolerances, then, from where that led to, with the scene's gaps. Then every velocity is set to zero and the contact forces are solved anew: the scene starts from rest, in
 //! equilibrium if the spheres had come to rest.
 //!
 //! The spheres are at rest when no speed, of a centre or of a surface about it, exceeds
@@ -18,9 +18,11 @@ use std::sync::Arc;
 
 use super::Simulation;
 use crate::Vec3;
+use crate::contacts::Contact;
 use crate::error::StepError;
 use crate::motion::Motion;
-use crate::scene::Scene;
+use crate::particles::Kinematics;
+use crate::scene::{Scene, Tolerance};
 
 /// Share of `sqrt(|g| R)` that counts as rest.
 const STILL: f64 = 1e-3;
@@ -66,50 +68,46 @@ impl Settled {
                 expected: "a finite time > 0",
             });
         }
-        let mut simulation = Simulation::new(Arc::new(held(scene)))?;
-        let (rest_speed, patience) = rest(scene);
-        let step = scene.settings.communication_step;
-        let mut moved_at = 0.0;
-        let mut speed;
-        let mut k = 0_u32;
-        loop {
-            speed = simulation.fastest();
-            if speed > rest_speed {
-                moved_at = simulation.time();
-            }
-            let at_rest = simulation.time() - moved_at >= patience;
-            if simulation.time() >= settle.time || (settle.until_rest && at_rest) {
-                break;
-            }
-            k += 1;
-            simulation.advance_to((f64::from(k) * step).min(settle.time))?;
-            if watch(&simulation).is_break() {
-                break;
-            }
-        }
-        let time = simulation.time();
+        let began = Simulation::new(Arc::new(held(scene, COARSE)))?;
+        let coarse = Stretch::run(began, settle, &mut watch)?;
+        let last = Settle {
+            time: (LAST * settle.time).max(scene.settings.communication_step),
+            until_rest: true,
+        };
+        let mut near = held(scene, FINE);
+        near.settings.step = near.settings.step.min(easy_step(scene));
+        (near.initial, near.initial_contacts) = coarse.simulation.stopped();
+        let began = Simulation::new(Arc::new(near))?;
+        let fine = Stretch::run(began, last, &mut watch)?;
         let mut start = scene.clone();
-        start.initial = simulation.state.kinematics;
-        start.initial.velocity.fill(Vec3::zeros());
-        start.initial.spin.fill(Vec3::zeros());
-        start.initial_contacts = simulation.state.contacts;
+        (start.initial, start.initial_contacts) = fine.simulation.stopped();
         let rested = Simulation::new(Arc::new(start))?;
+        // Rest is judged where the spheres were free to move: at the end of the coarse steps.
+        let speed = coarse.speed.max(fine.speed);
         Ok(Self {
             start: rested.snapshot(),
-            time,
+            time: coarse.simulation.time() + fine.simulation.time(),
             speed,
-            rest_speed,
-            at_rest: speed <= rest_speed,
+            rest_speed: coarse.rest_speed,
+            at_rest: speed <= coarse.rest_speed,
         })
     }
 }
 
-/// Force and slip tolerances while settling: the way to rest need not be exact, the forces at rest are solved anew.
-const FORCE: f64 = 1e-2;
-const SLIP: f64 = 1e-4;
+/// Tolerances on the way down, and in the last stretch, which brings the gaps to the scene's: the way to rest need not be
+/// exact, and the forces at rest are solved anew.
+const COARSE: Tolerance = Tolerance {
+    gap: 1e-3,
+    slip: 1e-3,
+    force: 1e-1,
+};
+const FINE: Tolerance = Tolerance { gap: 0.0, ..COARSE };
+/// Longest last stretch over the settling time.
+const LAST: f64 = 0.5;
 
-/// The scene with boundaries and targets of springs held as at t = 0, without sources and sinks.
-fn held(scene: &Scene) -> Scene {
+/// The scene with boundaries and targets of springs held as at t = 0, without sources and sinks, and with tolerances no
+/// finer than `least`.
+fn held(scene: &Scene, least: Tolerance) -> Scene {
     let hold = |motion: &mut Motion| {
         let pose = motion.pose_at(0.0);
         *motion = Motion::Table {
@@ -128,23 +126,70 @@ fn held(scene: &Scene) -> Scene {
         .iter_mut()
         .for_each(|spring| hold(&mut spring.motion));
     let tolerance = &mut scene.settings.tolerance;
-    tolerance.force = tolerance.force.max(FORCE);
-    tolerance.slip = tolerance.slip.max(SLIP);
+    tolerance.gap = tolerance.gap.max(least.gap);
+    tolerance.slip = tolerance.slip.max(least.slip);
+    tolerance.force = tolerance.force.max(least.force);
     scene.sources.clear();
     scene.sinks.clear();
     scene
+}
+
+/// Step \[s\] in which a weight moves a sphere by ten gap tolerances, `sqrt(10 tol R / |g|)`: small steps reach small gaps
+/// with the least work.
+fn easy_step(scene: &Scene) -> f64 {
+    let settings = &scene.settings;
+    (10.0 * settings.tolerance.gap * smallest(scene) / settings.gravity.norm()).sqrt()
+}
+
+/// Smallest radius \[m\].
+fn smallest(scene: &Scene) -> f64 {
+    let radius = scene.particles.radius.iter();
+    radius.copied().fold(f64::INFINITY, f64::min)
+}
+
+/// A run that settles.
+struct Stretch {
+    simulation: Simulation,
+    /// Largest speed at its end \[m/s\].
+    speed: f64,
+    rest_speed: f64,
+}
+
+impl Stretch {
+    fn run(
+        mut simulation: Simulation,
+        settle: Settle,
+        watch: &mut impl FnMut(&Simulation) -> ControlFlow<()>,
+    ) -> Result<Self, StepError> {
+        let (rest_speed, patience) = rest(&simulation.scene);
+        let step = simulation.scene.settings.communication_step;
+        let mut moved_at = 0.0;
+        let mut k = 0_u32;
+        loop {
+            let speed = simulation.fastest();
+            if speed > rest_speed {
+                moved_at = simulation.time();
+            }
+            let at_rest = simulation.time() - moved_at >= patience;
+            let over = simulation.time() >= settle.time || (settle.until_rest && at_rest);
+            if over || watch(&simulation).is_break() {
+                return Ok(Self {
+                    simulation,
+                    speed,
+                    rest_speed,
+                });
+            }
+            k += 1;
+            simulation.advance_to((f64::from(k) * step).min(settle.time))?;
+        }
+    }
 }
 
 /// Speed of rest \[m/s\] and how long it must last \[s\].
 fn rest(scene: &Scene) -> (f64, f64) {
     let settings = &scene.settings;
     let gravity = settings.gravity.norm();
-    let smallest = scene
-        .particles
-        .radius
-        .iter()
-        .copied()
-        .fold(f64::INFINITY, f64::min);
+    let smallest = smallest(scene);
     let undetermined = 2.0 * settings.tolerance.gap * smallest / settings.step;
     let speed = STILL * (gravity * smallest).sqrt() + undetermined;
     let patience = if gravity > 0.0 {
@@ -156,6 +201,14 @@ fn rest(scene: &Scene) -> (f64, f64) {
 }
 
 impl Simulation {
+    /// The spheres without their velocities, and their contacts.
+    fn stopped(&self) -> (Kinematics, Vec<Contact>) {
+        let mut kinematics = self.state.kinematics.clone();
+        kinematics.velocity.fill(Vec3::zeros());
+        kinematics.spin.fill(Vec3::zeros());
+        (kinematics, self.state.contacts.clone())
+    }
+
     /// Largest speed \[m/s\] of a centre or of a surface about its centre.
     fn fastest(&self) -> f64 {
         let radius = &self.scene.particles.radius;

@@ -20,6 +20,8 @@ use residual::{Residual, Scale, evaluate};
 
 /// Contacts that lead from an unsolved row to the border of the first part that Newton solves.
 const HOPS: usize = 2;
+/// Most bodies of a part: Newton's factor grows faster than the work of more sweeps.
+const MOST_BODIES: usize = 300;
 /// Gauss-Seidel sweeps over the whole after each part.
 const BETWEEN: usize = 100;
 
@@ -119,10 +121,15 @@ fn auto(
         };
         let seeds: Vec<usize> = (0..problem.rows.len()).filter(unsolved).collect();
         let part = Part::around(problem, impulses, seeds.into_iter(), hops);
+        if part.problem.free.len() > MOST_BODIES {
+            brief.max_sweeps = params.max_sweeps.saturating_sub(report.sweeps);
+            return report.then(gauss_seidel::solve(problem, &brief, impulses));
+        }
         let mut own: Vec<Vec3> = part.rows.iter().map(|&k| impulses[k]).collect();
         // What the part's border costs the whole must fit in as well.
+        let share = if part.closed { 1.0 } else { 0.5 };
         let rest = Params {
-            tolerance: params.tolerance.scaled(0.5),
+            tolerance: params.tolerance.scaled(share),
             max_factorizations: params.max_factorizations - report.factorizations,
             ..*params
         };

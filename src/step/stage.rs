@@ -195,7 +195,8 @@ impl<'a> Stage<'a> {
             residual: f64::NAN,
             tolerance: self.inputs.scene.settings.tolerance.gap,
             contact: None,
-            pinched: None,
+            // Forces without bound satisfy a pinch on paper: then only the geometry refuses it.
+            pinched: (0..self.candidates.len()).find_map(|row| self.pinch(row)),
         })
     }
 

@@ -31,7 +31,10 @@ fn a_short_study_writes_its_report_once() {
     for link in links {
         let file = report.join("paper").join(link);
         if link.ends_with(".csv") {
-            assert!(rows_quoted(&file) > 0, "{link}");
+            // A trial is too short for the places at the printed times.
+            let table = fs::read_to_string(&file).unwrap();
+            let least = if link.ends_with("-places.csv") { 1 } else { 2 };
+            assert!(table.lines().count() >= least, "{link}");
         } else {
             let svg = fs::read_to_string(&file).unwrap();
             assert!(svg.starts_with("<svg") && svg.trim_end().ends_with("</svg>"));
@@ -49,9 +52,4 @@ fn a_short_study_writes_its_report_once() {
     over.push("--overwrite");
     done(folder.path(), &over);
     assert_eq!(text, fs::read_to_string(report.join("paper.md")).unwrap());
-}
-
-/// Lines of a CSV file without its header; fields may be quoted.
-fn rows_quoted(csv: &std::path::Path) -> usize {
-    fs::read_to_string(csv).unwrap().lines().count() - 1
 }
