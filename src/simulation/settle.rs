@@ -7,11 +7,11 @@
 //! The spheres are at rest when no speed, of a centre or of a surface about it, exceeds
 //!
 //! ```text
-//! v_rest = 1e-3 sqrt(|g| R_min) + 2 tol R_min / dt
+//! v_rest = 1e-3 sqrt(|g| R_min) + 2 tol R_min / dt + |g| dt
 //! ```
 //!
 //! for a time of `sqrt(R_min / |g|)`, that of a fall by half a radius: nothing is only turning round. The second term is
-//! what the gap tolerance leaves undetermined.
+//! what the larger of the gap and the slip tolerance leaves undetermined, the third what a step of free fall adds.
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
@@ -82,14 +82,12 @@ impl Settled {
         let mut start = scene.clone();
         (start.initial, start.initial_contacts) = fine.simulation.stopped();
         let rested = Simulation::new(Arc::new(start))?;
-        // Rest is judged where the spheres were free to move: at the end of the coarse steps.
-        let speed = coarse.speed.max(fine.speed);
         Ok(Self {
             start: rested.snapshot(),
             time: coarse.simulation.time() + fine.simulation.time(),
-            speed,
-            rest_speed: coarse.rest_speed,
-            at_rest: speed <= coarse.rest_speed,
+            speed: fine.speed,
+            rest_speed: fine.rest_speed,
+            at_rest: coarse.speed <= coarse.rest_speed && fine.speed <= fine.rest_speed,
         })
     }
 }
@@ -101,7 +99,11 @@ const COARSE: Tolerance = Tolerance {
     slip: 1e-3,
     force: 1e-1,
 };
-const FINE: Tolerance = Tolerance { gap: 0.0, ..COARSE };
+const FINE: Tolerance = Tolerance {
+    gap: 0.0,
+    slip: 1e-4,
+    force: 1e-1,
+};
 /// Longest last stretch over the settling time.
 const LAST: f64 = 0.5;
 
@@ -190,8 +192,9 @@ fn rest(scene: &Scene) -> (f64, f64) {
     let settings = &scene.settings;
     let gravity = settings.gravity.norm();
     let smallest = smallest(scene);
-    let undetermined = 2.0 * settings.tolerance.gap * smallest / settings.step;
-    let speed = STILL * (gravity * smallest).sqrt() + undetermined;
+    let tolerance = settings.tolerance.gap.max(settings.tolerance.slip);
+    let undetermined = 2.0 * tolerance * smallest / settings.step;
+    let speed = STILL * (gravity * smallest).sqrt() + undetermined + gravity * settings.step;
     let patience = if gravity > 0.0 {
         (smallest / gravity).sqrt()
     } else {
