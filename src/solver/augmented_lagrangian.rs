@@ -19,6 +19,7 @@ use std::sync::Arc;
 
 use nalgebra::{Matrix3, Matrix6};
 
+use super::bodies::{jacobian, masses, moved, scatter};
 use super::gauss_seidel::smooth;
 use super::residual::{Scale, evaluate};
 use super::{Params, Report};
@@ -117,33 +118,6 @@ fn augmented(row: &Row, u: Vec3, p: Vec3, sigma: f64, radius: f64) -> Augmented 
     }
 }
 
-/// `d(u)/d(v)` of body A: `[1, -[arm]x]`, with locked degrees of freedom taken out.
-fn jacobian(arm: Vec3, inverse_mass: &Dof6) -> nalgebra::Matrix3x6<f64> {
-    let mut j = nalgebra::Matrix3x6::zeros();
-    j.fixed_view_mut::<3, 3>(0, 0)
-        .copy_from(&Matrix3::identity());
-    j.fixed_view_mut::<3, 3>(0, 3)
-        .copy_from(&-arm.cross_matrix());
-    for k in 0..3 {
-        if inverse_mass.linear[k] == 0.0 {
-            j.column_mut(k).fill(0.0);
-        }
-        if inverse_mass.angular[k] == 0.0 {
-            j.column_mut(k + 3).fill(0.0);
-        }
-    }
-    j
-}
-
-/// Mass of each degree of freedom; one where it is locked, so that `K` stays regular.
-fn masses(inverse_mass: &Dof6) -> [f64; 6] {
-    let w = [inverse_mass.linear, inverse_mass.angular];
-    std::array::from_fn(|k| {
-        let w = w[k / 3][k % 3];
-        if w > 0.0 { 1.0 / w } else { 1.0 }
-    })
-}
-
 /// The inner problem: everything that does not change during one solve.
 struct Inner<'a> {
     problem: &'a Problem,
@@ -173,27 +147,9 @@ impl<'a> Inner<'a> {
         for (row, augmented) in self.problem.rows.iter().zip(rows) {
             energy += augmented.energy;
             let p = augmented.impulse;
-            self.scatter(&mut gradient, row.a, row.arm_a, -p);
-            if row.b != GROUND {
-                self.scatter(&mut gradient, row.b, row.arm_b, p);
-            }
+            scatter(self.problem, row, -p, &mut gradient);
         }
         (energy, gradient)
-    }
-
-    /// Adds an impulse at `arm` of a body to `gradient`; locked degrees of freedom do not feel it.
-    fn scatter(&self, gradient: &mut [f64], body: u32, arm: Vec3, impulse: Vec3) {
-        let body = body as usize;
-        let w = &self.problem.inverse_mass[body];
-        let moment = arm.cross(&impulse);
-        for k in 0..3 {
-            if w.linear[k] > 0.0 {
-                gradient[6 * body + k] += impulse[k];
-            }
-            if w.angular[k] > 0.0 {
-                gradient[6 * body + 3 + k] += moment[k];
-            }
-        }
     }
 
     /// Assembles `K = A + J^T T J` from 6x6 blocks.
@@ -216,19 +172,6 @@ impl<'a> Inner<'a> {
             }
         }
     }
-}
-
-/// `velocity + scale * step`.
-fn moved(velocity: &[Dof6], step: &[f64], scale: f64) -> Vec<Dof6> {
-    let part = |i: usize| Vec3::new(step[i], step[i + 1], step[i + 2]) * scale;
-    velocity
-        .iter()
-        .enumerate()
-        .map(|(i, v)| Dof6 {
-            linear: v.linear + part(6 * i),
-            angular: v.angular + part(6 * i + 3),
-        })
-        .collect()
 }
 
 /// Solves `problem` from the impulses given; see [`super::solve`].

@@ -6,6 +6,7 @@
 //! impulses that satisfy the same conditions ([`crate::problem`]); a faster solver is one more function of the same shape.
 
 pub mod augmented_lagrangian;
+mod bodies;
 pub mod gauss_seidel;
 mod neighbourhood;
 pub mod newton;

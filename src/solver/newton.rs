@@ -13,15 +13,16 @@
 //! `kappa`, the fewer are needed and the harder is each. `kappa` starts low and follows what succeeds (Alart & Curnier
 //! 1991 for the tangent; the safeguard is that of a trust region).
 
-use nalgebra::{Matrix3, Matrix3x6, Matrix6};
+use nalgebra::{Matrix3, Matrix6};
 
+use super::augmented_lagrangian::SHEAR_RATIO;
+use super::bodies::{jacobian, masses, moved, scatter};
 use super::residual::{Scale, evaluate};
 use super::{Params, Report};
 use crate::Vec3;
 use crate::contacts::law::{project_disc, split};
 use crate::linalg::{GeneralMatrix, LinearError};
 use crate::problem::{Dof6, GROUND, Law, Problem, Row};
-use crate::solver::augmented_lagrangian::SHEAR_RATIO;
 
 /// First proximal parameter `kappa` \[-\].
 const FIRST: f64 = 30.0;
@@ -98,21 +99,8 @@ impl Proximal<'_> {
             let parts = [v.linear - free.linear, v.angular - free.angular];
             balance.extend((0..6).map(|k| masses[k] * parts[k / 3][k % 3]));
         }
-        let w = &self.problem.inverse_mass;
-        let mut give = |body: usize, arm: Vec3, p: Vec3| {
-            let parts = [p, arm.cross(&p)];
-            let free = [w[body].linear, w[body].angular];
-            for k in 0..6 {
-                if free[k / 3][k % 3] > 0.0 {
-                    balance[6 * body + k] -= parts[k / 3][k % 3];
-                }
-            }
-        };
         for (row, &(p, _)) in self.problem.rows.iter().zip(&rows) {
-            give(row.a as usize, row.arm_a, p);
-            if row.b != GROUND {
-                give(row.b as usize, row.arm_b, -p);
-            }
+            scatter(self.problem, row, -p, &mut balance);
         }
         let masses = self.masses.iter().flatten();
         let merit: f64 = balance.iter().zip(masses).map(|(r, m)| r * r / m).sum();
@@ -241,42 +229,54 @@ pub fn solve(
     Ok(report)
 }
 
-/// Mass of each degree of freedom; one where it is locked, so that `K` stays regular.
-fn masses(inverse_mass: &Dof6) -> [f64; 6] {
-    let w = [inverse_mass.linear, inverse_mass.angular];
-    std::array::from_fn(|k| {
-        let w = w[k / 3][k % 3];
-        if w > 0.0 { 1.0 / w } else { 1.0 }
-    })
-}
+#[cfg(test)]
+mod tests {
+    use super::*;
 
-/// `d(u)/d(v)` of one body: `[1, -[arm]x]`, with locked degrees of freedom taken out.
-fn jacobian(arm: Vec3, inverse_mass: &Dof6) -> Matrix3x6<f64> {
-    let mut j = Matrix3x6::zeros();
-    j.fixed_view_mut::<3, 3>(0, 0)
-        .copy_from(&Matrix3::identity());
-    j.fixed_view_mut::<3, 3>(0, 3)
-        .copy_from(&-arm.cross_matrix());
-    for k in 0..3 {
-        if inverse_mass.linear[k] == 0.0 {
-            j.column_mut(k).fill(0.0);
-        }
-        if inverse_mass.angular[k] == 0.0 {
-            j.column_mut(k + 3).fill(0.0);
+    /// The tangent against central differences in stick, slip, open and for springs, error of second order.
+    #[test]
+    fn the_tangent_is_the_derivative() {
+        let row = |law| Row {
+            a: 0,
+            b: GROUND,
+            normal: Vec3::new(0.6, 0.0, 0.8),
+            arm_a: Vec3::zeros(),
+            arm_b: Vec3::zeros(),
+            drift: Vec3::zeros(),
+            bias: Vec3::new(0.01, -0.02, 0.005),
+            compliance_n: 0.03,
+            compliance_t: 0.02,
+            law,
+            radius: 1.0,
+            impulse_scale: 1.0,
+        };
+        let p = Vec3::new(1.0, 0.3, 1.5);
+        let contact = row(Law::Contact { mu: 0.5 });
+        let cases = [
+            (contact, Vec3::new(0.02, 0.01, -0.1)),
+            (contact, Vec3::new(0.2, 0.4, -0.1)),
+            (contact, Vec3::new(0.6, 0.0, 0.9)),
+            (row(Law::Bilateral), Vec3::new(0.1, -0.3, 0.2)),
+        ];
+        for (row, u) in cases {
+            let (_, tangent) = answer(&row, u, p, 20.0);
+            let error = |h: f64| {
+                (0..3)
+                    .map(|axis| {
+                        let step = Vec3::ith(axis, h);
+                        let [plus, minus] =
+                            [u + step, u - step].map(|u| answer(&row, u, p, 20.0).0);
+                        let slope = (plus - minus) / (2.0 * h);
+                        (slope + tangent.column(axis)).norm()
+                    })
+                    .fold(0.0, f64::max)
+            };
+            let (coarse, fine) = (error(1e-3), error(1e-4));
+            assert!(fine < 1e-5, "{fine:e}");
+            assert!(
+                fine <= coarse / 50.0 || coarse < 1e-9,
+                "second order: {coarse:e} {fine:e}"
+            );
         }
     }
-    j
-}
-
-/// `velocity + scale * step`.
-fn moved(velocity: &[Dof6], step: &[f64], scale: f64) -> Vec<Dof6> {
-    let part = |i: usize| Vec3::new(step[i], step[i + 1], step[i + 2]) * scale;
-    velocity
-        .iter()
-        .enumerate()
-        .map(|(i, v)| Dof6 {
-            linear: v.linear + part(6 * i),
-            angular: v.angular + part(6 * i + 3),
-        })
-        .collect()
 }
