@@ -70,9 +70,10 @@ impl Settled {
         }
         let began = Simulation::new(Arc::new(held(scene, COARSE)))?;
         let coarse = Stretch::run(began, settle, &mut watch)?;
+        let (_, patience) = rest(scene);
         let last = Settle {
-            time: (LAST * settle.time).max(scene.settings.communication_step),
-            until_rest: true,
+            time: (LAST * patience).max(scene.settings.communication_step),
+            until_rest: false,
         };
         let mut near = held(scene, FINE);
         near.settings.step = near.settings.step.min(easy_step(scene));
@@ -104,8 +105,8 @@ const FINE: Tolerance = Tolerance {
     slip: 1e-4,
     force: 1e-1,
 };
-/// Longest last stretch over the settling time.
-const LAST: f64 = 0.5;
+/// Length of the last stretch over the time that counts as rest: loose spheres find their places.
+const LAST: f64 = 40.0;
 
 /// The scene with boundaries and targets of springs held as at t = 0, without sources and sinks, and with tolerances no
 /// finer than `least`.
