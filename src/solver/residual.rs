@@ -14,7 +14,7 @@
 
 use crate::Vec3;
 use crate::contacts::law::{project_disc, split};
-use crate::problem::{Law, Problem, Row};
+use crate::problem::{Dof6, Law, Problem, Row};
 use crate::scene::Tolerance;
 
 /// Largest residual of each kind \[-\], and the rows where they occur.
@@ -62,14 +62,19 @@ impl Scale {
     /// The scales of all rows, `[C]`.
     #[must_use]
     pub fn of(problem: &Problem) -> Vec<Self> {
-        let scale = |row: &Row| {
-            let (normal, tangential) = row.delassus(&problem.inverse_mass);
-            Self {
-                normal: normal + row.compliance_n,
-                tangential: tangential + row.compliance_t,
-            }
-        };
-        problem.rows.iter().map(scale).collect()
+        let rows = problem.rows.iter();
+        rows.map(|row| Self::of_row(row, &problem.inverse_mass))
+            .collect()
+    }
+
+    /// The scales of one row.
+    #[must_use]
+    pub fn of_row(row: &Row, inverse_mass: &[Dof6]) -> Self {
+        let (normal, tangential) = row.delassus(inverse_mass);
+        Self {
+            normal: normal + row.compliance_n,
+            tangential: tangential + row.compliance_t,
+        }
     }
 
     /// Change of the row's impulse by its law at relative velocity `u` and impulse `p`: normal first, then
