@@ -58,7 +58,7 @@ fn sweep(
         let delta = (row.normal * correction.normal + correction.tangential) * damping;
         if delta != Vec3::zeros() {
             *p += delta;
-            row.apply(&problem.inverse_mass, velocity, delta);
+            problem.apply(row, velocity, delta);
         }
     }
     change

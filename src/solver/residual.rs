@@ -63,7 +63,7 @@ impl Scale {
     #[must_use]
     pub fn of(problem: &Problem) -> Vec<Self> {
         let scale = |row: &Row| {
-            let (normal, tangential) = row.delassus(&problem.inverse_mass);
+            let (normal, tangential) = problem.delassus(row);
             Self {
                 normal: normal + row.compliance_n,
                 tangential: tangential + row.compliance_t,
