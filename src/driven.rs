@@ -329,7 +329,14 @@ impl<'a> Ready<'a> {
         let pose = &state.poses[b];
         let reference = boundary.from_frame(pose, body.reference(boundary));
         let action = body.action(boundary, pose);
-        let centre = boundary.from_frame(pose, body.centre) - reference;
+        // Shi's acceleration is constant over the step: that of the middle keeps its second order where torques turn along.
+        let ahead = match integrator {
+            Integrator::Moreau => Vec3::zeros(),
+            Integrator::Shi => carried.velocity.angular * (0.5 * dt),
+        };
+        let ahead = UnitQuaternion::from_scaled_axis(ahead);
+        let lever = ahead * action;
+        let centre = ahead * (boundary.from_frame(pose, body.centre) - reference);
         let load = body.load(scene, &state.poses, &state.commands[b]);
         let weight = match body.gravity {
             true => state.gravity * body.mass,
@@ -337,7 +344,7 @@ impl<'a> Ready<'a> {
         };
         let external = Dof6 {
             linear: load.linear + weight,
-            angular: load.angular + action.cross(&load.linear) + centre.cross(&weight),
+            angular: load.angular + lever.cross(&load.linear) + centre.cross(&weight),
         };
         let here = body.operator(boundary, pose.rotation, f64::recip);
         let (last, persisting) = (state.last_step, &carried.persisting);

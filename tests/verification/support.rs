@@ -198,7 +198,7 @@ impl Run {
     }
 
     /// One communication step, with the balance of linear momentum: boundary forces, weight, loads and
-    /// springs are its rate, to 1e-9 of all impulses. The balance needs equal steps before and after, and
+    /// springs are its rate, to 1e-9 of all impulses. The balance needs whole steps before and after, and
     /// free spheres; `Moreau` only.
     pub fn step(&mut self) {
         self.advance(self.simulation.scene().settings.step);
@@ -215,7 +215,8 @@ impl Run {
             .locks
             .iter()
             .any(|l| l.translation.iter().any(|x| *x));
-        let equal = (last - self.simulation.state().last_step).abs() <= 1e-12 * h;
+        let now = self.simulation.state().last_step;
+        let equal = (last - now).abs() <= 1e-12 * h && (now - scene.settings.step).abs() <= 1e-12 * h;
         let shi = scene.settings.integrator == sphere_dda::scene::Integrator::Shi;
         if !equal || shi {
             return;
