@@ -16,8 +16,12 @@ const ROWS: [(f64, f64); 4] = [(1e-4, 5e-4), (1e-5, 2.5e-4), (1e-6, 1e-4), (1e-6
 fn main() {
     let wanted: Vec<usize> = std::env::args().filter_map(|a| a.parse().ok()).collect();
     let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/bed/bed.toml");
-    let scene = Scene::from_file(file).expect("the example is a good scene").scene;
-    println!("  gap      step     CPU s  steps  cuts  sweeps  a step  worst    force    floor/weight  height m  J/kg");
+    let scene = Scene::from_file(file)
+        .expect("the example is a good scene")
+        .scene;
+    println!(
+        "  gap      step     CPU s  steps  cuts  sweeps  a step  worst    force    floor/weight  height m  J/kg"
+    );
     for (k, (gap, step)) in ROWS.into_iter().enumerate() {
         if wanted.is_empty() || wanted.contains(&k) {
             run(&scene, gap, step);
@@ -28,7 +32,11 @@ fn main() {
 fn run(scene: &Scene, gap: f64, step: f64) {
     let mut scene = scene.clone();
     scene.settings.step = step;
-    scene.settings.tolerance = Tolerance { gap, slip: gap, force: 0.1 };
+    scene.settings.tolerance = Tolerance {
+        gap,
+        slip: gap,
+        force: 0.1,
+    };
     let mut simulation = Simulation::new(Arc::new(scene)).expect("a start");
     let mut total = sphere_dda::simulation::StepReport::default();
     let start = cpu();
@@ -46,10 +54,16 @@ fn run(scene: &Scene, gap: f64, step: f64) {
     let energy: f64 = (0..particles.len())
         .map(|i| {
             let v = simulation.velocity(i);
-            0.5 * (particles.mass[i] * v.linear.norm_squared() + particles.inertia(i) * v.angular.norm_squared())
+            0.5 * (particles.mass[i] * v.linear.norm_squared()
+                + particles.inertia(i) * v.angular.norm_squared())
         })
         .sum();
-    let mut heights: Vec<f64> = simulation.kinematics().position.iter().map(|x| x.z).collect();
+    let mut heights: Vec<f64> = simulation
+        .kinematics()
+        .position
+        .iter()
+        .map(|x| x.z)
+        .collect();
     heights.sort_by(|a, b| b.total_cmp(a));
     let top = &heights[..heights.len() / 20];
     println!(
@@ -69,6 +83,10 @@ fn run(scene: &Scene, gap: f64, step: f64) {
 /// Time this thread has run \[s\].
 fn cpu() -> f64 {
     let text = std::fs::read_to_string("/proc/thread-self/schedstat").unwrap_or_default();
-    let nanoseconds: f64 = text.split(' ').next().and_then(|n| n.parse().ok()).unwrap_or(f64::NAN);
+    let nanoseconds: f64 = text
+        .split(' ')
+        .next()
+        .and_then(|n| n.parse().ok())
+        .unwrap_or(f64::NAN);
     nanoseconds * 1e-9
 }

@@ -66,7 +66,7 @@ impl Kernel {
             let Some(contact) = self.sphere_contact(problem, row) else {
                 self.others.push(Other {
                     row: k as u32,
-                    scale: Scale::of_row(row, &problem.inverse_mass),
+                    scale: Scale::of_row(problem, row),
                     impulse: impulses[k],
                     previous: impulses[k],
                 });
@@ -81,7 +81,13 @@ impl Kernel {
                 oldest = (oldest + 1) % OPEN;
             }
             let lane = filling[at].count;
-            self.fill(&mut filling[at].block, lane, (k as u32, row), &contact, impulses[k]);
+            self.fill(
+                &mut filling[at].block,
+                lane,
+                (k as u32, row),
+                &contact,
+                impulses[k],
+            );
             filling[at].count += 1;
             for body in [row.a, row.b] {
                 if let Some(held) = self.held.get_mut(body as usize) {
@@ -107,7 +113,8 @@ impl Kernel {
         self.bodies.clear();
         for (i, v) in self.velocity.iter().enumerate() {
             let scale = self.scale(i);
-            let w = &problem.inverse_mass[i];
+            // Driven bodies move by other rows only, which have their own operator.
+            let w = problem.inverse_mass.get(i).copied().unwrap_or(Dof6::ZERO);
             let (v, s) = (v.linear, v.angular * scale);
             self.bodies.push(Body {
                 linear: [v.x, v.y, v.z, w.linear.x],
@@ -142,11 +149,17 @@ impl Kernel {
     }
 
     /// Inverse mass and `R^2/I` of a body with the same mobility in all directions that is touched at `R normal`.
-    fn sphere(&mut self, problem: &Problem, body: u32, arm: Vec3, normal: Vec3) -> Option<[f64; 2]> {
+    fn sphere(
+        &mut self,
+        problem: &Problem,
+        body: u32,
+        arm: Vec3,
+        normal: Vec3,
+    ) -> Option<[f64; 2]> {
         if body == GROUND {
             return Some([0.0; 2]);
         }
-        let w = &problem.inverse_mass[body as usize];
+        let w = problem.inverse_mass.get(body as usize)?;
         let same = |v: &Vec3| v.x == v.y && v.y == v.z;
         if !(same(&w.linear) && same(&w.angular)) {
             return None;
@@ -265,7 +278,7 @@ impl Kernel {
         other.previous = old;
         self.others[at] = other;
         if delta != Vec3::zeros() {
-            row.apply(&problem.inverse_mass, &mut self.velocity, delta);
+            problem.apply(row, &mut self.velocity, delta);
             for i in bodies.map(|body| body as usize) {
                 let Dof6 { linear, angular } = self.velocity[i];
                 let spin = angular * self.scale(i);
