@@ -3,6 +3,7 @@
 use super::dof;
 use super::stage::Stage;
 use crate::Vec3;
+use crate::contacts::history::transfer;
 use crate::contacts::narrow_phase::Placement;
 use crate::contacts::{Contact, Partner};
 use crate::integrate::turned;
@@ -12,6 +13,17 @@ use crate::simulation::Wrench;
 use crate::state::State;
 
 impl Stage<'_> {
+    /// Counts as impacts the contacts that an impact has hit through others: their impulses are more than twice what they
+    /// carried before and what accelerations can bring in a step. As persisting forces they would shift the half step.
+    pub(super) fn spread_impacts(&mut self, state: &State) {
+        let before = transfer(&state.contacts, self.candidates.iter().map(|c| c.key));
+        let step = self.inputs.step;
+        for (k, (impact, before)) in self.impact.iter_mut().zip(before).enumerate() {
+            let usual = before.norm() * step + self.problem.rows[k].impulse_scale;
+            *impact |= self.impulses[k].norm() > 2.0 * usual;
+        }
+    }
+
     /// Contact forces and boundary wrenches into `state`.
     pub(super) fn store(&self, state: &mut State) {
         let step = self.inputs.step;

@@ -64,6 +64,7 @@ pub fn step(
     let start = Start::of(scene, state, dt);
     let mut stage = Stage::new(start.inputs(scene, state, dt, &poses), state, scratch);
     let (solution, outcome) = stage.resolve(state, scratch)?;
+    stage.spread_impacts(state);
     stage.commit(state, &solution);
     if outcome.solver.penalty > 0.0 && outcome.solver.penalty.is_finite() {
         state.penalty = outcome.solver.penalty;

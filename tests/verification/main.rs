@@ -4,12 +4,15 @@
 #![allow(unreachable_pub, reason = "a test crate has no outside")]
 
 mod contact_statics;
+mod edges;
 mod free_motion;
 mod impact;
 mod incline;
 mod paper_examples;
 mod pinched;
 mod regions;
+mod rolling;
+mod simultaneous;
 mod solvers;
 mod springs;
 mod support;
