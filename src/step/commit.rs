@@ -14,13 +14,21 @@ use crate::state::State;
 
 impl Stage<'_> {
     /// Counts as impacts the contacts that an impact has hit through others: their impulses are more than twice what they
-    /// carried before and what accelerations can bring in a step. As persisting forces they would shift the half step.
+    /// carried before and what loads bring in a step. As persisting forces they would shift the half step.
     pub(super) fn spread_impacts(&mut self, state: &State) {
         let before = transfer(&state.contacts, self.candidates.iter().map(|c| c.key));
-        let step = self.inputs.step;
+        let (step, particles) = (self.inputs.step, &self.inputs.scene.particles);
+        let weight = |i: usize| {
+            let acceleration = self.inputs.external[i].linear.norm();
+            particles.mass[i] * acceleration.max(self.inputs.gravity.norm())
+        };
         for (k, (impact, before)) in self.impact.iter_mut().zip(before).enumerate() {
-            let usual = before.norm() * step + self.problem.rows[k].impulse_scale;
-            *impact |= self.impulses[k].norm() > 2.0 * usual;
+            let row = &self.problem.rows[k];
+            let mut load = weight(row.a as usize);
+            if row.b != GROUND {
+                load = load.max(weight(row.b as usize));
+            }
+            *impact |= self.impulses[k].norm() > 2.0 * step * (before.norm() + load);
         }
     }
 

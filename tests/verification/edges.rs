@@ -175,7 +175,6 @@ fn a_rolling_sphere_slips_and_leaves() {
         close(leaves.to_degrees(), table, 4e-5, 0.0);
         for support in [Support::Edge, Support::Corner, Support::Sphere] {
             let found = fall(support, mu);
-            println!("{support:?} mu {mu}: slips {} {} leaves {} {} lost {:e}", found.slips.to_degrees(), slips.to_degrees(), found.leaves.to_degrees(), table, found.lost);
             close(found.leaves, leaves, 2e-4, 0.0);
             close(found.slips, slips, 1e-3, 0.0);
             // What slipping takes: its share of `m g L` for mu = .5 is 5e-4.

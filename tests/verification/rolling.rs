@@ -129,7 +129,6 @@ fn rolls_to_and_fro_in_a_trough_and_in_a_bowl() {
         }
         let found = crossings[2] - crossings[0];
         let error = (found / period - 1.0).abs();
-        println!("{name} {error:e}");
         assert!(error <= tolerance, "{name}: period {found}, expected {period}, error {error:e}");
     }
 }

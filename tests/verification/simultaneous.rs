@@ -127,7 +127,8 @@ fn a_gas_keeps_its_energy() {
             assert!(relative.abs() < 1e-10, "{relative:e} at {} s", run.simulation.time());
         }
     }
+    // Seen with `--nocapture`.
     println!("{impacts} impacts; {multiple} steps with a sphere hit twice changed the energy by {change:e}");
-    assert!(impacts > 1000, "{impacts}");
+    assert!(impacts > 500, "{impacts}");
     assert!(multiple < 50, "{multiple}");
 }
