@@ -71,7 +71,9 @@ fn setup(support: Support, friction: f64) -> (Run, Vec3, f64) {
             plate(v(0.0, -1.0, -1.0), v(0.0, 0.0, 1.0), v(0.0, 2.0, 0.0)),
         ]),
         Support::Corner => case.wall(vec![
-            Facets::cuboid(v(-1.0, -1.0, -1.0), Vec3::zeros()).expect("a box").into(),
+            Facets::cuboid(v(-1.0, -1.0, -1.0), Vec3::zeros())
+                .expect("a box")
+                .into(),
         ]),
         Support::Sphere => case.body(
             0.25,
@@ -84,7 +86,9 @@ fn setup(support: Support, friction: f64) -> (Run, Vec3, f64) {
             },
         ),
     };
-    let run = case.body(RADIUS, centre, velocity, spin, Locks::default()).start();
+    let run = case
+        .body(RADIUS, centre, velocity, spin, Locks::default())
+        .start();
     (run, along, length)
 }
 
@@ -124,8 +128,15 @@ fn fall(support: Support, friction: f64) -> Fall {
     };
     let leaves = b + (b - a) * g / (f - g);
     let across = Vec3::z().cross(&along);
-    assert!(run.position(falling).dot(&across).abs() < 1e-6 * RADIUS, "it falls straight");
-    Fall { leaves, slips, lost }
+    assert!(
+        run.position(falling).dot(&across).abs() < 1e-6 * RADIUS,
+        "it falls straight"
+    );
+    Fall {
+        leaves,
+        slips,
+        lost,
+    }
 }
 
 /// Where `f` changes its sign between `low` and `high`.
@@ -145,7 +156,11 @@ fn root(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
 /// Angles at which it begins to slip, and at which it leaves \[rad\].
 fn exact(mu: f64) -> (f64, f64) {
     let last = (10.0f64 / 17.0).acos();
-    let slips = root(|th| 2.0 * th.sin() - mu * (17.0 * th.cos() - 10.0), 0.0, last);
+    let slips = root(
+        |th| 2.0 * th.sin() - mu * (17.0 * th.cos() - 10.0),
+        0.0,
+        last,
+    );
     let a = (4.0 * mu * mu - 2.0) / (1.0 + 4.0 * mu * mu);
     let b = -6.0 * mu / (1.0 + 4.0 * mu * mu);
     let c = 10.0 / 7.0 * (1.0 - slips.cos()) - a * slips.cos() - b * slips.sin();
@@ -170,7 +185,12 @@ fn a_frictionless_sphere_leaves_at_two_thirds() {
 fn a_rolling_sphere_slips_and_leaves() {
     let no_slip = (10.0f64 / 17.0).acos();
     close(no_slip.to_degrees(), 53.968, 1e-5, 0.0);
-    for (mu, table) in [(0.5, 52.756), (1.0, 53.322), (10.0, 53.901), (100.0, 53.962)] {
+    for (mu, table) in [
+        (0.5, 52.756),
+        (1.0, 53.322),
+        (10.0, 53.901),
+        (100.0, 53.962),
+    ] {
         let (slips, leaves) = exact(mu);
         close(leaves.to_degrees(), table, 4e-5, 0.0);
         for support in [Support::Edge, Support::Corner, Support::Sphere] {
@@ -178,7 +198,11 @@ fn a_rolling_sphere_slips_and_leaves() {
             close(found.leaves, leaves, 2e-4, 0.0);
             close(found.slips, slips, 1e-3, 0.0);
             // What slipping takes: its share of `m g L` for mu = .5 is 5e-4.
-            assert!((-1e-6..1e-3).contains(&found.lost), "{support:?} lost {:e}", found.lost);
+            assert!(
+                (-1e-6..1e-3).contains(&found.lost),
+                "{support:?} lost {:e}",
+                found.lost
+            );
         }
     }
 }

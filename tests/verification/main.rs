@@ -4,10 +4,13 @@
 #![allow(unreachable_pub, reason = "a test crate has no outside")]
 
 mod contact_statics;
+mod convergence;
 mod edges;
 mod free_motion;
 mod impact;
 mod incline;
+mod invariance;
+mod joints;
 mod paper_examples;
 mod pinched;
 mod regions;

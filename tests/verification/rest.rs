@@ -16,7 +16,9 @@ const RADIUS: f64 = 0.1;
 fn resting_contacts_do_not_chatter_at_any_step() {
     for dt in [1e-5, 1e-4, 1e-3, 1e-2, 1e-1] {
         for restitution in [0.0, 0.8, 1.0] {
-            let mut case = Case::new(dt, 0.3, restitution).tolerance(1e-9, 1e-9, 1e-10).floor();
+            let mut case = Case::new(dt, 0.3, restitution)
+                .tolerance(1e-9, 1e-9, 1e-10)
+                .floor();
             for k in 0..3 {
                 let z = RADIUS * f64::from(2 * k + 1);
                 case = case.sphere(RADIUS, Vec3::new(0.0, 0.0, z), Vec3::zeros());
@@ -54,7 +56,11 @@ fn bounces_end_in_rest_at_any_step() {
         for _ in 0..20 {
             run.step();
             close(run.normal_force(), run.mass(0) * G, 1e-6, 0.0);
-            assert!(run.velocity(0).norm() < 1e-6 * G * dt, "dt = {dt}: {:?}", run.velocity(0));
+            assert!(
+                run.velocity(0).norm() < 1e-6 * G * dt,
+                "dt = {dt}: {:?}",
+                run.velocity(0)
+            );
             close(run.position(0).z, RADIUS, 2e-6, 0.0);
         }
     }
@@ -70,7 +76,11 @@ fn a_loop_at_five_g_is_no_string_of_bounces() {
     let speed = |th: f64| (5.0 * G * length + 2.0 * G * length * (1.0 + th.cos())).sqrt();
     for restitution in [0.0, 0.8] {
         let mut run = Case::new(1e-3, 0.0, restitution)
-            .wall(vec![Revolution::cylinder(-axis, axis, hollow, 2.0).expect("a loop").into()])
+            .wall(vec![
+                Revolution::cylinder(-axis, axis, hollow, 2.0)
+                    .expect("a loop")
+                    .into(),
+            ])
             .sphere(RADIUS, Vec3::new(0.0, 0.0, -length), Vec3::x() * speed(0.0))
             .start();
         let (mut turns, mut before) = (0, 0.0);
@@ -96,7 +106,12 @@ fn a_wall_shaken_at_four_g_throws_once_and_bounces_once() {
     let (frequency, e) = (20.0, 0.8);
     let w = TAU * frequency;
     let amplitude = 4.0 * G / (w * w);
-    let floor = |t: f64| (amplitude * (1.0 - (w * t).cos()), amplitude * w * (w * t).sin());
+    let floor = |t: f64| {
+        (
+            amplitude * (1.0 - (w * t).cos()),
+            amplitude * w * (w * t).sin(),
+        )
+    };
     let thrown = (-0.25f64).acos() / w;
     let flight = |t: f64| {
         let ((z, v), s) = (floor(thrown), t - thrown);
@@ -109,11 +124,18 @@ fn a_wall_shaken_at_four_g_throws_once_and_bounces_once() {
     }
     for _ in 0..60 {
         let middle = 0.5 * (low + high);
-        if flight(middle).0 > floor(middle).0 { low = middle } else { high = middle }
+        if flight(middle).0 > floor(middle).0 {
+            low = middle
+        } else {
+            high = middle
+        }
     }
     let meets = low;
     let approach = flight(meets).1 - floor(meets).1;
-    assert!(meets - thrown > 0.01 && approach < -0.3, "a real throw: {meets} {approach}");
+    assert!(
+        meets - thrown > 0.01 && approach < -0.3,
+        "a real throw: {meets} {approach}"
+    );
 
     let dt = 2e-5;
     let motion = Motion::Sinusoid {
@@ -139,7 +161,10 @@ fn a_wall_shaken_at_four_g_throws_once_and_bounces_once() {
         } else if end < thrown - 2.0 * dt {
             let exact = run.mass(0) * (G + 4.0 * G * (w * middle).cos());
             close(force, exact, 2e-2, run.mass(0) * G);
-            assert!(left.is_none() && force > 0.0, "it lies on the floor at {end}");
+            assert!(
+                left.is_none() && force > 0.0,
+                "it lies on the floor at {end}"
+            );
         } else if force == 0.0 && left.is_none() {
             left = Some(end);
         } else if force > 0.0 && left.is_some() {

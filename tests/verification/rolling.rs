@@ -19,7 +19,11 @@ const RADIUS: f64 = 0.1;
 fn sliding_becomes_rolling() {
     let (mu, v0, dt) = (0.2, 2.0, 1e-4);
     for direction in [0.0f64, 25.0, 90.0, 200.0] {
-        let along = Vec3::new(direction.to_radians().cos(), direction.to_radians().sin(), 0.0);
+        let along = Vec3::new(
+            direction.to_radians().cos(),
+            direction.to_radians().sin(),
+            0.0,
+        );
         let mut run = Case::new(dt, mu, 0.0)
             .tolerance(1e-6, 1e-8, 1e-8)
             .floor()
@@ -84,14 +88,20 @@ const HALF: u32 = 29;
 fn rolls_to_and_fro_in_a_trough_and_in_a_bowl() {
     let axis = Vec3::new(0.0, 1.0, 0.0);
     let centre = Vec3::new(0.0, 0.0, HOLLOW);
-    let trough: Shape =
-        Revolution::cylinder(centre - axis, axis, HOLLOW, 2.0).expect("a trough").into();
+    let trough: Shape = Revolution::cylinder(centre - axis, axis, HOLLOW, 2.0)
+        .expect("a trough")
+        .into();
     // The facets touch the circle from outside in their middles, so that the sphere starts on it.
     let on_circle = |k: u32| (f64::from(k) - f64::from(HALF) - 0.5) * FACET;
     let outer = HOLLOW / (0.5 * FACET).cos();
     let prism: Facets = grid(2 * HALF + 1, 1, |i, j| {
         let angle = on_circle(i);
-        centre + Vec3::new(outer * angle.sin(), 0.6 * f64::from(j) - 0.3, -outer * angle.cos())
+        centre
+            + Vec3::new(
+                outer * angle.sin(),
+                0.6 * f64::from(j) - 0.3,
+                -outer * angle.cos(),
+            )
     });
     // A patch of a sphere, square in two angles.
     let bowl: Facets = grid(2 * HALF + 1, 2 * HALF + 1, |i, j| {
@@ -106,7 +116,11 @@ fn rolls_to_and_fro_in_a_trough_and_in_a_bowl() {
         ("bowl", bowl.clone().into(), 0.0, 1e-3),
         ("bowl, slanting", bowl.into(), 33.0, 1e-3),
     ] {
-        let along = Vec3::new(direction.to_radians().cos(), direction.to_radians().sin(), 0.0);
+        let along = Vec3::new(
+            direction.to_radians().cos(),
+            direction.to_radians().sin(),
+            0.0,
+        );
         let start = 0.02f64;
         let mut run = Case::new(1e-3, 0.5, 0.0)
             .wall(vec![shape])
@@ -129,6 +143,9 @@ fn rolls_to_and_fro_in_a_trough_and_in_a_bowl() {
         }
         let found = crossings[2] - crossings[0];
         let error = (found / period - 1.0).abs();
-        assert!(error <= tolerance, "{name}: period {found}, expected {period}, error {error:e}");
+        assert!(
+            error <= tolerance,
+            "{name}: period {found}, expected {period}, error {error:e}"
+        );
     }
 }

@@ -7,7 +7,11 @@ use sphere_dda::scene::SolverKind;
 use crate::support::{Case, close};
 
 const RADIUS: f64 = 0.1;
-const SOLVERS: [SolverKind; 3] = [SolverKind::Auto, SolverKind::GaussSeidel, SolverKind::Direct];
+const SOLVERS: [SolverKind; 3] = [
+    SolverKind::Auto,
+    SolverKind::GaussSeidel,
+    SolverKind::Direct,
+];
 
 /// Row 10, e = 1: a sphere with v0 against two in line that touch. Between the first two `u1' = +v0`, between the last two
 /// `u2' >= 0` holds with a push: they stay together. With `v2' = v3' = x`, `v1' = x - v0` momentum gives x = 2/3 v0.
@@ -27,7 +31,11 @@ fn three_spheres_in_line() {
             for k in 0..3 {
                 let x = (2.0 * RADIUS + gap) * f64::from(k);
                 let velocity = if k == 0 { v0 } else { 0.0 };
-                case = case.sphere(RADIUS, Vec3::new(x, 0.0, 0.0), Vec3::new(velocity, 0.0, 0.0));
+                case = case.sphere(
+                    RADIUS,
+                    Vec3::new(x, 0.0, 0.0),
+                    Vec3::new(velocity, 0.0, 0.0),
+                );
             }
             let mut run = case.start();
             run.steps(20);
@@ -124,11 +132,17 @@ fn a_gas_keeps_its_energy() {
             multiple += 1;
             change += relative;
         } else {
-            assert!(relative.abs() < 1e-10, "{relative:e} at {} s", run.simulation.time());
+            assert!(
+                relative.abs() < 1e-10,
+                "{relative:e} at {} s",
+                run.simulation.time()
+            );
         }
     }
     // Seen with `--nocapture`.
-    println!("{impacts} impacts; {multiple} steps with a sphere hit twice changed the energy by {change:e}");
+    println!(
+        "{impacts} impacts; {multiple} steps with a sphere hit twice changed the energy by {change:e}"
+    );
     assert!(impacts > 500, "{impacts}");
     assert!(multiple < 50, "{multiple}");
 }

@@ -207,7 +207,9 @@ impl Run {
     pub fn energy(&self) -> f64 {
         let masses = self.simulation.scene().particles.mass.iter().enumerate();
         let gravity = self.simulation.gravity();
-        let potential: f64 = masses.map(|(i, m)| -m * gravity.dot(&self.position(i))).sum();
+        let potential: f64 = masses
+            .map(|(i, m)| -m * gravity.dot(&self.position(i)))
+            .sum();
         self.kinetic() + potential
     }
 
@@ -293,7 +295,8 @@ pub fn grid(n: u32, m: u32, at: impl Fn(u32, u32) -> Vec3) -> Facets {
     let vertices = (0..=m).flat_map(|j| (0..=n).map(move |i| (i, j)));
     let cells = (0..m).flat_map(|j| (0..n).map(move |i| (i, j)));
     let triangles = cells.flat_map(|(i, j)| {
-        let [a, b, c, d] = [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)].map(|(i, j)| number(i, j));
+        let [a, b, c, d] =
+            [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)].map(|(i, j)| number(i, j));
         [[a, b, c], [a, c, d]]
     });
     Facets::mesh(
