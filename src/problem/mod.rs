@@ -133,6 +133,9 @@ impl Row {
     /// (exact for free spheres: `w_t = 3.5 w_n`).
     #[must_use]
     pub fn delassus(&self, inverse_mass: &[Dof6]) -> (f64, f64) {
+        if let Some(closed) = self.sphere_delassus(inverse_mass) {
+            return closed;
+        }
         let mut operator = point_compliance(&inverse_mass[self.a as usize], self.arm_a);
         if self.b != GROUND {
             operator += point_compliance(&inverse_mass[self.b as usize], self.arm_b);
@@ -148,6 +151,26 @@ impl Row {
         );
         let w_t = 0.5 * (a + b) + (0.25 * (a - b) * (a - b) + c * c).sqrt();
         (w_n, w_t)
+    }
+}
+
+impl Row {
+    /// [`Self::delassus`] of a contact whose bodies have the same mobility in all directions and arms along the normal:
+    /// `w_n = m_A + m_B`, `w_t = w_n + R_A^2/I_A + R_B^2/I_B`.
+    fn sphere_delassus(&self, inverse_mass: &[Dof6]) -> Option<(f64, f64)> {
+        let one = |body: u32, arm: &Vec3| {
+            if body == GROUND {
+                return Some((0.0, 0.0));
+            }
+            let Dof6 { linear, angular } = &inverse_mass[body as usize];
+            let same = |v: &Vec3| v.x == v.y && v.y == v.z;
+            let (length, across) = (arm.norm_squared(), arm.cross(&self.normal).norm_squared());
+            let radial = across <= 1e-24 * length;
+            (radial && same(linear) && same(angular)).then_some((linear.x, angular.x * length))
+        };
+        let (a, b) = (one(self.a, &self.arm_a)?, one(self.b, &self.arm_b)?);
+        let w_n = a.0 + b.0;
+        Some((w_n, w_n + (a.1 + b.1)))
     }
 }
 

@@ -126,7 +126,12 @@ fn auto(
         let part = Part::around(problem, impulses, seeds.into_iter(), hops);
         if part.problem.free.len() > MOST_BODIES {
             brief.max_sweeps = params.max_sweeps.saturating_sub(report.sweeps);
-            return report.then(gauss_seidel::solve(problem, &brief, &mut workspace.kernel, impulses));
+            return report.then(gauss_seidel::solve(
+                problem,
+                &brief,
+                &mut workspace.kernel,
+                impulses,
+            ));
         }
         let mut own: Vec<Vec3> = part.rows.iter().map(|&k| impulses[k]).collect();
         // What the part's border costs the whole must fit in as well.
@@ -155,7 +160,12 @@ fn auto(
             break;
         }
         brief.max_sweeps = BETWEEN;
-        report = report.then(gauss_seidel::solve(problem, &brief, &mut workspace.kernel, impulses));
+        report = report.then(gauss_seidel::solve(
+            problem,
+            &brief,
+            &mut workspace.kernel,
+            impulses,
+        ));
         hops *= 2;
     }
     report

@@ -147,8 +147,10 @@ pub(super) struct Pace {
 pub(super) struct Progress {
     /// Whether every contact was within the tolerances when its turn came.
     pub(super) settled: bool,
-    /// Corrections times changes of the impulses: negative where momentum leads astray.
+    /// Corrections times changes of the impulses \[N^2 s^2\]: negative where momentum leads astray.
     pub(super) along: f64,
+    /// Squared corrections \[N^2 s^2\], before damping.
+    pub(super) change: f64,
 }
 
 /// The bodies of four contacts.
@@ -162,7 +164,13 @@ struct Four {
 impl Four {
     #[inline(always)]
     fn load(bodies: &[Body], at: [u32; 4]) -> Self {
-        let [p, q, r, s] = at.map(|i| &bodies[i as usize]);
+        // Not `map`: what is not inlined here does not get the wide registers.
+        let [p, q, r, s] = [
+            bodies[at[0] as usize],
+            bodies[at[1] as usize],
+            bodies[at[2] as usize],
+            bodies[at[3] as usize],
+        ];
         let linear = |k: usize| Quad([p.linear[k], q.linear[k], r.linear[k], s.linear[k]]);
         let spin = |k: usize| Quad([p.spin[k], q.spin[k], r.spin[k], s.spin[k]]);
         Self {
@@ -222,25 +230,29 @@ impl pulp::NullaryFnOnce for Sweep<'_> {
         let mut progress = Progress {
             settled: true,
             along: 0.0,
+            change: 0.0,
         };
-        let mut along = Quad::default();
+        let [mut along, mut change] = [Quad::default(); 2];
         for block in self.blocks {
-            let (settled, change) = block.update(self.bodies, &self.pace);
+            let (settled, sums) = block.update(self.bodies, &self.pace);
             progress.settled &= settled;
-            along = along + change;
+            along = along + sums[0];
+            change = change + sums[1];
         }
         progress.along = along.sum();
+        progress.change = change.sum();
         progress
     }
 }
 
 impl Block {
     #[inline(always)]
-    fn update(&mut self, bodies: &mut [Body], pace: &Pace) -> (bool, Quad) {
+    fn update(&mut self, bodies: &mut [Body], pace: &Pace) -> (bool, [Quad; 2]) {
         let n = self.normal;
         let old = self.impulse;
         let zero = Quad::default();
-        let [mut a, mut b] = self.bodies.map(|at| Four::load(bodies, at));
+        let mut a = Four::load(bodies, self.bodies[0]);
+        let mut b = Four::load(bodies, self.bodies[1]);
         let turn = cross(each(|k| a.s[k] + b.s[k]), n);
         let u = each(|k| (a.v[k] - b.v[k] - turn[k]) + self.bias[k]);
         let momentum = Quad::splat(pace.momentum);
@@ -270,7 +282,7 @@ impl Block {
             & (dd - d_n * d_n).all(strict * strict * self.allowed[1], |a, b| a <= b)
             & dd.all(strict_force * strict_force * size, |a, b| a <= b);
         let damping = Quad::splat(pace.damping);
-        let d = d.map(|d| d * damping);
+        let d = each(|k| d[k] * damping);
         let new = each(|k| p[k] + d[k]);
         let along = dot(d, each(|k| new[k] - old[k]));
         self.previous = old;
@@ -286,6 +298,6 @@ impl Block {
             a.store(bodies, self.bodies[0]);
             b.store(bodies, self.bodies[1]);
         }
-        (settled, along)
+        (settled, [along, dd])
     }
 }

@@ -81,7 +81,13 @@ impl Kernel {
                 oldest = (oldest + 1) % OPEN;
             }
             let lane = filling[at].count;
-            self.fill(&mut filling[at].block, lane, (k as u32, row), &contact, impulses[k]);
+            self.fill(
+                &mut filling[at].block,
+                lane,
+                (k as u32, row),
+                &contact,
+                impulses[k],
+            );
             filling[at].count += 1;
             for body in [row.a, row.b] {
                 if let Some(held) = self.held.get_mut(body as usize) {
@@ -142,7 +148,13 @@ impl Kernel {
     }
 
     /// Inverse mass and `R^2/I` of a body with the same mobility in all directions that is touched at `R normal`.
-    fn sphere(&mut self, problem: &Problem, body: u32, arm: Vec3, normal: Vec3) -> Option<[f64; 2]> {
+    fn sphere(
+        &mut self,
+        problem: &Problem,
+        body: u32,
+        arm: Vec3,
+        normal: Vec3,
+    ) -> Option<[f64; 2]> {
         if body == GROUND {
             return Some([0.0; 2]);
         }
@@ -234,14 +246,22 @@ impl Kernel {
         let mut progress = block::sweep(&mut self.blocks, &mut self.bodies, pace);
         let mut change = Residual::default();
         for other in 0..self.others.len() {
-            progress.along += self.other(problem, pace, other, &mut change);
+            let [along, squared] = self.other(problem, pace, other, &mut change);
+            progress.along += along;
+            progress.change += squared;
         }
         progress.settled &= change.within(&self.tolerance.scaled(pace.strictness));
         progress
     }
 
     /// Solves one of the other rows, by the operations that every row has.
-    fn other(&mut self, problem: &Problem, pace: Pace, at: usize, change: &mut Residual) -> f64 {
+    fn other(
+        &mut self,
+        problem: &Problem,
+        pace: Pace,
+        at: usize,
+        change: &mut Residual,
+    ) -> [f64; 2] {
         let mut other = self.others[at];
         let row = &problem.rows[other.row as usize];
         let bodies = [row.a, row.b].into_iter().filter(|&body| body != GROUND);
@@ -260,7 +280,8 @@ impl Kernel {
             other.row as usize,
             other.scale.residuals(row, problem.step, &correction),
         );
-        let delta = (row.normal * correction.normal + correction.tangential) * pace.damping;
+        let full = row.normal * correction.normal + correction.tangential;
+        let delta = full * pace.damping;
         other.impulse = p + delta;
         other.previous = old;
         self.others[at] = other;
@@ -273,7 +294,7 @@ impl Kernel {
                 self.bodies[i].spin[..3].copy_from_slice(spin.as_slice());
             }
         }
-        delta.dot(&(other.impulse - old))
+        [delta.dot(&(other.impulse - old)), full.norm_squared()]
     }
 
     /// Writes the impulses of all rows \[N s\], `[C]`.
