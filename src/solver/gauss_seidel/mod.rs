@@ -9,6 +9,7 @@
 
 mod block;
 mod kernel;
+mod lanes;
 
 use super::residual::{Residual, evaluate};
 use super::{Params, Report};
