@@ -51,6 +51,8 @@ pub mod clock;
 pub mod contacts;
 pub mod drive;
 pub mod error;
+pub mod frame;
+pub mod gravity;
 pub mod integrate;
 pub mod linalg;
 pub mod materials;

@@ -114,6 +114,16 @@ const CASES: &[Case] = cases! {
     "step = 1e-3" => "step = 1e-3\nmax_iterations = -5", "simulation.max_iterations", "max_iter", "expected u32";
     "step = 1e-3" => "step = 1e-3\nmax_cuts = 99", "simulation.max_cuts", "max_cuts", "found 99";
     "vtu_interval = 0.05" => "vtu_interval = -0.05", "output.vtu_interval", "vtu_interval", ">= 0 [s]";
+    // Gravity and the frame of reference.
+    "step = 1e-3" => "step = 1e-3\ngravity_motion = { rotation = { axis = [0, 0, 0], speed = 1 } }", "simulation.gravity_motion.rotation.axis", "gravity_motion", "a direction of length > 0";
+    "step = 1e-3" => "step = 1e-3\ngravity_motion = { rotatin = { axis = [0, 1, 0], speed = 1 } }", "simulation.gravity_motion", "gravity_motion", "did you mean `rotation`";
+    "step = 1e-3" => "step = 1e-3\ngravity = [0, 0, -9]\ngravity_motion = { table = { time = [0], gravity = [[0, 0, -9]] } }", "simulation.gravity", "gravity = [0, 0, -9]", "found both `gravity` and a table";
+    "step = 1e-3" => "step = 1e-3\ngravity_motion = { table = { time = [0, 1], gravity = [[0, 0, -9]] } }", "simulation.gravity_motion.table.gravity", "gravity_motion", "found 1 vectors, expected 2 of them";
+    "step = 1e-3" => "step = 1e-3\ngravity_motion = { table = { time = [1, 1], gravity = [[0, 0, -9], [0, 0, 9]] } }", "simulation.gravity_motion.table.time", "gravity_motion", "found 1 after 1, expected strictly increasing";
+    "step = 1e-3" => "step = 1e-3\ngravity_motion = { table = { time = [1, 2] } }", "simulation.gravity_motion.table", "gravity_motion", "expected `csv`, or `time` and `gravity`";
+    "step = 1e-3" => "step = 1e-3\ngravity_motion = { table = { csv = \"none.csv\" } }", "simulation.gravity_motion.table.csv", "gravity_motion", "cannot read";
+    "step = 1e-3" => "step = 1e-3\nrotating_frame = { axis = [0, 0, 0], speed = 1 }", "simulation.rotating_frame.axis", "rotating_frame", "a direction of length > 0";
+    "step = 1e-3" => "step = 1e-3\nrotating_frame = { axis = [0, 0, 1] }", "simulation.rotating_frame", "rotating_frame", "missing key `speed`";
     // Materials and pairs.
     "density = 2500.0" => "density = 0.0", "material[0].density", "density", "> 0 [kg/m^3]";
     "density = 2500.0\n" => "", "material[0]", "[[material]]", "missing key `density`";

@@ -50,8 +50,10 @@ pub struct Observation<'a> {
     pub scene: &'a Scene,
     /// Time \[s\].
     pub time: f64,
-    /// Gravity \[m/s^2\].
+    /// Gravity \[m/s^2\] at `time`.
     pub gravity: Vec3,
+    /// Weight, inertial forces and point loads on all spheres \[N\], averaged over the last communication step.
+    pub body_force: Vec3,
     /// Positions, orientations, the integrator's own (half-step) velocities; `[N]` each.
     pub kinematics: &'a Kinematics,
     /// Reported velocity \[m/s\] and angular velocity \[rad/s\] at `time`, `[N]`.
@@ -86,6 +88,7 @@ impl<'a> Observation<'a> {
             scene,
             time: simulation.time(),
             gravity: simulation.gravity(),
+            body_force: simulation.mean_body_force(),
             kinematics: simulation.kinematics(),
             velocity: (0..scene.particles.len())
                 .map(|i| simulation.velocity(i))

@@ -82,7 +82,10 @@ fn build(
             &format!("at most {most} of them"),
         );
     }
-    let settings = file.simulation.as_ref().map(|s| settings(document, s));
+    let settings = file
+        .simulation
+        .as_ref()
+        .and_then(|s| settings(document, resources, s));
     let materials = materials(document, file);
     let pairs = pairs(document, &context, file);
     let boundary_names = Names::declare(document, "boundary", &file.boundaries);

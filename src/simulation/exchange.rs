@@ -15,8 +15,9 @@ use crate::Vec3;
 use crate::boundaries::Touch;
 use crate::contacts::Partner;
 use crate::problem::Dof6;
-use crate::scene::{Integrator, Scene, Source, Supply};
+use crate::scene::{Scene, Source, Supply};
 use crate::state::Reserve;
+use crate::step::release;
 
 /// Places tried for one sphere before its source waits for the next step.
 const TRIES: u32 = 200;
@@ -85,6 +86,9 @@ impl Simulation {
             kinematics.velocity[i] = Vec3::zeros();
             kinematics.spin[i] = Vec3::zeros();
             self.state.persisting[i] = Dof6::ZERO;
+            if let Some(external) = self.state.external.get_mut(i) {
+                *external = Dof6::ZERO;
+            }
             self.state.removed[sink] += scene.particles.mass[i];
             let home = scene.sources.iter().position(|s| s.spheres.contains(&i));
             if let Some(source) = scene.sinks[sink].recycle.or(home) {
@@ -140,18 +144,9 @@ impl Simulation {
         let state = &mut self.state;
         state.kinematics.present[i] = true;
         state.kinematics.position[i] = place;
-        let weight = self.scene.particles.inverse_mass(i) * self.scene.particles.mass[i];
-        state.persisting[i] = Dof6 {
-            linear: weight.component_mul(&state.gravity),
-            angular: Vec3::zeros(),
-        };
-        // The integrator carries the velocity half a step before.
-        let back = match self.scene.settings.integrator {
-            Integrator::Moreau => -0.5 * state.last_step,
-            Integrator::Shi => 0.0,
-        };
-        state.kinematics.velocity[i] = source.twist.linear + state.persisting[i].linear * back;
+        state.kinematics.velocity[i] = source.twist.linear;
         state.kinematics.spin[i] = source.twist.angular;
+        release(&self.scene, state, i);
     }
 }
 

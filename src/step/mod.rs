@@ -2,16 +2,18 @@
 //! agrees, `commit` writes the solution into the state; `start` does the same at t = 0.
 
 mod commit;
+mod external;
 mod stage;
 mod start;
 
+pub(crate) use external::release;
 pub use start::{initial_forces, remove_overlaps};
 
 use crate::Vec3;
 use crate::contacts::broad_phase::NeighborList;
 use crate::motion::{Pose, Twist};
 use crate::particles::Kinematics;
-use crate::problem::assemble::{Inputs, external_acceleration};
+use crate::problem::assemble::Inputs;
 use crate::problem::{Dof6, Impulses, Problem};
 use crate::scene::Scene;
 use crate::solver::Report;
@@ -62,7 +64,7 @@ pub fn step(
     poses: Vec<Pose>,
 ) -> Result<StepOutcome, StepFailure> {
     let start = Start::of(scene, state, dt);
-    let mut stage = Stage::new(start.inputs(scene, state, dt, &poses), state, scratch);
+    let mut stage = Stage::new(start.inputs(scene, dt, &poses), state, scratch);
     let (solution, outcome) = stage.resolve(state, scratch)?;
     stage.commit(state, &solution);
     if outcome.solver.penalty > 0.0 && outcome.solver.penalty.is_finite() {
@@ -75,6 +77,7 @@ pub fn step(
         .map(|(from, to)| from.twist_to(to, dt))
         .collect();
     state.poses = poses;
+    start.book(scene, state, dt);
     state.last_step = dt;
     Ok(outcome)
 }
@@ -84,7 +87,7 @@ pub fn step(
 #[must_use]
 pub fn problem(scene: &Scene, state: &State, dt: f64, poses: &[Pose]) -> (Problem, Impulses) {
     let start = Start::of(scene, state, dt);
-    let inputs = start.inputs(scene, state, dt, poses);
+    let inputs = start.inputs(scene, dt, poses);
     let stage = Stage::new(inputs, state, &mut Scratch::default());
     (stage.problem, stage.impulses)
 }
@@ -92,6 +95,7 @@ pub fn problem(scene: &Scene, state: &State, dt: f64, poses: &[Pose]) -> (Proble
 /// What a step takes from the state before it moves anything.
 struct Start {
     kinematics: Kinematics,
+    gravity: Vec3,
     external: Vec<Dof6>,
     targets: Vec<Vec3>,
     standing: Vec<Pose>,
@@ -109,8 +113,10 @@ impl Start {
         }
         let end_time = state.time + dt;
         let springs = scene.springs.iter();
+        let gravity = state.gravity_at(scene, integrator.middle(state.time, dt));
         Self {
-            external: external_acceleration(scene, &state.kinematics, state.gravity),
+            gravity,
+            external: external::acceleration(scene, state, &kinematics, gravity, dt),
             kinematics,
             targets: springs
                 .map(|spring| spring.target + spring.motion.pose_at(end_time).translation)
@@ -120,13 +126,7 @@ impl Start {
         }
     }
 
-    fn inputs<'a>(
-        &'a self,
-        scene: &'a Scene,
-        state: &State,
-        dt: f64,
-        poses: &'a [Pose],
-    ) -> Inputs<'a> {
+    fn inputs<'a>(&'a self, scene: &'a Scene, dt: f64, poses: &'a [Pose]) -> Inputs<'a> {
         Inputs {
             scene,
             kinematics: &self.kinematics,
@@ -134,7 +134,7 @@ impl Start {
             step: dt,
             poses: [&self.standing, poses],
             twists: &self.twists,
-            gravity: state.gravity,
+            gravity: self.gravity,
             targets: &self.targets,
         }
     }

@@ -1,11 +1,11 @@
 //! The start of a run: overlaps out by displacement, contact forces at rest.
 
 use super::stage::Stage;
-use super::{Scratch, StepFailure, dof};
+use super::{Scratch, StepFailure, dof, external};
 use crate::Vec3;
 use crate::contacts::narrow_phase::Placement;
 use crate::motion::Twist;
-use crate::problem::assemble::{Inputs, external_acceleration};
+use crate::problem::assemble::Inputs;
 use crate::problem::{Dof6, Law};
 use crate::scene::{Method, Scene};
 use crate::state::State;
@@ -25,7 +25,8 @@ pub fn initial_forces(
 ) -> Result<(), StepFailure> {
     let dt = 0.5 * scene.settings.step;
     let kinematics = state.kinematics.clone();
-    let external = external_acceleration(scene, &kinematics, state.gravity);
+    let gravity = state.gravity_at(scene, state.time);
+    let external = external::at_start(scene, &kinematics, gravity);
     let targets: Vec<Vec3> = scene.springs.iter().map(|spring| spring.target).collect();
     let (poses, twists) = (state.poses.clone(), state.twists.clone());
     let inputs = Inputs {
@@ -35,7 +36,7 @@ pub fn initial_forces(
         step: dt,
         poses: [&poses, &poses],
         twists: &twists,
-        gravity: state.gravity,
+        gravity,
         targets: &targets,
     };
     let mut stage = Stage::new(inputs, state, scratch);
@@ -50,6 +51,7 @@ pub fn initial_forces(
     stage.store(state);
     state.springs = stage.spring_forces();
     state.persisting = stage.persisting_acceleration();
+    external::keep(scene, state, &external);
     Ok(())
 }
 
@@ -110,7 +112,12 @@ impl Stage<'_> {
         let velocity: Vec<Dof6> = (0..self.inputs.kinematics.len())
             .map(|i| dof(self.inputs.kinematics, i))
             .collect();
-        let creep = scene.settings.gravity.norm() * self.inputs.step;
+        let mut weight = scene.settings.gravity.norm();
+        if scene.settings.rotating_frame.is_some() {
+            let external = self.inputs.external.iter().map(|a| a.linear.norm());
+            weight = external.fold(weight, f64::max);
+        }
+        let creep = weight * self.inputs.step;
         let closed = scene.settings.tolerance.gap.max(1e-9);
         let contacts = self.candidates.len();
         let keep: Vec<bool> = (0..self.problem.rows.len())

@@ -62,6 +62,7 @@ pub(crate) fn scene(n: usize) -> Scene {
             dynamic_coefficient: 1.0,
             max_iterations: 1000,
             max_cuts: 4,
+            ..Settings::default()
         },
         materials: vec![Material {
             name: "glass".to_owned(),
@@ -168,6 +169,7 @@ impl Made {
             scene,
             time,
             gravity: scene.settings.gravity,
+            body_force: Vec3::zeros(),
             kinematics: &self.kinematics,
             velocity: vec![twist; scene.particles.len()],
             half_step: self

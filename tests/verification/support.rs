@@ -3,9 +3,10 @@
 use std::sync::Arc;
 
 use sphere_dda::Vec3;
-use sphere_dda::boundaries::{Boundary, Geometry, HalfSpace, Shape};
+use sphere_dda::boundaries::{Boundary, Geometry, HalfSpace, Revolution, Shape};
+use sphere_dda::gravity::GravityMotion;
 use sphere_dda::materials::{Material, Pair, PairTable};
-use sphere_dda::motion::Motion;
+use sphere_dda::motion::{Motion, Twist};
 use sphere_dda::particles::{Kinematics, Locks, Particles};
 use sphere_dda::scene::{Output, Scene, Settings};
 use sphere_dda::simulation::Simulation;
@@ -119,6 +120,24 @@ impl Case {
         self
     }
 
+    /// A cylinder about the y axis, 2 m long, that turns with `speed` \[rad/s\] about it.
+    pub fn drum(mut self, radius: f64, speed: f64) -> Self {
+        let base = Vec3::y() * -1.0;
+        let side = Revolution::cylinder(base, Vec3::y(), radius, 2.0).expect("a cylinder");
+        self.scene.boundaries.push(Boundary {
+            name: "drum".into(),
+            material: 1,
+            geometry: Geometry::new(vec![Shape::Revolution(side)]).expect("a geometry"),
+            motion: Motion::Constant(Twist {
+                linear: Vec3::zeros(),
+                angular: Vec3::y() * speed,
+            }),
+            point_of_action: Vec3::zeros(),
+            stiffness: None,
+        });
+        self
+    }
+
     pub fn floor(self) -> Self {
         self.plane(Vec3::zeros(), Vec3::z())
     }
@@ -184,18 +203,20 @@ impl Run {
         if locked || !equal || shi {
             return;
         }
-        let weight: Vec3 = scene
-            .particles
-            .mass
-            .iter()
-            .map(|m| scene.settings.gravity * *m)
-            .sum();
+        let mass = scene.particles.mass.iter();
+        let weight: Vec3 = mass.map(|m| self.simulation.gravity() * *m).sum();
         let loads: Vec3 = scene.loads.iter().map(|load| load.force).sum();
+        let body_force = self.simulation.mean_body_force();
+        let settings = &scene.settings;
+        if settings.gravity_motion == GravityMotion::Fixed && settings.rotating_frame.is_none() {
+            let error = (body_force - weight - loads).norm();
+            assert!(error <= 1e-12 * (weight.norm() + loads.norm()), "{error:e}");
+        }
         let springs: Vec3 = self.simulation.state().springs.iter().sum();
         let walls: Vec3 = (0..scene.boundaries.len())
             .map(|b| -self.simulation.mean_wrench(b).force)
             .sum();
-        let force = weight + loads + springs + walls;
+        let force = body_force + springs + walls;
         let scale: f64 = weight.norm()
             + self
                 .simulation
