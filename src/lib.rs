@@ -47,6 +47,7 @@
 //! [`scene`] comes before all of this, [`observe`] after.
 
 pub mod boundaries;
+pub mod cell;
 pub mod clock;
 pub mod contacts;
 pub mod drive;

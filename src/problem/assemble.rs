@@ -119,9 +119,9 @@ impl Inputs<'_> {
         let mut lightest = particles.mass[a];
         let mut stiffness = None;
         let material_b = match candidate.key.partner {
-            Partner::Sphere(j) => {
-                let b = j as usize;
-                row.b = j;
+            Partner::Sphere { index, .. } => {
+                let b = index as usize;
+                row.b = index;
                 row.arm_b = n * particles.radius[b];
                 row.radius = row.radius.min(particles.radius[b]);
                 before -= self.velocity(b).at(row.arm_b);
@@ -131,8 +131,9 @@ impl Inputs<'_> {
             }
             Partner::Boundary { boundary, .. } => {
                 let boundary = usize::from(boundary);
-                let [now, previous] =
-                    self.wall_velocity(boundary, self.kinematics.position[a] + arm_a);
+                let (wall, pose) = (&scene.boundaries[boundary], &self.poses[0][boundary]);
+                let centre = wall.copy_near(&scene.cell, pose, self.kinematics.position[a]);
+                let [now, previous] = self.wall_velocity(boundary, centre + arm_a);
                 row.drift = -now;
                 before -= previous;
                 acceleration = acceleration.max((now - previous).norm() / self.step);

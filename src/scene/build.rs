@@ -5,6 +5,7 @@ use std::path::Path;
 use miette::NamedSource;
 
 use super::bodies::{accept, boundary, motion};
+use super::cell::cell;
 use super::decode::{Element, SceneFile};
 use super::document::Document;
 use super::file;
@@ -161,9 +162,11 @@ fn build(
         particles,
         initial,
         initial_contacts: Vec::new(),
+        cell: cell(document, &file.cell),
         boundaries: boundaries?,
     };
     if context.ranges.iter().all(Option::is_some) {
+        super::cell::judge(document, &scene, &file.boundaries, &file.sensors);
         let groups = &context.ranges[..file.spheres.len()];
         Overlaps::of(&scene).judge(document, &scene, groups, &file.spheres);
     }

@@ -5,6 +5,7 @@
 
 mod bodies;
 mod build;
+mod cell;
 mod columns;
 mod decode;
 mod document;
@@ -37,6 +38,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::Vec3;
 use crate::boundaries::Boundary;
+use crate::cell::Cell;
 use crate::contacts::Contact;
 use crate::error::SnapshotError;
 use crate::frame::RotatingFrame;
@@ -318,6 +320,8 @@ pub struct Scene {
     pub initial: Kinematics,
     /// Contacts whose forces at t = 0 are known, in canonical order: where their solution starts from.
     pub initial_contacts: Vec<Contact>,
+    /// The periodic cell; without periodic axes unless the scene has some.
+    pub cell: Cell,
     /// Boundaries.
     pub boundaries: Vec<Boundary>,
     /// Point loads.

@@ -119,7 +119,14 @@ impl Simulation {
                 };
                 let after = &self.state.kinematics;
                 let mass = &self.scene.particles.mass;
-                *passed += crossings(before, &after.position, mass, &after.present, gate);
+                *passed += crossings(
+                    before,
+                    &after.position,
+                    mass,
+                    &after.present,
+                    gate,
+                    &self.scene.cell,
+                );
             }
         }
     }
@@ -192,7 +199,7 @@ impl Simulation {
         let contact = failure.contact.map_or_else(
             || "the re-linearised gaps".to_owned(),
             |key| match key.partner {
-                Partner::Sphere(j) => format!("spheres {} and {j}", key.sphere),
+                Partner::Sphere { index, .. } => format!("spheres {} and {index}", key.sphere),
                 Partner::Boundary { boundary, .. } => format!(
                     "sphere {} on boundary `{}`",
                     key.sphere,

@@ -71,6 +71,7 @@ pub fn remove_overlaps(
         present: &state.kinematics.present,
         boundaries: &scene.boundaries,
         poses: &state.poses,
+        cell: &scene.cell,
     };
     scratch.neighbors.ensure(&start, 0.0);
     let closed = start.candidates(&scratch.neighbors, |_, _| 0.0, |_, _| 0.0);

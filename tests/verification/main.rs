@@ -9,6 +9,7 @@ mod free_motion;
 mod impact;
 mod incline;
 mod paper_examples;
+mod periodic;
 mod pinched;
 mod regions;
 mod solvers;

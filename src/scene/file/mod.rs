@@ -2,6 +2,7 @@
 //! are refused. Only types are checked here; [`super::Scene::from_toml`] checks the rest.
 
 mod boundaries;
+mod cell;
 mod frame;
 mod regions;
 mod sensors;
@@ -16,6 +17,7 @@ pub use boundaries::{
     Boundary, Cone, Constant, Cuboid, Cylinder, Face, Input, Motion, Plane, Rectangle, Sinusoid,
     Stl, Table, Terrain,
 };
+pub use cell::Cell;
 pub use frame::{GravityMotion, GravityTable, RotatingFrame, Turning};
 pub use regions::{Region, Tube};
 pub use sensors::{MassFlow, Probe, Sensor};
@@ -53,6 +55,9 @@ pub struct TopLevel {
     /// Rigid bodies that bound the spheres.
     #[serde(default)]
     pub boundary: Vec<Boundary>,
+    /// Axes along which the scene is periodic.
+    #[serde(default)]
+    pub cell: Cell,
     /// Forces on spheres.
     #[serde(default)]
     pub load: Vec<Load>,
