@@ -307,8 +307,13 @@ fn extent(scene: &Scene) -> (Vec3, Vec3) {
         .zip(&scene.particles.radius)
         .map(|(c, r)| (c.add_scalar(-r), c.add_scalar(*r)));
     let boundaries = scene.boundaries.iter().filter_map(|b| b.geometry.bounds());
-    spheres
+    let (min, max) = spheres
         .chain(boundaries)
         .reduce(|(lower, upper), (min, max)| (lower.inf(&min), upper.sup(&max)))
-        .unwrap_or((Vec3::repeat(-1.0), Vec3::repeat(1.0)))
+        .unwrap_or((Vec3::repeat(-1.0), Vec3::repeat(1.0)));
+    // Along periodic axes what is shown is the cell.
+    let side = |found: Vec3, side: usize| {
+        Vec3::from_fn(|k, _| scene.cell.faces(k).map_or(found[k], |faces| faces[side]))
+    };
+    (side(min, 0), side(max, 1))
 }

@@ -16,15 +16,17 @@ const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// The cell of a scene.
 pub(super) fn cell(document: &mut Document<'_>, given: &file::Cell) -> Cell {
-    let axes = [given.x, given.y, given.z];
-    for (name, range) in AXES.iter().zip(axes) {
-        if let Some([low, high]) = range {
-            let expected = "the lower face and then the upper one [m]";
-            let found = format!("{low} to {high}");
-            document.demand(low < high, format!("cell.{name}"), found, expected);
-        }
-    }
-    Cell::new(axes.map(|range| range.filter(|[low, high]| low < high)))
+    let given = [&given.x, &given.y, &given.z];
+    Cell::new(std::array::from_fn(|axis| {
+        let list = given[axis].as_deref()?;
+        let faces = <[f64; 2]>::try_from(list)
+            .ok()
+            .filter(|[low, high]| low < high);
+        let expected = "[lower face, upper face], the second larger [m]";
+        let path = format!("cell.{}", AXES[axis]);
+        document.demand(faces.is_some(), path, format!("{list:?}"), expected);
+        faces
+    }))
 }
 
 /// Refuses what has no meaning in the cell.
