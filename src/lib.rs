@@ -51,6 +51,7 @@ pub mod cell;
 pub mod clock;
 pub mod contacts;
 pub mod drive;
+pub mod driven;
 pub mod error;
 pub mod frame;
 pub mod gravity;

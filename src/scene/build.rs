@@ -166,6 +166,7 @@ fn build(
         boundaries: boundaries?,
     };
     if context.ranges.iter().all(Option::is_some) {
+        super::frame::judge(document, &scene, &file.boundaries);
         super::cell::judge(document, &scene, &file.boundaries, &file.sensors);
         let groups = &context.ranges[..file.spheres.len()];
         Overlaps::of(&scene).judge(document, &scene, groups, &file.spheres);

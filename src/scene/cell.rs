@@ -6,6 +6,7 @@ use super::{Measure, Scene, file};
 use crate::Vec3;
 use crate::boundaries::{Boundary, Shape};
 use crate::cell::Cell;
+use crate::driven::Joint;
 use crate::motion::{InputKind, Motion};
 
 /// Smallest edge over the largest diameter: a sphere never meets its own copy \[-\].
@@ -151,11 +152,20 @@ fn spins(motion: &Motion) -> Option<Vec<Vec3>> {
         Motion::Constant(twist) => Some(vec![twist.angular]),
         Motion::Sinusoid { rotation, .. } => Some(vec![*rotation]),
         Motion::Table { rotation, .. } => Some(rotation.clone()),
-        Motion::Input(InputKind::Slide { .. } | InputKind::SlideSpeed { .. }) => Some(Vec::new()),
-        Motion::Input(InputKind::Hinge { axis } | InputKind::HingeSpeed { axis }) => {
-            Some(vec![*axis])
-        }
-        Motion::Input(InputKind::Pose | InputKind::Motion | InputKind::Twist) => None,
+        Motion::Input(kind) => match kind {
+            InputKind::Slide { .. }
+            | InputKind::SlideSpeed { .. }
+            | InputKind::SlideForce { .. } => Some(Vec::new()),
+            InputKind::Hinge { axis }
+            | InputKind::HingeSpeed { axis }
+            | InputKind::HingeTorque { axis } => Some(vec![*axis]),
+            InputKind::Pose | InputKind::Motion | InputKind::Twist | InputKind::Load => None,
+        },
+        Motion::Driven(body) => match body.joint {
+            Joint::Free => None,
+            Joint::Slide { .. } => Some(Vec::new()),
+            Joint::Hinge { axis } => Some(vec![axis]),
+        },
     }
 }
 

@@ -3,12 +3,14 @@
 use super::bodies::increasing;
 use super::build::direction;
 use super::columns::Columns;
+use super::decode::Element;
 use super::document::Document;
-use super::file;
 use super::resources::Resources;
+use super::{Scene, file};
 use crate::Vec3;
 use crate::frame::RotatingFrame;
 use crate::gravity::GravityMotion;
+use crate::motion::Motion;
 
 /// Gravity where a scene says nothing \[m/s^2\].
 const EARTH: Vec3 = Vec3::new(0.0, 0.0, -9.81);
@@ -92,4 +94,22 @@ pub(super) fn rotating_frame(
         angular_velocity: axis * given.speed,
         point: given.point.into(),
     })
+}
+
+/// Refuses driven bodies in a turning frame: the inertial forces on them are not there.
+pub(super) fn judge(
+    document: &mut Document<'_>,
+    scene: &Scene,
+    elements: &[Element<file::Boundary>],
+) {
+    for (boundary, element) in scene.boundaries.iter().zip(elements) {
+        if scene.settings.rotating_frame.is_some() && matches!(boundary.motion, Motion::Driven(_)) {
+            let message = format!(
+                "boundary `{}` is moved by force in a rotating frame, whose inertial forces act on spheres only",
+                boundary.name
+            );
+            let help = "give the scene as seen from the world, or prescribe the motion";
+            document.error(&element.path, message, help);
+        }
+    }
 }

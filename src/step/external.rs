@@ -96,7 +96,7 @@ pub(crate) fn release(scene: &Scene, state: &mut State, i: usize) {
     }
 }
 
-impl Start {
+impl Start<'_> {
     /// External forces, and the work of a gravity that changes, into the `state` after a step of `dt` \[s\].
     pub(super) fn book(&self, scene: &Scene, state: &mut State, dt: f64) {
         keep(scene, state, &self.external);

@@ -1,9 +1,10 @@
 //! The start of a run: overlaps out by displacement, contact forces at rest.
 
 use super::stage::Stage;
-use super::{Scratch, StepFailure, dof, external};
+use super::{Scratch, StepFailure, external};
 use crate::Vec3;
 use crate::contacts::narrow_phase::Placement;
+use crate::driven::Ready;
 use crate::motion::Twist;
 use crate::problem::assemble::Inputs;
 use crate::problem::{Dof6, Law};
@@ -29,12 +30,14 @@ pub fn initial_forces(
     let external = external::at_start(scene, &kinematics, gravity);
     let targets: Vec<Vec3> = scene.springs.iter().map(|spring| spring.target).collect();
     let (poses, twists) = (state.poses.clone(), state.twists.clone());
+    let bodies = Ready::all(scene, state, dt);
     let inputs = Inputs {
         scene,
         kinematics: &kinematics,
         external: &external,
         step: dt,
         poses: [&poses, &poses],
+        bodies: &bodies,
         twists: &twists,
         gravity,
         targets: &targets,
@@ -52,6 +55,11 @@ pub fn initial_forces(
     state.springs = stage.spring_forces();
     state.persisting = stage.persisting_acceleration();
     external::keep(scene, state, &external);
+    let solution = stage.problem.velocities(&stage.impulses);
+    let at_rest = stage.finished(&solution, &poses);
+    for (carried, (found, _)) in state.bodies.iter_mut().zip(at_rest) {
+        carried.persisting = found.persisting;
+    }
     Ok(())
 }
 
@@ -94,6 +102,8 @@ pub fn remove_overlaps(
         external: &vec![Dof6::ZERO; kinematics.len()],
         step: scene.settings.step,
         poses: [&poses, &poses],
+        // Walls give way to no overlap.
+        bodies: &[],
         twists: &vec![Twist::default(); poses.len()],
         gravity: Vec3::zeros(),
         targets: &[],
@@ -110,9 +120,7 @@ pub fn remove_overlaps(
 impl Stage<'_> {
     /// Keeps the candidates that are closed and neither approach nor part, with zero gap.
     fn keep_resting(&mut self, scene: &Scene) {
-        let velocity: Vec<Dof6> = (0..self.inputs.kinematics.len())
-            .map(|i| dof(self.inputs.kinematics, i))
-            .collect();
+        let velocity = self.before();
         let mut weight = scene.settings.gravity.norm();
         if scene.settings.rotating_frame.is_some() {
             let external = self.inputs.external.iter().map(|a| a.linear.norm());

@@ -4,6 +4,7 @@
 #![allow(unreachable_pub, reason = "a test crate has no outside")]
 
 mod contact_statics;
+mod driven;
 mod frames;
 mod free_motion;
 mod impact;
