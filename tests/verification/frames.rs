@@ -86,6 +86,27 @@ fn changing_gravity_balances() {
     second_order(drift, 0.03);
 }
 
+/// Gravity set anew before every step, steps of changing length, and boundaries: `Run::advance` checks in each that the momentum
+/// changes by the mean body force less the mean force on the floor.
+#[test]
+fn gravity_set_from_outside_balances() {
+    let mut run = Case::new(4e-3, 0.3, 0.5)
+        .floor()
+        .sphere(0.1, Vec3::new(0.0, 0.0, 0.13), Vec3::x())
+        .start();
+    for (k, h) in [4e-3, 1e-2, 7e-3, 2e-3]
+        .into_iter()
+        .cycle()
+        .take(60)
+        .enumerate()
+    {
+        let angle = 0.3 * k as f64;
+        let gravity = Vec3::new(3.0 * angle.sin(), 2.0 * angle.cos(), -9.81 + angle.sin());
+        run.simulation.set_gravity(gravity).expect("a gravity");
+        run.advance(h);
+    }
+}
+
 /// A straight line in the world, seen from a frame that turns with W about p: `x = p + Q^T (x0 + v t - p)` with Q the turn
 /// by W t, `dx/dt = Q^T v - W x (x - p)`. The spin in the world stays, so that in the frame it is `Q^T w - W`, and the
 /// orientation `Q^T exp(w t)`. Second order in both integrators.

@@ -5,9 +5,11 @@ use sphere_dda::cell::{Cell, HERE};
 use sphere_dda::contacts::{Contact, Partner};
 use sphere_dda::observe::Observation;
 use sphere_dda::observe::frames;
+use sphere_dda::observe::sensors::region::Reading;
 use sphere_dda::observe::vtu::Values;
 use sphere_dda::particles::Locks;
-use sphere_dda::scene::{PointLoad, SolverKind};
+use sphere_dda::region::Primitive;
+use sphere_dda::scene::{Measure, PointLoad, Sensor, SolverKind};
 
 use crate::support::{Case, G, Run, close};
 
@@ -323,4 +325,84 @@ fn frames_are_wrapped() {
         .find(|array| array.name == "image")
         .expect("an array");
     assert_eq!(image.values, Values::Integer(vec![3, -2, 0, 0, 0, 0]));
+}
+
+/// What sensors see does not depend on where in the cell they look: in a row of three spheres with one contact, through the face,
+/// of force f and branch 2 R, a region as wide as the cell holds three spheres, `f 2 R / V` of stress and two ends of contacts.
+#[test]
+fn regions_see_copies() {
+    let (radius, f, edge) = (0.1, 20.0, 0.6 + 1e-3);
+    let mut case = Case::new(1e-3, 0.0, 0.0)
+        .without_gravity()
+        .tolerance(1e-10, 1e-10, 1e-10);
+    for i in 0..3 {
+        case = case.sphere(radius, Vec3::x() * (0.2005 * f64::from(i)), Vec3::zeros());
+    }
+    for (sphere, sign) in [(0, -f), (2, f)] {
+        case.scene.loads.push(PointLoad {
+            sphere,
+            arm: Vec3::zeros(),
+            force: Vec3::x() * sign,
+        });
+    }
+    let mut run = in_cell(case, [edge, 0.0, 0.0]).start();
+    run.steps(20);
+    let ball = 4.0 / 3.0 * std::f64::consts::PI * radius.powi(3);
+    for at in [0.0, -0.1, 0.25, 7.123] {
+        let region = Primitive::Box {
+            min: Vec3::new(at, -0.2, -0.2),
+            max: Vec3::new(at + edge, 0.2, 0.2),
+        };
+        let reading = Reading::of(&region, &Observation::of(&run.simulation));
+        let volume = 0.16 * edge;
+        assert_eq!(reading.count, 3, "{at}");
+        close(reading.solid_fraction, 3.0 * ball / volume, 1e-12, 1.0);
+        close(reading.stress[0], f * 2.0 * radius / volume, 1e-7, 1.0);
+        close(reading.coordination_number, 2.0 / 3.0, 1e-15, 1.0);
+        close(reading.mean_normal_force, f, 1e-8, f);
+    }
+}
+
+/// A sphere goes round the cell three times and a quarter: it passes a plane across its way and a polygon there three times, a
+/// plane along its way never, and one beside it, whose copies it meets too, as often as itself.
+#[test]
+fn gates_have_copies() {
+    let square =
+        |x: f64| [[0.1, 0.1], [0.4, 0.1], [0.4, 0.4], [0.1, 0.4]].map(|[y, z]| Vec3::new(x, y, z));
+    let flow = |point: Vec3, normal: Vec3, outline: Vec<Vec3>| Measure::MassFlow {
+        point,
+        normal,
+        outline,
+    };
+    let mut case = Case::new(0.01, 0.0, 0.0).without_gravity().sphere(
+        0.1,
+        Vec3::new(0.5, 0.25, 0.25),
+        Vec3::x() * 3.25,
+    );
+    let gates = [
+        (flow(Vec3::x() * 0.2, Vec3::x(), vec![]), 3.0),
+        (flow(Vec3::x() * 0.2, -Vec3::x(), vec![]), -3.0),
+        (flow(Vec3::x() * 1000.2, Vec3::x(), vec![]), 3.0),
+        (flow(Vec3::x() * 0.2, Vec3::x(), square(0.2).to_vec()), 3.0),
+        (
+            flow(
+                Vec3::x() * 0.2,
+                Vec3::x(),
+                square(0.2).map(|x| x + Vec3::y() * 0.3).to_vec(),
+            ),
+            0.0,
+        ),
+        (flow(Vec3::y() * 0.3, Vec3::y(), vec![]), 0.0),
+    ];
+    for (k, (measure, _)) in gates.iter().enumerate() {
+        case.scene.sensors.push(Sensor {
+            name: format!("gate{k}"),
+            measure: measure.clone(),
+        });
+    }
+    let mut run = in_cell(case, [1.0, 0.0, 0.5]).start();
+    run.steps(100);
+    for (passed, (_, times)) in run.simulation.state().passed.iter().zip(&gates) {
+        close(*passed, times * run.mass(0), 1e-14, 1.0);
+    }
 }
