@@ -342,7 +342,7 @@ impl<'a> Ready<'a> {
         let centre = ahead * (boundary.from_frame(pose, body.centre) - reference);
         let load = body.load(scene, &state.poses, &state.commands[b]);
         let weight = match body.gravity {
-            true => state.gravity * body.mass,
+            true => state.gravity_at(scene, integrator.middle(state.time, dt)) * body.mass,
             false => Vec3::zeros(),
         };
         let external = Dof6 {

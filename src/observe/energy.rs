@@ -4,6 +4,7 @@
 //! translational   sum m |v|^2 / 2           v, w: reported velocity at `time`
 //! rotational      sum I |w|^2 / 2           I = 2/5 m R^2
 //! gravity         - sum m g . c             zero at the origin of the scene
+//! centrifugal     - sum m |W x (c - p)|^2 / 2
 //! springs         sum P_c |x - t|^2 / 2     x: constrained point, t: its target
 //! loads           - sum f . x               x: point of the load
 //! P               sum m v_h                 v_h, w_h: half-step velocity
@@ -25,6 +26,8 @@ pub struct Energy {
     pub rotational: f64,
     /// Potential of gravity, zero at the origin.
     pub gravity: f64,
+    /// Centrifugal potential in a rotating frame, zero on its axis.
+    pub centrifugal: f64,
     /// Potential of the constrained points' springs.
     pub springs: f64,
     /// Potential of the point loads, zero at the origin.
@@ -43,7 +46,11 @@ impl Energy {
             let mass = particles.mass[i];
             energy.translational += 0.5 * mass * velocity.linear.norm_squared();
             energy.rotational += 0.5 * particles.inertia(i) * velocity.angular.norm_squared();
-            energy.gravity -= mass * state.gravity.dot(&state.kinematics.position[i]);
+            let centre = state.kinematics.position[i];
+            energy.gravity -= mass * state.gravity.dot(&centre);
+            if let Some(frame) = &scene.settings.rotating_frame {
+                energy.centrifugal += mass * frame.potential(centre);
+            }
         }
         let present = |sphere: usize| state.kinematics.present[sphere];
         for spring in scene.springs.iter().filter(|s| present(s.sphere)) {
@@ -65,10 +72,10 @@ impl Energy {
         self.translational + self.rotational
     }
 
-    /// Gravity, springs and loads.
+    /// Gravity, centrifugal force, springs and loads.
     #[must_use]
     pub fn potential(&self) -> f64 {
-        self.gravity + self.springs + self.loads
+        self.gravity + self.centrifugal + self.springs + self.loads
     }
 }
 

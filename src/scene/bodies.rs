@@ -173,7 +173,7 @@ fn read_table(
     })
 }
 
-fn increasing(document: &mut Document<'_>, path: &str, time: &[f64]) -> bool {
+pub(super) fn increasing(document: &mut Document<'_>, path: &str, time: &[f64]) -> bool {
     if time.is_empty() {
         return document.demand(false, path, "no times", "at least one [s]");
     }

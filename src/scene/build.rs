@@ -5,6 +5,7 @@ use std::path::Path;
 use miette::NamedSource;
 
 use super::bodies::{accept, boundary, motion};
+use super::cell::cell;
 use super::decode::{Element, SceneFile};
 use super::document::Document;
 use super::file;
@@ -82,7 +83,10 @@ fn build(
             &format!("at most {most} of them"),
         );
     }
-    let settings = file.simulation.as_ref().map(|s| settings(document, s));
+    let settings = file
+        .simulation
+        .as_ref()
+        .and_then(|s| settings(document, resources, s));
     let materials = materials(document, file);
     let pairs = pairs(document, &context, file);
     let boundary_names = Names::declare(document, "boundary", &file.boundaries);
@@ -158,9 +162,12 @@ fn build(
         particles,
         initial,
         initial_contacts: Vec::new(),
+        cell: cell(document, &file.cell),
         boundaries: boundaries?,
     };
     if context.ranges.iter().all(Option::is_some) {
+        super::frame::judge(document, &scene, &file.boundaries);
+        super::cell::judge(document, &scene, &file.boundaries, &file.sensors);
         let groups = &context.ranges[..file.spheres.len()];
         Overlaps::of(&scene).judge(document, &scene, groups, &file.spheres);
     }

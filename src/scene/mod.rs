@@ -5,10 +5,12 @@
 
 mod bodies;
 mod build;
+mod cell;
 mod columns;
 mod decode;
 mod document;
 pub mod file;
+mod frame;
 mod keys;
 mod names;
 mod overlap;
@@ -36,8 +38,11 @@ use serde::{Deserialize, Serialize};
 
 use crate::Vec3;
 use crate::boundaries::Boundary;
+use crate::cell::Cell;
 use crate::contacts::Contact;
 use crate::error::SnapshotError;
+use crate::frame::RotatingFrame;
+use crate::gravity::GravityMotion;
 use crate::materials::{Material, PairTable};
 use crate::particles::{Kinematics, Particles};
 use crate::region::{Primitive, Region};
@@ -116,6 +121,8 @@ impl Default for Settings {
     fn default() -> Self {
         Self {
             gravity: Vec3::new(0.0, 0.0, -9.81),
+            gravity_motion: GravityMotion::Fixed,
+            rotating_frame: None,
             duration: 1.0,
             step: 1e-3,
             communication_step: 1e-3,
@@ -137,8 +144,12 @@ impl Default for Settings {
 /// Everything a run needs beside bodies and boundaries.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Settings {
-    /// Gravity \[m/s^2\].
+    /// Gravity \[m/s^2\], at t = 0 if it moves.
     pub gravity: Vec3,
+    /// How gravity changes with time.
+    pub gravity_motion: GravityMotion,
+    /// The turning frame in which the scene is given and solved; `None`: an inertial one.
+    pub rotating_frame: Option<RotatingFrame>,
     /// End time of a run \[s\].
     pub duration: f64,
     /// Largest internal time step \[s\].
@@ -309,6 +320,8 @@ pub struct Scene {
     pub initial: Kinematics,
     /// Contacts whose forces at t = 0 are known, in canonical order: where their solution starts from.
     pub initial_contacts: Vec<Contact>,
+    /// The periodic cell; without periodic axes unless the scene has some.
+    pub cell: Cell,
     /// Boundaries.
     pub boundaries: Vec<Boundary>,
     /// Point loads.

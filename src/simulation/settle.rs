@@ -20,6 +20,7 @@ use super::Simulation;
 use crate::Vec3;
 use crate::contacts::Contact;
 use crate::error::StepError;
+use crate::gravity::GravityMotion;
 use crate::motion::Motion;
 use crate::particles::Kinematics;
 use crate::scene::{Scene, Tolerance};
@@ -108,7 +109,7 @@ const FINE: Tolerance = Tolerance {
 /// Length of the last stretch over the time that counts as rest: loose spheres find their places.
 const LAST: f64 = 40.0;
 
-/// The scene with boundaries and targets of springs held as at t = 0, without sources and sinks, and with tolerances no
+/// The scene with gravity, boundaries and targets of springs held as at t = 0, without sources and sinks, and with tolerances no
 /// finer than `least`.
 fn held(scene: &Scene, least: Tolerance) -> Scene {
     let hold = |motion: &mut Motion| {
@@ -120,6 +121,7 @@ fn held(scene: &Scene, least: Tolerance) -> Scene {
         };
     };
     let mut scene = scene.clone();
+    scene.settings.gravity_motion = GravityMotion::Fixed;
     scene
         .boundaries
         .iter_mut()

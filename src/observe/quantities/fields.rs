@@ -146,15 +146,17 @@ pub(super) const SINK: [Field<f64>; 1] =
     [real("mass", "kg", "Mass removed since the start", |m| *m)];
 
 #[rustfmt::skip]
-pub(super) const WHOLE: [Field<Whole>; 21] = [
+pub(super) const WHOLE: [Field<Whole>; 23] = [
     real("mass", "kg", "Mass of all spheres in the scene", |w| w.mass),
     count("sphereCount", "Number of spheres in the scene", |w| w.spheres),
     vector("momentum", "kg.m/s", "Momentum of the spheres, half-step velocities: averaged wrench x time + weight = its change", |w| w.momentum.linear),
     vector("angularMomentum", "kg.m2/s", "Angular momentum about the origin, half-step velocities", |w| w.momentum.angular),
+    vector("averageBodyForce", "N", "Weight, inertial forces of a rotating frame and point loads, averaged over the communication step", |w| w.body_force),
     real("kineticEnergy", "J", "Kinetic energy", |w| w.energy.kinetic()),
-    real("potentialEnergy", "J", "Potential energy of gravity, springs and point loads", |w| w.energy.potential()),
+    real("potentialEnergy", "J", "Potential energy of gravity, centrifugal force, springs and point loads", |w| w.energy.potential()),
     real("dissipatedEnergy", "J", "Energy lost in contacts since the start", |w| w.work.dissipated),
     real("boundaryWork", "J", "Work of moving boundaries on the spheres since the start", |w| w.work.boundaries),
+    real("gravityWork", "J", "Potential energy gained since the start because gravity changed with time", |w| w.work.gravity),
     real("loadWork", "J", "Work of point loads since the start", |w| w.work.loads),
     real("springWork", "J", "Work of constrained springs since the start", |w| w.work.springs),
     count("contactCount", LOADED, |w| w.contacts),
