@@ -10,7 +10,8 @@
 //! L               sum (c x m v_h + I w_h)   about the origin
 //! ```
 //!
-//! Momenta use the half-step velocity because that is the one whose change over a step is exactly the impulse of the
+//! Driven bodies have kinetic energy and weight too; their loads count as work ([`crate::state::Work`]), not as a potential.
+//! Momenta are those of the spheres: on them act the wrenches of all boundaries, driven ones included. They use the half-step velocity because that is the one whose change over a step is exactly the impulse of the
 //! step. Only spheres in the scene count. Units: J, N s, N m s.
 
 use super::Observation;
@@ -44,6 +45,16 @@ impl Energy {
             energy.translational += 0.5 * mass * velocity.linear.norm_squared();
             energy.rotational += 0.5 * particles.inertia(i) * velocity.angular.norm_squared();
             energy.gravity -= mass * state.gravity.dot(&state.kinematics.position[i]);
+        }
+        for (b, body) in scene.driven() {
+            let (boundary, now) = (&scene.boundaries[b], &state.boundaries[b]);
+            let [linear, angular] = body.kinetic_energy(boundary, &now.pose, &now.twist);
+            energy.translational += linear;
+            energy.rotational += angular;
+            if body.gravity {
+                let centre = boundary.from_frame(&now.pose, body.centre);
+                energy.gravity -= body.mass * state.gravity.dot(&centre);
+            }
         }
         let present = |sphere: usize| state.kinematics.present[sphere];
         for spring in scene.springs.iter().filter(|s| present(s.sphere)) {

@@ -455,3 +455,22 @@ fn a_restored_run_goes_on_bit_for_bit() {
     assert!(twist.linear.norm() > 0.0);
 }
 
+#[test]
+#[ignore]
+fn scratch() {
+    for ratio in [0.0f64, 1.0, 100.0] {
+        let mut case = pile(SLIDE, ratio.max(1.0)).tolerance(1e-6, 1e-4, 1e-3);
+        if ratio == 0.0 {
+            case.scene.boundaries.truncate(5);
+        }
+        let mut run = case.start();
+        let mut total = [0; 4];
+        let now = std::time::Instant::now();
+        for k in 0..1200 {
+            if let Err(e) = run.simulation.advance(1e-3) { println!("{ratio} {e}"); break; }
+            let r = run.simulation.report();
+            total[0] += r.cuts; total[1] += r.sweeps; total[2] += r.factorizations; total[3] += r.internal_steps;
+            if k % 100 == 99 { println!("{ratio} {k} {total:?} {:.1}", now.elapsed().as_secs_f64()); }
+        }
+    }
+}

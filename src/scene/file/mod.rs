@@ -2,6 +2,7 @@
 //! are refused. Only types are checked here; [`super::Scene::from_toml`] checks the rest.
 
 mod boundaries;
+mod driven;
 mod regions;
 mod sensors;
 mod spheres;
@@ -15,6 +16,7 @@ pub use boundaries::{
     Boundary, Cone, Constant, Cuboid, Cylinder, Face, Input, Motion, Plane, Rectangle, Sinusoid,
     Stl, Table, Terrain,
 };
+pub use driven::{Body, Joint, Servo};
 pub use regions::{Region, Tube};
 pub use sensors::{MassFlow, Probe, Sensor};
 pub use spheres::{
