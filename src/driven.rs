@@ -255,7 +255,10 @@ impl Area {
             Self::Constant(area) => *area,
             Self::Between(pairs) => {
                 let at = |b: usize| scene.boundaries[b].point_of_action + poses[b].translation;
-                pairs.iter().map(|[a, b]| (at(*a) - at(*b)).norm()).product()
+                pairs
+                    .iter()
+                    .map(|[a, b]| (at(*a) - at(*b)).norm())
+                    .product()
             }
         }
     }
@@ -361,8 +364,7 @@ impl<'a> Ready<'a> {
         let here = body.operator(boundary, pose.rotation, f64::recip);
         let (last, persisting) = (state.last_step, &carried.persisting);
         let momentum = integrator.restep(&carried.momentum, persisting, last, dt);
-        let velocity =
-            integrator.restep(&carried.velocity, &here.times(persisting), last, dt);
+        let velocity = integrator.restep(&carried.velocity, &here.times(persisting), last, dt);
         let ahead = integrator.free(&momentum, &external, dt);
         let turn = here.times(&ahead).angular * (0.5 * dt);
         let middle = UnitQuaternion::from_scaled_axis(turn) * pose.rotation;
@@ -373,7 +375,12 @@ impl<'a> Ready<'a> {
             (kept * momentum + moved * (force * dt), moved)
         };
         let (v, linear_w) = damped(&linear, body.damping[0], momentum.linear, external.linear);
-        let (w, angular_w) = damped(&angular, body.damping[1], momentum.angular, external.angular);
+        let (w, angular_w) = damped(
+            &angular,
+            body.damping[1],
+            momentum.angular,
+            external.angular,
+        );
         Self {
             boundary: b,
             reference,
@@ -442,7 +449,9 @@ impl<'a> Ready<'a> {
     ) -> (BodyState, f64) {
         let mobility = settings.integrator.mobility();
         let solved = self.mass.times(v1);
-        let momentum = settings.integrator.finish(&self.momentum, &solved, settings);
+        let momentum = settings
+            .integrator
+            .finish(&self.momentum, &solved, settings);
         // What is missing in the balance of momentum over the whole step is the damper's impulse.
         let damper = solved
             .plus(&self.momentum, -1.0)

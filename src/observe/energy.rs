@@ -11,8 +11,9 @@
 //! ```
 //!
 //! Driven bodies have kinetic energy and weight too; their loads count as work ([`crate::state::Work`]), not as a potential.
-//! Momenta are those of the spheres: on them act the wrenches of all boundaries, driven ones included. They use the half-step velocity because that is the one whose change over a step is exactly the impulse of the
-//! step. Only spheres in the scene count. Units: J, N s, N m s.
+//! Momenta are those of the spheres, on which the wrenches of all boundaries act, driven ones included. They use the
+//! half-step velocity because that is the one whose change over a step is exactly the impulse of the step. Only spheres in
+//! the scene count. Units: J, N s, N m s.
 
 use super::Observation;
 use crate::Vec3;

@@ -43,7 +43,14 @@ pub(super) fn boundary(
         (None, None | Some(file::Input::Load), Some(given)) => {
             let at = value.point_of_action.into();
             let load = value.input.is_some();
-            let body = body(document, boundaries, &format!("{path}.body"), given, at, load);
+            let body = body(
+                document,
+                boundaries,
+                &format!("{path}.body"),
+                given,
+                at,
+                load,
+            );
             body.map(|body| Motion::Driven(Box::new(body)))
         }
         (_, _, Some(_)) => {

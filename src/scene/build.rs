@@ -91,7 +91,14 @@ fn build(
         .iter()
         .map(|b| {
             let value = b.value.as_ref()?;
-            boundary(document, resources, &context, &boundary_names, &b.path, value)
+            boundary(
+                document,
+                resources,
+                &context,
+                &boundary_names,
+                &b.path,
+                value,
+            )
         })
         .collect();
     let boundaries: Option<Vec<_>> = boundaries.into_iter().collect();

@@ -25,15 +25,23 @@ pub(super) fn body(
     let at = |key: &str| format!("{path}.{key}");
     for (key, value, unit) in [
         ("damping", given.damping, "a damping >= 0 [N s/m]"),
-        ("angular_damping", given.angular_damping, "a damping >= 0 [N m s/rad]"),
+        (
+            "angular_damping",
+            given.angular_damping,
+            "a damping >= 0 [N m s/rad]",
+        ),
     ] {
         document.demand(value >= 0.0, at(key), value, unit);
     }
     let heavy = document.demand(given.mass > 0.0, at("mass"), given.mass, "a mass > 0 [kg]");
     let joint = match given.joint {
         file::Joint::Free => Some(Joint::Free),
-        file::Joint::Slide(v) => direction(document, &at("joint.slide"), v).map(|axis| Joint::Slide { axis }),
-        file::Joint::Hinge(v) => direction(document, &at("joint.hinge"), v).map(|axis| Joint::Hinge { axis }),
+        file::Joint::Slide(v) => {
+            direction(document, &at("joint.slide"), v).map(|axis| Joint::Slide { axis })
+        }
+        file::Joint::Hinge(v) => {
+            direction(document, &at("joint.hinge"), v).map(|axis| Joint::Hinge { axis })
+        }
     };
     let principal = match &given.inertia {
         None => Some((Vec3::zeros(), UnitQuaternion::identity())),
@@ -41,7 +49,13 @@ pub(super) fn body(
     };
     let servo = match &given.servo {
         None => None,
-        Some(servo) => Some(self::servo(document, names, &at("servo"), servo, given.joint)?),
+        Some(servo) => Some(self::servo(
+            document,
+            names,
+            &at("servo"),
+            servo,
+            given.joint,
+        )?),
     };
     let (joint, (moments, axes)) = (joint?, principal?);
     let body = Body {
@@ -72,7 +86,10 @@ pub(super) fn body(
 fn turns(document: &mut Document<'_>, path: &str, body: &Body, point_of_action: Vec3) -> bool {
     let (enough, expected) = match body.joint {
         Joint::Slide { .. } => (true, ""),
-        Joint::Free => (body.moments.min() > 0.0, "three moments > 0 [kg m^2] for a free body"),
+        Joint::Free => (
+            body.moments.min() > 0.0,
+            "three moments > 0 [kg m^2] for a free body",
+        ),
         Joint::Hinge { axis } => (
             body.moment_about(axis, point_of_action) > 0.0,
             "a moment > 0 [kg m^2] about the hinge, or a centre of mass off its axis",
@@ -109,7 +126,12 @@ fn starts(document: &mut Document<'_>, path: &str, body: &Body) -> bool {
         false => ["zero: a hinge stays in its place", "about the hinge"],
     };
     let show = |v: Vec3| format!("{:?}", v.as_slice());
-    let good = document.demand(linear, format!("{path}.velocity"), show(body.twist.linear), slides);
+    let good = document.demand(
+        linear,
+        format!("{path}.velocity"),
+        show(body.twist.linear),
+        slides,
+    );
     let key = format!("{path}.angular_velocity");
     document.demand(angular, key, show(body.twist.angular), turns) && good
 }
@@ -135,14 +157,24 @@ fn principal(
         (3, 9) if typed.iter().all(|row| row.len() == 3) => Matrix3::from_row_slice(&flat),
         _ => {
             let found = format!("{} entries in {} rows", flat.len(), typed.len());
-            document.demand(false, path, found, "[Ixx, Iyy, Izz] or three rows of three [kg m^2]");
+            document.demand(
+                false,
+                path,
+                found,
+                "[Ixx, Iyy, Izz] or three rows of three [kg m^2]",
+            );
             return None;
         }
     };
     let largest = matrix.amax();
     let skew = (matrix - matrix.transpose()).amax();
     let found = format!("{flat:?}");
-    let symmetric = document.demand(skew <= ROUNDING * largest, path, &found, "a symmetric inertia");
+    let symmetric = document.demand(
+        skew <= ROUNDING * largest,
+        path,
+        &found,
+        "a symmetric inertia",
+    );
     // Diagonal input keeps its axes to the last bit.
     let (moments, axes) = if matrix == Matrix3::from_diagonal(&matrix.diagonal()) {
         (matrix.diagonal(), UnitQuaternion::identity())
@@ -153,7 +185,10 @@ fn principal(
             axes.column_mut(0).neg_mut();
         }
         let axes = Rotation3::from_matrix_unchecked(axes);
-        (eigen.eigenvalues, UnitQuaternion::from_rotation_matrix(&axes))
+        (
+            eigen.eigenvalues,
+            UnitQuaternion::from_rotation_matrix(&axes),
+        )
     };
     let sum = moments.sum();
     let real = moments.min() >= 0.0 && moments.iter().all(|j| 2.0 * j <= sum * (1.0 + ROUNDING));
@@ -170,15 +205,29 @@ fn servo(
     joint: file::Joint,
 ) -> Option<Servo> {
     let slides = matches!(joint, file::Joint::Slide(_));
-    let slides = document.demand(slides, path, "a body that is not on a slide", "joint = { slide = axis }");
+    let slides = document.demand(
+        slides,
+        path,
+        "a body that is not on a slide",
+        "joint = { slide = axis }",
+    );
     let area = match (given.area, &given.between) {
         (Some(area), None) => document
-            .demand(area > 0.0, format!("{path}.area"), area, "an area > 0 [m^2]")
+            .demand(
+                area > 0.0,
+                format!("{path}.area"),
+                area,
+                "an area > 0 [m^2]",
+            )
             .then_some(Area::Constant(area)),
         (None, Some(pairs)) => between(document, names, &format!("{path}.between"), pairs),
         _ => {
             let help = "give `area = ...` in m^2, or `between = [[a, b], [c, d]]` with the names of four boundaries";
-            document.error(path, "found none or both of `area` and `between`, expected one of them", help);
+            document.error(
+                path,
+                "found none or both of `area` and `between`, expected one of them",
+                help,
+            );
             None
         }
     };
@@ -197,12 +246,16 @@ fn between(
 ) -> Option<Area> {
     let found = format!("{pairs:?}");
     let shaped = pairs.len() == 2 && pairs.iter().all(|pair| pair.len() == 2);
-    if !document.demand(shaped, path, found, "two pairs of boundary names [[a, b], [c, d]]") {
+    if !document.demand(
+        shaped,
+        path,
+        found,
+        "two pairs of boundary names [[a, b], [c, d]]",
+    ) {
         return None;
     }
-    let mut boundary = |i: usize, k: usize| {
-        names.resolve(document, &format!("{path}[{i}][{k}]"), &pairs[i][k])
-    };
+    let mut boundary =
+        |i: usize, k: usize| names.resolve(document, &format!("{path}[{i}][{k}]"), &pairs[i][k]);
     let found = [
         [boundary(0, 0), boundary(0, 1)],
         [boundary(1, 0), boundary(1, 1)],

@@ -306,7 +306,11 @@ impl Simulation {
     /// [`SnapshotError`] if the bytes are damaged or belong to another scene or version; the state is unchanged.
     pub fn restore(&mut self, blob: &[u8]) -> Result<(), SnapshotError> {
         let state: State = snapshot::restore(blob, &self.scene.hash)?;
-        let counts = [state.kinematics.len(), state.poses.len(), state.bodies.len()];
+        let counts = [
+            state.kinematics.len(),
+            state.poses.len(),
+            state.bodies.len(),
+        ];
         let scene = &self.scene;
         let driven = scene.driven().count();
         if counts != [scene.particles.len(), scene.boundaries.len(), driven] {

@@ -228,7 +228,11 @@ impl Simulation {
         let radius = &self.scene.particles.radius;
         let driven = self.scene.driven().map(|(b, _)| {
             let (pose, twist) = (&self.state.poses[b], self.boundary_twist(b));
-            displacement(&self.scene.boundaries[b], pose, &pose.advanced(&twist, INSTANT)) / INSTANT
+            displacement(
+                &self.scene.boundaries[b],
+                pose,
+                &pose.advanced(&twist, INSTANT),
+            ) / INSTANT
         });
         let spheres = (0..radius.len()).map(|i| {
             let twist = self.velocity(i);

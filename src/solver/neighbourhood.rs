@@ -59,8 +59,11 @@ impl Part {
             for body in of_kind.filter(|&body| (body as usize >= spheres) == driven) {
                 rank.entry(body).or_insert_with(|| {
                     let i = body as usize;
-                    part.free
-                        .push(if inside[i] { problem.free[i] } else { velocity[i] });
+                    part.free.push(if inside[i] {
+                        problem.free[i]
+                    } else {
+                        velocity[i]
+                    });
                     match (driven, inside[i]) {
                         (false, true) => part.inverse_mass.push(problem.inverse_mass[i]),
                         (false, false) => part.inverse_mass.push(Dof6::ZERO),

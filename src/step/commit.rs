@@ -87,7 +87,13 @@ impl Stage<'_> {
                 let settings = &self.inputs.scene.settings;
                 let impulses = [&contacts, &persisting];
                 let end = &ends[body.boundary];
-                body.finish(settings, &solution[spheres + d], impulses, end, self.inputs.step)
+                body.finish(
+                    settings,
+                    &solution[spheres + d],
+                    impulses,
+                    end,
+                    self.inputs.step,
+                )
             })
             .collect()
     }
@@ -181,8 +187,8 @@ impl Stage<'_> {
         let spheres = self.inputs.kinematics.len();
         for (body, mean) in self.inputs.bodies.iter().zip(&mean[spheres..]) {
             let at_action = body.action_velocity(mean);
-            let power = body.load.linear.dot(&at_action.linear)
-                + body.load.angular.dot(&at_action.angular);
+            let power =
+                body.load.linear.dot(&at_action.linear) + body.load.angular.dot(&at_action.angular);
             state.work.loads += self.inputs.step * power;
         }
     }

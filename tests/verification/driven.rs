@@ -29,7 +29,10 @@ fn lid(z: f64) -> Vec<Shape> {
 }
 
 fn plate(low: [f64; 2], high: [f64; 2], z: f64) -> Vec<Shape> {
-    let (u, v) = (Vec3::x() * (high[0] - low[0]), Vec3::y() * (high[1] - low[1]));
+    let (u, v) = (
+        Vec3::x() * (high[0] - low[0]),
+        Vec3::y() * (high[1] - low[1]),
+    );
     let plate = Facets::rectangle(Vec3::new(low[0], low[1], z), u, v);
     vec![plate.expect("a rectangle").into()]
 }
@@ -87,7 +90,12 @@ fn a_piston_presses_with_its_load_and_weight() {
 #[test]
 fn a_free_plate_flies_as_thrown() {
     for integrator in [Integrator::Moreau, Integrator::Shi] {
-        let mut thrown = body(3.0, Vec3::new(0.1, 0.0, 0.0), Vec3::new(1.0, 2.0, 3.0), Joint::Free);
+        let mut thrown = body(
+            3.0,
+            Vec3::new(0.1, 0.0, 0.0),
+            Vec3::new(1.0, 2.0, 3.0),
+            Joint::Free,
+        );
         thrown.twist.angular = Vec3::new(0.0, 0.0, 2.0);
         let v0 = Vec3::new(1.0, -2.0, 4.0);
         // The point of action at the origin goes round the centre of mass.
@@ -101,8 +109,7 @@ fn a_free_plate_flies_as_thrown() {
             let t = run.simulation.time();
             let pose = run.simulation.boundary_pose(0);
             let centre = pose.apply(Vec3::zeros(), Vec3::new(0.1, 0.0, 0.0));
-            let expected =
-                Vec3::new(0.1, 0.0, 0.0) + v0 * t - Vec3::z() * (0.5 * G * t * t);
+            let expected = Vec3::new(0.1, 0.0, 0.0) + v0 * t - Vec3::z() * (0.5 * G * t * t);
             assert!((centre - expected).norm() < 1e-12 * (1.0 + expected.norm()));
             let turned = UnitQuaternion::from_scaled_axis(Vec3::z() * (2.0 * t));
             assert!(pose.rotation.angle_to(&turned) < 1e-7);
@@ -159,8 +166,7 @@ fn a_swing_has_its_period_at_any_amplitude() {
             for _ in 0..8 {
                 (a, g) = (0.5 * (a + g), f64::sqrt(a * g));
             }
-            let period =
-                std::f64::consts::TAU / a * (inertia / (mass * G * d)).sqrt();
+            let period = std::f64::consts::TAU / a * (inertia / (mass * G * d)).sqrt();
             let error = |dt: f64| {
                 let start = UnitQuaternion::from_scaled_axis(Vec3::y() * amplitude);
                 let mut swing = body(mass, -Vec3::z() * d, Vec3::repeat(own), HINGE);
@@ -174,7 +180,10 @@ fn a_swing_has_its_period_at_any_amplitude() {
             let errors = [4e-2, 2e-2, 1e-2].map(error);
             for pair in errors.windows(2) {
                 let order = (pair[0] / pair[1]).log2();
-                assert!((1.8..2.2).contains(&order), "{integrator:?} {amplitude}: {errors:?}");
+                assert!(
+                    (1.8..2.2).contains(&order),
+                    "{integrator:?} {amplitude}: {errors:?}"
+                );
             }
             assert!(errors[2] < 1e-3, "{errors:?}");
         }
@@ -199,7 +208,11 @@ fn measured_period(run: &mut Run, dt: f64) -> f64 {
             let (mut low, mut high) = (0.0, 1.0);
             for _ in 0..60 {
                 let middle = 0.5 * (low + high);
-                if cubic(middle) * a > 0.0 { low = middle } else { high = middle }
+                if cubic(middle) * a > 0.0 {
+                    low = middle
+                } else {
+                    high = middle
+                }
             }
             passages.push(t + low * dt);
         }
@@ -330,7 +343,8 @@ fn a_tray_on_a_hinge_is_a_lever() {
         for _ in 0..50 {
             let support = run.simulation.contacts().iter().find(|k| k.key.sphere == 1);
             close(-support.expect("the support").force.z, load, 1e-6, 0.0);
-            let torque = run.simulation.wrench(0).torque.y + Vec3::new(c, 0.0, 0.0).cross(&(Vec3::z() * -mass * G)).y;
+            let torque = run.simulation.wrench(0).torque.y
+                + Vec3::new(c, 0.0, 0.0).cross(&(Vec3::z() * -mass * G)).y;
             assert!(torque.abs() < 1e-6 * load, "{torque:e}");
             run.step();
         }
@@ -342,10 +356,7 @@ fn a_tray_on_a_hinge_is_a_lever() {
 #[test]
 fn a_servo_wall_presses_with_pressure_times_area() {
     let mut first = 0.0;
-    for area in [
-        Area::Constant(0.06),
-        Area::Between([[1, 2], [3, 4]]),
-    ] {
+    for area in [Area::Constant(0.06), Area::Between([[1, 2], [3, 4]])] {
         let mut piston = body(0.5, Vec3::zeros(), Vec3::zeros(), SLIDE);
         piston.damping[0] = 100.0;
         piston.servo = Some(Servo {
@@ -358,7 +369,8 @@ fn a_servo_wall_presses_with_pressure_times_area() {
         for (k, side) in [Vec3::x() * 0.1, Vec3::y() * 0.15].into_iter().enumerate() {
             for sign in [-1.0, 1.0] {
                 case = case.plane(side * sign, -side * sign);
-                case.scene.boundaries[1 + 2 * k + usize::from(sign > 0.0)].point_of_action = side * sign;
+                case.scene.boundaries[1 + 2 * k + usize::from(sign > 0.0)].point_of_action =
+                    side * sign;
             }
         }
         let mut run = case
@@ -383,13 +395,26 @@ fn a_light_plate_rests_on_a_heavy_pile() {
         for k in 0..1200 {
             run.step();
             let r = run.simulation.report();
-            total[0] += r.cuts; total[1] += r.sweeps; total[2] += r.factorizations; total[3] += r.internal_steps;
-            if k % 100 == 99 { println!("{joint:?} {k} {total:?} {:?} {:?}", run.simulation.boundary_twist(5).linear, run.simulation.mean_wrench(5).force.z / run.mass(0) / G); }
+            total[0] += r.cuts;
+            total[1] += r.sweeps;
+            total[2] += r.factorizations;
+            total[3] += r.internal_steps;
+            if k % 100 == 99 {
+                println!(
+                    "{joint:?} {k} {total:?} {:?} {:?}",
+                    run.simulation.boundary_twist(5).linear,
+                    run.simulation.mean_wrench(5).force.z / run.mass(0) / G
+                );
+            }
         }
         let before = run.simulation.boundary_pose(5).translation;
         run.steps(50);
         let after = run.simulation.boundary_pose(5).translation;
-        assert!((after - before).norm() < 1e-3 * 0.05, "{joint:?}: {:e}", (after - before).norm());
+        assert!(
+            (after - before).norm() < 1e-3 * 0.05,
+            "{joint:?}: {:e}",
+            (after - before).norm()
+        );
         let weight = run.mass(0) * G;
         let mean = run.simulation.mean_wrench(5).force.z;
         close(mean, weight, 0.05, 0.0);
@@ -467,10 +492,18 @@ fn scratch() {
         let mut total = [0; 4];
         let now = std::time::Instant::now();
         for k in 0..1200 {
-            if let Err(e) = run.simulation.advance(1e-3) { println!("{ratio} {e}"); break; }
+            if let Err(e) = run.simulation.advance(1e-3) {
+                println!("{ratio} {e}");
+                break;
+            }
             let r = run.simulation.report();
-            total[0] += r.cuts; total[1] += r.sweeps; total[2] += r.factorizations; total[3] += r.internal_steps;
-            if k % 100 == 99 { println!("{ratio} {k} {total:?} {:.1}", now.elapsed().as_secs_f64()); }
+            total[0] += r.cuts;
+            total[1] += r.sweeps;
+            total[2] += r.factorizations;
+            total[3] += r.internal_steps;
+            if k % 100 == 99 {
+                println!("{ratio} {k} {total:?} {:.1}", now.elapsed().as_secs_f64());
+            }
         }
     }
 }

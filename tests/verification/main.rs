@@ -5,6 +5,7 @@
 
 mod contact_statics;
 mod driven;
+mod driven_scenes;
 mod free_motion;
 mod impact;
 mod incline;

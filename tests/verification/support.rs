@@ -8,8 +8,8 @@ use sphere_dda::boundaries::{Boundary, Geometry, HalfSpace, Shape};
 use sphere_dda::driven::{Body, Joint};
 use sphere_dda::materials::{Material, Pair, PairTable};
 use sphere_dda::motion::{Motion, Pose, Twist};
-use sphere_dda::problem::Dof6;
 use sphere_dda::particles::{Kinematics, Locks, Particles};
+use sphere_dda::problem::Dof6;
 use sphere_dda::scene::{Output, Scene, Settings};
 use sphere_dda::simulation::Simulation;
 
@@ -216,7 +216,8 @@ impl Run {
             .iter()
             .any(|l| l.translation.iter().any(|x| *x));
         let now = self.simulation.state().last_step;
-        let equal = (last - now).abs() <= 1e-12 * h && (now - scene.settings.step).abs() <= 1e-12 * h;
+        let equal =
+            (last - now).abs() <= 1e-12 * h && (now - scene.settings.step).abs() <= 1e-12 * h;
         let shi = scene.settings.integrator == sphere_dda::scene::Integrator::Shi;
         if !equal || shi {
             return;
@@ -284,7 +285,10 @@ impl Run {
                 Joint::Slide { axis } => (new.linear - old.linear - force * h).dot(&axis).abs(),
                 Joint::Hinge { .. } => 0.0,
             };
-            assert!(error <= 1e-9 * scale, "body {b}: momentum is off by {error:e} N s");
+            assert!(
+                error <= 1e-9 * scale,
+                "body {b}: momentum is off by {error:e} N s"
+            );
             if !matches!(body.joint, Joint::Free) || self.simulation.report().internal_steps > 1 {
                 continue;
             }
