@@ -20,7 +20,7 @@ use std::sync::Arc;
 use nalgebra::Matrix3;
 
 use super::bodies::{Masses, component, moved};
-use super::gauss_seidel::smooth;
+use super::gauss_seidel::{Kernel, smooth};
 use super::residual::{Scale, evaluate};
 use super::{Params, Report};
 use crate::Vec3;
@@ -39,26 +39,21 @@ const RAISE: f64 = 8.0;
 /// Largest penalty over the mass scale `m/dt^2`: beyond it the factor loses the digits the tolerance needs.
 const CEILING: f64 = 1e3;
 
-/// What is kept between solves: the symbolic analysis, while the contact pattern stays.
+/// What is kept between solves: the symbolic analysis, while the contact pattern stays, and memory.
 #[derive(Debug, Default)]
 pub struct Workspace {
     symbolic: Option<Symbolic>,
+    pub(super) kernel: Kernel,
 }
 
-impl Workspace {
-    /// The analysis of `pattern`, reused if it is the last one's.
-    fn analyse(&mut self, pattern: BlockPattern) -> Result<&Symbolic, LinearError> {
-        let reuse = self
-            .symbolic
-            .as_ref()
-            .is_some_and(|s| **s.pattern() == pattern);
-        if !reuse {
-            self.symbolic = None;
-        }
-        match &mut self.symbolic {
-            Some(symbolic) => Ok(symbolic),
-            empty => Ok(empty.insert(Symbolic::new(&Arc::new(pattern))?)),
-        }
+/// The analysis of `pattern`: `kept`, if it is that one's.
+fn analyse(kept: &mut Option<Symbolic>, pattern: BlockPattern) -> Result<&Symbolic, LinearError> {
+    if kept.as_ref().is_some_and(|s| **s.pattern() != pattern) {
+        *kept = None;
+    }
+    match kept {
+        Some(symbolic) => Ok(symbolic),
+        empty => Ok(empty.insert(Symbolic::new(&Arc::new(pattern))?)),
     }
 }
 
@@ -227,7 +222,8 @@ fn outer_loop(
     scales: &[Scale],
     report: &mut Report,
 ) -> Result<(), LinearError> {
-    let symbolic = workspace.analyse(pattern(problem))?;
+    let Workspace { symbolic, kernel } = workspace;
+    let symbolic = analyse(symbolic, pattern(problem))?;
     let mut matrix = BlockMatrix::zeros(Arc::clone(symbolic.pattern()));
     let inner = Inner::of(problem);
     let heaviest = inner.masses.heaviest();
@@ -312,7 +308,7 @@ fn outer_loop(
             };
         }
         report.augmentations += 1;
-        smooth(problem, scales, params.smoothing, impulses);
+        smooth(problem, params.smoothing, kernel, impulses);
         velocity = problem.velocities(impulses);
         let before = report.residual;
         report.residual = evaluate(problem, scales, impulses);
