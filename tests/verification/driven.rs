@@ -391,7 +391,7 @@ fn a_servo_wall_presses_with_pressure_times_area() {
 fn a_light_plate_rests_on_a_heavy_pile() {
     for joint in [SLIDE, Joint::Free] {
         let mut run = pile(joint, 1.0).tolerance(1e-6, 1e-4, 1e-3).start();
-        run.steps(800);
+        run.steps(1500);
         let before = run.simulation.boundary_pose(5);
         let mut impulse = 0.0;
         for _ in 0..100 {
@@ -463,32 +463,4 @@ fn a_restored_run_goes_on_bit_for_bit() {
     assert!(end(&mut run.simulation) == first);
     let twist: Twist = run.simulation.boundary_twist(5);
     assert!(twist.linear.norm() > 0.0);
-}
-
-#[test]
-#[ignore]
-fn scratch() {
-    for ratio in [0.0f64, 1.0, 100.0] {
-        let mut case = pile(SLIDE, ratio.max(1.0)).tolerance(1e-6, 1e-4, 1e-3);
-        if ratio == 0.0 {
-            case.scene.boundaries.truncate(5);
-        }
-        let mut run = case.start();
-        let mut total = [0; 4];
-        let now = std::time::Instant::now();
-        for k in 0..1200 {
-            if let Err(e) = run.simulation.advance(1e-3) {
-                println!("{ratio} {e}");
-                break;
-            }
-            let r = run.simulation.report();
-            total[0] += r.cuts;
-            total[1] += r.sweeps;
-            total[2] += r.factorizations;
-            total[3] += r.internal_steps;
-            if k % 100 == 99 {
-                println!("{ratio} {k} {total:?} {:.1}", now.elapsed().as_secs_f64());
-            }
-        }
-    }
 }
