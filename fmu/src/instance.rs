@@ -14,7 +14,7 @@ use std::fmt;
 use std::path::Path;
 
 use sphere_dda::error::StepError;
-use sphere_dda::motion::{Command, Motion};
+use sphere_dda::motion::Command;
 use sphere_dda::simulation::Simulation;
 
 use crate::model::Model;
@@ -413,7 +413,7 @@ fn initial(model: &Model) -> Run {
 /// Hands the commands of all driven boundaries to the simulation.
 fn command(simulation: &mut Simulation, commands: &[Command]) -> Result<(), StepError> {
     for (b, &command) in commands.iter().enumerate() {
-        if matches!(simulation.scene().boundaries[b].motion, Motion::Input(_)) {
+        if simulation.scene().boundaries[b].motion.input().is_some() {
             simulation.command(b, command)?;
         }
     }

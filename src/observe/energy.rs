@@ -11,8 +11,10 @@
 //! L               sum (c x m v_h + I w_h)   about the origin
 //! ```
 //!
-//! Momenta use the half-step velocity because that is the one whose change over a step is exactly the impulse of the
-//! step. Only spheres in the scene count. Units: J, N s, N m s.
+//! Driven bodies have kinetic energy and weight too; their loads count as work ([`crate::state::Work`]), not as a potential.
+//! Momenta are those of the spheres, on which the wrenches of all boundaries act, driven ones included. They use the
+//! half-step velocity because that is the one whose change over a step is exactly the impulse of the step. Only spheres in
+//! the scene count. Units: J, N s, N m s.
 
 use super::Observation;
 use crate::Vec3;
@@ -50,6 +52,16 @@ impl Energy {
             energy.gravity -= mass * state.gravity.dot(&centre);
             if let Some(frame) = &scene.settings.rotating_frame {
                 energy.centrifugal += mass * frame.potential(centre);
+            }
+        }
+        for (b, body) in scene.driven() {
+            let (boundary, now) = (&scene.boundaries[b], &state.boundaries[b]);
+            let [linear, angular] = body.kinetic_energy(boundary, &now.pose, &now.twist);
+            energy.translational += linear;
+            energy.rotational += angular;
+            if body.gravity {
+                let centre = boundary.from_frame(&now.pose, body.centre);
+                energy.gravity -= body.mass * state.gravity.dot(&centre);
             }
         }
         let present = |sphere: usize| state.kinematics.present[sphere];

@@ -35,7 +35,7 @@ use crate::state::Work;
 pub struct BoundaryState {
     /// Displacement from the scene.
     pub pose: Pose,
-    /// Velocity \[m/s\], \[rad/s\] over the last internal step.
+    /// Velocity \[m/s\], \[rad/s\] over the last internal step, that of a driven body at its end.
     pub twist: Twist,
     /// Contact wrench over the last internal step.
     pub wrench: Wrench,

@@ -93,7 +93,17 @@ fn build(
     let boundaries: Vec<_> = file
         .boundaries
         .iter()
-        .map(|b| boundary(document, resources, &context, &b.path, b.value.as_ref()?))
+        .map(|b| {
+            let value = b.value.as_ref()?;
+            boundary(
+                document,
+                resources,
+                &context,
+                &boundary_names,
+                &b.path,
+                value,
+            )
+        })
         .collect();
     let boundaries: Option<Vec<_>> = boundaries.into_iter().collect();
     let mut particles = Particles::default();

@@ -9,6 +9,7 @@ mod cell;
 mod columns;
 mod decode;
 mod document;
+mod driven;
 pub mod file;
 mod frame;
 mod keys;
@@ -44,6 +45,7 @@ use crate::error::SnapshotError;
 use crate::frame::RotatingFrame;
 use crate::gravity::GravityMotion;
 use crate::materials::{Material, PairTable};
+use crate::motion::Motion;
 use crate::particles::{Kinematics, Particles};
 use crate::region::{Primitive, Region};
 use crate::snapshot;
@@ -357,13 +359,20 @@ pub struct Loaded {
 
 impl Scene {
     /// Starts from another state of the spheres than the file's: from a [`crate::simulation::Settled::start`], or any
-    /// snapshot of this scene, of which placement, velocities and contact forces are taken. The hash changes with it.
+    /// snapshot of this scene, of which placement, velocities and contact forces are taken; driven bodies start at rest where
+    /// they were. The hash changes with it.
     ///
     /// # Errors
     /// [`SnapshotError`] if the blob is damaged or belongs to another scene or version; the scene is unchanged.
     pub fn start_from(&mut self, blob: &[u8]) -> Result<(), SnapshotError> {
         let state: State = snapshot::restore(blob, &self.hash)?;
         self.initial = state.kinematics;
+        for (boundary, pose) in self.boundaries.iter_mut().zip(state.poses) {
+            if let Motion::Driven(body) = &mut boundary.motion {
+                body.pose = pose;
+                body.twist = crate::motion::Twist::default();
+            }
+        }
         self.initial_contacts = state.contacts;
         self.hash = resources::digest([self.hash.as_bytes(), blob]);
         Ok(())

@@ -6,6 +6,7 @@
 mod contact_statics;
 mod convergence;
 mod driven;
+mod driven_scenes;
 mod edges;
 mod frames;
 mod free_motion;

@@ -223,6 +223,21 @@ impl Rows {
                 self.vector(&name, unit, &text, boundary, input);
             }
         }
+        if kind == InputKind::Load {
+            let vectors = [
+                (
+                    "appliedForce",
+                    "N",
+                    "Force at the point of action, world axes",
+                    Input::Force,
+                ),
+                ("appliedTorque", "N.m", "Torque, world axes", Input::Torque),
+            ];
+            for (name, unit, what, input) in vectors {
+                let (name, text) = (format!("{prefix}.{name}"), format!("{what}, {HELD}"));
+                self.vector(&name, unit, &text, boundary, input);
+            }
+        }
         let (name, unit, text) = match kind {
             InputKind::Slide { .. } => (
                 "displacement",
@@ -240,7 +255,17 @@ impl Rows {
                 "rad/s",
                 format!("Angular speed about the hinge, {HELD}"),
             ),
-            InputKind::Pose | InputKind::Motion | InputKind::Twist => return,
+            InputKind::SlideForce { .. } => (
+                "appliedForce",
+                "N",
+                format!("Force along the slide, {HELD}"),
+            ),
+            InputKind::HingeTorque { .. } => (
+                "appliedTorque",
+                "N.m",
+                format!("Torque about the hinge, {HELD}"),
+            ),
+            InputKind::Pose | InputKind::Motion | InputKind::Twist | InputKind::Load => return,
         };
         let row = Row::real(format!("{prefix}.{name}"), Some(unit), text).start(Value::Real(0.0));
         let meaning = Meaning::Input {

@@ -3,6 +3,7 @@
 
 mod boundaries;
 mod cell;
+mod driven;
 mod frame;
 mod regions;
 mod sensors;
@@ -18,6 +19,7 @@ pub use boundaries::{
     Stl, Table, Terrain,
 };
 pub use cell::Cell;
+pub use driven::{Body, Joint, Servo};
 pub use frame::{GravityMotion, GravityTable, RotatingFrame, Turning};
 pub use regions::{Region, Tube};
 pub use sensors::{MassFlow, Probe, Sensor};
