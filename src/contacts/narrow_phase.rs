@@ -138,11 +138,27 @@ impl Placement<'_> {
         reach_wall: impl Fn(u32, u16) -> f64,
     ) -> Vec<Candidate> {
         let mut found = Vec::new();
+        // Both lists ascend in the sphere, and a sphere's partners are spheres before boundaries: taken in turns they
+        // are in canonical order but for the features of one boundary.
+        let mut walls = list.walls.iter().copied().peekable();
+        let mut touches = Vec::new();
+        let mut wall = |(i, b): (u32, u16), found: &mut Vec<Candidate>| {
+            self.touching(i, b, reach_wall(i, b), &mut touches, found);
+        };
         for &(i, j) in &list.pairs {
-            let pair = self.pair(i, j, HERE);
-            if pair.gap <= reach_pair(i, j) {
-                found.push(pair);
+            while let Some(earlier) = walls.next_if(|(sphere, _)| *sphere < i) {
+                wall(earlier, &mut found);
             }
+            let reach = reach_pair(i, j);
+            if self.within(i, j, reach) {
+                let pair = self.pair(i, j, HERE);
+                if pair.gap <= reach {
+                    found.push(pair);
+                }
+            }
+        }
+        for rest in walls {
+            wall(rest, &mut found);
         }
         for &(i, j, image) in &list.images {
             let pair = self.pair(i, j, image);
@@ -150,17 +166,34 @@ impl Placement<'_> {
                 found.push(pair);
             }
         }
-        let mut touches = Vec::new();
-        for &(i, b) in &list.walls {
-            let wall = &self.boundaries[usize::from(b)];
-            let centre = self.seen_by(b, i);
-            let radius = self.particles.radius[i as usize];
-            touches.clear();
-            wall.geometry
-                .touches(centre, radius, reach_wall(i, b), &mut touches);
-            found.extend(touches.iter().map(|touch| self.wall(i, b, touch)));
+        if !list.images.is_empty() {
+            found.sort_unstable_by_key(|candidate| candidate.key);
         }
-        found.sort_unstable_by_key(|candidate| candidate.key);
         found
+    }
+
+    /// Whether the gap of two spheres may be at most `reach` \[m\]: without a root, for most pairs are far.
+    fn within(&self, i: u32, j: u32, reach: f64) -> bool {
+        let [a, b] = [i as usize, j as usize];
+        let limit = (self.particles.radius[a] + self.particles.radius[b] + reach) * (1.0 + 1e-12);
+        (self.position[a] - self.position[b]).norm_squared() <= limit * limit
+    }
+
+    /// Appends sphere `i`'s contacts with boundary `b` of a gap of at most `reach` \[m\], by feature.
+    fn touching(
+        &self,
+        i: u32,
+        b: u16,
+        reach: f64,
+        touches: &mut Vec<Touch>,
+        found: &mut Vec<Candidate>,
+    ) {
+        let wall = &self.boundaries[usize::from(b)];
+        let centre = self.seen_by(b, i);
+        let radius = self.particles.radius[i as usize];
+        touches.clear();
+        wall.geometry.touches(centre, radius, reach, touches);
+        touches.sort_unstable_by_key(|touch| touch.feature);
+        found.extend(touches.iter().map(|touch| self.wall(i, b, touch)));
     }
 }

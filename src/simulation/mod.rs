@@ -107,7 +107,8 @@ impl Simulation {
                 .map(|b| b.motion.pose_at(t))
                 .collect()
         };
-        let (poses, next) = (pose_at(0.0), pose_at(settings.step));
+        // The step before the first: a wall that starts from rest does not meet the spheres with its first step's speed.
+        let (poses, previous) = (pose_at(0.0), pose_at(-settings.step));
         let state = State {
             time: 0.0,
             last_step: 0.0,
@@ -121,8 +122,8 @@ impl Simulation {
             springs: vec![Vec3::zeros(); scene.springs.len()],
             twists: poses
                 .iter()
-                .zip(&next)
-                .map(|(a, b)| a.twist_to(b, settings.step))
+                .zip(&previous)
+                .map(|(now, before)| before.twist_to(now, settings.step))
                 .collect(),
             poses,
             bodies: BodyState::initial(&scene),

@@ -67,6 +67,7 @@ pub fn step(
     let start = Start::of(scene, state, dt, poses);
     let mut stage = Stage::new(start.inputs(scene, dt), state, scratch);
     let (solution, outcome) = stage.resolve(state, scratch)?;
+    stage.spread_impacts(state);
     let poses = stage.end_poses(&solution);
     stage.commit(state, &solution, &poses);
     if outcome.solver.penalty > 0.0 && outcome.solver.penalty.is_finite() {

@@ -216,32 +216,38 @@ impl<'a> Stage<'a> {
         let settings = &self.inputs.scene.settings;
         let tolerance = settings.tolerance.gap;
         let step = self.inputs.step;
-        let mut true_gaps = Vec::with_capacity(self.candidates.len());
-        let mut off = false;
-        for (k, candidate) in self.candidates.iter().enumerate() {
-            let row = &self.problem.rows[k];
+        let true_gap = |k: usize| {
             // With a contact stiffness the spring's compression is not an overlap.
+            let row = &self.problem.rows[k];
             let compression = self.impulses[k].dot(&row.normal) * row.compliance_n * step;
-            let gap = end.follow(candidate).gap + compression;
-            let overlaps = gap < -tolerance * row.radius;
-            let opens =
-                self.impulses[k] != Vec3::zeros() && !self.impact[k] && gap > OPENING * row.radius;
-            off |= overlaps || opens;
-            true_gaps.push(gap);
+            end.follow(&self.candidates[k]).gap + compression
+        };
+        let loaded = |k: usize| self.impulses[k] != Vec3::zeros();
+        let wall = |k: usize| matches!(self.candidates[k].key.partner, Partner::Boundary { .. });
+        // Two spheres without load that overlap are among the closed ones below.
+        let mut off = (0..self.candidates.len()).any(|k| {
+            (loaded(k) || wall(k)) && {
+                let (gap, radius) = (true_gap(k), self.problem.rows[k].radius);
+                let opens = loaded(k) && !self.impact[k] && gap > OPENING * radius;
+                gap < -tolerance * radius || opens
+            }
+        });
+        let mut late: Vec<Candidate> = Vec::new();
+        for found in closed {
+            if found.gap < -tolerance * end.scale(found.key) {
+                match self
+                    .candidates
+                    .binary_search_by_key(&found.key, |known| known.key)
+                {
+                    Ok(k) => off |= !loaded(k),
+                    Err(_) => late.push(*found),
+                }
+            }
         }
-        let late: Vec<Candidate> = closed
-            .iter()
-            .filter(|c| c.gap < -tolerance * end.scale(c.key))
-            .filter(|c| {
-                self.candidates
-                    .binary_search_by_key(&c.key, |known| known.key)
-                    .is_err()
-            })
-            .copied()
-            .collect();
         if !off && late.is_empty() {
             return false;
         }
+        let true_gaps: Vec<f64> = (0..self.candidates.len()).map(true_gap).collect();
         for (k, gap) in true_gaps.into_iter().enumerate() {
             let row = &mut self.problem.rows[k];
             let n = row.normal;

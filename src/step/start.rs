@@ -118,7 +118,8 @@ pub fn remove_overlaps(
 }
 
 impl Stage<'_> {
-    /// Keeps the candidates that are closed and neither approach nor part, with zero gap.
+    /// Keeps the candidates that are closed and neither approach nor part. They may not accelerate into each other: with
+    /// zero gap, less what sliding over a curved surface opens or closes by itself, `g(t) = g + dt n.u + ...`.
     fn keep_resting(&mut self, scene: &Scene) {
         let velocity = self.before();
         let mut weight = scene.settings.gravity.norm();
@@ -137,9 +138,23 @@ impl Stage<'_> {
                         && row.normal.dot(&row.relative_velocity(&velocity)).abs() <= 1e-3 * creep)
             })
             .collect();
-        for (row, impact) in self.problem.rows.iter_mut().zip(&mut self.impact) {
+        let step = self.inputs.step;
+        let position = self.moved(&velocity);
+        let slid = Placement {
+            position: &position,
+            ..self.start
+        };
+        for ((row, candidate), impact) in self
+            .problem
+            .rows
+            .iter_mut()
+            .zip(&self.candidates)
+            .zip(&mut self.impact)
+        {
             if row.compliance_n == 0.0 {
-                row.bias = Vec3::zeros();
+                let linear = step * row.normal.dot(&row.relative_velocity(&velocity));
+                let curved = slid.follow(candidate).gap - candidate.gap - linear;
+                row.bias = row.normal * (2.0 * curved / step);
             }
             *impact = false;
         }

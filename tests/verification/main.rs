@@ -4,15 +4,22 @@
 #![allow(unreachable_pub, reason = "a test crate has no outside")]
 
 mod contact_statics;
+mod convergence;
 mod driven;
+mod edges;
 mod frames;
 mod free_motion;
 mod impact;
 mod incline;
+mod invariance;
+mod joints;
 mod paper_examples;
 mod periodic;
 mod pinched;
 mod regions;
+mod rest;
+mod rolling;
+mod simultaneous;
 mod solvers;
 mod springs;
 mod support;
