@@ -20,11 +20,15 @@ use crate::Vec3;
 use crate::contacts::Partner;
 use crate::contacts::law::split;
 use crate::contacts::narrow_phase::Candidate;
+use crate::driven::Ready;
 use crate::materials::Pair;
 use crate::motion::{Pose, Twist};
 use crate::particles::Kinematics;
 use crate::scene::{Method, Scene};
 use crate::solver::augmented_lagrangian::SHEAR_RATIO;
+
+/// Rounding of a velocity that several impulses have changed, over its size \[-\].
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// What a step's problem is made from.
 #[derive(Debug, Clone, Copy)]
@@ -37,8 +41,10 @@ pub struct Inputs<'a> {
     pub external: &'a [Dof6],
     /// Time step \[s\].
     pub step: f64,
-    /// Boundary poses at the start and at the end, `[B]`.
+    /// Boundary poses at the start and at the end, `[B]`; those of driven bodies at the end are without contacts.
     pub poses: [&'a [Pose]; 2],
+    /// Driven bodies, `[D]`, by ascending boundary; boundaries that are not among them move as prescribed.
+    pub bodies: &'a [Ready<'a>],
     /// Boundary twists over the previous step, `[B]`.
     pub twists: &'a [Twist],
     /// Gravity \[m/s^2\].
@@ -47,7 +53,7 @@ pub struct Inputs<'a> {
     pub targets: &'a [Vec3],
 }
 
-impl Inputs<'_> {
+impl<'a> Inputs<'a> {
     /// The problem without rows: free velocities and inverse masses.
     #[must_use]
     pub fn bodies(&self) -> Problem {
@@ -55,6 +61,7 @@ impl Inputs<'_> {
         let n = self.kinematics.len();
         let free = (0..n)
             .map(|i| integrator.free(&self.velocity(i), &self.external[i], self.step))
+            .chain(self.bodies.iter().map(|body| body.free))
             .collect();
         let inverse_mass = (0..n)
             .map(|i| Dof6 {
@@ -66,6 +73,7 @@ impl Inputs<'_> {
             step: self.step,
             free,
             inverse_mass,
+            operators: self.bodies.iter().map(|body| body.mobility).collect(),
             rows: Vec::new(),
         }
     }
@@ -75,6 +83,30 @@ impl Inputs<'_> {
             linear: self.kinematics.velocity[i],
             angular: self.kinematics.spin[i],
         }
+    }
+
+    /// Rank and start of the driven body that a boundary is.
+    #[must_use]
+    pub fn body(&self, boundary: usize) -> Option<(usize, &Ready<'a>)> {
+        let rank = self
+            .bodies
+            .binary_search_by_key(&boundary, |body| body.boundary);
+        rank.ok().map(|rank| (rank, &self.bodies[rank]))
+    }
+
+    /// Largest force \[N\] that gravity and loads exert on a body of a row; zero for the ground.
+    #[must_use]
+    pub fn weight(&self, body: u32) -> f64 {
+        let (n, i) = (self.kinematics.len(), body as usize);
+        let (mass, acceleration) = if body == GROUND {
+            return 0.0;
+        } else if i < n {
+            (self.scene.particles.mass[i], self.external[i])
+        } else {
+            let driven = &self.bodies[i - n];
+            (driven.mass(), driven.acceleration)
+        };
+        mass * acceleration.linear.norm().max(self.gravity.norm())
     }
 
     /// Velocity of a boundary's material point at `x` \[m\], over this step and over the previous one.
@@ -117,6 +149,7 @@ impl Inputs<'_> {
         let mut acceleration = self.gravity.norm();
         acceleration = acceleration.max(self.external[a].linear.norm());
         let mut lightest = particles.mass[a];
+        let mut fastest = self.kinematics.velocity[a].norm();
         let mut stiffness = None;
         let material_b = match candidate.key.partner {
             Partner::Sphere(j) => {
@@ -127,15 +160,24 @@ impl Inputs<'_> {
                 before -= self.velocity(b).at(row.arm_b);
                 acceleration = acceleration.max(self.external[b].linear.norm());
                 lightest = lightest.min(particles.mass[b]);
+                fastest = fastest.max(self.kinematics.velocity[b].norm());
                 particles.material[b]
             }
             Partner::Boundary { boundary, .. } => {
                 let boundary = usize::from(boundary);
-                let [now, previous] =
-                    self.wall_velocity(boundary, self.kinematics.position[a] + arm_a);
-                row.drift = -now;
-                before -= previous;
-                acceleration = acceleration.max((now - previous).norm() / self.step);
+                let point = self.kinematics.position[a] + arm_a;
+                if let Some((rank, body)) = self.body(boundary) {
+                    row.b = (self.kinematics.len() + rank) as u32;
+                    row.arm_b = point - body.reference;
+                    before -= body.velocity.at(row.arm_b);
+                    acceleration = acceleration.max(body.acceleration_at(row.arm_b).norm());
+                    lightest = lightest.min(body.mass());
+                } else {
+                    let [now, previous] = self.wall_velocity(boundary, point);
+                    row.drift = -now;
+                    before -= previous;
+                    acceleration = acceleration.max((now - previous).norm() / self.step);
+                }
                 stiffness = scene.boundaries[boundary].stiffness;
                 scene.boundaries[boundary].material
             }
@@ -146,7 +188,10 @@ impl Inputs<'_> {
         } = scene.pairs.get(particles.material[a], material_b);
         row.law = Law::Contact { mu: friction };
         let (approach, sliding) = split(before, n);
-        acceleration = acceleration.max(sliding.norm_squared() * candidate.curvature);
+        // Only a contact that was loaded can be taken for an approaching one because its normal turns.
+        if force != Vec3::zeros() {
+            acceleration = acceleration.max(sliding.norm_squared() * candidate.curvature);
+        }
         let threshold = settings
             .threshold_velocity
             .max(2.0 * self.step * acceleration);
@@ -160,13 +205,14 @@ impl Inputs<'_> {
             candidate.gap / self.step
         };
         row.bias = n * normal_bias;
-        // Where nothing accelerates, the speed of approach is the only scale there is.
+        // Where nothing accelerates, the speed of approach is the only scale there is; rounding of the speeds is beneath any.
         let change = if acceleration > 0.0 {
             acceleration * self.step
         } else {
             before.norm()
         };
-        row.impulse_scale = lightest * change;
+        let rounding = ROUNDING * fastest / settings.tolerance.force;
+        row.impulse_scale = lightest * change.max(rounding);
 
         let dt2 = self.step * self.step;
         if let (Method::Penalty, Some(penalty)) = (settings.method, settings.penalty) {

@@ -14,7 +14,7 @@
 
 use crate::Vec3;
 use crate::contacts::law::{project_disc, split};
-use crate::problem::{Dof6, Law, Problem, Row};
+use crate::problem::{Law, Problem, Row};
 use crate::scene::Tolerance;
 
 /// Largest residual of each kind \[-\], and the rows where they occur.
@@ -63,14 +63,13 @@ impl Scale {
     #[must_use]
     pub fn of(problem: &Problem) -> Vec<Self> {
         let rows = problem.rows.iter();
-        rows.map(|row| Self::of_row(row, &problem.inverse_mass))
-            .collect()
+        rows.map(|row| Self::of_row(problem, row)).collect()
     }
 
     /// The scales of one row.
     #[must_use]
-    pub fn of_row(row: &Row, inverse_mass: &[Dof6]) -> Self {
-        let (normal, tangential) = row.delassus(inverse_mass);
+    pub fn of_row(problem: &Problem, row: &Row) -> Self {
+        let (normal, tangential) = problem.delassus(row);
         Self {
             normal: normal + row.compliance_n,
             tangential: tangential + row.compliance_t,

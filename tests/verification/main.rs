@@ -4,12 +4,20 @@
 #![allow(unreachable_pub, reason = "a test crate has no outside")]
 
 mod contact_statics;
+mod convergence;
+mod driven;
+mod edges;
 mod free_motion;
 mod impact;
 mod incline;
+mod invariance;
+mod joints;
 mod paper_examples;
 mod pinched;
 mod regions;
+mod rest;
+mod rolling;
+mod simultaneous;
 mod solvers;
 mod springs;
 mod support;

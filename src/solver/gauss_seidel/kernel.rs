@@ -66,7 +66,7 @@ impl Kernel {
             let Some(contact) = self.sphere_contact(problem, row) else {
                 self.others.push(Other {
                     row: k as u32,
-                    scale: Scale::of_row(row, &problem.inverse_mass),
+                    scale: Scale::of_row(problem, row),
                     impulse: impulses[k],
                     previous: impulses[k],
                 });
@@ -113,7 +113,8 @@ impl Kernel {
         self.bodies.clear();
         for (i, v) in self.velocity.iter().enumerate() {
             let scale = self.scale(i);
-            let w = &problem.inverse_mass[i];
+            // Driven bodies move by other rows only, which have their own operator.
+            let w = problem.inverse_mass.get(i).copied().unwrap_or(Dof6::ZERO);
             let (v, s) = (v.linear, v.angular * scale);
             self.bodies.push(Body {
                 linear: [v.x, v.y, v.z, w.linear.x],
@@ -158,7 +159,7 @@ impl Kernel {
         if body == GROUND {
             return Some([0.0; 2]);
         }
-        let w = &problem.inverse_mass[body as usize];
+        let w = problem.inverse_mass.get(body as usize)?;
         let same = |v: &Vec3| v.x == v.y && v.y == v.z;
         if !(same(&w.linear) && same(&w.angular)) {
             return None;
@@ -288,7 +289,7 @@ impl Kernel {
         other.previous = old;
         self.others[at] = other;
         if delta != Vec3::zeros() {
-            row.apply(&problem.inverse_mass, &mut self.velocity, delta);
+            problem.apply(row, &mut self.velocity, delta);
             for i in bodies.map(|body| body as usize) {
                 let Dof6 { linear, angular } = self.velocity[i];
                 let spin = angular * self.scale(i);
