@@ -4,6 +4,7 @@ use super::broad_phase::NeighborList;
 use super::{Key, Partner};
 use crate::Vec3;
 use crate::boundaries::{Boundary, Touch};
+use crate::cell::{Cell, HERE, Image};
 use crate::motion::Pose;
 use crate::particles::Particles;
 
@@ -20,6 +21,8 @@ pub struct Placement<'a> {
     pub boundaries: &'a [Boundary],
     /// Their poses, `[B]`.
     pub poses: &'a [Pose],
+    /// The periodic cell.
+    pub cell: &'a Cell,
 }
 
 /// A pair within reach at the start of a step.
@@ -49,15 +52,19 @@ impl Placement<'_> {
     pub fn scale(&self, key: Key) -> f64 {
         let radius = self.particles.radius[key.sphere as usize];
         match key.partner {
-            Partner::Sphere(j) => radius.min(self.particles.radius[j as usize]),
+            Partner::Sphere { index, .. } => radius.min(self.particles.radius[index as usize]),
             Partner::Boundary { .. } => radius,
         }
     }
 
-    fn pair(&self, i: u32, j: u32) -> Candidate {
+    fn pair(&self, i: u32, j: u32, image: Image) -> Candidate {
         let [a, b] = [i as usize, j as usize];
         let [ra, rb] = [a, b].map(|k| self.particles.radius[k]);
-        let distance = self.position[a] - self.position[b];
+        let mut other = self.position[b];
+        if image != HERE {
+            other += self.cell.shift(image);
+        }
+        let distance = self.position[a] - other;
         let length = distance.norm();
         // Concentric centres have no normal: take a fixed one, so that the step goes on to resolve them.
         let normal = if length > 0.0 {
@@ -68,9 +75,9 @@ impl Placement<'_> {
         Candidate {
             key: Key {
                 sphere: i,
-                partner: Partner::Sphere(j),
+                partner: Partner::Sphere { index: j, image },
             },
-            point: self.position[b] + normal * rb,
+            point: other + normal * rb,
             normal,
             gap: length - ra - rb,
             curvature: 1.0 / (ra + rb),
@@ -95,17 +102,27 @@ impl Placement<'_> {
         }
     }
 
+    /// The centre of sphere `i` in the frame of a boundary \[m\], by the copy that is nearest to it.
+    fn seen_by(&self, boundary: u16, i: u32) -> Vec3 {
+        let b = usize::from(boundary);
+        let (wall, pose) = (&self.boundaries[b], &self.poses[b]);
+        wall.to_frame(
+            pose,
+            wall.copy_near(self.cell, pose, self.position[i as usize]),
+        )
+    }
+
     /// The pair of `candidate`, seen at this placement: the same feature, the same side.
     #[must_use]
     pub fn follow(&self, candidate: &Candidate) -> Candidate {
         let i = candidate.key.sphere;
         match candidate.key.partner {
-            Partner::Sphere(j) => self.pair(i, j),
+            Partner::Sphere { index, image } => self.pair(i, index, image),
             Partner::Boundary { boundary, feature } => {
                 let b = usize::from(boundary);
                 let (wall, pose) = (&self.boundaries[b], &self.poses[b]);
                 let normal = pose.rotation.inverse() * candidate.normal;
-                let centre = wall.to_frame(pose, self.position[i as usize]);
+                let centre = self.seen_by(boundary, i);
                 let radius = self.particles.radius[i as usize];
                 let touch = wall.geometry.follow(feature, normal, centre, radius);
                 self.wall(i, boundary, &touch)
@@ -134,7 +151,7 @@ impl Placement<'_> {
             }
             let reach = reach_pair(i, j);
             if self.within(i, j, reach) {
-                let pair = self.pair(i, j);
+                let pair = self.pair(i, j, HERE);
                 if pair.gap <= reach {
                     found.push(pair);
                 }
@@ -142,6 +159,15 @@ impl Placement<'_> {
         }
         for rest in walls {
             wall(rest, &mut found);
+        }
+        for &(i, j, image) in &list.images {
+            let pair = self.pair(i, j, image);
+            if pair.gap <= reach_pair(i, j) {
+                found.push(pair);
+            }
+        }
+        if !list.images.is_empty() {
+            found.sort_unstable_by_key(|candidate| candidate.key);
         }
         found
     }
@@ -162,11 +188,8 @@ impl Placement<'_> {
         touches: &mut Vec<Touch>,
         found: &mut Vec<Candidate>,
     ) {
-        let (wall, pose) = (
-            &self.boundaries[usize::from(b)],
-            &self.poses[usize::from(b)],
-        );
-        let centre = wall.to_frame(pose, self.position[i as usize]);
+        let wall = &self.boundaries[usize::from(b)];
+        let centre = self.seen_by(b, i);
         let radius = self.particles.radius[i as usize];
         touches.clear();
         wall.geometry.touches(centre, radius, reach, touches);

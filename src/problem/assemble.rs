@@ -152,9 +152,9 @@ impl<'a> Inputs<'a> {
         let mut fastest = self.kinematics.velocity[a].norm();
         let mut stiffness = None;
         let material_b = match candidate.key.partner {
-            Partner::Sphere(j) => {
-                let b = j as usize;
-                row.b = j;
+            Partner::Sphere { index, .. } => {
+                let b = index as usize;
+                row.b = index;
                 row.arm_b = n * particles.radius[b];
                 row.radius = row.radius.min(particles.radius[b]);
                 before -= self.velocity(b).at(row.arm_b);
@@ -165,7 +165,9 @@ impl<'a> Inputs<'a> {
             }
             Partner::Boundary { boundary, .. } => {
                 let boundary = usize::from(boundary);
-                let point = self.kinematics.position[a] + arm_a;
+                let (wall, pose) = (&scene.boundaries[boundary], &self.poses[0][boundary]);
+                let centre = wall.copy_near(&scene.cell, pose, self.kinematics.position[a]);
+                let point = centre + arm_a;
                 if let Some((rank, body)) = self.body(boundary) {
                     row.b = (self.kinematics.len() + rank) as u32;
                     row.arm_b = point - body.reference;

@@ -50,7 +50,10 @@ impl Stage<'_> {
             if let Partner::Boundary { boundary, .. } = candidate.key.partner {
                 let b = usize::from(boundary);
                 let row = &self.problem.rows[k];
-                let point = self.inputs.kinematics.position[row.a as usize] + row.arm_a;
+                let pose = &self.inputs.poses[0][b];
+                let centre = self.inputs.kinematics.position[row.a as usize];
+                let centre = boundaries[b].copy_near(&self.inputs.scene.cell, pose, centre);
+                let point = centre + row.arm_a;
                 let pivot = boundaries[b].point_of_action + self.inputs.poses[0][b].translation;
                 let wrench = Wrench {
                     force: -force,

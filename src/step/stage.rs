@@ -43,6 +43,7 @@ impl<'a> Stage<'a> {
             present: &inputs.kinematics.present,
             boundaries: &scene.boundaries,
             poses: inputs.poses[0],
+            cell: &scene.cell,
         };
         // What a sphere can move in the step, before contacts change its velocity: the check after the
         // solve finds what this misses.
@@ -56,7 +57,7 @@ impl<'a> Stage<'a> {
         let wall_motion = |i: u32, b: u16| {
             let (wall, i) = (&scene.boundaries[usize::from(b)], i as usize);
             let [from, to] = inputs.poses.map(|poses| &poses[usize::from(b)]);
-            let x = inputs.kinematics.position[i];
+            let x = wall.copy_near(&scene.cell, from, inputs.kinematics.position[i]);
             (wall.from_frame(to, wall.to_frame(from, x)) - x).norm()
         };
         let largest = reach.iter().copied().fold(0.0, f64::max);
@@ -340,7 +341,7 @@ impl<'a> Stage<'a> {
                     let rigid = self.inputs.body(usize::from(boundary)).is_none();
                     rigid.then_some((boundary, self.candidates[k].normal))
                 }
-                Partner::Sphere(_) => None,
+                Partner::Sphere { .. } => None,
             })
             .collect();
         walls.iter().enumerate().find_map(|(k, (a, n))| {

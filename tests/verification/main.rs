@@ -6,13 +6,16 @@
 mod contact_statics;
 mod convergence;
 mod driven;
+mod driven_scenes;
 mod edges;
+mod frames;
 mod free_motion;
 mod impact;
 mod incline;
 mod invariance;
 mod joints;
 mod paper_examples;
+mod periodic;
 mod pinched;
 mod regions;
 mod rest;

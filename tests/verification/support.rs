@@ -4,8 +4,10 @@ use std::sync::Arc;
 
 use nalgebra::UnitQuaternion;
 use sphere_dda::Vec3;
-use sphere_dda::boundaries::{Boundary, Facets, Geometry, HalfSpace, Shape};
+use sphere_dda::boundaries::{Boundary, Facets, Geometry, HalfSpace, Revolution, Shape};
+use sphere_dda::cell::Cell;
 use sphere_dda::driven::{Body, Joint};
+use sphere_dda::gravity::GravityMotion;
 use sphere_dda::materials::{Material, Pair, PairTable};
 use sphere_dda::motion::{Motion, Pose, Twist};
 use sphere_dda::particles::{Kinematics, Locks, Particles};
@@ -54,6 +56,7 @@ impl Case {
                 particles: Particles::default(),
                 initial: Kinematics::default(),
                 initial_contacts: vec![],
+                cell: Cell::default(),
                 boundaries: vec![],
                 loads: vec![],
                 springs: vec![],
@@ -127,6 +130,17 @@ impl Case {
             stiffness: None,
         });
         self
+    }
+
+    /// A cylinder about the y axis, 2 m long, that turns with `speed` \[rad/s\] about it.
+    pub fn drum(self, radius: f64, speed: f64) -> Self {
+        let base = Vec3::y() * -1.0;
+        let side = Revolution::cylinder(base, Vec3::y(), radius, 2.0).expect("a cylinder");
+        let turning = Twist {
+            linear: Vec3::zeros(),
+            angular: Vec3::y() * speed,
+        };
+        self.moving(vec![Shape::Revolution(side)], Motion::Constant(turning))
     }
 
     /// A boundary of the given shapes that `body` moves; its point of action is the origin.
@@ -279,18 +293,22 @@ impl Run {
         if locked || (cut && !scene.springs.is_empty()) {
             return;
         }
-        let weight: Vec3 = scene
-            .particles
-            .mass
-            .iter()
-            .map(|m| self.simulation.gravity() * *m)
-            .sum();
+        let mass = scene.particles.mass.iter();
+        let weight: Vec3 = mass.map(|m| self.simulation.gravity() * *m).sum();
         let loads: Vec3 = scene.loads.iter().map(|load| load.force).sum();
+        let body_force = self.simulation.mean_body_force();
+        let settings = &scene.settings;
+        let constant = settings.gravity_motion == GravityMotion::Fixed
+            && self.simulation.gravity() == settings.gravity;
+        if constant && settings.rotating_frame.is_none() {
+            let error = (body_force - weight - loads).norm();
+            assert!(error <= 1e-12 * (weight.norm() + loads.norm()), "{error:e}");
+        }
         let springs: Vec3 = self.simulation.state().springs.iter().sum();
         let walls: Vec3 = (0..scene.boundaries.len())
             .map(|b| -self.simulation.mean_wrench(b).force)
             .sum();
-        let force = weight + loads + springs + walls;
+        let force = body_force + springs + walls;
         let scale: f64 = weight.norm()
             + self
                 .simulation

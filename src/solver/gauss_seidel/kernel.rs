@@ -415,12 +415,12 @@ mod tests {
             for &k in &order {
                 let row = &problem.rows[k as usize];
                 let p = &mut expected[k as usize];
-                let scale = Scale::of_row(row, &problem.inverse_mass);
+                let scale = Scale::of_row(&problem, row);
                 let correction = scale.correction(row, row.relative_velocity(&velocity), *p);
                 let full = row.normal * correction.normal + correction.tangential;
                 change += full.norm_squared();
                 *p += full * pace.damping;
-                row.apply(&problem.inverse_mass, &mut velocity, full * pace.damping);
+                problem.apply(row, &mut velocity, full * pace.damping);
             }
             for (k, (p, q)) in found.iter().zip(&expected).enumerate() {
                 assert!((p - q).norm() < 1e-15, "sweep {sweep}, row {k}: {p} {q}");
