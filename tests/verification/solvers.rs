@@ -179,8 +179,8 @@ fn iteration_counts_are_pinned() {
         )
     });
     insta::assert_snapshot!(counts.join("\n"), @r"
-    75 sweeps, 0 augmentations, 0 factorizations
-    0 sweeps, 2 augmentations, 5 factorizations
+    39 sweeps, 0 augmentations, 0 factorizations
+    0 sweeps, 2 augmentations, 4 factorizations
     ");
 }
 
