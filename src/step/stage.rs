@@ -1,6 +1,6 @@
 //! The step under way: candidates, rows, and the solve that repeats until the true geometry agrees.
 
-use super::{Scratch, StepFailure, StepOutcome};
+use super::{Passed, Scratch, StepFailure, StepOutcome};
 use crate::Vec3;
 use crate::contacts::narrow_phase::{Candidate, Placement};
 use crate::contacts::{Partner, history};
@@ -52,12 +52,7 @@ impl<'a> Stage<'a> {
                 inputs.step * free.max(now) + NEAR * scene.particles.radius[i]
             })
             .collect();
-        let wall_motion = |i: u32, b: u16| {
-            let (wall, i) = (&scene.boundaries[usize::from(b)], i as usize);
-            let [from, to] = inputs.poses.map(|poses| &poses[usize::from(b)]);
-            let x = inputs.kinematics.position[i];
-            (wall.from_frame(to, wall.to_frame(from, x)) - x).norm()
-        };
+        let wall_motion = |i: u32, b: u16| wall_motion(&inputs, i, b);
         let largest = reach.iter().copied().fold(0.0, f64::max);
         scratch.neighbors.ensure(&start, 2.0 * largest);
         let walls = scratch.neighbors.walls.iter();
@@ -80,6 +75,11 @@ impl<'a> Stage<'a> {
         };
         stage.write_rows(state);
         stage
+    }
+
+    /// How far boundary `b` moves in the step where sphere `i` is \[m\].
+    pub(super) fn wall_motion(&self, i: u32, b: u16) -> f64 {
+        wall_motion(&self.inputs, i, b)
     }
 
     /// Rows and warm-start impulses for the candidates and the constrained points.
@@ -178,17 +178,22 @@ impl<'a> Stage<'a> {
                 .iter()
                 .map(|c| -c.gap / end.scale(c.key))
                 .fold(0.0, f64::max);
-            if self.inputs.scene.settings.method == Method::Penalty
-                || !self.correct(&end, &closed, &solution, state)
-            {
-                return Ok((
-                    solution,
-                    StepOutcome {
-                        solver: total,
-                        max_overlap,
-                    },
-                ));
+            // The penalty method lets bodies overlap as they like.
+            let alm = self.inputs.scene.settings.method == Method::Alm;
+            if alm && let Some(passed) = self.struck(&end, &closed) {
+                return Err(self.too_fast(&total, passed));
             }
+            if alm && self.correct(&end, &closed, &solution, state) {
+                continue;
+            }
+            if alm && let Some(passed) = self.passed(&solution, scratch) {
+                return Err(self.too_fast(&total, passed));
+            }
+            let outcome = StepOutcome {
+                solver: total,
+                max_overlap,
+            };
+            return Ok((solution, outcome));
         }
         Err(StepFailure {
             what: "gap",
@@ -197,6 +202,7 @@ impl<'a> Stage<'a> {
             contact: None,
             // Forces without bound satisfy a pinch on paper: then only the geometry refuses it.
             pinched: (0..self.candidates.len()).find_map(|row| self.pinch(row)),
+            passed: None,
         })
     }
 
@@ -283,6 +289,13 @@ impl<'a> Stage<'a> {
             .collect()
     }
 
+    fn too_fast(&self, report: &Report, passed: Passed) -> StepFailure {
+        StepFailure {
+            passed: Some(passed),
+            ..self.failure(report)
+        }
+    }
+
     pub(super) fn failure(&self, report: &Report) -> StepFailure {
         let tolerance = &self.inputs.scene.settings.tolerance;
         let residual = &report.residual;
@@ -304,6 +317,7 @@ impl<'a> Stage<'a> {
                 .worst
                 .iter()
                 .find_map(|&row| self.pinch(row)),
+            passed: None,
         }
     }
 
@@ -324,4 +338,11 @@ impl<'a> Stage<'a> {
             Some((sphere as usize, [*a, opposite.0]))
         })
     }
+}
+
+fn wall_motion(inputs: &Inputs, i: u32, b: u16) -> f64 {
+    let wall = &inputs.scene.boundaries[usize::from(b)];
+    let [from, to] = inputs.poses.map(|poses| &poses[usize::from(b)]);
+    let x = inputs.kinematics.position[i as usize];
+    (wall.from_frame(to, wall.to_frame(from, x)) - x).norm()
 }

@@ -20,3 +20,4 @@ mod simultaneous;
 mod solvers;
 mod springs;
 mod support;
+mod tunnelling;
