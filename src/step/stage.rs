@@ -29,6 +29,8 @@ pub(super) struct Stage<'a> {
     pub(super) candidates: Vec<Candidate>,
     pub(super) impact: Vec<bool>,
     pub(super) impulses: Vec<Vec3>,
+    /// Whether bodies move through the step: a displacement that removes overlaps is no way.
+    pub(super) moves: bool,
 }
 
 impl<'a> Stage<'a> {
@@ -72,6 +74,7 @@ impl<'a> Stage<'a> {
             candidates,
             impact: Vec::new(),
             impulses: Vec::new(),
+            moves: true,
         };
         stage.write_rows(state);
         stage
@@ -180,13 +183,14 @@ impl<'a> Stage<'a> {
                 .fold(0.0, f64::max);
             // The penalty method lets bodies overlap as they like.
             let alm = self.inputs.scene.settings.method == Method::Alm;
-            if alm && let Some(passed) = self.struck(&end, &closed) {
+            let swept = alm && self.moves;
+            if swept && let Some(passed) = self.struck(&end, &closed) {
                 return Err(self.too_fast(&total, passed));
             }
             if alm && self.correct(&end, &closed, &solution, state) {
                 continue;
             }
-            if alm && let Some(passed) = self.passed(&solution, scratch) {
+            if swept && let Some(passed) = self.passed(&solution, scratch) {
                 return Err(self.too_fast(&total, passed));
             }
             let outcome = StepOutcome {

@@ -207,8 +207,8 @@ fn what_would_pass_is_named() {
     let mut run = Case::new(DT, 0.0, 1.0)
         .without_gravity()
         .settings(|s| s.max_cuts = 0)
-        .sphere(RADIUS, at(-0.6, 0.0, 0.0), Vec3::x() * FAST)
-        .sphere(RADIUS, at(0.0, -0.6, 0.25), Vec3::y() * FAST)
+        .sphere(RADIUS, at(-0.55, 0.0, 0.0), Vec3::x() * FAST)
+        .sphere(RADIUS, at(0.0, -0.55, 0.25), Vec3::y() * FAST)
         .start();
     let before = run.simulation.snapshot();
     let error = run
