@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::Vec3;
 use crate::contacts::Contact;
+use crate::driven::BodyState;
 use crate::motion::{Command, Pose, Twist};
 use crate::particles::Kinematics;
 use crate::problem::Dof6;
@@ -14,12 +15,18 @@ use crate::simulation::{StepReport, Wrench};
 /// Work done since t = 0 \[J\].
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct Work {
-    /// Energy lost in contacts: friction, impact, and what the scheme takes.
-    pub dissipated: f64,
+    /// Energy lost by sliding friction.
+    pub friction: f64,
+    /// Energy lost along the normals of impacts.
+    pub impact: f64,
+    /// Energy that the scheme has added; negative: taken. What is left of the change of kinetic energy after all other work.
+    pub residue: f64,
     /// Work of moving boundaries on the spheres.
     pub boundaries: f64,
-    /// Work of point loads on the spheres.
+    /// Work of point loads on the spheres, and of all loads but gravity on driven bodies.
     pub loads: f64,
+    /// Work of the dampers of driven bodies: at most zero.
+    pub dampers: f64,
     /// Work of constrained springs on the spheres.
     pub springs: f64,
 }
@@ -56,6 +63,8 @@ pub struct State {
     pub poses: Vec<Pose>,
     /// Boundary twists over the last internal step, `[B]`.
     pub twists: Vec<Twist>,
+    /// Driven bodies, `[D]`.
+    pub bodies: Vec<BodyState>,
     /// Commands in force, `[B]`.
     pub commands: Vec<Command>,
     /// Wrench on each boundary over the last internal step, `[B]`.

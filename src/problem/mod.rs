@@ -14,6 +14,7 @@
 
 pub mod assemble;
 
+use nalgebra::Matrix3;
 use serde::{Deserialize, Serialize};
 
 use crate::Vec3;
@@ -21,13 +22,45 @@ use crate::Vec3;
 /// Body B of a row that touches no second sphere.
 pub const GROUND: u32 = u32::MAX;
 
-/// A body's linear and angular parts: velocity \[m/s\], \[rad/s\], or their inverse inertia.
+/// Coupling of normal and tangent over `sqrt(w_n w_t)` that is rounding.
+const UNCOUPLED: f64 = 1e-12;
+
+/// A body's linear and angular parts: velocity \[m/s\], \[rad/s\], a sphere's inverse inertia, momentum, force and torque.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Dof6 {
     /// Linear part.
     pub linear: Vec3,
     /// Angular part.
     pub angular: Vec3,
+}
+
+/// A symmetric operator on a driven body's six components that does not couple the linear with the angular part.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Operator {
+    /// Linear block.
+    pub linear: Matrix3<f64>,
+    /// Angular block.
+    pub angular: Matrix3<f64>,
+}
+
+impl Operator {
+    /// Zero: a body that is held.
+    #[must_use]
+    pub fn zero() -> Self {
+        Self {
+            linear: Matrix3::zeros(),
+            angular: Matrix3::zeros(),
+        }
+    }
+
+    /// The operator applied to both parts.
+    #[must_use]
+    pub fn times(&self, x: &Dof6) -> Dof6 {
+        Dof6 {
+            linear: self.linear * x.linear,
+            angular: self.angular * x.angular,
+        }
+    }
 }
 
 /// The law a row obeys.
@@ -47,15 +80,15 @@ pub enum Law {
 pub struct Row {
     /// Body A.
     pub a: u32,
-    /// Body B, or [`GROUND`].
+    /// Body B, or [`GROUND`]: a sphere, or driven body `d` as `N + d`.
     pub b: u32,
     /// Unit normal, from B to A.
     pub normal: Vec3,
     /// Contact point from the centre of A \[m\].
     pub arm_a: Vec3,
-    /// Contact point from the centre of B \[m\]; zero for the ground.
+    /// Contact point from the centre of B, or the reference point of a driven body \[m\]; zero for the ground.
     pub arm_b: Vec3,
-    /// `u_0`, minus the velocity of the ground at the contact point \[m/s\]; zero between spheres.
+    /// `u_0`, minus the velocity of the ground at the contact point \[m/s\]; zero between bodies.
     pub drift: Vec3,
     /// `b`: along the normal the gap or rebound term, across it the spring history \[m/s\].
     pub bias: Vec3,
@@ -76,10 +109,13 @@ pub struct Row {
 pub struct Problem {
     /// Time step \[s\].
     pub step: f64,
-    /// Velocity without contacts, `[N]`.
+    /// Velocity without contacts, `[N + D]`: spheres, then driven bodies.
     pub free: Vec<Dof6>,
-    /// Diagonal of `W`, `[N]`; zero where a degree of freedom is locked.
+    /// Diagonal of `W` of the spheres, `[N]`; zero where a degree of freedom is locked.
     pub inverse_mass: Vec<Dof6>,
+    /// `W` of the driven bodies, `[D]`; singular where a joint holds them.
+    #[serde(default)]
+    pub operators: Vec<Operator>,
     /// The rows, `[C]`, in canonical order.
     pub rows: Vec<Row>,
 }
@@ -100,6 +136,12 @@ impl Dof6 {
         self.angular += inverse_mass.angular.component_mul(&arm.cross(&impulse));
     }
 
+    /// `linear . linear + angular . angular`: power of a force and torque, energy of a momentum.
+    #[must_use]
+    pub fn dot(&self, other: &Self) -> f64 {
+        self.linear.dot(&other.linear) + self.angular.dot(&other.angular)
+    }
+
     /// Velocity of the point at `arm` from the centre.
     #[must_use]
     pub fn at(&self, arm: Vec3) -> Vec3 {
@@ -118,44 +160,6 @@ impl Row {
             u - velocity[self.b as usize].at(self.arm_b)
         }
     }
-
-    /// Adds the effect of `impulse` \[N s\] on A and its opposite on B.
-    pub fn apply(&self, inverse_mass: &[Dof6], velocity: &mut [Dof6], impulse: Vec3) {
-        let a = self.a as usize;
-        velocity[a].kick(&inverse_mass[a], impulse, self.arm_a);
-        if self.b != GROUND {
-            let b = self.b as usize;
-            velocity[b].kick(&inverse_mass[b], -impulse, self.arm_b);
-        }
-    }
-
-    /// Diagonal of the row's Delassus operator \[1/kg\]: along the normal, and an upper bound across it
-    /// (exact for free spheres: `w_t = 3.5 w_n`).
-    #[must_use]
-    pub fn delassus(&self, inverse_mass: &[Dof6]) -> (f64, f64) {
-        let mut operator = point_compliance(&inverse_mass[self.a as usize], self.arm_a);
-        if self.b != GROUND {
-            operator += point_compliance(&inverse_mass[self.b as usize], self.arm_b);
-        }
-        let n = self.normal;
-        let w_n = (n.transpose() * operator * n)[0];
-        // Largest eigenvalue of the 2x2 tangential block from its trace and determinant.
-        let [t1, t2] = tangents(n);
-        let (a, b, c) = (
-            t1.dot(&(operator * t1)),
-            t2.dot(&(operator * t2)),
-            t1.dot(&(operator * t2)),
-        );
-        let w_t = 0.5 * (a + b) + (0.25 * (a - b) * (a - b) + c * c).sqrt();
-        (w_n, w_t)
-    }
-}
-
-/// `d(velocity at arm) / d(impulse at arm)` of one body, 3x3 \[1/kg\].
-fn point_compliance(inverse_mass: &Dof6, arm: Vec3) -> nalgebra::Matrix3<f64> {
-    let cross = arm.cross_matrix();
-    nalgebra::Matrix3::from_diagonal(&inverse_mass.linear)
-        - cross * nalgebra::Matrix3::from_diagonal(&inverse_mass.angular) * cross
 }
 
 /// Two unit vectors that complete the unit vector `n` to an orthonormal frame.
@@ -175,8 +179,73 @@ impl Problem {
     pub fn velocities(&self, impulses: &[Vec3]) -> Vec<Dof6> {
         let mut velocity = self.free.clone();
         for (row, &impulse) in self.rows.iter().zip(impulses) {
-            row.apply(&self.inverse_mass, &mut velocity, impulse);
+            self.apply(row, &mut velocity, impulse);
         }
         velocity
+    }
+
+    /// Adds to `velocity`, `[N + D]`, the effect of `impulse` \[N s\] on A and of its opposite on B.
+    pub fn apply(&self, row: &Row, velocity: &mut [Dof6], impulse: Vec3) {
+        self.kick(velocity, row.a, impulse, row.arm_a);
+        if row.b != GROUND {
+            self.kick(velocity, row.b, -impulse, row.arm_b);
+        }
+    }
+
+    fn kick(&self, velocity: &mut [Dof6], body: u32, impulse: Vec3, arm: Vec3) {
+        let body = body as usize;
+        match self.inverse_mass.get(body) {
+            Some(w) => velocity[body].kick(w, impulse, arm),
+            None => {
+                let push = Dof6 {
+                    linear: impulse,
+                    angular: arm.cross(&impulse),
+                };
+                let change = self.operators[body - self.inverse_mass.len()].times(&push);
+                velocity[body] = velocity[body].plus(&change, 1.0);
+            }
+        }
+    }
+
+    /// Scale of a row's Delassus operator \[1/kg\]: `(w_n, w_t)` such that the operator is at most
+    /// `w_n n n^T + w_t (1 - n n^T)`. Exact for free spheres, where normal and tangent do not couple: `w_t = 3.5 w_n`.
+    #[must_use]
+    pub fn delassus(&self, row: &Row) -> (f64, f64) {
+        let mut operator = self.point_compliance(row.a, row.arm_a);
+        if row.b != GROUND {
+            operator += self.point_compliance(row.b, row.arm_b);
+        }
+        let n = row.normal;
+        let w_n = (n.transpose() * operator * n)[0];
+        // Largest eigenvalue of the 2x2 tangential block from its trace and determinant.
+        let [t1, t2] = tangents(n);
+        let (a, b, c) = (
+            t1.dot(&(operator * t1)),
+            t2.dot(&(operator * t2)),
+            t1.dot(&(operator * t2)),
+        );
+        let w_t = 0.5 * (a + b) + (0.25 * (a - b) * (a - b) + c * c).sqrt();
+        // The update of a row treats normal and tangent side by side: a bound keeps it from overshooting where they couple.
+        let coupling = t1.dot(&(operator * n)).hypot(t2.dot(&(operator * n)));
+        let share = coupling / (w_n * w_t).sqrt();
+        if share > UNCOUPLED {
+            (w_n * (1.0 + share), w_t * (1.0 + share))
+        } else {
+            (w_n, w_t)
+        }
+    }
+
+    /// `d(velocity at arm) / d(impulse at arm)` of one body, 3x3 \[1/kg\].
+    fn point_compliance(&self, body: u32, arm: Vec3) -> Matrix3<f64> {
+        let body = body as usize;
+        let w = match self.inverse_mass.get(body) {
+            Some(w) => Operator {
+                linear: Matrix3::from_diagonal(&w.linear),
+                angular: Matrix3::from_diagonal(&w.angular),
+            },
+            None => self.operators[body - self.inverse_mass.len()],
+        };
+        let cross = arm.cross_matrix();
+        w.linear - cross * w.angular * cross
     }
 }

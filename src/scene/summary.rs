@@ -60,7 +60,7 @@ impl Summary {
         let driven = scene
             .boundaries
             .iter()
-            .filter(|b| matches!(b.motion, Motion::Input(_)));
+            .filter(|b| b.motion.input().is_some());
         Self {
             title: scene.title.clone(),
             spheres: scene.particles.len(),
@@ -131,6 +131,7 @@ fn top_speed(motion: &Motion) -> f64 {
             speeds.fold(0.0, f64::max)
         }
         Motion::Fixed | Motion::Input(_) => 0.0,
+        Motion::Driven(body) => body.twist.linear.norm(),
     }
 }
 

@@ -4,9 +4,12 @@ use super::dof;
 use super::stage::Stage;
 use crate::Vec3;
 use crate::contacts::history::transfer;
+use crate::contacts::law::split;
 use crate::contacts::narrow_phase::Placement;
 use crate::contacts::{Contact, Partner};
+use crate::driven::BodyState;
 use crate::integrate::turned;
+use crate::motion::Pose;
 use crate::problem::{Dof6, GROUND};
 use crate::scene::Integrator;
 use crate::simulation::Wrench;
@@ -16,18 +19,22 @@ impl Stage<'_> {
     /// Counts as impacts the contacts that an impact has hit through others: their impulses are more than twice what they
     /// carried before and what loads bring in a step. As persisting forces they would shift the half step.
     pub(super) fn spread_impacts(&mut self, state: &State) {
+        let struck = |(impact, p): (&bool, &Vec3)| *impact && *p != Vec3::zeros();
+        if !self.impact.iter().zip(&self.impulses).any(struck) {
+            return;
+        }
         let before = transfer(&state.contacts, self.candidates.iter().map(|c| c.key));
         let (step, particles) = (self.inputs.step, &self.inputs.scene.particles);
-        let weight = |i: usize| {
-            let acceleration = self.inputs.external[i].linear.norm();
-            particles.mass[i] * acceleration.max(self.inputs.gravity.norm())
+        let weight = |i: u32| {
+            let Some(mass) = particles.mass.get(i as usize) else {
+                return 0.0; // the ground, or a driven body: the sphere's own tells
+            };
+            let acceleration = self.inputs.external[i as usize].linear.norm();
+            mass * acceleration.max(self.inputs.gravity.norm())
         };
         for (k, (impact, before)) in self.impact.iter_mut().zip(before).enumerate() {
             let row = &self.problem.rows[k];
-            let mut load = weight(row.a as usize);
-            if row.b != GROUND {
-                load = load.max(weight(row.b as usize));
-            }
+            let load = weight(row.a).max(weight(row.b));
             *impact |= self.impulses[k].norm() > 2.0 * step * (before.norm() + load);
         }
     }
@@ -75,30 +82,79 @@ impl Stage<'_> {
             .collect()
     }
 
+    /// Velocities before the step, `[N + D]`.
+    pub(super) fn before(&self) -> Vec<Dof6> {
+        let kinematics = self.inputs.kinematics;
+        let spheres = (0..kinematics.len()).map(|i| dof(kinematics, i));
+        let bodies = self.inputs.bodies.iter().map(|body| body.velocity);
+        spheres.chain(bodies).collect()
+    }
+
+    /// What the driven bodies carry on after `solution`, and the work of their dampers \[J\], `[D]`.
+    pub(super) fn finished(&self, solution: &[Dof6], ends: &[Pose]) -> Vec<(BodyState, f64)> {
+        let spheres = self.inputs.kinematics.len();
+        let bodies = self.inputs.bodies.iter().enumerate();
+        bodies
+            .map(|(d, body)| {
+                let [mut contacts, mut persisting] = [Dof6::ZERO; 2];
+                for (k, row) in self.problem.rows.iter().enumerate() {
+                    if row.b as usize == spheres + d {
+                        let push = Dof6 {
+                            linear: -self.impulses[k],
+                            angular: -row.arm_b.cross(&self.impulses[k]),
+                        };
+                        contacts = contacts.plus(&push, 1.0);
+                        if !self.impact.get(k).copied().unwrap_or(false) {
+                            persisting = persisting.plus(&push, 1.0);
+                        }
+                    }
+                }
+                let settings = &self.inputs.scene.settings;
+                let impulses = [&contacts, &persisting];
+                let end = &ends[body.boundary];
+                body.finish(
+                    settings,
+                    &solution[spheres + d],
+                    impulses,
+                    end,
+                    self.inputs.step,
+                )
+            })
+            .collect()
+    }
+
     /// Acceleration by external forces and all contacts that are no impacts, `[N]`.
     pub(super) fn persisting_acceleration(&self) -> Vec<Dof6> {
         let mut acceleration = self.inputs.external.to_vec();
+        // Driven bodies keep their own account.
+        acceleration.resize(self.problem.free.len(), Dof6::ZERO);
         let mobility = 1.0 / self.inputs.scene.settings.integrator.mobility();
         for (k, row) in self.problem.rows.iter().enumerate() {
             if !self.impact.get(k).copied().unwrap_or(false) {
                 let force = self.impulses[k] * (mobility / self.inputs.step);
-                row.apply(&self.problem.inverse_mass, &mut acceleration, force);
+                self.problem.apply(row, &mut acceleration, force);
             }
         }
+        acceleration.truncate(self.inputs.kinematics.len());
         acceleration
     }
 
-    /// Writes the solution into `state`: motion, forces, work.
-    pub(super) fn commit(&self, state: &mut State, solution: &[Dof6]) {
+    /// Writes the solution into `state`: motion, forces, work; boundaries end at `ends`.
+    pub(super) fn commit(&self, state: &mut State, solution: &[Dof6], ends: &[Pose]) {
         let scene = self.inputs.scene;
         let settings = &scene.settings;
         let step = self.inputs.step;
-        self.work(state, solution);
+        let persisting = self.persisting_acceleration();
+        self.work(state, solution, &persisting);
         self.store(state);
         state.springs = self.spring_forces();
-        state.persisting = self.persisting_acceleration();
+        state.persisting = persisting;
+        for (carried, (after, work)) in state.bodies.iter_mut().zip(self.finished(solution, ends)) {
+            *carried = after;
+            state.work.dampers += work;
+        }
         let position = self.moved(solution);
-        for (i, v1) in solution.iter().enumerate() {
+        for (i, v1) in solution[..position.len()].iter().enumerate() {
             let after = settings
                 .integrator
                 .finish(&dof(self.inputs.kinematics, i), v1, settings);
@@ -110,7 +166,7 @@ impl Stage<'_> {
         state.kinematics.position = position;
         let end = Placement {
             position: &state.kinematics.position,
-            poses: self.inputs.poses[1],
+            poses: ends,
             ..self.start
         };
         for (contact, candidate) in state.contacts.iter_mut().zip(
@@ -126,35 +182,76 @@ impl Stage<'_> {
         }
     }
 
-    /// Adds the step's work. A contact's is `p . (u^- + u^+)/2` in the velocities the integrator carries.
-    fn work(&self, state: &mut State, solution: &[Dof6]) {
-        let settings = &self.inputs.scene.settings;
-        let before: Vec<Dof6> = (0..solution.len())
-            .map(|i| dof(self.inputs.kinematics, i))
-            .collect();
+    /// Adds the step's work. Lasting forces act along the displacement `dt v1`; an impact's work is `p . (u^- + u1)/2`. What
+    /// contacts take across their normals is friction, along those of impacts the impact's loss. Along the normals of lasting
+    /// contacts nothing is lost but by the scheme: that and all else of the change of kinetic energy is the residue.
+    fn work(&self, state: &mut State, solution: &[Dof6], persisting: &[Dof6]) {
+        let (scene, step) = (self.inputs.scene, self.inputs.step);
+        let integrator = scene.settings.integrator;
+        let before = self.before();
         let mean: Vec<Dof6> = before
             .iter()
             .zip(solution)
-            .map(|(before, v1)| match settings.integrator {
+            .map(|(before, v1)| match integrator {
                 Integrator::Moreau => Dof6::ZERO.plus(before, 0.5).plus(v1, 0.5),
                 Integrator::Shi => *v1,
             })
             .collect();
+        let spheres = self.inputs.kinematics.len();
+        let work = &mut state.work;
+        // Work on the spheres that is accounted for.
+        let mut known = 0.0;
         for (k, row) in self.problem.rows.iter().enumerate() {
             let p = self.impulses[k];
-            let relative = p.dot(&row.relative_velocity(&mean));
             if k >= self.candidates.len() {
-                state.work.springs += relative;
-            } else {
-                state.work.dissipated -= relative;
-                if row.b == GROUND {
-                    state.work.boundaries -= p.dot(&row.drift);
-                }
+                let spring = p.dot(&row.relative_velocity(solution));
+                work.springs += spring;
+                known += spring;
+                continue;
+            }
+            let velocity = if self.impact[k] { &mean } else { solution };
+            let u = row.relative_velocity(velocity);
+            let (p_n, p_t) = split(p, row.normal);
+            let friction = -p_t.dot(&u);
+            work.friction += friction;
+            known -= friction;
+            if self.impact[k] {
+                let loss = -p_n * u.dot(&row.normal);
+                work.impact += loss;
+                known -= loss;
+            }
+            if row.b == GROUND {
+                let boundary = -p.dot(&row.drift);
+                work.boundaries += boundary;
+                known += boundary;
+            } else if row.b as usize >= spheres {
+                known += p.dot(&velocity[row.b as usize].at(row.arm_b));
             }
         }
-        for load in &self.inputs.scene.loads {
+        let particles = &scene.particles;
+        let kinetic = |i: usize, v: &Dof6| {
+            0.5 * particles.mass[i] * v.linear.norm_squared()
+                + 0.5 * particles.inertia(i) * v.angular.norm_squared()
+        };
+        for (i, v1) in solution[..spheres].iter().enumerate() {
+            let after = integrator.finish(&before[i], v1, &scene.settings);
+            let old = integrator.reported(&before[i], &state.persisting[i], step);
+            let new = integrator.reported(&after, &persisting[i], step);
+            let external = &self.inputs.external[i];
+            known += step * particles.mass[i] * external.linear.dot(&v1.linear);
+            known += step * particles.inertia(i) * external.angular.dot(&v1.angular);
+            work.residue += kinetic(i, &new) - kinetic(i, &old);
+        }
+        work.residue -= known;
+        for load in &scene.loads {
             let arm = self.inputs.kinematics.orientation[load.sphere] * load.arm;
-            state.work.loads += self.inputs.step * load.force.dot(&mean[load.sphere].at(arm));
+            work.loads += step * load.force.dot(&solution[load.sphere].at(arm));
+        }
+        for (body, mean) in self.inputs.bodies.iter().zip(&mean[spheres..]) {
+            let at_action = body.action_velocity(mean);
+            let power =
+                body.load.linear.dot(&at_action.linear) + body.load.angular.dot(&at_action.angular);
+            work.loads += step * power;
         }
     }
 }

@@ -16,6 +16,7 @@ use crate::Vec3;
 use crate::contacts::narrow_phase::{Candidate, Placement};
 use crate::contacts::sweep::{least_distance, meets};
 use crate::contacts::{Key, Partner};
+use crate::motion::Pose;
 use crate::problem::Dof6;
 
 /// Relative motion over the smaller radius up to which the ends of a step tell all \[-\].
@@ -25,9 +26,15 @@ const DEPTH: f64 = 0.1;
 
 impl Stage<'_> {
     /// The first pair, in canonical order, that passes or is held apart without need.
-    pub(super) fn passed(&self, solution: &[Dof6], scratch: &mut Scratch) -> Option<Passed> {
+    pub(super) fn passed(
+        &self,
+        solution: &[Dof6],
+        ends: &[Pose],
+        scratch: &mut Scratch,
+    ) -> Option<Passed> {
         let step = self.inputs.step;
-        let longest = solution
+        let spheres = self.inputs.kinematics.len();
+        let longest = solution[..spheres]
             .iter()
             .zip(&self.problem.free)
             .map(|(v, free)| v.linear.norm_squared().max(free.linear.norm_squared()))
@@ -41,25 +48,28 @@ impl Stage<'_> {
             .iter()
             .copied()
             .fold(f64::INFINITY, f64::min);
+        let [standing, freely] = self.inputs.poses;
         let mut range = 2.0 * longest;
-        if self.inputs.poses[0] != self.inputs.poses[1] {
-            let spheres = 0..start.position.len() as u32;
-            let boundaries = 0..start.boundaries.len() as u16;
-            let moved = spheres.flat_map(|i| boundaries.clone().map(move |b| (i, b)));
-            range = moved
-                .map(|(i, b)| longest + self.wall_motion(i, b))
-                .fold(range, f64::max);
+        for (b, from) in standing.iter().enumerate() {
+            for to in [&ends[b], &freely[b]].into_iter().filter(|to| *to != from) {
+                let wall = &start.boundaries[b];
+                let moved = start
+                    .present_positions()
+                    .map(|x| (wall.from_frame(to, wall.to_frame(from, x)) - x).norm());
+                range = moved.map(|m| longest + m).fold(range, f64::max);
+            }
         }
         if range <= SMALL_MOTION * smallest {
             return None;
         }
         scratch.neighbors.ensure(start, range);
         let [position, unhindered] = [solution, &self.problem.free].map(|v| self.moved(v));
-        let [end, free] = [&position, &unhindered].map(|position| Placement {
-            position,
-            poses: self.inputs.poses[1],
-            ..*start
-        });
+        let [end, free] =
+            [(&position, ends), (&unhindered, freely)].map(|(position, poses)| Placement {
+                position,
+                poses,
+                ..*start
+            });
         let radius = &start.particles.radius;
         let pairs = scratch.neighbors.pairs.iter().map(|&(i, j)| {
             let ways = [&end, &free].map(|to| [start.between(i, j), to.between(i, j)]);

@@ -4,6 +4,7 @@ use super::{Passed, Scratch, StepFailure, StepOutcome};
 use crate::Vec3;
 use crate::contacts::narrow_phase::{Candidate, Placement};
 use crate::contacts::{Partner, history};
+use crate::motion::Pose;
 use crate::problem::assemble::Inputs;
 use crate::problem::{Dof6, Problem};
 use crate::scene::{Method, SolverKind};
@@ -54,7 +55,12 @@ impl<'a> Stage<'a> {
                 inputs.step * free.max(now) + NEAR * scene.particles.radius[i]
             })
             .collect();
-        let wall_motion = |i: u32, b: u16| wall_motion(&inputs, i, b);
+        let wall_motion = |i: u32, b: u16| {
+            let (wall, i) = (&scene.boundaries[usize::from(b)], i as usize);
+            let [from, to] = inputs.poses.map(|poses| &poses[usize::from(b)]);
+            let x = inputs.kinematics.position[i];
+            (wall.from_frame(to, wall.to_frame(from, x)) - x).norm()
+        };
         let largest = reach.iter().copied().fold(0.0, f64::max);
         scratch.neighbors.ensure(&start, 2.0 * largest);
         let walls = scratch.neighbors.walls.iter();
@@ -78,11 +84,6 @@ impl<'a> Stage<'a> {
         };
         stage.write_rows(state);
         stage
-    }
-
-    /// How far boundary `b` moves in the step where sphere `i` is \[m\].
-    pub(super) fn wall_motion(&self, i: u32, b: u16) -> f64 {
-        wall_motion(&self.inputs, i, b)
     }
 
     /// Rows and warm-start impulses for the candidates and the constrained points.
@@ -170,9 +171,10 @@ impl<'a> Stage<'a> {
             }
             let solution = self.problem.velocities(&self.impulses);
             let position = self.moved(&solution);
+            let ends = self.end_poses(&solution);
             let end = Placement {
                 position: &position,
-                poses: self.inputs.poses[1],
+                poses: &ends,
                 ..self.start
             };
             scratch.neighbors.ensure(&end, 0.0);
@@ -190,7 +192,7 @@ impl<'a> Stage<'a> {
             if alm && self.correct(&end, &closed, &solution, state) {
                 continue;
             }
-            if swept && let Some(passed) = self.passed(&solution, scratch) {
+            if swept && let Some(passed) = self.passed(&solution, &ends, scratch) {
                 return Err(self.too_fast(&total, passed));
             }
             let outcome = StepOutcome {
@@ -285,6 +287,18 @@ impl<'a> Stage<'a> {
         self.impulses.insert(at, Vec3::zeros());
     }
 
+    /// Boundary poses at the end of the step, `[B]`: prescribed ones, and those that the driven bodies reach.
+    pub(super) fn end_poses(&self, solution: &[Dof6]) -> Vec<Pose> {
+        let [start, end] = self.inputs.poses;
+        let mut ends = end.to_vec();
+        let bodies = &solution[self.inputs.kinematics.len()..];
+        for (body, velocity) in self.inputs.bodies.iter().zip(bodies) {
+            let b = body.boundary;
+            ends[b] = body.moved(&start[b], velocity, self.inputs.step);
+        }
+        ends
+    }
+
     pub(super) fn moved(&self, solution: &[Dof6]) -> Vec<Vec3> {
         let start = self.inputs.kinematics.position.iter();
         start
@@ -333,7 +347,11 @@ impl<'a> Stage<'a> {
             .filter(|&k| self.problem.rows[k].compliance_n == 0.0)
             .filter(|&k| self.impulses[k] != Vec3::zeros())
             .filter_map(|k| match self.candidates[k].key.partner {
-                Partner::Boundary { boundary, .. } => Some((boundary, self.candidates[k].normal)),
+                Partner::Boundary { boundary, .. } => {
+                    // A driven body gives way.
+                    let rigid = self.inputs.body(usize::from(boundary)).is_none();
+                    rigid.then_some((boundary, self.candidates[k].normal))
+                }
                 Partner::Sphere(_) => None,
             })
             .collect();
@@ -342,11 +360,4 @@ impl<'a> Stage<'a> {
             Some((sphere as usize, [*a, opposite.0]))
         })
     }
-}
-
-fn wall_motion(inputs: &Inputs, i: u32, b: u16) -> f64 {
-    let wall = &inputs.scene.boundaries[usize::from(b)];
-    let [from, to] = inputs.poses.map(|poses| &poses[usize::from(b)]);
-    let x = inputs.kinematics.position[i as usize];
-    (wall.from_frame(to, wall.to_frame(from, x)) - x).norm()
 }

@@ -5,12 +5,14 @@
 
 mod contact_statics;
 mod convergence;
+mod driven;
 mod edges;
 mod free_motion;
 mod impact;
 mod incline;
 mod invariance;
 mod joints;
+mod ledger;
 mod paper_examples;
 mod pinched;
 mod regions;

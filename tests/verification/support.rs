@@ -2,11 +2,14 @@
 
 use std::sync::Arc;
 
+use nalgebra::UnitQuaternion;
 use sphere_dda::Vec3;
 use sphere_dda::boundaries::{Boundary, Facets, Geometry, HalfSpace, Shape};
+use sphere_dda::driven::{Body, Joint};
 use sphere_dda::materials::{Material, Pair, PairTable};
-use sphere_dda::motion::Motion;
+use sphere_dda::motion::{Motion, Pose, Twist};
 use sphere_dda::particles::{Kinematics, Locks, Particles};
+use sphere_dda::problem::Dof6;
 use sphere_dda::scene::{Integrator, Method, Output, Scene, Settings};
 use sphere_dda::simulation::Simulation;
 
@@ -126,6 +129,19 @@ impl Case {
         self
     }
 
+    /// A boundary of the given shapes that `body` moves; its point of action is the origin.
+    pub fn driven(mut self, shapes: Vec<Shape>, body: Body) -> Self {
+        self.scene.boundaries.push(Boundary {
+            name: format!("driven{}", self.scene.boundaries.len()),
+            material: 1,
+            geometry: Geometry::new(shapes).expect("a geometry"),
+            motion: Motion::Driven(Box::new(body)),
+            point_of_action: Vec3::zeros(),
+            stiffness: None,
+        });
+        self
+    }
+
     pub fn floor(self) -> Self {
         self.plane(Vec3::zeros(), Vec3::z())
     }
@@ -133,6 +149,25 @@ impl Case {
     pub fn start(self) -> Run {
         let simulation = Simulation::new(Arc::new(self.scene)).expect("the case starts");
         Run { simulation }
+    }
+}
+
+/// A body without loads, at rest, on which gravity acts; its principal axes are those of the scene.
+pub fn body(mass: f64, centre: Vec3, moments: Vec3, joint: Joint) -> Body {
+    Body {
+        mass,
+        centre,
+        moments,
+        axes: UnitQuaternion::identity(),
+        joint,
+        force: Vec3::zeros(),
+        torque: Vec3::zeros(),
+        servo: None,
+        damping: [0.0; 2],
+        gravity: true,
+        pose: Pose::default(),
+        twist: Twist::default(),
+        input: false,
     }
 }
 
@@ -221,7 +256,9 @@ impl Run {
     }
 
     pub fn advance(&mut self, h: f64) {
+        let bodies = self.bodies();
         let before = self.momentum();
+        let last = self.simulation.state().last_step;
         self.simulation.advance(h).expect("the step converges");
         let scene = Arc::clone(self.simulation.scene());
         let rigid = scene.boundaries.iter().all(|b| b.stiffness.is_none());
@@ -238,9 +275,16 @@ impl Run {
             .locks
             .iter()
             .any(|l| l.translation.iter().any(|x| *x));
+        if scene.settings.integrator == Integrator::Shi {
+            return;
+        }
+        let now = self.simulation.state().last_step;
+        let whole = |step: f64| (step - scene.settings.step).abs() <= 1e-12 * h;
+        if whole(last) && whole(now) {
+            self.check_bodies(&bodies, h);
+        }
         let cut = self.simulation.report().internal_steps > 1;
-        let unbalanced = locked || (cut && !scene.springs.is_empty());
-        if unbalanced || scene.settings.integrator == Integrator::Shi {
+        if locked || (cut && !scene.springs.is_empty()) {
             return;
         }
         let weight: Vec3 = scene
@@ -271,6 +315,53 @@ impl Run {
             "momentum is off by {error:e} of {:e} N s",
             scale * h
         );
+    }
+
+    /// Momentum and angular momentum about the reference point of each driven body, and its pose.
+    fn bodies(&self) -> Vec<(Dof6, Pose)> {
+        let scene = self.simulation.scene();
+        let carried = self.simulation.state().bodies.iter();
+        carried
+            .zip(scene.driven())
+            .map(|(carried, (b, _))| (carried.momentum, self.simulation.boundary_pose(b)))
+            .collect()
+    }
+
+    /// The momentum of driven bodies without damper and outside load changes by weight, loads and the contacts' wrench; of a
+    /// free one also the angular momentum. Only in a step that was not cut do all torques act at the start.
+    fn check_bodies(&self, before: &[(Dof6, Pose)], h: f64) {
+        let scene = self.simulation.scene();
+        let driven = scene.driven().zip(before).zip(self.bodies());
+        for (((b, body), (old, start)), (new, _)) in driven {
+            if body.damping != [0.0; 2] || body.input || body.servo.is_some() {
+                continue;
+            }
+            let wrench = self.simulation.mean_wrench(b);
+            let weight = scene.settings.gravity * body.mass;
+            let force = weight * f64::from(u8::from(body.gravity)) + body.force + wrench.force;
+            let scale = weight.norm() + body.force.norm() + wrench.force.norm();
+            let scale = h * (scale + (old.linear.norm() + new.linear.norm()) / h);
+            let error = match body.joint {
+                Joint::Free => (new.linear - old.linear - force * h).norm(),
+                Joint::Slide { axis } => (new.linear - old.linear - force * h).dot(&axis).abs(),
+                Joint::Hinge { .. } => 0.0,
+            };
+            assert!(
+                error <= 1e-9 * scale,
+                "body {b}: momentum is off by {error:e} N s"
+            );
+            if !matches!(body.joint, Joint::Free) || self.simulation.report().internal_steps > 1 {
+                continue;
+            }
+            let arm = start.rotation * (scene.boundaries[b].point_of_action - body.centre);
+            let torque = wrench.torque + body.torque + arm.cross(&(wrench.force + body.force));
+            let scale = (torque.norm() + wrench.torque.norm()) * h + old.angular.norm();
+            let error = (new.angular - old.angular - torque * h).norm();
+            assert!(
+                error <= 1e-9 * scale,
+                "body {b}: angular momentum is off by {error:e} N m s"
+            );
+        }
     }
 
     pub fn steps(&mut self, n: usize) {

@@ -146,14 +146,17 @@ pub(super) const SINK: [Field<f64>; 1] =
     [real("mass", "kg", "Mass removed since the start", |m| *m)];
 
 #[rustfmt::skip]
-pub(super) const WHOLE: [Field<Whole>; 21] = [
+pub(super) const WHOLE: [Field<Whole>; 24] = [
     real("mass", "kg", "Mass of all spheres in the scene", |w| w.mass),
     count("sphereCount", "Number of spheres in the scene", |w| w.spheres),
     vector("momentum", "kg.m/s", "Momentum of the spheres, half-step velocities: averaged wrench x time + weight = its change", |w| w.momentum.linear),
     vector("angularMomentum", "kg.m2/s", "Angular momentum about the origin, half-step velocities", |w| w.momentum.angular),
     real("kineticEnergy", "J", "Kinetic energy", |w| w.energy.kinetic()),
     real("potentialEnergy", "J", "Potential energy of gravity, springs and point loads", |w| w.energy.potential()),
-    real("dissipatedEnergy", "J", "Energy lost in contacts since the start", |w| w.work.dissipated),
+    real("dissipatedEnergy", "J", "Energy lost in contacts since the start: friction and impact", |w| w.work.friction + w.work.impact),
+    real("frictionEnergy", "J", "Energy lost by sliding friction since the start", |w| w.work.friction),
+    real("impactEnergy", "J", "Energy lost along the normals of impacts since the start", |w| w.work.impact),
+    real("residualEnergy", "J", "Energy added by time stepping since the start, negative where taken: what no other work explains", |w| w.work.residue),
     real("boundaryWork", "J", "Work of moving boundaries on the spheres since the start", |w| w.work.boundaries),
     real("loadWork", "J", "Work of point loads since the start", |w| w.work.loads),
     real("springWork", "J", "Work of constrained springs since the start", |w| w.work.springs),
