@@ -39,6 +39,8 @@
 //! | `d_n` | normal distance after the step | `gap + dt u_n` | m |
 //! | `phi` | friction angle | `friction = tan(phi)` | - |
 //! | `dt` | time step | `step` | s |
+//! | - | angular velocity `W` of the frame | [`frame::RotatingFrame`] | rad/s |
+//! | - | image `k` and edges `L` of a copy `x + k L` | [`cell::Image`], [`cell::Cell`] | -, m |
 //!
 //! # Pipeline of one step
 //!
@@ -47,11 +49,14 @@
 //! [`scene`] comes before all of this, [`observe`] after.
 
 pub mod boundaries;
+pub mod cell;
 pub mod clock;
 pub mod contacts;
 pub mod drive;
 pub mod driven;
 pub mod error;
+pub mod frame;
+pub mod gravity;
 pub mod integrate;
 pub mod linalg;
 pub mod materials;

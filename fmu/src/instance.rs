@@ -14,7 +14,7 @@ use std::fmt;
 use std::path::Path;
 
 use sphere_dda::error::StepError;
-use sphere_dda::motion::{Command, Motion};
+use sphere_dda::motion::Command;
 use sphere_dda::simulation::Simulation;
 
 use crate::model::Model;
@@ -383,7 +383,7 @@ impl Instance {
         let mut simulation = self.simulate(&self.run.parameters)?;
         let gravity = self.run.parameters.gravity;
         // A start that is the scene's own is left alone: the FMU then gives the bytes that the library gives.
-        if gravity != simulation.gravity()
+        if gravity != simulation.state().gravity
             || self.run.commands.iter().any(|c| *c != Command::default())
         {
             simulation.set_gravity(gravity)?;
@@ -413,7 +413,7 @@ fn initial(model: &Model) -> Run {
 /// Hands the commands of all driven boundaries to the simulation.
 fn command(simulation: &mut Simulation, commands: &[Command]) -> Result<(), StepError> {
     for (b, &command) in commands.iter().enumerate() {
-        if matches!(simulation.scene().boundaries[b].motion, Motion::Input(_)) {
+        if simulation.scene().boundaries[b].motion.input().is_some() {
             simulation.command(b, command)?;
         }
     }

@@ -9,12 +9,12 @@
 //!
 //! Pose, slide and hinge inputs are total displacements from the scene's placement: the boundary moves linearly
 //! (a rotation by its logarithm) from where it is to the commanded pose and reaches it at the end of the
-//! communication step. Speeds are held over the step. Zero always means "as in the scene".
+//! communication step. Speeds, forces and torques are held over the step. Zero always means "as in the scene".
 
 mod parameters;
 mod rows;
 
-use sphere_dda::motion::{Command, Motion};
+use sphere_dda::motion::Command;
 use sphere_dda::observe::quantities::{Kind, quantities};
 use sphere_dda::scene::Scene;
 use sphere_dda_model_description::fmi2::{BaseType, Causality, Variability};
@@ -101,7 +101,11 @@ pub enum Input {
     Velocity,
     /// Angular velocity \[rad/s\].
     AngularVelocity,
-    /// Displacement, speed, angle or angular speed of a slide or hinge.
+    /// Force \[N\] on a driven body.
+    Force,
+    /// Torque \[N m\] on a driven body.
+    Torque,
+    /// Displacement, speed, angle, angular speed, force or torque of a slide or hinge.
     Scalar,
 }
 
@@ -150,7 +154,7 @@ impl Table {
         );
         rows.parameters(scene);
         for (b, boundary) in scene.boundaries.iter().enumerate() {
-            if let Motion::Input(kind) = boundary.motion {
+            if let Some(kind) = boundary.motion.input() {
                 rows.inputs(&format!("boundary.{}", boundary.name), b, kind);
             }
         }
@@ -187,6 +191,8 @@ pub fn component(command: &mut Command, input: Input, axis: usize) -> &mut f64 {
         Input::Rotation => &mut command.rotation[axis],
         Input::Velocity => &mut command.velocity[axis],
         Input::AngularVelocity => &mut command.angular_velocity[axis],
+        Input::Force => &mut command.force[axis],
+        Input::Torque => &mut command.torque[axis],
         Input::Scalar => &mut command.scalar,
     }
 }

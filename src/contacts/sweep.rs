@@ -3,6 +3,7 @@
 use super::narrow_phase::Placement;
 use crate::Vec3;
 use crate::boundaries::{Geometry, Touch};
+use crate::cell::Image;
 
 /// A gap below this share of the radius counts as met.
 const MET: f64 = 1e-3;
@@ -48,17 +49,20 @@ pub fn meets(geometry: &Geometry, a: Vec3, b: Vec3, radius: f64) -> bool {
 }
 
 impl Placement<'_> {
-    /// Centre of sphere `i` from that of sphere `j` \[m\].
+    /// Centre of sphere `i` from that of image `image` of sphere `j` \[m\].
     #[must_use]
-    pub fn between(&self, i: u32, j: u32) -> Vec3 {
-        self.position[i as usize] - self.position[j as usize]
+    pub fn between(&self, i: u32, j: u32, image: Image) -> Vec3 {
+        self.position[i as usize] - self.position[j as usize] - self.cell.shift(image)
     }
 
-    /// Centre of sphere `i` in the frame of boundary `b` \[m\].
+    /// The way of sphere `i` from here to `end` in the frame of boundary `b` \[m\], by the copy that is nearest to it here.
     #[must_use]
-    pub fn in_frame(&self, i: u32, b: u16) -> Vec3 {
-        let b = usize::from(b);
-        self.boundaries[b].to_frame(&self.poses[b], self.position[i as usize])
+    pub fn way(&self, end: &Self, i: u32, b: u16) -> [Vec3; 2] {
+        let (b, i) = (usize::from(b), i as usize);
+        let wall = &self.boundaries[b];
+        let near = wall.copy_near(self.cell, &self.poses[b], self.position[i]);
+        let copy = near - self.position[i];
+        [self, end].map(|at| wall.to_frame(&at.poses[b], at.position[i] + copy))
     }
 }
 

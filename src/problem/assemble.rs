@@ -94,6 +94,21 @@ impl<'a> Inputs<'a> {
         rank.ok().map(|rank| (rank, &self.bodies[rank]))
     }
 
+    /// Largest force \[N\] that gravity and loads exert on a body of a row; zero for the ground.
+    #[must_use]
+    pub fn weight(&self, body: u32) -> f64 {
+        let (n, i) = (self.kinematics.len(), body as usize);
+        let (mass, acceleration) = if body == GROUND {
+            return 0.0;
+        } else if i < n {
+            (self.scene.particles.mass[i], self.external[i])
+        } else {
+            let driven = &self.bodies[i - n];
+            (driven.mass(), driven.acceleration)
+        };
+        mass * acceleration.linear.norm().max(self.gravity.norm())
+    }
+
     /// Velocity of a boundary's material point at `x` \[m\], over this step and over the previous one.
     fn wall_velocity(&self, boundary: usize, x: Vec3) -> [Vec3; 2] {
         let wall = &self.scene.boundaries[boundary];
@@ -137,9 +152,9 @@ impl<'a> Inputs<'a> {
         let mut fastest = self.kinematics.velocity[a].norm();
         let mut stiffness = None;
         let material_b = match candidate.key.partner {
-            Partner::Sphere(j) => {
-                let b = j as usize;
-                row.b = j;
+            Partner::Sphere { index, .. } => {
+                let b = index as usize;
+                row.b = index;
                 row.arm_b = n * particles.radius[b];
                 row.radius = row.radius.min(particles.radius[b]);
                 before -= self.velocity(b).at(row.arm_b);
@@ -150,7 +165,9 @@ impl<'a> Inputs<'a> {
             }
             Partner::Boundary { boundary, .. } => {
                 let boundary = usize::from(boundary);
-                let point = self.kinematics.position[a] + arm_a;
+                let (wall, pose) = (&scene.boundaries[boundary], &self.poses[0][boundary]);
+                let centre = wall.copy_near(&scene.cell, pose, self.kinematics.position[a]);
+                let point = centre + arm_a;
                 if let Some((rank, body)) = self.body(boundary) {
                     row.b = (self.kinematics.len() + rank) as u32;
                     row.arm_b = point - body.reference;

@@ -24,17 +24,11 @@ impl Stage<'_> {
             return;
         }
         let before = transfer(&state.contacts, self.candidates.iter().map(|c| c.key));
-        let (step, particles) = (self.inputs.step, &self.inputs.scene.particles);
-        let weight = |i: u32| {
-            let Some(mass) = particles.mass.get(i as usize) else {
-                return 0.0; // the ground, or a driven body: the sphere's own tells
-            };
-            let acceleration = self.inputs.external[i as usize].linear.norm();
-            mass * acceleration.max(self.inputs.gravity.norm())
-        };
+        let step = self.inputs.step;
         for (k, (impact, before)) in self.impact.iter_mut().zip(before).enumerate() {
             let row = &self.problem.rows[k];
-            let load = weight(row.a).max(weight(row.b));
+            let load = [row.a, row.b].map(|body| self.inputs.weight(body));
+            let load = load[0].max(load[1]);
             *impact |= self.impulses[k].norm() > 2.0 * step * (before.norm() + load);
         }
     }
@@ -61,7 +55,10 @@ impl Stage<'_> {
             if let Partner::Boundary { boundary, .. } = candidate.key.partner {
                 let b = usize::from(boundary);
                 let row = &self.problem.rows[k];
-                let point = self.inputs.kinematics.position[row.a as usize] + row.arm_a;
+                let pose = &self.inputs.poses[0][b];
+                let centre = self.inputs.kinematics.position[row.a as usize];
+                let centre = boundaries[b].copy_near(&self.inputs.scene.cell, pose, centre);
+                let point = centre + row.arm_a;
                 let pivot = boundaries[b].point_of_action + self.inputs.poses[0][b].translation;
                 let wrench = Wrench {
                     force: -force,

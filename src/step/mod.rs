@@ -2,10 +2,12 @@
 //! agrees, `commit` writes the solution into the state; `start` does the same at t = 0.
 
 mod commit;
+mod external;
 mod passing;
 mod stage;
 mod start;
 
+pub(crate) use external::release;
 pub use start::{initial_forces, remove_overlaps};
 
 use crate::Vec3;
@@ -13,7 +15,7 @@ use crate::contacts::broad_phase::NeighborList;
 use crate::driven::Ready;
 use crate::motion::{Pose, Twist};
 use crate::particles::Kinematics;
-use crate::problem::assemble::{Inputs, external_acceleration};
+use crate::problem::assemble::Inputs;
 use crate::problem::{Dof6, Impulses, Problem};
 use crate::scene::Scene;
 use crate::solver::Report;
@@ -75,7 +77,7 @@ pub fn step(
     poses: Vec<Pose>,
 ) -> Result<StepOutcome, StepFailure> {
     let start = Start::of(scene, state, dt, poses);
-    let mut stage = Stage::new(start.inputs(scene, state, dt), state, scratch);
+    let mut stage = Stage::new(start.inputs(scene, dt), state, scratch);
     let (solution, outcome) = stage.resolve(state, scratch)?;
     stage.spread_impacts(state);
     let poses = stage.end_poses(&solution);
@@ -90,6 +92,7 @@ pub fn step(
         .map(|(from, to)| from.twist_to(to, dt))
         .collect();
     state.poses = poses;
+    start.book(scene, state, dt);
     state.last_step = dt;
     Ok(outcome)
 }
@@ -99,7 +102,7 @@ pub fn step(
 #[must_use]
 pub fn problem(scene: &Scene, state: &State, dt: f64, poses: &[Pose]) -> (Problem, Impulses) {
     let start = Start::of(scene, state, dt, poses.to_vec());
-    let inputs = start.inputs(scene, state, dt);
+    let inputs = start.inputs(scene, dt);
     let stage = Stage::new(inputs, state, &mut Scratch::default());
     (stage.problem, stage.impulses)
 }
@@ -107,6 +110,7 @@ pub fn problem(scene: &Scene, state: &State, dt: f64, poses: &[Pose]) -> (Proble
 /// What a step takes from the state before it moves anything.
 struct Start<'a> {
     kinematics: Kinematics,
+    gravity: Vec3,
     external: Vec<Dof6>,
     targets: Vec<Vec3>,
     standing: Vec<Pose>,
@@ -131,8 +135,10 @@ impl<'s> Start<'s> {
         }
         let end_time = state.time + dt;
         let springs = scene.springs.iter();
+        let gravity = state.gravity_at(scene, integrator.middle(state.time, dt));
         Self {
-            external: external_acceleration(scene, &state.kinematics, state.gravity),
+            gravity,
+            external: external::acceleration(scene, state, &kinematics, gravity, dt),
             kinematics,
             targets: springs
                 .map(|spring| spring.target + spring.motion.pose_at(end_time).translation)
@@ -144,7 +150,7 @@ impl<'s> Start<'s> {
         }
     }
 
-    fn inputs<'a>(&'a self, scene: &'a Scene, state: &State, dt: f64) -> Inputs<'a> {
+    fn inputs<'a>(&'a self, scene: &'a Scene, dt: f64) -> Inputs<'a> {
         Inputs {
             scene,
             kinematics: &self.kinematics,
@@ -153,7 +159,7 @@ impl<'s> Start<'s> {
             poses: [&self.standing, &self.ends],
             bodies: &self.bodies,
             twists: &self.twists,
-            gravity: state.gravity,
+            gravity: self.gravity,
             targets: &self.targets,
         }
     }

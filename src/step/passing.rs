@@ -13,6 +13,7 @@
 use super::stage::Stage;
 use super::{Passed, Scratch};
 use crate::Vec3;
+use crate::cell::{HERE, Image};
 use crate::contacts::narrow_phase::{Candidate, Placement};
 use crate::contacts::sweep::{least_distance, meets};
 use crate::contacts::{Key, Partner};
@@ -71,17 +72,19 @@ impl Stage<'_> {
                 ..*start
             });
         let radius = &start.particles.radius;
-        let pairs = scratch.neighbors.pairs.iter().map(|&(i, j)| {
-            let ways = [&end, &free].map(|to| [start.between(i, j), to.between(i, j)]);
-            (i, Partner::Sphere(j), ways)
-        });
-        let walls = scratch.neighbors.walls.iter().map(|&(i, boundary)| {
-            let ways =
-                [&end, &free].map(|to| [start.in_frame(i, boundary), to.in_frame(i, boundary)]);
+        let apart = |i: u32, index: u32, image: Image| {
+            let ways = [&end, &free].map(|to| [start, to].map(|at| at.between(i, index, image)));
+            (i, Partner::Sphere { index, image }, ways)
+        };
+        let list = &scratch.neighbors;
+        let here = list.pairs.iter().map(|&(i, j)| apart(i, j, HERE));
+        let images = list.images.iter().map(|&(i, j, image)| apart(i, j, image));
+        let walls = list.walls.iter().map(|&(i, boundary)| {
+            let ways = [&end, &free].map(|to| start.way(to, i, boundary));
             let feature = 0;
             (i, Partner::Boundary { boundary, feature }, ways)
         });
-        pairs
+        here.chain(images)
             .chain(walls)
             .find_map(|(sphere, partner, [way, free_way])| {
                 let scale = start.scale(Key { sphere, partner });
@@ -104,16 +107,13 @@ impl Stage<'_> {
         let start = &self.start;
         closed.iter().find_map(|found| {
             let contact = found.key;
-            let way = match contact.partner {
-                Partner::Sphere(j) => {
-                    end.between(contact.sphere, j) - start.between(contact.sphere, j)
+            let [from, to] = match contact.partner {
+                Partner::Sphere { index, image } => {
+                    [start, end].map(|at| at.between(contact.sphere, index, image))
                 }
-                Partner::Boundary { boundary, .. } => {
-                    end.in_frame(contact.sphere, boundary)
-                        - start.in_frame(contact.sphere, boundary)
-                }
+                Partner::Boundary { boundary, .. } => start.way(end, contact.sphere, boundary),
             };
-            let motion = way.norm() / start.scale(contact);
+            let motion = (to - from).norm() / start.scale(contact);
             // Rolling on, a sphere finds the next feature of its boundary closed: that is no surprise.
             (motion > SMALL_MOTION && !self.foreseen(contact)).then_some(Passed { contact, motion })
         })
@@ -136,7 +136,7 @@ impl Stage<'_> {
         let own = self.candidates[from..].iter().zip(from..);
         own.take_while(move |(c, _)| c.key.sphere == sphere)
             .filter(move |(c, _)| match (c.key.partner, partner) {
-                (Partner::Sphere(i), Partner::Sphere(j)) => i == j,
+                (Partner::Sphere { .. }, Partner::Sphere { .. }) => c.key.partner == partner,
                 (Partner::Boundary { boundary: a, .. }, Partner::Boundary { boundary: b, .. }) => {
                     a == b
                 }
@@ -157,8 +157,8 @@ fn through(
 ) -> bool {
     let own = radius[sphere as usize];
     match partner {
-        Partner::Sphere(j) => {
-            let touching = own + radius[j as usize];
+        Partner::Sphere { index, .. } => {
+            let touching = own + radius[index as usize];
             let ends = a.norm().min(b.norm()).min(touching);
             least_distance(a, b) < ends - DEPTH * scale
         }
@@ -179,7 +179,7 @@ fn met(
 ) -> bool {
     let own = radius[sphere as usize];
     match partner {
-        Partner::Sphere(j) => least_distance(a, b) <= own + radius[j as usize],
+        Partner::Sphere { index, .. } => least_distance(a, b) <= own + radius[index as usize],
         Partner::Boundary { boundary, .. } => {
             let geometry = &start.boundaries[usize::from(boundary)].geometry;
             meets(geometry, a, b, own)

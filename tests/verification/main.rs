@@ -6,7 +6,9 @@
 mod contact_statics;
 mod convergence;
 mod driven;
+mod driven_scenes;
 mod edges;
+mod frames;
 mod free_motion;
 mod impact;
 mod incline;
@@ -14,6 +16,7 @@ mod invariance;
 mod joints;
 mod ledger;
 mod paper_examples;
+mod periodic;
 mod pinched;
 mod regions;
 mod rest;

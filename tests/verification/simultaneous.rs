@@ -121,7 +121,7 @@ fn a_gas_keeps_its_energy() {
         let mut touched: Vec<u32> = Vec::new();
         for contact in run.simulation.contacts() {
             touched.push(contact.key.sphere);
-            if let sphere_dda::contacts::Partner::Sphere(j) = contact.key.partner {
+            if let sphere_dda::contacts::Partner::Sphere { index: j, .. } = contact.key.partner {
                 touched.push(j);
             }
         }

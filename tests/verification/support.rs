@@ -4,8 +4,10 @@ use std::sync::Arc;
 
 use nalgebra::UnitQuaternion;
 use sphere_dda::Vec3;
-use sphere_dda::boundaries::{Boundary, Facets, Geometry, HalfSpace, Shape};
+use sphere_dda::boundaries::{Boundary, Facets, Geometry, HalfSpace, Revolution, Shape};
+use sphere_dda::cell::Cell;
 use sphere_dda::driven::{Body, Joint};
+use sphere_dda::gravity::GravityMotion;
 use sphere_dda::materials::{Material, Pair, PairTable};
 use sphere_dda::motion::{Motion, Pose, Twist};
 use sphere_dda::particles::{Kinematics, Locks, Particles};
@@ -54,6 +56,7 @@ impl Case {
                 particles: Particles::default(),
                 initial: Kinematics::default(),
                 initial_contacts: vec![],
+                cell: Cell::default(),
                 boundaries: vec![],
                 loads: vec![],
                 springs: vec![],
@@ -129,17 +132,20 @@ impl Case {
         self
     }
 
+    /// A cylinder about the y axis, 2 m long, that turns with `speed` \[rad/s\] about it.
+    pub fn drum(self, radius: f64, speed: f64) -> Self {
+        let base = Vec3::y() * -1.0;
+        let side = Revolution::cylinder(base, Vec3::y(), radius, 2.0).expect("a cylinder");
+        let turning = Twist {
+            linear: Vec3::zeros(),
+            angular: Vec3::y() * speed,
+        };
+        self.moving(vec![Shape::Revolution(side)], Motion::Constant(turning))
+    }
+
     /// A boundary of the given shapes that `body` moves; its point of action is the origin.
-    pub fn driven(mut self, shapes: Vec<Shape>, body: Body) -> Self {
-        self.scene.boundaries.push(Boundary {
-            name: format!("driven{}", self.scene.boundaries.len()),
-            material: 1,
-            geometry: Geometry::new(shapes).expect("a geometry"),
-            motion: Motion::Driven(Box::new(body)),
-            point_of_action: Vec3::zeros(),
-            stiffness: None,
-        });
-        self
+    pub fn driven(self, shapes: Vec<Shape>, body: Body) -> Self {
+        self.moving(shapes, Motion::Driven(Box::new(body)))
     }
 
     pub fn floor(self) -> Self {
@@ -261,8 +267,8 @@ impl Run {
         let last = self.simulation.state().last_step;
         self.simulation.advance(h).expect("the step converges");
         let scene = Arc::clone(self.simulation.scene());
-        let rigid = scene.boundaries.iter().all(|b| b.stiffness.is_none());
-        if rigid && scene.settings.method == Method::Alm {
+        let compliant = scene.boundaries.iter().any(|b| b.stiffness.is_some());
+        if scene.settings.method == Method::Alm && !compliant {
             let overlap = self.simulation.report().max_overlap;
             assert!(
                 overlap <= scene.settings.tolerance.gap,
@@ -278,27 +284,31 @@ impl Run {
         if scene.settings.integrator == Integrator::Shi {
             return;
         }
+        let step = scene.settings.step;
         let now = self.simulation.state().last_step;
-        let whole = |step: f64| (step - scene.settings.step).abs() <= 1e-12 * h;
-        if whole(last) && whole(now) {
+        if (last - now).abs() <= 1e-12 * h && (now - step).abs() <= 1e-12 * h {
             self.check_bodies(&bodies, h);
         }
         let cut = self.simulation.report().internal_steps > 1;
         if locked || (cut && !scene.springs.is_empty()) {
             return;
         }
-        let weight: Vec3 = scene
-            .particles
-            .mass
-            .iter()
-            .map(|m| self.simulation.gravity() * *m)
-            .sum();
+        let mass = scene.particles.mass.iter();
+        let weight: Vec3 = mass.map(|m| self.simulation.gravity() * *m).sum();
         let loads: Vec3 = scene.loads.iter().map(|load| load.force).sum();
+        let body_force = self.simulation.mean_body_force();
+        let settings = &scene.settings;
+        let constant = settings.gravity_motion == GravityMotion::Fixed
+            && self.simulation.gravity() == settings.gravity;
+        if constant && settings.rotating_frame.is_none() {
+            let error = (body_force - weight - loads).norm();
+            assert!(error <= 1e-12 * (weight.norm() + loads.norm()), "{error:e}");
+        }
         let springs: Vec3 = self.simulation.state().springs.iter().sum();
         let walls: Vec3 = (0..scene.boundaries.len())
             .map(|b| -self.simulation.mean_wrench(b).force)
             .sum();
-        let force = weight + loads + springs + walls;
+        let force = body_force + springs + walls;
         let scale: f64 = weight.norm()
             + self
                 .simulation

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use super::{OneOrMany, Vector};
+use super::{Body, OneOrMany, Vector};
 
 /// `[[boundary]]`: a named rigid body made of faces.
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
@@ -28,6 +28,9 @@ pub struct Boundary {
     pub motion: Option<Motion>,
     /// Motion driven from outside: an input of the FMU. Not together with `motion`.
     pub input: Option<Input>,
+    /// Mass and joint of a boundary that forces move. Not together with `motion`; of the inputs only `load`.
+    #[schemars(extend("x-default" = "none"))]
+    pub body: Option<Body>,
 }
 
 /// One face of a boundary: a table with one key.
@@ -233,4 +236,6 @@ pub enum Input {
     Hinge(Vector),
     /// Angular speed \[rad/s\] about this axis.
     HingeSpeed(Vector),
+    /// Force \[N\] and torque \[N m\] on the boundary's `body`.
+    Load,
 }
