@@ -203,7 +203,7 @@ fn interpolate(time: &[f64], value: &[Vec3], t: f64) -> Vec3 {
     }
 }
 
-/// A command for a boundary whose motion is [`Motion::Input`], held until the next one.
+/// A command for a boundary whose motion is [`Motion::Input`] or whose belt is driven from outside, held until the next one.
 /// Components that the boundary's [`InputKind`] does not use are ignored.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct Command {
@@ -217,6 +217,8 @@ pub struct Command {
     pub angular_velocity: Vec3,
     /// Displacement \[m\], speed \[m/s\], angle \[rad\] or angular speed \[rad/s\] of a slide or hinge.
     pub scalar: f64,
+    /// Velocity of the surface against the boundary \[m/s\], its own axes ([`crate::boundaries::Belt`]).
+    pub surface_velocity: Vec3,
 }
 
 #[cfg(test)]

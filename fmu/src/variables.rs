@@ -9,7 +9,8 @@
 //!
 //! Pose, slide and hinge inputs are total displacements from the scene's placement: the boundary moves linearly
 //! (a rotation by its logarithm) from where it is to the commanded pose and reaches it at the end of the
-//! communication step. Speeds are held over the step. Zero always means "as in the scene".
+//! communication step. Speeds are held over the step. The start values mean "as in the scene": zero, and for a belt the
+//! scene's surface velocity.
 
 mod parameters;
 mod rows;
@@ -103,6 +104,8 @@ pub enum Input {
     AngularVelocity,
     /// Displacement, speed, angle or angular speed of a slide or hinge.
     Scalar,
+    /// Velocity of the surface against the boundary \[m/s\].
+    SurfaceVelocity,
 }
 
 /// One variable.
@@ -150,8 +153,12 @@ impl Table {
         );
         rows.parameters(scene);
         for (b, boundary) in scene.boundaries.iter().enumerate() {
+            let prefix = format!("boundary.{}", boundary.name);
             if let Motion::Input(kind) = boundary.motion {
-                rows.inputs(&format!("boundary.{}", boundary.name), b, kind);
+                rows.inputs(&prefix, b, kind);
+            }
+            if let Some(belt) = boundary.belt.filter(|belt| belt.input) {
+                rows.belt(&prefix, b, belt.velocity);
             }
         }
         for (rank, quantity) in quantities(scene).into_iter().enumerate() {
@@ -188,5 +195,6 @@ pub fn component(command: &mut Command, input: Input, axis: usize) -> &mut f64 {
         Input::Velocity => &mut command.velocity[axis],
         Input::AngularVelocity => &mut command.angular_velocity[axis],
         Input::Scalar => &mut command.scalar,
+        Input::SurfaceVelocity => &mut command.surface_velocity[axis],
     }
 }

@@ -205,8 +205,9 @@ fn slip(state: &Observation, contact: &Contact) -> f64 {
         ),
         Partner::Boundary { boundary, .. } => {
             let b = usize::from(boundary);
-            state.boundaries[b]
-                .velocity_at(contact.point, state.scene.boundaries[b].point_of_action)
+            let pivot = state.scene.boundaries[b].point_of_action;
+            let body = &state.boundaries[b];
+            body.velocity_at(contact.point, pivot) + body.surface_velocity
         }
     };
     let relative = own - other;

@@ -5,6 +5,7 @@
 //! ([`super::BoundaryState::wrench`]); here its contacts are counted.
 
 use super::Observation;
+use crate::contacts::law::split;
 use crate::contacts::{Contact, Partner};
 use crate::simulation::Wrench;
 
@@ -17,6 +18,8 @@ pub struct Load {
     pub count: u64,
     /// Largest normal force of one of them \[N\].
     pub max_normal_force: f64,
+    /// Power \[W\] of the forces on a boundary's belt; zero for spheres.
+    pub belt_power: f64,
 }
 
 impl Load {
@@ -66,7 +69,10 @@ impl Loads {
                     loads.spheres[b].sphere(contact, radius[b], -1.0);
                 }
                 Partner::Boundary { boundary, .. } => {
-                    loads.boundaries[usize::from(boundary)].count(contact);
+                    let b = usize::from(boundary);
+                    let belt = split(state.boundaries[b].surface_velocity, contact.normal).1;
+                    loads.boundaries[b].count(contact);
+                    loads.boundaries[b].belt_power -= contact.force.dot(&belt);
                 }
             }
         }

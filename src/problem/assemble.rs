@@ -41,6 +41,8 @@ pub struct Inputs<'a> {
     pub poses: [&'a [Pose]; 2],
     /// Boundary twists over the previous step, `[B]`.
     pub twists: &'a [Twist],
+    /// Velocities of the boundaries' surfaces against their shapes \[m/s\], world axes, `[B]`.
+    pub surfaces: &'a [Vec3],
     /// Gravity \[m/s^2\].
     pub gravity: Vec3,
     /// Spring targets at the end of the step \[m\], `[S]`.
@@ -133,7 +135,9 @@ impl Inputs<'_> {
                 let boundary = usize::from(boundary);
                 let [now, previous] =
                     self.wall_velocity(boundary, self.kinematics.position[a] + arm_a);
-                row.drift = -now;
+                // A belt slides along the shape: it takes no part in the approach.
+                let belt = split(self.surfaces[boundary], n).1;
+                row.drift = -(now + belt);
                 before -= previous;
                 acceleration = acceleration.max((now - previous).norm() / self.step);
                 stiffness = scene.boundaries[boundary].stiffness;

@@ -9,6 +9,7 @@ use std::sync::Arc;
 use serde::{Deserialize, Serialize};
 
 use crate::Vec3;
+use crate::boundaries::Boundary;
 use crate::contacts::Contact;
 use crate::drive::{Drive, target};
 use crate::error::{SnapshotError, StepError};
@@ -120,7 +121,7 @@ impl Simulation {
                 .map(|(a, b)| a.twist_to(b, settings.step))
                 .collect(),
             poses,
-            commands: vec![Command::default(); boundaries],
+            commands: scene.boundaries.iter().map(Boundary::rest).collect(),
             wrenches: vec![Wrench::default(); boundaries],
             persisting_wrenches: vec![Wrench::default(); boundaries],
             mean_wrenches: vec![Wrench::default(); boundaries],
@@ -184,21 +185,17 @@ impl Simulation {
         Ok(())
     }
 
-    /// Command for boundary `b`, whose motion is [`Motion::Input`]; held until the next one.
+    /// Command for boundary `b`, whose motion or belt is driven from outside; held until the next one.
     ///
     /// # Errors
     /// [`StepError::Argument`] if the boundary is no input or a component is not finite.
     pub fn command(&mut self, b: usize, command: Command) -> Result<(), StepError> {
-        let motion = self
-            .scene
-            .boundaries
-            .get(b)
-            .map(|boundary| &boundary.motion);
-        if !matches!(motion, Some(Motion::Input(_))) {
+        let boundary = self.scene.boundaries.get(b);
+        if !boundary.is_some_and(Boundary::is_commanded) {
             return Err(StepError::Argument {
                 what: "boundary",
                 found: b.to_string(),
-                expected: "the index of a boundary with `input`",
+                expected: "the index of a boundary with `input` or `surface_input`",
             });
         }
         let vectors = [
@@ -206,6 +203,7 @@ impl Simulation {
             command.rotation,
             command.velocity,
             command.angular_velocity,
+            command.surface_velocity,
         ];
         finite(
             "command",
@@ -373,6 +371,13 @@ impl Simulation {
     #[must_use]
     pub fn boundary_twist(&self, b: usize) -> Twist {
         self.state.twists[b]
+    }
+
+    /// Velocity \[m/s\] of boundary `b`'s surface against its shape, world axes.
+    #[must_use]
+    pub fn surface_velocity(&self, b: usize) -> Vec3 {
+        let state = &self.state;
+        self.scene.boundaries[b].surface_velocity(&state.poses[b], &state.commands[b])
     }
 
     /// Wrench on boundary `b` over the last internal step.

@@ -96,6 +96,16 @@ struct Start {
     targets: Vec<Vec3>,
     standing: Vec<Pose>,
     twists: Vec<Twist>,
+    surfaces: Vec<Vec3>,
+}
+
+/// Velocities of the boundaries' surfaces against their shapes \[m/s\], world axes, `[B]`.
+fn surfaces(scene: &Scene, state: &State) -> Vec<Vec3> {
+    let boundaries = scene.boundaries.iter();
+    let driven = boundaries.zip(state.poses.iter().zip(&state.commands));
+    driven
+        .map(|(boundary, (pose, command))| boundary.surface_velocity(pose, command))
+        .collect()
 }
 
 impl Start {
@@ -117,6 +127,7 @@ impl Start {
                 .collect(),
             standing: state.poses.clone(),
             twists: state.twists.clone(),
+            surfaces: surfaces(scene, state),
         }
     }
 
@@ -134,6 +145,7 @@ impl Start {
             step: dt,
             poses: [&self.standing, poses],
             twists: &self.twists,
+            surfaces: &self.surfaces,
             gravity: state.gravity,
             targets: &self.targets,
         }

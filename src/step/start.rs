@@ -1,7 +1,7 @@
 //! The start of a run: overlaps out by displacement, contact forces at rest.
 
 use super::stage::Stage;
-use super::{Scratch, StepFailure, dof};
+use super::{Scratch, StepFailure, dof, surfaces};
 use crate::Vec3;
 use crate::contacts::narrow_phase::Placement;
 use crate::motion::Twist;
@@ -35,6 +35,7 @@ pub fn initial_forces(
         step: dt,
         poses: [&poses, &poses],
         twists: &twists,
+        surfaces: &surfaces(scene, state),
         gravity: state.gravity,
         targets: &targets,
     };
@@ -92,6 +93,7 @@ pub fn remove_overlaps(
         step: scene.settings.step,
         poses: [&poses, &poses],
         twists: &vec![Twist::default(); poses.len()],
+        surfaces: &vec![Vec3::zeros(); poses.len()],
         gravity: Vec3::zeros(),
         targets: &[],
     };

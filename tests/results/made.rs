@@ -38,6 +38,7 @@ pub(crate) fn scene(n: usize) -> Scene {
         motion: Motion::Fixed,
         point_of_action: Vec3::new(0.5, 0.0, 0.0),
         stiffness: None,
+        belt: None,
     };
     Scene {
         title: "a row".to_owned(),

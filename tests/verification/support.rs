@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use sphere_dda::Vec3;
-use sphere_dda::boundaries::{Boundary, Geometry, HalfSpace, Shape};
+use sphere_dda::boundaries::{Belt, Boundary, Geometry, HalfSpace, Shape};
 use sphere_dda::materials::{Material, Pair, PairTable};
 use sphere_dda::motion::Motion;
 use sphere_dda::particles::{Kinematics, Locks, Particles};
@@ -115,6 +115,17 @@ impl Case {
             motion: Motion::Fixed,
             point_of_action: Vec3::zeros(),
             stiffness: None,
+            belt: None,
+        });
+        self
+    }
+
+    /// Makes the last boundary a belt, `velocity` in its own axes.
+    pub fn belt(mut self, velocity: Vec3) -> Self {
+        let boundary = self.scene.boundaries.last_mut().expect("a boundary");
+        boundary.belt = Some(Belt {
+            velocity,
+            input: false,
         });
         self
     }
