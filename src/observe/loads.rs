@@ -1,7 +1,7 @@
 //! Contact forces summed over bodies.
 //!
 //! A force acts on a sphere's surface where the normal meets it, at `-R n` from the centre of body A and `+R n` from that
-//! of B; its torque is about the centre. What a boundary gets as a wrench is the step's own account
+//! of B; its torque is about the centre, and a couple of rolling or twisting resistance adds to it. What a boundary gets as a wrench is the step's own account
 //! ([`super::BoundaryState::wrench`]); here its contacts are counted.
 
 use super::Observation;
@@ -35,6 +35,7 @@ impl Load {
         self.wrench.force += sign * contact.force;
         // Of the two signs of `-R n x f` on A and `R n x (-f)` on B the torques turn out equal.
         self.wrench.torque -= contact.normal.cross(&contact.force) * radius;
+        self.wrench.torque += sign * contact.torque;
     }
 }
 

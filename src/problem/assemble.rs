@@ -9,17 +9,18 @@
 //! | body force, point load | `free`, by the external acceleration |
 //! | constrained spring | a bilateral row of compliance `1/(P_c dt^2)` and bias `(x - target)/dt` |
 //! | normal contact, shear contact, friction | a contact row |
+//! | (not in the paper) rolling and twisting resistance | a resistance row behind all others |
 //! | elastic strain, initial stress | vanish: the spheres are rigid |
 //!
 //! A contact that approaches faster than the threshold velocity and whose free motion closes the gap is an
 //! impact: `n.u1 >= -e n.u^-`. Every other candidate carries `n.u1 >= -g/dt`. With `e = 0` an impact keeps the
 //! gap constraint: it lands on the surface instead of stopping above it.
 
-use super::{Dof6, GROUND, Law, Problem, Row};
+use super::{Dof6, GROUND, Grip, Law, Problem, Row};
 use crate::Vec3;
-use crate::contacts::Partner;
 use crate::contacts::law::split;
 use crate::contacts::narrow_phase::Candidate;
+use crate::contacts::{Key, Partner};
 use crate::materials::Pair;
 use crate::motion::{Pose, Twist};
 use crate::particles::Kinematics;
@@ -120,7 +121,7 @@ impl Inputs<'_> {
         acceleration = acceleration.max(self.external[a].linear.norm());
         let mut lightest = particles.mass[a];
         let mut stiffness = None;
-        let material_b = match candidate.key.partner {
+        match candidate.key.partner {
             Partner::Sphere(j) => {
                 let b = j as usize;
                 row.b = j;
@@ -129,7 +130,6 @@ impl Inputs<'_> {
                 before -= self.velocity(b).at(row.arm_b);
                 acceleration = acceleration.max(self.external[b].linear.norm());
                 lightest = lightest.min(particles.mass[b]);
-                particles.material[b]
             }
             Partner::Boundary { boundary, .. } => {
                 let boundary = usize::from(boundary);
@@ -141,13 +141,13 @@ impl Inputs<'_> {
                 before -= previous;
                 acceleration = acceleration.max((now - previous).norm() / self.step);
                 stiffness = scene.boundaries[boundary].stiffness;
-                scene.boundaries[boundary].material
             }
-        };
+        }
         let Pair {
             friction,
             restitution,
-        } = scene.pairs.get(particles.material[a], material_b);
+            ..
+        } = self.pair(candidate.key);
         row.law = Law::Contact { mu: friction };
         let (approach, sliding) = split(before, n);
         acceleration = acceleration.max(sliding.norm_squared() * candidate.curvature);
@@ -183,6 +183,68 @@ impl Inputs<'_> {
             row.compliance_n = 1.0 / (stiffness * dt2);
         }
         (row, impact)
+    }
+
+    fn pair(&self, key: Key) -> Pair {
+        let material = &self.scene.particles.material;
+        let of_b = match key.partner {
+            Partner::Sphere(j) => material[j as usize],
+            Partner::Boundary { boundary, .. } => {
+                self.scene.boundaries[usize::from(boundary)].material
+            }
+        };
+        self.scene.pairs.get(material[key.sphere as usize], of_b)
+    }
+
+    /// The resistance to rolling and twisting of a contact, if it has one: `row` is the contact's row, `rank` its place,
+    /// `torque` \[N m\] the last couple.
+    #[must_use]
+    pub fn resistance(&self, key: Key, row: &Row, rank: usize, torque: Vec3) -> Option<Row> {
+        let pair = self.pair(key);
+        if pair.rolling_friction == 0.0 && pair.twisting_friction == 0.0 {
+            return None;
+        }
+        let particles = &self.scene.particles;
+        let locked = |i: u32| particles.inverse_inertia(i as usize) == Vec3::zeros();
+        let own = particles.radius[key.sphere as usize];
+        let (reduced, drift) = match key.partner {
+            Partner::Sphere(j) if locked(row.a) && locked(j) => return None,
+            Partner::Sphere(j) => {
+                let other = particles.radius[j as usize];
+                (own * other / (own + other), Vec3::zeros())
+            }
+            Partner::Boundary { .. } if locked(row.a) => return None,
+            Partner::Boundary { boundary, .. } => {
+                let [start, end] = self.poses.map(|poses| &poses[usize::from(boundary)]);
+                let turning = start.twist_to(end, self.step).angular;
+                (own, -turning * row.radius)
+            }
+        };
+        let share = reduced / row.radius;
+        let mut resistance = Row {
+            arm_a: Vec3::zeros(),
+            arm_b: Vec3::zeros(),
+            drift,
+            bias: Vec3::zeros(),
+            compliance_n: 0.0,
+            compliance_t: 0.0,
+            law: Law::Resistance {
+                contact: rank as u32,
+                rolling: pair.rolling_friction * share,
+                twisting: pair.twisting_friction * share,
+            },
+            ..*row
+        };
+        let settings = &self.scene.settings;
+        if let (Method::Penalty, Some(penalty)) = (settings.method, settings.penalty) {
+            // A spring as stiff as the shear spring at the lever R* keeps the twist that carried the last couple.
+            let stiffness = SHEAR_RATIO * penalty * share * share;
+            let compliance = 1.0 / (stiffness * self.step * self.step);
+            resistance.compliance_n = compliance;
+            resistance.compliance_t = compliance;
+            resistance.bias = torque * (-self.step / row.radius * compliance);
+        }
+        Some(resistance)
     }
 
     /// The row of constrained point `s`.
@@ -233,7 +295,8 @@ pub fn external_acceleration(scene: &Scene, kinematics: &Kinematics, gravity: Ve
             linear: particles.inverse_mass(i),
             angular: particles.inverse_inertia(i),
         };
-        external[i].kick(&w, load.force, kinematics.orientation[i] * load.arm);
+        let arm = kinematics.orientation[i] * load.arm;
+        external[i].kick(&w, &Grip::Point(arm).momentum(load.force));
     }
     external
 }

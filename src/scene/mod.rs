@@ -12,6 +12,7 @@ pub mod file;
 mod keys;
 mod names;
 mod overlap;
+mod pairs;
 mod problem;
 mod regions;
 mod resources;

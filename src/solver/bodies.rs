@@ -3,7 +3,7 @@
 use nalgebra::{Matrix3, Matrix3x6};
 
 use crate::Vec3;
-use crate::problem::{Dof6, GROUND, Problem, Row};
+use crate::problem::{Dof6, GROUND, Grip, Problem, Row};
 
 /// Mass \[kg\], \[kg m^2\] of each degree of freedom; one where it is locked, so that `K` stays regular.
 pub(super) fn masses(inverse_mass: &Dof6) -> [f64; 6] {
@@ -14,13 +14,15 @@ pub(super) fn masses(inverse_mass: &Dof6) -> [f64; 6] {
     })
 }
 
-/// `d(u)/d(v)` of one body: `[1, -[arm]x]`, with locked degrees of freedom taken out.
-pub(super) fn jacobian(arm: Vec3, inverse_mass: &Dof6) -> Matrix3x6<f64> {
+/// `d(u)/d(v)` of one body: `[1, -[arm]x]` at a point, `[0, R]` of a couple, with locked degrees of freedom taken out.
+pub(super) fn jacobian(grip: Grip, inverse_mass: &Dof6) -> Matrix3x6<f64> {
+    let (linear, angular) = match grip {
+        Grip::Point(arm) => (Matrix3::identity(), -arm.cross_matrix()),
+        Grip::Couple(lever) => (Matrix3::zeros(), Matrix3::identity() * lever),
+    };
     let mut j = Matrix3x6::zeros();
-    j.fixed_view_mut::<3, 3>(0, 0)
-        .copy_from(&Matrix3::identity());
-    j.fixed_view_mut::<3, 3>(0, 3)
-        .copy_from(&-arm.cross_matrix());
+    j.fixed_view_mut::<3, 3>(0, 0).copy_from(&linear);
+    j.fixed_view_mut::<3, 3>(0, 3).copy_from(&angular);
     for k in 0..3 {
         if inverse_mass.linear[k] == 0.0 {
             j.column_mut(k).fill(0.0);
@@ -34,22 +36,22 @@ pub(super) fn jacobian(arm: Vec3, inverse_mass: &Dof6) -> Matrix3x6<f64> {
 
 /// Adds `J^T impulse` of a row to `momentum`, `[6 N]`; locked degrees of freedom do not feel it.
 pub(super) fn scatter(problem: &Problem, row: &Row, impulse: Vec3, momentum: &mut [f64]) {
-    let mut give = |body: u32, arm: Vec3, impulse: Vec3| {
+    let mut give = |body: u32, given: Dof6| {
         let body = body as usize;
         let w = &problem.inverse_mass[body];
-        let moment = arm.cross(&impulse);
         for k in 0..3 {
             if w.linear[k] > 0.0 {
-                momentum[6 * body + k] += impulse[k];
+                momentum[6 * body + k] += given.linear[k];
             }
             if w.angular[k] > 0.0 {
-                momentum[6 * body + 3 + k] += moment[k];
+                momentum[6 * body + 3 + k] += given.angular[k];
             }
         }
     };
-    give(row.a, row.arm_a, impulse);
+    let [grip_a, grip_b] = row.grips();
+    give(row.a, grip_a.momentum(impulse));
     if row.b != GROUND {
-        give(row.b, row.arm_b, -impulse);
+        give(row.b, grip_b.momentum(-impulse));
     }
 }
 

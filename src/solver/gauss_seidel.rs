@@ -51,13 +51,13 @@ fn sweep(
     impulses: &mut [Vec3],
 ) -> Residual {
     let mut change = Residual::default();
-    let rows = problem.rows.iter().zip(scales).zip(impulses);
-    for (index, ((row, scale), p)) in rows.enumerate() {
-        let correction = scale.correction(row, row.relative_velocity(velocity), *p);
+    for (index, (row, scale)) in problem.rows.iter().zip(scales).enumerate() {
+        let (p, load) = (impulses[index], row.load(&problem.rows, impulses));
+        let correction = scale.correction(row, row.relative_velocity(velocity), p, load);
         change.include(index, scale.residuals(row, problem.step, &correction));
         let delta = (row.normal * correction.normal + correction.tangential) * damping;
         if delta != Vec3::zeros() {
-            *p += delta;
+            impulses[index] += delta;
             row.apply(&problem.inverse_mass, velocity, delta);
         }
     }

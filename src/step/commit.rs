@@ -6,7 +6,7 @@ use crate::Vec3;
 use crate::contacts::narrow_phase::Placement;
 use crate::contacts::{Contact, Partner};
 use crate::integrate::turned;
-use crate::problem::{Dof6, GROUND};
+use crate::problem::{Dof6, GROUND, Law};
 use crate::scene::Integrator;
 use crate::simulation::Wrench;
 use crate::state::State;
@@ -19,8 +19,9 @@ impl Stage<'_> {
         state.contacts.clear();
         state.wrenches = vec![Wrench::default(); boundaries.len()];
         state.persisting_wrenches = state.wrenches.clone();
+        let couples = self.couples();
         for (k, candidate) in self.candidates.iter().enumerate() {
-            let force = self.impulses[k] / step;
+            let (force, couple) = (self.impulses[k] / step, couples[k]);
             if force == Vec3::zeros() {
                 continue;
             }
@@ -30,6 +31,7 @@ impl Stage<'_> {
                 normal: candidate.normal,
                 gap: candidate.gap,
                 force,
+                torque: couple,
             });
             if let Partner::Boundary { boundary, .. } = candidate.key.partner {
                 let b = usize::from(boundary);
@@ -38,18 +40,29 @@ impl Stage<'_> {
                 let pivot = boundaries[b].point_of_action + self.inputs.poses[0][b].translation;
                 let wrench = Wrench {
                     force: -force,
-                    torque: -(point - pivot).cross(&force),
+                    torque: -(point - pivot).cross(&force) - couple,
                 };
                 state.wrenches[b].add(&wrench, 1.0);
-                if !self.impact.get(k).copied().unwrap_or(false) {
+                if !self.impact[k] {
                     state.persisting_wrenches[b].add(&wrench, 1.0);
                 }
             }
         }
     }
 
+    /// Couple \[N m\] of each contact's resistance on A, `[contacts]`.
+    fn couples(&self) -> Vec<Vec3> {
+        let mut couples = vec![Vec3::zeros(); self.candidates.len()];
+        for (row, impulse) in self.problem.rows.iter().zip(&self.impulses) {
+            if let Law::Resistance { contact, .. } = row.law {
+                couples[contact as usize] = impulse * (row.radius / self.inputs.step);
+            }
+        }
+        couples
+    }
+
     pub(super) fn spring_forces(&self) -> Vec<Vec3> {
-        self.impulses[self.candidates.len()..]
+        self.impulses[self.candidates.len()..][..self.inputs.targets.len()]
             .iter()
             .map(|p| p / self.inputs.step)
             .collect()
@@ -60,7 +73,7 @@ impl Stage<'_> {
         let mut acceleration = self.inputs.external.to_vec();
         let mobility = 1.0 / self.inputs.scene.settings.integrator.mobility();
         for (k, row) in self.problem.rows.iter().enumerate() {
-            if !self.impact.get(k).copied().unwrap_or(false) {
+            if !self.is_impact(k) {
                 let force = self.impulses[k] * (mobility / self.inputs.step);
                 row.apply(&self.problem.inverse_mass, &mut acceleration, force);
             }
@@ -123,7 +136,7 @@ impl Stage<'_> {
         for (k, row) in self.problem.rows.iter().enumerate() {
             let p = self.impulses[k];
             let relative = p.dot(&row.relative_velocity(&mean));
-            if k >= self.candidates.len() {
+            if row.law == Law::Bilateral {
                 state.work.springs += relative;
             } else {
                 state.work.dissipated -= relative;

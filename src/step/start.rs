@@ -98,6 +98,8 @@ pub fn remove_overlaps(
         targets: &[],
     };
     let mut stage = Stage::new(inputs, state, scratch);
+    stage.problem.rows.truncate(stage.candidates.len());
+    stage.impulses.truncate(stage.candidates.len());
     for row in &mut stage.problem.rows {
         row.law = Law::Contact { mu: 0.0 };
     }
@@ -114,15 +116,20 @@ impl Stage<'_> {
             .collect();
         let creep = scene.settings.gravity.norm() * self.inputs.step;
         let closed = scene.settings.tolerance.gap.max(1e-9);
-        let contacts = self.candidates.len();
+        let rests = |k: usize| {
+            let row = &self.problem.rows[k];
+            self.candidates[k].gap <= closed * row.radius
+                && row.normal.dot(&row.relative_velocity(&velocity)).abs() <= 1e-3 * creep
+        };
         let keep: Vec<bool> = (0..self.problem.rows.len())
-            .map(|k| {
-                let row = &self.problem.rows[k];
-                k >= contacts
-                    || (self.candidates[k].gap <= closed * row.radius
-                        && row.normal.dot(&row.relative_velocity(&velocity)).abs() <= 1e-3 * creep)
-            })
+            .map(|k| self.contact_of(k).is_none_or(rests))
             .collect();
+        for row in &mut self.problem.rows {
+            if let Law::Resistance { contact, .. } = &mut row.law {
+                let before = &keep[..*contact as usize];
+                *contact = before.iter().filter(|kept| **kept).count() as u32;
+            }
+        }
         for (row, impact) in self.problem.rows.iter_mut().zip(&mut self.impact) {
             if row.compliance_n == 0.0 {
                 row.bias = Vec3::zeros();

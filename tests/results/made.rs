@@ -136,6 +136,7 @@ impl Made {
             normal: Vec3::z(),
             gap: -1e-7,
             force,
+            torque: Vec3::zeros(),
         };
         let floor = Partner::Boundary {
             boundary: 0,

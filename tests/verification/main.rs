@@ -11,6 +11,7 @@ mod incline;
 mod paper_examples;
 mod pinched;
 mod regions;
+mod resistance;
 mod solvers;
 mod springs;
 mod support;

@@ -33,6 +33,7 @@ impl Case {
                 Pair {
                     friction,
                     restitution,
+                    ..Pair::default()
                 },
             );
         }
@@ -117,6 +118,19 @@ impl Case {
             stiffness: None,
             belt: None,
         });
+        self
+    }
+
+    /// Rolling and twisting resistance of every pair.
+    pub fn resistance(mut self, rolling_friction: f64, twisting_friction: f64) -> Self {
+        for (a, b) in [(0, 0), (0, 1), (1, 1)] {
+            let pair = Pair {
+                rolling_friction,
+                twisting_friction,
+                ..self.scene.pairs.get(a, b)
+            };
+            self.scene.pairs.set(a, b, pair);
+        }
         self
     }
 
