@@ -17,6 +17,8 @@ mod run;
 mod schema;
 mod settle;
 mod simulate;
+mod study;
+mod verify;
 
 use std::process::ExitCode;
 
@@ -56,6 +58,8 @@ enum Command {
     Run(run::Run),
     /// Run the paper's examples and write what it claims, as numbers, plots and pictures.
     ReproducePaper(reproduce_paper::ReproducePaper),
+    /// Measure laws of granular matter (silo, outflow, collapse, repose) and write them as a report.
+    Verify(verify::Verify),
     /// Pack a scene into an FMU of FMI 2.0 for co-simulation.
     Export(export::Export),
     /// Show what an FMU is and its variables.
@@ -90,6 +94,7 @@ fn dispatch(command: &Command) -> Result<(), Failure> {
         Command::ReproducePaper(arguments) => {
             reproduce_paper::run(arguments, &Interrupt::listen()?)
         }
+        Command::Verify(arguments) => verify::run(arguments, &Interrupt::listen()?),
         Command::Export(arguments) => export::run(arguments, &Interrupt::listen()?),
         Command::Inspect(arguments) => inspect::run(arguments),
         Command::Simulate(arguments) => simulate::run(arguments, &Interrupt::listen()?),

@@ -1,16 +1,19 @@
 //! Reports: what the solver does, measured by running it, as Markdown with plots and pictures.
 //!
 //! [`document`] and [`table`] hold the text, [`plot`] and [`picture`] draw SVG, [`folder`] puts all of it on the disk,
-//! [`parallel`] runs the cases. [`paper`] is the study of Beyabanaki and Bagtzoglou (2020). Nothing in a report depends on
+//! [`report`] keeps the three together, [`parallel`] runs the cases. [`paper`] is the study of Beyabanaki and Bagtzoglou (2020), [`laws`] that of
+//! the laws of granular matter. Nothing in a report depends on
 //! the clock, the number of threads or the machine's load.
 
 pub mod document;
 pub mod error;
 pub mod folder;
+pub mod laws;
 pub mod paper;
 pub mod parallel;
 pub mod picture;
 pub mod plot;
+pub mod report;
 pub mod table;
 
 /// How a study tells what it does, and is told to end.

@@ -12,41 +12,12 @@ use crate::document::Document;
 use crate::error::ReportError;
 use crate::folder::Folder;
 use crate::plot::{Axis, Plot, Style};
+use crate::report::Report;
 use crate::table::{Table, number};
-
-/// The report under construction.
-struct Report {
-    document: Document,
-    folder: Folder,
-}
-
-impl Report {
-    /// A table in the document, and beside it as CSV.
-    fn table(&mut self, name: &str, table: &Table) -> Result<(), ReportError> {
-        let file = format!("paper/{name}.csv");
-        self.folder.add(&file, table.csv(name)?);
-        self.document.table(table);
-        self.document.text(&format!("[{name}.csv]({file})"));
-        Ok(())
-    }
-
-    fn plot(&mut self, name: &str, plot: &Plot, caption: &str) -> Result<(), ReportError> {
-        // A trial may be too short for a plot.
-        if plot.shows() {
-            let file = format!("paper/{name}.svg");
-            self.folder.add(&file, plot.svg()?);
-            self.document.figure(&file, caption);
-        }
-        Ok(())
-    }
-}
 
 /// The report of a study.
 pub(super) fn write(study: &Study) -> Result<Folder, ReportError> {
-    let mut report = Report {
-        document: Document::new("The paper reproduced"),
-        folder: Folder::default(),
-    };
+    let mut report = Report::new("paper", "The paper reproduced");
     introduction(&mut report.document, study);
     overlaps(&mut report, study)?;
     places(&mut report, study)?;
@@ -63,12 +34,7 @@ pub(super) fn write(study: &Study) -> Result<Folder, ReportError> {
     report.document.code("mermaid", text::LOOP);
     report.document.heading(2, "The paper's slips in print");
     report.document.text(text::MISPRINTS);
-    let Report {
-        document,
-        mut folder,
-    } = report;
-    folder.add("paper.md", document.markdown());
-    Ok(folder)
+    Ok(report.finish())
 }
 
 fn introduction(document: &mut Document, study: &Study) {
@@ -312,10 +278,8 @@ fn pictures(report: &mut Report, study: &Study) {
         let times = [0.0, example.early()];
         for &time in times.iter().chain(example.printed()) {
             if let Some(svg) = picture(&records, time) {
-                let file = format!("paper/{}-{time}s.svg", example.name());
-                report.folder.add(&file, svg);
                 let caption = format!("{} at {time} s: ALM and penalty method", example.name());
-                report.document.figure(&file, &caption);
+                report.picture(&format!("{}-{time}s", example.name()), svg, &caption);
             }
         }
     }

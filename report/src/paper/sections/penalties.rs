@@ -4,9 +4,10 @@ use super::super::column::{FACTORS, TOLERANCE};
 use super::super::held::{MOST, Outcome};
 use super::super::march::{Example, Record};
 use super::super::{StackRow, Study};
-use super::{Report, mean};
+use super::mean;
 use crate::error::ReportError;
 use crate::plot::{Axis, Plot, Style};
+use crate::report::Report;
 use crate::table::{Table, number};
 
 pub(super) fn conditioning(report: &mut Report, study: &Study) -> Result<(), ReportError> {

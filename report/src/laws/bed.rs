@@ -1,0 +1,142 @@
+//! Beds of grains that the laws are measured on: filling, runs, what is read from a state.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use sphere_dda::Vec3;
+use sphere_dda::scene::Scene;
+use sphere_dda::simulation::Simulation;
+
+use crate::Watch;
+use crate::error::ReportError;
+
+/// Gravity \[m/s^2\].
+pub(super) const G: f64 = 9.81;
+/// Mean diameter of the grains \[m\]; radii vary by a tenth, uniformly.
+pub(super) const GRAIN: f64 = 0.01;
+/// Density of the grains \[kg/m^3\].
+pub(super) const DENSITY: f64 = 2500.0;
+/// Internal step \[s\].
+pub(super) const STEP: f64 = 5e-4;
+/// Time between two looks at a run \[s\].
+pub(super) const LOOK: f64 = 0.01;
+
+/// Head of every scene: settings, materials, friction.
+#[must_use]
+pub(super) fn head(title: &str, friction: f64, wall_friction: f64) -> String {
+    format!(
+        "title = \"{title}\"\n\
+         [simulation]\nduration = 10.0\nstep = {STEP}\ncommunication_step = {LOOK}\n\
+         tolerance = {{ gap = 1e-3, slip = 1e-3, force = 1e-1 }}\n\
+         [[material]]\nname = \"grain\"\ndensity = {DENSITY}\n\
+         [[material]]\nname = \"wall\"\n\
+         [[pair]]\nmaterials = [\"grain\", \"grain\"]\nfriction = {friction}\n\
+         [[pair]]\nmaterials = [\"grain\", \"wall\"]\nfriction = {wall_friction}\n"
+    )
+}
+
+/// `count` grains packed at random into `region`.
+#[must_use]
+pub(super) fn grains(region: &str, count: usize, seed: u64) -> String {
+    let (min, max) = (0.45 * GRAIN, 0.55 * GRAIN);
+    format!(
+        "[[spheres]]\nname = \"grains\"\nmaterial = \"grain\"\nseed = {seed}\n\
+         size = {{ uniform = {{ min = {min}, max = {max} }} }}\n\
+         packing = {{ region = {region}, count = {count} }}\n"
+    )
+}
+
+/// A boundary of the wall's material.
+#[must_use]
+pub(super) fn boundary(name: &str, faces: &str, rest: &str) -> String {
+    format!("[[boundary]]\nname = \"{name}\"\nmaterial = \"wall\"\nfaces = [{faces}]\n{rest}\n")
+}
+
+/// The scene of a text.
+///
+/// # Errors
+/// [`ReportError::Scene`] if the text is wrong.
+pub(super) fn scene(name: &str, text: &str) -> Result<Scene, ReportError> {
+    Ok(Scene::from_toml(name, text, Path::new(""))?.scene)
+}
+
+/// A case of the study: its name in messages, and who watches.
+#[derive(Clone, Copy)]
+pub(super) struct Run<'a> {
+    /// Name.
+    pub(super) name: &'a str,
+    /// Who watches.
+    pub(super) watch: &'a dyn Watch,
+}
+
+impl Run<'_> {
+    /// Begins a scene.
+    ///
+    /// # Errors
+    /// [`ReportError::Step`] if its start cannot be solved.
+    pub(super) fn begin(&self, scene: Scene) -> Result<Simulation, ReportError> {
+        Simulation::new(Arc::new(scene)).map_err(|error| self.failed(error))
+    }
+
+    /// Advances to `end` \[s\], looking every [`LOOK`]; `look` ends it early by `false`.
+    ///
+    /// # Errors
+    /// [`ReportError::Step`], or [`ReportError::Interrupted`].
+    pub(super) fn advance(
+        &self,
+        simulation: &mut Simulation,
+        end: f64,
+        mut look: impl FnMut(&mut Simulation) -> Result<bool, ReportError>,
+    ) -> Result<(), ReportError> {
+        let start = simulation.time();
+        let looks = ((end - start) / LOOK).round() as u64;
+        for k in 1..=looks {
+            if self.watch.stop() {
+                return Err(ReportError::Interrupted);
+            }
+            simulation
+                .advance_to(start + k as f64 * LOOK)
+                .map_err(|error| self.failed(error))?;
+            if !look(simulation)? {
+                break;
+            }
+        }
+        Ok(())
+    }
+
+    /// Advances to `end` \[s\].
+    ///
+    /// # Errors
+    /// As [`Self::advance`].
+    pub(super) fn wait(&self, simulation: &mut Simulation, end: f64) -> Result<(), ReportError> {
+        self.advance(simulation, end, |_| Ok(true))
+    }
+
+    /// An error of the solver with the case's name.
+    pub(super) fn failed(&self, error: sphere_dda::error::StepError) -> ReportError {
+        ReportError::Step {
+            case: self.name.to_owned(),
+            error,
+        }
+    }
+}
+
+/// Centres \[m\] and masses \[kg\] of the grains in the scene.
+pub(super) fn places(simulation: &Simulation) -> impl Iterator<Item = (Vec3, f64)> {
+    let (kinematics, particles) = (simulation.kinematics(), &simulation.scene().particles);
+    (0..particles.len())
+        .filter(|&i| kinematics.present[i])
+        .map(|i| (kinematics.position[i], particles.mass[i]))
+}
+
+/// Kinetic energy \[J/kg\] of the grains.
+#[must_use]
+pub(super) fn agitation(simulation: &Simulation) -> f64 {
+    let particles = &simulation.scene().particles;
+    let (mut energy, mut mass) = (0.0, 0.0);
+    for i in (0..particles.len()).filter(|&i| simulation.kinematics().present[i]) {
+        energy += 0.5 * particles.mass[i] * simulation.velocity(i).linear.norm_squared();
+        mass += particles.mass[i];
+    }
+    energy / mass
+}

@@ -1,0 +1,203 @@
+//! Beverloo's law: the rate through an orifice does not know the height of the bed.
+//!
+//! ```text
+//! rate = C rho_b sqrt(g) (D - k d)^(5/2)
+//! ```
+//!
+//! `D` orifice, `d` grain \[m\]; `C` about 0.58, `k` about 1.4 for spheres. Source: W. A. Beverloo, H. A. Leniger, J. van de
+//! Velde, *The flow of granular solids through orifices*, Chemical Engineering Science 15 (1961); `k` for spheres: R. M.
+//! Nedderman, *Statics and Kinematics of Granular Materials* (1992).
+
+use std::fmt::Write as _;
+
+use sphere_dda::particles::Kinematics;
+
+use super::bed::{self, G, GRAIN, Run};
+use super::fit::Line;
+use crate::error::ReportError;
+use crate::{Watch, parallel};
+
+/// `k` for spheres.
+const SHAPE: f64 = 1.4;
+/// Orifices over the mean grain.
+const ORIFICES: [f64; 5] = [4.0, 5.0, 6.0, 8.0, 10.0];
+/// Diameter of the bin \[m\].
+const BIN: f64 = 0.2;
+/// Friction coefficient of everything.
+const FRICTION: f64 = 0.5;
+/// Number of grains.
+const COUNT: usize = 6000;
+/// Filling, then the longest outflow \[s\].
+const TIMES: [f64; 2] = [0.7, 3.0];
+/// When the flow counts as established \[s\], and the share of the grains at which the measurement ends.
+const BEGUN: f64 = 0.2;
+const SHARE: f64 = 0.45;
+/// Corners of the orifice.
+const CORNERS: usize = 48;
+
+/// Outflow through one orifice.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Outflow {
+    /// Diameter over the mean grain.
+    pub orifice: f64,
+    /// Rate \[kg/s\].
+    pub rate: f64,
+    /// Rates of the first and of the second half of the measurement \[kg/s\].
+    pub halves: [f64; 2],
+    /// Time \[s\] and mass that has left \[kg\].
+    pub history: Vec<(f64, f64)>,
+}
+
+/// What was measured.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Beverloo {
+    /// By orifice.
+    pub outflows: Vec<Outflow>,
+    /// Bulk density of the bed at rest \[kg/m^3\].
+    pub bulk_density: f64,
+    /// Exponent of `rate ~ (D - k d)^n`.
+    pub exponent: f64,
+    /// `C` for the exponent 5/2.
+    pub coefficient: f64,
+}
+
+impl Outflow {
+    /// `D - k d` \[m\].
+    #[must_use]
+    pub fn effective(&self) -> f64 {
+        (self.orifice - SHAPE) * GRAIN
+    }
+}
+
+/// Fills the bin, then opens one orifice after the other.
+///
+/// # Errors
+/// What a run says.
+pub fn run(share: f64, threads: usize, watch: &dyn Watch) -> Result<Beverloo, ReportError> {
+    let count = (share * COUNT as f64) as usize;
+    let filling = Run {
+        name: "Beverloo, filling",
+        watch,
+    };
+    let mut bin = filling.begin(bed::scene("beverloo.toml", &text(count, None))?)?;
+    filling.wait(&mut bin, TIMES[0])?;
+    let bulk_density = density(bed::places(&bin));
+    let mut full = bin.kinematics().clone();
+    for v in full.velocity.iter_mut().chain(&mut full.spin) {
+        v.fill(0.0);
+    }
+    let jobs: Vec<_> = ORIFICES
+        .iter()
+        .map(|&orifice| {
+            let full = &full;
+            move || outflow(count, orifice, full, watch)
+        })
+        .collect();
+    let outflows: Result<Vec<Outflow>, ReportError> =
+        parallel::run(threads, jobs).into_iter().collect();
+    let outflows = outflows?;
+    let points: Vec<(f64, f64)> = outflows.iter().map(|o| (o.effective(), o.rate)).collect();
+    let scale = |x: f64| bulk_density * G.sqrt() * x.powf(2.5);
+    let coefficient = points.iter().map(|p| p.1 / scale(p.0)).sum::<f64>() / points.len() as f64;
+    Ok(Beverloo {
+        exponent: Line::power(&points).slope,
+        outflows,
+        bulk_density,
+        coefficient,
+    })
+}
+
+/// The bin, closed or with an orifice of diameter `open` \[m\].
+fn text(count: usize, open: Option<f64>) -> String {
+    let radius = 0.5 * BIN;
+    let floor = match open {
+        None => "{ rectangle = { corner = [-0.12, -0.12, 0.0], u = [0.24, 0.0, 0.0], v = [0.0, 0.24, 0.0] } }".to_owned(),
+        Some(open) => ring(open, 1.2 * BIN),
+    };
+    bed::head("Beverloo", FRICTION, FRICTION)
+        + &bed::grains(
+            &format!(
+                "{{ cylinder = {{ base = [0.0, 0.0, 0.0], radius = {radius}, height = 0.27 }} }}"
+            ),
+            count,
+            1,
+        )
+        + &bed::boundary(
+            "bin",
+            &format!(
+                "{{ cylinder = {{ base = [0.0, 0.0, 0.0], radius = {radius}, height = 0.35 }} }}"
+            ),
+            "",
+        )
+        + &bed::boundary("floor", &floor, "")
+        + "[[sink]]\nname = \"below\"\nregion = { beyond = { point = [0.0, 0.0, -0.05], normal = [0.0, 0.0, -1.0] } }\n"
+}
+
+/// A flat floor between a polygon of the orifice's area and one that reaches `outer` \[m\].
+fn ring(open: f64, outer: f64) -> String {
+    let sector = std::f64::consts::TAU / CORNERS as f64;
+    let inner = 0.5 * open * (sector / sector.sin()).sqrt();
+    let corner = |r: f64, k: usize| {
+        let (s, c) = (sector * k as f64).sin_cos();
+        format!("[{:e}, {:e}, 0.0]", r * c, r * s)
+    };
+    let mut faces = String::new();
+    for k in 0..CORNERS {
+        let next = (k + 1) % CORNERS;
+        let corners = [
+            (inner, k),
+            (0.5 * outer, k),
+            (0.5 * outer, next),
+            (inner, next),
+        ];
+        let corners = corners.map(|(r, k)| corner(r, k)).join(", ");
+        let _ = write!(faces, "{{ polygon = [{corners}] }}, ");
+    }
+    faces
+}
+
+fn outflow(
+    count: usize,
+    orifice: f64,
+    full: &Kinematics,
+    watch: &dyn Watch,
+) -> Result<Outflow, ReportError> {
+    let name = format!("Beverloo, orifice of {orifice} grains");
+    let run = Run { name: &name, watch };
+    let mut scene = bed::scene("beverloo.toml", &text(count, Some(orifice * GRAIN)))?;
+    scene.initial = full.clone();
+    let mut bin = run.begin(scene)?;
+    let mass = |bin: &_| {
+        bed::places(bin)
+            .filter(|(x, _)| x.z > 0.0)
+            .map(|(_, m)| m)
+            .sum::<f64>()
+    };
+    let all = mass(&bin);
+    let mut history = Vec::new();
+    run.advance(&mut bin, TIMES[1], |bin| {
+        let left = all - mass(bin);
+        history.push((bin.time(), left));
+        Ok(left < SHARE * all)
+    })?;
+    let established: Vec<(f64, f64)> = history.iter().copied().filter(|p| p.0 >= BEGUN).collect();
+    let rate = |points: &[(f64, f64)]| Line::through(points).slope;
+    let (first, second) = established.split_at(established.len() / 2);
+    watch.note(&format!("{name}: {:.3} kg/s", rate(&established)));
+    Ok(Outflow {
+        orifice,
+        rate: rate(&established),
+        halves: [rate(first), rate(second)],
+        history,
+    })
+}
+
+/// Bulk density \[kg/m^3\] of the middle half of the bed.
+fn density(places: impl Iterator<Item = (sphere_dda::Vec3, f64)>) -> f64 {
+    let mut places: Vec<(f64, f64)> = places.map(|(x, m)| (x.z, m)).collect();
+    places.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let middle = &places[places.len() / 4..3 * places.len() / 4];
+    let mass: f64 = middle.iter().map(|p| p.1).sum();
+    let height = middle.last().map_or(0.0, |p| p.0) - middle.first().map_or(0.0, |p| p.0);
+    mass / (height * 0.25 * std::f64::consts::PI * BIN * BIN)
+}

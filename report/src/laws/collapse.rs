@@ -1,0 +1,171 @@
+//! Collapse of a column: how far a heap runs whose wall is taken away.
+//!
+//! ```text
+//! (r_inf - r_0)/r_0 = 1.24 a,         a < 1.7          a = h_0/r_0
+//!                   = 1.6 a^(1/2),    a > 1.7
+//! ```
+//!
+//! Source: G. Lube, H. E. Huppert, R. S. J. Sparks, M. A. Hallworth, *Axisymmetric collapses of granular columns*, Journal of
+//! Fluid Mechanics 508 (2004). `r_inf` is where the deposit has half the cover of a dense single layer: grains that run on
+//! alone are not its front.
+
+use sphere_dda::simulation::Simulation;
+
+use super::bed::{self, GRAIN, Run};
+use super::fit::Line;
+use crate::error::ReportError;
+use crate::{Watch, parallel};
+
+/// Aspect ratio at which the law changes.
+pub const CHANGE: f64 = 1.7;
+/// Aspect ratios asked for, and the column's radius over the mean grain.
+const COLUMNS: [(f64, f64); 8] = [
+    (0.4, 9.0),
+    (0.7, 8.0),
+    (1.0, 8.0),
+    (1.4, 8.0),
+    (2.5, 6.0),
+    (4.0, 6.0),
+    (6.0, 5.0),
+    (9.0, 5.0),
+];
+/// Friction coefficient of everything.
+const FRICTION: f64 = 0.5;
+/// Filling, then the longest collapse \[s\].
+const TIMES: [f64; 2] = [0.8, 2.0];
+/// Kinetic energy \[J/kg\] at which the deposit has come to rest.
+const REST: f64 = 1e-4;
+/// Solid fraction of a column.
+const PACKED: f64 = 0.6;
+/// Cover of a dense single layer of equal spheres: that of random close discs.
+const COVER: f64 = 0.82;
+
+/// One column.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Column {
+    /// `h_0/r_0` as it stood.
+    pub aspect: f64,
+    /// `(r_inf - r_0)/r_0`.
+    pub runout: f64,
+    /// Number of grains.
+    pub grains: usize,
+    /// When it had come to rest \[s\].
+    pub rest: f64,
+}
+
+/// What was measured.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Collapse {
+    /// Columns by aspect ratio.
+    pub columns: Vec<Column>,
+    /// Exponent and prefactor below and above [`CHANGE`].
+    pub laws: [(f64, f64); 2],
+}
+
+/// Runs every column.
+///
+/// # Errors
+/// What a run says.
+pub fn run(share: f64, threads: usize, watch: &dyn Watch) -> Result<Collapse, ReportError> {
+    let jobs: Vec<_> = COLUMNS
+        .iter()
+        .map(|&(aspect, radius)| move || column(aspect, radius * share.cbrt(), watch))
+        .collect();
+    let columns: Result<Vec<Column>, ReportError> =
+        parallel::run(threads, jobs).into_iter().collect();
+    let columns = columns?;
+    let law = |low: bool| {
+        let points = columns.iter().filter(|c| (c.aspect < CHANGE) == low);
+        let points: Vec<(f64, f64)> = points.map(|c| (c.aspect, c.runout)).collect();
+        let line = Line::power(&points);
+        (line.slope, line.intercept.exp())
+    };
+    Ok(Collapse {
+        laws: [law(true), law(false)],
+        columns,
+    })
+}
+
+/// The scene of a column of `radius` \[m\], with or without its wall.
+fn text(radius: f64, height: f64, grains: usize, wall: bool) -> String {
+    let region = format!(
+        "{{ cylinder = {{ base = [0.0, 0.0, 0.0], radius = {radius}, height = {} }} }}",
+        1.7 * height
+    );
+    let mut text = bed::head("Column collapse", FRICTION, FRICTION)
+        + &bed::grains(&region, grains, 1)
+        + &bed::boundary(
+            "floor",
+            "{ plane = { point = [0.0, 0.0, 0.0], normal = [0.0, 0.0, 1.0] } }",
+            "",
+        );
+    if wall {
+        let faces = format!(
+            "{{ cylinder = {{ base = [0.0, 0.0, -0.01], radius = {radius}, height = {} }} }}",
+            1.8 * height + 0.02
+        );
+        text += &bed::boundary("wall", &faces, "");
+    }
+    text
+}
+
+fn column(aspect: f64, radius: f64, watch: &dyn Watch) -> Result<Column, ReportError> {
+    let name = format!("column of aspect {aspect}");
+    let run = Run { name: &name, watch };
+    let grains = (6.0 * PACKED * aspect * radius.powi(3)) as usize;
+    let (radius, height) = (radius * GRAIN, aspect * radius * GRAIN);
+    let mut standing = run.begin(bed::scene(
+        "collapse.toml",
+        &text(radius, height, grains, true),
+    )?)?;
+    run.wait(&mut standing, TIMES[0])?;
+    let mean = bed::places(&standing).map(|(x, _)| x.z).sum::<f64>() / grains as f64;
+    let mut scene = bed::scene("collapse.toml", &text(radius, height, grains, false))?;
+    scene.initial = standing.kinematics().clone();
+    for v in scene
+        .initial
+        .velocity
+        .iter_mut()
+        .chain(&mut scene.initial.spin)
+    {
+        v.fill(0.0);
+    }
+    let mut heap = run.begin(scene)?;
+    // The time of a fall from the column's top: before it nothing has ended.
+    let least = (2.0 * height / bed::G).sqrt() + 0.2;
+    run.advance(&mut heap, TIMES[1], |heap| {
+        Ok(heap.time() < least || bed::agitation(heap) > REST)
+    })?;
+    let column = Column {
+        aspect: 2.0 * mean / radius,
+        runout: front(&heap) / radius - 1.0,
+        grains,
+        rest: heap.time(),
+    };
+    watch.note(&format!("{name}: runs {:.3} of its radius", column.runout));
+    Ok(column)
+}
+
+/// Where the cover falls to half of a dense single layer's \[m\].
+fn front(heap: &Simulation) -> f64 {
+    let centre = bed::places(heap).map(|(x, _)| x).sum::<sphere_dda::Vec3>()
+        / bed::places(heap).count() as f64;
+    let ring = GRAIN;
+    let cover = |k: usize| {
+        let (inner, outer) = (ring * k as f64, ring * (k + 1) as f64);
+        let inside = bed::places(heap).filter(|(x, _)| {
+            let r = (x.x - centre.x).hypot(x.y - centre.y);
+            (inner..outer).contains(&r)
+        });
+        inside.count() as f64 * 0.25 * GRAIN * GRAIN / (outer * outer - inner * inner)
+    };
+    let (mut k, mut before) = (0, cover(0).max(COVER));
+    loop {
+        let now = cover(k);
+        if now < 0.5 * COVER {
+            let share = (before - 0.5 * COVER) / (before - now);
+            return ring * (k as f64 - 0.5 + share);
+        }
+        (before, k) = (now, k + 1);
+    }
+}

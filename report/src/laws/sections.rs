@@ -1,0 +1,350 @@
+//! The report's sections: a table of all laws, then each with its plot.
+
+use super::Study;
+use super::collapse::CHANGE;
+use crate::error::ReportError;
+use crate::folder::Folder;
+use crate::plot::{Axis, Plot, Style};
+use crate::report::Report;
+use crate::table::{Table, number};
+
+/// A measured figure and what it must be.
+struct Check {
+    case: &'static str,
+    quantity: &'static str,
+    reference: String,
+    source: &'static str,
+    measured: f64,
+    /// What is allowed, both ends included.
+    allowed: [f64; 2],
+}
+
+impl Check {
+    fn passes(&self) -> bool {
+        (self.allowed[0]..=self.allowed[1]).contains(&self.measured)
+    }
+
+    /// Distance from the middle of what is allowed, over its half width.
+    fn error(&self) -> f64 {
+        let [low, high] = self.allowed;
+        (2.0 * self.measured - low - high) / (high - low)
+    }
+}
+
+/// The report of a study.
+pub(super) fn write(study: &Study) -> Result<Folder, ReportError> {
+    let mut report = Report::new("verification", "Laws of granular matter");
+    report.document.text(
+        "What closed forms of a few bodies cannot show: laws that beds of some thousand grains obey. The closed forms themselves are ordinary tests \
+         (`tests/verification/`). This page with its plots and tables is the output of",
+    );
+    report
+        .document
+        .code("sh", "sphere-dda verify -o docs --overwrite");
+    if study.share < 1.0 {
+        report.document.text(&format!(
+            "**A trial:** {} of the grains. Its figures prove nothing.",
+            number(study.share)
+        ));
+    }
+    summary(&mut report, study)?;
+    janssen(&mut report, study)?;
+    beverloo(&mut report, study)?;
+    collapse(&mut report, study)?;
+    repose(&mut report, study)?;
+    Ok(report.finish())
+}
+
+fn checks(study: &Study) -> Vec<Check> {
+    let janssen = &study.janssen;
+    let beverloo = &study.beverloo;
+    let heads = beverloo.outflows.iter().map(|o| o.halves[1] / o.halves[0]);
+    // Fluctuations of a rate of few grains say nothing of the head: the mean over all orifices.
+    let head = heads.sum::<f64>() / beverloo.outflows.len() as f64 - 1.0;
+    let [low, high] = study.collapse.laws;
+    let lube = "Lube et al. 2004";
+    let angles = study.repose.iter().map(|s| s.angle);
+    let rise = study.repose.windows(2).map(|s| s[1].angle - s[0].angle);
+    let zhou = "Zhou et al. 2002";
+    let near = |value: f64, off: f64| [value - off, value + off];
+    let check = |case, quantity, reference: &str, source, measured, allowed| Check {
+        case,
+        quantity,
+        reference: reference.to_owned(),
+        source,
+        measured,
+        allowed,
+    };
+    vec![
+        check(
+            "silo",
+            "stress ratio K",
+            "0.4 to 1.2",
+            "Janssen 1895",
+            janssen.ratio,
+            [0.4, 1.2],
+        ),
+        check(
+            "silo",
+            "R² of the exponential",
+            "> 0.98",
+            "Janssen 1895",
+            janssen.r2,
+            [0.98, 1.0],
+        ),
+        check(
+            "outflow",
+            "exponent of D - 1.4 d",
+            "2.5 ± 0.15",
+            "Beverloo 1961",
+            beverloo.exponent,
+            near(2.5, 0.15),
+        ),
+        check(
+            "outflow",
+            "change of rate with the head",
+            "0 ± 0.05",
+            "Beverloo 1961",
+            head,
+            near(0.0, 0.05),
+        ),
+        check(
+            "collapse, a < 1.7",
+            "exponent",
+            "1 ± 0.1",
+            lube,
+            low.0,
+            near(1.0, 0.1),
+        ),
+        check(
+            "collapse, a < 1.7",
+            "prefactor",
+            "1.24 ± 30 %",
+            lube,
+            low.1,
+            near(1.24, 0.3 * 1.24),
+        ),
+        check(
+            "collapse, a > 1.7",
+            "exponent",
+            "0.5 ± 0.1",
+            lube,
+            high.0,
+            near(0.5, 0.1),
+        ),
+        check(
+            "collapse, a > 1.7",
+            "prefactor",
+            "1.6 ± 30 %",
+            lube,
+            high.1,
+            near(1.6, 0.3 * 1.6),
+        ),
+        check(
+            "repose",
+            "smallest angle [deg]",
+            "≥ 15",
+            zhou,
+            angles.clone().fold(f64::INFINITY, f64::min),
+            [15.0, 25.0],
+        ),
+        check(
+            "repose",
+            "largest angle [deg]",
+            "≤ 25",
+            zhou,
+            angles.fold(f64::NEG_INFINITY, f64::max),
+            [15.0, 25.0],
+        ),
+        check(
+            "repose",
+            "least rise with friction [deg]",
+            "> 0",
+            zhou,
+            rise.fold(f64::INFINITY, f64::min),
+            [0.0, 25.0],
+        ),
+    ]
+}
+
+fn summary(report: &mut Report, study: &Study) -> Result<(), ReportError> {
+    let mut table = Table::new(&[
+        "case",
+        "quantity",
+        "reference",
+        "source",
+        "measured",
+        "error",
+        "pass",
+    ]);
+    for check in checks(study) {
+        table.row([
+            check.case.to_owned(),
+            check.quantity.to_owned(),
+            check.reference.clone(),
+            check.source.to_owned(),
+            number(check.measured),
+            number(check.error()),
+            if check.passes() { "yes" } else { "**no**" }.to_owned(),
+        ]);
+    }
+    report.document.heading(2, "Summary");
+    report.document.text("*error*: distance from the middle of what is allowed, over its half width; ±1 is the border.");
+    report.table("summary", &table)
+}
+
+fn janssen(report: &mut Report, study: &Study) -> Result<(), ReportError> {
+    let silo = &study.janssen;
+    report.document.heading(2, "Janssen's silo");
+    report.document.text(&format!(
+        "A silo ten grains wide; its floor sinks by 4 mm/s, so that wall friction (0.5) points up. Weight above a level over the cross-section, *s*, against the vertical \
+         stress that is left, by the balance of forces on all that lies above. The line is *s*∞ (1 - exp(-*s*/*s*∞)) with *s*∞ = {} Pa, that is *K* = {} at a bulk density of {} kg/m³.",
+        number(silo.limit), number(silo.ratio), number(silo.bulk_density)
+    ));
+    let mut plot = Plot::new(
+        "Stress in a silo",
+        Axis::linear("weight above / area [Pa]"),
+        Axis::linear("vertical stress [Pa]"),
+    );
+    let deepest = silo.profile.last().map_or(0.0, |p| p.0);
+    let line = |f: &dyn Fn(f64) -> f64| {
+        (0..=60)
+            .map(|k| deepest * f64::from(k) / 60.0)
+            .map(|s| (s, f(s)))
+            .collect()
+    };
+    plot.add("measured", Style::Marks, silo.profile.clone());
+    plot.add("Janssen", Style::Line, line(&|s| silo.law(s)));
+    plot.add("hydrostatic", Style::Line, line(&|s| s));
+    report.plot(
+        "janssen",
+        &plot,
+        "Stress in the silo against the weight above",
+    )
+}
+
+fn beverloo(report: &mut Report, study: &Study) -> Result<(), ReportError> {
+    let law = &study.beverloo;
+    report.document.heading(2, "Beverloo's outflow");
+    report.document.text(&format!(
+        "A flat-bottomed bin twenty grains wide, friction 0.5, with orifices of 4 to 10 grains. The rate is the slope of the mass that has left, from 0.2 s until 45 % have. \
+         Fitted exponent of *D* - 1.4 *d*: {}; *C* = {} with the exponent 5/2 (Beverloo: 0.55 to 0.65).",
+        number(law.exponent), number(law.coefficient)
+    ));
+    let mut table = Table::new(&[
+        "D/d",
+        "rate [kg/s]",
+        "first half [kg/s]",
+        "second half [kg/s]",
+        "C",
+    ]);
+    for o in &law.outflows {
+        let c = o.rate / (law.bulk_density * super::bed::G.sqrt() * o.effective().powf(2.5));
+        table.row([o.orifice, o.rate, o.halves[0], o.halves[1], c].map(number));
+    }
+    report.table("beverloo", &table)?;
+    let mut plot = Plot::new(
+        "Outflow",
+        Axis::logarithmic("D - 1.4 d [m]"),
+        Axis::logarithmic("rate [kg/s]"),
+    );
+    let points: Vec<(f64, f64)> = law
+        .outflows
+        .iter()
+        .map(|o| (o.effective(), o.rate))
+        .collect();
+    let scale = law.coefficient * law.bulk_density * super::bed::G.sqrt();
+    let line = points
+        .iter()
+        .map(|p| (p.0, scale * p.0.powf(2.5)))
+        .collect();
+    plot.add("measured", Style::Marks, points);
+    plot.add("exponent 5/2", Style::Line, line);
+    report.plot("beverloo", &plot, "Rate against the effective orifice")?;
+    let mut plot = Plot::new(
+        "Mass that has left",
+        Axis::linear("time [s]"),
+        Axis::linear("mass [kg]"),
+    );
+    for o in &law.outflows {
+        plot.add(
+            &format!("D = {} d", o.orifice),
+            Style::Line,
+            o.history.clone(),
+        );
+    }
+    report.plot(
+        "beverloo-history",
+        &plot,
+        "Mass that has left: straight whatever the head",
+    )
+}
+
+fn collapse(report: &mut Report, study: &Study) -> Result<(), ReportError> {
+    let study = &study.collapse;
+    report.document.heading(2, "Collapse of a column");
+    report.document.text(
+        "A cylinder of grains (friction 0.5) whose wall vanishes. *a*: height over radius as it stood; the front is where the deposit covers half of what a dense single layer does.",
+    );
+    let mut table = Table::new(&["a", "grains", "run-out (r∞ - r₀)/r₀", "Lube", "at rest [s]"]);
+    let lube = |a: f64| if a < CHANGE { 1.24 * a } else { 1.6 * a.sqrt() };
+    for c in &study.columns {
+        table.row([
+            number(c.aspect),
+            c.grains.to_string(),
+            number(c.runout),
+            number(lube(c.aspect)),
+            number(c.rest),
+        ]);
+    }
+    report.table("collapse", &table)?;
+    let mut plot = Plot::new(
+        "Run-out",
+        Axis::logarithmic("a"),
+        Axis::logarithmic("(r - r0)/r0"),
+    );
+    let points: Vec<(f64, f64)> = study.columns.iter().map(|c| (c.aspect, c.runout)).collect();
+    plot.add(
+        "Lube et al.",
+        Style::Line,
+        points.iter().map(|p| (p.0, lube(p.0))).collect(),
+    );
+    plot.add("measured", Style::Marks, points);
+    report.plot("collapse", &plot, "Run-out against the aspect ratio")
+}
+
+fn repose(report: &mut Report, study: &Study) -> Result<(), ReportError> {
+    report.document.heading(2, "Angle of repose");
+    report.document.text(
+        "A box of grains on a floor of held grains, front and back without friction: its right wall vanishes, what stays has a slope. No rolling resistance.",
+    );
+    let mut table = Table::new(&["friction", "angle [deg]", "R² of the line", "at rest [s]"]);
+    for s in &study.repose {
+        table.row([s.friction, s.angle, s.r2, s.rest].map(number));
+    }
+    report.table("repose", &table)?;
+    let mut plot = Plot::new(
+        "Angle of repose",
+        Axis::linear("friction coefficient"),
+        Axis::linear("angle [deg]"),
+    );
+    plot.add(
+        "measured",
+        Style::Both,
+        study.repose.iter().map(|s| (s.friction, s.angle)).collect(),
+    );
+    report.plot("repose", &plot, "Angle of repose against friction")?;
+    let mut plot = Plot::new(
+        "Slopes",
+        Axis::linear("distance from the wall [m]"),
+        Axis::linear("height [m]"),
+    );
+    for s in &study.repose {
+        plot.add(
+            &format!("friction {}", s.friction),
+            Style::Both,
+            s.surface.clone(),
+        );
+    }
+    report.plot("slopes", &plot, "Surfaces that stay")
+}
