@@ -166,3 +166,103 @@ fn checked(document: &mut Document<'_>, path: &str, given: Given, angle: Option<
         ..given
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use super::*;
+    use crate::scene::{Loaded, Scene, SceneError};
+
+    /// A scene of a rock on steel and rubber, with lines for the three materials and for the pairs.
+    fn scene([rock, steel, rubber]: [&str; 3], pairs: &str) -> Result<Loaded, Box<SceneError>> {
+        let text = format!(
+            "[simulation]\nduration = 1.0\nstep = 1e-3\n\
+             [[material]]\nname = \"rock\"\ndensity = 2500.0\n{rock}\n\
+             [[material]]\nname = \"steel\"\n{steel}\n[[material]]\nname = \"rubber\"\n{rubber}\n{pairs}\n\
+             [[spheres]]\nname = \"one\"\nmaterial = \"rock\"\nradius = 0.1\npositions = [[0.0, 0.0, 0.0]]\n"
+        );
+        Scene::from_toml("scene", &text, Path::new("")).map_err(Box::new)
+    }
+
+    fn numbers(table: &PairTable, a: u16, b: u16) -> [f64; 4] {
+        let pair = table.get(a, b);
+        assert_eq!(pair, table.get(b, a));
+        [
+            pair.friction,
+            pair.restitution,
+            pair.rolling_friction,
+            pair.twisting_friction,
+        ]
+    }
+
+    /// `[[pair]]` before the smaller of the materials before `[pair_default]` before zero, each coefficient for itself.
+    #[test]
+    fn coefficients_come_from_pairs_materials_defaults() {
+        let rock = "friction = 0.5\nrolling_friction = 0.1\ntwisting_friction = 0.02";
+        let steel = "friction_angle = 45.0\nrolling_friction = 0.01";
+        let pairs = "[pair_default]\nrestitution = 0.3\ntwisting_friction = 0.07\n\
+                     [[pair]]\nmaterials = [\"rubber\", \"rock\"]\nfriction = 0.9\nrestitution = 0.0";
+        let loaded = scene([rock, steel, "restitution = 0.8"], pairs).unwrap();
+        let table = &loaded.scene.pairs;
+        assert_eq!(numbers(table, 0, 0), [0.5, 0.3, 0.1, 0.02]);
+        assert_eq!(numbers(table, 0, 1), [0.5, 0.3, 0.01, 0.02]);
+        assert_eq!(numbers(table, 0, 2), [0.9, 0.0, 0.1, 0.02]);
+        let [friction, rest @ ..] = numbers(table, 1, 2);
+        assert!((friction - 1.0).abs() < 1e-15);
+        assert_eq!(rest, [0.8, 0.01, 0.07]);
+        assert!(table.resists() && table.rebounds());
+        let bare = scene(["", "", ""], "").unwrap();
+        assert_eq!(numbers(&bare.scene.pairs, 0, 2), [0.0; 4]);
+        assert!(!bare.scene.pairs.resists());
+    }
+
+    #[test]
+    fn bad_coefficients_are_named() {
+        let rolling = "rolling_friction = -0.1";
+        let cases = [
+            (
+                [rolling, "", ""],
+                "",
+                "material[0].rolling_friction",
+                "found -0.1",
+            ),
+            (
+                ["", "restitution = 2.0", ""],
+                "",
+                "material[1].restitution",
+                "<= 1",
+            ),
+            (
+                ["", "", "friction = 1.0\nfriction_angle = 9.0"],
+                "",
+                "material[2].friction_angle",
+                "both",
+            ),
+            (
+                ["", "", ""],
+                "[pair_default]\ntwisting_friction = -1.0",
+                "pair_default.twisting_friction",
+                ">= 0 [-]",
+            ),
+            (
+                ["", "", ""],
+                "[[pair]]\nmaterials = [\"rock\", \"steel\"]\nrolling_friction = -2.0",
+                "pair[0].rolling_friction",
+                "a coefficient >= 0",
+            ),
+            (
+                ["", "", ""],
+                "[pair_default]\nrolling_frction = 1.0",
+                "pair_default.rolling_frction",
+                "did you mean",
+            ),
+        ];
+        for (materials, pairs, path, text) in cases {
+            let error = scene(materials, pairs).unwrap_err();
+            assert_eq!(error.problems.len(), 1, "{}", error.plain());
+            assert_eq!(error.problems[0].path, path);
+            assert!(error.plain().contains(text), "{}", error.plain());
+        }
+    }
+}

@@ -143,7 +143,10 @@ impl Made {
             feature: 0,
         };
         let mut contacts = vec![
-            contact(0, Partner::Sphere(1), Vec3::new(1.0, 0.0, 2.0 + time)),
+            Contact {
+                torque: Vec3::new(0.0, 0.25, 0.125),
+                ..contact(0, Partner::Sphere(1), Vec3::new(1.0, 0.0, 2.0 + time))
+            },
             contact(0, floor, Vec3::new(0.0, 0.0, 3.0)),
             contact(2, floor, Vec3::new(0.0, 0.5, 4.0)),
         ];
