@@ -30,7 +30,7 @@ pub struct Boundary {
     pub input: Option<Input>,
     /// Velocity of its surface along its faces \[m/s\], as that of a belt, in the boundary's own axes: each contact feels the
     /// part across its normal.
-    #[schemars(extend("x-default" = "the surface moves with the faces"))]
+    #[schemars(extend("x-default" = "zero"))]
     pub surface_velocity: Option<Vector>,
     /// Whether the surface velocity is an input of the FMU, `surface_velocity` then being its start.
     #[serde(default)]

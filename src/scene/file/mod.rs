@@ -200,11 +200,12 @@ pub struct Material {
     /// Coefficient of restitution \[-\].
     #[schemars(extend("minimum" = 0, "maximum" = 1))]
     pub restitution: Option<f64>,
-    /// Coefficient of rolling resistance \[-\]: its couple is at most this times reduced radius times normal force.
+    /// Coefficient of rolling resistance \[-\]: its couple is at most this times the reduced radius times the
+    /// normal force.
     #[schemars(extend("minimum" = 0))]
     pub rolling_friction: Option<f64>,
-    /// Coefficient of twisting resistance \[-\]: its couple about the normal is at most this times reduced radius times
-    /// normal force.
+    /// Coefficient of twisting resistance \[-\]: its couple about the normal is at most this times the reduced radius
+    /// times the normal force.
     #[schemars(extend("minimum" = 0))]
     pub twisting_friction: Option<f64>,
 }
@@ -222,11 +223,12 @@ pub struct PairDefault {
     /// Coefficient of restitution \[-\].
     #[schemars(extend("x-default" = "`0`", "minimum" = 0, "maximum" = 1))]
     pub restitution: Option<f64>,
-    /// Coefficient of rolling resistance \[-\]: its couple is at most this times reduced radius times normal force.
+    /// Coefficient of rolling resistance \[-\]: its couple is at most this times the reduced radius times the
+    /// normal force.
     #[schemars(extend("x-default" = "`0`", "minimum" = 0))]
     pub rolling_friction: Option<f64>,
-    /// Coefficient of twisting resistance \[-\]: its couple about the normal is at most this times reduced radius times
-    /// normal force.
+    /// Coefficient of twisting resistance \[-\]: its couple about the normal is at most this times the reduced radius
+    /// times the normal force.
     #[schemars(extend("x-default" = "`0`", "minimum" = 0))]
     pub twisting_friction: Option<f64>,
 }
@@ -247,11 +249,12 @@ pub struct Pair {
     /// Coefficient of restitution \[-\].
     #[schemars(extend("minimum" = 0, "maximum" = 1))]
     pub restitution: Option<f64>,
-    /// Coefficient of rolling resistance \[-\]: its couple is at most this times reduced radius times normal force.
+    /// Coefficient of rolling resistance \[-\]: its couple is at most this times the reduced radius times the
+    /// normal force.
     #[schemars(extend("minimum" = 0))]
     pub rolling_friction: Option<f64>,
-    /// Coefficient of twisting resistance \[-\]: its couple about the normal is at most this times reduced radius times
-    /// normal force.
+    /// Coefficient of twisting resistance \[-\]: its couple about the normal is at most this times the reduced radius
+    /// times the normal force.
     #[schemars(extend("minimum" = 0))]
     pub twisting_friction: Option<f64>,
 }
