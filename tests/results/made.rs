@@ -190,6 +190,7 @@ impl Made {
                         rotation: UnitQuaternion::identity(),
                     },
                     twist,
+                    surface_velocity: Vec3::zeros(),
                     wrench: Wrench {
                         force: Vec3::new(0.0, -0.5, -7.0),
                         torque: Vec3::zeros(),

@@ -194,6 +194,64 @@ fn solvers_agree_on_a_pyramid_that_resists_rolling() {
     assert!(held > 0 && limited > 0, "{held} {limited}");
 }
 
+/// Newton's finish on a part of the problem: beside a pyramid at rest, whose rows come first, another one is pushed.
+#[test]
+fn a_part_that_resists_rolling_is_finished() {
+    let pushed = stiff_pyramid(0.6, 0.1, 0.05);
+    let contacts = pushed.rows.len() / 2;
+    let mut both = pushed.clone();
+    for free in &mut both.free {
+        *free = Dof6::ZERO;
+    }
+    both.free.extend(&pushed.free);
+    both.inverse_mass.extend(&pushed.inverse_mass);
+    let bodies = pushed.free.len() as u32;
+    let moved = |row: &Row| Row {
+        a: row.a + bodies,
+        b: if row.b == GROUND {
+            GROUND
+        } else {
+            row.b + bodies
+        },
+        ..*row
+    };
+    let resistances = both.rows.split_off(contacts);
+    both.rows.extend(pushed.rows[..contacts].iter().map(moved));
+    both.rows.extend(resistances);
+    both.rows.extend(pushed.rows[contacts..].iter().map(|row| {
+        let Law::Resistance {
+            contact,
+            rolling,
+            twisting,
+        } = row.law
+        else {
+            panic!("a resistance");
+        };
+        Row {
+            law: Law::Resistance {
+                contact: contact + contacts as u32,
+                rolling,
+                twisting,
+            },
+            ..moved(row)
+        }
+    }));
+    let mut impulses = vec![Vec3::zeros(); both.rows.len()];
+    let brief = Params {
+        max_sweeps: 2,
+        ..params(SolverKind::Auto)
+    };
+    let report = solve(&both, &brief, &mut Workspace::default(), &mut impulses);
+    assert!(report.converged && report.factorizations > 0, "{report:?}");
+    let (alone, _) = solved(&pushed, SolverKind::GaussSeidel);
+    let velocities = both.velocities(&impulses);
+    let (still, pushed) = (&velocities[..10], pushed.velocities(&alone));
+    assert!(still.iter().all(|v| v.linear.norm() < 1e-12));
+    for (a, b) in velocities[10..].iter().zip(&pushed) {
+        assert!((a.linear - b.linear).norm() + R * (a.angular - b.angular).norm() < 1e-8);
+    }
+}
+
 /// The residual sees each way of being wrong: overlap, pull, friction beyond the cone, slip while sticking.
 #[test]
 fn residual_judges() {
