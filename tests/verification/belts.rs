@@ -123,6 +123,10 @@ fn a_belt_turns_with_its_boundary_and_keeps_its_shape() {
     }
     let error = (run.velocity(0) - Vec3::y() * SPEED).norm();
     assert!(error < 1e-9, "{:?}", run.velocity(0));
+    // Only friction works: the belt does not lift.
+    let half = 0.5 * 1e-3 * FRICTION * G;
+    let given = run.mass(0) * SPEED * (SPEED + half);
+    close(run.simulation.work().boundaries, given, 1e-6, 0.0);
 }
 
 /// A belt driven from outside starts with the scene's speed, takes every command at once, and its speed is part of the

@@ -9,7 +9,7 @@
 use sphere_dda::Vec3;
 use sphere_dda::motion::{Motion, Twist};
 use sphere_dda::particles::Locks;
-use sphere_dda::scene::{Integrator, Method, SolverKind};
+use sphere_dda::scene::{Integrator, Method, PointLoad, SolverKind};
 
 use crate::support::{Case, G, Run, close};
 
@@ -208,6 +208,46 @@ fn spheres_exchange_spin() {
         assert!(total.norm() < 1e-12 * (ia + ib) * 30.0);
         close((run.velocity(0) - run.velocity(1)).norm(), 0.0, 1e-9, speed);
     }
+}
+
+/// A contact that joins while the step is solved (sphere 1 knocks sphere 0, which nothing moved before, onto the wall)
+/// stands before that of sphere 2, whose resistance stays its own: pressed by `f` it loses `5/2 mu_t f dt/(m R)` of its spin.
+#[test]
+fn a_late_contact_leaves_resistances_with_their_contacts() {
+    let (twisting, press, spin) = (0.02, 50.0, 4.0);
+    let mut case = Case::new(STEP, 0.0, 0.0)
+        .without_gravity()
+        .resistance(0.0, twisting)
+        .tolerance(1e-6, 1e-8, 1e-8)
+        .plane(Vec3::x() * (-1.005 * RADIUS), Vec3::x())
+        .floor()
+        .sphere(RADIUS, Vec3::z(), Vec3::zeros())
+        .sphere(
+            RADIUS,
+            Vec3::new(2.0 * RADIUS + 1e-6, 0.0, 1.0),
+            Vec3::x() * -2.0,
+        )
+        .body(
+            RADIUS,
+            Vec3::new(1.0, 0.0, RADIUS),
+            Vec3::zeros(),
+            Vec3::z() * spin,
+            Locks::default(),
+        );
+    case.scene.loads.push(PointLoad {
+        sphere: 2,
+        arm: Vec3::zeros(),
+        force: Vec3::z() * -press,
+    });
+    let mut run = case.start();
+    run.simulation.advance(STEP).unwrap();
+    let contacts = run.simulation.contacts();
+    let spheres: Vec<u32> = contacts.iter().map(|contact| contact.key.sphere).collect();
+    assert_eq!(spheres, [0, 0, 2], "the wall stopped sphere 0");
+    let couple = twisting * RADIUS * press;
+    close(contacts[2].torque.z, -couple, 1e-9, 0.0);
+    let lost = couple / (0.4 * run.mass(2) * RADIUS * RADIUS) * STEP;
+    close(run.spin(2).z, spin - lost, 1e-9, 0.0);
 }
 
 /// A pile falls together: friction, impacts and resistance take energy in every step and give none; at the end it rests.
