@@ -55,9 +55,12 @@ pub fn target(kind: InputKind, command: &Command) -> Option<Pose> {
         InputKind::Pose | InputKind::Motion => (command.translation, command.rotation),
         InputKind::Slide { axis } => (axis * command.scalar, Vec3::zeros()),
         InputKind::Hinge { axis } => (Vec3::zeros(), axis * command.scalar),
-        InputKind::Twist | InputKind::SlideSpeed { .. } | InputKind::HingeSpeed { .. } => {
-            return None;
-        }
+        InputKind::Twist
+        | InputKind::SlideSpeed { .. }
+        | InputKind::HingeSpeed { .. }
+        | InputKind::Load
+        | InputKind::SlideForce { .. }
+        | InputKind::HingeTorque { .. } => return None,
     };
     Some(Pose::from_rotation_vector(translation, rotation))
 }
@@ -92,7 +95,7 @@ impl<'a> Drive<'a> {
         Self { boundaries, paths }
     }
 
-    /// Poses of all boundaries at time `t` \[s\], `[B]`.
+    /// Poses of all boundaries at time `t` \[s\], `[B]`; those of driven bodies mean nothing, the step finds them.
     #[must_use]
     pub fn poses(&self, t: f64) -> Vec<Pose> {
         self.boundaries

@@ -55,6 +55,7 @@ pub mod boundaries;
 pub mod clock;
 pub mod contacts;
 pub mod drive;
+pub mod driven;
 pub mod error;
 pub mod integrate;
 pub mod linalg;

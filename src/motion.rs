@@ -10,6 +10,7 @@ use nalgebra::UnitQuaternion;
 use serde::{Deserialize, Serialize};
 
 use crate::Vec3;
+use crate::driven::Body;
 
 /// Total rigid displacement from the scene's placement.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -128,6 +129,18 @@ pub enum InputKind {
         /// Unit axis, world.
         axis: Vec3,
     },
+    /// Force \[N\] and torque \[N m\] on a free body, held over the step.
+    Load,
+    /// Force \[N\] along the slide of a body, held over the step.
+    SlideForce {
+        /// Unit axis, world.
+        axis: Vec3,
+    },
+    /// Torque \[N m\] about the hinge of a body, held over the step.
+    HingeTorque {
+        /// Unit axis, world.
+        axis: Vec3,
+    },
 }
 
 /// How a boundary moves.
@@ -160,16 +173,30 @@ pub enum Motion {
     },
     /// Driven from outside, by [`crate::simulation::Simulation::command`].
     Input(InputKind),
+    /// Moved by force and torque: its motion is solved together with that of the spheres.
+    Driven(Box<Body>),
 }
 
 impl Motion {
-    /// The pose that the scene prescribes at time `t` \[s\]; as in the scene for a motion driven from outside.
+    /// What the outside commands, if anything.
+    #[must_use]
+    pub fn input(&self) -> Option<InputKind> {
+        match self {
+            Self::Input(kind) => Some(*kind),
+            Self::Driven(body) => body.input_kind(),
+            _ => None,
+        }
+    }
+
+    /// The pose that the scene prescribes at time `t` \[s\]; as in the scene for a motion driven from outside, that of
+    /// t = 0 for a driven body.
     ///
     /// A table interpolates its rotation vectors linearly, so that several turns about one axis are kept.
     #[must_use]
     pub fn pose_at(&self, t: f64) -> Pose {
         match self {
             Self::Fixed | Self::Input(_) => Pose::default(),
+            Self::Driven(body) => body.pose,
             Self::Constant(twist) => Pose::default().advanced(twist, t),
             Self::Sinusoid {
                 translation,
@@ -203,7 +230,7 @@ fn interpolate(time: &[f64], value: &[Vec3], t: f64) -> Vec3 {
     }
 }
 
-/// A command for a boundary whose motion is [`Motion::Input`] or whose belt is driven from outside, held until the next one.
+/// A command for a boundary with a [`Motion::input`] or a belt driven from outside, held until the next one.
 /// Components that the boundary's [`InputKind`] does not use are ignored.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct Command {
@@ -215,7 +242,12 @@ pub struct Command {
     pub velocity: Vec3,
     /// Angular velocity \[rad/s\] (`Motion`, `Twist`).
     pub angular_velocity: Vec3,
-    /// Displacement \[m\], speed \[m/s\], angle \[rad\] or angular speed \[rad/s\] of a slide or hinge.
+    /// Force \[N\] at the point of action (`Load`), world axes.
+    pub force: Vec3,
+    /// Torque \[N m\] (`Load`), world axes.
+    pub torque: Vec3,
+    /// Displacement \[m\], speed \[m/s\], angle \[rad\], angular speed \[rad/s\], force \[N\] or torque \[N m\] of a
+    /// slide or hinge.
     pub scalar: f64,
     /// Velocity of the surface against the boundary \[m/s\], its own axes ([`crate::boundaries::Belt`]).
     pub surface_velocity: Vec3,

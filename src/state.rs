@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::Vec3;
 use crate::contacts::Contact;
+use crate::driven::BodyState;
 use crate::motion::{Command, Pose, Twist};
 use crate::particles::Kinematics;
 use crate::problem::Dof6;
@@ -18,8 +19,10 @@ pub struct Work {
     pub dissipated: f64,
     /// Work of moving boundaries on the spheres.
     pub boundaries: f64,
-    /// Work of point loads on the spheres.
+    /// Work of point loads on the spheres, and of all loads but gravity on driven bodies.
     pub loads: f64,
+    /// Work of the dampers of driven bodies: at most zero.
+    pub dampers: f64,
     /// Work of constrained springs on the spheres.
     pub springs: f64,
 }
@@ -56,6 +59,8 @@ pub struct State {
     pub poses: Vec<Pose>,
     /// Boundary twists over the last internal step, `[B]`.
     pub twists: Vec<Twist>,
+    /// Driven bodies, `[D]`.
+    pub bodies: Vec<BodyState>,
     /// Commands in force, `[B]`.
     pub commands: Vec<Command>,
     /// Wrench on each boundary over the last internal step, `[B]`.

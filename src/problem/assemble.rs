@@ -21,6 +21,7 @@ use crate::Vec3;
 use crate::contacts::law::split;
 use crate::contacts::narrow_phase::Candidate;
 use crate::contacts::{Key, Partner};
+use crate::driven::Ready;
 use crate::materials::Pair;
 use crate::motion::{Pose, Twist};
 use crate::particles::Kinematics;
@@ -38,8 +39,10 @@ pub struct Inputs<'a> {
     pub external: &'a [Dof6],
     /// Time step \[s\].
     pub step: f64,
-    /// Boundary poses at the start and at the end, `[B]`.
+    /// Boundary poses at the start and at the end, `[B]`; those of driven bodies at the end are without contacts.
     pub poses: [&'a [Pose]; 2],
+    /// Driven bodies, `[D]`, by ascending boundary; boundaries that are not among them move as prescribed.
+    pub bodies: &'a [Ready<'a>],
     /// Boundary twists over the previous step, `[B]`.
     pub twists: &'a [Twist],
     /// Velocities of the boundaries' surfaces against their shapes \[m/s\], world axes, `[B]`.
@@ -50,7 +53,7 @@ pub struct Inputs<'a> {
     pub targets: &'a [Vec3],
 }
 
-impl Inputs<'_> {
+impl<'a> Inputs<'a> {
     /// The problem without rows: free velocities and inverse masses.
     #[must_use]
     pub fn bodies(&self) -> Problem {
@@ -58,6 +61,7 @@ impl Inputs<'_> {
         let n = self.kinematics.len();
         let free = (0..n)
             .map(|i| integrator.free(&self.velocity(i), &self.external[i], self.step))
+            .chain(self.bodies.iter().map(|body| body.free))
             .collect();
         let inverse_mass = (0..n)
             .map(|i| Dof6 {
@@ -69,6 +73,7 @@ impl Inputs<'_> {
             step: self.step,
             free,
             inverse_mass,
+            operators: self.bodies.iter().map(|body| body.mobility).collect(),
             rows: Vec::new(),
         }
     }
@@ -78,6 +83,15 @@ impl Inputs<'_> {
             linear: self.kinematics.velocity[i],
             angular: self.kinematics.spin[i],
         }
+    }
+
+    /// Rank and start of the driven body that a boundary is.
+    #[must_use]
+    pub fn body(&self, boundary: usize) -> Option<(usize, &Ready<'a>)> {
+        let rank = self
+            .bodies
+            .binary_search_by_key(&boundary, |body| body.boundary);
+        rank.ok().map(|rank| (rank, &self.bodies[rank]))
     }
 
     /// Velocity of a boundary's material point at `x` \[m\], over this step and over the previous one.
@@ -133,13 +147,21 @@ impl Inputs<'_> {
             }
             Partner::Boundary { boundary, .. } => {
                 let boundary = usize::from(boundary);
-                let [now, previous] =
-                    self.wall_velocity(boundary, self.kinematics.position[a] + arm_a);
+                let point = self.kinematics.position[a] + arm_a;
                 // A belt slides along the shape: it takes no part in the approach.
-                let belt = split(self.surfaces[boundary], n).1;
-                row.drift = -(now + belt);
-                before -= previous;
-                acceleration = acceleration.max((now - previous).norm() / self.step);
+                row.drift = -split(self.surfaces[boundary], n).1;
+                if let Some((rank, body)) = self.body(boundary) {
+                    row.b = (self.kinematics.len() + rank) as u32;
+                    row.arm_b = point - body.reference;
+                    before -= body.velocity.at(row.arm_b);
+                    acceleration = acceleration.max(body.acceleration_at(row.arm_b).norm());
+                    lightest = lightest.min(body.mass());
+                } else {
+                    let [now, previous] = self.wall_velocity(boundary, point);
+                    row.drift -= now;
+                    before -= previous;
+                    acceleration = acceleration.max((now - previous).norm() / self.step);
+                }
                 stiffness = scene.boundaries[boundary].stiffness;
             }
         }
@@ -213,6 +235,8 @@ impl Inputs<'_> {
                 let other = particles.radius[j as usize];
                 (own * other / (own + other), Vec3::zeros())
             }
+            // A driven body turns by itself.
+            Partner::Boundary { .. } if row.b != GROUND => (own, Vec3::zeros()),
             Partner::Boundary { .. } if locked(row.a) => return None,
             Partner::Boundary { boundary, .. } => {
                 let [start, end] = self.poses.map(|poses| &poses[usize::from(boundary)]);

@@ -27,13 +27,45 @@ use crate::Vec3;
 /// Body B of a row that touches no second sphere.
 pub const GROUND: u32 = u32::MAX;
 
-/// A body's linear and angular parts: velocity \[m/s\], \[rad/s\], or their inverse inertia.
+/// Coupling of normal and tangent over `sqrt(w_n w_t)` that is rounding.
+const UNCOUPLED: f64 = 1e-12;
+
+/// A body's linear and angular parts: velocity \[m/s\], \[rad/s\], a sphere's inverse inertia, momentum, force and torque.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Dof6 {
     /// Linear part.
     pub linear: Vec3,
     /// Angular part.
     pub angular: Vec3,
+}
+
+/// A symmetric operator on a driven body's six components that does not couple the linear with the angular part.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Operator {
+    /// Linear block.
+    pub linear: Matrix3<f64>,
+    /// Angular block.
+    pub angular: Matrix3<f64>,
+}
+
+impl Operator {
+    /// Zero: a body that is held.
+    #[must_use]
+    pub fn zero() -> Self {
+        Self {
+            linear: Matrix3::zeros(),
+            angular: Matrix3::zeros(),
+        }
+    }
+
+    /// The operator applied to both parts.
+    #[must_use]
+    pub fn times(&self, x: &Dof6) -> Dof6 {
+        Dof6 {
+            linear: self.linear * x.linear,
+            angular: self.angular * x.angular,
+        }
+    }
 }
 
 /// The law a row obeys.
@@ -97,15 +129,15 @@ impl Grip {
 pub struct Row {
     /// Body A.
     pub a: u32,
-    /// Body B, or [`GROUND`].
+    /// Body B, or [`GROUND`]: a sphere, or driven body `d` as `N + d`.
     pub b: u32,
     /// Unit normal, from B to A.
     pub normal: Vec3,
     /// Contact point from the centre of A \[m\].
     pub arm_a: Vec3,
-    /// Contact point from the centre of B \[m\]; zero for the ground.
+    /// Contact point from the centre of B, or the reference point of a driven body \[m\]; zero for the ground.
     pub arm_b: Vec3,
-    /// `u_0`, minus the velocity of the ground as the row sees it \[m/s\]; zero between spheres.
+    /// `u_0`, minus the velocity of the ground or of a belt as the row sees it \[m/s\]; zero between spheres.
     pub drift: Vec3,
     /// `b`: along the normal the gap or rebound term, across it the spring history \[m/s\].
     pub bias: Vec3,
@@ -126,10 +158,13 @@ pub struct Row {
 pub struct Problem {
     /// Time step \[s\].
     pub step: f64,
-    /// Velocity without contacts, `[N]`.
+    /// Velocity without contacts, `[N + D]`: spheres, then driven bodies.
     pub free: Vec<Dof6>,
-    /// Diagonal of `W`, `[N]`; zero where a degree of freedom is locked.
+    /// Diagonal of `W` of the spheres, `[N]`; zero where a degree of freedom is locked.
     pub inverse_mass: Vec<Dof6>,
+    /// `W` of the driven bodies, `[D]`; singular where a joint holds them.
+    #[serde(default)]
+    pub operators: Vec<Operator>,
     /// The rows, `[C]`, in canonical order.
     pub rows: Vec<Row>,
 }
@@ -148,6 +183,12 @@ impl Dof6 {
     pub fn kick(&mut self, inverse_mass: &Self, momentum: &Self) {
         self.linear += inverse_mass.linear.component_mul(&momentum.linear);
         self.angular += inverse_mass.angular.component_mul(&momentum.angular);
+    }
+
+    /// `linear . linear + angular . angular`: power of a force and torque, energy of a momentum.
+    #[must_use]
+    pub fn dot(&self, other: &Self) -> f64 {
+        self.linear.dot(&other.linear) + self.angular.dot(&other.angular)
     }
 
     /// Velocity of the point at `arm` from the centre.
@@ -190,51 +231,6 @@ impl Row {
             u - b.velocity(&velocity[self.b as usize])
         }
     }
-
-    /// Adds the effect of `impulse` \[N s\] on A and its opposite on B.
-    pub fn apply(&self, inverse_mass: &[Dof6], velocity: &mut [Dof6], impulse: Vec3) {
-        let [grip_a, grip_b] = self.grips();
-        let a = self.a as usize;
-        velocity[a].kick(&inverse_mass[a], &grip_a.momentum(impulse));
-        if self.b != GROUND {
-            let b = self.b as usize;
-            velocity[b].kick(&inverse_mass[b], &grip_b.momentum(-impulse));
-        }
-    }
-
-    /// Diagonal of the row's Delassus operator \[1/kg\]: along the normal, and an upper bound across it
-    /// (exact for free spheres: `w_t = 3.5 w_n`).
-    #[must_use]
-    pub fn delassus(&self, inverse_mass: &[Dof6]) -> (f64, f64) {
-        let [grip_a, grip_b] = self.grips();
-        let mut operator = compliance(&inverse_mass[self.a as usize], grip_a);
-        if self.b != GROUND {
-            operator += compliance(&inverse_mass[self.b as usize], grip_b);
-        }
-        let n = self.normal;
-        let w_n = (n.transpose() * operator * n)[0];
-        // Largest eigenvalue of the 2x2 tangential block from its trace and determinant.
-        let [t1, t2] = tangents(n);
-        let (a, b, c) = (
-            t1.dot(&(operator * t1)),
-            t2.dot(&(operator * t2)),
-            t1.dot(&(operator * t2)),
-        );
-        let w_t = 0.5 * (a + b) + (0.25 * (a - b) * (a - b) + c * c).sqrt();
-        (w_n, w_t)
-    }
-}
-
-/// `d(velocity) / d(impulse)` of one body as a row holds it, 3x3 \[1/kg\].
-fn compliance(inverse_mass: &Dof6, grip: Grip) -> Matrix3<f64> {
-    let angular = Matrix3::from_diagonal(&inverse_mass.angular);
-    match grip {
-        Grip::Point(arm) => {
-            let cross = arm.cross_matrix();
-            Matrix3::from_diagonal(&inverse_mass.linear) - cross * angular * cross
-        }
-        Grip::Couple(lever) => angular * (lever * lever),
-    }
 }
 
 /// Two unit vectors that complete the unit vector `n` to an orthonormal frame.
@@ -254,8 +250,76 @@ impl Problem {
     pub fn velocities(&self, impulses: &[Vec3]) -> Vec<Dof6> {
         let mut velocity = self.free.clone();
         for (row, &impulse) in self.rows.iter().zip(impulses) {
-            row.apply(&self.inverse_mass, &mut velocity, impulse);
+            self.apply(row, &mut velocity, impulse);
         }
         velocity
+    }
+
+    /// Adds to `velocity`, `[N + D]`, the effect of `impulse` \[N s\] on A and of its opposite on B.
+    pub fn apply(&self, row: &Row, velocity: &mut [Dof6], impulse: Vec3) {
+        let [grip_a, grip_b] = row.grips();
+        self.kick(velocity, row.a, &grip_a.momentum(impulse));
+        if row.b != GROUND {
+            self.kick(velocity, row.b, &grip_b.momentum(-impulse));
+        }
+    }
+
+    fn kick(&self, velocity: &mut [Dof6], body: u32, momentum: &Dof6) {
+        let body = body as usize;
+        match self.inverse_mass.get(body) {
+            Some(w) => velocity[body].kick(w, momentum),
+            None => {
+                let change = self.operators[body - self.inverse_mass.len()].times(momentum);
+                velocity[body] = velocity[body].plus(&change, 1.0);
+            }
+        }
+    }
+
+    /// Scale of a row's Delassus operator \[1/kg\]: `(w_n, w_t)` such that the operator is at most
+    /// `w_n n n^T + w_t (1 - n n^T)`. Exact for free spheres, where normal and tangent do not couple: `w_t = 3.5 w_n`.
+    #[must_use]
+    pub fn delassus(&self, row: &Row) -> (f64, f64) {
+        let [grip_a, grip_b] = row.grips();
+        let mut operator = self.compliance(row.a, grip_a);
+        if row.b != GROUND {
+            operator += self.compliance(row.b, grip_b);
+        }
+        let n = row.normal;
+        let w_n = (n.transpose() * operator * n)[0];
+        // Largest eigenvalue of the 2x2 tangential block from its trace and determinant.
+        let [t1, t2] = tangents(n);
+        let (a, b, c) = (
+            t1.dot(&(operator * t1)),
+            t2.dot(&(operator * t2)),
+            t1.dot(&(operator * t2)),
+        );
+        let w_t = 0.5 * (a + b) + (0.25 * (a - b) * (a - b) + c * c).sqrt();
+        // The update of a row treats normal and tangent side by side: a bound keeps it from overshooting where they couple.
+        let coupling = t1.dot(&(operator * n)).hypot(t2.dot(&(operator * n)));
+        let share = coupling / (w_n * w_t).sqrt();
+        if share > UNCOUPLED {
+            (w_n * (1.0 + share), w_t * (1.0 + share))
+        } else {
+            (w_n, w_t)
+        }
+    }
+
+    /// `d(velocity) / d(impulse)` of one body as a row holds it, 3x3 \[1/kg\].
+    fn compliance(&self, body: u32, grip: Grip) -> Matrix3<f64> {
+        let body = body as usize;
+        let w = match self.inverse_mass.get(body) {
+            Some(w) => Operator {
+                linear: Matrix3::from_diagonal(&w.linear),
+                angular: Matrix3::from_diagonal(&w.angular),
+            },
+            None => self.operators[body - self.inverse_mass.len()],
+        };
+        match grip {
+            Grip::Point(arm) => {
+                let cross = arm.cross_matrix();
+                w.linear - cross * w.angular * cross
+            }
+            Grip::Couple(lever) => w.angular * (lever * lever),
+        }
     }
 }

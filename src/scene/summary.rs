@@ -128,6 +128,7 @@ fn top_speed(motion: &Motion) -> f64 {
             speeds.fold(0.0, f64::max)
         }
         Motion::Fixed | Motion::Input(_) => 0.0,
+        Motion::Driven(body) => body.twist.linear.norm(),
     }
 }
 

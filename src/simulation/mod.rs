@@ -12,6 +12,7 @@ use crate::Vec3;
 use crate::boundaries::Boundary;
 use crate::contacts::Contact;
 use crate::drive::{Drive, target};
+use crate::driven::BodyState;
 use crate::error::{SnapshotError, StepError};
 use crate::motion::{Command, Motion, Pose, Twist};
 use crate::particles::Kinematics;
@@ -121,6 +122,7 @@ impl Simulation {
                 .map(|(a, b)| a.twist_to(b, settings.step))
                 .collect(),
             poses,
+            bodies: BodyState::initial(&scene),
             commands: scene.boundaries.iter().map(Boundary::rest).collect(),
             wrenches: vec![Wrench::default(); boundaries],
             persisting_wrenches: vec![Wrench::default(); boundaries],
@@ -185,7 +187,8 @@ impl Simulation {
         Ok(())
     }
 
-    /// Command for boundary `b`, whose motion or belt is driven from outside; held until the next one.
+    /// Command for boundary `b`, which has a [`crate::motion::Motion::input`] or a belt driven from outside; held until the
+    /// next one.
     ///
     /// # Errors
     /// [`StepError::Argument`] if the boundary is no input or a component is not finite.
@@ -204,6 +207,8 @@ impl Simulation {
             command.velocity,
             command.angular_velocity,
             command.surface_velocity,
+            command.force,
+            command.torque,
         ];
         finite(
             "command",
@@ -304,8 +309,14 @@ impl Simulation {
     /// [`SnapshotError`] if the bytes are damaged or belong to another scene or version; the state is unchanged.
     pub fn restore(&mut self, blob: &[u8]) -> Result<(), SnapshotError> {
         let state: State = snapshot::restore(blob, &self.scene.hash)?;
-        let counts = (state.kinematics.len(), state.poses.len());
-        if counts != (self.scene.particles.len(), self.scene.boundaries.len()) {
+        let counts = [
+            state.kinematics.len(),
+            state.poses.len(),
+            state.bodies.len(),
+        ];
+        let scene = &self.scene;
+        let driven = scene.driven().count();
+        if counts != [scene.particles.len(), scene.boundaries.len(), driven] {
             return Err(SnapshotError::Format(
                 "it has other numbers of spheres or boundaries than the scene of its hash",
             ));
@@ -367,10 +378,17 @@ impl Simulation {
         self.state.poses[b]
     }
 
-    /// Twist of boundary `b` over the last internal step.
+    /// Twist of boundary `b`: over the last internal step, that of a driven body at [`Self::time`].
     #[must_use]
     pub fn boundary_twist(&self, b: usize) -> Twist {
-        self.state.twists[b]
+        let mut bodies = self.scene.driven().zip(&self.state.bodies);
+        let driven = bodies.find(|((boundary, _), _)| *boundary == b);
+        driven.map_or(self.state.twists[b], |((_, body), carried)| {
+            let integrator = self.scene.settings.integrator;
+            let (last, persisting) = (self.state.last_step, &carried.persisting);
+            let momentum = integrator.reported(&carried.momentum, persisting, last);
+            body.twist_of(&self.scene.boundaries[b], &self.state.poses[b], &momentum)
+        })
     }
 
     /// Velocity \[m/s\] of boundary `b`'s surface against its shape, world axes.

@@ -17,10 +17,10 @@
 
 use std::sync::Arc;
 
-use nalgebra::{Matrix3, Matrix6};
+use nalgebra::Matrix3;
 
-use super::bodies::{jacobian, masses, moved, scatter};
-use super::gauss_seidel::smooth;
+use super::bodies::{Masses, component, moved};
+use super::gauss_seidel::{Kernel, smooth};
 use super::residual::{Scale, evaluate};
 use super::{Params, Report};
 use crate::Vec3;
@@ -39,26 +39,21 @@ const RAISE: f64 = 8.0;
 /// Largest penalty over the mass scale `m/dt^2`: beyond it the factor loses the digits the tolerance needs.
 const CEILING: f64 = 1e3;
 
-/// What is kept between solves: the symbolic analysis, while the contact pattern stays.
+/// What is kept between solves: the symbolic analysis, while the contact pattern stays, and memory.
 #[derive(Debug, Default)]
 pub struct Workspace {
     symbolic: Option<Symbolic>,
+    pub(super) kernel: Kernel,
 }
 
-impl Workspace {
-    /// The analysis of `pattern`, reused if it is the last one's.
-    fn analyse(&mut self, pattern: BlockPattern) -> Result<&Symbolic, LinearError> {
-        let reuse = self
-            .symbolic
-            .as_ref()
-            .is_some_and(|s| **s.pattern() == pattern);
-        if !reuse {
-            self.symbolic = None;
-        }
-        match &mut self.symbolic {
-            Some(symbolic) => Ok(symbolic),
-            empty => Ok(empty.insert(Symbolic::new(&Arc::new(pattern))?)),
-        }
+/// The analysis of `pattern`: `kept`, if it is that one's.
+fn analyse(kept: &mut Option<Symbolic>, pattern: BlockPattern) -> Result<&Symbolic, LinearError> {
+    if kept.as_ref().is_some_and(|s| **s.pattern() != pattern) {
+        *kept = None;
+    }
+    match kept {
+        Some(symbolic) => Ok(symbolic),
+        empty => Ok(empty.insert(Symbolic::new(&Arc::new(pattern))?)),
     }
 }
 
@@ -137,33 +132,32 @@ fn on_disc(y: Vec3, r: f64, across: &Matrix3<f64>) -> (Vec3, Matrix3<f64>, f64) 
 /// The inner problem: everything that does not change during one solve.
 struct Inner<'a> {
     problem: &'a Problem,
-    masses: Vec<[f64; 6]>,
+    masses: Masses<'a>,
 }
 
 impl<'a> Inner<'a> {
     fn of(problem: &'a Problem) -> Self {
         Self {
             problem,
-            masses: problem.inverse_mass.iter().map(masses).collect(),
+            masses: Masses::of(problem),
         }
     }
 
-    /// Energy \[J\] and out-of-balance impulse `A (v - v_free) - J^T p^` \[N s\], `[6 N]`, at `velocity`.
+    /// Energy \[J\] and out-of-balance impulse `A (v - v_free) - J^T p^` \[N s\], six a body, at `velocity`.
     fn balance(&self, velocity: &[Dof6], rows: &[Augmented]) -> (f64, Vec<f64>) {
         let mut energy = 0.0;
         let mut gradient = vec![0.0; 6 * velocity.len()];
         for (i, (v, free)) in velocity.iter().zip(&self.problem.free).enumerate() {
-            let difference = [v.linear - free.linear, v.angular - free.angular];
-            for k in 0..6 {
-                let d = difference[k / 3][k % 3];
-                energy += 0.5 * self.masses[i][k] * d * d;
-                gradient[6 * i + k] = self.masses[i][k] * d;
+            let difference = v.plus(free, -1.0);
+            for (k, momentum) in self.masses.times(i, &difference).into_iter().enumerate() {
+                energy += 0.5 * momentum * component(&difference, k);
+                gradient[6 * i + k] = momentum;
             }
         }
         for (row, augmented) in self.problem.rows.iter().zip(rows) {
             energy += augmented.energy;
             let p = augmented.impulse;
-            scatter(self.problem, row, -p, &mut gradient);
+            self.masses.scatter(row, -p, &mut gradient);
         }
         (energy, gradient)
     }
@@ -171,19 +165,18 @@ impl<'a> Inner<'a> {
     /// Assembles `K = A + J^T T J` from 6x6 blocks.
     fn assemble(&self, matrix: &mut BlockMatrix, rows: &[Augmented]) {
         matrix.clear();
-        for (i, mass) in self.masses.iter().enumerate() {
-            matrix.add(i, i, &Matrix6::from_diagonal(&(*mass).into()));
+        for i in 0..self.masses.len() {
+            matrix.add(i, i, &self.masses.block(i));
         }
         for (row, augmented) in self.problem.rows.iter().zip(rows) {
-            let w = &self.problem.inverse_mass;
             let [grip_a, grip_b] = row.grips();
             let a = row.a as usize;
-            let h = jacobian(grip_a, &w[a]);
+            let h = self.masses.jacobian(row.a, grip_a);
             let th = augmented.tangent * h;
             matrix.add(a, a, &(h.transpose() * th));
             if row.b != GROUND {
                 let b = row.b as usize;
-                let q = jacobian(grip_b, &w[b]);
+                let q = self.masses.jacobian(row.b, grip_b);
                 matrix.add(b, b, &(q.transpose() * augmented.tangent * q));
                 matrix.add(b, a, &(-q.transpose() * th));
             }
@@ -246,10 +239,11 @@ fn outer_loop(
     scales: &[Scale],
     report: &mut Report,
 ) -> Result<(), LinearError> {
-    let symbolic = workspace.analyse(pattern(problem))?;
+    let Workspace { symbolic, kernel } = workspace;
+    let symbolic = analyse(symbolic, pattern(problem))?;
     let mut matrix = BlockMatrix::zeros(Arc::clone(symbolic.pattern()));
     let inner = Inner::of(problem);
-    let heaviest = inner.masses.iter().map(|m| m[0]).fold(0.0, f64::max);
+    let heaviest = inner.masses.heaviest();
     let dt2 = problem.step * problem.step;
     let mut ceiling = CEILING * heaviest / dt2;
     if params.adapt_penalty {
@@ -332,7 +326,7 @@ fn outer_loop(
             };
         }
         report.augmentations += 1;
-        smooth(problem, scales, params.smoothing, impulses);
+        smooth(problem, params.smoothing, kernel, impulses);
         velocity = problem.velocities(impulses);
         let before = report.residual;
         report.residual = evaluate(problem, scales, impulses);

@@ -90,7 +90,9 @@ pub fn solve(
     impulses: &mut [Vec3],
 ) -> Report {
     match params.kind {
-        SolverKind::GaussSeidel => gauss_seidel::solve(problem, params, impulses),
+        SolverKind::GaussSeidel => {
+            gauss_seidel::solve(problem, params, &mut workspace.kernel, impulses)
+        }
         SolverKind::Direct => augmented_lagrangian::solve(problem, params, workspace, impulses),
         SolverKind::Auto => auto(problem, params, workspace, impulses),
     }
@@ -107,7 +109,7 @@ fn auto(
         max_sweeps: params.max_sweeps.min(AUTO_SWEEPS),
         ..*params
     };
-    let mut report = gauss_seidel::solve(problem, &brief, impulses);
+    let mut report = gauss_seidel::solve(problem, &brief, &mut workspace.kernel, impulses);
     let scales = Scale::of(problem);
     let mut hops = HOPS;
     while !report.converged && report.factorizations < params.max_factorizations {
@@ -125,7 +127,12 @@ fn auto(
         let part = Part::around(problem, impulses, seeds.into_iter(), hops);
         if part.problem.free.len() > MOST_BODIES {
             brief.max_sweeps = params.max_sweeps.saturating_sub(report.sweeps);
-            return report.then(gauss_seidel::solve(problem, &brief, impulses));
+            return report.then(gauss_seidel::solve(
+                problem,
+                &brief,
+                &mut workspace.kernel,
+                impulses,
+            ));
         }
         let mut own: Vec<Vec3> = part.rows.iter().map(|&k| impulses[k]).collect();
         // What the part's border costs the whole must fit in as well.
@@ -154,7 +161,12 @@ fn auto(
             break;
         }
         brief.max_sweeps = BETWEEN;
-        report = report.then(gauss_seidel::solve(problem, &brief, impulses));
+        report = report.then(gauss_seidel::solve(
+            problem,
+            &brief,
+            &mut workspace.kernel,
+            impulses,
+        ));
         hops *= 2;
     }
     report

@@ -7,7 +7,7 @@
 use std::collections::BTreeMap;
 
 use crate::Vec3;
-use crate::problem::{Dof6, GROUND, Law, Problem};
+use crate::problem::{Dof6, GROUND, Law, Operator, Problem};
 
 /// A part of a problem.
 pub(super) struct Part {
@@ -52,17 +52,27 @@ impl Part {
             ..Problem::default()
         };
         let mut rank = BTreeMap::new();
-        for body in rows.iter().flat_map(|&k| bodies(k)) {
-            rank.entry(body).or_insert_with(|| {
-                let i = body as usize;
-                let (free, inverse_mass) = match inside[i] {
-                    true => (problem.free[i], problem.inverse_mass[i]),
-                    false => (velocity[i], Dof6::ZERO),
-                };
-                part.free.push(free);
-                part.inverse_mass.push(inverse_mass);
-                part.free.len() as u32 - 1
-            });
+        let spheres = problem.inverse_mass.len();
+        // Spheres come before driven bodies, as in the whole.
+        for driven in [false, true] {
+            let of_kind = rows.iter().flat_map(|&k| bodies(k));
+            for body in of_kind.filter(|&body| (body as usize >= spheres) == driven) {
+                rank.entry(body).or_insert_with(|| {
+                    let i = body as usize;
+                    part.free.push(if inside[i] {
+                        problem.free[i]
+                    } else {
+                        velocity[i]
+                    });
+                    match (driven, inside[i]) {
+                        (false, true) => part.inverse_mass.push(problem.inverse_mass[i]),
+                        (false, false) => part.inverse_mass.push(Dof6::ZERO),
+                        (true, true) => part.operators.push(problem.operators[i - spheres]),
+                        (true, false) => part.operators.push(Operator::zero()),
+                    }
+                    part.free.len() as u32 - 1
+                });
+            }
         }
         part.rows = rows.iter().map(|&k| problem.rows[k]).collect();
         for row in &mut part.rows {

@@ -14,10 +14,10 @@
 //! `kappa`, the fewer are needed and the harder is each. `kappa` starts low and follows what succeeds (Alart & Curnier
 //! 1991 for the tangent; the safeguard is that of a trust region).
 
-use nalgebra::{Matrix3, Matrix6};
+use nalgebra::Matrix3;
 
 use super::augmented_lagrangian::SHEAR_RATIO;
-use super::bodies::{jacobian, masses, moved, scatter};
+use super::bodies::{Masses, moved};
 use super::residual::{Scale, evaluate};
 use super::{Params, Report};
 use crate::Vec3;
@@ -141,7 +141,7 @@ struct Proximal<'a> {
     impulses: &'a [Vec3],
     /// `kappa / w_n` of each row \[kg\].
     stiffness: Vec<f64>,
-    masses: &'a [[f64; 6]],
+    masses: &'a Masses<'a>,
 }
 
 impl Proximal<'_> {
@@ -153,15 +153,13 @@ impl Proximal<'_> {
             answers.push(answer(row, row.relative_velocity(&velocity), p, s, contact));
         }
         let mut balance = Vec::with_capacity(6 * velocity.len());
-        for ((v, free), masses) in velocity.iter().zip(&self.problem.free).zip(self.masses) {
-            let parts = [v.linear - free.linear, v.angular - free.angular];
-            balance.extend((0..6).map(|k| masses[k] * parts[k / 3][k % 3]));
+        for (i, (v, free)) in velocity.iter().zip(&self.problem.free).enumerate() {
+            balance.extend(self.masses.times(i, &v.plus(free, -1.0)));
         }
         for (row, answer) in rows.iter().zip(&answers) {
-            scatter(self.problem, row, -answer.impulse, &mut balance);
+            self.masses.scatter(row, -answer.impulse, &mut balance);
         }
-        let masses = self.masses.iter().flatten();
-        let merit: f64 = balance.iter().zip(masses).map(|(r, m)| r * r / m).sum();
+        let merit = self.masses.inverse_norm_squared(&balance);
         Iterate {
             velocity,
             rows: answers,
@@ -172,20 +170,19 @@ impl Proximal<'_> {
 
     fn assemble(&self, matrix: &mut GeneralMatrix, answers: &[Answer]) {
         matrix.clear();
-        for (i, masses) in self.masses.iter().enumerate() {
-            matrix.add(i, i, &Matrix6::from_diagonal(&(*masses).into()));
+        for i in 0..self.masses.len() {
+            matrix.add(i, i, &self.masses.block(i));
         }
         let rows = &self.problem.rows;
-        let w = &self.problem.inverse_mass;
         for (row, answer) in rows.iter().zip(answers) {
             let tangent = &answer.tangent;
             let [grip_a, grip_b] = row.grips();
             let a = row.a as usize;
-            let h = jacobian(grip_a, &w[a]);
+            let h = self.masses.jacobian(row.a, grip_a);
             matrix.add(a, a, &(h.transpose() * tangent * h));
             if row.b != GROUND {
                 let b = row.b as usize;
-                let q = jacobian(grip_b, &w[b]);
+                let q = self.masses.jacobian(row.b, grip_b);
                 matrix.add(b, b, &(q.transpose() * tangent * q));
                 matrix.add(a, b, &(-h.transpose() * tangent * q));
                 matrix.add(b, a, &(-q.transpose() * tangent * h));
@@ -201,13 +198,12 @@ impl Proximal<'_> {
         if widening == Vec3::zeros() {
             return;
         }
-        let w = &self.problem.inverse_mass;
         let coupling = widening * contact.normal.transpose();
         let bodies = |row: &Row| {
             let [grip_a, grip_b] = row.grips();
-            let first = (row.a as usize, jacobian(grip_a, &w[row.a as usize]));
-            let second = (row.b != GROUND).then(|| row.b as usize);
-            let second = second.map(|b| (b, -jacobian(grip_b, &w[b])));
+            let first = (row.a as usize, self.masses.jacobian(row.a, grip_a));
+            let second =
+                (row.b != GROUND).then(|| (row.b as usize, -self.masses.jacobian(row.b, grip_b)));
             [Some(first), second].into_iter().flatten()
         };
         for (i, couple) in bodies(row) {
@@ -264,7 +260,7 @@ pub fn solve(
     impulses: &mut [Vec3],
 ) -> Result<Report, LinearError> {
     let scales = Scale::of(problem);
-    let masses: Vec<[f64; 6]> = problem.inverse_mass.iter().map(masses).collect();
+    let masses = Masses::of(problem);
     let pairs = problem.rows.iter().filter(|row| row.b != GROUND);
     let mut matrix = GeneralMatrix::new(problem.free.len(), pairs.map(|row| (row.a, row.b)))?;
     // Where the rotation about the normal is locked, a resistance still has that across it.
@@ -286,14 +282,7 @@ pub fn solve(
         && report.factorizations < params.max_factorizations
     {
         let velocity = problem.velocities(impulses);
-        let momentum: f64 = velocity
-            .iter()
-            .zip(&masses)
-            .flat_map(|(v, m)| {
-                (0..6).map(move |k| m[k] * [v.linear, v.angular][k / 3][k % 3].powi(2))
-            })
-            .sum::<f64>()
-            .sqrt();
+        let momentum = masses.norm(&velocity);
         let proximal = Proximal {
             problem,
             impulses,

@@ -64,14 +64,18 @@ impl Scale {
     /// The scales of all rows, `[C]`.
     #[must_use]
     pub fn of(problem: &Problem) -> Vec<Self> {
-        let scale = |row: &Row| {
-            let (normal, tangential) = row.delassus(&problem.inverse_mass);
-            Self {
-                normal: normal + row.compliance_n,
-                tangential: tangential + row.compliance_t,
-            }
-        };
-        problem.rows.iter().map(scale).collect()
+        let rows = problem.rows.iter();
+        rows.map(|row| Self::of_row(problem, row)).collect()
+    }
+
+    /// The scales of one row.
+    #[must_use]
+    pub fn of_row(problem: &Problem, row: &Row) -> Self {
+        let (normal, tangential) = problem.delassus(row);
+        Self {
+            normal: normal + row.compliance_n,
+            tangential: tangential + row.compliance_t,
+        }
     }
 
     /// Change of the row's impulse by its law at relative velocity `u` and impulse `p`: normal first, then

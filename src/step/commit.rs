@@ -5,8 +5,10 @@ use super::stage::Stage;
 use crate::Vec3;
 use crate::contacts::narrow_phase::Placement;
 use crate::contacts::{Contact, Partner};
+use crate::driven::BodyState;
 use crate::integrate::turned;
-use crate::problem::{Dof6, GROUND, Law};
+use crate::motion::Pose;
+use crate::problem::{Dof6, Law};
 use crate::scene::Integrator;
 use crate::simulation::Wrench;
 use crate::state::State;
@@ -68,21 +70,62 @@ impl Stage<'_> {
             .collect()
     }
 
+    /// Velocities before the step, `[N + D]`.
+    pub(super) fn before(&self) -> Vec<Dof6> {
+        let kinematics = self.inputs.kinematics;
+        let spheres = (0..kinematics.len()).map(|i| dof(kinematics, i));
+        let bodies = self.inputs.bodies.iter().map(|body| body.velocity);
+        spheres.chain(bodies).collect()
+    }
+
+    /// What the driven bodies carry on after `solution`, and the work of their dampers \[J\], `[D]`.
+    pub(super) fn finished(&self, solution: &[Dof6], ends: &[Pose]) -> Vec<(BodyState, f64)> {
+        let spheres = self.inputs.kinematics.len();
+        let bodies = self.inputs.bodies.iter().enumerate();
+        bodies
+            .map(|(d, body)| {
+                let [mut contacts, mut persisting] = [Dof6::ZERO; 2];
+                for (k, row) in self.problem.rows.iter().enumerate() {
+                    if row.b as usize == spheres + d {
+                        let push = row.grips()[1].momentum(-self.impulses[k]);
+                        contacts = contacts.plus(&push, 1.0);
+                        if !self.is_impact(k) {
+                            persisting = persisting.plus(&push, 1.0);
+                        }
+                    }
+                }
+                let settings = &self.inputs.scene.settings;
+                let impulses = [&contacts, &persisting];
+                let end = &ends[body.boundary];
+                body.finish(
+                    settings,
+                    &solution[spheres + d],
+                    impulses,
+                    end,
+                    self.inputs.step,
+                )
+            })
+            .collect()
+    }
+
     /// Acceleration by external forces and all contacts that are no impacts, `[N]`.
     pub(super) fn persisting_acceleration(&self) -> Vec<Dof6> {
         let mut acceleration = self.inputs.external.to_vec();
+        // Driven bodies keep their own account.
+        acceleration.resize(self.problem.free.len(), Dof6::ZERO);
         let mobility = 1.0 / self.inputs.scene.settings.integrator.mobility();
         for (k, row) in self.problem.rows.iter().enumerate() {
             if !self.is_impact(k) {
                 let force = self.impulses[k] * (mobility / self.inputs.step);
-                row.apply(&self.problem.inverse_mass, &mut acceleration, force);
+                self.problem.apply(row, &mut acceleration, force);
             }
         }
+        acceleration.truncate(self.inputs.kinematics.len());
         acceleration
     }
 
-    /// Writes the solution into `state`: motion, forces, work.
-    pub(super) fn commit(&self, state: &mut State, solution: &[Dof6]) {
+    /// Writes the solution into `state`: motion, forces, work; boundaries end at `ends`.
+    pub(super) fn commit(&self, state: &mut State, solution: &[Dof6], ends: &[Pose]) {
         let scene = self.inputs.scene;
         let settings = &scene.settings;
         let step = self.inputs.step;
@@ -90,8 +133,12 @@ impl Stage<'_> {
         self.store(state);
         state.springs = self.spring_forces();
         state.persisting = self.persisting_acceleration();
+        for (carried, (after, work)) in state.bodies.iter_mut().zip(self.finished(solution, ends)) {
+            *carried = after;
+            state.work.dampers += work;
+        }
         let position = self.moved(solution);
-        for (i, v1) in solution.iter().enumerate() {
+        for (i, v1) in solution[..position.len()].iter().enumerate() {
             let after = settings
                 .integrator
                 .finish(&dof(self.inputs.kinematics, i), v1, settings);
@@ -103,7 +150,7 @@ impl Stage<'_> {
         state.kinematics.position = position;
         let end = Placement {
             position: &state.kinematics.position,
-            poses: self.inputs.poses[1],
+            poses: ends,
             ..self.start
         };
         for (contact, candidate) in state.contacts.iter_mut().zip(
@@ -122,10 +169,8 @@ impl Stage<'_> {
     /// Adds the step's work. A contact's is `p . (u^- + u^+)/2` in the velocities the integrator carries.
     fn work(&self, state: &mut State, solution: &[Dof6]) {
         let settings = &self.inputs.scene.settings;
-        let before: Vec<Dof6> = (0..solution.len())
-            .map(|i| dof(self.inputs.kinematics, i))
-            .collect();
-        let mean: Vec<Dof6> = before
+        let mean: Vec<Dof6> = self
+            .before()
             .iter()
             .zip(solution)
             .map(|(before, v1)| match settings.integrator {
@@ -140,14 +185,19 @@ impl Stage<'_> {
                 state.work.springs += relative;
             } else {
                 state.work.dissipated -= relative;
-                if row.b == GROUND {
-                    state.work.boundaries -= p.dot(&row.drift);
-                }
+                state.work.boundaries -= p.dot(&row.drift);
             }
         }
         for load in &self.inputs.scene.loads {
             let arm = self.inputs.kinematics.orientation[load.sphere] * load.arm;
             state.work.loads += self.inputs.step * load.force.dot(&mean[load.sphere].at(arm));
+        }
+        let spheres = self.inputs.kinematics.len();
+        for (body, mean) in self.inputs.bodies.iter().zip(&mean[spheres..]) {
+            let at_action = body.action_velocity(mean);
+            let power =
+                body.load.linear.dot(&at_action.linear) + body.load.angular.dot(&at_action.angular);
+            state.work.loads += self.inputs.step * power;
         }
     }
 }

@@ -9,6 +9,7 @@ pub use start::{initial_forces, remove_overlaps};
 
 use crate::Vec3;
 use crate::contacts::broad_phase::NeighborList;
+use crate::driven::Ready;
 use crate::motion::{Pose, Twist};
 use crate::particles::Kinematics;
 use crate::problem::assemble::{Inputs, external_acceleration};
@@ -61,10 +62,11 @@ pub fn step(
     dt: f64,
     poses: Vec<Pose>,
 ) -> Result<StepOutcome, StepFailure> {
-    let start = Start::of(scene, state, dt);
-    let mut stage = Stage::new(start.inputs(scene, state, dt, &poses), state, scratch);
+    let start = Start::of(scene, state, dt, poses);
+    let mut stage = Stage::new(start.inputs(scene, state, dt), state, scratch);
     let (solution, outcome) = stage.resolve(state, scratch)?;
-    stage.commit(state, &solution);
+    let poses = stage.end_poses(&solution);
+    stage.commit(state, &solution, &poses);
     if outcome.solver.penalty > 0.0 && outcome.solver.penalty.is_finite() {
         state.penalty = outcome.solver.penalty;
     }
@@ -83,18 +85,20 @@ pub fn step(
 /// starts from: candidates within reach, gaps not yet re-linearised.
 #[must_use]
 pub fn problem(scene: &Scene, state: &State, dt: f64, poses: &[Pose]) -> (Problem, Impulses) {
-    let start = Start::of(scene, state, dt);
-    let inputs = start.inputs(scene, state, dt, poses);
+    let start = Start::of(scene, state, dt, poses.to_vec());
+    let inputs = start.inputs(scene, state, dt);
     let stage = Stage::new(inputs, state, &mut Scratch::default());
     (stage.problem, stage.impulses)
 }
 
 /// What a step takes from the state before it moves anything.
-struct Start {
+struct Start<'a> {
     kinematics: Kinematics,
     external: Vec<Dof6>,
     targets: Vec<Vec3>,
     standing: Vec<Pose>,
+    ends: Vec<Pose>,
+    bodies: Vec<Ready<'a>>,
     twists: Vec<Twist>,
     surfaces: Vec<Vec3>,
 }
@@ -108,8 +112,13 @@ fn surfaces(scene: &Scene, state: &State) -> Vec<Vec3> {
         .collect()
 }
 
-impl Start {
-    fn of(scene: &Scene, state: &State, dt: f64) -> Self {
+impl<'s> Start<'s> {
+    fn of(scene: &'s Scene, state: &State, dt: f64, mut ends: Vec<Pose>) -> Self {
+        let bodies = Ready::all(scene, state, dt);
+        for body in &bodies {
+            let b = body.boundary;
+            ends[b] = body.moved(&state.poses[b], &body.free, dt);
+        }
         let integrator = scene.settings.integrator;
         let mut kinematics = state.kinematics.clone();
         for (i, persisting) in state.persisting.iter().enumerate() {
@@ -126,24 +135,21 @@ impl Start {
                 .map(|spring| spring.target + spring.motion.pose_at(end_time).translation)
                 .collect(),
             standing: state.poses.clone(),
+            ends,
+            bodies,
             twists: state.twists.clone(),
             surfaces: surfaces(scene, state),
         }
     }
 
-    fn inputs<'a>(
-        &'a self,
-        scene: &'a Scene,
-        state: &State,
-        dt: f64,
-        poses: &'a [Pose],
-    ) -> Inputs<'a> {
+    fn inputs<'a>(&'a self, scene: &'a Scene, state: &State, dt: f64) -> Inputs<'a> {
         Inputs {
             scene,
             kinematics: &self.kinematics,
             external: &self.external,
             step: dt,
-            poses: [&self.standing, poses],
+            poses: [&self.standing, &self.ends],
+            bodies: &self.bodies,
             twists: &self.twists,
             surfaces: &self.surfaces,
             gravity: state.gravity,

@@ -4,6 +4,7 @@ use super::{Scratch, StepFailure, StepOutcome};
 use crate::Vec3;
 use crate::contacts::narrow_phase::{Candidate, Placement};
 use crate::contacts::{Partner, history};
+use crate::motion::Pose;
 use crate::problem::assemble::Inputs;
 use crate::problem::{Dof6, Law, Problem};
 use crate::scene::{Method, SolverKind};
@@ -200,9 +201,10 @@ impl<'a> Stage<'a> {
             }
             let solution = self.problem.velocities(&self.impulses);
             let position = self.moved(&solution);
+            let ends = self.end_poses(&solution);
             let end = Placement {
                 position: &position,
-                poses: self.inputs.poses[1],
+                poses: &ends,
                 ..self.start
             };
             scratch.neighbors.ensure(&end, 0.0);
@@ -316,6 +318,18 @@ impl<'a> Stage<'a> {
         self.resist(at, carried.torque);
     }
 
+    /// Boundary poses at the end of the step, `[B]`: prescribed ones, and those that the driven bodies reach.
+    pub(super) fn end_poses(&self, solution: &[Dof6]) -> Vec<Pose> {
+        let [start, end] = self.inputs.poses;
+        let mut ends = end.to_vec();
+        let bodies = &solution[self.inputs.kinematics.len()..];
+        for (body, velocity) in self.inputs.bodies.iter().zip(bodies) {
+            let b = body.boundary;
+            ends[b] = body.moved(&start[b], velocity, self.inputs.step);
+        }
+        ends
+    }
+
     pub(super) fn moved(&self, solution: &[Dof6]) -> Vec<Vec3> {
         let start = self.inputs.kinematics.position.iter();
         start
@@ -356,7 +370,11 @@ impl<'a> Stage<'a> {
             .filter(|&k| self.problem.rows[k].compliance_n == 0.0)
             .filter(|&k| self.impulses[k] != Vec3::zeros())
             .filter_map(|k| match self.candidates[k].key.partner {
-                Partner::Boundary { boundary, .. } => Some((boundary, self.candidates[k].normal)),
+                Partner::Boundary { boundary, .. } => {
+                    // A driven body gives way.
+                    let rigid = self.inputs.body(usize::from(boundary)).is_none();
+                    rigid.then_some((boundary, self.candidates[k].normal))
+                }
                 Partner::Sphere(_) => None,
             })
             .collect();

@@ -1,9 +1,10 @@
 //! The start of a run: overlaps out by displacement, contact forces at rest.
 
 use super::stage::Stage;
-use super::{Scratch, StepFailure, dof, surfaces};
+use super::{Scratch, StepFailure, surfaces};
 use crate::Vec3;
 use crate::contacts::narrow_phase::Placement;
+use crate::driven::Ready;
 use crate::motion::Twist;
 use crate::problem::assemble::{Inputs, external_acceleration};
 use crate::problem::{Dof6, Law};
@@ -28,12 +29,14 @@ pub fn initial_forces(
     let external = external_acceleration(scene, &kinematics, state.gravity);
     let targets: Vec<Vec3> = scene.springs.iter().map(|spring| spring.target).collect();
     let (poses, twists) = (state.poses.clone(), state.twists.clone());
+    let bodies = Ready::all(scene, state, dt);
     let inputs = Inputs {
         scene,
         kinematics: &kinematics,
         external: &external,
         step: dt,
         poses: [&poses, &poses],
+        bodies: &bodies,
         twists: &twists,
         surfaces: &surfaces(scene, state),
         gravity: state.gravity,
@@ -51,6 +54,11 @@ pub fn initial_forces(
     stage.store(state);
     state.springs = stage.spring_forces();
     state.persisting = stage.persisting_acceleration();
+    let solution = stage.problem.velocities(&stage.impulses);
+    let at_rest = stage.finished(&solution, &poses);
+    for (carried, (found, _)) in state.bodies.iter_mut().zip(at_rest) {
+        carried.persisting = found.persisting;
+    }
     Ok(())
 }
 
@@ -92,6 +100,8 @@ pub fn remove_overlaps(
         external: &vec![Dof6::ZERO; kinematics.len()],
         step: scene.settings.step,
         poses: [&poses, &poses],
+        // Walls give way to no overlap.
+        bodies: &[],
         twists: &vec![Twist::default(); poses.len()],
         surfaces: &vec![Vec3::zeros(); poses.len()],
         gravity: Vec3::zeros(),
@@ -111,9 +121,7 @@ pub fn remove_overlaps(
 impl Stage<'_> {
     /// Keeps the candidates that are closed and neither approach nor part, with zero gap.
     fn keep_resting(&mut self, scene: &Scene) {
-        let velocity: Vec<Dof6> = (0..self.inputs.kinematics.len())
-            .map(|i| dof(self.inputs.kinematics, i))
-            .collect();
+        let velocity = self.before();
         let creep = scene.settings.gravity.norm() * self.inputs.step;
         let closed = scene.settings.tolerance.gap.max(1e-9);
         let rests = |k: usize| {

@@ -5,6 +5,7 @@
 
 mod belts;
 mod contact_statics;
+mod driven;
 mod free_motion;
 mod impact;
 mod incline;

@@ -2,11 +2,14 @@
 
 use std::sync::Arc;
 
+use nalgebra::UnitQuaternion;
 use sphere_dda::Vec3;
 use sphere_dda::boundaries::{Belt, Boundary, Geometry, HalfSpace, Shape};
+use sphere_dda::driven::{Body, Joint};
 use sphere_dda::materials::{Material, Pair, PairTable};
-use sphere_dda::motion::Motion;
+use sphere_dda::motion::{Motion, Pose, Twist};
 use sphere_dda::particles::{Kinematics, Locks, Particles};
+use sphere_dda::problem::Dof6;
 use sphere_dda::scene::{Output, Scene, Settings};
 use sphere_dda::simulation::Simulation;
 
@@ -144,6 +147,20 @@ impl Case {
         self
     }
 
+    /// A boundary of the given shapes that `body` moves; its point of action is the origin.
+    pub fn driven(mut self, shapes: Vec<Shape>, body: Body) -> Self {
+        self.scene.boundaries.push(Boundary {
+            name: format!("driven{}", self.scene.boundaries.len()),
+            material: 1,
+            geometry: Geometry::new(shapes).expect("a geometry"),
+            motion: Motion::Driven(Box::new(body)),
+            point_of_action: Vec3::zeros(),
+            stiffness: None,
+            belt: None,
+        });
+        self
+    }
+
     pub fn floor(self) -> Self {
         self.plane(Vec3::zeros(), Vec3::z())
     }
@@ -151,6 +168,25 @@ impl Case {
     pub fn start(self) -> Run {
         let simulation = Simulation::new(Arc::new(self.scene)).expect("the case starts");
         Run { simulation }
+    }
+}
+
+/// A body without loads, at rest, on which gravity acts; its principal axes are those of the scene.
+pub fn body(mass: f64, centre: Vec3, moments: Vec3, joint: Joint) -> Body {
+    Body {
+        mass,
+        centre,
+        moments,
+        axes: UnitQuaternion::identity(),
+        joint,
+        force: Vec3::zeros(),
+        torque: Vec3::zeros(),
+        servo: None,
+        damping: [0.0; 2],
+        gravity: true,
+        pose: Pose::default(),
+        twist: Twist::default(),
+        input: false,
     }
 }
 
@@ -188,13 +224,14 @@ impl Run {
     }
 
     /// One communication step, with the balance of linear momentum: boundary forces, weight, loads and
-    /// springs are its rate, to 1e-9 of all impulses. The balance needs equal steps before and after, and
+    /// springs are its rate, to 1e-9 of all impulses. The balance needs whole steps before and after, and
     /// free spheres; `Moreau` only.
     pub fn step(&mut self) {
         self.advance(self.simulation.scene().settings.step);
     }
 
     pub fn advance(&mut self, h: f64) {
+        let bodies = self.bodies();
         let before = self.momentum();
         let last = self.simulation.state().last_step;
         self.simulation.advance(h).expect("the step converges");
@@ -204,9 +241,15 @@ impl Run {
             .locks
             .iter()
             .any(|l| l.translation.iter().any(|x| *x));
-        let equal = (last - self.simulation.state().last_step).abs() <= 1e-12 * h;
+        let now = self.simulation.state().last_step;
+        let equal =
+            (last - now).abs() <= 1e-12 * h && (now - scene.settings.step).abs() <= 1e-12 * h;
         let shi = scene.settings.integrator == sphere_dda::scene::Integrator::Shi;
-        if locked || !equal || shi {
+        if !equal || shi {
+            return;
+        }
+        self.check_bodies(&bodies, h);
+        if locked {
             return;
         }
         let weight: Vec3 = scene
@@ -237,6 +280,53 @@ impl Run {
             "momentum is off by {error:e} of {:e} N s",
             scale * h
         );
+    }
+
+    /// Momentum and angular momentum about the reference point of each driven body, and its pose.
+    fn bodies(&self) -> Vec<(Dof6, Pose)> {
+        let scene = self.simulation.scene();
+        let carried = self.simulation.state().bodies.iter();
+        carried
+            .zip(scene.driven())
+            .map(|(carried, (b, _))| (carried.momentum, self.simulation.boundary_pose(b)))
+            .collect()
+    }
+
+    /// The momentum of driven bodies without damper and outside load changes by weight, loads and the contacts' wrench; of a
+    /// free one also the angular momentum. Only in a step that was not cut do all torques act at the start.
+    fn check_bodies(&self, before: &[(Dof6, Pose)], h: f64) {
+        let scene = self.simulation.scene();
+        let driven = scene.driven().zip(before).zip(self.bodies());
+        for (((b, body), (old, start)), (new, _)) in driven {
+            if body.damping != [0.0; 2] || body.input || body.servo.is_some() {
+                continue;
+            }
+            let wrench = self.simulation.mean_wrench(b);
+            let weight = scene.settings.gravity * body.mass;
+            let force = weight * f64::from(u8::from(body.gravity)) + body.force + wrench.force;
+            let scale = weight.norm() + body.force.norm() + wrench.force.norm();
+            let scale = h * (scale + (old.linear.norm() + new.linear.norm()) / h);
+            let error = match body.joint {
+                Joint::Free => (new.linear - old.linear - force * h).norm(),
+                Joint::Slide { axis } => (new.linear - old.linear - force * h).dot(&axis).abs(),
+                Joint::Hinge { .. } => 0.0,
+            };
+            assert!(
+                error <= 1e-9 * scale,
+                "body {b}: momentum is off by {error:e} N s"
+            );
+            if !matches!(body.joint, Joint::Free) || self.simulation.report().internal_steps > 1 {
+                continue;
+            }
+            let arm = start.rotation * (scene.boundaries[b].point_of_action - body.centre);
+            let torque = wrench.torque + body.torque + arm.cross(&(wrench.force + body.force));
+            let scale = (torque.norm() + wrench.torque.norm()) * h + old.angular.norm();
+            let error = (new.angular - old.angular - torque * h).norm();
+            assert!(
+                error <= 1e-9 * scale,
+                "body {b}: angular momentum is off by {error:e} N m s"
+            );
+        }
     }
 
     pub fn steps(&mut self, n: usize) {

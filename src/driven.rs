@@ -1,0 +1,485 @@
+//! Driven bodies: boundaries that forces and torques move, solved together with the spheres.
+//!
+//! ```text
+//! M v' = F + sum of contact impulses          M: mass on the joint's free directions
+//! free    v = velocity of the centre of mass, all six components
+//! slide   v along one axis, no rotation
+//! hinge   rotation about one axis through the point of action
+//! ```
+//!
+//! Each joint leaves a linear and an angular block of *modes*: orthonormal directions `d` with an inertia `J` \[kg\] or
+//! \[kg m^2\] each. With the reference point at the centre of mass (free), anywhere (slide) or on the axis (hinge)
+//! the two blocks do not couple, so `W = sum d d^T / J` is two 3x3 matrices.
+//!
+//! What a body carries from step to step is its momentum `(P, L)`, `L` about the reference point in world axes: a free body's
+//! angular momentum is then kept to rounding, without a gyroscopic term. The angular velocity follows from it by the
+//! inertia at the middle of the step, `w = J(Q_h)^-1 L` with `Q_h` turned by half a step of the free motion: of second
+//! order, and frozen while the step is solved (the leapfrog of Fincham 1992 for rigid molecules).
+//!
+//! A damper `c` acts on each mode by its exact solution under the force of the step, `l = c dt / J`:
+//!
+//! ```text
+//! moreau  v_free = e^-l P/J + dt F phi/J,  W = phi/J,  phi = (1 - e^-l)/l      stable for every c
+//! shi     v_free = (2 P + dt F)/(2 J + c dt),  W = 1/(2 J + c dt)
+//! ```
+
+use nalgebra::{Matrix3, UnitQuaternion};
+use serde::{Deserialize, Serialize};
+
+use crate::Vec3;
+use crate::boundaries::Boundary;
+use crate::motion::{Command, InputKind, Motion, Pose, Twist};
+use crate::problem::{Dof6, Operator};
+use crate::scene::{Integrator, Scene, Settings};
+use crate::state::State;
+
+/// What a driven body can do.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub enum Joint {
+    /// Anything.
+    Free,
+    /// Move along an axis without turning.
+    Slide {
+        /// Unit axis, world.
+        axis: Vec3,
+    },
+    /// Turn about an axis through the point of action.
+    Hinge {
+        /// Unit axis, world.
+        axis: Vec3,
+    },
+}
+
+/// The area on which a servo wall's pressure acts \[m^2\].
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub enum Area {
+    /// Constant \[m^2\].
+    Constant(f64),
+    /// Product of the distances \[m\] between the points of action of two pairs of boundaries.
+    Between([[usize; 2]; 2]),
+}
+
+/// A pressure that a body on a slide exerts along its axis.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Servo {
+    /// Pressure \[Pa\]; positive pushes along the axis.
+    pub pressure: f64,
+    /// Area it acts on.
+    pub area: Area,
+}
+
+/// Mass, joint and loads of a boundary that is moved by force.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Body {
+    /// Mass \[kg\].
+    pub mass: f64,
+    /// Centre of mass \[m\], scene coordinates.
+    pub centre: Vec3,
+    /// Principal moments of inertia about the centre of mass \[kg m^2\].
+    pub moments: Vec3,
+    /// Principal axes: from them to scene axes.
+    pub axes: UnitQuaternion<f64>,
+    /// Joint.
+    pub joint: Joint,
+    /// Constant force \[N\] at the point of action, world axes.
+    pub force: Vec3,
+    /// Constant torque \[N m\], world axes.
+    pub torque: Vec3,
+    /// Force on a slide by pressure.
+    pub servo: Option<Servo>,
+    /// Damping of the linear \[N s/m\] and of the angular velocity \[N m s/rad\].
+    pub damping: [f64; 2],
+    /// Whether gravity acts on it.
+    pub gravity: bool,
+    /// Pose at t = 0.
+    pub pose: Pose,
+    /// Velocity of the point of action at t = 0.
+    pub twist: Twist,
+    /// Whether forces and torques come from outside too, by [`crate::simulation::Simulation::command`].
+    pub input: bool,
+}
+
+/// What a driven body carries from step to step.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct BodyState {
+    /// Momentum \[N s\] and angular momentum about the reference point \[N m s\]: the integrator's own (half step for Moreau).
+    pub momentum: Dof6,
+    /// The velocity that goes with it, of the reference point.
+    pub velocity: Dof6,
+    /// Force \[N\] and torque about the reference point \[N m\] of all but impacts in the last step.
+    pub persisting: Dof6,
+}
+
+/// Directions in which a body can move, with their inertia: \[kg\] or \[kg m^2\].
+type Modes = Vec<(Vec3, f64)>;
+
+/// `sum d d^T f(J)`.
+fn along(modes: &Modes, f: impl Fn(f64) -> f64) -> Matrix3<f64> {
+    modes
+        .iter()
+        .map(|(d, inertia)| d * d.transpose() * f(*inertia))
+        .sum()
+}
+
+impl Body {
+    /// The reference point of its equations \[m\], scene coordinates.
+    fn reference(&self, boundary: &Boundary) -> Vec3 {
+        match self.joint {
+            Joint::Hinge { .. } => boundary.point_of_action,
+            Joint::Free | Joint::Slide { .. } => self.centre,
+        }
+    }
+
+    /// Inertia about the centre of mass in scene axes \[kg m^2\].
+    fn inertia(&self) -> Matrix3<f64> {
+        let axes = self.axes.to_rotation_matrix();
+        axes * Matrix3::from_diagonal(&self.moments) * axes.inverse()
+    }
+
+    /// Moment of inertia about an axis \[kg m^2\], unit vector of the scene, through the point `at` \[m\].
+    #[must_use]
+    pub fn moment_about(&self, axis: Vec3, at: Vec3) -> f64 {
+        let own = axis.dot(&(self.inertia() * axis));
+        own + self.mass * (self.centre - at).cross(&axis).norm_squared()
+    }
+
+    /// Linear and angular modes when turned by `rotation`.
+    fn modes(&self, boundary: &Boundary, rotation: UnitQuaternion<f64>) -> [Modes; 2] {
+        match self.joint {
+            Joint::Free => {
+                let axes = (rotation * self.axes).to_rotation_matrix();
+                let column = |k: usize| axes.matrix().column(k).into_owned();
+                [
+                    (0..3).map(|k| (Vec3::ith(k, 1.0), self.mass)).collect(),
+                    (0..3).map(|k| (column(k), self.moments[k])).collect(),
+                ]
+            }
+            Joint::Slide { axis } => [vec![(axis, self.mass)], Modes::new()],
+            Joint::Hinge { axis } => {
+                let inertia = self.moment_about(axis, boundary.point_of_action);
+                [Modes::new(), vec![(axis, inertia)]]
+            }
+        }
+    }
+
+    /// Mass (`f(J) = J`), mobility (`f(J) = 1/J`) or another function of the inertias when turned by `rotation`.
+    fn operator(
+        &self,
+        boundary: &Boundary,
+        rotation: UnitQuaternion<f64>,
+        f: impl Fn(f64) -> f64,
+    ) -> Operator {
+        let [linear, angular] = self.modes(boundary, rotation);
+        Operator {
+            linear: along(&linear, &f),
+            angular: along(&angular, &f),
+        }
+    }
+
+    /// Point of action from the reference point \[m\], world.
+    fn action(&self, boundary: &Boundary, pose: &Pose) -> Vec3 {
+        pose.rotation * (boundary.point_of_action - self.reference(boundary))
+    }
+
+    /// Velocity of the point of action when the body has `momentum`, about the reference point.
+    #[must_use]
+    pub fn twist_of(&self, boundary: &Boundary, pose: &Pose, momentum: &Dof6) -> Twist {
+        let mobility = self.operator(boundary, pose.rotation, f64::recip);
+        let velocity = mobility.times(momentum);
+        Twist {
+            linear: velocity.at(self.action(boundary, pose)),
+            angular: velocity.angular,
+        }
+    }
+
+    /// Momentum \[N s\] and angular momentum about the reference point \[N m s\] when the point of action has `twist`.
+    #[must_use]
+    pub fn momentum_of(&self, boundary: &Boundary, pose: &Pose, twist: &Twist) -> Dof6 {
+        let arm = self.action(boundary, pose);
+        let velocity = Dof6 {
+            linear: twist.linear - twist.angular.cross(&arm),
+            angular: twist.angular,
+        };
+        self.operator(boundary, pose.rotation, |inertia| inertia)
+            .times(&velocity)
+    }
+
+    /// What the outside may command.
+    #[must_use]
+    pub fn input_kind(&self) -> Option<InputKind> {
+        self.input.then_some(match self.joint {
+            Joint::Free => InputKind::Load,
+            Joint::Slide { axis } => InputKind::SlideForce { axis },
+            Joint::Hinge { axis } => InputKind::HingeTorque { axis },
+        })
+    }
+
+    /// Force \[N\] at the point of action and torque \[N m\] of all loads but gravity.
+    fn load(&self, scene: &Scene, poses: &[Pose], command: &Command) -> Dof6 {
+        let mut load = Dof6 {
+            linear: self.force,
+            angular: self.torque,
+        };
+        match self.input_kind() {
+            Some(InputKind::Load) => {
+                load.linear += command.force;
+                load.angular += command.torque;
+            }
+            Some(InputKind::SlideForce { axis }) => load.linear += axis * command.scalar,
+            Some(InputKind::HingeTorque { axis }) => load.angular += axis * command.scalar,
+            _ => {}
+        }
+        if let (Joint::Slide { axis }, Some(servo)) = (self.joint, &self.servo) {
+            load.linear += axis * (servo.pressure * servo.area.of(scene, poses));
+        }
+        load
+    }
+}
+
+impl Area {
+    /// The area \[m^2\] when the boundaries stand at `poses`.
+    fn of(&self, scene: &Scene, poses: &[Pose]) -> f64 {
+        match self {
+            Self::Constant(area) => *area,
+            Self::Between(pairs) => {
+                let at = |b: usize| scene.boundaries[b].point_of_action + poses[b].translation;
+                pairs
+                    .iter()
+                    .map(|[a, b]| (at(*a) - at(*b)).norm())
+                    .product()
+            }
+        }
+    }
+}
+
+impl Scene {
+    /// The driven bodies and the index of their boundary, ascending.
+    pub fn driven(&self) -> impl Iterator<Item = (usize, &Body)> {
+        let boundaries = self.boundaries.iter().enumerate();
+        boundaries.filter_map(|(b, boundary)| match &boundary.motion {
+            Motion::Driven(body) => Some((b, &**body)),
+            _ => None,
+        })
+    }
+}
+
+impl BodyState {
+    /// All driven bodies of a scene at t = 0, `[D]`.
+    #[must_use]
+    pub fn initial(scene: &Scene) -> Vec<Self> {
+        let start = |(b, body): (usize, &Body)| {
+            let boundary = &scene.boundaries[b];
+            let momentum = body.momentum_of(boundary, &body.pose, &body.twist);
+            Self {
+                momentum,
+                velocity: body
+                    .operator(boundary, body.pose.rotation, f64::recip)
+                    .times(&momentum),
+                persisting: Dof6::ZERO,
+            }
+        };
+        scene.driven().map(start).collect()
+    }
+}
+
+/// A driven body at the start of a step: everything that the step's problem needs of it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Ready<'a> {
+    /// Index of its boundary.
+    pub boundary: usize,
+    /// Its reference point \[m\], world.
+    pub reference: Vec3,
+    /// Its point of action from the reference point \[m\].
+    pub action: Vec3,
+    /// Velocity before the step, matching its length.
+    pub velocity: Dof6,
+    /// Velocity without contacts.
+    pub free: Dof6,
+    /// `W`.
+    pub mobility: Operator,
+    /// Force \[N\] and torque about the reference point \[N m\] of loads and gravity.
+    pub external: Dof6,
+    /// Those of the loads alone, force at the point of action.
+    pub load: Dof6,
+    /// Acceleration by `external`.
+    pub acceleration: Dof6,
+    body: &'a Body,
+    wall: &'a Boundary,
+    momentum: Dof6,
+    mass: Operator,
+}
+
+impl<'a> Ready<'a> {
+    /// All driven bodies of a step of `dt` \[s\] from `state`, `[D]`.
+    #[must_use]
+    pub fn all(scene: &'a Scene, state: &State, dt: f64) -> Vec<Self> {
+        let bodies = scene.driven().zip(&state.bodies);
+        bodies
+            .map(|((b, body), carried)| Self::of(scene, state, b, body, carried, dt))
+            .collect()
+    }
+
+    fn of(
+        scene: &'a Scene,
+        state: &State,
+        b: usize,
+        body: &'a Body,
+        carried: &BodyState,
+        dt: f64,
+    ) -> Self {
+        let boundary = &scene.boundaries[b];
+        let integrator = scene.settings.integrator;
+        let pose = &state.poses[b];
+        let reference = boundary.from_frame(pose, body.reference(boundary));
+        let action = body.action(boundary, pose);
+        // Shi's acceleration is constant over the step: that of the middle keeps its second order where torques turn along.
+        let ahead = match integrator {
+            Integrator::Moreau => Vec3::zeros(),
+            Integrator::Shi => carried.velocity.angular * (0.5 * dt),
+        };
+        let ahead = UnitQuaternion::from_scaled_axis(ahead);
+        let lever = ahead * action;
+        let centre = ahead * (boundary.from_frame(pose, body.centre) - reference);
+        let load = body.load(scene, &state.poses, &state.commands[b]);
+        let weight = match body.gravity {
+            true => state.gravity * body.mass,
+            false => Vec3::zeros(),
+        };
+        let external = Dof6 {
+            linear: load.linear + weight,
+            angular: load.angular + lever.cross(&load.linear) + centre.cross(&weight),
+        };
+        let here = body.operator(boundary, pose.rotation, f64::recip);
+        let (last, persisting) = (state.last_step, &carried.persisting);
+        let momentum = integrator.restep(&carried.momentum, persisting, last, dt);
+        let velocity = integrator.restep(&carried.velocity, &here.times(persisting), last, dt);
+        let ahead = integrator.free(&momentum, &external, dt);
+        let turn = here.times(&ahead).angular * (0.5 * dt);
+        let middle = UnitQuaternion::from_scaled_axis(turn) * pose.rotation;
+        let [linear, angular] = body.modes(boundary, middle);
+        let damped = |modes: &Modes, c: f64, momentum: Vec3, force: Vec3| {
+            let kept = along(modes, |inertia| damping(integrator, c, inertia, dt)[0]);
+            let moved = along(modes, |inertia| damping(integrator, c, inertia, dt)[1]);
+            (kept * momentum + moved * (force * dt), moved)
+        };
+        let (v, linear_w) = damped(&linear, body.damping[0], momentum.linear, external.linear);
+        let (w, angular_w) = damped(
+            &angular,
+            body.damping[1],
+            momentum.angular,
+            external.angular,
+        );
+        Self {
+            boundary: b,
+            reference,
+            action,
+            velocity,
+            free: Dof6 {
+                linear: v,
+                angular: w,
+            },
+            mobility: Operator {
+                linear: linear_w,
+                angular: angular_w,
+            },
+            acceleration: here.times(&external),
+            external,
+            load,
+            body,
+            wall: boundary,
+            momentum,
+            mass: body.operator(boundary, middle, |inertia| inertia),
+        }
+    }
+
+    /// Acceleration of the material point at `arm` by loads and gravity and by its rotation \[m/s^2\].
+    #[must_use]
+    pub fn acceleration_at(&self, arm: Vec3) -> Vec3 {
+        let w = self.velocity.angular;
+        self.acceleration.at(arm) + w.cross(&w.cross(&arm))
+    }
+
+    /// Its mass \[kg\].
+    #[must_use]
+    pub fn mass(&self) -> f64 {
+        self.body.mass
+    }
+
+    /// The pose to which `velocity` leads from `pose` within `dt` \[s\].
+    #[must_use]
+    pub fn moved(&self, pose: &Pose, velocity: &Dof6, dt: f64) -> Pose {
+        let turn = UnitQuaternion::from_scaled_axis(velocity.angular * dt);
+        Pose {
+            translation: pose.translation + velocity.linear * dt + turn * self.action - self.action,
+            rotation: UnitQuaternion::new_normalize((turn * pose.rotation).into_inner()),
+        }
+    }
+
+    /// Velocity of the point of action at `velocity` of the reference point.
+    #[must_use]
+    pub fn action_velocity(&self, velocity: &Dof6) -> Twist {
+        Twist {
+            linear: velocity.at(self.action),
+            angular: velocity.angular,
+        }
+    }
+
+    /// What the body carries on after `v1` solved the step's problem, and the work of its damper \[J\]. `contacts` are the
+    /// impulses of all contacts and `persisting` those that are no impacts, about the reference point; `end` the pose.
+    #[must_use]
+    pub fn finish(
+        &self,
+        settings: &Settings,
+        v1: &Dof6,
+        [contacts, persisting]: [&Dof6; 2],
+        end: &Pose,
+        dt: f64,
+    ) -> (BodyState, f64) {
+        let mobility = settings.integrator.mobility();
+        let solved = self.mass.times(v1);
+        let momentum = settings
+            .integrator
+            .finish(&self.momentum, &solved, settings);
+        // What is missing in the balance of momentum over the whole step is the damper's impulse.
+        let damper = solved
+            .plus(&self.momentum, -1.0)
+            .plus(&self.external, -dt * mobility)
+            .plus(contacts, -mobility);
+        let damper = Dof6::ZERO.plus(&damper, 1.0 / mobility);
+        let velocity = match settings.integrator {
+            Integrator::Moreau => *v1,
+            Integrator::Shi => {
+                let mobility = self.body.operator(self.wall, end.rotation, f64::recip);
+                mobility.times(&momentum)
+            }
+        };
+        let mean = match settings.integrator {
+            Integrator::Moreau => Dof6::ZERO.plus(&self.velocity, 0.5).plus(v1, 0.5),
+            Integrator::Shi => *v1,
+        };
+        let carried = BodyState {
+            momentum,
+            velocity,
+            persisting: self
+                .external
+                .plus(persisting, 1.0 / dt)
+                .plus(&damper, 1.0 / dt),
+        };
+        (carried, damper.dot(&mean))
+    }
+}
+
+/// `[a, b]` of one mode: `v_free = a P + b dt F`, `W = b`.
+fn damping(integrator: Integrator, c: f64, inertia: f64, dt: f64) -> [f64; 2] {
+    match integrator {
+        Integrator::Moreau => {
+            let l = c * dt / inertia;
+            let phi = if l > 0.0 { -(-l).exp_m1() / l } else { 1.0 };
+            [(-l).exp() / inertia, phi / inertia]
+        }
+        Integrator::Shi => {
+            let stiff = 2.0 * inertia + c * dt;
+            [2.0 / stiff, 1.0 / stiff]
+        }
+    }
+}

@@ -1,0 +1,110 @@
+//! Block Gauss-Seidel on the multipliers.
+//!
+//! Contact by contact: the contact's own law is solved in closed form with all other multipliers held, and the velocities of
+//! its two bodies follow at once (for a sphere contact the local operator is diagonal, so normal and tangent do not couple).
+//! Contacts of spheres go four at a time ([`block`]), every other row by the operations of [`Row`](crate::problem::Row)
+//! ([`kernel`]); the order is fixed by the rows alone. From the fourth sweep on Nesterov's momentum moves impulses and
+//! velocities together; it starts anew where the corrections point back. Robust with friction.
+
+mod block;
+mod kernel;
+
+use super::residual::{Residual, evaluate};
+use super::{Params, Report};
+use crate::Vec3;
+use crate::problem::Problem;
+use crate::scene::Tolerance;
+use block::Pace;
+pub use kernel::Kernel;
+
+/// Sweeps after which updates are damped and momentum ends: exact Coulomb friction can cycle.
+const DAMP_AFTER: [(usize, f64); 2] = [(300, 0.6), (1200, 0.3)];
+/// The first sweep with momentum: the first ones remove what is local.
+const MOMENTUM_FROM: usize = 4;
+
+/// Solves `problem` from the impulses given; see [`super::solve`].
+pub fn solve(
+    problem: &Problem,
+    params: &Params,
+    kernel: &mut Kernel,
+    impulses: &mut [Vec3],
+) -> Report {
+    let mut report = Report::default();
+    let mut momentum = Momentum::default();
+    let mut pace = Pace {
+        momentum: 0.0,
+        damping: 1.0,
+        strictness: 1.0,
+        force: params.tolerance.force,
+    };
+    kernel.compile(problem, &params.tolerance, impulses);
+    while report.sweeps < params.max_sweeps {
+        report.sweeps += 1;
+        pace.damping = DAMP_AFTER
+            .iter()
+            .rev()
+            .find(|(after, _)| report.sweeps > *after)
+            .map_or(1.0, |(_, damping)| *damping);
+        pace.momentum = if report.sweeps < MOMENTUM_FROM || pace.damping < 1.0 {
+            0.0
+        } else {
+            momentum.next()
+        };
+        let progress = kernel.sweep(problem, pace);
+        if progress.along < 0.0 {
+            momentum = Momentum::default();
+        }
+        if progress.settled {
+            kernel.store(impulses);
+            report.residual = judged(problem, impulses);
+            if report.residual.within(&params.tolerance) {
+                report.converged = true;
+                return report;
+            }
+            // The sweep promised too much: ask later.
+            pace.strictness *= 0.5;
+            kernel.reload(problem, impulses);
+        }
+    }
+    kernel.store(impulses);
+    report.residual = judged(problem, impulses);
+    report.converged = report.residual.within(&params.tolerance);
+    report
+}
+
+fn judged(problem: &Problem, impulses: &[Vec3]) -> Residual {
+    evaluate(problem, &super::residual::Scale::of(problem), impulses)
+}
+
+/// `sweeps` undamped sweeps: what the augmented-Lagrangian loop uses to bring friction onto the true cone.
+pub(super) fn smooth(problem: &Problem, sweeps: usize, kernel: &mut Kernel, impulses: &mut [Vec3]) {
+    let pace = Pace {
+        momentum: 0.0,
+        damping: 1.0,
+        strictness: 1.0,
+        force: 1.0,
+    };
+    kernel.compile(problem, &Tolerance::default(), impulses);
+    for _ in 0..sweeps {
+        kernel.sweep(problem, pace);
+    }
+    kernel.store(impulses);
+}
+
+/// Nesterov's sequence of momenta.
+#[derive(Debug, Clone, Copy)]
+struct Momentum(f64);
+
+impl Default for Momentum {
+    fn default() -> Self {
+        Self(1.0)
+    }
+}
+
+impl Momentum {
+    fn next(&mut self) -> f64 {
+        let last = self.0;
+        self.0 = 0.5 * (1.0 + (1.0 + 4.0 * last * last).sqrt());
+        (last - 1.0) / self.0
+    }
+}
