@@ -204,6 +204,18 @@ impl Body {
             .times(&velocity)
     }
 
+    /// Linear and angular kinetic energy \[J\] when the point of action has `twist`; of a hinge all is angular.
+    #[must_use]
+    pub fn kinetic_energy(&self, boundary: &Boundary, pose: &Pose, twist: &Twist) -> [f64; 2] {
+        let momentum = self.momentum_of(boundary, pose, twist);
+        let mobility = self.operator(boundary, pose.rotation, f64::recip);
+        let velocity = mobility.times(&momentum);
+        [
+            0.5 * momentum.linear.dot(&velocity.linear),
+            0.5 * momentum.angular.dot(&velocity.angular),
+        ]
+    }
+
     /// What the outside may command.
     #[must_use]
     pub fn input_kind(&self) -> Option<InputKind> {
@@ -342,7 +354,7 @@ impl<'a> Ready<'a> {
         let centre = ahead * (boundary.from_frame(pose, body.centre) - reference);
         let load = body.load(scene, &state.poses, &state.commands[b]);
         let weight = match body.gravity {
-            true => state.gravity * body.mass,
+            true => state.gravity_at(scene, integrator.middle(state.time, dt)) * body.mass,
             false => Vec3::zeros(),
         };
         let external = Dof6 {

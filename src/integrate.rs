@@ -25,6 +25,16 @@ impl Integrator {
         }
     }
 
+    /// Middle \[s\] of the interval over which a step of `dt` \[s\] from `start` \[s\] changes the state velocity: there
+    /// forces of time count, so that the scheme is of second order.
+    #[must_use]
+    pub fn middle(self, start: f64, dt: f64) -> f64 {
+        match self {
+            Self::Moreau => start,
+            Self::Shi => start + 0.5 * dt,
+        }
+    }
+
     /// Velocity without contacts.
     #[must_use]
     pub fn free(self, velocity: &Dof6, external: &Dof6, dt: f64) -> Dof6 {

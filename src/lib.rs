@@ -44,6 +44,8 @@
 //! | - | couple `m` of a resistance | [`contacts::Contact::torque`]; its row has `impulse = m dt / radius` | N m |
 //! | - | surface velocity of a belt | [`boundaries::Belt`] | m/s |
 //! | `dt` | time step | `step` | s |
+//! | - | angular velocity `W` of the frame | [`frame::RotatingFrame`] | rad/s |
+//! | - | image `k` and edges `L` of a copy `x + k L` | [`cell::Image`], [`cell::Cell`] | -, m |
 //!
 //! # Pipeline of one step
 //!
@@ -52,11 +54,14 @@
 //! [`scene`] comes before all of this, [`observe`] after.
 
 pub mod boundaries;
+pub mod cell;
 pub mod clock;
 pub mod contacts;
 pub mod drive;
 pub mod driven;
 pub mod error;
+pub mod frame;
+pub mod gravity;
 pub mod integrate;
 pub mod linalg;
 pub mod materials;

@@ -220,7 +220,7 @@ impl Motion {
 }
 
 /// Piecewise linear value at `t`, held constant outside; zero from an empty table.
-fn interpolate(time: &[f64], value: &[Vec3], t: f64) -> Vec3 {
+pub(crate) fn interpolate(time: &[f64], value: &[Vec3], t: f64) -> Vec3 {
     let after = time.partition_point(|&knot| knot <= t);
     let knot = |i: usize| Some((*time.get(i)?, *value.get(i)?));
     match (after.checked_sub(1).and_then(knot), knot(after)) {

@@ -84,6 +84,13 @@ impl Particles {
         0.4 * self.mass[i] * self.radius[i] * self.radius[i]
     }
 
+    /// Translations and rotations of sphere `i`: one where it is free, zero where locked.
+    #[must_use]
+    pub fn free(&self, i: usize) -> [Vec3; 2] {
+        let locks = &self.locks[i];
+        [locks.translation, locks.rotation].map(Locks::free)
+    }
+
     /// Inverse mass \[1/kg\] of sphere `i` along x, y, z; zero where locked.
     #[must_use]
     pub fn inverse_mass(&self, i: usize) -> Vec3 {

@@ -10,6 +10,7 @@ use crate::driven::BodyState;
 use crate::motion::{Command, Pose, Twist};
 use crate::particles::Kinematics;
 use crate::problem::Dof6;
+use crate::scene::Scene;
 use crate::simulation::{StepReport, Wrench};
 
 /// Work done since t = 0 \[J\].
@@ -19,6 +20,8 @@ pub struct Work {
     pub dissipated: f64,
     /// Work of moving boundaries on the spheres.
     pub boundaries: f64,
+    /// Potential energy that the spheres got because gravity changed with time.
+    pub gravity: f64,
     /// Work of point loads on the spheres, and of all loads but gravity on driven bodies.
     pub loads: f64,
     /// Work of the dampers of driven bodies: at most zero.
@@ -45,12 +48,18 @@ pub struct State {
     pub time: f64,
     /// Last internal step \[s\]; 0 before the first.
     pub last_step: f64,
-    /// Gravity \[m/s^2\].
+    /// Gravity \[m/s^2\] as set: what [`crate::gravity::GravityMotion`] moves.
     pub gravity: Vec3,
     /// Spheres; velocities are the integrator's own.
     pub kinematics: Kinematics,
     /// Acceleration by external and persisting contact forces in the last step, `[N]`.
     pub persisting: Vec<Dof6>,
+    /// The part of `persisting` that is by external forces, `[N]`; empty unless the frame rotates.
+    pub external: Vec<Dof6>,
+    /// Weight, inertial forces and point loads on all spheres in the last internal step \[N\].
+    pub body_force: Vec3,
+    /// The same averaged over the last communication step \[N\].
+    pub mean_body_force: Vec3,
     /// Loaded contacts of the last step, canonical order.
     pub contacts: Vec<Contact>,
     /// Force of each constrained spring on its sphere \[N\], `[S]`.
@@ -87,4 +96,22 @@ pub struct State {
     pub penalty: f64,
     /// Report of the last communication step.
     pub report: StepReport,
+}
+
+impl State {
+    /// Gravity \[m/s^2\] at time `t` \[s\].
+    #[must_use]
+    pub fn gravity_at(&self, scene: &Scene, t: f64) -> Vec3 {
+        scene.settings.gravity_motion.at(self.gravity, t)
+    }
+
+    /// Books the potential energy `-m x . change` of a change of gravity \[m/s^2\] with the spheres at `position` \[m\], `[N]`.
+    pub(crate) fn lift(&mut self, scene: &Scene, position: &[Vec3], change: Vec3) {
+        if change != Vec3::zeros() {
+            let spheres = position.iter().zip(&scene.particles.mass);
+            let present = spheres.zip(&self.kinematics.present).filter(|(_, is)| **is);
+            let moment: Vec3 = present.map(|((x, mass), _)| x * *mass).sum();
+            self.work.gravity -= moment.dot(&change);
+        }
+    }
 }

@@ -114,6 +114,28 @@ const CASES: &[Case] = cases! {
     "step = 1e-3" => "step = 1e-3\nmax_iterations = -5", "simulation.max_iterations", "max_iter", "expected u32";
     "step = 1e-3" => "step = 1e-3\nmax_cuts = 99", "simulation.max_cuts", "max_cuts", "found 99";
     "vtu_interval = 0.05" => "vtu_interval = -0.05", "output.vtu_interval", "vtu_interval", ">= 0 [s]";
+    // Gravity and the frame of reference.
+    "step = 1e-3" => "step = 1e-3\ngravity_motion = { rotation = { axis = [0, 0, 0], speed = 1 } }", "simulation.gravity_motion.rotation.axis", "gravity_motion", "a direction of length > 0";
+    "step = 1e-3" => "step = 1e-3\ngravity_motion = { rotatin = { axis = [0, 1, 0], speed = 1 } }", "simulation.gravity_motion", "gravity_motion", "did you mean `rotation`";
+    "step = 1e-3" => "step = 1e-3\ngravity = [0, 0, -9]\ngravity_motion = { table = { time = [0], gravity = [[0, 0, -9]] } }", "simulation.gravity", "gravity = [0, 0, -9]", "found both `gravity` and a table";
+    "step = 1e-3" => "step = 1e-3\ngravity_motion = { table = { time = [0, 1], gravity = [[0, 0, -9]] } }", "simulation.gravity_motion.table.gravity", "gravity_motion", "found 1 vectors, expected 2 of them";
+    "step = 1e-3" => "step = 1e-3\ngravity_motion = { table = { time = [1, 1], gravity = [[0, 0, -9], [0, 0, 9]] } }", "simulation.gravity_motion.table.time", "gravity_motion", "found 1 after 1, expected strictly increasing";
+    "step = 1e-3" => "step = 1e-3\ngravity_motion = { table = { time = [1, 2] } }", "simulation.gravity_motion.table", "gravity_motion", "expected `csv`, or `time` and `gravity`";
+    "step = 1e-3" => "step = 1e-3\ngravity_motion = { table = { csv = \"none.csv\" } }", "simulation.gravity_motion.table.csv", "gravity_motion", "cannot read";
+    "step = 1e-3" => "step = 1e-3\nrotating_frame = { axis = [0, 0, 0], speed = 1 }", "simulation.rotating_frame.axis", "rotating_frame", "a direction of length > 0";
+    "step = 1e-3" => "step = 1e-3\nrotating_frame = { axis = [0, 0, 1] }", "simulation.rotating_frame", "rotating_frame", "missing key `speed`";
+    // The periodic cell.
+    "[[probe]]" => "[cell]\nx = [1, 0]\n[[probe]]", "cell.x", "x = [1, 0]", "found [1.0, 0.0], expected [lower face, upper face]";
+    "[[probe]]" => "[cell]\nx = [0, 1, 2]\n[[probe]]", "cell.x", "x = [0, 1, 2]", "expected";
+    "[[probe]]" => "[cell]\nw = [0, 1]\n[[probe]]", "cell.w", "w = [0, 1]", "unknown key `w`";
+    "[[probe]]" => "[cell]\ny = [0, 0.3]\n[[probe]]", "cell.y", "y = [0, 0.3]", "found an edge of 0.3 m, expected at least 0.4004 m";
+    "[[probe]]" => "[cell]\nz = [-1, 9]\n[[probe]]", "boundary[0]", "name = \"floor\"", "boundary `floor` crosses the faces of the cell across z: the normal of its plane has z = 1, expected 0";
+    "[[probe]]" => "[cell]\nx = [-1, 9.5]\n[[probe]]", "boundary[1]", "name = \"gate\"", "boundary `gate` crosses a face of the cell: it reaches from x = 9 m to 22 m, expected -1 m to 9.5 m";
+    "[[probe]]" => "[cell]\nx = [9, 22.1]\n[[probe]]", "boundary[1]", "name = \"gate\"", "takes 13 m of the cell's";
+    "normal = [0.0, 0.0, 2.0] } }]" => "normal = [0.0, 0.0, 2.0] } }]\nmotion = { constant = { angular_velocity = [0, 1, 0] } }\n[cell]\nx = [-99, 99]", "boundary[0]", "name = \"floor\"", "may tilt its plane towards x";
+    "normal = [0.0, 0.0, 2.0] } }]" => "normal = [0.0, 0.0, 2.0] } }]\ninput = \"pose\"\n[cell]\nx = [-99, 99]", "boundary[0]", "name = \"floor\"", "may tilt its plane towards x";
+    "[simulation.tolerance]\ngap = 1e-6\n" => "rotating_frame = { axis = [0, 0, 1], speed = 1 }\n[cell]\nx = [-99, 99]\n", "simulation.rotating_frame", "rotating_frame", "turns about an axis that is not x";
+    "[[probe]]" => "[cell]\nx = [-99, 99]\n[[sensor]]\nname = \"leaning\"\nmass_flow = { plane = { point = [0, 0, 0], normal = [1, 0, 1] } }\n[[probe]]", "sensor[2].mass_flow", "normal = [1, 0, 1]", "the plane leans to x";
     // Materials and pairs.
     "density = 2500.0" => "density = 0.0", "material[0].density", "density", "> 0 [kg/m^3]";
     "density = 2500.0\n" => "", "material[0]", "[[material]]", "missing key `density`";

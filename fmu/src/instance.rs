@@ -384,7 +384,7 @@ impl Instance {
         let mut simulation = self.simulate(&self.run.parameters)?;
         let gravity = self.run.parameters.gravity;
         // A start that is the scene's own is left alone: the FMU then gives the bytes that the library gives.
-        if gravity != simulation.gravity()
+        if gravity != simulation.state().gravity
             || self.run.commands.iter().any(|c| *c != Command::default())
         {
             simulation.set_gravity(gravity)?;

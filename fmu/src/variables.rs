@@ -9,13 +9,13 @@
 //!
 //! Pose, slide and hinge inputs are total displacements from the scene's placement: the boundary moves linearly
 //! (a rotation by its logarithm) from where it is to the commanded pose and reaches it at the end of the
-//! communication step. Speeds are held over the step. The start values mean "as in the scene": zero, and for a belt the
-//! scene's surface velocity.
+//! communication step. Speeds, forces and torques are held over the step. The start values mean "as in the scene": zero,
+//! and for a belt the scene's surface velocity.
 
 mod parameters;
 mod rows;
 
-use sphere_dda::motion::{Command, Motion};
+use sphere_dda::motion::Command;
 use sphere_dda::observe::quantities::{Kind, quantities};
 use sphere_dda::scene::Scene;
 use sphere_dda_model_description::fmi2::{BaseType, Causality, Variability};
@@ -102,7 +102,11 @@ pub enum Input {
     Velocity,
     /// Angular velocity \[rad/s\].
     AngularVelocity,
-    /// Displacement, speed, angle or angular speed of a slide or hinge.
+    /// Force \[N\] on a driven body.
+    Force,
+    /// Torque \[N m\] on a driven body.
+    Torque,
+    /// Displacement, speed, angle, angular speed, force or torque of a slide or hinge.
     Scalar,
     /// Velocity of the surface against the boundary \[m/s\].
     SurfaceVelocity,
@@ -154,7 +158,7 @@ impl Table {
         rows.parameters(scene);
         for (b, boundary) in scene.boundaries.iter().enumerate() {
             let prefix = format!("boundary.{}", boundary.name);
-            if let Motion::Input(kind) = boundary.motion {
+            if let Some(kind) = boundary.motion.input() {
                 rows.inputs(&prefix, b, kind);
             }
             if let Some(belt) = boundary.belt.filter(|belt| belt.input) {
@@ -194,6 +198,8 @@ pub fn component(command: &mut Command, input: Input, axis: usize) -> &mut f64 {
         Input::Rotation => &mut command.rotation[axis],
         Input::Velocity => &mut command.velocity[axis],
         Input::AngularVelocity => &mut command.angular_velocity[axis],
+        Input::Force => &mut command.force[axis],
+        Input::Torque => &mut command.torque[axis],
         Input::Scalar => &mut command.scalar,
         Input::SurfaceVelocity => &mut command.surface_velocity[axis],
     }

@@ -33,6 +33,7 @@ pub use tessellate::Triangulation;
 pub use topology::Repair;
 
 use crate::Vec3;
+use crate::cell::Cell;
 use crate::motion::{Command, Motion, Pose};
 use mesh::Mesh;
 
@@ -127,6 +128,19 @@ impl Boundary {
         pose.inverse_apply(self.point_of_action, x)
     }
 
+    /// The copy of the world point `x` \[m\] that is nearest to the boundary at `pose`. One without bounds is the same for
+    /// all copies.
+    #[must_use]
+    pub fn copy_near(&self, cell: &Cell, pose: &Pose, x: Vec3) -> Vec3 {
+        if cell.is_open() {
+            return x;
+        }
+        let middle = |(min, max): (Vec3, Vec3)| self.from_frame(pose, (min + max) * 0.5);
+        self.geometry
+            .finite_bounds()
+            .map_or(x, |bounds| cell.nearest(x, middle(bounds)))
+    }
+
     /// Where the point `x_0` \[m\] of the boundary's own frame lies in the world: `a + s + Q (x_0 - a)`.
     #[must_use]
     pub fn from_frame(&self, pose: &Pose, x_0: Vec3) -> Vec3 {
@@ -156,7 +170,7 @@ impl Boundary {
     /// Whether a [`Command`] moves the boundary or its surface.
     #[must_use]
     pub fn is_commanded(&self) -> bool {
-        matches!(self.motion, Motion::Input(_)) || self.belt.is_some_and(|belt| belt.input)
+        self.motion.input().is_some() || self.belt.is_some_and(|belt| belt.input)
     }
 }
 
@@ -198,6 +212,8 @@ pub struct Geometry {
     shapes: Vec<Shape>,
     /// All facets together; their features have the lowest numbers.
     mesh: Option<Mesh>,
+    /// Box around everything but half-spaces \[m\].
+    bounds: Option<(Vec3, Vec3)>,
 }
 
 impl PartialEq for Geometry {
@@ -239,7 +255,12 @@ impl Geometry {
             [] => None,
             _ => Some(Mesh::new(&facets)?),
         };
-        Ok(Self { shapes, mesh })
+        let bounds = bounds(&shapes, mesh.as_ref());
+        Ok(Self {
+            shapes,
+            mesh,
+            bounds,
+        })
     }
 
     /// The shapes, as given.
@@ -327,23 +348,28 @@ impl Geometry {
     /// Smallest axis-parallel box `(min, max)` \[m\] around the geometry; `None` if it is empty or has a half-space.
     #[must_use]
     pub fn bounds(&self) -> Option<(Vec3, Vec3)> {
-        let mut bounds: Option<(Vec3, Vec3)> = None;
-        let mut include = |(min, max): (Vec3, Vec3)| {
-            bounds = Some(bounds.map_or((min, max), |(low, high)| (low.inf(&min), high.sup(&max))));
-        };
-        let vertices = self.mesh.iter().flat_map(|mesh| mesh.vertices());
-        for &v in vertices {
-            include((v, v));
-        }
-        for shape in &self.shapes {
-            match shape {
-                Shape::HalfSpace(_) => return None,
-                Shape::Revolution(surface) => include(surface.bounds()),
-                Shape::Facets(_) => {}
-            }
-        }
-        bounds
+        let half_space = |shape: &Shape| matches!(shape, Shape::HalfSpace(_));
+        self.bounds.filter(|_| !self.shapes.iter().any(half_space))
     }
+
+    /// Smallest axis-parallel box `(min, max)` \[m\] around everything but half-spaces; `None` if there is nothing else.
+    #[must_use]
+    pub fn finite_bounds(&self) -> Option<(Vec3, Vec3)> {
+        self.bounds
+    }
+}
+
+/// Box `(min, max)` \[m\] around facets and surfaces of revolution.
+fn bounds(shapes: &[Shape], mesh: Option<&Mesh>) -> Option<(Vec3, Vec3)> {
+    let vertices = mesh.into_iter().flat_map(Mesh::vertices);
+    let surfaces = shapes.iter().filter_map(|shape| match shape {
+        Shape::Revolution(surface) => Some(surface.bounds()),
+        Shape::HalfSpace(_) | Shape::Facets(_) => None,
+    });
+    vertices
+        .map(|&v| (v, v))
+        .chain(surfaces)
+        .reduce(|(low, high), (min, max)| (low.inf(&min), high.sup(&max)))
 }
 
 /// Features of a shape besides those of the common mesh.

@@ -7,7 +7,9 @@
 //! canonical order.
 
 use super::narrow_phase::Placement;
+use super::periodic::periodic_pairs;
 use crate::Vec3;
+use crate::cell::Image;
 use crate::motion::Pose;
 
 /// Skin over the smallest radius when nothing moves.
@@ -26,6 +28,8 @@ pub struct NeighborList {
     built_poses: Vec<Pose>,
     /// Sphere pairs `(i, j)`, `i < j`, ascending.
     pub pairs: Vec<(u32, u32)>,
+    /// Sphere pairs `(i, j)`, `i < j`, with an image of `j` in a periodic cell, ascending.
+    pub images: Vec<(u32, u32, Image)>,
     /// Spheres near boundaries `(sphere, boundary)`, ascending.
     pub walls: Vec<(u32, u16)>,
 }
@@ -79,7 +83,13 @@ impl NeighborList {
         self.built_poses.clear();
         self.built_poses.extend_from_slice(now.poses);
         let radius = &now.particles.radius;
-        self.pairs = sphere_pairs(now.position, now.present, radius, self.skin);
+        self.pairs.clear();
+        self.images.clear();
+        if now.cell.is_open() {
+            self.pairs = sphere_pairs(now.position, now.present, radius, self.skin);
+        } else {
+            self.images = periodic_pairs(now.cell, now.position, now.present, radius, self.skin);
+        }
         self.walls.clear();
         let mut touches = Vec::new();
         for (i, (&centre, &radius)) in now.position.iter().zip(radius).enumerate() {
@@ -88,7 +98,7 @@ impl NeighborList {
             }
             for (b, (boundary, pose)) in now.boundaries.iter().zip(now.poses).enumerate() {
                 touches.clear();
-                let centre = boundary.to_frame(pose, centre);
+                let centre = boundary.to_frame(pose, boundary.copy_near(now.cell, pose, centre));
                 boundary
                     .geometry
                     .touches(centre, radius, self.skin, &mut touches);

@@ -35,7 +35,7 @@ mod tests {
     fn forces_follow_their_keys() {
         let key = |i, j| Key {
             sphere: i,
-            partner: Partner::Sphere(j),
+            partner: Partner::sphere(j),
         };
         let contact = |key, f| Contact {
             key,

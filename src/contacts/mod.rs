@@ -4,10 +4,12 @@ pub mod broad_phase;
 pub mod history;
 pub mod law;
 pub mod narrow_phase;
+pub mod periodic;
 
 use serde::{Deserialize, Serialize};
 
 use crate::Vec3;
+use crate::cell::{HERE, Image};
 
 /// Identity of a contact over steps; its order is the canonical order of contacts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
@@ -18,11 +20,24 @@ pub struct Key {
     pub partner: Partner,
 }
 
+impl Partner {
+    /// Sphere `index` where it is, not a copy of it.
+    #[must_use]
+    pub fn sphere(index: u32) -> Self {
+        Self::Sphere { index, image: HERE }
+    }
+}
+
 /// Body B of a contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 pub enum Partner {
     /// Another sphere, of larger index than body A.
-    Sphere(u32),
+    Sphere {
+        /// Index of the sphere.
+        index: u32,
+        /// Which copy of it, in unwrapped coordinates: `x + k L` of a periodic [`crate::cell`].
+        image: Image,
+    },
     /// A feature (face, edge, vertex) of a boundary.
     Boundary {
         /// Index of the boundary.

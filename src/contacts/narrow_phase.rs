@@ -4,6 +4,7 @@ use super::broad_phase::NeighborList;
 use super::{Key, Partner};
 use crate::Vec3;
 use crate::boundaries::{Boundary, Touch};
+use crate::cell::{Cell, HERE, Image};
 use crate::motion::Pose;
 use crate::particles::Particles;
 
@@ -20,6 +21,8 @@ pub struct Placement<'a> {
     pub boundaries: &'a [Boundary],
     /// Their poses, `[B]`.
     pub poses: &'a [Pose],
+    /// The periodic cell.
+    pub cell: &'a Cell,
 }
 
 /// A pair within reach at the start of a step.
@@ -49,15 +52,19 @@ impl Placement<'_> {
     pub fn scale(&self, key: Key) -> f64 {
         let radius = self.particles.radius[key.sphere as usize];
         match key.partner {
-            Partner::Sphere(j) => radius.min(self.particles.radius[j as usize]),
+            Partner::Sphere { index, .. } => radius.min(self.particles.radius[index as usize]),
             Partner::Boundary { .. } => radius,
         }
     }
 
-    fn pair(&self, i: u32, j: u32) -> Candidate {
+    fn pair(&self, i: u32, j: u32, image: Image) -> Candidate {
         let [a, b] = [i as usize, j as usize];
         let [ra, rb] = [a, b].map(|k| self.particles.radius[k]);
-        let distance = self.position[a] - self.position[b];
+        let mut other = self.position[b];
+        if image != HERE {
+            other += self.cell.shift(image);
+        }
+        let distance = self.position[a] - other;
         let length = distance.norm();
         // Concentric centres have no normal: take a fixed one, so that the step goes on to resolve them.
         let normal = if length > 0.0 {
@@ -68,9 +75,9 @@ impl Placement<'_> {
         Candidate {
             key: Key {
                 sphere: i,
-                partner: Partner::Sphere(j),
+                partner: Partner::Sphere { index: j, image },
             },
-            point: self.position[b] + normal * rb,
+            point: other + normal * rb,
             normal,
             gap: length - ra - rb,
             curvature: 1.0 / (ra + rb),
@@ -95,17 +102,27 @@ impl Placement<'_> {
         }
     }
 
+    /// The centre of sphere `i` in the frame of a boundary \[m\], by the copy that is nearest to it.
+    fn seen_by(&self, boundary: u16, i: u32) -> Vec3 {
+        let b = usize::from(boundary);
+        let (wall, pose) = (&self.boundaries[b], &self.poses[b]);
+        wall.to_frame(
+            pose,
+            wall.copy_near(self.cell, pose, self.position[i as usize]),
+        )
+    }
+
     /// The pair of `candidate`, seen at this placement: the same feature, the same side.
     #[must_use]
     pub fn follow(&self, candidate: &Candidate) -> Candidate {
         let i = candidate.key.sphere;
         match candidate.key.partner {
-            Partner::Sphere(j) => self.pair(i, j),
+            Partner::Sphere { index, image } => self.pair(i, index, image),
             Partner::Boundary { boundary, feature } => {
                 let b = usize::from(boundary);
                 let (wall, pose) = (&self.boundaries[b], &self.poses[b]);
                 let normal = pose.rotation.inverse() * candidate.normal;
-                let centre = wall.to_frame(pose, self.position[i as usize]);
+                let centre = self.seen_by(boundary, i);
                 let radius = self.particles.radius[i as usize];
                 let touch = wall.geometry.follow(feature, normal, centre, radius);
                 self.wall(i, boundary, &touch)
@@ -121,26 +138,62 @@ impl Placement<'_> {
         reach_wall: impl Fn(u32, u16) -> f64,
     ) -> Vec<Candidate> {
         let mut found = Vec::new();
+        // Both lists ascend in the sphere, and a sphere's partners are spheres before boundaries: taken in turns they
+        // are in canonical order but for the features of one boundary.
+        let mut walls = list.walls.iter().copied().peekable();
+        let mut touches = Vec::new();
+        let mut wall = |(i, b): (u32, u16), found: &mut Vec<Candidate>| {
+            self.touching(i, b, reach_wall(i, b), &mut touches, found);
+        };
         for &(i, j) in &list.pairs {
-            let pair = self.pair(i, j);
+            while let Some(earlier) = walls.next_if(|(sphere, _)| *sphere < i) {
+                wall(earlier, &mut found);
+            }
+            let reach = reach_pair(i, j);
+            if self.within(i, j, reach) {
+                let pair = self.pair(i, j, HERE);
+                if pair.gap <= reach {
+                    found.push(pair);
+                }
+            }
+        }
+        for rest in walls {
+            wall(rest, &mut found);
+        }
+        for &(i, j, image) in &list.images {
+            let pair = self.pair(i, j, image);
             if pair.gap <= reach_pair(i, j) {
                 found.push(pair);
             }
         }
-        let mut touches = Vec::new();
-        for &(i, b) in &list.walls {
-            let (wall, pose) = (
-                &self.boundaries[usize::from(b)],
-                &self.poses[usize::from(b)],
-            );
-            let centre = wall.to_frame(pose, self.position[i as usize]);
-            let radius = self.particles.radius[i as usize];
-            touches.clear();
-            wall.geometry
-                .touches(centre, radius, reach_wall(i, b), &mut touches);
-            found.extend(touches.iter().map(|touch| self.wall(i, b, touch)));
+        if !list.images.is_empty() {
+            found.sort_unstable_by_key(|candidate| candidate.key);
         }
-        found.sort_unstable_by_key(|candidate| candidate.key);
         found
+    }
+
+    /// Whether the gap of two spheres may be at most `reach` \[m\]: without a root, for most pairs are far.
+    fn within(&self, i: u32, j: u32, reach: f64) -> bool {
+        let [a, b] = [i as usize, j as usize];
+        let limit = (self.particles.radius[a] + self.particles.radius[b] + reach) * (1.0 + 1e-12);
+        (self.position[a] - self.position[b]).norm_squared() <= limit * limit
+    }
+
+    /// Appends sphere `i`'s contacts with boundary `b` of a gap of at most `reach` \[m\], by feature.
+    fn touching(
+        &self,
+        i: u32,
+        b: u16,
+        reach: f64,
+        touches: &mut Vec<Touch>,
+        found: &mut Vec<Candidate>,
+    ) {
+        let wall = &self.boundaries[usize::from(b)];
+        let centre = self.seen_by(b, i);
+        let radius = self.particles.radius[i as usize];
+        touches.clear();
+        wall.geometry.touches(centre, radius, reach, touches);
+        touches.sort_unstable_by_key(|touch| touch.feature);
+        found.extend(touches.iter().map(|touch| self.wall(i, b, touch)));
     }
 }

@@ -4,14 +4,17 @@
 //! translational   sum m |v|^2 / 2           v, w: reported velocity at `time`
 //! rotational      sum I |w|^2 / 2           I = 2/5 m R^2
 //! gravity         - sum m g . c             zero at the origin of the scene
+//! centrifugal     - sum m |W x (c - p)|^2 / 2
 //! springs         sum P_c |x - t|^2 / 2     x: constrained point, t: its target
 //! loads           - sum f . x               x: point of the load
 //! P               sum m v_h                 v_h, w_h: half-step velocity
 //! L               sum (c x m v_h + I w_h)   about the origin
 //! ```
 //!
-//! Momenta use the half-step velocity because that is the one whose change over a step is exactly the impulse of the
-//! step. Only spheres in the scene count. Units: J, N s, N m s.
+//! Driven bodies have kinetic energy and weight too; their loads count as work ([`crate::state::Work`]), not as a potential.
+//! Momenta are those of the spheres, on which the wrenches of all boundaries act, driven ones included. They use the
+//! half-step velocity because that is the one whose change over a step is exactly the impulse of the step. Only spheres in
+//! the scene count. Units: J, N s, N m s.
 
 use super::Observation;
 use crate::Vec3;
@@ -25,6 +28,8 @@ pub struct Energy {
     pub rotational: f64,
     /// Potential of gravity, zero at the origin.
     pub gravity: f64,
+    /// Centrifugal potential in a rotating frame, zero on its axis.
+    pub centrifugal: f64,
     /// Potential of the constrained points' springs.
     pub springs: f64,
     /// Potential of the point loads, zero at the origin.
@@ -43,7 +48,21 @@ impl Energy {
             let mass = particles.mass[i];
             energy.translational += 0.5 * mass * velocity.linear.norm_squared();
             energy.rotational += 0.5 * particles.inertia(i) * velocity.angular.norm_squared();
-            energy.gravity -= mass * state.gravity.dot(&state.kinematics.position[i]);
+            let centre = state.kinematics.position[i];
+            energy.gravity -= mass * state.gravity.dot(&centre);
+            if let Some(frame) = &scene.settings.rotating_frame {
+                energy.centrifugal += mass * frame.potential(centre);
+            }
+        }
+        for (b, body) in scene.driven() {
+            let (boundary, now) = (&scene.boundaries[b], &state.boundaries[b]);
+            let [linear, angular] = body.kinetic_energy(boundary, &now.pose, &now.twist);
+            energy.translational += linear;
+            energy.rotational += angular;
+            if body.gravity {
+                let centre = boundary.from_frame(&now.pose, body.centre);
+                energy.gravity -= body.mass * state.gravity.dot(&centre);
+            }
         }
         let present = |sphere: usize| state.kinematics.present[sphere];
         for spring in scene.springs.iter().filter(|s| present(s.sphere)) {
@@ -65,10 +84,10 @@ impl Energy {
         self.translational + self.rotational
     }
 
-    /// Gravity, springs and loads.
+    /// Gravity, centrifugal force, springs and loads.
     #[must_use]
     pub fn potential(&self) -> f64 {
-        self.gravity + self.springs + self.loads
+        self.gravity + self.centrifugal + self.springs + self.loads
     }
 }
 

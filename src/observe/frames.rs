@@ -17,6 +17,7 @@ use super::loads::Loads;
 use super::vtu::{Array, Cell, Grid, Values};
 use super::{BoundaryState, Observation};
 use crate::Vec3;
+use crate::cell::{HERE, Image};
 use crate::contacts::{Contact, Partner};
 use crate::motion::Twist;
 use crate::scene::Scene;
@@ -74,6 +75,7 @@ pub fn frame(state: &Observation, surface: &Surface) -> Vec<(Series, Grid)> {
 /// One vertex of the grid of spheres.
 struct Vertex {
     position: Vec3,
+    image: Image,
     orientation: UnitQuaternion<f64>,
     velocity: Twist,
     wrench: Wrench,
@@ -86,10 +88,11 @@ struct Vertex {
 /// for them: readers refuse files without cells.
 #[must_use]
 pub fn spheres(state: &Observation) -> Grid {
-    let particles = &state.scene.particles;
+    let (particles, cell) = (&state.scene.particles, &state.scene.cell);
     let loads = Loads::of(state).spheres;
     let present = state.present().map(|i| Vertex {
-        position: state.kinematics.position[i],
+        position: cell.wrapped(state.kinematics.position[i]),
+        image: cell.image(state.kinematics.position[i]),
         orientation: state.kinematics.orientation[i],
         velocity: state.velocity[i],
         wrench: loads[i].wrench,
@@ -101,6 +104,7 @@ pub fn spheres(state: &Observation) -> Grid {
     if rows.is_empty() {
         rows.push(Vertex {
             position: Vec3::zeros(),
+            image: HERE,
             orientation: UnitQuaternion::identity(),
             velocity: Twist::default(),
             wrench: Wrench::default(),
@@ -111,7 +115,7 @@ pub fn spheres(state: &Observation) -> Grid {
     }
     let orientation = rows.iter().map(|row| row.orientation);
     let orientation = orientation.flat_map(|q| [q.w, q.i, q.j, q.k]);
-    Grid {
+    let mut grid = Grid {
         points: rows.iter().map(|row| row.position).collect(),
         cell: Cell::Vertex,
         connectivity: (0..rows.len() as u32).collect(),
@@ -133,13 +137,21 @@ pub fn spheres(state: &Observation) -> Grid {
             Array::integer("material", rows.iter().map(|row| row.material)),
         ],
         cell_data: Vec::new(),
+    };
+    if !cell.is_open() {
+        grid.point_data.push(Array {
+            name: "image",
+            components: 3,
+            values: Values::Integer(rows.iter().flat_map(|row| row.image).collect()),
+        });
     }
+    grid
 }
 
 /// The contacts that carry a force or overlap.
 #[must_use]
 pub fn contacts(state: &Observation) -> Grid {
-    let centre = &state.kinematics.position;
+    let cell = &state.scene.cell;
     let active: Vec<&Contact> = state.active_contacts().collect();
     if active.is_empty() {
         return Grid {
@@ -154,12 +166,14 @@ pub fn contacts(state: &Observation) -> Grid {
     let mut rows = Vec::with_capacity(active.len());
     for contact in active {
         let a = contact.key.sphere;
-        let (end, id2, kind) = match contact.key.partner {
-            Partner::Sphere(b) => (centre[b as usize], b as i32, 0),
-            Partner::Boundary { boundary, .. } => (contact.point, i32::from(boundary), 1),
+        let (id2, kind) = match contact.key.partner {
+            Partner::Sphere { index, .. } => (index as i32, 0),
+            Partner::Boundary { boundary, .. } => (i32::from(boundary), 1),
         };
-        points.push(centre[a as usize]);
-        points.push(end);
+        let [end, start] = state.branch(contact);
+        let back = cell.shift(cell.image(start));
+        points.push(start - back);
+        points.push(end - back);
         rows.push(ContactRow {
             normal_force: contact.force.dot(&contact.normal),
             force: contact.force,
@@ -225,9 +239,9 @@ fn slip(state: &Observation, contact: &Contact) -> f64 {
     let a = contact.key.sphere as usize;
     let own = at(&state.velocity[a], contact.normal * -radius[a]);
     let other = match contact.key.partner {
-        Partner::Sphere(b) => at(
-            &state.velocity[b as usize],
-            contact.normal * radius[b as usize],
+        Partner::Sphere { index, .. } => at(
+            &state.velocity[index as usize],
+            contact.normal * radius[index as usize],
         ),
         Partner::Boundary { boundary, .. } => {
             let b = usize::from(boundary);
@@ -320,8 +334,13 @@ fn extent(scene: &Scene) -> (Vec3, Vec3) {
         .zip(&scene.particles.radius)
         .map(|(c, r)| (c.add_scalar(-r), c.add_scalar(*r)));
     let boundaries = scene.boundaries.iter().filter_map(|b| b.geometry.bounds());
-    spheres
+    let (min, max) = spheres
         .chain(boundaries)
         .reduce(|(lower, upper), (min, max)| (lower.inf(&min), upper.sup(&max)))
-        .unwrap_or((Vec3::repeat(-1.0), Vec3::repeat(1.0)))
+        .unwrap_or((Vec3::repeat(-1.0), Vec3::repeat(1.0)));
+    // Along periodic axes what is shown is the cell.
+    let side = |found: Vec3, side: usize| {
+        Vec3::from_fn(|k, _| scene.cell.faces(k).map_or(found[k], |faces| faces[side]))
+    };
+    (side(min, 0), side(max, 1))
 }

@@ -65,8 +65,8 @@ impl Loads {
             let a = contact.key.sphere as usize;
             loads.spheres[a].sphere(contact, radius[a], 1.0);
             match contact.key.partner {
-                Partner::Sphere(b) => {
-                    let b = b as usize;
+                Partner::Sphere { index, .. } => {
+                    let b = index as usize;
                     loads.spheres[b].sphere(contact, radius[b], -1.0);
                 }
                 Partner::Boundary { boundary, .. } => {

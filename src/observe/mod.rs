@@ -23,7 +23,7 @@ pub mod vtu;
 pub mod writer;
 
 use crate::Vec3;
-use crate::contacts::Contact;
+use crate::contacts::{Contact, Partner};
 use crate::motion::{Pose, Twist};
 use crate::particles::Kinematics;
 use crate::scene::Scene;
@@ -35,7 +35,7 @@ use crate::state::Work;
 pub struct BoundaryState {
     /// Displacement from the scene.
     pub pose: Pose,
-    /// Velocity \[m/s\], \[rad/s\] over the last internal step.
+    /// Velocity \[m/s\], \[rad/s\] over the last internal step, that of a driven body at its end.
     pub twist: Twist,
     /// Velocity of its surface against its shape \[m/s\], world axes; contacts feel the part across their normal.
     pub surface_velocity: Vec3,
@@ -52,8 +52,10 @@ pub struct Observation<'a> {
     pub scene: &'a Scene,
     /// Time \[s\].
     pub time: f64,
-    /// Gravity \[m/s^2\].
+    /// Gravity \[m/s^2\] at `time`.
     pub gravity: Vec3,
+    /// Weight, inertial forces and point loads on all spheres \[N\], averaged over the last communication step.
+    pub body_force: Vec3,
     /// Positions, orientations, the integrator's own (half-step) velocities; `[N]` each.
     pub kinematics: &'a Kinematics,
     /// Reported velocity \[m/s\] and angular velocity \[rad/s\] at `time`, `[N]`.
@@ -88,6 +90,7 @@ impl<'a> Observation<'a> {
             scene,
             time: simulation.time(),
             gravity: simulation.gravity(),
+            body_force: simulation.mean_body_force(),
             kinematics: simulation.kinematics(),
             velocity: (0..scene.particles.len())
                 .map(|i| simulation.velocity(i))
@@ -133,8 +136,19 @@ impl<'a> Observation<'a> {
         let radius = &self.scene.particles.radius;
         let own = radius[contact.key.sphere as usize];
         match contact.key.partner {
-            crate::contacts::Partner::Sphere(other) => own.min(radius[other as usize]),
-            crate::contacts::Partner::Boundary { .. } => own,
+            Partner::Sphere { index, .. } => own.min(radius[index as usize]),
+            Partner::Boundary { .. } => own,
+        }
+    }
+
+    /// From the centre of body B, or the closest point on a boundary, to the centre of body A \[m\]: the copies that touch.
+    #[must_use]
+    pub fn branch(&self, contact: &Contact) -> [Vec3; 2] {
+        let (centre, cell) = (&self.kinematics.position, &self.scene.cell);
+        let own = centre[contact.key.sphere as usize];
+        match contact.key.partner {
+            Partner::Sphere { index, image } => [centre[index as usize] + cell.shift(image), own],
+            Partner::Boundary { .. } => [contact.point, cell.nearest(own, contact.point)],
         }
     }
 

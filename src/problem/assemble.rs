@@ -28,6 +28,9 @@ use crate::particles::Kinematics;
 use crate::scene::{Method, Scene};
 use crate::solver::augmented_lagrangian::SHEAR_RATIO;
 
+/// Rounding of a velocity that several impulses have changed, over its size \[-\].
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
+
 /// What a step's problem is made from.
 #[derive(Debug, Clone, Copy)]
 pub struct Inputs<'a> {
@@ -94,6 +97,21 @@ impl<'a> Inputs<'a> {
         rank.ok().map(|rank| (rank, &self.bodies[rank]))
     }
 
+    /// Largest force \[N\] that gravity and loads exert on a body of a row; zero for the ground.
+    #[must_use]
+    pub fn weight(&self, body: u32) -> f64 {
+        let (n, i) = (self.kinematics.len(), body as usize);
+        let (mass, acceleration) = if body == GROUND {
+            return 0.0;
+        } else if i < n {
+            (self.scene.particles.mass[i], self.external[i])
+        } else {
+            let driven = &self.bodies[i - n];
+            (driven.mass(), driven.acceleration)
+        };
+        mass * acceleration.linear.norm().max(self.gravity.norm())
+    }
+
     /// Velocity of a boundary's material point at `x` \[m\], over this step and over the previous one.
     fn wall_velocity(&self, boundary: usize, x: Vec3) -> [Vec3; 2] {
         let wall = &self.scene.boundaries[boundary];
@@ -134,20 +152,24 @@ impl<'a> Inputs<'a> {
         let mut acceleration = self.gravity.norm();
         acceleration = acceleration.max(self.external[a].linear.norm());
         let mut lightest = particles.mass[a];
+        let mut fastest = self.kinematics.velocity[a].norm();
         let mut stiffness = None;
         match candidate.key.partner {
-            Partner::Sphere(j) => {
-                let b = j as usize;
-                row.b = j;
+            Partner::Sphere { index, .. } => {
+                let b = index as usize;
+                row.b = index;
                 row.arm_b = n * particles.radius[b];
                 row.radius = row.radius.min(particles.radius[b]);
                 before -= self.velocity(b).at(row.arm_b);
                 acceleration = acceleration.max(self.external[b].linear.norm());
                 lightest = lightest.min(particles.mass[b]);
+                fastest = fastest.max(self.kinematics.velocity[b].norm());
             }
             Partner::Boundary { boundary, .. } => {
                 let boundary = usize::from(boundary);
-                let point = self.kinematics.position[a] + arm_a;
+                let (wall, pose) = (&scene.boundaries[boundary], &self.poses[0][boundary]);
+                let centre = wall.copy_near(&scene.cell, pose, self.kinematics.position[a]);
+                let point = centre + arm_a;
                 // A belt slides along the shape: it takes no part in the approach.
                 row.drift = -split(self.surfaces[boundary], n).1;
                 if let Some((rank, body)) = self.body(boundary) {
@@ -172,7 +194,10 @@ impl<'a> Inputs<'a> {
         } = self.pair(candidate.key);
         row.law = Law::Contact { mu: friction };
         let (approach, sliding) = split(before, n);
-        acceleration = acceleration.max(sliding.norm_squared() * candidate.curvature);
+        // Only a contact that was loaded can be taken for an approaching one because its normal turns.
+        if force != Vec3::zeros() {
+            acceleration = acceleration.max(sliding.norm_squared() * candidate.curvature);
+        }
         let threshold = settings
             .threshold_velocity
             .max(2.0 * self.step * acceleration);
@@ -186,13 +211,14 @@ impl<'a> Inputs<'a> {
             candidate.gap / self.step
         };
         row.bias = n * normal_bias;
-        // Where nothing accelerates, the speed of approach is the only scale there is.
+        // Where nothing accelerates, the speed of approach is the only scale there is; rounding of the speeds is beneath any.
         let change = if acceleration > 0.0 {
             acceleration * self.step
         } else {
             before.norm()
         };
-        row.impulse_scale = lightest * change;
+        let rounding = ROUNDING * fastest / settings.tolerance.force;
+        row.impulse_scale = lightest * change.max(rounding);
 
         let dt2 = self.step * self.step;
         if let (Method::Penalty, Some(penalty)) = (settings.method, settings.penalty) {
@@ -210,7 +236,7 @@ impl<'a> Inputs<'a> {
     fn pair(&self, key: Key) -> Pair {
         let material = &self.scene.particles.material;
         let of_b = match key.partner {
-            Partner::Sphere(j) => material[j as usize],
+            Partner::Sphere { index, .. } => material[index as usize],
             Partner::Boundary { boundary, .. } => {
                 self.scene.boundaries[usize::from(boundary)].material
             }
@@ -230,9 +256,9 @@ impl<'a> Inputs<'a> {
         let locked = |i: u32| particles.inverse_inertia(i as usize) == Vec3::zeros();
         let own = particles.radius[key.sphere as usize];
         let (reduced, drift) = match key.partner {
-            Partner::Sphere(j) if locked(row.a) && locked(j) => return None,
-            Partner::Sphere(j) => {
-                let other = particles.radius[j as usize];
+            Partner::Sphere { index, .. } if locked(row.a) && locked(index) => return None,
+            Partner::Sphere { index, .. } => {
+                let other = particles.radius[index as usize];
                 (own * other / (own + other), Vec3::zeros())
             }
             // A driven body turns by itself.

@@ -279,6 +279,9 @@ impl Problem {
     /// `w_n n n^T + w_t (1 - n n^T)`. Exact for free spheres, where normal and tangent do not couple: `w_t = 3.5 w_n`.
     #[must_use]
     pub fn delassus(&self, row: &Row) -> (f64, f64) {
+        if let Some(closed) = self.sphere_delassus(row) {
+            return closed;
+        }
         let [grip_a, grip_b] = row.grips();
         let mut operator = self.compliance(row.a, grip_a);
         if row.b != GROUND {
@@ -302,6 +305,27 @@ impl Problem {
         } else {
             (w_n, w_t)
         }
+    }
+
+    /// [`Self::delassus`] of a contact whose bodies have the same mobility in all directions and arms along the normal:
+    /// `w_n = m_A + m_B`, `w_t = w_n + R_A^2/I_A + R_B^2/I_B`.
+    fn sphere_delassus(&self, row: &Row) -> Option<(f64, f64)> {
+        if matches!(row.law, Law::Resistance { .. }) {
+            return None;
+        }
+        let one = |body: u32, arm: &Vec3| {
+            if body == GROUND {
+                return Some((0.0, 0.0));
+            }
+            let Dof6 { linear, angular } = self.inverse_mass.get(body as usize)?;
+            let same = |v: &Vec3| v.x == v.y && v.y == v.z;
+            let (length, across) = (arm.norm_squared(), arm.cross(&row.normal).norm_squared());
+            let radial = across <= 1e-24 * length;
+            (radial && same(linear) && same(angular)).then_some((linear.x, angular.x * length))
+        };
+        let (a, b) = (one(row.a, &row.arm_a)?, one(row.b, &row.arm_b)?);
+        let w_n = a.0 + b.0;
+        Some((w_n, w_n + (a.1 + b.1)))
     }
 
     /// `d(velocity) / d(impulse)` of one body as a row holds it, 3x3 \[1/kg\].

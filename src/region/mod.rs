@@ -9,6 +9,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::Vec3;
 use crate::boundaries::{Solid, Touch};
+use crate::cell::Cell;
 pub use primitive::Primitive;
 
 /// Relative length by which a confined sphere keeps clear of curved borders, above rounding \[-\].
@@ -44,6 +45,18 @@ impl Region {
             Self::Primitive(primitive) => primitive.contains(x),
             Self::Mesh(solid) => solid.contains(x),
             Self::Beyond { point, normal } => (x - point).dot(normal) >= 0.0,
+        }
+    }
+
+    /// Whether a copy of a point \[m\] in a periodic cell lies in the region.
+    #[must_use]
+    pub fn contains_copy(&self, cell: &Cell, x: Vec3) -> bool {
+        match self.bounds() {
+            Some(bounds) => {
+                let mut copies = cell.copies(x, bounds, 0.0);
+                copies.any(|image| self.contains(x + cell.shift(image)))
+            }
+            None => self.contains(cell.wrapped(x)),
         }
     }
 

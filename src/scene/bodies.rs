@@ -5,8 +5,9 @@ use nalgebra::UnitQuaternion;
 use super::build::direction;
 use super::columns::Columns;
 use super::document::Document;
+use super::driven::body;
 use super::file;
-use super::names::Context;
+use super::names::{Context, Names};
 use super::resources::Resources;
 use crate::Vec3;
 use crate::boundaries::{
@@ -19,6 +20,7 @@ pub(super) fn boundary(
     document: &mut Document<'_>,
     resources: &mut Resources<'_>,
     context: &Context,
+    boundaries: &Names,
     path: &str,
     value: &file::Boundary,
 ) -> Option<Boundary> {
@@ -34,11 +36,33 @@ pub(super) fn boundary(
             "a stiffness > 0 [N/m]",
         );
     }
-    let motion = match (&value.motion, value.input) {
-        (None, None) => Some(Motion::Fixed),
-        (Some(given), None) => motion(document, resources, &format!("{path}.motion"), given),
-        (None, Some(given)) => input(document, &format!("{path}.input"), given),
-        (Some(_), Some(_)) => {
+    let motion = match (&value.motion, value.input, &value.body) {
+        (None, None, None) => Some(Motion::Fixed),
+        (Some(given), None, None) => motion(document, resources, &format!("{path}.motion"), given),
+        (None, Some(given), None) => input(document, &format!("{path}.input"), given),
+        (None, None | Some(file::Input::Load), Some(given)) => {
+            let at = value.point_of_action.into();
+            let load = value.input.is_some();
+            let body = body(
+                document,
+                boundaries,
+                &format!("{path}.body"),
+                given,
+                at,
+                load,
+            );
+            body.map(|body| Motion::Driven(Box::new(body)))
+        }
+        (_, _, Some(_)) => {
+            let help = "keep `body`, with `input = \"load\"` if the outside pushes it, or what prescribes its motion";
+            document.error(
+                format!("{path}.body"),
+                "found `body` and what prescribes the motion, expected one of them",
+                help,
+            );
+            None
+        }
+        (Some(_), Some(_), None) => {
             let help = "keep `motion` if the scene moves it, `input` if the outside does";
             document.error(
                 format!("{path}.input"),
@@ -87,6 +111,11 @@ fn input(document: &mut Document<'_>, path: &str, given: file::Input) -> Option<
         file::Input::HingeSpeed(v) => InputKind::HingeSpeed {
             axis: axis("hinge_speed", v)?,
         },
+        file::Input::Load => {
+            let help = "add `body = { mass = ..., ... }`: only a body is moved by force";
+            document.error(path, "found `load` for a boundary without `body`", help);
+            return None;
+        }
     };
     Some(Motion::Input(kind))
 }
@@ -182,7 +211,7 @@ fn read_table(
     })
 }
 
-fn increasing(document: &mut Document<'_>, path: &str, time: &[f64]) -> bool {
+pub(super) fn increasing(document: &mut Document<'_>, path: &str, time: &[f64]) -> bool {
     if time.is_empty() {
         return document.demand(false, path, "no times", "at least one [s]");
     }

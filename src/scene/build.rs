@@ -5,6 +5,7 @@ use std::path::Path;
 use miette::NamedSource;
 
 use super::bodies::{accept, boundary, motion};
+use super::cell::cell;
 use super::decode::{Element, SceneFile};
 use super::document::Document;
 use super::file;
@@ -83,14 +84,27 @@ fn build(
             &format!("at most {most} of them"),
         );
     }
-    let settings = file.simulation.as_ref().map(|s| settings(document, s));
+    let settings = file
+        .simulation
+        .as_ref()
+        .and_then(|s| settings(document, resources, s));
     let materials = materials(document, file);
     let pairs = pairs(document, &context, file);
     let boundary_names = Names::declare(document, "boundary", &file.boundaries);
     let boundaries: Vec<_> = file
         .boundaries
         .iter()
-        .map(|b| boundary(document, resources, &context, &b.path, b.value.as_ref()?))
+        .map(|b| {
+            let value = b.value.as_ref()?;
+            boundary(
+                document,
+                resources,
+                &context,
+                &boundary_names,
+                &b.path,
+                value,
+            )
+        })
         .collect();
     let boundaries: Option<Vec<_>> = boundaries.into_iter().collect();
     let mut particles = Particles::default();
@@ -159,9 +173,12 @@ fn build(
         particles,
         initial,
         initial_contacts: Vec::new(),
+        cell: cell(document, &file.cell),
         boundaries: boundaries?,
     };
     if context.ranges.iter().all(Option::is_some) {
+        super::frame::judge(document, &scene, &file.boundaries);
+        super::cell::judge(document, &scene, &file.boundaries, &file.sensors);
         let groups = &context.ranges[..file.spheres.len()];
         Overlaps::of(&scene).judge(document, &scene, groups, &file.spheres);
     }

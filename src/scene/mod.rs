@@ -5,10 +5,13 @@
 
 mod bodies;
 mod build;
+mod cell;
 mod columns;
 mod decode;
 mod document;
+mod driven;
 pub mod file;
+mod frame;
 mod keys;
 mod names;
 mod overlap;
@@ -37,9 +40,13 @@ use serde::{Deserialize, Serialize};
 
 use crate::Vec3;
 use crate::boundaries::Boundary;
+use crate::cell::Cell;
 use crate::contacts::Contact;
 use crate::error::SnapshotError;
+use crate::frame::RotatingFrame;
+use crate::gravity::GravityMotion;
 use crate::materials::{Material, PairTable};
+use crate::motion::Motion;
 use crate::particles::{Kinematics, Particles};
 use crate::region::{Primitive, Region};
 use crate::snapshot;
@@ -117,6 +124,8 @@ impl Default for Settings {
     fn default() -> Self {
         Self {
             gravity: Vec3::new(0.0, 0.0, -9.81),
+            gravity_motion: GravityMotion::Fixed,
+            rotating_frame: None,
             duration: 1.0,
             step: 1e-3,
             communication_step: 1e-3,
@@ -138,8 +147,12 @@ impl Default for Settings {
 /// Everything a run needs beside bodies and boundaries.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Settings {
-    /// Gravity \[m/s^2\].
+    /// Gravity \[m/s^2\], at t = 0 if it moves.
     pub gravity: Vec3,
+    /// How gravity changes with time.
+    pub gravity_motion: GravityMotion,
+    /// The turning frame in which the scene is given and solved; `None`: an inertial one.
+    pub rotating_frame: Option<RotatingFrame>,
     /// End time of a run \[s\].
     pub duration: f64,
     /// Largest internal time step \[s\].
@@ -310,6 +323,8 @@ pub struct Scene {
     pub initial: Kinematics,
     /// Contacts whose forces at t = 0 are known, in canonical order: where their solution starts from.
     pub initial_contacts: Vec<Contact>,
+    /// The periodic cell; without periodic axes unless the scene has some.
+    pub cell: Cell,
     /// Boundaries.
     pub boundaries: Vec<Boundary>,
     /// Point loads.
@@ -345,13 +360,20 @@ pub struct Loaded {
 
 impl Scene {
     /// Starts from another state of the spheres than the file's: from a [`crate::simulation::Settled::start`], or any
-    /// snapshot of this scene, of which placement, velocities and contact forces are taken. The hash changes with it.
+    /// snapshot of this scene, of which placement, velocities and contact forces are taken; driven bodies start at rest where
+    /// they were. The hash changes with it.
     ///
     /// # Errors
     /// [`SnapshotError`] if the blob is damaged or belongs to another scene or version; the scene is unchanged.
     pub fn start_from(&mut self, blob: &[u8]) -> Result<(), SnapshotError> {
         let state: State = snapshot::restore(blob, &self.hash)?;
         self.initial = state.kinematics;
+        for (boundary, pose) in self.boundaries.iter_mut().zip(state.poses) {
+            if let Motion::Driven(body) = &mut boundary.motion {
+                body.pose = pose;
+                body.twist = crate::motion::Twist::default();
+            }
+        }
         self.initial_contacts = state.contacts;
         self.hash = resources::digest([self.hash.as_bytes(), blob]);
         Ok(())

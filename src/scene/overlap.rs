@@ -4,13 +4,12 @@
 
 use std::ops::Range;
 
-use rstar::{AABB, RTree, primitives::GeomWithData, primitives::Rectangle};
-
 use super::Scene;
 use super::decode::Element;
 use super::document::Document;
 use super::file;
 use crate::boundaries::Boundary;
+use crate::contacts::periodic::periodic_pairs;
 use crate::motion::Pose;
 
 /// A sphere that starts inside something.
@@ -40,43 +39,30 @@ impl Overlaps {
         let tolerance = scene.settings.tolerance.gap;
         let radius = &scene.particles.radius;
         let position = &scene.initial.position;
-        let cube = |i: usize| {
-            let (c, r) = (position[i], radius[i]);
-            Rectangle::from_corners([c.x - r, c.y - r, c.z - r], [c.x + r, c.y + r, c.z + r])
-        };
         let present = |i: &usize| scene.initial.present[*i];
-        let tree = RTree::bulk_load(
-            (0..radius.len())
-                .filter(present)
-                .map(|i| GeomWithData::new(cube(i), i))
-                .collect(),
-        );
         let mut found = Self::default();
+        let pairs = periodic_pairs(&scene.cell, position, &scene.initial.present, radius, 0.0);
+        for (i, j, image) in pairs {
+            let [sphere, other] = [i, j].map(|i| i as usize);
+            let distance = position[sphere] - position[other] - scene.cell.shift(image);
+            let gap = distance.norm() - radius[sphere] - radius[other];
+            let ratio = -gap / radius[sphere].min(radius[other]);
+            if ratio > tolerance {
+                found.pairs.push(Overlap {
+                    sphere,
+                    other,
+                    ratio,
+                });
+            }
+        }
         let start = |b: &Boundary| b.motion.pose_at(0.0);
         let poses: Vec<Pose> = scene.boundaries.iter().map(start).collect();
         let mut touches = Vec::new();
         for i in (0..radius.len()).filter(present) {
-            let envelope = AABB::from_corners(cube(i).lower(), cube(i).upper());
-            let mut near: Vec<usize> = tree
-                .locate_in_envelope_intersecting(envelope)
-                .map(|n| n.data)
-                .filter(|&j| j > i)
-                .collect();
-            near.sort_unstable();
-            for j in near {
-                let gap = (position[i] - position[j]).norm() - radius[i] - radius[j];
-                let ratio = -gap / radius[i].min(radius[j]);
-                if ratio > tolerance {
-                    found.pairs.push(Overlap {
-                        sphere: i,
-                        other: j,
-                        ratio,
-                    });
-                }
-            }
             for (b, boundary) in scene.boundaries.iter().enumerate() {
                 touches.clear();
-                let centre = boundary.to_frame(&poses[b], position[i]);
+                let near = boundary.copy_near(&scene.cell, &poses[b], position[i]);
+                let centre = boundary.to_frame(&poses[b], near);
                 boundary
                     .geometry
                     .touches(centre, radius[i], 0.0, &mut touches);

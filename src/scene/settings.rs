@@ -2,11 +2,17 @@
 
 use super::decode::SceneFile;
 use super::document::Document;
+use super::frame::{gravity, rotating_frame};
+use super::resources::Resources;
 use super::{Integrator, Method, Settings, Tolerance, file};
 use crate::materials::Material;
 
 /// `[simulation]`, checked.
-pub(super) fn settings(document: &mut Document<'_>, s: &file::Simulation) -> Settings {
+pub(super) fn settings(
+    document: &mut Document<'_>,
+    resources: &mut Resources<'_>,
+    s: &file::Simulation,
+) -> Option<Settings> {
     let at = |key: &str| format!("simulation.{key}");
     document.demand(
         s.duration > 0.0,
@@ -98,8 +104,18 @@ pub(super) fn settings(document: &mut Document<'_>, s: &file::Simulation) -> Set
             "1e-12 to 1e-1 [-]",
         );
     }
-    Settings {
-        gravity: s.gravity.into(),
+    let gravity = gravity(document, resources, s);
+    let frame = s
+        .rotating_frame
+        .map(|frame| rotating_frame(document, frame));
+    let (gravity, gravity_motion) = gravity?;
+    Some(Settings {
+        gravity,
+        gravity_motion,
+        rotating_frame: match frame {
+            Some(checked) => Some(checked?),
+            None => None,
+        },
         duration: s.duration,
         step: s.step,
         communication_step,
@@ -114,7 +130,7 @@ pub(super) fn settings(document: &mut Document<'_>, s: &file::Simulation) -> Set
         dynamic_coefficient: kept,
         max_iterations: s.max_iterations as usize,
         max_cuts: s.max_cuts,
-    }
+    })
 }
 
 /// `[[material]]`, checked.

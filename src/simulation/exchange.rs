@@ -13,10 +13,12 @@ use rand_chacha::rand_core::SeedableRng;
 use super::Simulation;
 use crate::Vec3;
 use crate::boundaries::Touch;
+use crate::cell::Cell;
 use crate::contacts::Partner;
 use crate::problem::Dof6;
-use crate::scene::{Integrator, Scene, Source, Supply};
+use crate::scene::{Scene, Source, Supply};
 use crate::state::Reserve;
+use crate::step::release;
 
 /// Places tried for one sphere before its source waits for the next step.
 const TRIES: u32 = 200;
@@ -76,7 +78,8 @@ impl Simulation {
         let kinematics = &mut self.state.kinematics;
         let mut taken = false;
         for i in 0..kinematics.len() {
-            let inside = scene.sinks[sink].region.contains(kinematics.position[i]);
+            let region = &scene.sinks[sink].region;
+            let inside = region.contains_copy(&scene.cell, kinematics.position[i]);
             if !(kinematics.present[i] && inside) || held(i) {
                 continue;
             }
@@ -85,6 +88,9 @@ impl Simulation {
             kinematics.velocity[i] = Vec3::zeros();
             kinematics.spin[i] = Vec3::zeros();
             self.state.persisting[i] = Dof6::ZERO;
+            if let Some(external) = self.state.external.get_mut(i) {
+                *external = Dof6::ZERO;
+            }
             self.state.removed[sink] += scene.particles.mass[i];
             let home = scene.sources.iter().position(|s| s.spheres.contains(&i));
             if let Some(source) = scene.sinks[sink].recycle.or(home) {
@@ -95,7 +101,7 @@ impl Simulation {
             let present = &kinematics.present;
             self.state.contacts.retain(|contact| {
                 let other = match contact.key.partner {
-                    Partner::Sphere(j) => present[j as usize],
+                    Partner::Sphere { index, .. } => present[index as usize],
                     Partner::Boundary { .. } => true,
                 };
                 present[contact.key.sphere as usize] && other
@@ -129,7 +135,7 @@ impl Simulation {
             };
             reserve.spent += cost;
             reserve.waiting.pop_front();
-            room.spheres.push((place, scene.particles.radius[i]));
+            room.add(place, scene.particles.radius[i]);
             self.emit(i, place, given);
             self.state.emitted[source] += scene.particles.mass[i];
         }
@@ -140,24 +146,18 @@ impl Simulation {
         let state = &mut self.state;
         state.kinematics.present[i] = true;
         state.kinematics.position[i] = place;
-        let weight = self.scene.particles.inverse_mass(i) * self.scene.particles.mass[i];
-        state.persisting[i] = Dof6 {
-            linear: weight.component_mul(&state.gravity),
-            angular: Vec3::zeros(),
-        };
-        // The integrator carries the velocity half a step before.
-        let back = match self.scene.settings.integrator {
-            Integrator::Moreau => -0.5 * state.last_step,
-            Integrator::Shi => 0.0,
-        };
-        state.kinematics.velocity[i] = source.twist.linear + state.persisting[i].linear * back;
+        state.kinematics.velocity[i] = source.twist.linear;
         state.kinematics.spin[i] = source.twist.angular;
+        release(&self.scene, state, i);
     }
 }
 
 /// What stands in the way in and around a source's region.
 struct Room {
-    /// Centre \[m\] and radius \[m\] of the spheres there.
+    /// Box around the region and the largest sphere that reaches into it \[m\].
+    near: Option<(Vec3, Vec3)>,
+    cell: Cell,
+    /// Centre \[m\] and radius \[m\] of the spheres there, copies in a periodic cell included.
     spheres: Vec<(Vec3, f64)>,
 }
 
@@ -170,16 +170,25 @@ impl Room {
             .region
             .bounds()
             .map(|(min, max)| (min.add_scalar(-largest), max.add_scalar(largest)));
-        let inside = |x: &Vec3| {
-            near.is_none_or(|(min, max)| (0..3).all(|k| min[k] <= x[k] && x[k] <= max[k]))
+        let mut room = Self {
+            near,
+            cell: simulation.scene.cell,
+            spheres: Vec::new(),
         };
         let spheres = kinematics.position.iter().zip(&particles.radius);
-        Self {
-            spheres: spheres
-                .zip(&kinematics.present)
-                .filter(|((x, _), present)| **present && inside(x))
-                .map(|((&x, &r), _)| (x, r))
-                .collect(),
+        let present = spheres.zip(&kinematics.present).filter(|(_, is)| **is);
+        present.for_each(|((&x, &r), _)| room.add(x, r));
+        room
+    }
+
+    /// Takes in a sphere, wherever it or a copy of it stands in the way.
+    fn add(&mut self, x: Vec3, radius: f64) {
+        let (min, max) = self.near.unwrap_or((x, x));
+        for image in self.cell.copies(x, (min, max), 0.0) {
+            let x = x + self.cell.shift(image);
+            if (0..3).all(|k| min[k] <= x[k] && x[k] <= max[k]) {
+                self.spheres.push((x, radius));
+            }
         }
     }
 
@@ -219,6 +228,7 @@ fn touches_any(
         .zip(&simulation.state.poses)
         .any(|(boundary, pose)| {
             touches.clear();
+            let place = boundary.copy_near(&simulation.scene.cell, pose, place);
             let centre = boundary.to_frame(pose, place);
             boundary.geometry.touches(centre, radius, 0.0, touches);
             !touches.is_empty()

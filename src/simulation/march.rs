@@ -27,6 +27,7 @@ impl Simulation {
         );
         self.check_jump(&drive, start, end, steps)?;
         self.state.report = StepReport::default();
+        self.state.mean_body_force = Vec3::zeros();
         let passed = self.state.passed.clone();
         let mut impulse = vec![Wrench::default(); scene.boundaries.len()];
         for k in 1..=steps {
@@ -41,6 +42,7 @@ impl Simulation {
             mean.force = impulse.force / h;
             mean.torque = impulse.torque / h;
         }
+        self.state.mean_body_force /= h;
         let totals = self.state.passed.iter().zip(&passed);
         self.state.flow = totals.map(|(now, then)| (now - then) / h).collect();
         Ok(self.state.report)
@@ -59,6 +61,7 @@ impl Simulation {
         let dt = target - start;
         let before = self.state.kinematics.position.clone();
         let persisting = self.state.persisting_wrenches.clone();
+        let body_force = self.state.body_force;
         match step(
             scene,
             &mut self.state,
@@ -77,6 +80,8 @@ impl Simulation {
                     sum.add(&self.state.persisting_wrenches[b], shift);
                     sum.add(&persisting[b], -shift);
                 }
+                let now = self.state.body_force;
+                self.state.mean_body_force += now * dt + (now - body_force) * shift;
                 self.count_crossings(&before);
                 self.exchange();
                 Ok(())
@@ -114,7 +119,14 @@ impl Simulation {
                 };
                 let after = &self.state.kinematics;
                 let mass = &self.scene.particles.mass;
-                *passed += crossings(before, &after.position, mass, &after.present, gate);
+                *passed += crossings(
+                    before,
+                    &after.position,
+                    mass,
+                    &after.present,
+                    gate,
+                    &self.scene.cell,
+                );
             }
         }
     }
@@ -187,7 +199,7 @@ impl Simulation {
         let contact = failure.contact.map_or_else(
             || "the re-linearised gaps".to_owned(),
             |key| match key.partner {
-                Partner::Sphere(j) => format!("spheres {} and {j}", key.sphere),
+                Partner::Sphere { index, .. } => format!("spheres {} and {index}", key.sphere),
                 Partner::Boundary { boundary, .. } => format!(
                     "sphere {} on boundary `{}`",
                     key.sphere,

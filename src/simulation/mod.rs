@@ -14,6 +14,7 @@ use crate::contacts::Contact;
 use crate::drive::{Drive, target};
 use crate::driven::BodyState;
 use crate::error::{SnapshotError, StepError};
+use crate::gravity::GravityMotion;
 use crate::motion::{Command, Motion, Pose, Twist};
 use crate::particles::Kinematics;
 use crate::problem::{Dof6, Impulses, Problem};
@@ -107,19 +108,23 @@ impl Simulation {
                 .map(|b| b.motion.pose_at(t))
                 .collect()
         };
-        let (poses, next) = (pose_at(0.0), pose_at(settings.step));
+        // The step before the first: a wall that starts from rest does not meet the spheres with its first step's speed.
+        let (poses, previous) = (pose_at(0.0), pose_at(-settings.step));
         let state = State {
             time: 0.0,
             last_step: 0.0,
             gravity: settings.gravity,
             kinematics: scene.initial.clone(),
             persisting: vec![Dof6::ZERO; n],
+            external: Vec::new(),
+            body_force: Vec3::zeros(),
+            mean_body_force: Vec3::zeros(),
             contacts: scene.initial_contacts.clone(),
             springs: vec![Vec3::zeros(); scene.springs.len()],
             twists: poses
                 .iter()
-                .zip(&next)
-                .map(|(a, b)| a.twist_to(b, settings.step))
+                .zip(&previous)
+                .map(|(now, before)| before.twist_to(now, settings.step))
                 .collect(),
             poses,
             bodies: BodyState::initial(&scene),
@@ -171,19 +176,38 @@ impl Simulation {
         self.state.time
     }
 
-    /// Gravity \[m/s^2\].
+    /// Gravity \[m/s^2\] at [`Self::time`].
     #[must_use]
     pub fn gravity(&self) -> Vec3 {
-        self.state.gravity
+        self.state.gravity_at(&self.scene, self.state.time)
     }
 
-    /// Sets gravity \[m/s^2\] from now on.
+    /// Sets gravity \[m/s^2\] from now on; one that rotates goes on to do so from this vector at t = 0. A step that begins
+    /// now feels it from half a step ago (integrator `moreau`).
     ///
     /// # Errors
-    /// [`StepError::Argument`] if it is not finite.
+    /// [`StepError::Argument`] if it is not finite, or given by a table.
     pub fn set_gravity(&mut self, gravity: Vec3) -> Result<(), StepError> {
         finite("gravity", gravity.iter())?;
+        let table = matches!(
+            self.scene.settings.gravity_motion,
+            GravityMotion::Table { .. }
+        );
+        if table && gravity != self.state.gravity {
+            return Err(StepError::Argument {
+                what: "gravity",
+                found: format!("{:?}", gravity.as_slice()),
+                expected: "none: simulation.gravity_motion.table of the scene gives it",
+            });
+        }
+        let before = self.gravity();
         self.state.gravity = gravity;
+        // Before the first step the start is chosen, no work is done.
+        if self.state.last_step > 0.0 {
+            let change = self.gravity() - before;
+            let at = self.state.kinematics.position.clone();
+            self.state.lift(&self.scene, &at, change);
+        }
         Ok(())
     }
 
@@ -408,6 +432,12 @@ impl Simulation {
     #[must_use]
     pub fn mean_wrench(&self, b: usize) -> Wrench {
         self.state.mean_wrenches[b]
+    }
+
+    /// Weight, inertial forces and point loads on all spheres \[N\], averaged over the last communication step: impulse / h.
+    #[must_use]
+    pub fn mean_body_force(&self) -> Vec3 {
+        self.state.mean_body_force
     }
 
     /// Report of the last communication step.

@@ -1,7 +1,7 @@
 //! Settling: a scene comes to rest before its t = 0.
 //!
-//! Boundaries stay where they are at t = 0, sources and sinks do nothing, and the spheres fall, roll and rest as in a
-//! run: first to coarse tolerances, then, from where that led to, with the scene's gaps. Then every velocity is set to zero and the contact forces are solved anew: the scene starts from rest, in
+//! Boundaries stay where they are at t = 0, sources and sinks do nothing, and the spheres and driven bodies fall, roll and rest
+//! as in a run, bodies under the loads of the scene: first to coarse tolerances, then, from where that led to, with the scene's gaps. Then every velocity is set to zero and the contact forces are solved anew: the scene starts from rest, in
 //! equilibrium if the spheres had come to rest.
 //!
 //! The spheres are at rest when no speed, of a centre or of a surface about it, exceeds
@@ -18,10 +18,10 @@ use std::sync::Arc;
 
 use super::Simulation;
 use crate::Vec3;
-use crate::contacts::Contact;
+use crate::drive::displacement;
 use crate::error::StepError;
-use crate::motion::Motion;
-use crate::particles::Kinematics;
+use crate::gravity::GravityMotion;
+use crate::motion::{Motion, Twist};
 use crate::scene::{Scene, Tolerance};
 
 /// Share of `sqrt(|g| R)` that counts as rest.
@@ -77,11 +77,11 @@ impl Settled {
         };
         let mut near = held(scene, FINE);
         near.settings.step = near.settings.step.min(easy_step(scene));
-        (near.initial, near.initial_contacts) = coarse.simulation.stopped();
+        coarse.simulation.stopped(&mut near);
         let began = Simulation::new(Arc::new(near))?;
         let fine = Stretch::run(began, last, &mut watch)?;
         let mut start = scene.clone();
-        (start.initial, start.initial_contacts) = fine.simulation.stopped();
+        fine.simulation.stopped(&mut start);
         let rested = Simulation::new(Arc::new(start))?;
         Ok(Self {
             start: rested.snapshot(),
@@ -105,13 +105,18 @@ const FINE: Tolerance = Tolerance {
     slip: 1e-4,
     force: 1e-1,
 };
+/// A time \[s\] in which no body turns: over it a displacement is a speed.
+const INSTANT: f64 = 1e-9;
 /// Length of the last stretch over the time that counts as rest: loose spheres find their places.
 const LAST: f64 = 40.0;
 
-/// The scene with boundaries and targets of springs held as at t = 0, without sources and sinks, and with tolerances no
+/// The scene with gravity, boundaries and targets of springs held as at t = 0, without sources and sinks, and with tolerances no
 /// finer than `least`.
 fn held(scene: &Scene, least: Tolerance) -> Scene {
     let hold = |motion: &mut Motion| {
+        if matches!(motion, Motion::Driven(_)) {
+            return;
+        }
         let pose = motion.pose_at(0.0);
         *motion = Motion::Table {
             time: vec![0.0],
@@ -120,6 +125,7 @@ fn held(scene: &Scene, least: Tolerance) -> Scene {
         };
     };
     let mut scene = scene.clone();
+    scene.settings.gravity_motion = GravityMotion::Fixed;
     scene
         .boundaries
         .iter_mut()
@@ -205,21 +211,35 @@ fn rest(scene: &Scene) -> (f64, f64) {
 }
 
 impl Simulation {
-    /// The spheres without their velocities, and their contacts.
-    fn stopped(&self) -> (Kinematics, Vec<Contact>) {
-        let mut kinematics = self.state.kinematics.clone();
-        kinematics.velocity.fill(Vec3::zeros());
-        kinematics.spin.fill(Vec3::zeros());
-        (kinematics, self.state.contacts.clone())
+    /// Lets `scene` start with the spheres and driven bodies where they are, without velocities, and with their contacts.
+    fn stopped(&self, scene: &mut Scene) {
+        scene.initial.clone_from(&self.state.kinematics);
+        scene.initial.velocity.fill(Vec3::zeros());
+        scene.initial.spin.fill(Vec3::zeros());
+        scene.initial_contacts.clone_from(&self.state.contacts);
+        for (boundary, pose) in scene.boundaries.iter_mut().zip(&self.state.poses) {
+            if let Motion::Driven(body) = &mut boundary.motion {
+                body.pose = *pose;
+                body.twist = Twist::default();
+            }
+        }
     }
 
-    /// Largest speed \[m/s\] of a centre or of a surface about its centre.
+    /// Largest speed \[m/s\] of a centre or of a surface about its centre, or of a driven body.
     fn fastest(&self) -> f64 {
         let radius = &self.scene.particles.radius;
+        let driven = self.scene.driven().map(|(b, _)| {
+            let (pose, twist) = (&self.state.poses[b], self.boundary_twist(b));
+            displacement(
+                &self.scene.boundaries[b],
+                pose,
+                &pose.advanced(&twist, INSTANT),
+            ) / INSTANT
+        });
         let spheres = (0..radius.len()).map(|i| {
             let twist = self.velocity(i);
             twist.linear.norm().max(radius[i] * twist.angular.norm())
         });
-        spheres.fold(0.0, f64::max)
+        spheres.chain(driven).fold(0.0, f64::max)
     }
 }

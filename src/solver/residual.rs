@@ -84,6 +84,7 @@ impl Scale {
     ///
     /// A row that nothing can move (`w = 0`) keeps its impulse.
     #[must_use]
+    #[inline]
     pub fn correction(&self, row: &Row, u: Vec3, p: Vec3, load: f64) -> Correction {
         let n = row.normal;
         let (u_n, u_t) = split(u + row.bias, n);

@@ -3,6 +3,7 @@
 use super::dof;
 use super::stage::Stage;
 use crate::Vec3;
+use crate::contacts::history::transfer;
 use crate::contacts::narrow_phase::Placement;
 use crate::contacts::{Contact, Partner};
 use crate::driven::BodyState;
@@ -14,6 +15,19 @@ use crate::simulation::Wrench;
 use crate::state::State;
 
 impl Stage<'_> {
+    /// Counts as impacts the contacts that an impact has hit through others: their impulses are more than twice what they
+    /// carried before and what loads bring in a step. As persisting forces they would shift the half step.
+    pub(super) fn spread_impacts(&mut self, state: &State) {
+        let before = transfer(&state.contacts, self.candidates.iter().map(|c| c.key));
+        let step = self.inputs.step;
+        for (k, (impact, before)) in self.impact.iter_mut().zip(before).enumerate() {
+            let row = &self.problem.rows[k];
+            let load = [row.a, row.b].map(|body| self.inputs.weight(body));
+            let load = load[0].max(load[1]);
+            *impact |= self.impulses[k].norm() > 2.0 * step * (before.force.norm() + load);
+        }
+    }
+
     /// Contact forces and boundary wrenches into `state`.
     pub(super) fn store(&self, state: &mut State) {
         let step = self.inputs.step;
@@ -38,7 +52,10 @@ impl Stage<'_> {
             if let Partner::Boundary { boundary, .. } = candidate.key.partner {
                 let b = usize::from(boundary);
                 let row = &self.problem.rows[k];
-                let point = self.inputs.kinematics.position[row.a as usize] + row.arm_a;
+                let pose = &self.inputs.poses[0][b];
+                let centre = self.inputs.kinematics.position[row.a as usize];
+                let centre = boundaries[b].copy_near(&self.inputs.scene.cell, pose, centre);
+                let point = centre + row.arm_a;
                 let pivot = boundaries[b].point_of_action + self.inputs.poses[0][b].translation;
                 let wrench = Wrench {
                     force: -force,

@@ -2,9 +2,11 @@
 //! agrees, `commit` writes the solution into the state; `start` does the same at t = 0.
 
 mod commit;
+mod external;
 mod stage;
 mod start;
 
+pub(crate) use external::release;
 pub use start::{initial_forces, remove_overlaps};
 
 use crate::Vec3;
@@ -12,7 +14,7 @@ use crate::contacts::broad_phase::NeighborList;
 use crate::driven::Ready;
 use crate::motion::{Pose, Twist};
 use crate::particles::Kinematics;
-use crate::problem::assemble::{Inputs, external_acceleration};
+use crate::problem::assemble::Inputs;
 use crate::problem::{Dof6, Impulses, Problem};
 use crate::scene::Scene;
 use crate::solver::Report;
@@ -63,8 +65,9 @@ pub fn step(
     poses: Vec<Pose>,
 ) -> Result<StepOutcome, StepFailure> {
     let start = Start::of(scene, state, dt, poses);
-    let mut stage = Stage::new(start.inputs(scene, state, dt), state, scratch);
+    let mut stage = Stage::new(start.inputs(scene, dt), state, scratch);
     let (solution, outcome) = stage.resolve(state, scratch)?;
+    stage.spread_impacts(state);
     let poses = stage.end_poses(&solution);
     stage.commit(state, &solution, &poses);
     if outcome.solver.penalty > 0.0 && outcome.solver.penalty.is_finite() {
@@ -77,6 +80,7 @@ pub fn step(
         .map(|(from, to)| from.twist_to(to, dt))
         .collect();
     state.poses = poses;
+    start.book(scene, state, dt);
     state.last_step = dt;
     Ok(outcome)
 }
@@ -86,7 +90,7 @@ pub fn step(
 #[must_use]
 pub fn problem(scene: &Scene, state: &State, dt: f64, poses: &[Pose]) -> (Problem, Impulses) {
     let start = Start::of(scene, state, dt, poses.to_vec());
-    let inputs = start.inputs(scene, state, dt);
+    let inputs = start.inputs(scene, dt);
     let stage = Stage::new(inputs, state, &mut Scratch::default());
     (stage.problem, stage.impulses)
 }
@@ -94,6 +98,7 @@ pub fn problem(scene: &Scene, state: &State, dt: f64, poses: &[Pose]) -> (Proble
 /// What a step takes from the state before it moves anything.
 struct Start<'a> {
     kinematics: Kinematics,
+    gravity: Vec3,
     external: Vec<Dof6>,
     targets: Vec<Vec3>,
     standing: Vec<Pose>,
@@ -128,8 +133,10 @@ impl<'s> Start<'s> {
         }
         let end_time = state.time + dt;
         let springs = scene.springs.iter();
+        let gravity = state.gravity_at(scene, integrator.middle(state.time, dt));
         Self {
-            external: external_acceleration(scene, &state.kinematics, state.gravity),
+            gravity,
+            external: external::acceleration(scene, state, &kinematics, gravity, dt),
             kinematics,
             targets: springs
                 .map(|spring| spring.target + spring.motion.pose_at(end_time).translation)
@@ -142,7 +149,7 @@ impl<'s> Start<'s> {
         }
     }
 
-    fn inputs<'a>(&'a self, scene: &'a Scene, state: &State, dt: f64) -> Inputs<'a> {
+    fn inputs<'a>(&'a self, scene: &'a Scene, dt: f64) -> Inputs<'a> {
         Inputs {
             scene,
             kinematics: &self.kinematics,
@@ -152,7 +159,7 @@ impl<'s> Start<'s> {
             bodies: &self.bodies,
             twists: &self.twists,
             surfaces: &self.surfaces,
-            gravity: state.gravity,
+            gravity: self.gravity,
             targets: &self.targets,
         }
     }

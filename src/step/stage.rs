@@ -43,6 +43,7 @@ impl<'a> Stage<'a> {
             present: &inputs.kinematics.present,
             boundaries: &scene.boundaries,
             poses: inputs.poses[0],
+            cell: &scene.cell,
         };
         // What a sphere can move in the step, before contacts change its velocity: the check after the
         // solve finds what this misses.
@@ -56,7 +57,7 @@ impl<'a> Stage<'a> {
         let wall_motion = |i: u32, b: u16| {
             let (wall, i) = (&scene.boundaries[usize::from(b)], i as usize);
             let [from, to] = inputs.poses.map(|poses| &poses[usize::from(b)]);
-            let x = inputs.kinematics.position[i];
+            let x = wall.copy_near(&scene.cell, from, inputs.kinematics.position[i]);
             (wall.from_frame(to, wall.to_frame(from, x)) - x).norm()
         };
         let largest = reach.iter().copied().fold(0.0, f64::max);
@@ -248,32 +249,38 @@ impl<'a> Stage<'a> {
         let settings = &self.inputs.scene.settings;
         let tolerance = settings.tolerance.gap;
         let step = self.inputs.step;
-        let mut true_gaps = Vec::with_capacity(self.candidates.len());
-        let mut off = false;
-        for (k, candidate) in self.candidates.iter().enumerate() {
-            let row = &self.problem.rows[k];
+        let true_gap = |k: usize| {
             // With a contact stiffness the spring's compression is not an overlap.
+            let row = &self.problem.rows[k];
             let compression = self.impulses[k].dot(&row.normal) * row.compliance_n * step;
-            let gap = end.follow(candidate).gap + compression;
-            let overlaps = gap < -tolerance * row.radius;
-            let opens =
-                self.impulses[k] != Vec3::zeros() && !self.impact[k] && gap > OPENING * row.radius;
-            off |= overlaps || opens;
-            true_gaps.push(gap);
+            end.follow(&self.candidates[k]).gap + compression
+        };
+        let loaded = |k: usize| self.impulses[k] != Vec3::zeros();
+        let wall = |k: usize| matches!(self.candidates[k].key.partner, Partner::Boundary { .. });
+        // Two spheres without load that overlap are among the closed ones below.
+        let mut off = (0..self.candidates.len()).any(|k| {
+            (loaded(k) || wall(k)) && {
+                let (gap, radius) = (true_gap(k), self.problem.rows[k].radius);
+                let opens = loaded(k) && !self.impact[k] && gap > OPENING * radius;
+                gap < -tolerance * radius || opens
+            }
+        });
+        let mut late: Vec<Candidate> = Vec::new();
+        for found in closed {
+            if found.gap < -tolerance * end.scale(found.key) {
+                match self
+                    .candidates
+                    .binary_search_by_key(&found.key, |known| known.key)
+                {
+                    Ok(k) => off |= !loaded(k),
+                    Err(_) => late.push(*found),
+                }
+            }
         }
-        let late: Vec<Candidate> = closed
-            .iter()
-            .filter(|c| c.gap < -tolerance * end.scale(c.key))
-            .filter(|c| {
-                self.candidates
-                    .binary_search_by_key(&c.key, |known| known.key)
-                    .is_err()
-            })
-            .copied()
-            .collect();
         if !off && late.is_empty() {
             return false;
         }
+        let true_gaps: Vec<f64> = (0..self.candidates.len()).map(true_gap).collect();
         for (k, gap) in true_gaps.into_iter().enumerate() {
             let row = &mut self.problem.rows[k];
             let n = row.normal;
@@ -375,7 +382,7 @@ impl<'a> Stage<'a> {
                     let rigid = self.inputs.body(usize::from(boundary)).is_none();
                     rigid.then_some((boundary, self.candidates[k].normal))
                 }
-                Partner::Sphere(_) => None,
+                Partner::Sphere { .. } => None,
             })
             .collect();
         walls.iter().enumerate().find_map(|(k, (a, n))| {

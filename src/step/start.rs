@@ -1,12 +1,12 @@
 //! The start of a run: overlaps out by displacement, contact forces at rest.
 
 use super::stage::Stage;
-use super::{Scratch, StepFailure, surfaces};
+use super::{Scratch, StepFailure, external, surfaces};
 use crate::Vec3;
 use crate::contacts::narrow_phase::Placement;
 use crate::driven::Ready;
 use crate::motion::Twist;
-use crate::problem::assemble::{Inputs, external_acceleration};
+use crate::problem::assemble::Inputs;
 use crate::problem::{Dof6, Law};
 use crate::scene::{Method, Scene};
 use crate::state::State;
@@ -26,7 +26,8 @@ pub fn initial_forces(
 ) -> Result<(), StepFailure> {
     let dt = 0.5 * scene.settings.step;
     let kinematics = state.kinematics.clone();
-    let external = external_acceleration(scene, &kinematics, state.gravity);
+    let gravity = state.gravity_at(scene, state.time);
+    let external = external::at_start(scene, &kinematics, gravity);
     let targets: Vec<Vec3> = scene.springs.iter().map(|spring| spring.target).collect();
     let (poses, twists) = (state.poses.clone(), state.twists.clone());
     let bodies = Ready::all(scene, state, dt);
@@ -39,7 +40,7 @@ pub fn initial_forces(
         bodies: &bodies,
         twists: &twists,
         surfaces: &surfaces(scene, state),
-        gravity: state.gravity,
+        gravity,
         targets: &targets,
     };
     let mut stage = Stage::new(inputs, state, scratch);
@@ -54,6 +55,7 @@ pub fn initial_forces(
     stage.store(state);
     state.springs = stage.spring_forces();
     state.persisting = stage.persisting_acceleration();
+    external::keep(scene, state, &external);
     let solution = stage.problem.velocities(&stage.impulses);
     let at_rest = stage.finished(&solution, &poses);
     for (carried, (found, _)) in state.bodies.iter_mut().zip(at_rest) {
@@ -78,6 +80,7 @@ pub fn remove_overlaps(
         present: &state.kinematics.present,
         boundaries: &scene.boundaries,
         poses: &state.poses,
+        cell: &scene.cell,
     };
     scratch.neighbors.ensure(&start, 0.0);
     let closed = start.candidates(&scratch.neighbors, |_, _| 0.0, |_, _| 0.0);
@@ -119,10 +122,16 @@ pub fn remove_overlaps(
 }
 
 impl Stage<'_> {
-    /// Keeps the candidates that are closed and neither approach nor part, with zero gap.
+    /// Keeps the candidates that are closed and neither approach nor part. They may not accelerate into each other: with
+    /// zero gap, less what sliding over a curved surface opens or closes by itself, `g(t) = g + dt n.u + ...`.
     fn keep_resting(&mut self, scene: &Scene) {
         let velocity = self.before();
-        let creep = scene.settings.gravity.norm() * self.inputs.step;
+        let mut weight = scene.settings.gravity.norm();
+        if scene.settings.rotating_frame.is_some() {
+            let external = self.inputs.external.iter().map(|a| a.linear.norm());
+            weight = external.fold(weight, f64::max);
+        }
+        let creep = weight * self.inputs.step;
         let closed = scene.settings.tolerance.gap.max(1e-9);
         let rests = |k: usize| {
             let row = &self.problem.rows[k];
@@ -138,9 +147,23 @@ impl Stage<'_> {
                 *contact = before.iter().filter(|kept| **kept).count() as u32;
             }
         }
-        for (row, impact) in self.problem.rows.iter_mut().zip(&mut self.impact) {
+        let step = self.inputs.step;
+        let position = self.moved(&velocity);
+        let slid = Placement {
+            position: &position,
+            ..self.start
+        };
+        for ((row, candidate), impact) in self
+            .problem
+            .rows
+            .iter_mut()
+            .zip(&self.candidates)
+            .zip(&mut self.impact)
+        {
             if row.compliance_n == 0.0 {
-                row.bias = Vec3::zeros();
+                let linear = step * row.normal.dot(&row.relative_velocity(&velocity));
+                let curved = slid.follow(candidate).gap - candidate.gap - linear;
+                row.bias = row.normal * (2.0 * curved / step);
             }
             *impact = false;
         }

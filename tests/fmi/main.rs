@@ -8,6 +8,7 @@ use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
 use c::{DISCARD, ERROR, Fmi, Instance, OK};
+use sphere_dda::Vec3;
 use sphere_dda::observe::Observation;
 use sphere_dda::observe::history::columns;
 use sphere_dda::observe::quantities::values;
@@ -327,6 +328,40 @@ fn inputs_set_before_the_start_place_the_boundary() {
         instance.real(scene.reference("boundary.floor.averageForce[3]")),
         0.0
     );
+}
+
+/// The momentum changes by the mean body force less the mean forces on the boundaries, times the step, while the importer shakes
+/// gravity, the scene turns it, and steps are no whole number of internal ones.
+#[test]
+fn momentum_balances_while_gravity_changes() {
+    let turning = "step = 1e-3\ngravity_motion = { rotation = { axis = [0, 1, 0], speed = 3 } }";
+    let scene = Scene::new(&BOX.replacen("step = 1e-3", turning, 1));
+    let instance = scene.instance();
+    instance.initialize();
+    let vector = |name: &str| Vec3::from(scene.vector(&instance, name));
+    let (mut time, mut momentum) = (0.0, vector("momentum"));
+    for k in 0..15_u32 {
+        let h = 0.0104 + 1e-4 * f64::from(k % 3);
+        let shaken = 4.0 * f64::from(k).sin();
+        assert_eq!(instance.set(scene.reference("gravity[1]"), shaken), OK);
+        assert_eq!(instance.step(time, h), OK, "{:?}", instance.log());
+        time += h;
+        let walls = ["floor", "wall"].map(|b| vector(&format!("boundary.{b}.averageForce")));
+        let force = vector("averageBodyForce") - walls[0] - walls[1];
+        let weight = instance.real(scene.reference("mass")) * 9.81;
+        let change = vector("momentum") - momentum;
+        assert!((change - force * h).norm() < 1e-9 * weight * h, "{k}");
+        momentum = vector("momentum");
+    }
+    assert!(momentum.x.abs() > 0.01);
+}
+
+#[test]
+fn gravity_from_a_table_cannot_be_set() {
+    let table = "gravity_motion = { table = { time = [0, 1], gravity = [[0, 0, -9], [0, 0, 0]] } }";
+    let scene = Scene::new(&BOX.replacen("step = 1e-3", &format!("step = 1e-3\n{table}"), 1));
+    let variables = scene.model.table.variables();
+    assert!(!variables.iter().any(|v| v.name.starts_with("gravity[")));
 }
 
 #[test]

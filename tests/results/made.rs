@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use nalgebra::UnitQuaternion;
 use sphere_dda::Vec3;
 use sphere_dda::boundaries::{Boundary, Facets, Geometry, HalfSpace, Shape};
+use sphere_dda::cell::Cell;
 use sphere_dda::contacts::{Contact, Key, Partner};
 use sphere_dda::materials::{Material, Pair, PairTable};
 use sphere_dda::motion::{Motion, Pose, Twist};
@@ -63,6 +64,7 @@ pub(crate) fn scene(n: usize) -> Scene {
             dynamic_coefficient: 1.0,
             max_iterations: 1000,
             max_cuts: 4,
+            ..Settings::default()
         },
         materials: vec![Material {
             name: "glass".to_owned(),
@@ -72,6 +74,7 @@ pub(crate) fn scene(n: usize) -> Scene {
         particles,
         initial,
         initial_contacts: Vec::new(),
+        cell: Cell::default(),
         boundaries: vec![boundary("floor", floor()), boundary("crate", crate_box())],
         loads: Vec::new(),
         springs: Vec::new(),
@@ -145,7 +148,7 @@ impl Made {
         let mut contacts = vec![
             Contact {
                 torque: Vec3::new(0.0, 0.25, 0.125),
-                ..contact(0, Partner::Sphere(1), Vec3::new(1.0, 0.0, 2.0 + time))
+                ..contact(0, Partner::sphere(1), Vec3::new(1.0, 0.0, 2.0 + time))
             },
             contact(0, floor, Vec3::new(0.0, 0.0, 3.0)),
             contact(2, floor, Vec3::new(0.0, 0.5, 4.0)),
@@ -173,6 +176,7 @@ impl Made {
             scene,
             time,
             gravity: scene.settings.gravity,
+            body_force: Vec3::zeros(),
             kinematics: &self.kinematics,
             velocity: vec![twist; scene.particles.len()],
             half_step: self

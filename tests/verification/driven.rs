@@ -386,38 +386,23 @@ fn a_servo_wall_presses_with_pressure_times_area() {
 }
 
 /// A light plate on a pile of a hundred times its mass, as light as one of the spheres: no added-mass limit. It comes to
-/// rest with the pile and its contacts carry its weight.
+/// rest with the pile and its contacts carry its weight, to what the gap tolerance leaves of it.
 #[test]
 fn a_light_plate_rests_on_a_heavy_pile() {
     for joint in [SLIDE, Joint::Free] {
-        let mut run = pile(joint, 1.0).start();
-        let mut total = [0; 4];
-        for k in 0..1200 {
+        let mut run = pile(joint, 1.0).tolerance(1e-6, 1e-4, 1e-3).start();
+        run.steps(1500);
+        let before = run.simulation.boundary_pose(5);
+        let mut impulse = 0.0;
+        for _ in 0..100 {
             run.step();
-            let r = run.simulation.report();
-            total[0] += r.cuts;
-            total[1] += r.sweeps;
-            total[2] += r.factorizations;
-            total[3] += r.internal_steps;
-            if k % 100 == 99 {
-                println!(
-                    "{joint:?} {k} {total:?} {:?} {:?}",
-                    run.simulation.boundary_twist(5).linear,
-                    run.simulation.mean_wrench(5).force.z / run.mass(0) / G
-                );
-            }
+            impulse += 1e-3 * run.simulation.mean_wrench(5).force.z;
         }
-        let before = run.simulation.boundary_pose(5).translation;
-        run.steps(50);
-        let after = run.simulation.boundary_pose(5).translation;
-        assert!(
-            (after - before).norm() < 1e-3 * 0.05,
-            "{joint:?}: {:e}",
-            (after - before).norm()
-        );
-        let weight = run.mass(0) * G;
-        let mean = run.simulation.mean_wrench(5).force.z;
-        close(mean, weight, 0.05, 0.0);
+        let after = run.simulation.boundary_pose(5);
+        let moved = (after.translation - before.translation).norm();
+        assert!(moved < 1e-2 * 0.05, "{joint:?}: {moved:e}");
+        assert!(before.rotation.angle_to(&after.rotation) < 1e-2);
+        close(impulse, 0.1 * run.mass(0) * G, 1e-2, 0.0);
     }
 }
 

@@ -204,3 +204,73 @@ fn oblique_impact() {
         }
     }
 }
+
+/// Row 9 in space: planes, velocities and spins of any direction, both solvers, and one percent below and above the
+/// threshold. With the surface velocity `u_t = v_t - w x n R` the impulse is `(1 + e) m u_n` along n and `-J u_t/|u_t|`
+/// across it, `J = min(mu (1 + e) m u_n, 2/7 m |u_t|)`; it changes w by `-R n x (impulse)/I`. The spin about n stays.
+#[test]
+fn oblique_impacts_in_space() {
+    let (radius, speed) = (0.1, 3.0);
+    let mut sticking = 0;
+    for k in 0..24 {
+        let turn = |a: f64, b: f64| {
+            let up = (a * f64::from(k) + b).sin();
+            let around = 2.4 * f64::from(k) + b;
+            Vec3::new(around.cos(), around.sin(), 0.0) * (1.0 - up * up).sqrt() + Vec3::z() * up
+        };
+        let (mu, e) = (0.1 + 0.05 * f64::from(k % 5), 0.25 * f64::from(k % 4));
+        let n = turn(0.7, 0.2);
+        let across = n.cross(&turn(1.1, 0.9)).normalize();
+        // Every third case is at 99 % or 101 % of the threshold tan th = 3.5 mu (1 + e), without spin.
+        let threshold = 3.5 * mu * (1.0 + e);
+        let (ratio, spin) = match k % 6 {
+            0 => (0.99 * threshold, Vec3::zeros()),
+            3 => (1.01 * threshold, Vec3::zeros()),
+            _ => (0.2 + 0.1 * f64::from(k), turn(0.3, 0.5) * 20.0),
+        };
+        let velocity = (across * ratio - n).normalize() * speed;
+        let u_n = -velocity.dot(&n);
+        let u_t = velocity + n * u_n - spin.cross(&n) * radius;
+        let sticks = u_t.norm() <= threshold * u_n;
+        sticking += i32::from(sticks);
+        let push = (mu * (1.0 + e) * u_n).min(u_t.norm() / 3.5);
+        let impulse = n * ((1.0 + e) * u_n) - u_t.normalize() * push;
+        let spun = spin - n.cross(&impulse) * (2.5 / radius);
+        for solver in [SolverKind::GaussSeidel, SolverKind::Direct] {
+            let mut run = Case::new(1e-3, mu, e)
+                .without_gravity()
+                .tolerance(1e-13, 1e-13, 1e-13)
+                .settings(|s| s.solver = solver)
+                .plane(Vec3::zeros(), n)
+                .body(
+                    radius,
+                    n * (radius + 0.0103 * u_n),
+                    velocity,
+                    spin,
+                    Default::default(),
+                )
+                .start();
+            run.steps(20);
+            let (v, w) = (run.velocity(0), run.spin(0));
+            assert!(
+                (v - velocity - impulse).norm() < 1e-9 * speed,
+                "case {k} {solver:?}: {v:?}"
+            );
+            assert!(
+                (w - spun).norm() * radius < 1e-9 * speed,
+                "case {k} {solver:?}: {w:?}"
+            );
+            let slip = v - n * v.dot(&n) - w.cross(&n) * radius;
+            assert_eq!(
+                slip.norm() < 1e-9 * speed,
+                sticks,
+                "case {k}: slip {slip:?}"
+            );
+            if sticks && spin == Vec3::zeros() {
+                let tangential = |v: Vec3| (v - n * v.dot(&n)).norm();
+                close(tangential(v) / tangential(velocity), 5.0 / 7.0, 1e-9, 0.0);
+            }
+        }
+    }
+    assert!((4..20).contains(&sticking), "{sticking} stick");
+}

@@ -5,14 +5,24 @@
 
 mod belts;
 mod contact_statics;
+mod convergence;
 mod driven;
+mod driven_scenes;
+mod edges;
+mod frames;
 mod free_motion;
 mod impact;
 mod incline;
+mod invariance;
+mod joints;
 mod paper_examples;
+mod periodic;
 mod pinched;
 mod regions;
 mod resistance;
+mod rest;
+mod rolling;
+mod simultaneous;
 mod solvers;
 mod springs;
 mod support;

@@ -56,7 +56,7 @@ fn a_rigid_press_is_named() {
         assert!((0.08..0.13).contains(time), "{time}");
         assert_eq!(*sphere, 0);
         assert!(
-            boundaries.contains("plane0") && boundaries.contains("plane1"),
+            boundaries.contains("wall0") && boundaries.contains("wall1"),
             "{boundaries}"
         );
         assert!(error.to_string().contains("stiffness"), "{error}");

@@ -306,9 +306,9 @@ fn iteration_counts_are_pinned() {
         })
     });
     insta::assert_snapshot!(counts.collect::<Vec<_>>().join("\n"), @r"
-    75 sweeps, 0 augmentations, 0 factorizations
-    0 sweeps, 2 augmentations, 5 factorizations
-    60 sweeps, 0 augmentations, 0 factorizations
+    39 sweeps, 0 augmentations, 0 factorizations
+    0 sweeps, 2 augmentations, 4 factorizations
+    38 sweeps, 0 augmentations, 0 factorizations
     0 sweeps, 1 augmentations, 3 factorizations
     ");
 }

@@ -4,13 +4,15 @@ use std::sync::Arc;
 
 use nalgebra::UnitQuaternion;
 use sphere_dda::Vec3;
-use sphere_dda::boundaries::{Belt, Boundary, Geometry, HalfSpace, Shape};
+use sphere_dda::boundaries::{Belt, Boundary, Facets, Geometry, HalfSpace, Revolution, Shape};
+use sphere_dda::cell::Cell;
 use sphere_dda::driven::{Body, Joint};
+use sphere_dda::gravity::GravityMotion;
 use sphere_dda::materials::{Material, Pair, PairTable};
 use sphere_dda::motion::{Motion, Pose, Twist};
 use sphere_dda::particles::{Kinematics, Locks, Particles};
 use sphere_dda::problem::Dof6;
-use sphere_dda::scene::{Output, Scene, Settings};
+use sphere_dda::scene::{Integrator, Method, Output, Scene, Settings};
 use sphere_dda::simulation::Simulation;
 
 /// Gravity of all cases \[m/s^2\].
@@ -55,6 +57,7 @@ impl Case {
                 particles: Particles::default(),
                 initial: Kinematics::default(),
                 initial_contacts: vec![],
+                cell: Cell::default(),
                 boundaries: vec![],
                 loads: vec![],
                 springs: vec![],
@@ -108,15 +111,22 @@ impl Case {
     }
 
     /// A fixed half-space through `point`, `normal` towards the spheres.
-    pub fn plane(mut self, point: Vec3, normal: Vec3) -> Self {
+    pub fn plane(self, point: Vec3, normal: Vec3) -> Self {
+        self.wall(vec![HalfSpace::new(point, normal).expect("a plane").into()])
+    }
+
+    /// A fixed boundary of these shapes.
+    pub fn wall(self, shapes: Vec<Shape>) -> Self {
+        self.moving(shapes, Motion::Fixed)
+    }
+
+    /// A boundary of these shapes that moves.
+    pub fn moving(mut self, shapes: Vec<Shape>, motion: Motion) -> Self {
         self.scene.boundaries.push(Boundary {
-            name: format!("plane{}", self.scene.boundaries.len()),
+            name: format!("wall{}", self.scene.boundaries.len()),
             material: 1,
-            geometry: Geometry::new(vec![Shape::HalfSpace(
-                HalfSpace::new(point, normal).expect("a plane"),
-            )])
-            .expect("a geometry"),
-            motion: Motion::Fixed,
+            geometry: Geometry::new(shapes).expect("a geometry"),
+            motion,
             point_of_action: Vec3::zeros(),
             stiffness: None,
             belt: None,
@@ -147,18 +157,20 @@ impl Case {
         self
     }
 
+    /// A cylinder about the y axis, 2 m long, that turns with `speed` \[rad/s\] about it.
+    pub fn drum(self, radius: f64, speed: f64) -> Self {
+        let base = Vec3::y() * -1.0;
+        let side = Revolution::cylinder(base, Vec3::y(), radius, 2.0).expect("a cylinder");
+        let turning = Twist {
+            linear: Vec3::zeros(),
+            angular: Vec3::y() * speed,
+        };
+        self.moving(vec![Shape::Revolution(side)], Motion::Constant(turning))
+    }
+
     /// A boundary of the given shapes that `body` moves; its point of action is the origin.
-    pub fn driven(mut self, shapes: Vec<Shape>, body: Body) -> Self {
-        self.scene.boundaries.push(Boundary {
-            name: format!("driven{}", self.scene.boundaries.len()),
-            material: 1,
-            geometry: Geometry::new(shapes).expect("a geometry"),
-            motion: Motion::Driven(Box::new(body)),
-            point_of_action: Vec3::zeros(),
-            stiffness: None,
-            belt: None,
-        });
-        self
+    pub fn driven(self, shapes: Vec<Shape>, body: Body) -> Self {
+        self.moving(shapes, Motion::Driven(Box::new(body)))
     }
 
     pub fn floor(self) -> Self {
@@ -216,16 +228,60 @@ impl Run {
         self.simulation.scene().particles.mass[i]
     }
 
-    /// Momentum of the integrator's velocities \[N s\].
-    fn momentum(&self) -> Vec3 {
-        let masses = &self.simulation.scene().particles.mass;
-        let velocities = &self.simulation.kinematics().velocity;
-        masses.iter().zip(velocities).map(|(m, v)| v * *m).sum()
+    /// Normal force of the only contact; zero without one.
+    pub fn normal_force(&self) -> f64 {
+        match self.simulation.contacts() {
+            [] => 0.0,
+            [contact] => contact.force.dot(&contact.normal),
+            more => panic!("{} contacts", more.len()),
+        }
     }
 
-    /// One communication step, with the balance of linear momentum: boundary forces, weight, loads and
-    /// springs are its rate, to 1e-9 of all impulses. The balance needs whole steps before and after, and
-    /// free spheres; `Moreau` only.
+    /// Momentum of the half-step velocities \[N s\], which balances also where a step was cut.
+    pub fn momentum(&self) -> Vec3 {
+        let masses = self.simulation.scene().particles.mass.iter().enumerate();
+        masses
+            .map(|(i, m)| self.simulation.half_step_velocity(i).linear * *m)
+            .sum()
+    }
+
+    /// Angular momentum of the half-step velocities about the origin \[N m s\].
+    pub fn angular_momentum(&self) -> Vec3 {
+        let particles = &self.simulation.scene().particles;
+        (0..particles.len())
+            .map(|i| {
+                let v = self.simulation.half_step_velocity(i);
+                self.position(i).cross(&(v.linear * particles.mass[i]))
+                    + v.angular * particles.inertia(i)
+            })
+            .sum()
+    }
+
+    /// Kinetic energy of the reported velocities \[J\].
+    pub fn kinetic(&self) -> f64 {
+        let particles = &self.simulation.scene().particles;
+        (0..particles.len())
+            .map(|i| {
+                let v = self.simulation.velocity(i);
+                0.5 * particles.mass[i] * v.linear.norm_squared()
+                    + 0.5 * particles.inertia(i) * v.angular.norm_squared()
+            })
+            .sum()
+    }
+
+    /// Kinetic energy and the potential of gravity \[J\].
+    pub fn energy(&self) -> f64 {
+        let masses = self.simulation.scene().particles.mass.iter().enumerate();
+        let gravity = self.simulation.gravity();
+        let potential: f64 = masses
+            .map(|(i, m)| -m * gravity.dot(&self.position(i)))
+            .sum();
+        self.kinetic() + potential
+    }
+
+    /// One step of the scene, with the balance of linear momentum and the true overlaps: boundary forces, weight, loads and
+    /// springs are the rate of momentum, to 1e-9 of all impulses (free spheres, integrator `moreau`, also where steps are
+    /// cut); no overlap exceeds the gap tolerance.
     pub fn step(&mut self) {
         self.advance(self.simulation.scene().settings.step);
     }
@@ -236,34 +292,48 @@ impl Run {
         let last = self.simulation.state().last_step;
         self.simulation.advance(h).expect("the step converges");
         let scene = Arc::clone(self.simulation.scene());
+        let compliant = scene.boundaries.iter().any(|b| b.stiffness.is_some());
+        if scene.settings.method == Method::Alm && !compliant {
+            let overlap = self.simulation.report().max_overlap;
+            assert!(
+                overlap <= scene.settings.tolerance.gap,
+                "overlap {overlap:e} R at {} s",
+                self.simulation.time()
+            );
+        }
         let locked = scene
             .particles
             .locks
             .iter()
             .any(|l| l.translation.iter().any(|x| *x));
+        if scene.settings.integrator == Integrator::Shi {
+            return;
+        }
+        let step = scene.settings.step;
         let now = self.simulation.state().last_step;
-        let equal =
-            (last - now).abs() <= 1e-12 * h && (now - scene.settings.step).abs() <= 1e-12 * h;
-        let shi = scene.settings.integrator == sphere_dda::scene::Integrator::Shi;
-        if !equal || shi {
+        if (last - now).abs() <= 1e-12 * h && (now - step).abs() <= 1e-12 * h {
+            self.check_bodies(&bodies, h);
+        }
+        let cut = self.simulation.report().internal_steps > 1;
+        if locked || (cut && !scene.springs.is_empty()) {
             return;
         }
-        self.check_bodies(&bodies, h);
-        if locked {
-            return;
-        }
-        let weight: Vec3 = scene
-            .particles
-            .mass
-            .iter()
-            .map(|m| scene.settings.gravity * *m)
-            .sum();
+        let mass = scene.particles.mass.iter();
+        let weight: Vec3 = mass.map(|m| self.simulation.gravity() * *m).sum();
         let loads: Vec3 = scene.loads.iter().map(|load| load.force).sum();
+        let body_force = self.simulation.mean_body_force();
+        let settings = &scene.settings;
+        let constant = settings.gravity_motion == GravityMotion::Fixed
+            && self.simulation.gravity() == settings.gravity;
+        if constant && settings.rotating_frame.is_none() {
+            let error = (body_force - weight - loads).norm();
+            assert!(error <= 1e-12 * (weight.norm() + loads.norm()), "{error:e}");
+        }
         let springs: Vec3 = self.simulation.state().springs.iter().sum();
         let walls: Vec3 = (0..scene.boundaries.len())
             .map(|b| -self.simulation.mean_wrench(b).force)
             .sum();
-        let force = weight + loads + springs + walls;
+        let force = body_force + springs + walls;
         let scale: f64 = weight.norm()
             + self
                 .simulation
@@ -344,4 +414,26 @@ pub fn close(found: f64, expected: f64, relative: f64, scale: f64) {
         error <= relative * expected.abs().max(scale),
         "found {found:.15e}, expected {expected:.15e}, error {error:e}"
     );
+}
+
+/// A mesh over a grid of points `at(i, j)`, `0 <= i <= n`, `0 <= j <= m`, each cell cut in two triangles.
+pub fn grid(n: u32, m: u32, at: impl Fn(u32, u32) -> Vec3) -> Facets {
+    let number = |i: u32, j: u32| j * (n + 1) + i;
+    let vertices = (0..=m).flat_map(|j| (0..=n).map(move |i| (i, j)));
+    let cells = (0..m).flat_map(|j| (0..n).map(move |i| (i, j)));
+    let triangles = cells.flat_map(|(i, j)| {
+        let [a, b, c, d] =
+            [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)].map(|(i, j)| number(i, j));
+        [[a, b, c], [a, c, d]]
+    });
+    Facets::mesh(
+        "grid",
+        vertices.map(|(i, j)| at(i, j)).collect(),
+        triangles.collect(),
+    )
+}
+
+/// The order `log(coarse / fine) / log(ratio)` of an error when the step shrinks by `ratio`.
+pub fn order(coarse: f64, fine: f64, ratio: f64) -> f64 {
+    (coarse / fine).ln() / ratio.ln()
 }

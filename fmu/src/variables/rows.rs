@@ -1,6 +1,7 @@
 //! The rows of the table that an importer sets: parameters and inputs; and how a row is made.
 
 use sphere_dda::Vec3;
+use sphere_dda::gravity::GravityMotion;
 use sphere_dda::motion::InputKind;
 use sphere_dda::scene::Scene;
 use sphere_dda_model_description::fmi2::{BaseType, Causality, Variability};
@@ -129,9 +130,15 @@ impl Rows {
             let row = row.start(parameters.get(parameter));
             self.push(row, Causality::Parameter, Meaning::Parameter(parameter));
         };
-        for (axis, letter) in ["x", "y", "z"].iter().enumerate() {
+        let (axes, what) = match scene.settings.gravity_motion {
+            GravityMotion::Fixed => (3, "Gravity"),
+            GravityMotion::Rotation { .. } => (3, "Gravity before it is turned, as at t = 0"),
+            // The scene gives it: nothing is left to set.
+            GravityMotion::Table { .. } => (0, ""),
+        };
+        for (axis, letter) in ["x", "y", "z"].iter().enumerate().take(axes) {
             let name = format!("gravity[{}]", axis + 1);
-            let text = format!("Gravity; {letter}; may change between steps");
+            let text = format!("{what}; {letter}; may change between steps");
             add(
                 Row::real(name, Some("m/s2"), text),
                 Parameter::Gravity(axis),
@@ -226,6 +233,21 @@ impl Rows {
                 self.vector(&name, unit, &text, (boundary, input), Vec3::zeros());
             }
         }
+        if kind == InputKind::Load {
+            let vectors = [
+                (
+                    "appliedForce",
+                    "N",
+                    "Force at the point of action, world axes",
+                    Input::Force,
+                ),
+                ("appliedTorque", "N.m", "Torque, world axes", Input::Torque),
+            ];
+            for (name, unit, what, input) in vectors {
+                let (name, text) = (format!("{prefix}.{name}"), format!("{what}, {HELD}"));
+                self.vector(&name, unit, &text, (boundary, input), Vec3::zeros());
+            }
+        }
         let (name, unit, text) = match kind {
             InputKind::Slide { .. } => (
                 "displacement",
@@ -243,7 +265,17 @@ impl Rows {
                 "rad/s",
                 format!("Angular speed about the hinge, {HELD}"),
             ),
-            InputKind::Pose | InputKind::Motion | InputKind::Twist => return,
+            InputKind::SlideForce { .. } => (
+                "appliedForce",
+                "N",
+                format!("Force along the slide, {HELD}"),
+            ),
+            InputKind::HingeTorque { .. } => (
+                "appliedTorque",
+                "N.m",
+                format!("Torque about the hinge, {HELD}"),
+            ),
+            InputKind::Pose | InputKind::Motion | InputKind::Twist | InputKind::Load => return,
         };
         let row = Row::real(format!("{prefix}.{name}"), Some(unit), text).start(Value::Real(0.0));
         let meaning = Meaning::Input {

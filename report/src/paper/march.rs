@@ -301,6 +301,7 @@ impl March {
             present: &simulation.kinematics().present,
             boundaries: &record.scene.boundaries,
             poses: &self.poses,
+            cell: &record.scene.cell,
         };
         let overlaps = Overlaps::of(&placement, &mut self.neighbors);
         let time = simulation.time();

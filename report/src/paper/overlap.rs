@@ -60,6 +60,7 @@ impl Overlaps {
 #[cfg(test)]
 mod tests {
     use sphere_dda::Vec3;
+    use sphere_dda::cell::Cell;
     use sphere_dda::particles::{Locks, Particles};
 
     use super::*;
@@ -78,6 +79,7 @@ mod tests {
             present: &[true; 3],
             boundaries: &[],
             poses: &[],
+            cell: &Cell::default(),
         };
         let found = Overlaps::of(&placement, &mut NeighborList::default());
         assert_eq!(found.pairs, 2);

@@ -103,6 +103,19 @@ pub(super) const BODY: [Field<Body>; 9] = [
     real("power", "W", "Power of the spheres on the boundary", Body::power),
 ];
 
+/// Of driven bodies, whose motion is a result.
+pub(super) const DRIVEN: [Field<Body>; 2] = [
+    vector("velocity", "m/s", "Velocity of the point of action", |b| {
+        b.state.twist.linear
+    }),
+    vector(
+        "angularVelocity",
+        "rad/s",
+        "Angular velocity, world axes",
+        |b| b.state.twist.angular,
+    ),
+];
+
 #[rustfmt::skip]
 pub(super) const PROBE: [Field<Sphere>; 8] = [
     vector("position", "m", "Centre of the sphere", |s| s.position),
@@ -146,16 +159,19 @@ pub(super) const SINK: [Field<f64>; 1] =
     [real("mass", "kg", "Mass removed since the start", |m| *m)];
 
 #[rustfmt::skip]
-pub(super) const WHOLE: [Field<Whole>; 21] = [
+pub(super) const WHOLE: [Field<Whole>; 24] = [
     real("mass", "kg", "Mass of all spheres in the scene", |w| w.mass),
     count("sphereCount", "Number of spheres in the scene", |w| w.spheres),
     vector("momentum", "kg.m/s", "Momentum of the spheres, half-step velocities: averaged wrench x time + weight = its change", |w| w.momentum.linear),
     vector("angularMomentum", "kg.m2/s", "Angular momentum about the origin, half-step velocities", |w| w.momentum.angular),
+    vector("averageBodyForce", "N", "Weight, inertial forces of a rotating frame and point loads, averaged over the communication step", |w| w.body_force),
     real("kineticEnergy", "J", "Kinetic energy", |w| w.energy.kinetic()),
-    real("potentialEnergy", "J", "Potential energy of gravity, springs and point loads", |w| w.energy.potential()),
+    real("potentialEnergy", "J", "Potential energy of gravity, centrifugal force, springs and point loads", |w| w.energy.potential()),
     real("dissipatedEnergy", "J", "Energy lost in contacts since the start", |w| w.work.dissipated),
     real("boundaryWork", "J", "Work of moving boundaries on the spheres since the start", |w| w.work.boundaries),
-    real("loadWork", "J", "Work of point loads since the start", |w| w.work.loads),
+    real("gravityWork", "J", "Potential energy gained since the start because gravity changed with time", |w| w.work.gravity),
+    real("loadWork", "J", "Work of point loads and of the loads on driven bodies since the start", |w| w.work.loads),
+    real("damperWork", "J", "Work of the dampers of driven bodies since the start", |w| w.work.dampers),
     real("springWork", "J", "Work of constrained springs since the start", |w| w.work.springs),
     count("contactCount", LOADED, |w| w.contacts),
     number("maxOverlap", "Largest true overlap over radius in the communication step", |w| w.max_overlap),

@@ -15,8 +15,9 @@ mod readings;
 use super::Observation;
 use super::loads::Loads;
 use super::sensors::region;
+use crate::motion::Motion;
 use crate::scene::{Measure, Scene};
-use fields::{BODY, FLOW, Field, PROBE, REGION, SINK, SOURCE, WHOLE, WRENCH};
+use fields::{BODY, DRIVEN, FLOW, Field, PROBE, REGION, SINK, SOURCE, WHOLE, WRENCH};
 use readings::{Body, Flow, Sphere, Whole};
 
 /// What kind of number a quantity is.
@@ -46,7 +47,11 @@ pub struct Quantity {
 pub fn quantities(scene: &Scene) -> Vec<Quantity> {
     let mut list = Vec::new();
     for boundary in &scene.boundaries {
-        describe(&mut list, &format!("boundary.{}.", boundary.name), &BODY);
+        let prefix = format!("boundary.{}.", boundary.name);
+        describe(&mut list, &prefix, &BODY);
+        if matches!(boundary.motion, Motion::Driven(_)) {
+            describe(&mut list, &prefix, &DRIVEN);
+        }
     }
     for probe in &scene.probes {
         describe(&mut list, &format!("probe.{}.", probe.name), &PROBE);
@@ -75,8 +80,12 @@ pub fn values(state: &Observation) -> Vec<f64> {
     let scene = state.scene;
     let loads = Loads::of(state);
     let mut list = Vec::new();
-    for b in 0..scene.boundaries.len() {
-        measure(&mut list, &BODY, &Body::of(state, &loads, b));
+    for (b, boundary) in scene.boundaries.iter().enumerate() {
+        let body = Body::of(state, &loads, b);
+        measure(&mut list, &BODY, &body);
+        if matches!(boundary.motion, Motion::Driven(_)) {
+            measure(&mut list, &DRIVEN, &body);
+        }
     }
     for probe in &scene.probes {
         measure(&mut list, &PROBE, &Sphere::of(state, &loads, probe.sphere));

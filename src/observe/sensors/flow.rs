@@ -19,6 +19,7 @@
 use robust::{Coord3D, orient3d};
 
 use crate::Vec3;
+use crate::cell::{Cell, Image};
 
 /// What a mass flow passes through.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -34,6 +35,26 @@ pub struct Gate<'a> {
 impl Gate<'_> {
     fn beyond(&self, centre: Vec3) -> bool {
         (centre - self.point).dot(&self.normal) >= 0.0
+    }
+
+    /// Images of the path between two centres \[m\] that may pass: through an outline in the cell, or through a plane and its
+    /// copies along the periodic axis that it is square to.
+    fn images(
+        &self,
+        cell: &Cell,
+        before: Vec3,
+        after: Vec3,
+    ) -> impl Iterator<Item = Image> + use<> {
+        let reach = (after - before).amax();
+        if self.outline.is_empty() {
+            let across = [0, 1, 2].map(|k| self.normal[k].abs() > 0.5);
+            return cell
+                .along(across)
+                .copies(before, (self.point, self.point), reach);
+        }
+        let corners = self.outline.iter().map(|&x| (x, x));
+        let bounds = corners.reduce(|(low, high), (x, _)| (low.inf(&x), high.sup(&x)));
+        cell.copies(before, bounds.unwrap_or_default(), reach)
     }
 
     /// Whether the path from a centre that is not beyond to one that is passes inside the outline.
@@ -59,7 +80,8 @@ fn passes_left(from: Vec3, to: Vec3, low: Vec3, high: Vec3) -> bool {
 }
 
 /// Mass \[kg\] of the spheres whose centres pass through `gate` along its normal between `before` and `after`
-/// \[m\], `[N]` each; passages against the normal count negative. `mass` \[kg\] and `present`, `[N]`.
+/// \[m\], `[N]` each; passages against the normal count negative. `mass` \[kg\] and `present`, `[N]`. In a periodic cell the
+/// gate has copies, and a passage through any of them counts.
 #[must_use]
 pub fn crossings(
     before: &[Vec3],
@@ -67,14 +89,18 @@ pub fn crossings(
     mass: &[f64],
     present: &[bool],
     gate: Gate,
+    cell: &Cell,
 ) -> f64 {
     let mut sum = 0.0;
     let paths = before.iter().zip(after).zip(mass).zip(present);
-    for (((&before, &after), mass), _) in paths.filter(|(_, present)| **present) {
-        match (gate.beyond(before), gate.beyond(after)) {
-            (false, true) if gate.encloses(before, after) => sum += mass,
-            (true, false) if gate.encloses(after, before) => sum -= mass,
-            _ => {}
+    for (((&from, &to), mass), _) in paths.filter(|(_, present)| **present) {
+        for image in gate.images(cell, from, to) {
+            let [before, after] = [from, to].map(|x| x + cell.shift(image));
+            match (gate.beyond(before), gate.beyond(after)) {
+                (false, true) if gate.encloses(before, after) => sum += mass,
+                (true, false) if gate.encloses(after, before) => sum -= mass,
+                _ => {}
+            }
         }
     }
     sum
@@ -96,7 +122,14 @@ mod tests {
     }
 
     fn one(before: Vec3, after: Vec3, mass: f64, gate: Gate) -> f64 {
-        crossings(&[before], &[after], &[mass], &[true], gate)
+        crossings(
+            &[before],
+            &[after],
+            &[mass],
+            &[true],
+            gate,
+            &Cell::default(),
+        )
     }
 
     #[test]
@@ -115,7 +148,14 @@ mod tests {
     fn an_absent_sphere_never_passes() {
         let ends = [[at(1.5); 2], [at(0.5); 2]];
         assert_eq!(
-            crossings(&ends[0], &ends[1], &[2.5, 4.0], &[false, true], DOWN),
+            crossings(
+                &ends[0],
+                &ends[1],
+                &[2.5, 4.0],
+                &[false, true],
+                DOWN,
+                &Cell::default()
+            ),
             4.0
         );
     }

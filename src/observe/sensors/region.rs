@@ -62,15 +62,20 @@ impl Reading {
     fn spheres(&mut self, region: &Primitive, state: &Observation) {
         let (mut moment, mut solid) = (Vec3::zeros(), 0.0);
         let particles = &state.scene.particles;
+        let (cell, bounds) = (&state.scene.cell, region.bounds());
         for (i, &centre) in state.kinematics.position.iter().enumerate() {
             if !state.kinematics.present[i] {
                 continue;
             }
-            solid += volume_inside(region, centre, particles.radius[i]);
-            if region.contains(centre) {
-                self.count += 1;
-                self.mass += particles.mass[i];
-                moment += centre * particles.mass[i];
+            let radius = particles.radius[i];
+            for image in cell.copies(centre, bounds, radius) {
+                let centre = centre + cell.shift(image);
+                solid += volume_inside(region, centre, radius);
+                if region.contains(centre) {
+                    self.count += 1;
+                    self.mass += particles.mass[i];
+                    moment += centre * particles.mass[i];
+                }
             }
         }
         self.solid_fraction = solid / region.volume();
@@ -83,28 +88,38 @@ impl Reading {
 
     fn contacts(&mut self, region: &Primitive, state: &Observation) {
         let centre = &state.kinematics.position;
-        let inside = |i: usize| u64::from(region.contains(centre[i]));
+        let (cell, bounds) = (&state.scene.cell, region.bounds());
+        let inside = |x: Vec3| {
+            let copies = cell.copies(x, bounds, 0.0);
+            copies
+                .filter(|&image| region.contains(x + cell.shift(image)))
+                .count() as u64
+        };
         let (mut ends, mut count, mut sum) = (0, 0u64, 0.0);
         let mut stress = [0.0; 6];
         for contact in state.active_contacts() {
             let a = contact.key.sphere as usize;
-            ends += inside(a);
-            let start = match contact.key.partner {
-                Partner::Sphere(b) => {
-                    ends += inside(b as usize);
-                    centre[b as usize]
-                }
-                Partner::Boundary { .. } => contact.point,
-            };
-            if region.contains(contact.point) {
+            ends += inside(centre[a]);
+            if let Partner::Sphere { index, .. } = contact.key.partner {
+                ends += inside(centre[index as usize]);
+            }
+            let points = inside(contact.point);
+            if points > 0 {
                 let force = contact.force.dot(&contact.normal);
-                count += 1;
-                sum += force;
+                count += points;
+                sum += force * points as f64;
                 self.max_normal_force = self.max_normal_force.max(force);
             }
-            let share = share_inside(region, start, centre[a]);
+            let [start, end] = state.branch(contact);
+            let reach = (end - start).amax();
+            let share: f64 = cell
+                .copies(end, bounds, reach)
+                .map(|image| {
+                    share_inside(region, start + cell.shift(image), end + cell.shift(image))
+                })
+                .sum();
             if share > 0.0 {
-                let (f, l) = (contact.force, (centre[a] - start) * share);
+                let (f, l) = (contact.force, (end - start) * share);
                 let both = |i: usize, j: usize| 0.5 * (f[i] * l[j] + f[j] * l[i]);
                 let terms = [(0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (0, 2)];
                 for (sum, (i, j)) in stress.iter_mut().zip(terms) {

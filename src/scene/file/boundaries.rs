@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use super::{OneOrMany, Vector};
+use super::{Body, OneOrMany, Vector};
 
 /// `[[boundary]]`: a named rigid body made of faces.
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
@@ -35,6 +35,9 @@ pub struct Boundary {
     /// Whether the surface velocity is an input of the FMU, `surface_velocity` then being its start.
     #[serde(default)]
     pub surface_input: bool,
+    /// Mass and joint of a boundary that forces move. Not together with `motion`; of the inputs only `load`.
+    #[schemars(extend("x-default" = "none"))]
+    pub body: Option<Body>,
 }
 
 /// One face of a boundary: a table with one key.
@@ -240,4 +243,6 @@ pub enum Input {
     Hinge(Vector),
     /// Angular speed \[rad/s\] about this axis.
     HingeSpeed(Vector),
+    /// Force \[N\] and torque \[N m\] on the boundary's `body`.
+    Load,
 }

@@ -2,6 +2,9 @@
 //! are refused. Only types are checked here; [`super::Scene::from_toml`] checks the rest.
 
 mod boundaries;
+mod cell;
+mod driven;
+mod frame;
 mod regions;
 mod sensors;
 mod spheres;
@@ -15,6 +18,9 @@ pub use boundaries::{
     Boundary, Cone, Constant, Cuboid, Cylinder, Face, Input, Motion, Plane, Rectangle, Sinusoid,
     Stl, Table, Terrain,
 };
+pub use cell::Cell;
+pub use driven::{Body, Joint, Servo};
+pub use frame::{GravityMotion, GravityTable, RotatingFrame, Turning};
 pub use regions::{Region, Tube};
 pub use sensors::{MassFlow, Probe, Sensor};
 pub use spheres::{
@@ -51,6 +57,9 @@ pub struct TopLevel {
     /// Rigid bodies that bound the spheres.
     #[serde(default)]
     pub boundary: Vec<Boundary>,
+    /// Axes along which the scene is periodic.
+    #[serde(default)]
+    pub cell: Cell,
     /// Forces on spheres.
     #[serde(default)]
     pub load: Vec<Load>,
@@ -98,9 +107,15 @@ pub struct Simulation {
     /// `solver = "direct"` is exactly the paper's loop, slow unless the penalty is large ([how slow](paper.md#augmentations-at-a-held-penalty)).
     #[serde(default = "yes")]
     pub adapt_penalty: bool,
-    /// Gravity \[m/s^2\].
-    #[serde(default = "earth")]
-    pub gravity: Vector,
+    /// Gravity \[m/s^2\]; at t = 0, if `gravity_motion` turns it.
+    #[schemars(extend("x-default" = "[0, 0, -9.81]"))]
+    pub gravity: Option<Vector>,
+    /// How gravity changes with time.
+    #[schemars(extend("x-default" = "it does not"))]
+    pub gravity_motion: Option<GravityMotion>,
+    /// The scene is given and solved in a frame that turns.
+    #[schemars(extend("x-default" = "it does not turn"))]
+    pub rotating_frame: Option<RotatingFrame>,
     /// Initial overlap over the smaller radius that is removed before t = 0 \[-\].
     #[serde(default = "five_percent")]
     #[schemars(extend("minimum" = 0, "maximum" = 0.5))]
@@ -162,10 +177,6 @@ fn one_for_all() -> OneOrMany<f64> {
 
 fn up() -> Vector {
     Triple([0.0, 0.0, 1.0])
-}
-
-fn earth() -> Vector {
-    Triple([0.0, 0.0, -9.81])
 }
 
 fn five_percent() -> f64 {

@@ -12,6 +12,8 @@
 //! lanes give the bits that one contact after the other gives. No multiplication is fused with an addition, so that
 //! processors with and without wide registers agree in every bit.
 
+use super::lanes::{Lanes, Plain, Quad};
+
 /// A body as blocks see it.
 #[derive(Debug, Clone, Copy, Default)]
 #[repr(C, align(64))]
@@ -22,111 +24,35 @@ pub(super) struct Body {
     pub(super) spin: [f64; 4],
 }
 
-/// One number of four contacts.
-#[derive(Debug, Clone, Copy, Default)]
-#[repr(C, align(32))]
-pub(super) struct Quad(pub(super) [f64; 4]);
-
-impl Quad {
-    #[inline(always)]
-    pub(super) fn splat(x: f64) -> Self {
-        Self([x; 4])
-    }
-
-    #[inline(always)]
-    fn map(self, f: impl Fn(f64) -> f64) -> Self {
-        let Self([a, b, c, d]) = self;
-        Self([f(a), f(b), f(c), f(d)])
-    }
-
-    #[inline(always)]
-    fn zip(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
-        let (Self([a, b, c, d]), Self([p, q, r, s])) = (self, other);
-        Self([f(a, p), f(b, q), f(c, r), f(d, s)])
-    }
-
-    #[inline(always)]
-    fn all(self, other: Self, f: impl Fn(f64, f64) -> bool) -> bool {
-        let (Self([a, b, c, d]), Self([p, q, r, s])) = (self, other);
-        f(a, p) & f(b, q) & f(c, r) & f(d, s)
-    }
-
-    #[inline(always)]
-    pub(super) fn sum(self) -> f64 {
-        let Self([a, b, c, d]) = self;
-        (a + b) + (c + d)
-    }
-}
-
-impl std::ops::Add for Quad {
-    type Output = Self;
-    #[inline(always)]
-    fn add(self, other: Self) -> Self {
-        self.zip(other, |a, b| a + b)
-    }
-}
-
-impl std::ops::Sub for Quad {
-    type Output = Self;
-    #[inline(always)]
-    fn sub(self, other: Self) -> Self {
-        self.zip(other, |a, b| a - b)
-    }
-}
-
-impl std::ops::Mul for Quad {
-    type Output = Self;
-    #[inline(always)]
-    fn mul(self, other: Self) -> Self {
-        self.zip(other, |a, b| a * b)
-    }
-}
-
-/// A vector of four contacts.
-pub(super) type Quad3 = [Quad; 3];
-
-#[inline(always)]
-fn dot(a: Quad3, b: Quad3) -> Quad {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-#[inline(always)]
-fn cross(a: Quad3, b: Quad3) -> Quad3 {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
-}
-
-#[inline(always)]
-fn each(f: impl Fn(usize) -> Quad) -> Quad3 {
-    [f(0), f(1), f(2)]
-}
+/// A number of each of four contacts.
+pub(super) type Number = [f64; 4];
+/// A vector of each, by components.
+pub(super) type Vector = [Number; 3];
 
 /// Four contacts without a common moving body; lanes without a contact have zeros and bodies that nothing moves.
 #[derive(Debug, Clone, Copy, Default)]
+#[repr(C, align(64))]
 pub(super) struct Block {
+    /// Normals.
+    pub(super) normal: Vector,
+    /// Impulses after the last sweep \[N s\].
+    pub(super) impulse: Vector,
+    /// Impulses after the last but one.
+    pub(super) previous: Vector,
+    /// Biases with the ground's velocity \[m/s\].
+    pub(super) bias: Vector,
+    /// Friction coefficients.
+    pub(super) friction: Number,
+    /// `1/w_n` and `1/w_t` \[kg\]; zero where nothing moves.
+    pub(super) mass: [Number; 2],
+    /// Squared corrections that the tolerances of gap and slip allow \[N^2 s^2\].
+    pub(super) allowed: [Number; 2],
+    /// Squared scale of the force residual \[N^2 s^2\].
+    pub(super) scale: Number,
     /// Bodies A and B.
     pub(super) bodies: [[u32; 4]; 2],
     /// The rows, or [`super::kernel::NONE`].
     pub(super) rows: [u32; 4],
-    /// Normals.
-    pub(super) normal: Quad3,
-    /// Impulses after the last sweep \[N s\].
-    pub(super) impulse: Quad3,
-    /// Impulses after the last but one.
-    pub(super) previous: Quad3,
-    /// Biases with the ground's velocity \[m/s\].
-    pub(super) bias: Quad3,
-    /// Friction coefficients.
-    pub(super) friction: Quad,
-    /// `1/w_n` and `1/w_t` \[kg\]; zero where nothing moves.
-    pub(super) mass: [Quad; 2],
-    /// Corrections that the tolerances of gap and (squared) slip allow \[N s\].
-    pub(super) allowed: [Quad; 2],
-    /// Squared scale of the force residual \[N^2 s^2\].
-    pub(super) scale: Quad,
 }
 
 /// How a sweep goes.
@@ -147,145 +73,239 @@ pub(super) struct Pace {
 pub(super) struct Progress {
     /// Whether every contact was within the tolerances when its turn came.
     pub(super) settled: bool,
-    /// Corrections times changes of the impulses: negative where momentum leads astray.
+    /// Corrections times changes of the impulses \[N^2 s^2\]: negative where momentum leads astray.
     pub(super) along: f64,
-}
-
-/// The bodies of four contacts.
-struct Four {
-    v: Quad3,
-    mass: Quad,
-    s: Quad3,
-    spin_mass: Quad,
-}
-
-impl Four {
-    #[inline(always)]
-    fn load(bodies: &[Body], at: [u32; 4]) -> Self {
-        let [p, q, r, s] = at.map(|i| &bodies[i as usize]);
-        let linear = |k: usize| Quad([p.linear[k], q.linear[k], r.linear[k], s.linear[k]]);
-        let spin = |k: usize| Quad([p.spin[k], q.spin[k], r.spin[k], s.spin[k]]);
-        Self {
-            v: each(linear),
-            mass: linear(3),
-            s: each(spin),
-            spin_mass: spin(3),
-        }
-    }
-
-    #[inline(always)]
-    fn store(&self, bodies: &mut [Body], at: [u32; 4]) {
-        for lane in 0..4 {
-            bodies[at[lane] as usize] = Body {
-                linear: [
-                    self.v[0].0[lane],
-                    self.v[1].0[lane],
-                    self.v[2].0[lane],
-                    self.mass.0[lane],
-                ],
-                spin: [
-                    self.s[0].0[lane],
-                    self.s[1].0[lane],
-                    self.s[2].0[lane],
-                    self.spin_mass.0[lane],
-                ],
-            };
-        }
-    }
+    /// Squared corrections \[N^2 s^2\], before damping.
+    pub(super) change: f64,
 }
 
 /// One sweep over `blocks`.
 pub(super) fn sweep(blocks: &mut [Block], bodies: &mut [Body], pace: Pace) -> Progress {
-    let sweep = Sweep {
+    #[cfg(target_arch = "x86_64")]
+    if let Some(wide) = pulp::x86::V3::try_new() {
+        return wide.vectorize(Sweep {
+            lanes: wide,
+            blocks,
+            bodies,
+            pace,
+        });
+    }
+    plain(blocks, bodies, pace)
+}
+
+/// [`sweep`] without wide registers.
+fn plain(blocks: &mut [Block], bodies: &mut [Body], pace: Pace) -> Progress {
+    pulp::NullaryFnOnce::call(Sweep {
+        lanes: Plain,
         blocks,
         bodies,
         pace,
-    };
-    #[cfg(target_arch = "x86_64")]
-    if let Some(wide) = pulp::x86::V3::try_new() {
-        return wide.vectorize(sweep);
-    }
-    pulp::NullaryFnOnce::call(sweep)
+    })
 }
 
-struct Sweep<'a> {
+struct Sweep<'a, L> {
+    lanes: L,
     blocks: &'a mut [Block],
     bodies: &'a mut [Body],
     pace: Pace,
 }
 
-impl pulp::NullaryFnOnce for Sweep<'_> {
+impl<L: Lanes> pulp::NullaryFnOnce for Sweep<'_, L> {
     type Output = Progress;
 
     #[inline(always)]
     fn call(self) -> Progress {
-        let mut progress = Progress {
-            settled: true,
-            along: 0.0,
+        let (l, pace) = (self.lanes, &self.pace);
+        let strict = pace.strictness * pace.strictness;
+        let pace = Constants {
+            momentum: l.splat(pace.momentum),
+            damping: l.splat(pace.damping),
+            strict: l.splat(strict),
+            strict_force: l.splat(strict * pace.force * pace.force),
+            zero: l.splat(0.0),
+            one: l.splat(1.0),
         };
-        let mut along = Quad::default();
+        let mut settled = true;
+        let (mut along, mut change) = (pace.zero, pace.zero);
         for block in self.blocks {
-            let (settled, change) = block.update(self.bodies, &self.pace);
-            progress.settled &= settled;
-            along = along + change;
+            let (within, a, c) = block.update(l, self.bodies, &pace);
+            settled &= within;
+            along = along + a;
+            change = change + c;
         }
-        progress.along = along.sum();
-        progress
+        let sum = |x| {
+            let [a, b, c, d] = l.array(x);
+            (a + b) + (c + d)
+        };
+        Progress {
+            settled,
+            along: sum(along),
+            change: sum(change),
+        }
     }
 }
 
-impl Block {
+/// [`Pace`] in lanes, squared where squares are compared.
+struct Constants<Q> {
+    momentum: Q,
+    damping: Q,
+    strict: Q,
+    strict_force: Q,
+    zero: Q,
+    one: Q,
+}
+
+/// The bodies of four contacts: `x, y, z` of `v` and inverse mass, of `s` and `R^2/I`.
+struct Four<Q> {
+    linear: [Q; 4],
+    spin: [Q; 4],
+}
+
+impl<Q: Quad> Four<Q> {
+    // Written out: a closure that is not inlined does not get the wide registers.
     #[inline(always)]
-    fn update(&mut self, bodies: &mut [Body], pace: &Pace) -> (bool, Quad) {
-        let n = self.normal;
-        let old = self.impulse;
-        let zero = Quad::default();
-        let [mut a, mut b] = self.bodies.map(|at| Four::load(bodies, at));
-        let turn = cross(each(|k| a.s[k] + b.s[k]), n);
-        let u = each(|k| (a.v[k] - b.v[k] - turn[k]) + self.bias[k]);
-        let momentum = Quad::splat(pace.momentum);
-        let p = each(|k| old[k] + momentum * (old[k] - self.previous[k]));
+    fn load<L: Lanes<Quad = Q>>(l: L, bodies: &[Body], at: [u32; 4]) -> Self {
+        let [p, q] = [&bodies[at[0] as usize], &bodies[at[1] as usize]];
+        let [r, s] = [&bodies[at[2] as usize], &bodies[at[3] as usize]];
+        let linear = [
+            l.quad(p.linear),
+            l.quad(q.linear),
+            l.quad(r.linear),
+            l.quad(s.linear),
+        ];
+        let spin = [
+            l.quad(p.spin),
+            l.quad(q.spin),
+            l.quad(r.spin),
+            l.quad(s.spin),
+        ];
+        Self {
+            linear: l.transpose(linear),
+            spin: l.transpose(spin),
+        }
+    }
+
+    #[inline(always)]
+    fn store<L: Lanes<Quad = Q>>(&self, l: L, bodies: &mut [Body], at: [u32; 4]) {
+        let linear = l.transpose(self.linear);
+        let spin = l.transpose(self.spin);
+        for lane in 0..4 {
+            bodies[at[lane] as usize] = Body {
+                linear: l.array(linear[lane]),
+                spin: l.array(spin[lane]),
+            };
+        }
+    }
+}
+
+#[inline(always)]
+fn dot<Q: Quad>(a: [Q; 3], b: [Q; 3]) -> Q {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+#[inline(always)]
+fn cross<Q: Quad>(a: [Q; 3], b: [Q; 3]) -> [Q; 3] {
+    [
+        a[1] * b[2] - a[2] * b[1],
+        a[2] * b[0] - a[0] * b[2],
+        a[0] * b[1] - a[1] * b[0],
+    ]
+}
+
+#[inline(always)]
+fn each<Q>(f: impl Fn(usize) -> Q) -> [Q; 3] {
+    [f(0), f(1), f(2)]
+}
+
+impl Block {
+    /// Solves the four contacts: whether all were within the tolerances, and their shares of [`Progress`].
+    #[inline(always)]
+    fn update<L: Lanes>(
+        &mut self,
+        l: L,
+        bodies: &mut [Body],
+        pace: &Constants<L::Quad>,
+    ) -> (bool, L::Quad, L::Quad) {
+        let vector = |x: &Vector| [l.quad(x[0]), l.quad(x[1]), l.quad(x[2])];
+        let (n, old) = (vector(&self.normal), vector(&self.impulse));
+        let (before, bias) = (vector(&self.previous), vector(&self.bias));
+        let mut a = Four::load(l, bodies, self.bodies[0]);
+        let mut b = Four::load(l, bodies, self.bodies[1]);
+        let turn = cross(each(|k| a.spin[k] + b.spin[k]), n);
+        let u = each(|k| (a.linear[k] - b.linear[k]) - turn[k] + bias[k]);
+        let p = each(|k| old[k] + pace.momentum * (old[k] - before[k]));
         let (u_n, p_n) = (dot(u, n), dot(p, n));
-        let [mass_n, mass_t] = self.mass;
-        let free = p_n - u_n * mass_n;
-        let normal = free.zip(zero, |a, b| if a > b { a } else { b });
-        // Tangential part of p - u/w_t.
+        let (mass_n, mass_t) = (l.quad(self.mass[0]), l.quad(self.mass[1]));
+        let normal = (p_n - u_n * mass_n).or_larger(pace.zero);
+        // Tangential part of p - u/w_t, on the disc.
         let across = p_n - u_n * mass_t;
-        let t = each(|k| p[k] - u[k] * mass_t - n[k] * across);
-        let (tt, limit) = (dot(t, t), self.friction * normal);
-        let cut = limit.zip(tt.map(f64::sqrt), |limit, length| limit / length);
-        let sticks = |k: usize| tt.0[k] <= limit.0[k] * limit.0[k];
-        let lane = |k: usize| if sticks(k) { 1.0 } else { cut.0[k] };
-        let share = Quad([lane(0), lane(1), lane(2), lane(3)]);
-        let d = each(|k| n[k] * normal + t[k] * share - p[k]);
+        let t = each(|k| (p[k] - u[k] * mass_t) - n[k] * across);
+        let (tt, limit) = (dot(t, t), l.quad(self.friction) * normal);
+        let share = tt.within(limit * limit, pace.one, limit.over(tt.root()));
+        let d = each(|k| (n[k] * normal + t[k] * share) - p[k]);
         // Judged before damping.
         let (d_n, dd) = (normal - p_n, dot(d, d));
-        let strict = Quad::splat(pace.strictness);
-        let strict_force = Quad::splat(pace.strictness * pace.force);
-        let size = normal * normal + tt * share * share;
-        let size = size.zip(self.scale, |a, b| if a > b { a } else { b });
-        let settled = d_n
-            .map(f64::abs)
-            .all(strict * self.allowed[0], |a, b| a <= b)
-            & (dd - d_n * d_n).all(strict * strict * self.allowed[1], |a, b| a <= b)
-            & dd.all(strict_force * strict_force * size, |a, b| a <= b);
-        let damping = Quad::splat(pace.damping);
-        let d = d.map(|d| d * damping);
+        let size = (normal * normal + tt * share * share).or_larger(l.quad(self.scale));
+        let (nn, [gap, slip]) = (d_n * d_n, self.allowed);
+        let settled = nn.all_within(pace.strict * l.quad(gap))
+            & (dd - nn).all_within(pace.strict * l.quad(slip))
+            & dd.all_within(pace.strict_force * size);
+        let d = each(|k| d[k] * pace.damping);
         let new = each(|k| p[k] + d[k]);
         let along = dot(d, each(|k| new[k] - old[k]));
-        self.previous = old;
-        self.impulse = new;
-        if !dd.all(zero, |a, b| a == b) {
+        for k in 0..3 {
+            self.previous[k] = l.array(old[k]);
+            self.impulse[k] = l.array(new[k]);
+        }
+        // Open contacts move nothing.
+        if !dd.all_within(pace.zero) {
             let c = cross(n, d);
             for k in 0..3 {
-                a.v[k] = a.v[k] + a.mass * d[k];
-                b.v[k] = b.v[k] - b.mass * d[k];
-                a.s[k] = a.s[k] - a.spin_mass * c[k];
-                b.s[k] = b.s[k] - b.spin_mass * c[k];
+                a.linear[k] = a.linear[k] + a.linear[3] * d[k];
+                b.linear[k] = b.linear[k] - b.linear[3] * d[k];
+                a.spin[k] = a.spin[k] - a.spin[3] * c[k];
+                b.spin[k] = b.spin[k] - b.spin[3] * c[k];
             }
-            a.store(bodies, self.bodies[0]);
-            b.store(bodies, self.bodies[1]);
+            a.store(l, bodies, self.bodies[0]);
+            b.store(l, bodies, self.bodies[1]);
         }
-        (settled, along)
+        (settled, along, dd)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn wide_registers_give_the_same_bits(
+            numbers in prop::collection::vec(-1.0..1.0f64, 8 * 8 + 4 * 17),
+            momentum in 0.0..1.0f64,
+        ) {
+            let mut source = numbers.into_iter();
+            let mut four = || std::array::from_fn(|_| source.next().unwrap_or_default());
+            let mut vector = || [four(), four(), four()];
+            let block = Block {
+                normal: vector(),
+                impulse: vector(),
+                previous: vector(),
+                bias: vector(),
+                friction: [0.0, 0.1, 0.5, 1.0],
+                mass: [four().map(f64::abs), four().map(f64::abs)],
+                bodies: [[0, 1, 2, 3], [4, 5, 6, 7]],
+                ..Block::default()
+            };
+            let body = |_| Body { linear: four(), spin: four() };
+            let bodies: Vec<Body> = (0..8).map(body).collect();
+            let pace = Pace { momentum, damping: 0.9, strictness: 1.0, force: 0.1 };
+            let results = [sweep, plain].map(|sweep| {
+                let (mut blocks, mut bodies) = ([block; 2], bodies.clone());
+                let progress = sweep(&mut blocks, &mut bodies, pace);
+                format!("{blocks:?} {bodies:?} {progress:?}")
+            });
+            prop_assert_eq!(&results[0], &results[1]);
+        }
     }
 }

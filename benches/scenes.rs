@@ -1,0 +1,113 @@
+//! Time to a given true overlap: the bed at tolerances of 1e-4, 1e-5 and 1e-6 of the radius, other examples as they are.
+//!
+//! `cargo bench --bench scenes [-- ROW...]` prints one line per row, by default the rows of the bed: CPU time of this
+//! thread, steps, sweeps, factorizations and the worst overlap over every internal step; for the bed also what must depend on
+//! none of these: force on the floor over weight, mean height of the highest twentieth, kinetic energy.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use sphere_dda::scene::{Scene, Tolerance};
+use sphere_dda::simulation::{Simulation, StepReport};
+
+/// Tolerance \[-\] and step \[s\] of the rows of the bed.
+const BED: [(f64, f64); 4] = [(1e-4, 5e-4), (1e-5, 2.5e-4), (1e-6, 1e-4), (1e-6, 5e-5)];
+/// Rows that run as their scene says.
+const EXAMPLES: [&str; 3] = ["funnel", "slopes", "feeder"];
+
+fn main() {
+    let wanted: Vec<String> = std::env::args()
+        .skip(1)
+        .filter(|a| !a.starts_with('-'))
+        .collect();
+    println!(
+        "row       gap    step     CPU s   steps  cuts  sweeps  a step  factors  worst    force"
+    );
+    for (k, (gap, step)) in BED.into_iter().enumerate() {
+        let name = format!("bed{k}");
+        if wanted.is_empty() || wanted.contains(&name) {
+            let mut scene = load("bed");
+            scene.settings.step = step;
+            scene.settings.tolerance = Tolerance {
+                gap,
+                slip: gap,
+                force: 0.1,
+            };
+            rest(&run(&name, scene));
+        }
+    }
+    for name in EXAMPLES {
+        if wanted.iter().any(|a| a == name) {
+            run(name, load(name));
+        }
+    }
+}
+
+fn load(name: &str) -> Scene {
+    let file = format!("examples/{name}/{name}.toml");
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join(file);
+    let loaded = Scene::from_file(file);
+    loaded.expect("the example is a good scene").scene
+}
+
+/// Runs the scene to its end and prints its row.
+fn run(name: &str, scene: Scene) -> Simulation {
+    let settings = scene.settings.clone();
+    let mut simulation = Simulation::new(Arc::new(scene)).expect("a start");
+    let mut total = StepReport::default();
+    let points = (settings.duration / settings.communication_step).round() as usize;
+    let start = cpu();
+    for k in 1..=points {
+        let end = settings.duration * k as f64 / points as f64;
+        let report = simulation.advance_to(end).expect("a step");
+        total.internal_steps += report.internal_steps;
+        total.cuts += report.cuts;
+        total.sweeps += report.sweeps;
+        total.factorizations += report.factorizations;
+        total.max_overlap = total.max_overlap.max(report.max_overlap);
+        total.force_residual = total.force_residual.max(report.force_residual);
+    }
+    println!(
+        "{name:8}  {:.0e}  {:.1e}  {:6.2}  {:6}  {:4}  {:6}  {:6.1}  {:7}  {:.1e}  {:.1e}",
+        settings.tolerance.gap,
+        settings.step,
+        cpu() - start,
+        total.internal_steps,
+        total.cuts,
+        total.sweeps,
+        total.sweeps as f64 / total.internal_steps as f64,
+        total.factorizations,
+        total.max_overlap,
+        total.force_residual,
+    );
+    simulation
+}
+
+/// What the bed is like at the end.
+fn rest(simulation: &Simulation) {
+    let particles = &simulation.scene().particles;
+    let mass: f64 = particles.mass.iter().sum();
+    let energy = |i: usize| {
+        let v = simulation.velocity(i);
+        let (linear, angular) = (v.linear.norm_squared(), v.angular.norm_squared());
+        0.5 * (particles.mass[i] * linear + particles.inertia(i) * angular)
+    };
+    let energy: f64 = (0..particles.len()).map(energy).sum();
+    let positions = simulation.kinematics().position.iter();
+    let mut heights: Vec<f64> = positions.map(|x| x.z).collect();
+    heights.sort_by(|a, b| b.total_cmp(a));
+    let top = &heights[..heights.len() / 20];
+    println!(
+        "          floor/weight {:.4}, height {:.5} m, {:.1e} J/kg",
+        -simulation.mean_wrench(0).force.z / (mass * simulation.gravity().norm()),
+        top.iter().sum::<f64>() / top.len() as f64,
+        energy / mass,
+    );
+}
+
+/// Time this thread has run \[s\]; not a number where the system does not tell.
+fn cpu() -> f64 {
+    let text = std::fs::read_to_string("/proc/thread-self/schedstat").unwrap_or_default();
+    let first = text.split(' ').next();
+    first.and_then(|n| n.parse().ok()).unwrap_or(f64::NAN) * 1e-9
+}
