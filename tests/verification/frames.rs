@@ -226,10 +226,10 @@ fn a_drum_in_its_own_frame_is_a_turning_drum() {
             turning.step();
             own.step();
             let turn = UnitQuaternion::from_scaled_axis(rate * (k as f64 * dt));
-            for i in 0..2 {
+            for (i, start) in places.iter().enumerate() {
                 let place = (turn * own.position(i) - turning.position(i)).norm();
                 let spin = (turn * (own.spin(i) + rate) - turning.spin(i)).norm();
-                far = far.max((turning.position(i) - places[i]).norm());
+                far = far.max((turning.position(i) - start).norm());
                 worst = [worst[0].max(place), worst[1].max(spin), worst[2]];
             }
         }
@@ -241,9 +241,8 @@ fn a_drum_in_its_own_frame_is_a_turning_drum() {
         worst
     });
     for pair in errors.windows(2) {
-        for k in 0..3 {
-            assert!(pair[1][k] < 0.62 * pair[0][k], "{errors:?}");
-        }
+        let smaller = pair[0].iter().zip(&pair[1]).all(|(a, b)| *b < 0.62 * a);
+        assert!(smaller, "{errors:?}");
     }
     assert!(errors[3][0] < 1e-4, "{errors:?}");
 }
