@@ -15,6 +15,8 @@
 //! K D = F                                   equilibrium of the step        (paper eq 5)
 //! 0 <= p_n  perpendicular to  d_n >= 0      unilateral normal contact      (paper eq 8, projected)
 //! p_t = Proj_{|.| <= mu p_n}(p_t - P_t d_t) Coulomb friction, exact cone
+//! m   = Proj_{|m_r| <= mu_r R* p_n, |m_n| <= mu_t R* p_n}(m - P_r d_r)
+//!                                           rolling and twisting resistance, optional
 //! d_n = M + H_i D_i - Q_j D_j               gap at the end of the step     (paper eq 9)
 //! ```
 //!
@@ -38,6 +40,9 @@
 //! | `P_n` | penalty number, contact spring | `penalty` | N/m |
 //! | `d_n` | normal distance after the step | `gap + dt u_n` | m |
 //! | `phi` | friction angle | `friction = tan(phi)` | - |
+//! | - | rolling, twisting resistance `mu_r`, `mu_t` | `rolling_friction`, `twisting_friction` | - |
+//! | - | couple `m` of a resistance | [`contacts::Contact::torque`]; its row has `impulse = m dt / radius` | N m |
+//! | - | surface velocity of a belt | [`boundaries::Belt`] | m/s |
 //! | `dt` | time step | `step` | s |
 //! | - | angular velocity `W` of the frame | [`frame::RotatingFrame`] | rad/s |
 //! | - | image `k` and edges `L` of a copy `x + k L` | [`cell::Image`], [`cell::Cell`] | -, m |

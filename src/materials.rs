@@ -18,6 +18,11 @@ pub struct Pair {
     pub friction: f64,
     /// Newton's coefficient of restitution `e` \[-\], 0..=1.
     pub restitution: f64,
+    /// Coefficient of rolling resistance `mu_r` \[-\], >= 0: the couple is at most `mu_r R* p_n`, with
+    /// `R* = R_i R_j / (R_i + R_j)`, on a boundary `R`.
+    pub rolling_friction: f64,
+    /// Coefficient of twisting resistance `mu_t` \[-\], >= 0: the couple about the normal is at most `mu_t R* p_n`.
+    pub twisting_friction: f64,
 }
 
 /// Symmetric table of [`Pair`]s for `n` materials.
@@ -41,6 +46,19 @@ impl PairTable {
     #[must_use]
     pub fn get(&self, a: u16, b: u16) -> Pair {
         self.pairs[usize::from(a) * self.materials + usize::from(b)]
+    }
+
+    /// Whether any pair rebounds.
+    #[must_use]
+    pub fn rebounds(&self) -> bool {
+        self.pairs.iter().any(|pair| pair.restitution > 0.0)
+    }
+
+    /// Whether any pair resists rolling or twisting.
+    #[must_use]
+    pub fn resists(&self) -> bool {
+        let mut pairs = self.pairs.iter();
+        pairs.any(|pair| pair.rolling_friction > 0.0 || pair.twisting_friction > 0.0)
     }
 
     /// Sets the pair of `a` and `b`, in both orders.

@@ -230,7 +230,7 @@ pub(crate) fn interpolate(time: &[f64], value: &[Vec3], t: f64) -> Vec3 {
     }
 }
 
-/// A command for a boundary with a [`Motion::input`], held until the next one.
+/// A command for a boundary with a [`Motion::input`] or a belt driven from outside, held until the next one.
 /// Components that the boundary's [`InputKind`] does not use are ignored.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct Command {
@@ -249,6 +249,8 @@ pub struct Command {
     /// Displacement \[m\], speed \[m/s\], angle \[rad\], angular speed \[rad/s\], force \[N\] or torque \[N m\] of a
     /// slide or hinge.
     pub scalar: f64,
+    /// Velocity of the surface against the boundary \[m/s\], its own axes ([`crate::boundaries::Belt`]).
+    pub surface_velocity: Vec3,
 }
 
 #[cfg(test)]

@@ -28,7 +28,7 @@ pub fn page(model: &Model) -> String {
          <p>{spheres} rigid spheres and {boundaries} boundaries, solved by sphere-based three-dimensional discontinuous \
          deformation analysis; sphere-dda {VERSION}, guid {guid}.</p>\n\
          <h2>Use</h2>\n<ul>\n\
-         <li>All values are in SI units. Zero inputs mean: as in the scene.</li>\n\
+         <li>All values are in SI units. Inputs at their start values mean: as in the scene.</li>\n\
          <li>A pose, displacement or angle is the total from the scene; the boundary reaches it linearly at the end of the \
          communication step. A speed is held over the step.</li>\n\
          <li>Forces and torques are those of the spheres on the boundary, torques about its point of action. \

@@ -13,6 +13,7 @@ mod values;
 use std::fmt;
 use std::path::Path;
 
+use sphere_dda::boundaries::Boundary;
 use sphere_dda::error::StepError;
 use sphere_dda::motion::Command;
 use sphere_dda::simulation::Simulation;
@@ -404,7 +405,7 @@ fn initial(model: &Model) -> Run {
         stop: None,
         time: 0.0,
         parameters: Parameters::of(&model.scene),
-        commands: vec![Command::default(); model.scene.boundaries.len()],
+        commands: model.scene.boundaries.iter().map(Boundary::rest).collect(),
         pending: false,
         failed: None,
     }
@@ -413,7 +414,7 @@ fn initial(model: &Model) -> Run {
 /// Hands the commands of all driven boundaries to the simulation.
 fn command(simulation: &mut Simulation, commands: &[Command]) -> Result<(), StepError> {
     for (b, &command) in commands.iter().enumerate() {
-        if simulation.scene().boundaries[b].motion.input().is_some() {
+        if simulation.scene().boundaries[b].is_commanded() {
             simulation.command(b, command)?;
         }
     }

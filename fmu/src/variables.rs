@@ -9,7 +9,8 @@
 //!
 //! Pose, slide and hinge inputs are total displacements from the scene's placement: the boundary moves linearly
 //! (a rotation by its logarithm) from where it is to the commanded pose and reaches it at the end of the
-//! communication step. Speeds, forces and torques are held over the step. Zero always means "as in the scene".
+//! communication step. Speeds, forces and torques are held over the step. The start values mean "as in the scene": zero,
+//! and for a belt the scene's surface velocity.
 
 mod parameters;
 mod rows;
@@ -107,6 +108,8 @@ pub enum Input {
     Torque,
     /// Displacement, speed, angle, angular speed, force or torque of a slide or hinge.
     Scalar,
+    /// Velocity of the surface against the boundary \[m/s\].
+    SurfaceVelocity,
 }
 
 /// One variable.
@@ -154,8 +157,12 @@ impl Table {
         );
         rows.parameters(scene);
         for (b, boundary) in scene.boundaries.iter().enumerate() {
+            let prefix = format!("boundary.{}", boundary.name);
             if let Some(kind) = boundary.motion.input() {
-                rows.inputs(&format!("boundary.{}", boundary.name), b, kind);
+                rows.inputs(&prefix, b, kind);
+            }
+            if let Some(belt) = boundary.belt.filter(|belt| belt.input) {
+                rows.belt(&prefix, b, belt.velocity);
             }
         }
         for (rank, quantity) in quantities(scene).into_iter().enumerate() {
@@ -194,5 +201,6 @@ pub fn component(command: &mut Command, input: Input, axis: usize) -> &mut f64 {
         Input::Force => &mut command.force[axis],
         Input::Torque => &mut command.torque[axis],
         Input::Scalar => &mut command.scalar,
+        Input::SurfaceVelocity => &mut command.surface_velocity[axis],
     }
 }

@@ -34,7 +34,7 @@ pub use topology::Repair;
 
 use crate::Vec3;
 use crate::cell::Cell;
-use crate::motion::{Motion, Pose};
+use crate::motion::{Command, Motion, Pose};
 use mesh::Mesh;
 
 /// One place where a sphere may touch a boundary.
@@ -106,6 +106,18 @@ pub struct Boundary {
     pub point_of_action: Vec3,
     /// Contact stiffness `k` \[N/m\]; `None` is rigid.
     pub stiffness: Option<f64>,
+    /// The belt it is covered with; `None`: its surface moves with its shape.
+    pub belt: Option<Belt>,
+}
+
+/// A surface that runs along the shape of its boundary, as the belt of a conveyor does: contacts feel the part of the
+/// velocity in their tangent plane, the shape stays.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Belt {
+    /// Velocity \[m/s\] against the boundary, in the boundary's own axes.
+    pub velocity: Vec3,
+    /// Whether [`Command::surface_velocity`] stands in its place.
+    pub input: bool,
 }
 
 impl Boundary {
@@ -133,6 +145,32 @@ impl Boundary {
     #[must_use]
     pub fn from_frame(&self, pose: &Pose, x_0: Vec3) -> Vec3 {
         pose.apply(self.point_of_action, x_0)
+    }
+
+    /// Velocity \[m/s\] of the surface against the shape when the boundary is displaced by `pose`, world axes; contacts
+    /// take the part across their normal.
+    #[must_use]
+    pub fn surface_velocity(&self, pose: &Pose, command: &Command) -> Vec3 {
+        match &self.belt {
+            None => Vec3::zeros(),
+            Some(belt) if belt.input => pose.rotation * command.surface_velocity,
+            Some(belt) => pose.rotation * belt.velocity,
+        }
+    }
+
+    /// The command that leaves everything as in the scene.
+    #[must_use]
+    pub fn rest(&self) -> Command {
+        Command {
+            surface_velocity: self.belt.map_or_else(Vec3::zeros, |belt| belt.velocity),
+            ..Command::default()
+        }
+    }
+
+    /// Whether a [`Command`] moves the boundary or its surface.
+    #[must_use]
+    pub fn is_commanded(&self) -> bool {
+        self.motion.input().is_some() || self.belt.is_some_and(|belt| belt.input)
     }
 }
 

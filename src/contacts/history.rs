@@ -3,14 +3,25 @@
 use super::{Contact, Key};
 use crate::Vec3;
 
-/// The force \[N\] each key of `keys` carried in `contacts`, zero for new contacts. Both are in canonical
-/// order.
-pub fn transfer(contacts: &[Contact], keys: impl Iterator<Item = Key>) -> Vec<Vec3> {
+/// What a contact carried.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Carried {
+    /// Force on A \[N\].
+    pub force: Vec3,
+    /// Couple of its resistance on A \[N m\].
+    pub torque: Vec3,
+}
+
+/// What each key of `keys` carried in `contacts`, zero for new contacts. Both are in canonical order.
+pub fn transfer(contacts: &[Contact], keys: impl Iterator<Item = Key>) -> Vec<Carried> {
     let mut old = contacts.iter().peekable();
     keys.map(|key| {
         while old.next_if(|contact| contact.key < key).is_some() {}
-        old.next_if(|contact| contact.key == key)
-            .map_or_else(Vec3::zeros, |contact| contact.force)
+        let known = old.next_if(|contact| contact.key == key);
+        Carried {
+            force: known.map_or_else(Vec3::zeros, |contact| contact.force),
+            torque: known.map_or_else(Vec3::zeros, |contact| contact.torque),
+        }
     })
     .collect()
 }
@@ -32,6 +43,7 @@ mod tests {
             normal: Vec3::z(),
             gap: 0.0,
             force: Vec3::z() * f,
+            torque: Vec3::x() * f,
         };
         let old = [
             contact(key(0, 1), 1.0),
@@ -39,10 +51,10 @@ mod tests {
             contact(key(2, 4), 3.0),
         ];
         let new = [key(0, 2), key(0, 3), key(1, 2), key(2, 4), key(5, 6)];
-        let force: Vec<f64> = transfer(&old, new.into_iter())
-            .iter()
-            .map(|f| f.z)
-            .collect();
+        let carried = transfer(&old, new.into_iter());
+        let [force, torque] = [|c: &Carried| c.force.z, |c: &Carried| c.torque.x]
+            .map(|of| carried.iter().map(of).collect::<Vec<f64>>());
         assert_eq!(force, [0.0, 2.0, 0.0, 3.0, 0.0]);
+        assert_eq!(torque, force);
     }
 }

@@ -3,6 +3,8 @@
 //! ```text
 //! p_n = max(0, p_n - s_n d_n)                        unilateral contact
 //! p_t = Proj_{|.| <= mu p_n}(p_t - s_t d_t)          Coulomb friction: open / stick / slip in one formula
+//! m_r = Proj_{|.| <= L_r p_n}(m_r - s w_r)           rolling resistance, a disc across the normal
+//! m_n = Proj_{|.| <= L_t p_n}(m_n - s w_n)           twisting resistance, an interval along it
 //! ```
 //!
 //! With a compliance `c` the gap is `d + c p`, and the fixed point is `max(0, (p - s d)/(1 + s c))`.
@@ -16,6 +18,12 @@ use crate::Vec3;
 pub fn project_disc(y: Vec3, r: f64) -> Vec3 {
     let length = y.norm();
     if length <= r { y } else { y * (r / length) }
+}
+
+/// Projects on the interval `-r..=r`, `r >= 0`.
+#[must_use]
+pub fn project_interval(y: f64, r: f64) -> f64 {
+    y.max(-r).min(r)
 }
 
 /// The part of `x` along the unit normal `n`, and the rest across it.

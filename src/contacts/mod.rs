@@ -61,4 +61,6 @@ pub struct Contact {
     pub gap: f64,
     /// Force on A \[N\], mean over the last internal step.
     pub force: Vec3,
+    /// Couple of rolling and twisting resistance on A \[N m\], likewise; its opposite acts on B.
+    pub torque: Vec3,
 }

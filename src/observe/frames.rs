@@ -3,7 +3,7 @@
 //! | series | cells | arrays |
 //! |---|---|---|
 //! | spheres | vertex at the centre | over points: `radius` \[m\], `velocity` \[m/s\], `angular_velocity` \[rad/s\], `force` \[N\] and `torque` \[N m\] of all contacts, `orientation` (w, x, y, z), `id`, `material` |
-//! | contacts | line from centre 1 to centre 2 or to the closest point | over cells: `normal_force` \[N\], `force` on 1 \[N\], `overlap` \[m\], `slip` \[m/s\], `id1`, `id2`, `kind` |
+//! | contacts | line from centre 1 to centre 2 or to the closest point | over cells: `normal_force` \[N\], `force` on 1 \[N\], `torque` on 1 \[N m\] of rolling and twisting resistance where the scene has any, `overlap` \[m\], `slip` \[m/s\], `id1`, `id2`, `kind` |
 //! | boundaries | triangles | over points: `velocity` \[m/s\]; over cells: `force` \[N\] on the whole boundary, `boundary` (index) |
 //!
 //! `kind` is 0 between spheres and 1 on a boundary, `id2` then being the boundary. Readers cannot take a file without
@@ -159,7 +159,7 @@ pub fn contacts(state: &Observation) -> Grid {
             cell: Cell::Vertex,
             connectivity: vec![0],
             point_data: Vec::new(),
-            cell_data: contact_data(&[(0.0, Vec3::zeros(), 0.0, 0.0, [-1, -1, -1])]),
+            cell_data: contact_data(state.scene, &[ContactRow::NONE]),
         };
     }
     let mut points = Vec::with_capacity(2 * active.len());
@@ -174,36 +174,62 @@ pub fn contacts(state: &Observation) -> Grid {
         let back = cell.shift(cell.image(start));
         points.push(start - back);
         points.push(end - back);
-        rows.push((
-            contact.force.dot(&contact.normal),
-            contact.force,
-            (-contact.gap).max(0.0),
-            slip(state, contact),
-            [a as i32, id2, kind],
-        ));
+        rows.push(ContactRow {
+            normal_force: contact.force.dot(&contact.normal),
+            force: contact.force,
+            torque: contact.torque,
+            overlap: (-contact.gap).max(0.0),
+            slip: slip(state, contact),
+            ids: [a as i32, id2, kind],
+        });
     }
     Grid {
         connectivity: (0..points.len() as u32).collect(),
         points,
         cell: Cell::Line,
         point_data: Vec::new(),
-        cell_data: contact_data(&rows),
+        cell_data: contact_data(state.scene, &rows),
     }
 }
 
-/// Normal force, force, overlap, slip, and `[id1, id2, kind]` of one contact.
-type ContactRow = (f64, Vec3, f64, f64, [i32; 3]);
+/// One line of the grid of contacts.
+struct ContactRow {
+    normal_force: f64,
+    force: Vec3,
+    torque: Vec3,
+    overlap: f64,
+    slip: f64,
+    /// `id1`, `id2`, `kind`.
+    ids: [i32; 3],
+}
 
-fn contact_data(rows: &[ContactRow]) -> Vec<Array> {
-    vec![
-        Array::scalar("normal_force", rows.iter().map(|row| row.0)),
-        Array::vector("force", rows.iter().map(|row| row.1)),
-        Array::scalar("overlap", rows.iter().map(|row| row.2)),
-        Array::scalar("slip", rows.iter().map(|row| row.3)),
-        Array::integer("id1", rows.iter().map(|row| row.4[0])),
-        Array::integer("id2", rows.iter().map(|row| row.4[1])),
-        Array::integer("kind", rows.iter().map(|row| row.4[2])),
-    ]
+impl ContactRow {
+    const NONE: Self = Self {
+        normal_force: 0.0,
+        force: Vec3::new(0.0, 0.0, 0.0),
+        torque: Vec3::new(0.0, 0.0, 0.0),
+        overlap: 0.0,
+        slip: 0.0,
+        ids: [-1, -1, -1],
+    };
+}
+
+fn contact_data(scene: &Scene, rows: &[ContactRow]) -> Vec<Array> {
+    let mut arrays = vec![
+        Array::scalar("normal_force", rows.iter().map(|row| row.normal_force)),
+        Array::vector("force", rows.iter().map(|row| row.force)),
+    ];
+    if scene.pairs.resists() {
+        arrays.push(Array::vector("torque", rows.iter().map(|row| row.torque)));
+    }
+    arrays.extend([
+        Array::scalar("overlap", rows.iter().map(|row| row.overlap)),
+        Array::scalar("slip", rows.iter().map(|row| row.slip)),
+        Array::integer("id1", rows.iter().map(|row| row.ids[0])),
+        Array::integer("id2", rows.iter().map(|row| row.ids[1])),
+        Array::integer("kind", rows.iter().map(|row| row.ids[2])),
+    ]);
+    arrays
 }
 
 /// Tangential relative speed at a contact \[m/s\].
@@ -219,8 +245,9 @@ fn slip(state: &Observation, contact: &Contact) -> f64 {
         ),
         Partner::Boundary { boundary, .. } => {
             let b = usize::from(boundary);
-            state.boundaries[b]
-                .velocity_at(contact.point, state.scene.boundaries[b].point_of_action)
+            let pivot = state.scene.boundaries[b].point_of_action;
+            let body = &state.boundaries[b];
+            body.velocity_at(contact.point, pivot) + body.surface_velocity
         }
     };
     let relative = own - other;

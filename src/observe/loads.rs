@@ -1,10 +1,11 @@
 //! Contact forces summed over bodies.
 //!
 //! A force acts on a sphere's surface where the normal meets it, at `-R n` from the centre of body A and `+R n` from that
-//! of B; its torque is about the centre. What a boundary gets as a wrench is the step's own account
+//! of B; its torque is about the centre, and a couple of rolling or twisting resistance adds to it. What a boundary gets as a wrench is the step's own account
 //! ([`super::BoundaryState::wrench`]); here its contacts are counted.
 
 use super::Observation;
+use crate::contacts::law::split;
 use crate::contacts::{Contact, Partner};
 use crate::simulation::Wrench;
 
@@ -17,6 +18,8 @@ pub struct Load {
     pub count: u64,
     /// Largest normal force of one of them \[N\].
     pub max_normal_force: f64,
+    /// Power \[W\] of the forces on a boundary's belt; zero for spheres.
+    pub belt_power: f64,
 }
 
 impl Load {
@@ -32,6 +35,7 @@ impl Load {
         self.wrench.force += sign * contact.force;
         // Of the two signs of `-R n x f` on A and `R n x (-f)` on B the torques turn out equal.
         self.wrench.torque -= contact.normal.cross(&contact.force) * radius;
+        self.wrench.torque += sign * contact.torque;
     }
 }
 
@@ -66,7 +70,10 @@ impl Loads {
                     loads.spheres[b].sphere(contact, radius[b], -1.0);
                 }
                 Partner::Boundary { boundary, .. } => {
-                    loads.boundaries[usize::from(boundary)].count(contact);
+                    let b = usize::from(boundary);
+                    let belt = split(state.boundaries[b].surface_velocity, contact.normal).1;
+                    loads.boundaries[b].count(contact);
+                    loads.boundaries[b].belt_power -= contact.force.dot(&belt);
                 }
             }
         }

@@ -37,6 +37,8 @@ pub struct BoundaryState {
     pub pose: Pose,
     /// Velocity \[m/s\], \[rad/s\] over the last internal step, that of a driven body at its end.
     pub twist: Twist,
+    /// Velocity of its surface against its shape \[m/s\], world axes; contacts feel the part across their normal.
+    pub surface_velocity: Vec3,
     /// Contact wrench over the last internal step.
     pub wrench: Wrench,
     /// Contact wrench averaged over the last communication step.
@@ -101,6 +103,7 @@ impl<'a> Observation<'a> {
                 .map(|b| BoundaryState {
                     pose: simulation.boundary_pose(b),
                     twist: simulation.boundary_twist(b),
+                    surface_velocity: simulation.surface_velocity(b),
                     wrench: simulation.wrench(b),
                     mean_wrench: simulation.mean_wrench(b),
                 })

@@ -9,17 +9,18 @@
 //! | body force, point load | `free`, by the external acceleration |
 //! | constrained spring | a bilateral row of compliance `1/(P_c dt^2)` and bias `(x - target)/dt` |
 //! | normal contact, shear contact, friction | a contact row |
+//! | (not in the paper) rolling and twisting resistance | a resistance row behind all others |
 //! | elastic strain, initial stress | vanish: the spheres are rigid |
 //!
 //! A contact that approaches faster than the threshold velocity and whose free motion closes the gap is an
 //! impact: `n.u1 >= -e n.u^-`. Every other candidate carries `n.u1 >= -g/dt`. With `e = 0` an impact keeps the
 //! gap constraint: it lands on the surface instead of stopping above it.
 
-use super::{Dof6, GROUND, Law, Problem, Row};
+use super::{Dof6, GROUND, Grip, Law, Problem, Row};
 use crate::Vec3;
-use crate::contacts::Partner;
 use crate::contacts::law::split;
 use crate::contacts::narrow_phase::Candidate;
+use crate::contacts::{Key, Partner};
 use crate::driven::Ready;
 use crate::materials::Pair;
 use crate::motion::{Pose, Twist};
@@ -47,6 +48,8 @@ pub struct Inputs<'a> {
     pub bodies: &'a [Ready<'a>],
     /// Boundary twists over the previous step, `[B]`.
     pub twists: &'a [Twist],
+    /// Velocities of the boundaries' surfaces against their shapes \[m/s\], world axes, `[B]`.
+    pub surfaces: &'a [Vec3],
     /// Gravity \[m/s^2\].
     pub gravity: Vec3,
     /// Spring targets at the end of the step \[m\], `[S]`.
@@ -151,7 +154,7 @@ impl<'a> Inputs<'a> {
         let mut lightest = particles.mass[a];
         let mut fastest = self.kinematics.velocity[a].norm();
         let mut stiffness = None;
-        let material_b = match candidate.key.partner {
+        match candidate.key.partner {
             Partner::Sphere { index, .. } => {
                 let b = index as usize;
                 row.b = index;
@@ -161,13 +164,14 @@ impl<'a> Inputs<'a> {
                 acceleration = acceleration.max(self.external[b].linear.norm());
                 lightest = lightest.min(particles.mass[b]);
                 fastest = fastest.max(self.kinematics.velocity[b].norm());
-                particles.material[b]
             }
             Partner::Boundary { boundary, .. } => {
                 let boundary = usize::from(boundary);
                 let (wall, pose) = (&scene.boundaries[boundary], &self.poses[0][boundary]);
                 let centre = wall.copy_near(&scene.cell, pose, self.kinematics.position[a]);
                 let point = centre + arm_a;
+                // A belt slides along the shape: it takes no part in the approach.
+                row.drift = -split(self.surfaces[boundary], n).1;
                 if let Some((rank, body)) = self.body(boundary) {
                     row.b = (self.kinematics.len() + rank) as u32;
                     row.arm_b = point - body.reference;
@@ -176,18 +180,18 @@ impl<'a> Inputs<'a> {
                     lightest = lightest.min(body.mass());
                 } else {
                     let [now, previous] = self.wall_velocity(boundary, point);
-                    row.drift = -now;
+                    row.drift -= now;
                     before -= previous;
                     acceleration = acceleration.max((now - previous).norm() / self.step);
                 }
                 stiffness = scene.boundaries[boundary].stiffness;
-                scene.boundaries[boundary].material
             }
-        };
+        }
         let Pair {
             friction,
             restitution,
-        } = scene.pairs.get(particles.material[a], material_b);
+            ..
+        } = self.pair(candidate.key);
         row.law = Law::Contact { mu: friction };
         let (approach, sliding) = split(before, n);
         // Only a contact that was loaded can be taken for an approaching one because its normal turns.
@@ -227,6 +231,70 @@ impl<'a> Inputs<'a> {
             row.compliance_n = 1.0 / (stiffness * dt2);
         }
         (row, impact)
+    }
+
+    fn pair(&self, key: Key) -> Pair {
+        let material = &self.scene.particles.material;
+        let of_b = match key.partner {
+            Partner::Sphere { index, .. } => material[index as usize],
+            Partner::Boundary { boundary, .. } => {
+                self.scene.boundaries[usize::from(boundary)].material
+            }
+        };
+        self.scene.pairs.get(material[key.sphere as usize], of_b)
+    }
+
+    /// The resistance to rolling and twisting of a contact, if it has one: `row` is the contact's row, `rank` its place,
+    /// `torque` \[N m\] the last couple.
+    #[must_use]
+    pub fn resistance(&self, key: Key, row: &Row, rank: usize, torque: Vec3) -> Option<Row> {
+        let pair = self.pair(key);
+        if pair.rolling_friction == 0.0 && pair.twisting_friction == 0.0 {
+            return None;
+        }
+        let particles = &self.scene.particles;
+        let locked = |i: u32| particles.inverse_inertia(i as usize) == Vec3::zeros();
+        let own = particles.radius[key.sphere as usize];
+        let (reduced, drift) = match key.partner {
+            Partner::Sphere { index, .. } if locked(row.a) && locked(index) => return None,
+            Partner::Sphere { index, .. } => {
+                let other = particles.radius[index as usize];
+                (own * other / (own + other), Vec3::zeros())
+            }
+            // A driven body turns by itself.
+            Partner::Boundary { .. } if row.b != GROUND => (own, Vec3::zeros()),
+            Partner::Boundary { .. } if locked(row.a) => return None,
+            Partner::Boundary { boundary, .. } => {
+                let [start, end] = self.poses.map(|poses| &poses[usize::from(boundary)]);
+                let turning = start.twist_to(end, self.step).angular;
+                (own, -turning * row.radius)
+            }
+        };
+        let share = reduced / row.radius;
+        let mut resistance = Row {
+            arm_a: Vec3::zeros(),
+            arm_b: Vec3::zeros(),
+            drift,
+            bias: Vec3::zeros(),
+            compliance_n: 0.0,
+            compliance_t: 0.0,
+            law: Law::Resistance {
+                contact: rank as u32,
+                rolling: pair.rolling_friction * share,
+                twisting: pair.twisting_friction * share,
+            },
+            ..*row
+        };
+        let settings = &self.scene.settings;
+        if let (Method::Penalty, Some(penalty)) = (settings.method, settings.penalty) {
+            // A spring as stiff as the shear spring at the lever R* keeps the twist that carried the last couple.
+            let stiffness = SHEAR_RATIO * penalty * share * share;
+            let compliance = 1.0 / (stiffness * self.step * self.step);
+            resistance.compliance_n = compliance;
+            resistance.compliance_t = compliance;
+            resistance.bias = torque * (-self.step / row.radius * compliance);
+        }
+        Some(resistance)
     }
 
     /// The row of constrained point `s`.
@@ -277,7 +345,8 @@ pub fn external_acceleration(scene: &Scene, kinematics: &Kinematics, gravity: Ve
             linear: particles.inverse_mass(i),
             angular: particles.inverse_inertia(i),
         };
-        external[i].kick(&w, load.force, kinematics.orientation[i] * load.arm);
+        let arm = kinematics.orientation[i] * load.arm;
+        external[i].kick(&w, &Grip::Point(arm).momentum(load.force));
     }
     external
 }

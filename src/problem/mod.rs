@@ -6,7 +6,12 @@
 //! unilateral  0 <= p_n  perp  u_n + b_n + c_n p_n >= 0
 //!             p_t = Proj_{|.| <= mu p_n}(p_t - s (u_t + b_t + c_t p_t))     any s > 0
 //! bilateral   u + b + c p = 0                                       constrained points
+//! resistance  m_r = Proj_{|.| <= mu_r R* p_n}(m_r - s w_r)          rolling, w_r = (w_A - w_B) across n
+//!             m_n = Proj_{|.| <= mu_t R* p_n}(m_n - s w_n)          twisting, w_n = (w_A - w_B) along n
 //! ```
+//!
+//! A resistance is a couple `m` [N m s] on A and `-m` on B, bound by the normal impulse of its contact. Its row holds
+//! `p = m/R` and `u = R (w_A - w_B)` with the smaller radius `R` of the pair, so that all rows have the same units.
 //!
 //! `b_n` carries the gap (`g/dt`) or the rebound (`e u_n^-`), `c = 1/(k dt^2)` a contact stiffness `k`
 //! (`c = 0`: rigid). Moreau has `W = M^-1`, Shi `W = (2M)^-1` and `v1` the mean velocity of the step.
@@ -73,9 +78,53 @@ pub enum Law {
     },
     /// Three equations `u + b + c p = 0`; `normal` only fixes the axes.
     Bilateral,
+    /// Rolling and twisting resistance of a contact: couples, of which `p` and `u` are those over and times `radius`.
+    Resistance {
+        /// The contact's row, which comes before.
+        contact: u32,
+        /// Largest rolling impulse over the contact's normal one \[-\]: `mu_r R*/R`.
+        rolling: f64,
+        /// Largest twisting impulse over the contact's normal one \[-\]: `mu_t R*/R`.
+        twisting: f64,
+    },
 }
 
-/// One contact or constrained point.
+/// How a row holds a body.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Grip {
+    /// At the point that lies there from the centre \[m\].
+    Point(Vec3),
+    /// By its rotation alone, with this lever \[m\].
+    Couple(f64),
+}
+
+impl Grip {
+    /// What the row sees of a body's velocity \[m/s\].
+    #[must_use]
+    pub fn velocity(self, body: &Dof6) -> Vec3 {
+        match self {
+            Self::Point(arm) => body.at(arm),
+            Self::Couple(lever) => body.angular * lever,
+        }
+    }
+
+    /// Momentum \[N s\], \[N m s\] that the row's impulse \[N s\] gives a body.
+    #[must_use]
+    pub fn momentum(self, impulse: Vec3) -> Dof6 {
+        match self {
+            Self::Point(arm) => Dof6 {
+                linear: impulse,
+                angular: arm.cross(&impulse),
+            },
+            Self::Couple(lever) => Dof6 {
+                linear: Vec3::zeros(),
+                angular: impulse * lever,
+            },
+        }
+    }
+}
+
+/// One contact, constrained point or resistance.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Row {
     /// Body A.
@@ -88,7 +137,7 @@ pub struct Row {
     pub arm_a: Vec3,
     /// Contact point from the centre of B, or the reference point of a driven body \[m\]; zero for the ground.
     pub arm_b: Vec3,
-    /// `u_0`, minus the velocity of the ground at the contact point \[m/s\]; zero between bodies.
+    /// `u_0`, minus the velocity of the ground or of a belt as the row sees it \[m/s\]; zero between spheres.
     pub drift: Vec3,
     /// `b`: along the normal the gap or rebound term, across it the spring history \[m/s\].
     pub bias: Vec3,
@@ -130,10 +179,10 @@ impl Dof6 {
         angular: Vec3::new(0.0, 0.0, 0.0),
     };
 
-    /// Adds `W (impulse at arm)`.
-    pub fn kick(&mut self, inverse_mass: &Self, impulse: Vec3, arm: Vec3) {
-        self.linear += inverse_mass.linear.component_mul(&impulse);
-        self.angular += inverse_mass.angular.component_mul(&arm.cross(&impulse));
+    /// Adds `W momentum`.
+    pub fn kick(&mut self, inverse_mass: &Self, momentum: &Self) {
+        self.linear += inverse_mass.linear.component_mul(&momentum.linear);
+        self.angular += inverse_mass.angular.component_mul(&momentum.angular);
     }
 
     /// `linear . linear + angular . angular`: power of a force and torque, energy of a momentum.
@@ -150,14 +199,36 @@ impl Dof6 {
 }
 
 impl Row {
+    /// How it holds A and B.
+    #[must_use]
+    pub fn grips(&self) -> [Grip; 2] {
+        match self.law {
+            Law::Resistance { .. } => [Grip::Couple(self.radius); 2],
+            _ => [self.arm_a, self.arm_b].map(Grip::Point),
+        }
+    }
+
+    /// Normal impulse \[N s\] of the contact that bounds a resistance; zero for all other rows.
+    #[must_use]
+    pub fn load(&self, rows: &[Self], impulses: &[Vec3]) -> f64 {
+        match self.law {
+            Law::Resistance { contact, .. } => {
+                let contact = contact as usize;
+                impulses[contact].dot(&rows[contact].normal).max(0.0)
+            }
+            _ => 0.0,
+        }
+    }
+
     /// Relative velocity `u` \[m/s\] of A against B for the given body velocities.
     #[must_use]
     pub fn relative_velocity(&self, velocity: &[Dof6]) -> Vec3 {
-        let u = velocity[self.a as usize].at(self.arm_a) + self.drift;
+        let [a, b] = self.grips();
+        let u = a.velocity(&velocity[self.a as usize]) + self.drift;
         if self.b == GROUND {
             u
         } else {
-            u - velocity[self.b as usize].at(self.arm_b)
+            u - b.velocity(&velocity[self.b as usize])
         }
     }
 }
@@ -186,22 +257,19 @@ impl Problem {
 
     /// Adds to `velocity`, `[N + D]`, the effect of `impulse` \[N s\] on A and of its opposite on B.
     pub fn apply(&self, row: &Row, velocity: &mut [Dof6], impulse: Vec3) {
-        self.kick(velocity, row.a, impulse, row.arm_a);
+        let [grip_a, grip_b] = row.grips();
+        self.kick(velocity, row.a, &grip_a.momentum(impulse));
         if row.b != GROUND {
-            self.kick(velocity, row.b, -impulse, row.arm_b);
+            self.kick(velocity, row.b, &grip_b.momentum(-impulse));
         }
     }
 
-    fn kick(&self, velocity: &mut [Dof6], body: u32, impulse: Vec3, arm: Vec3) {
+    fn kick(&self, velocity: &mut [Dof6], body: u32, momentum: &Dof6) {
         let body = body as usize;
         match self.inverse_mass.get(body) {
-            Some(w) => velocity[body].kick(w, impulse, arm),
+            Some(w) => velocity[body].kick(w, momentum),
             None => {
-                let push = Dof6 {
-                    linear: impulse,
-                    angular: arm.cross(&impulse),
-                };
-                let change = self.operators[body - self.inverse_mass.len()].times(&push);
+                let change = self.operators[body - self.inverse_mass.len()].times(momentum);
                 velocity[body] = velocity[body].plus(&change, 1.0);
             }
         }
@@ -214,9 +282,10 @@ impl Problem {
         if let Some(closed) = self.sphere_delassus(row) {
             return closed;
         }
-        let mut operator = self.point_compliance(row.a, row.arm_a);
+        let [grip_a, grip_b] = row.grips();
+        let mut operator = self.compliance(row.a, grip_a);
         if row.b != GROUND {
-            operator += self.point_compliance(row.b, row.arm_b);
+            operator += self.compliance(row.b, grip_b);
         }
         let n = row.normal;
         let w_n = (n.transpose() * operator * n)[0];
@@ -241,6 +310,9 @@ impl Problem {
     /// [`Self::delassus`] of a contact whose bodies have the same mobility in all directions and arms along the normal:
     /// `w_n = m_A + m_B`, `w_t = w_n + R_A^2/I_A + R_B^2/I_B`.
     fn sphere_delassus(&self, row: &Row) -> Option<(f64, f64)> {
+        if matches!(row.law, Law::Resistance { .. }) {
+            return None;
+        }
         let one = |body: u32, arm: &Vec3| {
             if body == GROUND {
                 return Some((0.0, 0.0));
@@ -256,8 +328,8 @@ impl Problem {
         Some((w_n, w_n + (a.1 + b.1)))
     }
 
-    /// `d(velocity at arm) / d(impulse at arm)` of one body, 3x3 \[1/kg\].
-    fn point_compliance(&self, body: u32, arm: Vec3) -> Matrix3<f64> {
+    /// `d(velocity) / d(impulse)` of one body as a row holds it, 3x3 \[1/kg\].
+    fn compliance(&self, body: u32, grip: Grip) -> Matrix3<f64> {
         let body = body as usize;
         let w = match self.inverse_mass.get(body) {
             Some(w) => Operator {
@@ -266,7 +338,12 @@ impl Problem {
             },
             None => self.operators[body - self.inverse_mass.len()],
         };
-        let cross = arm.cross_matrix();
-        w.linear - cross * w.angular * cross
+        match grip {
+            Grip::Point(arm) => {
+                let cross = arm.cross_matrix();
+                w.linear - cross * w.angular * cross
+            }
+            Grip::Couple(lever) => w.angular * (lever * lever),
+        }
     }
 }

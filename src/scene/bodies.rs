@@ -11,7 +11,7 @@ use super::names::{Context, Names};
 use super::resources::Resources;
 use crate::Vec3;
 use crate::boundaries::{
-    Boundary, Facets, Geometry, GeometryError, HalfSpace, HeightField, Revolution, Shape,
+    Belt, Boundary, Facets, Geometry, GeometryError, HalfSpace, HeightField, Revolution, Shape,
 };
 use crate::motion::{InputKind, Motion, Twist};
 
@@ -80,6 +80,15 @@ pub(super) fn boundary(
         motion: motion?,
         point_of_action: value.point_of_action.into(),
         stiffness: value.stiffness,
+        belt: belt(value),
+    })
+}
+
+fn belt(value: &file::Boundary) -> Option<Belt> {
+    let velocity = value.surface_velocity.map(Vec3::from);
+    (value.surface_input || velocity.is_some()).then(|| Belt {
+        velocity: velocity.unwrap_or_default(),
+        input: value.surface_input,
     })
 }
 

@@ -15,6 +15,7 @@ mod frame;
 mod keys;
 mod names;
 mod overlap;
+mod pairs;
 mod problem;
 mod regions;
 mod resources;

@@ -1,12 +1,11 @@
-//! Settings of the run, materials and pairs of materials.
+//! Settings of the run, and materials.
 
 use super::decode::SceneFile;
 use super::document::Document;
 use super::frame::{gravity, rotating_frame};
-use super::names::Context;
 use super::resources::Resources;
 use super::{Integrator, Method, Settings, Tolerance, file};
-use crate::materials::{Material, Pair, PairTable};
+use crate::materials::Material;
 
 /// `[simulation]`, checked.
 pub(super) fn settings(
@@ -154,115 +153,4 @@ pub(super) fn materials(document: &mut Document<'_>, file: &SceneFile) -> Vec<Ma
         }
     });
     materials.collect()
-}
-
-/// `[pair_default]` and `[[pair]]`, checked.
-pub(super) fn pairs(document: &mut Document<'_>, context: &Context, file: &SceneFile) -> PairTable {
-    let d = file.pair_default;
-    let default = pair(
-        document,
-        "pair_default",
-        (d.friction, d.friction_angle, d.restitution),
-        Pair::default(),
-    );
-    let mut table = PairTable::new(file.materials.len(), default);
-    let mut rebounds = default.restitution > 0.0;
-    let mut seen: Vec<(usize, usize)> = Vec::new();
-    for element in &file.pairs {
-        let (path, Some(value)) = (&element.path, &element.value) else {
-            continue;
-        };
-        let own = pair(
-            document,
-            path,
-            (value.friction, value.friction_angle, value.restitution),
-            default,
-        );
-        rebounds |= own.restitution > 0.0;
-        let key = format!("{path}.materials");
-        let [a, b] = value.materials.as_slice() else {
-            document.demand(
-                false,
-                key,
-                format!("{} names", value.materials.len()),
-                "two material names [a, b]",
-            );
-            continue;
-        };
-        let a = context.materials.resolve(document, &format!("{key}[0]"), a);
-        let b = context.materials.resolve(document, &format!("{key}[1]"), b);
-        let Some((a, b)) = a.zip(b) else { continue };
-        let pair_of = (a.min(b), a.max(b));
-        if seen.contains(&pair_of) {
-            document.error(
-                key,
-                format!("the pair {:?} appears twice", value.materials),
-                "keep one; the order of the names does not matter",
-            );
-        }
-        seen.push(pair_of);
-        if let (Ok(a), Ok(b)) = (u16::try_from(a), u16::try_from(b)) {
-            table.set(a, b, own);
-        }
-    }
-    let shi = file
-        .simulation
-        .as_ref()
-        .is_some_and(|s| s.integrator == Integrator::Shi);
-    if shi && rebounds {
-        let help = "its rebound follows from the step (method of Shi 1988); use integrator = \"moreau\" for Newton's law";
-        document.warn(
-            "simulation.integrator",
-            "restitution has no effect with integrator = \"shi\"",
-            help,
-        );
-    }
-    table
-}
-
-fn pair(
-    document: &mut Document<'_>,
-    path: &str,
-    (friction, angle, restitution): (Option<f64>, Option<f64>, Option<f64>),
-    default: Pair,
-) -> Pair {
-    if let Some(mu) = friction {
-        document.demand(
-            mu >= 0.0,
-            format!("{path}.friction"),
-            mu,
-            "a coefficient >= 0 [-]",
-        );
-    }
-    if let Some(angle) = angle {
-        let range = (0.0..90.0).contains(&angle);
-        document.demand(
-            range,
-            format!("{path}.friction_angle"),
-            angle,
-            "0 <= friction_angle < 90 [degrees]",
-        );
-    }
-    if friction.is_some() && angle.is_some() {
-        let message = "found both `friction` and `friction_angle`, expected one of them";
-        document.error(
-            format!("{path}.friction_angle"),
-            message,
-            "friction is the tangent of the angle",
-        );
-    }
-    if let Some(e) = restitution {
-        document.demand(
-            (0.0..=1.0).contains(&e),
-            format!("{path}.restitution"),
-            e,
-            "0 <= restitution <= 1 [-]",
-        );
-    }
-    Pair {
-        friction: friction
-            .or(angle.map(|a| a.to_radians().tan()))
-            .unwrap_or(default.friction),
-        restitution: restitution.unwrap_or(default.restitution),
-    }
 }

@@ -57,10 +57,7 @@ impl Summary {
             reach.reduce(|a, b| a.zip_map(&b, pick)).unwrap_or_default()
         };
         let extent = (corner(-1.0, f64::min), corner(1.0, f64::max));
-        let driven = scene
-            .boundaries
-            .iter()
-            .filter(|b| b.motion.input().is_some());
+        let driven = scene.boundaries.iter().filter(|b| b.is_commanded());
         Self {
             title: scene.title.clone(),
             spheres: scene.particles.len(),

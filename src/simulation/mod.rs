@@ -9,6 +9,7 @@ use std::sync::Arc;
 use serde::{Deserialize, Serialize};
 
 use crate::Vec3;
+use crate::boundaries::Boundary;
 use crate::contacts::Contact;
 use crate::drive::{Drive, target};
 use crate::driven::BodyState;
@@ -127,7 +128,7 @@ impl Simulation {
                 .collect(),
             poses,
             bodies: BodyState::initial(&scene),
-            commands: vec![Command::default(); boundaries],
+            commands: scene.boundaries.iter().map(Boundary::rest).collect(),
             wrenches: vec![Wrench::default(); boundaries],
             persisting_wrenches: vec![Wrench::default(); boundaries],
             mean_wrenches: vec![Wrench::default(); boundaries],
@@ -210,17 +211,18 @@ impl Simulation {
         Ok(())
     }
 
-    /// Command for boundary `b`, which has a [`crate::motion::Motion::input`]; held until the next one.
+    /// Command for boundary `b`, which has a [`crate::motion::Motion::input`] or a belt driven from outside; held until the
+    /// next one.
     ///
     /// # Errors
     /// [`StepError::Argument`] if the boundary is no input or a component is not finite.
     pub fn command(&mut self, b: usize, command: Command) -> Result<(), StepError> {
         let boundary = self.scene.boundaries.get(b);
-        if boundary.and_then(|b| b.motion.input()).is_none() {
+        if !boundary.is_some_and(Boundary::is_commanded) {
             return Err(StepError::Argument {
                 what: "boundary",
                 found: b.to_string(),
-                expected: "the index of a boundary with `input`",
+                expected: "the index of a boundary with `input` or `surface_input`",
             });
         }
         let vectors = [
@@ -228,6 +230,7 @@ impl Simulation {
             command.rotation,
             command.velocity,
             command.angular_velocity,
+            command.surface_velocity,
             command.force,
             command.torque,
         ];
@@ -410,6 +413,13 @@ impl Simulation {
             let momentum = integrator.reported(&carried.momentum, persisting, last);
             body.twist_of(&self.scene.boundaries[b], &self.state.poses[b], &momentum)
         })
+    }
+
+    /// Velocity \[m/s\] of boundary `b`'s surface against its shape, world axes.
+    #[must_use]
+    pub fn surface_velocity(&self, b: usize) -> Vec3 {
+        let state = &self.state;
+        self.scene.boundaries[b].surface_velocity(&state.poses[b], &state.commands[b])
     }
 
     /// Wrench on boundary `b` over the last internal step.

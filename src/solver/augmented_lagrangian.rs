@@ -24,7 +24,7 @@ use super::gauss_seidel::{Kernel, smooth};
 use super::residual::{Scale, evaluate};
 use super::{Params, Report};
 use crate::Vec3;
-use crate::contacts::law::{project_disc, split};
+use crate::contacts::law::{project_disc, project_interval, split};
 use crate::linalg::{BlockMatrix, BlockPattern, Factor, LinearError, Symbolic};
 use crate::problem::{Dof6, GROUND, Law, Problem, Row};
 
@@ -67,8 +67,9 @@ struct Augmented {
     energy: f64,
 }
 
-/// Evaluates a row for multipliers `p`, penalty `sigma` \[kg\] and friction radius `mu p_n` at velocity `u`.
-fn augmented(row: &Row, u: Vec3, p: Vec3, sigma: f64, radius: f64) -> Augmented {
+/// Evaluates a row for multipliers `p`, penalty `sigma` \[kg\] and the normal impulse `load` that bounds friction or
+/// resistance, at velocity `u`.
+fn augmented(row: &Row, u: Vec3, p: Vec3, sigma: f64, load: f64) -> Augmented {
     let n = row.normal;
     let (d_n, d_t) = split(u + row.bias, n);
     let (p_n, p_t) = split(p, n);
@@ -81,36 +82,51 @@ fn augmented(row: &Row, u: Vec3, p: Vec3, sigma: f64, radius: f64) -> Augmented 
     let y_t = (p_t * soft_t - d_t) * stiff_t;
     let nn = n * n.transpose();
     let across = Matrix3::identity() - nn;
-    let (q_n, t_n, q_t, t_t, e_t) = match row.law {
+    let (q_n, t_n, e_n, q_t, t_t, e_t) = match row.law {
         Law::Bilateral => (
             y_n,
             stiff_n,
+            0.5 * y_n * y_n,
             y_t,
             across * stiff_t,
             0.5 * y_t.norm_squared(),
         ),
-        Law::Contact { .. } => {
+        Law::Contact { mu } => {
             let (q_n, t_n) = if y_n > 0.0 {
                 (y_n, stiff_n)
             } else {
                 (0.0, 0.0)
             };
-            let length = y_t.norm();
-            if length <= radius {
-                (q_n, t_n, y_t, across * stiff_t, 0.5 * length * length)
-            } else {
-                let along = y_t / length;
-                let turn = (across - along * along.transpose()) * (stiff_t * radius / length);
-                let energy = radius * length - 0.5 * radius * radius;
-                (q_n, t_n, project_disc(y_t, radius), turn, energy)
-            }
+            let (q_t, t_t, e_t) = on_disc(y_t, mu * load, &across);
+            (q_n, t_n, 0.5 * q_n * q_n, q_t, t_t * stiff_t, e_t)
+        }
+        Law::Resistance {
+            rolling, twisting, ..
+        } => {
+            let most = twisting * load;
+            let q_n = project_interval(y_n, most);
+            let t_n = if y_n.abs() < most { stiff_n } else { 0.0 };
+            let (q_t, t_t, e_t) = on_disc(y_t, rolling * load, &across);
+            (q_n, t_n, q_n * (y_n - 0.5 * q_n), q_t, t_t * stiff_t, e_t)
         }
     };
     Augmented {
         impulse: n * q_n + q_t,
         tangent: nn * t_n + t_t,
-        energy: 0.5 * q_n * q_n / stiff_n + e_t / stiff_t,
+        energy: e_n / stiff_n + e_t / stiff_t,
     }
+}
+
+/// Projection of `y` on the disc of radius `r` across the normal, its derivative, and the potential of which it is the
+/// gradient.
+fn on_disc(y: Vec3, r: f64, across: &Matrix3<f64>) -> (Vec3, Matrix3<f64>, f64) {
+    let length = y.norm();
+    if length <= r {
+        return (y, *across, 0.5 * length * length);
+    }
+    let along = y / length;
+    let turn = (across - along * along.transpose()) * (r / length);
+    (project_disc(y, r), turn, r * length - 0.5 * r * r)
 }
 
 /// The inner problem: everything that does not change during one solve.
@@ -153,13 +169,14 @@ impl<'a> Inner<'a> {
             matrix.add(i, i, &self.masses.block(i));
         }
         for (row, augmented) in self.problem.rows.iter().zip(rows) {
+            let [grip_a, grip_b] = row.grips();
             let a = row.a as usize;
-            let h = self.masses.jacobian(row.a, row.arm_a);
+            let h = self.masses.jacobian(row.a, grip_a);
             let th = augmented.tangent * h;
             matrix.add(a, a, &(h.transpose() * th));
             if row.b != GROUND {
                 let b = row.b as usize;
-                let q = self.masses.jacobian(row.b, row.arm_b);
+                let q = self.masses.jacobian(row.b, grip_b);
                 matrix.add(b, b, &(q.transpose() * augmented.tangent * q));
                 matrix.add(b, a, &(-q.transpose() * th));
             }
@@ -199,7 +216,7 @@ pub fn stiffness(problem: &Problem, penalty: f64, impulses: &[Vec3]) -> BlockMat
         .zip(impulses)
         .map(|(row, &p)| {
             let u = row.relative_velocity(&velocity);
-            augmented(row, u, p, sigma, friction_radius(row, p))
+            augmented(row, u, p, sigma, bounding(problem, row, p, impulses))
         })
         .collect();
     let mut matrix = BlockMatrix::zeros(Arc::new(pattern(problem)));
@@ -240,14 +257,14 @@ fn outer_loop(
         && report.factorizations < params.max_factorizations
     {
         let sigma = report.penalty * dt2;
-        let radii: Vec<f64> = problem
+        let loads: Vec<f64> = problem
             .rows
             .iter()
             .zip(&*impulses)
-            .map(|(row, p)| friction_radius(row, *p))
+            .map(|(row, p)| bounding(problem, row, *p, impulses))
             .collect();
         let evaluate_rows = |velocity: &[Dof6], impulses: &[Vec3]| -> Vec<Augmented> {
-            let rows = problem.rows.iter().zip(impulses).zip(&radii);
+            let rows = problem.rows.iter().zip(impulses).zip(&loads);
             rows.map(|((row, &p), &r)| augmented(row, row.relative_velocity(velocity), p, sigma, r))
                 .collect()
         };
@@ -300,7 +317,8 @@ fn outer_loop(
         }
         for ((p, augmented), row) in impulses.iter_mut().zip(&rows).zip(&problem.rows) {
             // The lagged friction disc may outlive its contact by one update.
-            let open = row.law != Law::Bilateral && augmented.impulse.dot(&row.normal) <= 0.0;
+            let contact = matches!(row.law, Law::Contact { .. });
+            let open = contact && augmented.impulse.dot(&row.normal) <= 0.0;
             *p = if open {
                 Vec3::zeros()
             } else {
@@ -322,11 +340,11 @@ fn outer_loop(
     Ok(())
 }
 
-/// `mu p_n` of a contact; a bilateral row has no disc.
-fn friction_radius(row: &Row, p: Vec3) -> f64 {
+/// The normal impulse that bounds a row with impulse `p`: its own, or that of the contact whose resistance it is.
+fn bounding(problem: &Problem, row: &Row, p: Vec3, impulses: &[Vec3]) -> f64 {
     match row.law {
-        Law::Contact { mu } => mu * p.dot(&row.normal).max(0.0),
-        Law::Bilateral => f64::INFINITY,
+        Law::Contact { .. } => p.dot(&row.normal).max(0.0),
+        Law::Bilateral | Law::Resistance { .. } => row.load(&problem.rows, impulses),
     }
 }
 
@@ -362,19 +380,27 @@ mod tests {
         }
     }
 
-    /// Tangent and energy against central differences in all three states and for springs, error of second order.
+    /// Tangent and energy against central differences in all states of all laws, error of second order.
     #[test]
     fn tangent_and_energy_are_derivatives() {
         let p = Vec3::new(1.0, 0.3, 1.5);
         let contact = row(Law::Contact { mu: 0.5 });
+        let resistance = row(Law::Resistance {
+            contact: 0,
+            rolling: 0.3,
+            twisting: 0.4,
+        });
         let cases = [
-            (contact, Vec3::new(0.02, 0.01, -0.1), 0.8),
-            (contact, Vec3::new(0.2, 0.4, -0.1), 0.3),
+            (contact, Vec3::new(0.02, 0.01, -0.1), 1.6),
+            (contact, Vec3::new(0.2, 0.4, -0.1), 0.6),
             (contact, Vec3::new(0.6, 0.0, 0.9), 0.0),
             (row(Law::Bilateral), Vec3::new(0.1, -0.3, 0.2), 0.0),
+            (resistance, Vec3::new(0.02, 0.01, 0.02), 9.0),
+            (resistance, Vec3::new(0.2, 0.4, -0.1), 1.0),
+            (resistance, Vec3::new(0.2, 0.4, -0.1), 0.0),
         ];
-        for (row, u, radius) in cases {
-            let at = |u: Vec3| augmented(&row, u, p, 20.0, radius);
+        for (row, u, load) in cases {
+            let at = |u: Vec3| augmented(&row, u, p, 20.0, load);
             let here = at(u);
             let error = |h: f64| {
                 let mut worst = 0.0f64;

@@ -3,7 +3,7 @@
 use nalgebra::{Matrix3, Matrix3x6, Matrix6};
 
 use crate::Vec3;
-use crate::problem::{Dof6, GROUND, Operator, Problem, Row};
+use crate::problem::{Dof6, GROUND, Grip, Operator, Problem, Row};
 
 /// Eigenvalue of an operator's block over its largest below which the joint holds that direction.
 const HELD: f64 = 1e-12;
@@ -134,21 +134,24 @@ impl<'a> Masses<'a> {
         })
     }
 
-    /// `d(u)/d(v)` of one body at `arm`: `[1, -[arm]x]`, with held degrees of freedom taken out.
-    pub(super) fn jacobian(&self, body: u32, arm: Vec3) -> Matrix3x6<f64> {
+    /// `d(u)/d(v)` of one body: `[1, -[arm]x]` at a point, `[0, R]` of a couple, with held degrees of freedom taken out.
+    pub(super) fn jacobian(&self, body: u32, grip: Grip) -> Matrix3x6<f64> {
         let body = body as usize;
         let mut j = Matrix3x6::zeros();
-        let cross = -arm.cross_matrix();
+        let (linear, angular) = match grip {
+            Grip::Point(arm) => (Matrix3::identity(), -arm.cross_matrix()),
+            Grip::Couple(lever) => (Matrix3::zeros(), Matrix3::identity() * lever),
+        };
         let Some(w) = self.problem.inverse_mass.get(body) else {
             let free = &self.driven[body - self.spheres.len()].free;
-            j.fixed_view_mut::<3, 3>(0, 0).copy_from(&free.linear);
+            j.fixed_view_mut::<3, 3>(0, 0)
+                .copy_from(&(linear * free.linear));
             j.fixed_view_mut::<3, 3>(0, 3)
-                .copy_from(&(cross * free.angular));
+                .copy_from(&(angular * free.angular));
             return j;
         };
-        j.fixed_view_mut::<3, 3>(0, 0)
-            .copy_from(&Matrix3::identity());
-        j.fixed_view_mut::<3, 3>(0, 3).copy_from(&cross);
+        j.fixed_view_mut::<3, 3>(0, 0).copy_from(&linear);
+        j.fixed_view_mut::<3, 3>(0, 3).copy_from(&angular);
         for k in 0..3 {
             if w.linear[k] == 0.0 {
                 j.column_mut(k).fill(0.0);
@@ -162,30 +165,28 @@ impl<'a> Masses<'a> {
 
     /// Adds `J^T impulse` of a row to `momentum`, `[6 (N + D)]`; held degrees of freedom do not feel it.
     pub(super) fn scatter(&self, row: &Row, impulse: Vec3, momentum: &mut [f64]) {
-        self.give(row.a, row.arm_a, impulse, momentum);
+        let [grip_a, grip_b] = row.grips();
+        self.give(row.a, &grip_a.momentum(impulse), momentum);
         if row.b != GROUND {
-            self.give(row.b, row.arm_b, -impulse, momentum);
+            self.give(row.b, &grip_b.momentum(-impulse), momentum);
         }
     }
 
-    fn give(&self, body: u32, arm: Vec3, impulse: Vec3, momentum: &mut [f64]) {
+    fn give(&self, body: u32, given: &Dof6, momentum: &mut [f64]) {
         let body = body as usize;
-        let moment = arm.cross(&impulse);
         let Some(w) = self.problem.inverse_mass.get(body) else {
-            let free = &self.driven[body - self.spheres.len()].free;
-            let (impulse, moment) = (free.linear * impulse, free.angular * moment);
-            for k in 0..3 {
-                momentum[6 * body + k] += impulse[k];
-                momentum[6 * body + 3 + k] += moment[k];
+            let given = self.driven[body - self.spheres.len()].free.times(given);
+            for k in 0..6 {
+                momentum[6 * body + k] += component(&given, k);
             }
             return;
         };
         for k in 0..3 {
             if w.linear[k] > 0.0 {
-                momentum[6 * body + k] += impulse[k];
+                momentum[6 * body + k] += given.linear[k];
             }
             if w.angular[k] > 0.0 {
-                momentum[6 * body + 3 + k] += moment[k];
+                momentum[6 * body + 3 + k] += given.angular[k];
             }
         }
     }

@@ -116,8 +116,9 @@ fn auto(
         let velocity = problem.velocities(impulses);
         let unsolved = |&k: &usize| {
             let row = &problem.rows[k];
-            let correction =
-                scales[k].correction(row, row.relative_velocity(&velocity), impulses[k]);
+            let load = row.load(&problem.rows, impulses);
+            let u = row.relative_velocity(&velocity);
+            let correction = scales[k].correction(row, u, impulses[k], load);
             let [gap, slip, force] = scales[k].residuals(row, problem.step, &correction);
             let wanted = &params.tolerance;
             !(gap <= wanted.gap && slip <= wanted.slip && force <= wanted.force)

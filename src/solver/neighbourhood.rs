@@ -7,7 +7,7 @@
 use std::collections::BTreeMap;
 
 use crate::Vec3;
-use crate::problem::{Dof6, GROUND, Operator, Problem};
+use crate::problem::{Dof6, GROUND, Law, Operator, Problem};
 
 /// A part of a problem.
 pub(super) struct Part {
@@ -79,6 +79,10 @@ impl Part {
             row.a = rank[&row.a];
             if row.b != GROUND {
                 row.b = rank[&row.b];
+            }
+            if let Law::Resistance { contact, .. } = &mut row.law {
+                // It has its contact's bodies, so both take part.
+                *contact = rows.partition_point(|&k| k < *contact as usize) as u32;
             }
         }
         Self {

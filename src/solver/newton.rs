@@ -8,6 +8,7 @@
 //! p^_t = Proj_{mu p^_n}((p_t - s_t (u_t + b_t)) / (1 + s_t c_t))         the disc of p^_n itself, not of p_n
 //! ```
 //!
+//! (a resistance: disc and interval of its contact's `p^_n`)
 //! with `s = kappa / w_n`, and `A (v - v_free) = J^T p^(v)` is solved by Newton's method, whose matrix
 //! `K = A + J^T (-dp^/du) J` is not symmetric (sparse LU). The update `p <- p^` is a proximal step: the larger
 //! `kappa`, the fewer are needed and the harder is each. `kappa` starts low and follows what succeeds (Alart & Curnier
@@ -20,7 +21,7 @@ use super::bodies::{Masses, moved};
 use super::residual::{Scale, evaluate};
 use super::{Params, Report};
 use crate::Vec3;
-use crate::contacts::law::{project_disc, split};
+use crate::contacts::law::{project_disc, project_interval, split};
 use crate::linalg::{GeneralMatrix, LinearError};
 use crate::problem::{Dof6, GROUND, Law, Problem, Row};
 
@@ -35,40 +36,99 @@ const SHORTEST: f64 = 1e-4;
 /// Out-of-balance momentum over the momentum at which Newton stops, and up to which a proximal step counts.
 const BALANCE: [f64; 2] = [1e-13, 1e-9];
 
-/// A row's answer to a velocity: its impulse \[N s\] and `-d p^ / d u` \[kg\].
-fn answer(row: &Row, u: Vec3, p: Vec3, s: f64) -> (Vec3, Matrix3<f64>) {
+/// A row's answer to a velocity.
+#[derive(Debug, Clone, Copy)]
+struct Answer {
+    /// Its impulse `p^` \[N s\].
+    impulse: Vec3,
+    /// `-d p^ / d u` \[kg\].
+    tangent: Matrix3<f64>,
+    /// Of a resistance: `-d p^ / d u_n` \[kg\], `u_n` being the normal velocity of its contact.
+    widening: Vec3,
+}
+
+/// The answer of a row with impulse `p` at velocity `u`, for the proximal stiffness `s` \[kg\]; `contact` is that of a
+/// resistance's contact, with its normal.
+fn answer(row: &Row, u: Vec3, p: Vec3, s: f64, contact: Option<(&Answer, Vec3)>) -> Answer {
     let n = row.normal;
     let (d_n, d_t) = split(u + row.bias, n);
     let (p_n, p_t) = split(p, n);
-    let s_t = s * SHEAR_RATIO;
+    let s_t = match row.law {
+        Law::Resistance { .. } => s,
+        _ => s * SHEAR_RATIO,
+    };
     let k_n = s / (1.0 + s * row.compliance_n);
     let k_t = s_t / (1.0 + s_t * row.compliance_t);
     let q_n = (p_n / s - d_n) * k_n;
     let y_t = (p_t / s_t - d_t) * k_t;
     let nn = n * n.transpose();
     let across = Matrix3::identity() - nn;
-    let stuck = (n * q_n + y_t, nn * k_n + across * k_t);
-    let Law::Contact { mu } = row.law else {
-        return stuck;
+    let simple = |impulse, tangent| Answer {
+        impulse,
+        tangent,
+        widening: Vec3::zeros(),
     };
-    if q_n <= 0.0 {
-        return (Vec3::zeros(), Matrix3::zeros());
+    match row.law {
+        Law::Bilateral => simple(n * q_n + y_t, nn * k_n + across * k_t),
+        Law::Contact { .. } if q_n <= 0.0 => simple(Vec3::zeros(), Matrix3::zeros()),
+        Law::Contact { mu } => {
+            let (q_t, turn, along) = on_disc(y_t, mu * q_n, &across);
+            let widen = along * n.transpose() * (mu * k_n);
+            simple(n * q_n + q_t, nn * k_n + turn * k_t + widen)
+        }
+        Law::Resistance {
+            rolling, twisting, ..
+        } => {
+            let Some((contact, normal)) = contact else {
+                return simple(Vec3::zeros(), Matrix3::zeros());
+            };
+            let load = contact.impulse.dot(&normal);
+            let (q_t, turn, along) = on_disc(y_t, rolling * load, &across);
+            let most = twisting * load;
+            let (turn_n, along_n) = if q_n.abs() < most {
+                (nn, Vec3::zeros())
+            } else {
+                (Matrix3::zeros(), n * q_n.signum())
+            };
+            let stiffness = normal.dot(&(contact.tangent * normal));
+            Answer {
+                impulse: n * project_interval(q_n, most) + q_t,
+                tangent: turn_n * k_n + turn * k_t,
+                widening: (along * rolling + along_n * twisting) * stiffness,
+            }
+        }
     }
-    let (radius, length) = (mu * q_n, y_t.norm());
-    if length <= radius {
-        return stuck;
+}
+
+/// Projection of `y` on the disc of radius `r` across the normal, its derivative by `y` and by `r`.
+fn on_disc(y: Vec3, r: f64, across: &Matrix3<f64>) -> (Vec3, Matrix3<f64>, Vec3) {
+    let length = y.norm();
+    if length < r {
+        return (y, *across, Vec3::zeros());
     }
-    let along = y_t / length;
-    let turn = (across - along * along.transpose()) * (k_t * radius / length);
-    let widen = along * n.transpose() * (mu * k_n);
-    (n * q_n + project_disc(y_t, radius), nn * k_n + turn + widen)
+    let along = y.try_normalize(0.0).unwrap_or_default();
+    let turn = match r > 0.0 {
+        true => (across - along * along.transpose()) * (r / length),
+        false => Matrix3::zeros(),
+    };
+    (project_disc(y, r), turn, along)
+}
+
+/// The contact that bounds row `row`, as it has answered.
+fn bound<'a>(row: &Row, rows: &[Row], answers: &'a [Answer]) -> Option<(&'a Answer, Vec3)> {
+    match row.law {
+        Law::Resistance { contact, .. } => {
+            let contact = contact as usize;
+            Some((answers.get(contact)?, rows.get(contact)?.normal))
+        }
+        _ => None,
+    }
 }
 
 /// Where a Newton iteration stands.
 struct Iterate {
     velocity: Vec<Dof6>,
-    /// Impulse and tangent of each row.
-    rows: Vec<(Vec3, Matrix3<f64>)>,
+    rows: Vec<Answer>,
     /// `A (v - v_free) - J^T p^`, `[6 N]`.
     balance: Vec<f64>,
     /// Its norm in the inverse masses.
@@ -86,45 +146,69 @@ struct Proximal<'a> {
 
 impl Proximal<'_> {
     fn at(&self, velocity: Vec<Dof6>) -> Iterate {
-        let rows: Vec<_> = self
-            .problem
-            .rows
-            .iter()
-            .zip(self.impulses)
-            .zip(&self.stiffness)
-            .map(|((row, &p), &s)| answer(row, row.relative_velocity(&velocity), p, s))
-            .collect();
+        let rows = &self.problem.rows;
+        let mut answers: Vec<Answer> = Vec::with_capacity(rows.len());
+        for ((row, &p), &s) in rows.iter().zip(self.impulses).zip(&self.stiffness) {
+            let contact = bound(row, rows, &answers);
+            answers.push(answer(row, row.relative_velocity(&velocity), p, s, contact));
+        }
         let mut balance = Vec::with_capacity(6 * velocity.len());
         for (i, (v, free)) in velocity.iter().zip(&self.problem.free).enumerate() {
             balance.extend(self.masses.times(i, &v.plus(free, -1.0)));
         }
-        for (row, &(p, _)) in self.problem.rows.iter().zip(&rows) {
-            self.masses.scatter(row, -p, &mut balance);
+        for (row, answer) in rows.iter().zip(&answers) {
+            self.masses.scatter(row, -answer.impulse, &mut balance);
         }
         let merit = self.masses.inverse_norm_squared(&balance);
         Iterate {
             velocity,
-            rows,
+            rows: answers,
             balance,
             merit: merit.sqrt(),
         }
     }
 
-    fn assemble(&self, matrix: &mut GeneralMatrix, rows: &[(Vec3, Matrix3<f64>)]) {
+    fn assemble(&self, matrix: &mut GeneralMatrix, answers: &[Answer]) {
         matrix.clear();
         for i in 0..self.masses.len() {
             matrix.add(i, i, &self.masses.block(i));
         }
-        for (row, (_, tangent)) in self.problem.rows.iter().zip(rows) {
+        let rows = &self.problem.rows;
+        for (row, answer) in rows.iter().zip(answers) {
+            let tangent = &answer.tangent;
+            let [grip_a, grip_b] = row.grips();
             let a = row.a as usize;
-            let h = self.masses.jacobian(row.a, row.arm_a);
+            let h = self.masses.jacobian(row.a, grip_a);
             matrix.add(a, a, &(h.transpose() * tangent * h));
             if row.b != GROUND {
                 let b = row.b as usize;
-                let q = self.masses.jacobian(row.b, row.arm_b);
+                let q = self.masses.jacobian(row.b, grip_b);
                 matrix.add(b, b, &(q.transpose() * tangent * q));
                 matrix.add(a, b, &(-h.transpose() * tangent * q));
                 matrix.add(b, a, &(-q.transpose() * tangent * h));
+            }
+            if let Law::Resistance { contact, .. } = row.law {
+                self.widen(matrix, row, &rows[contact as usize], answer.widening);
+            }
+        }
+    }
+
+    /// A resistance widens with its contact's normal impulse: couples the two rows of the same bodies.
+    fn widen(&self, matrix: &mut GeneralMatrix, row: &Row, contact: &Row, widening: Vec3) {
+        if widening == Vec3::zeros() {
+            return;
+        }
+        let coupling = widening * contact.normal.transpose();
+        let bodies = |row: &Row| {
+            let [grip_a, grip_b] = row.grips();
+            let first = (row.a as usize, self.masses.jacobian(row.a, grip_a));
+            let second =
+                (row.b != GROUND).then(|| (row.b as usize, -self.masses.jacobian(row.b, grip_b)));
+            [Some(first), second].into_iter().flatten()
+        };
+        for (i, couple) in bodies(row) {
+            for (j, normal) in bodies(contact) {
+                matrix.add(i, j, &(couple.transpose() * coupling * normal));
             }
         }
     }
@@ -179,6 +263,16 @@ pub fn solve(
     let masses = Masses::of(problem);
     let pairs = problem.rows.iter().filter(|row| row.b != GROUND);
     let mut matrix = GeneralMatrix::new(problem.free.len(), pairs.map(|row| (row.a, row.b)))?;
+    // Where the rotation about the normal is locked, a resistance still has that across it.
+    let stiffness: Vec<f64> = scales
+        .iter()
+        .zip(&problem.rows)
+        .map(|(scale, row)| match row.law {
+            Law::Resistance { .. } => scale.normal.max(scale.tangential),
+            _ => scale.normal,
+        })
+        .map(|w| if w > 0.0 { 1.0 / w } else { 1.0 })
+        .collect();
     let (mut kappa, mut growth) = (FIRST, GROWTH[0]);
     let mut report = Report {
         residual: evaluate(problem, &scales, impulses),
@@ -192,7 +286,7 @@ pub fn solve(
         let proximal = Proximal {
             problem,
             impulses,
-            stiffness: scales.iter().map(|scale| kappa / scale.normal).collect(),
+            stiffness: stiffness.iter().map(|s| kappa * s).collect(),
             masses: &masses,
         };
         let start = proximal.at(velocity);
@@ -208,8 +302,8 @@ pub fn solve(
             growth = growth.sqrt().max(GROWTH[1]);
             continue;
         }
-        for (p, (answer, _)) in impulses.iter_mut().zip(&end.rows) {
-            *p = *answer;
+        for (p, answer) in impulses.iter_mut().zip(&end.rows) {
+            *p = answer.impulse;
         }
         report.augmentations += 1;
         report.residual = evaluate(problem, &scales, impulses);
@@ -223,7 +317,7 @@ pub fn solve(
 mod tests {
     use super::*;
 
-    /// The tangent against central differences in stick, slip, open and for springs, error of second order.
+    /// The tangent against central differences in all states of all laws, error of second order.
     #[test]
     fn the_tangent_is_the_derivative() {
         let row = |law| Row {
@@ -240,24 +334,49 @@ mod tests {
             radius: 1.0,
             impulse_scale: 1.0,
         };
-        let p = Vec3::new(1.0, 0.3, 1.5);
+        let (p, q) = (Vec3::new(1.0, 0.3, 1.5), Vec3::new(0.1, 0.05, -0.1));
         let contact = row(Law::Contact { mu: 0.5 });
+        let resistance = row(Law::Resistance {
+            contact: 0,
+            rolling: 0.3,
+            twisting: 0.4,
+        });
         let cases = [
             (contact, Vec3::new(0.02, 0.01, -0.1)),
             (contact, Vec3::new(0.2, 0.4, -0.1)),
             (contact, Vec3::new(0.6, 0.0, 0.9)),
             (row(Law::Bilateral), Vec3::new(0.1, -0.3, 0.2)),
+            (resistance, Vec3::new(0.001, 0.002, 0.001)),
+            (resistance, Vec3::new(0.2, 0.4, -0.1)),
         ];
+        // The first three directions are those of the row, the others those of a resistance's contact.
         for (row, u) in cases {
-            let (_, tangent) = answer(&row, u, p, 20.0);
+            let at = |u: Vec3, beside: Vec3| {
+                let below = answer(&contact, beside, p, 20.0, None);
+                let bound = matches!(row.law, Law::Resistance { .. });
+                let own = if bound { q } else { p };
+                answer(
+                    &row,
+                    u,
+                    own,
+                    20.0,
+                    bound.then_some((&below, contact.normal)),
+                )
+            };
+            let beside = Vec3::new(0.02, 0.01, -0.1);
+            let here = at(u, beside);
+            let widening = here.widening * contact.normal.transpose();
             let error = |h: f64| {
-                (0..3)
+                (0..6)
                     .map(|axis| {
-                        let step = Vec3::ith(axis, h);
-                        let [plus, minus] =
-                            [u + step, u - step].map(|u| answer(&row, u, p, 20.0).0);
-                        let slope = (plus - minus) / (2.0 * h);
-                        (slope + tangent.column(axis)).norm()
+                        let step = Vec3::ith(axis % 3, h);
+                        let [plus, minus] = [step, -step].map(|step| match axis / 3 {
+                            0 => at(u + step, beside),
+                            _ => at(u, beside + step),
+                        });
+                        let slope = (plus.impulse - minus.impulse) / (2.0 * h);
+                        let tangent = [here.tangent, widening][axis / 3];
+                        (slope + tangent.column(axis % 3)).norm()
                     })
                     .fold(0.0, f64::max)
             };

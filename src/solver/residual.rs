@@ -5,15 +5,17 @@
 //! ```text
 //! r_n = p_n - max(0, p_n - d_n/w_n),  d_n = u_n + b_n + c_n p_n
 //! r_t = p_t - Proj_{mu p_n}(p_t - d_t/w_t),  d_t = u_t + b_t + c_t p_t
+//! of a resistance, p_n being its contact's: r = m - Proj_{L_r p_n across n, L_t p_n along n}(m - d/w)
 //! gap   = |r_n| w_n dt / R      an overlap, or a gap under load, over the smaller radius [-]
-//! slip  = |r_t| w_t dt / R      slip distance of a sticking contact over the smaller radius [-]
+//! slip  = |r_t| w_t dt / R      slip distance of a sticking contact over the smaller radius [-];
+//!                               of a resistance |r| w dt / R, the angle by which it rolls or twists while it need not
 //! force = |r| / max(|p|, m_min |a_f| dt)                                                  [-]
 //! ```
 //!
 //! It vanishes exactly at a solution. Velocities are those of the impulses, never a solver's own.
 
 use crate::Vec3;
-use crate::contacts::law::{project_disc, split};
+use crate::contacts::law::{project_disc, project_interval, split};
 use crate::problem::{Law, Problem, Row};
 use crate::scene::Tolerance;
 
@@ -77,15 +79,21 @@ impl Scale {
     }
 
     /// Change of the row's impulse by its law at relative velocity `u` and impulse `p`: normal first, then
-    /// tangential on the disc of the updated normal impulse. Zero at a solution.
+    /// tangential on the disc of the updated normal impulse; `load` bounds a resistance ([`Row::load`]). Zero at a
+    /// solution.
     ///
     /// A row that nothing can move (`w = 0`) keeps its impulse.
     #[must_use]
     #[inline]
-    pub fn correction(&self, row: &Row, u: Vec3, p: Vec3) -> Correction {
+    pub fn correction(&self, row: &Row, u: Vec3, p: Vec3, load: f64) -> Correction {
         let n = row.normal;
         let (u_n, u_t) = split(u + row.bias, n);
-        if p == Vec3::zeros() && u_n >= 0.0 && row.law != Law::Bilateral {
+        let open = match row.law {
+            Law::Contact { .. } => u_n >= 0.0,
+            Law::Bilateral => false,
+            Law::Resistance { .. } => load == 0.0,
+        };
+        if open && p == Vec3::zeros() {
             return Correction::NONE;
         }
         let (p_n, p_t) = split(p, n);
@@ -107,6 +115,12 @@ impl Scale {
                 (new_n, project_disc(free_t, mu * new_n))
             }
             Law::Bilateral => (free_n, free_t),
+            Law::Resistance {
+                rolling, twisting, ..
+            } => (
+                project_interval(free_n, twisting * load),
+                project_disc(free_t, rolling * load),
+            ),
         };
         Correction {
             normal: new_n - p_n,
@@ -122,9 +136,17 @@ impl Scale {
         let normal = correction.normal.abs();
         let force = (normal * normal + tangential * tangential).sqrt();
         let length = step / row.radius;
-        [
+        let (along, across) = (
             normal * self.normal * length,
             tangential * self.tangential * length,
+        );
+        let (gap, slip) = match row.law {
+            Law::Resistance { .. } => (0.0, along.max(across)),
+            _ => (along, across),
+        };
+        [
+            gap,
+            slip,
             force
                 / correction
                     .magnitude
@@ -160,7 +182,8 @@ pub fn evaluate(problem: &Problem, scales: &[Scale], impulses: &[Vec3]) -> Resid
     let velocity = problem.velocities(impulses);
     let mut residual = Residual::default();
     for (index, ((row, scale), &p)) in problem.rows.iter().zip(scales).zip(impulses).enumerate() {
-        let correction = scale.correction(row, row.relative_velocity(&velocity), p);
+        let load = row.load(&problem.rows, impulses);
+        let correction = scale.correction(row, row.relative_velocity(&velocity), p, load);
         residual.include(index, scale.residuals(row, problem.step, &correction));
     }
     residual

@@ -4,13 +4,12 @@ use super::dof;
 use super::stage::Stage;
 use crate::Vec3;
 use crate::contacts::history::transfer;
-use crate::contacts::law::split;
 use crate::contacts::narrow_phase::Placement;
 use crate::contacts::{Contact, Partner};
 use crate::driven::BodyState;
 use crate::integrate::turned;
 use crate::motion::Pose;
-use crate::problem::{Dof6, GROUND};
+use crate::problem::{Dof6, GROUND, Law};
 use crate::scene::Integrator;
 use crate::simulation::Wrench;
 use crate::state::State;
@@ -29,7 +28,7 @@ impl Stage<'_> {
             let row = &self.problem.rows[k];
             let load = [row.a, row.b].map(|body| self.inputs.weight(body));
             let load = load[0].max(load[1]);
-            *impact |= self.impulses[k].norm() > 2.0 * step * (before.norm() + load);
+            *impact |= self.impulses[k].norm() > 2.0 * step * (before.force.norm() + load);
         }
     }
 
@@ -40,8 +39,9 @@ impl Stage<'_> {
         state.contacts.clear();
         state.wrenches = vec![Wrench::default(); boundaries.len()];
         state.persisting_wrenches = state.wrenches.clone();
+        let couples = self.couples();
         for (k, candidate) in self.candidates.iter().enumerate() {
-            let force = self.impulses[k] / step;
+            let (force, couple) = (self.impulses[k] / step, couples[k]);
             if force == Vec3::zeros() {
                 continue;
             }
@@ -51,6 +51,7 @@ impl Stage<'_> {
                 normal: candidate.normal,
                 gap: candidate.gap,
                 force,
+                torque: couple,
             });
             if let Partner::Boundary { boundary, .. } = candidate.key.partner {
                 let b = usize::from(boundary);
@@ -62,18 +63,29 @@ impl Stage<'_> {
                 let pivot = boundaries[b].point_of_action + self.inputs.poses[0][b].translation;
                 let wrench = Wrench {
                     force: -force,
-                    torque: -(point - pivot).cross(&force),
+                    torque: -(point - pivot).cross(&force) - couple,
                 };
                 state.wrenches[b].add(&wrench, 1.0);
-                if !self.impact.get(k).copied().unwrap_or(false) {
+                if !self.impact[k] {
                     state.persisting_wrenches[b].add(&wrench, 1.0);
                 }
             }
         }
     }
 
+    /// Couple \[N m\] of each contact's resistance on A, `[contacts]`.
+    fn couples(&self) -> Vec<Vec3> {
+        let mut couples = vec![Vec3::zeros(); self.candidates.len()];
+        for (row, impulse) in self.problem.rows.iter().zip(&self.impulses) {
+            if let Law::Resistance { contact, .. } = row.law {
+                couples[contact as usize] = impulse * (row.radius / self.inputs.step);
+            }
+        }
+        couples
+    }
+
     pub(super) fn spring_forces(&self) -> Vec<Vec3> {
-        self.impulses[self.candidates.len()..]
+        self.impulses[self.candidates.len()..][..self.inputs.targets.len()]
             .iter()
             .map(|p| p / self.inputs.step)
             .collect()
@@ -96,12 +108,9 @@ impl Stage<'_> {
                 let [mut contacts, mut persisting] = [Dof6::ZERO; 2];
                 for (k, row) in self.problem.rows.iter().enumerate() {
                     if row.b as usize == spheres + d {
-                        let push = Dof6 {
-                            linear: -self.impulses[k],
-                            angular: -row.arm_b.cross(&self.impulses[k]),
-                        };
+                        let push = row.grips()[1].momentum(-self.impulses[k]);
                         contacts = contacts.plus(&push, 1.0);
-                        if !self.impact.get(k).copied().unwrap_or(false) {
+                        if !self.is_impact(k) {
                             persisting = persisting.plus(&push, 1.0);
                         }
                     }
@@ -127,7 +136,7 @@ impl Stage<'_> {
         acceleration.resize(self.problem.free.len(), Dof6::ZERO);
         let mobility = 1.0 / self.inputs.scene.settings.integrator.mobility();
         for (k, row) in self.problem.rows.iter().enumerate() {
-            if !self.impact.get(k).copied().unwrap_or(false) {
+            if !self.is_impact(k) {
                 let force = self.impulses[k] * (mobility / self.inputs.step);
                 self.problem.apply(row, &mut acceleration, force);
             }
@@ -200,19 +209,22 @@ impl Stage<'_> {
         let mut known = 0.0;
         for (k, row) in self.problem.rows.iter().enumerate() {
             let p = self.impulses[k];
-            if k >= self.candidates.len() {
+            if row.law == Law::Bilateral {
                 let spring = p.dot(&row.relative_velocity(solution));
                 work.springs += spring;
                 known += spring;
                 continue;
             }
-            let velocity = if self.impact[k] { &mean } else { solution };
+            let impact = self.is_impact(k);
+            let velocity = if impact { &mean } else { solution };
             let u = row.relative_velocity(velocity);
-            let (p_n, p_t) = split(p, row.normal);
-            let friction = -p_t.dot(&u);
+            let couple = matches!(row.law, Law::Resistance { .. });
+            // A couple of resistance is friction as a whole.
+            let p_n = if couple { 0.0 } else { p.dot(&row.normal) };
+            let friction = -(p - row.normal * p_n).dot(&u);
             work.friction += friction;
             known -= friction;
-            if self.impact[k] {
+            if impact {
                 let loss = -p_n * u.dot(&row.normal);
                 work.impact += loss;
                 known -= loss;
@@ -222,7 +234,13 @@ impl Stage<'_> {
                 work.boundaries += boundary;
                 known += boundary;
             } else if row.b as usize >= spheres {
-                known += p.dot(&velocity[row.b as usize].at(row.arm_b));
+                let body = &velocity[row.b as usize];
+                let at_contact = if couple {
+                    body.angular
+                } else {
+                    body.at(row.arm_b)
+                };
+                known += p.dot(&at_contact);
             }
         }
         let particles = &scene.particles;

@@ -117,6 +117,16 @@ struct Start<'a> {
     ends: Vec<Pose>,
     bodies: Vec<Ready<'a>>,
     twists: Vec<Twist>,
+    surfaces: Vec<Vec3>,
+}
+
+/// Velocities of the boundaries' surfaces against their shapes \[m/s\], world axes, `[B]`.
+fn surfaces(scene: &Scene, state: &State) -> Vec<Vec3> {
+    let boundaries = scene.boundaries.iter();
+    let driven = boundaries.zip(state.poses.iter().zip(&state.commands));
+    driven
+        .map(|(boundary, (pose, command))| boundary.surface_velocity(pose, command))
+        .collect()
 }
 
 impl<'s> Start<'s> {
@@ -147,6 +157,7 @@ impl<'s> Start<'s> {
             ends,
             bodies,
             twists: state.twists.clone(),
+            surfaces: surfaces(scene, state),
         }
     }
 
@@ -159,6 +170,7 @@ impl<'s> Start<'s> {
             poses: [&self.standing, &self.ends],
             bodies: &self.bodies,
             twists: &self.twists,
+            surfaces: &self.surfaces,
             gravity: self.gravity,
             targets: &self.targets,
         }

@@ -6,7 +6,7 @@ use crate::contacts::narrow_phase::{Candidate, Placement};
 use crate::contacts::{Partner, history};
 use crate::motion::Pose;
 use crate::problem::assemble::Inputs;
-use crate::problem::{Dof6, Problem};
+use crate::problem::{Dof6, Law, Problem};
 use crate::scene::{Method, SolverKind};
 use crate::solver::residual::{Scale, evaluate};
 use crate::solver::{Params, Report, SMOOTHING, solve};
@@ -87,12 +87,14 @@ impl<'a> Stage<'a> {
         stage
     }
 
-    /// Rows and warm-start impulses for the candidates and the constrained points.
+    /// Rows and warm-start impulses for the candidates, the constrained points and the contacts' resistances, in this
+    /// order.
     fn write_rows(&mut self, state: &State) {
-        let forces = history::transfer(&state.contacts, self.candidates.iter().map(|c| c.key));
+        let carried = history::transfer(&state.contacts, self.candidates.iter().map(|c| c.key));
         self.problem.rows.clear();
         self.impact.clear();
-        for (candidate, &force) in self.candidates.iter().zip(&forces) {
+        for (candidate, carried) in self.candidates.iter().zip(&carried) {
+            let force = carried.force;
             let (row, impact) = self.inputs.contact(&self.problem.free, candidate, force);
             self.problem.rows.push(row);
             self.impact.push(impact);
@@ -107,11 +109,42 @@ impl<'a> Stage<'a> {
             .iter()
             .copied()
             .take(self.inputs.targets.len());
-        self.impulses = forces
-            .into_iter()
+        self.impulses = carried
+            .iter()
+            .map(|carried| carried.force)
             .chain(springs_held)
             .map(|f| f * step)
             .collect();
+        if self.inputs.scene.pairs.resists() {
+            for (k, carried) in carried.iter().enumerate() {
+                self.resist(k, carried.torque);
+            }
+        }
+    }
+
+    /// Adds the resistance of contact `k`, if it has one, with its last couple.
+    fn resist(&mut self, k: usize, torque: Vec3) {
+        let row = &self.problem.rows[k];
+        let key = self.candidates[k].key;
+        if let Some(resistance) = self.inputs.resistance(key, row, k, torque) {
+            let lever = resistance.radius;
+            self.problem.rows.push(resistance);
+            self.impulses.push(torque * (self.inputs.step / lever));
+        }
+    }
+
+    /// The contact that row `k` is, or whose resistance it is.
+    pub(super) fn contact_of(&self, k: usize) -> Option<usize> {
+        match self.problem.rows.get(k)?.law {
+            Law::Resistance { contact, .. } => Some(contact as usize),
+            _ => (k < self.candidates.len()).then_some(k),
+        }
+    }
+
+    /// Whether row `k` belongs to an impact.
+    pub(super) fn is_impact(&self, k: usize) -> bool {
+        self.contact_of(k)
+            .is_some_and(|contact| self.impact[contact])
     }
 
     /// Solves the problem as it stands.
@@ -282,8 +315,10 @@ impl<'a> Stage<'a> {
 
     /// Adds a contact that `solution` closes: its normal is the one it closes with.
     fn insert(&mut self, found: Candidate, solution: &[Dof6], state: &State) {
-        let force = history::transfer(&state.contacts, std::iter::once(found.key))[0];
-        let (mut row, impact) = self.inputs.contact(&self.problem.free, &found, force);
+        let carried = history::transfer(&state.contacts, std::iter::once(found.key))[0];
+        let (mut row, impact) = self
+            .inputs
+            .contact(&self.problem.free, &found, carried.force);
         let linear = self.inputs.step * found.normal.dot(&row.relative_velocity(solution));
         row.bias +=
             row.normal * ((found.gap - linear) / self.inputs.step - row.bias.dot(&row.normal));
@@ -292,6 +327,12 @@ impl<'a> Stage<'a> {
         self.problem.rows.insert(at, row);
         self.impact.insert(at, impact);
         self.impulses.insert(at, Vec3::zeros());
+        for row in &mut self.problem.rows {
+            if let Law::Resistance { contact, .. } = &mut row.law {
+                *contact += u32::from(*contact as usize >= at);
+            }
+        }
+        self.resist(at, carried.torque);
     }
 
     /// Boundary poses at the end of the step, `[B]`: prescribed ones, and those that the driven bodies reach.
@@ -336,7 +377,7 @@ impl<'a> Stage<'a> {
             what,
             residual,
             tolerance,
-            contact: self.candidates.get(row).map(|c| c.key),
+            contact: self.contact_of(row).map(|k| self.candidates[k].key),
             pinched: report
                 .residual
                 .worst

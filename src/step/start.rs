@@ -1,7 +1,7 @@
 //! The start of a run: overlaps out by displacement, contact forces at rest.
 
 use super::stage::Stage;
-use super::{Scratch, StepFailure, external};
+use super::{Scratch, StepFailure, external, surfaces};
 use crate::Vec3;
 use crate::contacts::narrow_phase::Placement;
 use crate::driven::Ready;
@@ -39,6 +39,7 @@ pub fn initial_forces(
         poses: [&poses, &poses],
         bodies: &bodies,
         twists: &twists,
+        surfaces: &surfaces(scene, state),
         gravity,
         targets: &targets,
     };
@@ -105,10 +106,13 @@ pub fn remove_overlaps(
         // Walls give way to no overlap.
         bodies: &[],
         twists: &vec![Twist::default(); poses.len()],
+        surfaces: &vec![Vec3::zeros(); poses.len()],
         gravity: Vec3::zeros(),
         targets: &[],
     };
     let mut stage = Stage::new(inputs, state, scratch);
+    stage.problem.rows.truncate(stage.candidates.len());
+    stage.impulses.truncate(stage.candidates.len());
     for row in &mut stage.problem.rows {
         row.law = Law::Contact { mu: 0.0 };
     }
@@ -130,15 +134,20 @@ impl Stage<'_> {
         }
         let creep = weight * self.inputs.step;
         let closed = scene.settings.tolerance.gap.max(1e-9);
-        let contacts = self.candidates.len();
+        let rests = |k: usize| {
+            let row = &self.problem.rows[k];
+            self.candidates[k].gap <= closed * row.radius
+                && row.normal.dot(&row.relative_velocity(&velocity)).abs() <= 1e-3 * creep
+        };
         let keep: Vec<bool> = (0..self.problem.rows.len())
-            .map(|k| {
-                let row = &self.problem.rows[k];
-                k >= contacts
-                    || (self.candidates[k].gap <= closed * row.radius
-                        && row.normal.dot(&row.relative_velocity(&velocity)).abs() <= 1e-3 * creep)
-            })
+            .map(|k| self.contact_of(k).is_none_or(rests))
             .collect();
+        for row in &mut self.problem.rows {
+            if let Law::Resistance { contact, .. } = &mut row.law {
+                let before = &keep[..*contact as usize];
+                *contact = before.iter().filter(|kept| **kept).count() as u32;
+            }
+        }
         let step = self.inputs.step;
         let position = self.moved(&velocity);
         let slid = Placement {

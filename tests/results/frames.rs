@@ -3,10 +3,12 @@
 use std::fs;
 
 use sphere_dda::Vec3;
-use sphere_dda::observe::frames::{Series, Surface, frame};
+use sphere_dda::materials::Pair;
+use sphere_dda::observe::frames::{Series, Surface, contacts, frame};
 use sphere_dda::observe::loads::{Load, Loads};
 use sphere_dda::observe::vtu::{Array, Cell, Grid, Precision, Values, encode};
 use sphere_dda::observe::writer::{Options, Results};
+use sphere_dda::scene::Scene;
 
 use crate::made::{Made, place, scene};
 use crate::vtu::check_blocks;
@@ -52,8 +54,10 @@ fn contact_loads_balance() {
     assert_eq!(wrench(1).force, Vec3::new(-1.0, 0.0, -2.0));
     // -R n x f with n = z: f_x at the lowest point of 0 turns it about -y, and 1, pushed at its top, likewise.
     let radius = &scene.particles.radius;
-    assert_eq!(wrench(0).torque, Vec3::new(0.0, -radius[0], 0.0));
-    assert_eq!(wrench(1).torque, Vec3::new(0.0, -radius[1], 0.0));
+    // The couple of their resistance acts on 0, its opposite on 1.
+    let couple = Vec3::new(0.0, 0.25, 0.125);
+    assert_eq!(wrench(0).torque, Vec3::new(0.0, -radius[0], 0.0) + couple);
+    assert_eq!(wrench(1).torque, Vec3::new(0.0, -radius[1], 0.0) - couple);
     assert_eq!(wrench(2).torque, Vec3::new(0.5 * radius[2], 0.0, 0.0));
     // Normal forces 2 and 3 on sphere 0, 3 and 4 on the floor; the candidate on sphere 3 carries nothing.
     let counted = |load: &Load| (load.count, load.max_normal_force);
@@ -61,6 +65,25 @@ fn contact_loads_balance() {
     assert_eq!(counted(&loads.boundaries[0]), (2, 4.0));
     assert_eq!(counted(&loads.spheres[3]), (0, 0.0));
     assert_eq!(loads.contacts, 3);
+}
+
+#[test]
+fn couples_are_shown_where_the_scene_has_them() {
+    let mut scene = scene(4);
+    let torque = |scene: &Scene| {
+        let made = Made::new(scene, 0.0);
+        let grid = contacts(&made.observe(scene, 0.0));
+        let array = grid.cell_data.into_iter().find(|a| a.name == "torque");
+        array.map(|array| array.values)
+    };
+    assert_eq!(torque(&scene), None);
+    let pair = Pair {
+        rolling_friction: 0.1,
+        ..scene.pairs.get(0, 0)
+    };
+    scene.pairs.set(0, 0, pair);
+    let expected = [0.0, 0.25, 0.125, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+    assert_eq!(torque(&scene), Some(Values::Real(expected.to_vec())));
 }
 
 /// Frames with a value file beside each, in both precisions, for the Python readers.

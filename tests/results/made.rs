@@ -39,6 +39,7 @@ pub(crate) fn scene(n: usize) -> Scene {
         motion: Motion::Fixed,
         point_of_action: Vec3::new(0.5, 0.0, 0.0),
         stiffness: None,
+        belt: None,
     };
     Scene {
         title: "a row".to_owned(),
@@ -138,13 +139,17 @@ impl Made {
             normal: Vec3::z(),
             gap: -1e-7,
             force,
+            torque: Vec3::zeros(),
         };
         let floor = Partner::Boundary {
             boundary: 0,
             feature: 0,
         };
         let mut contacts = vec![
-            contact(0, Partner::sphere(1), Vec3::new(1.0, 0.0, 2.0 + time)),
+            Contact {
+                torque: Vec3::new(0.0, 0.25, 0.125),
+                ..contact(0, Partner::sphere(1), Vec3::new(1.0, 0.0, 2.0 + time))
+            },
             contact(0, floor, Vec3::new(0.0, 0.0, 3.0)),
             contact(2, floor, Vec3::new(0.0, 0.5, 4.0)),
         ];
@@ -189,6 +194,7 @@ impl Made {
                         rotation: UnitQuaternion::identity(),
                     },
                     twist,
+                    surface_velocity: Vec3::zeros(),
                     wrench: Wrench {
                         force: Vec3::new(0.0, -0.5, -7.0),
                         torque: Vec3::zeros(),

@@ -3,6 +3,7 @@
 
 #![allow(unreachable_pub, reason = "a test crate has no outside")]
 
+mod belts;
 mod contact_statics;
 mod convergence;
 mod driven;
@@ -19,6 +20,7 @@ mod paper_examples;
 mod periodic;
 mod pinched;
 mod regions;
+mod resistance;
 mod rest;
 mod rolling;
 mod simultaneous;

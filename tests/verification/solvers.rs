@@ -5,7 +5,7 @@ use sphere_dda::problem::{Dof6, GROUND, Law, Problem, Row};
 use sphere_dda::scene::{SolverKind, Tolerance};
 use sphere_dda::solver::augmented_lagrangian::Workspace;
 use sphere_dda::solver::residual::{Scale, evaluate};
-use sphere_dda::solver::{Params, Report, SMOOTHING, solve};
+use sphere_dda::solver::{Params, Report, SMOOTHING, newton, solve};
 
 const R: f64 = 0.1;
 const DT: f64 = 1e-3;
@@ -87,8 +87,35 @@ fn pyramid(mu: f64) -> Problem {
     problem
 }
 
+/// The pyramid with resistance to rolling and twisting at every contact.
+fn stiff_pyramid(mu: f64, rolling: f64, twisting: f64) -> Problem {
+    let mut problem = pyramid(mu);
+    for (velocity, k) in problem.free.iter_mut().zip(0..) {
+        velocity.angular = Vec3::new(0.3, -0.2, 0.1 * f64::from(k));
+    }
+    for k in 0..problem.rows.len() {
+        problem.rows.push(Row {
+            law: Law::Resistance {
+                contact: k as u32,
+                rolling,
+                twisting,
+            },
+            ..problem.rows[k]
+        });
+    }
+    problem
+}
+
 fn solved(problem: &Problem, kind: SolverKind) -> (Vec<Vec3>, Report) {
-    let params = Params {
+    let mut impulses = vec![Vec3::zeros(); problem.rows.len()];
+    let workspace = &mut Workspace::default();
+    let report = solve(problem, &params(kind), workspace, &mut impulses);
+    assert!(report.converged, "{kind:?}: {report:?}");
+    (impulses, report)
+}
+
+fn params(kind: SolverKind) -> Params {
+    Params {
         kind,
         tolerance: Tolerance {
             gap: 1e-11,
@@ -100,11 +127,7 @@ fn solved(problem: &Problem, kind: SolverKind) -> (Vec<Vec3>, Report) {
         penalty: 1e5,
         adapt_penalty: true,
         smoothing: SMOOTHING,
-    };
-    let mut impulses = vec![Vec3::zeros(); problem.rows.len()];
-    let report = solve(problem, &params, &mut Workspace::default(), &mut impulses);
-    assert!(report.converged, "{kind:?}: {report:?}");
-    (impulses, report)
+    }
 }
 
 /// Both solvers meet the same conditions and move the bodies alike, with and without friction.
@@ -124,6 +147,108 @@ fn solvers_agree_on_a_pushed_pyramid() {
                 b.linear
             );
         }
+    }
+}
+
+/// With resistance to rolling and twisting as well: all three solvers, rows that stick and rows at their limits, the
+/// couples within them and against the motion.
+#[test]
+fn solvers_agree_on_a_pyramid_that_resists_rolling() {
+    let [mut held, mut limited] = [0; 2];
+    for (mu, rolling, twisting) in [
+        (0.2, 0.05, 0.02),
+        (0.6, 0.1, 0.0),
+        (0.6, 0.0, 0.3),
+        (0.6, 0.6, 0.2),
+    ] {
+        let problem = stiff_pyramid(mu, rolling, twisting);
+        let (impulses, _) = solved(&problem, SolverKind::GaussSeidel);
+        let expected = problem.velocities(&impulses);
+        let (by_direct, _) = solved(&problem, SolverKind::Direct);
+        let mut by_newton = vec![Vec3::zeros(); problem.rows.len()];
+        let params = params(SolverKind::Auto);
+        let report = newton::solve(&problem, &params, &mut by_newton).unwrap();
+        assert!(report.converged, "{report:?}");
+        for other in [by_direct, by_newton] {
+            for (a, b) in expected.iter().zip(&problem.velocities(&other)) {
+                let error = (a.linear - b.linear).norm() + R * (a.angular - b.angular).norm();
+                assert!(error < 1e-8, "{a:?} {b:?}");
+            }
+        }
+        let contacts = problem.rows.len() / 2;
+        for k in contacts..problem.rows.len() {
+            let n = problem.rows[k].normal;
+            let pressure = impulses[k - contacts].dot(&n);
+            let p = impulses[k];
+            let across = p - n * p.dot(&n);
+            assert!(across.norm() <= rolling * pressure * (1.0 + 1e-9) + 1e-15);
+            assert!(p.dot(&n).abs() <= twisting * pressure * (1.0 + 1e-9) + 1e-15);
+            let u = problem.rows[k].relative_velocity(&expected);
+            assert!(p.dot(&u) <= 1e-12, "it takes energy");
+            if pressure > 0.0 && rolling > 0.0 {
+                let full = across.norm() > rolling * pressure * (1.0 - 1e-6);
+                if full { limited += 1 } else { held += 1 }
+            }
+        }
+    }
+    assert!(held > 0 && limited > 0, "{held} {limited}");
+}
+
+/// Newton's finish on a part of the problem: beside a pyramid at rest, whose rows come first, another one is pushed.
+#[test]
+fn a_part_that_resists_rolling_is_finished() {
+    let pushed = stiff_pyramid(0.6, 0.1, 0.05);
+    let contacts = pushed.rows.len() / 2;
+    let mut both = pushed.clone();
+    for free in &mut both.free {
+        *free = Dof6::ZERO;
+    }
+    both.free.extend(&pushed.free);
+    both.inverse_mass.extend(&pushed.inverse_mass);
+    let bodies = pushed.free.len() as u32;
+    let moved = |row: &Row| Row {
+        a: row.a + bodies,
+        b: if row.b == GROUND {
+            GROUND
+        } else {
+            row.b + bodies
+        },
+        ..*row
+    };
+    let resistances = both.rows.split_off(contacts);
+    both.rows.extend(pushed.rows[..contacts].iter().map(moved));
+    both.rows.extend(resistances);
+    both.rows.extend(pushed.rows[contacts..].iter().map(|row| {
+        let Law::Resistance {
+            contact,
+            rolling,
+            twisting,
+        } = row.law
+        else {
+            panic!("a resistance");
+        };
+        Row {
+            law: Law::Resistance {
+                contact: contact + contacts as u32,
+                rolling,
+                twisting,
+            },
+            ..moved(row)
+        }
+    }));
+    let mut impulses = vec![Vec3::zeros(); both.rows.len()];
+    let brief = Params {
+        max_sweeps: 2,
+        ..params(SolverKind::Auto)
+    };
+    let report = solve(&both, &brief, &mut Workspace::default(), &mut impulses);
+    assert!(report.converged && report.factorizations > 0, "{report:?}");
+    let (alone, _) = solved(&pushed, SolverKind::GaussSeidel);
+    let velocities = both.velocities(&impulses);
+    let (still, pushed) = (&velocities[..10], pushed.velocities(&alone));
+    assert!(still.iter().all(|v| v.linear.norm() < 1e-12));
+    for (a, b) in velocities[10..].iter().zip(&pushed) {
+        assert!((a.linear - b.linear).norm() + R * (a.angular - b.angular).norm() < 1e-8);
     }
 }
 
@@ -170,17 +295,21 @@ fn residual_judges() {
 /// Work is pinned, not time: sweeps and factorizations on the pyramid.
 #[test]
 fn iteration_counts_are_pinned() {
-    let problem = pyramid(0.2);
-    let counts = [SolverKind::GaussSeidel, SolverKind::Direct].map(|kind| {
-        let (_, report) = solved(&problem, kind);
-        format!(
-            "{} sweeps, {} augmentations, {} factorizations",
-            report.sweeps, report.augmentations, report.factorizations
-        )
+    let problems = [pyramid(0.2), stiff_pyramid(0.2, 0.05, 0.02)];
+    let counts = problems.iter().flat_map(|problem| {
+        [SolverKind::GaussSeidel, SolverKind::Direct].map(|kind| {
+            let (_, report) = solved(problem, kind);
+            format!(
+                "{} sweeps, {} augmentations, {} factorizations",
+                report.sweeps, report.augmentations, report.factorizations
+            )
+        })
     });
-    insta::assert_snapshot!(counts.join("\n"), @r"
+    insta::assert_snapshot!(counts.collect::<Vec<_>>().join("\n"), @r"
     39 sweeps, 0 augmentations, 0 factorizations
     0 sweeps, 2 augmentations, 4 factorizations
+    38 sweeps, 0 augmentations, 0 factorizations
+    0 sweeps, 1 augmentations, 3 factorizations
     ");
 }
 

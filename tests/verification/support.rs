@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use nalgebra::UnitQuaternion;
 use sphere_dda::Vec3;
-use sphere_dda::boundaries::{Boundary, Facets, Geometry, HalfSpace, Revolution, Shape};
+use sphere_dda::boundaries::{Belt, Boundary, Facets, Geometry, HalfSpace, Revolution, Shape};
 use sphere_dda::cell::Cell;
 use sphere_dda::driven::{Body, Joint};
 use sphere_dda::gravity::GravityMotion;
@@ -38,6 +38,7 @@ impl Case {
                 Pair {
                     friction,
                     restitution,
+                    ..Pair::default()
                 },
             );
         }
@@ -128,6 +129,30 @@ impl Case {
             motion,
             point_of_action: Vec3::zeros(),
             stiffness: None,
+            belt: None,
+        });
+        self
+    }
+
+    /// Rolling and twisting resistance of every pair.
+    pub fn resistance(mut self, rolling_friction: f64, twisting_friction: f64) -> Self {
+        for (a, b) in [(0, 0), (0, 1), (1, 1)] {
+            let pair = Pair {
+                rolling_friction,
+                twisting_friction,
+                ..self.scene.pairs.get(a, b)
+            };
+            self.scene.pairs.set(a, b, pair);
+        }
+        self
+    }
+
+    /// Makes the last boundary a belt, `velocity` in its own axes.
+    pub fn belt(mut self, velocity: Vec3) -> Self {
+        let boundary = self.scene.boundaries.last_mut().expect("a boundary");
+        boundary.belt = Some(Belt {
+            velocity,
+            input: false,
         });
         self
     }

@@ -1,5 +1,6 @@
 //! The rows of the table that an importer sets: parameters and inputs; and how a row is made.
 
+use sphere_dda::Vec3;
 use sphere_dda::gravity::GravityMotion;
 use sphere_dda::motion::InputKind;
 use sphere_dda::scene::Scene;
@@ -96,8 +97,8 @@ impl Rows {
         name: &str,
         unit: &'static str,
         text: &str,
-        boundary: usize,
-        input: Input,
+        (boundary, input): (usize, Input),
+        start: Vec3,
     ) {
         for (axis, letter) in ["x", "y", "z"].iter().enumerate() {
             let row = Row::real(
@@ -110,8 +111,17 @@ impl Rows {
                 input,
                 axis,
             };
-            self.push(row.start(Value::Real(0.0)), Causality::Input, meaning);
+            let row = row.start(Value::Real(start[axis]));
+            self.push(row, Causality::Input, meaning);
         }
+    }
+
+    /// The surface velocity of a driven belt.
+    pub(super) fn belt(&mut self, prefix: &str, boundary: usize, start: Vec3) {
+        let name = format!("{prefix}.surfaceVelocity");
+        let text = "Velocity of the surface along the faces, the boundary's own axes, held over the communication step";
+        let meaning = (boundary, Input::SurfaceVelocity);
+        self.vector(&name, "m/s", text, meaning, start);
     }
 
     pub(super) fn parameters(&mut self, scene: &Scene) {
@@ -200,7 +210,7 @@ impl Rows {
             ];
             for (name, unit, what, input) in vectors {
                 let (name, text) = (format!("{prefix}.{name}"), format!("{what}, {pose}"));
-                self.vector(&name, unit, &text, boundary, input);
+                self.vector(&name, unit, &text, (boundary, input), Vec3::zeros());
             }
         }
         if matches!(kind, InputKind::Twist | InputKind::Motion) {
@@ -220,7 +230,7 @@ impl Rows {
             ];
             for (name, unit, what, input) in vectors {
                 let (name, text) = (format!("{prefix}.{name}"), format!("{what}, {HELD}"));
-                self.vector(&name, unit, &text, boundary, input);
+                self.vector(&name, unit, &text, (boundary, input), Vec3::zeros());
             }
         }
         if kind == InputKind::Load {
@@ -235,7 +245,7 @@ impl Rows {
             ];
             for (name, unit, what, input) in vectors {
                 let (name, text) = (format!("{prefix}.{name}"), format!("{what}, {HELD}"));
-                self.vector(&name, unit, &text, boundary, input);
+                self.vector(&name, unit, &text, (boundary, input), Vec3::zeros());
             }
         }
         let (name, unit, text) = match kind {

@@ -128,6 +128,7 @@ mod tests {
             motion: Motion::Fixed,
             point_of_action: Vec3::zeros(),
             stiffness: None,
+            belt: None,
         }
     }
 

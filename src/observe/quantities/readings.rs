@@ -26,10 +26,10 @@ impl Body {
         }
     }
 
-    /// Power \[W\] of the last internal step's wrench.
+    /// Power \[W\] of the last internal step's forces: by the motion of the boundary and of its belt.
     pub(super) fn power(&self) -> f64 {
         let (wrench, twist) = (&self.state.wrench, &self.state.twist);
-        wrench.force.dot(&twist.linear) + wrench.torque.dot(&twist.angular)
+        wrench.force.dot(&twist.linear) + wrench.torque.dot(&twist.angular) + self.load.belt_power
     }
 }
 

@@ -28,6 +28,13 @@ pub struct Boundary {
     pub motion: Option<Motion>,
     /// Motion driven from outside: an input of the FMU. Not together with `motion`.
     pub input: Option<Input>,
+    /// Velocity of its surface along its faces \[m/s\], as that of a belt, in the boundary's own axes: each contact feels the
+    /// part across its normal.
+    #[schemars(extend("x-default" = "zero"))]
+    pub surface_velocity: Option<Vector>,
+    /// Whether the surface velocity is an input of the FMU, `surface_velocity` then being its start.
+    #[serde(default)]
+    pub surface_input: bool,
     /// Mass and joint of a boundary that forces move. Not together with `motion`; of the inputs only `load`.
     #[schemars(extend("x-default" = "none"))]
     pub body: Option<Body>,

@@ -191,7 +191,8 @@ fn cuts() -> u32 {
     6
 }
 
-/// `[[material]]`.
+/// `[[material]]`. Of coefficients that both materials of a contact give, the smaller one counts; `[[pair]]` goes before
+/// them, `[pair_default]` comes after.
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Material {
@@ -201,9 +202,26 @@ pub struct Material {
     /// Density \[kg/m^3\]. Needed by materials of spheres only.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub density: Option<f64>,
+    /// Friction coefficient \[-\] with any material. Not together with `friction_angle`.
+    #[schemars(extend("minimum" = 0))]
+    pub friction: Option<f64>,
+    /// Friction angle \[deg\].
+    #[schemars(extend("minimum" = 0, "exclusiveMaximum" = 90))]
+    pub friction_angle: Option<f64>,
+    /// Coefficient of restitution \[-\].
+    #[schemars(extend("minimum" = 0, "maximum" = 1))]
+    pub restitution: Option<f64>,
+    /// Coefficient of rolling resistance \[-\]: its couple is at most this times the reduced radius times the
+    /// normal force.
+    #[schemars(extend("minimum" = 0))]
+    pub rolling_friction: Option<f64>,
+    /// Coefficient of twisting resistance \[-\]: its couple about the normal is at most this times the reduced radius
+    /// times the normal force.
+    #[schemars(extend("minimum" = 0))]
+    pub twisting_friction: Option<f64>,
 }
 
-/// `[pair_default]`: how materials touch unless a `[[pair]]` says otherwise.
+/// `[pair_default]`: how materials touch unless a `[[pair]]` or their own `[[material]]`s say otherwise.
 #[derive(Debug, Clone, Copy, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PairDefault {
@@ -216,9 +234,17 @@ pub struct PairDefault {
     /// Coefficient of restitution \[-\].
     #[schemars(extend("x-default" = "`0`", "minimum" = 0, "maximum" = 1))]
     pub restitution: Option<f64>,
+    /// Coefficient of rolling resistance \[-\]: its couple is at most this times the reduced radius times the
+    /// normal force.
+    #[schemars(extend("x-default" = "`0`", "minimum" = 0))]
+    pub rolling_friction: Option<f64>,
+    /// Coefficient of twisting resistance \[-\]: its couple about the normal is at most this times the reduced radius
+    /// times the normal force.
+    #[schemars(extend("x-default" = "`0`", "minimum" = 0))]
+    pub twisting_friction: Option<f64>,
 }
 
-/// `[[pair]]`: how two materials touch; what is left out is taken from `[pair_default]`.
+/// `[[pair]]`: how two materials touch; what is left out is taken from their `[[material]]`s, then from `[pair_default]`.
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Pair {
@@ -234,6 +260,14 @@ pub struct Pair {
     /// Coefficient of restitution \[-\].
     #[schemars(extend("minimum" = 0, "maximum" = 1))]
     pub restitution: Option<f64>,
+    /// Coefficient of rolling resistance \[-\]: its couple is at most this times the reduced radius times the
+    /// normal force.
+    #[schemars(extend("minimum" = 0))]
+    pub rolling_friction: Option<f64>,
+    /// Coefficient of twisting resistance \[-\]: its couple about the normal is at most this times the reduced radius
+    /// times the normal force.
+    #[schemars(extend("minimum" = 0))]
+    pub twisting_friction: Option<f64>,
 }
 
 /// `[[load]]`: a force on a sphere at a point that moves with it.

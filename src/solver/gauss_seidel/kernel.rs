@@ -35,6 +35,8 @@ pub struct Kernel {
     others: Vec<Other>,
     /// Velocities of the bodies that other rows move, while such a row is under way.
     velocity: Vec<Dof6>,
+    /// Whether a row is a contact with a resistance, `[C]`: both go with the other rows.
+    resisted: Vec<bool>,
     /// For each body the filling blocks that hold it, as bits.
     held: Vec<u16>,
     tolerance: Tolerance,
@@ -60,10 +62,21 @@ impl Kernel {
         self.radius.resize(n, 0.0);
         self.held.clear();
         self.held.resize(n, 0);
+        self.resisted.clear();
+        self.resisted.resize(problem.rows.len(), false);
+        for row in &problem.rows {
+            if let Law::Resistance { contact, .. } = row.law {
+                self.resisted[contact as usize] = true;
+            }
+        }
         let mut filling = [Filling::default(); OPEN];
         let mut oldest = 0;
         for (k, row) in problem.rows.iter().enumerate() {
-            let Some(contact) = self.sphere_contact(problem, row) else {
+            let contact = match self.resisted[k] {
+                true => None,
+                false => self.sphere_contact(problem, row),
+            };
+            let Some(contact) = contact else {
                 self.others.push(Other {
                     row: k as u32,
                     scale: Scale::of_row(problem, row),
@@ -278,7 +291,7 @@ impl Kernel {
         let old = other.impulse;
         let p = old + (old - other.previous) * pace.momentum;
         let u = row.relative_velocity(&self.velocity);
-        let correction = other.scale.correction(row, u, p);
+        let correction = other.scale.correction(row, u, p, self.load(problem, row));
         change.include(
             other.row as usize,
             other.scale.residuals(row, problem.step, &correction),
@@ -298,6 +311,18 @@ impl Kernel {
             }
         }
         [delta.dot(&(other.impulse - old)), full.norm_squared()]
+    }
+
+    /// Normal impulse \[N s\] that bounds a resistance; zero for all other rows.
+    fn load(&self, problem: &Problem, row: &Row) -> f64 {
+        let Law::Resistance { contact, .. } = row.law else {
+            return 0.0;
+        };
+        let found = self
+            .others
+            .binary_search_by_key(&contact, |other| other.row);
+        let normal = problem.rows[contact as usize].normal;
+        found.map_or(0.0, |at| self.others[at].impulse.dot(&normal).max(0.0))
     }
 
     /// Writes the impulses of all rows \[N s\], `[C]`.
@@ -416,7 +441,7 @@ mod tests {
                 let row = &problem.rows[k as usize];
                 let p = &mut expected[k as usize];
                 let scale = Scale::of_row(&problem, row);
-                let correction = scale.correction(row, row.relative_velocity(&velocity), *p);
+                let correction = scale.correction(row, row.relative_velocity(&velocity), *p, 0.0);
                 let full = row.normal * correction.normal + correction.tangential;
                 change += full.norm_squared();
                 *p += full * pace.damping;
