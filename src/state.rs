@@ -34,6 +34,14 @@ pub struct Work {
     pub springs: f64,
 }
 
+impl Work {
+    /// Energy lost in contacts \[J\]: friction and impact.
+    #[must_use]
+    pub fn dissipated(&self) -> f64 {
+        self.friction + self.impact
+    }
+}
+
 /// What a source has yet to emit.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Reserve {

@@ -167,7 +167,7 @@ pub(super) const WHOLE: [Field<Whole>; 27] = [
     vector("averageBodyForce", "N", "Weight, inertial forces of a rotating frame and point loads, averaged over the communication step", |w| w.body_force),
     real("kineticEnergy", "J", "Kinetic energy", |w| w.energy.kinetic()),
     real("potentialEnergy", "J", "Potential energy of gravity, centrifugal force, springs and point loads", |w| w.energy.potential()),
-    real("dissipatedEnergy", "J", "Energy lost in contacts since the start: friction and impact", |w| w.work.friction + w.work.impact),
+    real("dissipatedEnergy", "J", "Energy lost in contacts since the start: friction and impact", |w| w.work.dissipated()),
     real("frictionEnergy", "J", "Energy lost by sliding friction since the start", |w| w.work.friction),
     real("impactEnergy", "J", "Energy lost along the normals of impacts since the start", |w| w.work.impact),
     real("residualEnergy", "J", "Energy added by time stepping since the start, negative where taken: what no other work explains", |w| w.work.residue),
