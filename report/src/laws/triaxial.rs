@@ -25,7 +25,7 @@ const FRICTIONS: [f64; 4] = [0.0, 0.1, 0.3, 0.5];
 /// Edge of the loose sample over the mean grain.
 const EDGE: f64 = 11.0;
 /// Solid fraction of the loose sample.
-const LOOSE: f64 = 0.46;
+const LOOSE: f64 = 0.5;
 /// Confining pressure \[Pa\].
 const PRESSURE: f64 = 1e3;
 /// Time to compact \[s\].
@@ -71,9 +71,11 @@ pub fn run(share: f64, threads: usize, watch: &dyn Watch) -> Result<Vec<Test>, R
         low: Vec3::zeros(),
         high: Vec3::repeat(edge),
     };
+    let region = format!("{{ box = {{ min = [0.0, 0.0, 0.0], max = [{edge}, {edge}, {edge}] }} }}");
+    let grains = bed::grains(&region, count, 1);
     let mut sample = run.begin(bed::scene(
         "triaxial.toml",
-        &text(0.0, edge, count, &loose, &servo("0.0, 0.0, -1.0", SIDES)),
+        &text(0.0, &grains, &loose, &servo("0.0, 0.0, -1.0", SIDES)),
     )?)?;
     run.wait(&mut sample, COMPACTION)?;
     let dense = Walls::of(&sample);
@@ -81,7 +83,7 @@ pub fn run(share: f64, threads: usize, watch: &dyn Watch) -> Result<Vec<Test>, R
         .iter()
         .map(|&friction| {
             let (sample, dense) = (&sample, &dense);
-            move || test(friction, edge, sample, dense, watch)
+            move || test(friction, sample, dense, watch)
         })
         .collect();
     parallel::run(threads, jobs).into_iter().collect()
@@ -126,11 +128,18 @@ fn servo(axis: &str, between: &str) -> String {
     )
 }
 
-/// The scene of a box of grains, its top with the keys `top`.
-fn text(friction: f64, edge: f64, count: usize, walls: &Walls, top: &str) -> String {
-    let region = format!("{{ box = {{ min = [0.0, 0.0, 0.0], max = [{edge}, {edge}, {edge}] }} }}");
-    let mut text =
-        bed::head("Triaxial compression", 0.0, friction, 0.0) + &bed::grains(&region, count, 1);
+/// The grains of a sample where they are, at rest.
+fn placed(sample: &Simulation) -> String {
+    let radii = &sample.scene().particles.radius;
+    let places: Vec<[f64; 3]> = bed::places(sample).map(|(x, _)| x.into()).collect();
+    format!(
+        "[[spheres]]\nname = \"grains\"\nmaterial = \"grain\"\nradius = {radii:?}\npositions = {places:?}\n"
+    )
+}
+
+/// The scene of a box with `grains`, its top with the keys `top`.
+fn text(friction: f64, grains: &str, walls: &Walls, top: &str) -> String {
+    let mut text = bed::head("Triaxial compression", 0.0, friction, 0.0) + grains;
     for (k, name) in WALLS.iter().enumerate() {
         let (axis, sign) = (k / 2, if k % 2 == 0 { 1.0 } else { -1.0 });
         let (mut point, mut normal) = ([0.0; 3], [0.0; 3]);
@@ -165,7 +174,6 @@ fn text(friction: f64, edge: f64, count: usize, walls: &Walls, top: &str) -> Str
 
 fn test(
     friction: f64,
-    edge: f64,
     sample: &Simulation,
     dense: &Walls,
     watch: &dyn Watch,
@@ -179,8 +187,10 @@ fn test(
         "motion = {{ constant = {{ velocity = [0.0, 0.0, {}] }} }}",
         -rate * height
     );
-    let mut scene = bed::scene("triaxial.toml", &text(friction, edge, grains, dense, &top))?;
-    scene.initial = bed::at_rest(sample);
+    let scene = bed::scene(
+        "triaxial.toml",
+        &text(friction, &placed(sample), dense, &top),
+    )?;
     let mut simulation = run.begin(scene)?;
     let volume = bed::places(&simulation)
         .map(|(_, m)| m / bed::DENSITY)
