@@ -34,6 +34,8 @@ const COMPACTION: f64 = 0.4;
 const INERTIA: f64 = 1e-3;
 /// Axial strain at the end.
 const STRAIN: f64 = 0.08;
+/// What the walls stand off the dense sample at first \[m\]: it starts without forces, which its new friction would have to carry.
+const CLEARANCE: f64 = 1e-3 * GRAIN;
 /// Looks of which an angle is the mean.
 const MEAN: usize = 5;
 
@@ -114,6 +116,14 @@ impl Walls {
         }
     }
 
+    /// Every wall `by` \[m\] farther out.
+    fn moved_apart(&self, by: f64) -> Self {
+        Self {
+            low: self.low.add_scalar(-by),
+            high: self.high.add_scalar(by),
+        }
+    }
+
     fn edges(&self) -> Vec3 {
         self.high - self.low
     }
@@ -187,9 +197,10 @@ fn test(
         "motion = {{ constant = {{ velocity = [0.0, 0.0, {}] }} }}",
         -rate * height
     );
+    let clear = dense.moved_apart(CLEARANCE);
     let scene = bed::scene(
         "triaxial.toml",
-        &text(friction, &placed(sample), dense, &top),
+        &text(friction, &placed(sample), &clear, &top),
     )?;
     let mut simulation = run.begin(scene)?;
     let volume = bed::places(&simulation)
