@@ -7,11 +7,13 @@
 //! On a boundary `R* = R`, between spheres `R* = R_A R_B / (R_A + R_B)`.
 
 use sphere_dda::Vec3;
+use sphere_dda::boundaries::HalfSpace;
+use sphere_dda::driven::Joint;
 use sphere_dda::motion::{Motion, Twist};
 use sphere_dda::particles::Locks;
 use sphere_dda::scene::{Integrator, Method, PointLoad, SolverKind};
 
-use crate::support::{Case, G, Run, close};
+use crate::support::{Case, G, Run, body, close};
 
 const RADIUS: f64 = 0.1;
 const STEP: f64 = 1e-3;
@@ -159,6 +161,53 @@ fn a_spinning_ball_stops_or_takes_the_spin_of_its_plate() {
             }
         }
         assert!(time < 1.0 && run.velocity(0).norm() < 1e-9);
+    }
+}
+
+/// A ball that spins on a turntable (moment of inertia `J`, free about the vertical) drags it along with the couple
+/// `mu_t R m g` until both turn at `I w0/(I + J)`: the angular momentum about the axis stays.
+#[test]
+fn a_turntable_is_dragged_along() {
+    let (twisting, spin, moment) = (0.02, 4.0, 0.02);
+    let hinge = Joint::Hinge { axis: Vec3::z() };
+    for solver in [
+        SolverKind::Auto,
+        SolverKind::Direct,
+        SolverKind::GaussSeidel,
+    ] {
+        let top = HalfSpace::new(Vec3::zeros(), Vec3::z()).expect("a plane");
+        let mut run = Case::new(STEP, 0.5, 0.0)
+            .resistance(0.0, twisting)
+            .tolerance(1e-6, 1e-8, 1e-8)
+            .settings(|s| s.solver = solver)
+            .driven(
+                vec![top.into()],
+                body(5.0, Vec3::zeros(), Vec3::repeat(moment), hinge),
+            )
+            .body(
+                RADIUS,
+                Vec3::z() * RADIUS,
+                Vec3::zeros(),
+                Vec3::z() * spin,
+                Locks::default(),
+            )
+            .start();
+        let couple = twisting * RADIUS * run.mass(0) * G;
+        let inertia = 0.4 * run.mass(0) * RADIUS * RADIUS;
+        let common = inertia * spin / (inertia + moment);
+        let time = (spin - common) * inertia / couple;
+        while run.simulation.time() < 2.0 * time {
+            run.simulation.advance(STEP).unwrap();
+            let t = run.simulation.time();
+            let turning = run.simulation.boundary_twist(0).angular.z;
+            if t < time - STEP {
+                close(run.spin(0).z, spin - couple / inertia * t, 1e-8, spin);
+                close(turning, couple / moment * t, 1e-8, spin);
+            } else if t > time + 2.0 * STEP {
+                close(run.spin(0).z, common, 1e-8, spin);
+                close(turning, common, 1e-8, spin);
+            }
+        }
     }
 }
 
