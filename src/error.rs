@@ -40,6 +40,25 @@ pub enum StepError {
         /// The boundaries, in words.
         boundaries: String,
     },
+    /// Two bodies would pass through each other within a step.
+    #[error(
+        "step from t = {time} s, dt = {step:e} s: {contact} move {motion:.2} radii against each other and would pass or miss a contact \
+         after {cuts} cuts; reduce simulation.step to {advised:e} s or raise simulation.max_cuts"
+    )]
+    TooFast {
+        /// Start of the step \[s\].
+        time: f64,
+        /// Last step tried \[s\].
+        step: f64,
+        /// The pair, in words.
+        contact: String,
+        /// Relative motion over the smaller radius in that step \[-\].
+        motion: f64,
+        /// A step in which they move half a radius \[s\].
+        advised: f64,
+        /// How often the step was halved.
+        cuts: u32,
+    },
     /// A commanded boundary would jump.
     #[error(
         "input of boundary `{boundary}` moves it by {jump:e} m in one internal step; at most the smallest radius {limit:e} m is allowed: \

@@ -16,8 +16,12 @@ use crate::simulation::{StepReport, Wrench};
 /// Work done since t = 0 \[J\].
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct Work {
-    /// Energy lost in contacts: friction, impact, and what the scheme takes.
-    pub dissipated: f64,
+    /// Energy lost by sliding friction.
+    pub friction: f64,
+    /// Energy lost along the normals of impacts.
+    pub impact: f64,
+    /// Energy that the scheme has added; negative: taken. What is left of the change of kinetic energy after all other work.
+    pub residue: f64,
     /// Work of moving boundaries on the spheres.
     pub boundaries: f64,
     /// Potential energy that the spheres got because gravity changed with time.

@@ -58,11 +58,12 @@ impl Settling {
             speed,
             rest_speed,
             at_rest,
+            unbalanced,
             ..
         } = settled;
         if at_rest {
             note(format_args!(
-                "settled in {time:.3} s; the fastest sphere was slower than {rest_speed:.1e} m/s"
+                "settled in {time:.3} s; the fastest sphere was slower than {rest_speed:.1e} m/s, unbalanced forces are {unbalanced:.1e} of the weight"
             ));
         } else if self.until_rest {
             return Err(Failure::Run(miette::miette!(

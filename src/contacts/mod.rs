@@ -1,10 +1,11 @@
-//! Contacts: broad phase, narrow phase, history (contact transfer).
+//! Contacts: broad phase, narrow phase, history (contact transfer), sweep (ways through a step).
 
 pub mod broad_phase;
 pub mod history;
 pub mod law;
 pub mod narrow_phase;
 pub mod periodic;
+pub mod sweep;
 
 use serde::{Deserialize, Serialize};
 

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::{Simulation, StepReport, Wrench};
 use crate::Vec3;
-use crate::contacts::Partner;
+use crate::contacts::{Key, Partner};
 use crate::drive::{Drive, displacement};
 use crate::error::StepError;
 use crate::motion::Motion;
@@ -196,17 +196,19 @@ impl Simulation {
                 boundaries,
             };
         }
-        let contact = failure.contact.map_or_else(
-            || "the re-linearised gaps".to_owned(),
-            |key| match key.partner {
-                Partner::Sphere { index, .. } => format!("spheres {} and {index}", key.sphere),
-                Partner::Boundary { boundary, .. } => format!(
-                    "sphere {} on boundary `{}`",
-                    key.sphere,
-                    self.scene.boundaries[usize::from(boundary)].name
-                ),
-            },
-        );
+        if let Some(passed) = failure.passed {
+            return StepError::TooFast {
+                time,
+                step,
+                contact: self.name(passed.contact),
+                motion: passed.motion,
+                advised: 0.5 * step / passed.motion,
+                cuts,
+            };
+        }
+        let contact = failure
+            .contact
+            .map_or_else(|| "the re-linearised gaps".to_owned(), |key| self.name(key));
         StepError::NotConverged {
             time,
             step,
@@ -215,6 +217,18 @@ impl Simulation {
             tolerance: failure.tolerance,
             contact,
             cuts,
+        }
+    }
+
+    /// A pair in the scene's words.
+    fn name(&self, key: Key) -> String {
+        match key.partner {
+            Partner::Sphere { index, .. } => format!("spheres {} and {index}", key.sphere),
+            Partner::Boundary { boundary, .. } => format!(
+                "sphere {} on boundary `{}`",
+                key.sphere,
+                self.scene.boundaries[usize::from(boundary)].name
+            ),
         }
     }
 }

@@ -1,8 +1,9 @@
 //! Settling: a scene comes to rest before its t = 0.
 //!
-//! Boundaries stay where they are at t = 0, sources and sinks do nothing, and the spheres and driven bodies fall, roll and rest
-//! as in a run, bodies under the loads of the scene: first to coarse tolerances, then, from where that led to, with the scene's gaps. Then every velocity is set to zero and the contact forces are solved anew: the scene starts from rest, in
-//! equilibrium if the spheres had come to rest.
+//! Boundaries stay where they are at t = 0, driven bodies move, sources and sinks do nothing, and the spheres fall and roll,
+//! slowed a little, for rolling without resistance ends nowhere: first to coarse tolerances, then with the scene's gaps. Then
+//! every velocity is set to zero and the contact forces are solved anew. Spheres that these forces still accelerate get
+//! another stretch, until the sum of what accelerates is below 1e-7 of the weight.
 //!
 //! The spheres are at rest when no speed, of a centre or of a surface about it, exceeds
 //!
@@ -22,6 +23,8 @@ use crate::drive::displacement;
 use crate::error::StepError;
 use crate::gravity::GravityMotion;
 use crate::motion::{Motion, Twist};
+use crate::particles::Kinematics;
+use crate::problem::Dof6;
 use crate::scene::{Scene, Tolerance};
 
 /// Share of `sqrt(|g| R)` that counts as rest.
@@ -49,6 +52,8 @@ pub struct Settled {
     pub rest_speed: f64,
     /// Whether the spheres were at rest.
     pub at_rest: bool,
+    /// Sum of the forces that still accelerate spheres, over the weight of all \[-\].
+    pub unbalanced: f64,
 }
 
 impl Settled {
@@ -69,27 +74,41 @@ impl Settled {
             });
         }
         let began = Simulation::new(Arc::new(held(scene, COARSE)))?;
-        let coarse = Stretch::run(began, settle, &mut watch)?;
+        let coarse = Stretch::run(began, settle, COARSE_DAMPING, &mut watch)?;
         let (_, patience) = rest(scene);
-        let last = Settle {
+        let stretch = Settle {
             time: (LAST * patience).max(scene.settings.communication_step),
             until_rest: false,
         };
         let mut near = held(scene, FINE);
         near.settings.step = near.settings.step.min(easy_step(scene));
-        coarse.simulation.stopped(&mut near);
-        let began = Simulation::new(Arc::new(near))?;
-        let fine = Stretch::run(began, last, &mut watch)?;
-        let mut start = scene.clone();
-        fine.simulation.stopped(&mut start);
-        let rested = Simulation::new(Arc::new(start))?;
-        Ok(Self {
-            start: rested.snapshot(),
-            time: coarse.simulation.time() + fine.simulation.time(),
-            speed: fine.speed,
-            rest_speed: fine.rest_speed,
-            at_rest: coarse.speed <= coarse.rest_speed && fine.speed <= fine.rest_speed,
-        })
+        let mut settled = Self {
+            start: Vec::new(),
+            time: coarse.simulation.time(),
+            speed: coarse.speed,
+            rest_speed: coarse.rest_speed,
+            at_rest: coarse.speed <= coarse.rest_speed,
+            unbalanced: f64::INFINITY,
+        };
+        let mut last = coarse.simulation;
+        for _ in 0..STRETCHES {
+            last.stopped(&mut near);
+            let began = Simulation::new(Arc::new(near.clone()))?;
+            let fine = Stretch::run(began, stretch, FINE_DAMPING, &mut watch)?;
+            settled.time += fine.simulation.time();
+            settled.at_rest = fine.speed <= fine.rest_speed;
+            (settled.speed, settled.rest_speed) = (fine.speed, fine.rest_speed);
+            let mut start = scene.clone();
+            fine.simulation.stopped(&mut start);
+            last = Simulation::new(Arc::new(start))?;
+            settled.unbalanced = last.unbalanced();
+            if settled.unbalanced <= BALANCED || fine.ended {
+                break;
+            }
+            near.settings.tolerance.force = LOOSE_FORCE.max(scene.settings.tolerance.force);
+        }
+        settled.start = last.snapshot();
+        Ok(settled)
     }
 }
 
@@ -105,8 +124,17 @@ const FINE: Tolerance = Tolerance {
     slip: 1e-4,
     force: 1e-1,
 };
+/// Most stretches, and the force tolerance of all but the first: they start from the exact forces at rest, and what the
+/// tolerance leaves must not keep loose spheres where they would not stay.
+const STRETCHES: usize = 12;
+const LOOSE_FORCE: f64 = 1e-2;
+/// Unbalanced forces over the weight at rest \[-\].
+const BALANCED: f64 = 1e-7;
 /// A time \[s\] in which no body turns: over it a displacement is a speed.
 const INSTANT: f64 = 1e-9;
+/// Time in which velocities fall to 1/e on the way down and in the last stretches, over the time that counts as rest.
+const COARSE_DAMPING: f64 = 20.0;
+const FINE_DAMPING: f64 = 2.0;
 /// Length of the last stretch over the time that counts as rest: loose spheres find their places.
 const LAST: f64 = 40.0;
 
@@ -162,12 +190,15 @@ struct Stretch {
     /// Largest speed at its end \[m/s\].
     speed: f64,
     rest_speed: f64,
+    /// Whether who watches has ended it.
+    ended: bool,
 }
 
 impl Stretch {
     fn run(
         mut simulation: Simulation,
         settle: Settle,
+        damping: f64,
         watch: &mut impl FnMut(&Simulation) -> ControlFlow<()>,
     ) -> Result<Self, StepError> {
         let (rest_speed, patience) = rest(&simulation.scene);
@@ -181,15 +212,18 @@ impl Stretch {
             }
             let at_rest = simulation.time() - moved_at >= patience;
             let over = simulation.time() >= settle.time || (settle.until_rest && at_rest);
-            if over || watch(&simulation).is_break() {
+            let ended = !over && watch(&simulation).is_break();
+            if over || ended {
                 return Ok(Self {
                     simulation,
                     speed,
                     rest_speed,
+                    ended,
                 });
             }
             k += 1;
             simulation.advance_to((f64::from(k) * step).min(settle.time))?;
+            simulation.slow((-step / (damping * patience)).exp());
         }
     }
 }
@@ -223,6 +257,27 @@ impl Simulation {
                 body.twist = Twist::default();
             }
         }
+    }
+
+    /// Multiplies every velocity by `share`.
+    fn slow(&mut self, share: f64) {
+        let Kinematics { velocity, spin, .. } = &mut self.state.kinematics;
+        for v in velocity.iter_mut().chain(spin) {
+            *v *= share;
+        }
+        for body in &mut self.state.bodies {
+            body.momentum = Dof6::ZERO.plus(&body.momentum, share);
+            body.velocity = Dof6::ZERO.plus(&body.velocity, share);
+        }
+    }
+
+    /// Sum of the forces that accelerate spheres, over the weight of all \[-\].
+    fn unbalanced(&self) -> f64 {
+        let mass = &self.scene.particles.mass;
+        let forces = mass.iter().zip(&self.state.persisting);
+        let sum: f64 = forces.map(|(m, a)| m * a.linear.norm()).sum();
+        let weight = mass.iter().sum::<f64>() * self.scene.settings.gravity.norm();
+        if sum > 0.0 { sum / weight } else { 0.0 }
     }
 
     /// Largest speed \[m/s\] of a centre or of a surface about its centre, or of a driven body.

@@ -9,7 +9,7 @@ use crate::contacts::{Contact, Partner};
 use crate::driven::BodyState;
 use crate::integrate::turned;
 use crate::motion::Pose;
-use crate::problem::{Dof6, Law};
+use crate::problem::{Dof6, GROUND, Law};
 use crate::scene::Integrator;
 use crate::simulation::Wrench;
 use crate::state::State;
@@ -18,6 +18,10 @@ impl Stage<'_> {
     /// Counts as impacts the contacts that an impact has hit through others: their impulses are more than twice what they
     /// carried before and what loads bring in a step. As persisting forces they would shift the half step.
     pub(super) fn spread_impacts(&mut self, state: &State) {
+        let struck = |(impact, p): (&bool, &Vec3)| *impact && *p != Vec3::zeros();
+        if !self.impact.iter().zip(&self.impulses).any(struck) {
+            return;
+        }
         let before = transfer(&state.contacts, self.candidates.iter().map(|c| c.key));
         let step = self.inputs.step;
         for (k, (impact, before)) in self.impact.iter_mut().zip(before).enumerate() {
@@ -146,10 +150,11 @@ impl Stage<'_> {
         let scene = self.inputs.scene;
         let settings = &scene.settings;
         let step = self.inputs.step;
-        self.work(state, solution);
+        let persisting = self.persisting_acceleration();
+        self.work(state, solution, &persisting);
         self.store(state);
         state.springs = self.spring_forces();
-        state.persisting = self.persisting_acceleration();
+        state.persisting = persisting;
         for (carried, (after, work)) in state.bodies.iter_mut().zip(self.finished(solution, ends)) {
             *carried = after;
             state.work.dampers += work;
@@ -183,38 +188,85 @@ impl Stage<'_> {
         }
     }
 
-    /// Adds the step's work. A contact's is `p . (u^- + u^+)/2` in the velocities the integrator carries.
-    fn work(&self, state: &mut State, solution: &[Dof6]) {
-        let settings = &self.inputs.scene.settings;
-        let mean: Vec<Dof6> = self
-            .before()
+    /// Adds the step's work. Lasting forces act along the displacement `dt v1`; an impact's work is `p . (u^- + u1)/2`. What
+    /// contacts take across their normals is friction, along those of impacts the impact's loss. Along the normals of lasting
+    /// contacts nothing is lost but by the scheme: that and all else of the change of kinetic energy is the residue.
+    fn work(&self, state: &mut State, solution: &[Dof6], persisting: &[Dof6]) {
+        let (scene, step) = (self.inputs.scene, self.inputs.step);
+        let integrator = scene.settings.integrator;
+        let before = self.before();
+        let mean: Vec<Dof6> = before
             .iter()
             .zip(solution)
-            .map(|(before, v1)| match settings.integrator {
+            .map(|(before, v1)| match integrator {
                 Integrator::Moreau => Dof6::ZERO.plus(before, 0.5).plus(v1, 0.5),
                 Integrator::Shi => *v1,
             })
             .collect();
+        let spheres = self.inputs.kinematics.len();
+        let work = &mut state.work;
+        // Work on the spheres that is accounted for.
+        let mut known = 0.0;
         for (k, row) in self.problem.rows.iter().enumerate() {
             let p = self.impulses[k];
-            let relative = p.dot(&row.relative_velocity(&mean));
             if row.law == Law::Bilateral {
-                state.work.springs += relative;
-            } else {
-                state.work.dissipated -= relative;
-                state.work.boundaries -= p.dot(&row.drift);
+                let spring = p.dot(&row.relative_velocity(solution));
+                work.springs += spring;
+                known += spring;
+                continue;
+            }
+            let impact = self.is_impact(k);
+            let velocity = if impact { &mean } else { solution };
+            let u = row.relative_velocity(velocity);
+            let couple = matches!(row.law, Law::Resistance { .. });
+            // A couple of resistance is friction as a whole.
+            let p_n = if couple { 0.0 } else { p.dot(&row.normal) };
+            let friction = -(p - row.normal * p_n).dot(&u);
+            work.friction += friction;
+            known -= friction;
+            if impact {
+                let loss = -p_n * u.dot(&row.normal);
+                work.impact += loss;
+                known -= loss;
+            }
+            if row.b == GROUND {
+                let boundary = -p.dot(&row.drift);
+                work.boundaries += boundary;
+                known += boundary;
+            } else if row.b as usize >= spheres {
+                let body = &velocity[row.b as usize];
+                let at_contact = if couple {
+                    body.angular
+                } else {
+                    body.at(row.arm_b)
+                };
+                known += p.dot(&at_contact);
             }
         }
-        for load in &self.inputs.scene.loads {
-            let arm = self.inputs.kinematics.orientation[load.sphere] * load.arm;
-            state.work.loads += self.inputs.step * load.force.dot(&mean[load.sphere].at(arm));
+        let particles = &scene.particles;
+        let kinetic = |i: usize, v: &Dof6| {
+            0.5 * particles.mass[i] * v.linear.norm_squared()
+                + 0.5 * particles.inertia(i) * v.angular.norm_squared()
+        };
+        for (i, v1) in solution[..spheres].iter().enumerate() {
+            let after = integrator.finish(&before[i], v1, &scene.settings);
+            let old = integrator.reported(&before[i], &state.persisting[i], step);
+            let new = integrator.reported(&after, &persisting[i], step);
+            let external = &self.inputs.external[i];
+            known += step * particles.mass[i] * external.linear.dot(&v1.linear);
+            known += step * particles.inertia(i) * external.angular.dot(&v1.angular);
+            work.residue += kinetic(i, &new) - kinetic(i, &old);
         }
-        let spheres = self.inputs.kinematics.len();
+        work.residue -= known;
+        for load in &scene.loads {
+            let arm = self.inputs.kinematics.orientation[load.sphere] * load.arm;
+            work.loads += step * load.force.dot(&solution[load.sphere].at(arm));
+        }
         for (body, mean) in self.inputs.bodies.iter().zip(&mean[spheres..]) {
             let at_action = body.action_velocity(mean);
             let power =
                 body.load.linear.dot(&at_action.linear) + body.load.angular.dot(&at_action.angular);
-            state.work.loads += self.inputs.step * power;
+            work.loads += step * power;
         }
     }
 }

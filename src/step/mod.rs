@@ -3,6 +3,7 @@
 
 mod commit;
 mod external;
+mod passing;
 mod stage;
 mod start;
 
@@ -51,6 +52,17 @@ pub struct StepFailure {
     pub contact: Option<crate::contacts::Key>,
     /// A sphere that two rigid boundaries press from opposite sides, and the boundaries.
     pub pinched: Option<(usize, [u16; 2])>,
+    /// Two bodies that would pass through each other within the step.
+    pub passed: Option<Passed>,
+}
+
+/// Two bodies that move so far against each other in a step that contact at its ends does not tell what happens between.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Passed {
+    /// The pair; of a boundary's features none in particular.
+    pub contact: crate::contacts::Key,
+    /// Relative motion over the smaller radius \[-\].
+    pub motion: f64,
 }
 
 /// Takes `state` from `state.time` to `state.time + dt`, boundaries to `poses`. On failure `state` is unchanged.

@@ -1,6 +1,6 @@
 //! The step under way: candidates, rows, and the solve that repeats until the true geometry agrees.
 
-use super::{Scratch, StepFailure, StepOutcome};
+use super::{Passed, Scratch, StepFailure, StepOutcome};
 use crate::Vec3;
 use crate::contacts::narrow_phase::{Candidate, Placement};
 use crate::contacts::{Partner, history};
@@ -30,6 +30,8 @@ pub(super) struct Stage<'a> {
     pub(super) candidates: Vec<Candidate>,
     pub(super) impact: Vec<bool>,
     pub(super) impulses: Vec<Vec3>,
+    /// Whether bodies move through the step: a displacement that removes overlaps is no way.
+    pub(super) moves: bool,
 }
 
 impl<'a> Stage<'a> {
@@ -79,6 +81,7 @@ impl<'a> Stage<'a> {
             candidates,
             impact: Vec::new(),
             impulses: Vec::new(),
+            moves: true,
         };
         stage.write_rows(state);
         stage
@@ -214,17 +217,23 @@ impl<'a> Stage<'a> {
                 .iter()
                 .map(|c| -c.gap / end.scale(c.key))
                 .fold(0.0, f64::max);
-            if self.inputs.scene.settings.method == Method::Penalty
-                || !self.correct(&end, &closed, &solution, state)
-            {
-                return Ok((
-                    solution,
-                    StepOutcome {
-                        solver: total,
-                        max_overlap,
-                    },
-                ));
+            // The penalty method lets bodies overlap as they like.
+            let alm = self.inputs.scene.settings.method == Method::Alm;
+            let swept = alm && self.moves;
+            if swept && let Some(passed) = self.struck(&end, &closed) {
+                return Err(self.too_fast(&total, passed));
             }
+            if alm && self.correct(&end, &closed, &solution, state) {
+                continue;
+            }
+            if swept && let Some(passed) = self.passed(&solution, &ends, scratch) {
+                return Err(self.too_fast(&total, passed));
+            }
+            let outcome = StepOutcome {
+                solver: total,
+                max_overlap,
+            };
+            return Ok((solution, outcome));
         }
         Err(StepFailure {
             what: "gap",
@@ -233,6 +242,7 @@ impl<'a> Stage<'a> {
             contact: None,
             // Forces without bound satisfy a pinch on paper: then only the geometry refuses it.
             pinched: (0..self.candidates.len()).find_map(|row| self.pinch(row)),
+            passed: None,
         })
     }
 
@@ -345,6 +355,13 @@ impl<'a> Stage<'a> {
             .collect()
     }
 
+    fn too_fast(&self, report: &Report, passed: Passed) -> StepFailure {
+        StepFailure {
+            passed: Some(passed),
+            ..self.failure(report)
+        }
+    }
+
     pub(super) fn failure(&self, report: &Report) -> StepFailure {
         let tolerance = &self.inputs.scene.settings.tolerance;
         let residual = &report.residual;
@@ -366,6 +383,7 @@ impl<'a> Stage<'a> {
                 .worst
                 .iter()
                 .find_map(|&row| self.pinch(row)),
+            passed: None,
         }
     }
 

@@ -116,6 +116,7 @@ pub fn remove_overlaps(
     for row in &mut stage.problem.rows {
         row.law = Law::Contact { mu: 0.0 };
     }
+    stage.moves = false;
     let (solution, _) = stage.resolve(state, scratch)?;
     state.kinematics.position = stage.moved(&solution);
     Ok(())

@@ -57,7 +57,7 @@ fn a_sphere_on_a_belt_slips_then_rolls() {
     let given = mass * SPEED * (2.0 / 7.0 * SPEED + half);
     let gained = mass * (SPEED * SPEED / 7.0 - 0.5 * 3.5 * half * half);
     close(work.boundaries, given, 1e-7, 0.0);
-    close(work.dissipated, given - gained, 1e-7, 0.0);
+    close(work.dissipated(), given - gained, 1e-7, 0.0);
 }
 
 /// Without rotation it takes the belt's speed after `V/(mu g)`, and lies on it from then on.

@@ -391,7 +391,8 @@ fn a_servo_wall_presses_with_pressure_times_area() {
 fn a_light_plate_rests_on_a_heavy_pile() {
     for joint in [SLIDE, Joint::Free] {
         let mut run = pile(joint, 1.0).tolerance(1e-6, 1e-4, 1e-3).start();
-        run.steps(1500);
+        // The lattice collapses for up to two seconds, when exactly hangs on rounding.
+        run.steps(2500);
         let before = run.simulation.boundary_pose(5);
         let mut impulse = 0.0;
         for _ in 0..100 {
@@ -400,7 +401,7 @@ fn a_light_plate_rests_on_a_heavy_pile() {
         }
         let after = run.simulation.boundary_pose(5);
         let moved = (after.translation - before.translation).norm();
-        assert!(moved < 1e-2 * 0.05, "{joint:?}: {moved:e}");
+        assert!(moved < 1e-4 * 0.05, "{joint:?}: {moved:e}");
         assert!(before.rotation.angle_to(&after.rotation) < 1e-2);
         close(impulse, 0.1 * run.mass(0) * G, 1e-2, 0.0);
     }

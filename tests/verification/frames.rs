@@ -75,7 +75,7 @@ fn changing_gravity_balances() {
         let energy = |run: &Run| {
             let energy = Energy::of(&Observation::of(&run.simulation));
             let work = run.simulation.work();
-            energy.kinetic() + energy.potential() + work.dissipated - work.gravity
+            energy.kinetic() + energy.potential() + work.friction + work.impact - work.gravity
         };
         let start = energy(&run);
         // Until it lifts off: its fall back is an impact.

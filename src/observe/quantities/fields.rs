@@ -159,7 +159,7 @@ pub(super) const SINK: [Field<f64>; 1] =
     [real("mass", "kg", "Mass removed since the start", |m| *m)];
 
 #[rustfmt::skip]
-pub(super) const WHOLE: [Field<Whole>; 24] = [
+pub(super) const WHOLE: [Field<Whole>; 27] = [
     real("mass", "kg", "Mass of all spheres in the scene", |w| w.mass),
     count("sphereCount", "Number of spheres in the scene", |w| w.spheres),
     vector("momentum", "kg.m/s", "Momentum of the spheres, half-step velocities: averaged wrench x time + weight = its change", |w| w.momentum.linear),
@@ -167,7 +167,10 @@ pub(super) const WHOLE: [Field<Whole>; 24] = [
     vector("averageBodyForce", "N", "Weight, inertial forces of a rotating frame and point loads, averaged over the communication step", |w| w.body_force),
     real("kineticEnergy", "J", "Kinetic energy", |w| w.energy.kinetic()),
     real("potentialEnergy", "J", "Potential energy of gravity, centrifugal force, springs and point loads", |w| w.energy.potential()),
-    real("dissipatedEnergy", "J", "Energy lost in contacts since the start", |w| w.work.dissipated),
+    real("dissipatedEnergy", "J", "Energy lost in contacts since the start: friction and impact", |w| w.work.friction + w.work.impact),
+    real("frictionEnergy", "J", "Energy lost by sliding friction since the start", |w| w.work.friction),
+    real("impactEnergy", "J", "Energy lost along the normals of impacts since the start", |w| w.work.impact),
+    real("residualEnergy", "J", "Energy added by time stepping since the start, negative where taken: what no other work explains", |w| w.work.residue),
     real("boundaryWork", "J", "Work of moving boundaries on the spheres since the start", |w| w.work.boundaries),
     real("gravityWork", "J", "Potential energy gained since the start because gravity changed with time", |w| w.work.gravity),
     real("loadWork", "J", "Work of point loads and of the loads on driven bodies since the start", |w| w.work.loads),

@@ -237,18 +237,20 @@ impl Block {
         let (u_n, p_n) = (dot(u, n), dot(p, n));
         let (mass_n, mass_t) = (l.quad(self.mass[0]), l.quad(self.mass[1]));
         let normal = (p_n - u_n * mass_n).or_larger(pace.zero);
-        // Tangential part of p - u/w_t, on the disc.
-        let across = p_n - u_n * mass_t;
-        let t = each(|k| (p[k] - u[k] * mass_t) - n[k] * across);
+        // Tangential part of p - u/w_t, on the disc. All as differences: what is solved stays to the last bit.
+        let p_t = each(|k| p[k] - n[k] * p_n);
+        let t = each(|k| p_t[k] - (u[k] - n[k] * u_n) * mass_t);
         let (tt, limit) = (dot(t, t), l.quad(self.friction) * normal);
         let share = tt.within(limit * limit, pace.one, limit.over(tt.root()));
-        let d = each(|k| (n[k] * normal + t[k] * share) - p[k]);
+        let d_n = normal - p_n;
+        let d_t = each(|k| t[k] * share - p_t[k]);
+        let d = each(|k| n[k] * d_n + d_t[k]);
         // Judged before damping.
-        let (d_n, dd) = (normal - p_n, dot(d, d));
+        let (nn, dd_t, [gap, slip]) = (d_n * d_n, dot(d_t, d_t), self.allowed);
+        let dd = nn + dd_t;
         let size = (normal * normal + tt * share * share).or_larger(l.quad(self.scale));
-        let (nn, [gap, slip]) = (d_n * d_n, self.allowed);
         let settled = nn.all_within(pace.strict * l.quad(gap))
-            & (dd - nn).all_within(pace.strict * l.quad(slip))
+            & dd_t.all_within(pace.strict * l.quad(slip))
             & dd.all_within(pace.strict_force * size);
         let d = each(|k| d[k] * pace.damping);
         let new = each(|k| p[k] + d[k]);

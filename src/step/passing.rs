@@ -1,0 +1,188 @@
+//! Bodies that pass through each other within a step: found on their ways, not at the ends.
+//!
+//! Contacts are linear in the step, with the normals of its start. That is right for motions of a fraction of a radius.
+//! Where two bodies move farther against each other, and only there, their straight ways are looked at after the solve:
+//!
+//! ```text
+//! struck   a contact that was not foreseen is found closed: its normal at the end may be any
+//! passed   the solution's way goes deeper into the other body than its ends do
+//! ghost    a contact carries load that the way without contacts would not have met
+//! ```
+//! Each fails the step, which is then cut until motions are small or the ways are free.
+
+use super::stage::Stage;
+use super::{Passed, Scratch};
+use crate::Vec3;
+use crate::cell::{HERE, Image};
+use crate::contacts::narrow_phase::{Candidate, Placement};
+use crate::contacts::sweep::{least_distance, meets};
+use crate::contacts::{Key, Partner};
+use crate::motion::Pose;
+use crate::problem::Dof6;
+
+/// Relative motion over the smaller radius up to which the ends of a step tell all \[-\].
+pub(super) const SMALL_MOTION: f64 = 0.5;
+/// How deep a way may go into another body before it counts as passing, over the smaller radius \[-\].
+const DEPTH: f64 = 0.1;
+
+impl Stage<'_> {
+    /// The first pair, in canonical order, that passes or is held apart without need.
+    pub(super) fn passed(
+        &self,
+        solution: &[Dof6],
+        ends: &[Pose],
+        scratch: &mut Scratch,
+    ) -> Option<Passed> {
+        let step = self.inputs.step;
+        let spheres = self.inputs.kinematics.len();
+        let longest = solution[..spheres]
+            .iter()
+            .zip(&self.problem.free)
+            .map(|(v, free)| v.linear.norm_squared().max(free.linear.norm_squared()))
+            .fold(0.0, f64::max)
+            .sqrt()
+            * step;
+        let start = &self.start;
+        let smallest = start
+            .particles
+            .radius
+            .iter()
+            .copied()
+            .fold(f64::INFINITY, f64::min);
+        let [standing, freely] = self.inputs.poses;
+        let mut range = 2.0 * longest;
+        for (b, from) in standing.iter().enumerate() {
+            for to in [&ends[b], &freely[b]].into_iter().filter(|to| *to != from) {
+                let wall = &start.boundaries[b];
+                let moved = start
+                    .present_positions()
+                    .map(|x| (wall.from_frame(to, wall.to_frame(from, x)) - x).norm());
+                range = moved.map(|m| longest + m).fold(range, f64::max);
+            }
+        }
+        if range <= SMALL_MOTION * smallest {
+            return None;
+        }
+        scratch.neighbors.ensure(start, range);
+        let [position, unhindered] = [solution, &self.problem.free].map(|v| self.moved(v));
+        let [end, free] =
+            [(&position, ends), (&unhindered, freely)].map(|(position, poses)| Placement {
+                position,
+                poses,
+                ..*start
+            });
+        let radius = &start.particles.radius;
+        let apart = |i: u32, index: u32, image: Image| {
+            let ways = [&end, &free].map(|to| [start, to].map(|at| at.between(i, index, image)));
+            (i, Partner::Sphere { index, image }, ways)
+        };
+        let list = &scratch.neighbors;
+        let here = list.pairs.iter().map(|&(i, j)| apart(i, j, HERE));
+        let images = list.images.iter().map(|&(i, j, image)| apart(i, j, image));
+        let walls = list.walls.iter().map(|&(i, boundary)| {
+            let ways = [&end, &free].map(|to| start.way(to, i, boundary));
+            let feature = 0;
+            (i, Partner::Boundary { boundary, feature }, ways)
+        });
+        here.chain(images)
+            .chain(walls)
+            .find_map(|(sphere, partner, [way, free_way])| {
+                let scale = start.scale(Key { sphere, partner });
+                let motion = [way, free_way].map(|[a, b]| (b - a).norm() / scale);
+                let far = motion.map(|m| m > SMALL_MOTION);
+                let failed = (far[0] && through(start, sphere, partner, way, radius, scale))
+                    || (far[1]
+                        && self.carries(sphere, partner)
+                        && !met(start, sphere, partner, free_way, radius));
+                let contact = Key { sphere, partner };
+                failed.then_some(Passed {
+                    contact,
+                    motion: motion[0].max(motion[1]),
+                })
+            })
+    }
+
+    /// The first pair of `closed` that is no candidate and has moved far.
+    pub(super) fn struck(&self, end: &Placement, closed: &[Candidate]) -> Option<Passed> {
+        let start = &self.start;
+        closed.iter().find_map(|found| {
+            let contact = found.key;
+            let [from, to] = match contact.partner {
+                Partner::Sphere { index, image } => {
+                    [start, end].map(|at| at.between(contact.sphere, index, image))
+                }
+                Partner::Boundary { boundary, .. } => start.way(end, contact.sphere, boundary),
+            };
+            let motion = (to - from).norm() / start.scale(contact);
+            // Rolling on, a sphere finds the next feature of its boundary closed: that is no surprise.
+            (motion > SMALL_MOTION && !self.foreseen(contact)).then_some(Passed { contact, motion })
+        })
+    }
+
+    /// Whether this sphere and partner, by whatever feature, are a candidate.
+    fn foreseen(&self, key: Key) -> bool {
+        self.contacts_of(key.sphere, key.partner).next().is_some()
+    }
+
+    /// Whether a contact of this sphere and partner, by whatever feature, is loaded.
+    fn carries(&self, sphere: u32, partner: Partner) -> bool {
+        self.contacts_of(sphere, partner)
+            .any(|k| self.impulses[k] != Vec3::zeros())
+    }
+
+    /// The candidates of this sphere and partner, by whatever feature.
+    fn contacts_of(&self, sphere: u32, partner: Partner) -> impl Iterator<Item = usize> {
+        let from = self.candidates.partition_point(|c| c.key.sphere < sphere);
+        let own = self.candidates[from..].iter().zip(from..);
+        own.take_while(move |(c, _)| c.key.sphere == sphere)
+            .filter(move |(c, _)| match (c.key.partner, partner) {
+                (Partner::Sphere { .. }, Partner::Sphere { .. }) => c.key.partner == partner,
+                (Partner::Boundary { boundary: a, .. }, Partner::Boundary { boundary: b, .. }) => {
+                    a == b
+                }
+                _ => false,
+            })
+            .map(|(_, k)| k)
+    }
+}
+
+/// Whether the way goes deeper into the partner than its ends.
+fn through(
+    start: &Placement,
+    sphere: u32,
+    partner: Partner,
+    [a, b]: [Vec3; 2],
+    radius: &[f64],
+    scale: f64,
+) -> bool {
+    let own = radius[sphere as usize];
+    match partner {
+        Partner::Sphere { index, .. } => {
+            let touching = own + radius[index as usize];
+            let ends = a.norm().min(b.norm()).min(touching);
+            least_distance(a, b) < ends - DEPTH * scale
+        }
+        Partner::Boundary { boundary, .. } => {
+            let geometry = &start.boundaries[usize::from(boundary)].geometry;
+            meets(geometry, a, b, (1.0 - DEPTH) * own)
+        }
+    }
+}
+
+/// Whether the way touches the partner at all.
+fn met(
+    start: &Placement,
+    sphere: u32,
+    partner: Partner,
+    [a, b]: [Vec3; 2],
+    radius: &[f64],
+) -> bool {
+    let own = radius[sphere as usize];
+    match partner {
+        Partner::Sphere { index, .. } => least_distance(a, b) <= own + radius[index as usize],
+        Partner::Boundary { boundary, .. } => {
+            let geometry = &start.boundaries[usize::from(boundary)].geometry;
+            meets(geometry, a, b, own)
+        }
+    }
+}

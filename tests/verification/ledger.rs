@@ -1,0 +1,154 @@
+//! The energy ledger: kinetic energy changes by the work of gravity and boundaries, less friction and impact, plus a residue
+//! that is named, and that vanishes with dt.
+
+use sphere_dda::Vec3;
+use sphere_dda::boundaries::{HalfSpace, Revolution};
+use sphere_dda::motion::{Motion, Twist};
+
+use crate::support::{Case, G, Run, close, order};
+
+const RADIUS: f64 = 0.1;
+
+/// What the ledger leaves open of the change of energy since `start` \[J\].
+fn open(run: &Run, start: f64) -> f64 {
+    let work = run.simulation.work();
+    run.energy() - start - work.boundaries + work.friction + work.impact - work.residue
+}
+
+/// Row 11's sphere slides until it rolls: friction takes `1/2 m v0^2 - 7/10 m (5/7 v0)^2 = 1/7 m v0^2`, all else is nothing.
+#[test]
+fn friction_takes_a_seventh() {
+    let (mu, v0) = (0.2, 2.0);
+    let residue = |dt: f64| {
+        let mut run = Case::new(dt, mu, 0.0)
+            .tolerance(1e-6, 1e-9, 1e-9)
+            .floor()
+            .sphere(RADIUS, Vec3::new(0.0, 0.0, RADIUS), Vec3::x() * v0)
+            .start();
+        let start = run.energy();
+        while run.simulation.time() < 0.4 {
+            run.step();
+            assert!(open(&run, start).abs() < 1e-9 * start);
+        }
+        let scale = run.mass(0) * v0 * v0;
+        close(run.simulation.work().friction, scale / 7.0, 1e-3, 0.0);
+        assert_eq!(run.simulation.work().impact, 0.0);
+        run.simulation.work().residue.abs() / scale
+    };
+    // Only the step in which slip ends leaves something: less than (mu g dt)^2/v0^2 and its share of a step.
+    assert!(residue(1e-3) < 1e-5);
+}
+
+/// An impact on a wall, zero gravity, frictionless: it takes `(1 - e^2) m u_n^2/2`, the residue is zero.
+#[test]
+fn an_impact_takes_its_share() {
+    for e in [0.0, 0.4, 1.0] {
+        let mut run = Case::new(1e-3, 0.0, e)
+            .without_gravity()
+            .tolerance(1e-12, 1e-12, 1e-12)
+            .floor()
+            .sphere(
+                RADIUS,
+                Vec3::new(0.0, 0.0, RADIUS + 0.0103),
+                Vec3::new(1.0, 0.0, -3.0),
+            )
+            .start();
+        let start = run.energy();
+        run.steps(20);
+        let work = *run.simulation.work();
+        let scale = run.mass(0) * 9.0 / 2.0;
+        // With e = 0 it lands on the wall within the step, as if it had arrived with its speed.
+        if e > 0.0 {
+            close(work.impact, (1.0 - e * e) * scale, 1e-9, scale);
+            close(work.residue, 0.0, 1e-12, scale);
+        }
+        assert!(open(&run, start).abs() < 1e-12 * scale);
+        close(start - run.energy(), (1.0 - e * e) * scale, 1e-9, scale);
+    }
+}
+
+/// A wall that moves with V towards a sphere at rest throws it to `(1 + e) V`: its work is `m (1 + e) V^2`, the impact's
+/// loss `(1 - e^2) m V^2/2`, and the sphere has `m (1 + e)^2 V^2/2`.
+#[test]
+fn a_moving_wall_does_work() {
+    let (e, speed) = (0.5, 2.0);
+    let up = Motion::Constant(Twist {
+        linear: Vec3::z() * speed,
+        angular: Vec3::zeros(),
+    });
+    let plane = HalfSpace::new(Vec3::zeros(), Vec3::z()).expect("a plane");
+    let mut run = Case::new(1e-3, 0.3, e)
+        .without_gravity()
+        .tolerance(1e-12, 1e-12, 1e-12)
+        .moving(vec![plane.into()], up)
+        .sphere(RADIUS, Vec3::new(0.0, 0.0, RADIUS + 0.0103), Vec3::zeros())
+        .start();
+    run.steps(20);
+    let (work, scale) = (*run.simulation.work(), run.mass(0) * speed * speed);
+    close(work.boundaries, (1.0 + e) * scale, 1e-9, 0.0);
+    close(work.impact, 0.5 * (1.0 - e * e) * scale, 1e-9, 0.0);
+    close(run.kinetic(), 0.5 * (1.0 + e).powi(2) * scale, 1e-9, 0.0);
+    close(work.residue, 0.0, 1e-12, scale);
+}
+
+/// Bouncing and rolling to rest under gravity: the ledger closes to rounding in every step, and time stepping adds or takes
+/// next to nothing, although impacts happen at nodes.
+#[test]
+fn the_ledger_closes_while_a_sphere_bounces_to_rest() {
+    for phase in 0..8 {
+        let drop = 0.3 + 2e-3 * f64::from(phase);
+        let mut run = Case::new(1e-3, 0.2, 0.6)
+            .floor()
+            .sphere(RADIUS, Vec3::new(0.0, 0.0, RADIUS + drop), Vec3::x())
+            .start();
+        let start = run.energy();
+        let scale = run.mass(0) * G * drop;
+        while run.simulation.time() < 2.0 {
+            run.step();
+            assert!(open(&run, start).abs() < 1e-9 * start);
+            let residue = run.simulation.work().residue / scale;
+            assert!(
+                residue.abs() < 2e-2,
+                "{residue:e} at {} s",
+                run.simulation.time()
+            );
+        }
+        let work = run.simulation.work();
+        assert!(
+            work.residue.abs() < 1e-3 * scale,
+            "{:e}",
+            work.residue / scale
+        );
+        assert!(work.impact > 0.5 * scale && work.friction > 0.0);
+    }
+}
+
+/// A frictionless sphere swings in a trough: normals turn within the step and gaps are re-linearised. The residue is all the
+/// change of energy there is, and of second order in dt.
+#[test]
+fn the_residue_on_a_curved_path_is_of_second_order() {
+    let (hollow, axis, start) = (1.0, Vec3::new(0.0, 1.0, 0.0), 60f64.to_radians());
+    let residue = |dt: f64| {
+        let trough = Revolution::cylinder(-axis, axis, hollow, 2.0).expect("a trough");
+        let x = Vec3::new(start.sin(), 0.0, -start.cos()) * (hollow - RADIUS);
+        let mut run = Case::new(dt, 0.0, 0.0)
+            .tolerance(1e-11, 1e-11, 1e-11)
+            .wall(vec![trough.into()])
+            .sphere(RADIUS, x, Vec3::zeros())
+            .start();
+        let start = run.energy();
+        let mut worst = 0.0f64;
+        while run.simulation.time() < 2.0 {
+            run.step();
+            assert!(open(&run, start).abs() < 1e-9 * start.abs());
+            worst = worst.max(run.simulation.work().residue.abs());
+        }
+        worst / (run.mass(0) * G * hollow)
+    };
+    let (coarse, fine) = (residue(4e-3), residue(1e-3));
+    let found = order(coarse, fine, 4.0);
+    assert!(
+        (found - 2.0).abs() < 0.3,
+        "order {found}: {coarse:e} {fine:e}"
+    );
+}
