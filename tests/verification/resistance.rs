@@ -212,8 +212,8 @@ fn a_turntable_is_dragged_along() {
         let reduced = inertia * moment / (inertia + moment);
         let first = spin + 0.5 * STEP * couple / reduced;
         let work = run.simulation.work();
-        close(work.dissipated, 0.5 * reduced * first * first, 1e-6, 0.0);
-        close(work.dampers, 0.0, 1e-9, work.dissipated);
+        close(work.dissipated(), 0.5 * reduced * first * first, 1e-6, 0.0);
+        close(work.dampers, 0.0, 1e-9, work.dissipated());
     }
 }
 
