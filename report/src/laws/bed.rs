@@ -30,8 +30,8 @@ pub(super) fn head(title: &str, friction: f64, wall_friction: f64) -> String {
          tolerance = {{ gap = 1e-3, slip = 1e-3, force = 1e-1 }}\n\
          [[material]]\nname = \"grain\"\ndensity = {DENSITY}\n\
          [[material]]\nname = \"wall\"\n\
-         [[pair]]\nmaterials = [\"grain\", \"grain\"]\nfriction = {friction}\n\
-         [[pair]]\nmaterials = [\"grain\", \"wall\"]\nfriction = {wall_friction}\n"
+         [[pair]]\nmaterials = [\"grain\", \"grain\"]\nfriction = {friction}\nrolling_friction = {rolling}\n\
+         [[pair]]\nmaterials = [\"grain\", \"wall\"]\nfriction = {wall_friction}\nrolling_friction = {rolling}\n"
     )
 }
 
