@@ -23,7 +23,7 @@ pub(super) const LOOK: f64 = 0.01;
 
 /// Head of every scene: settings, materials, friction.
 #[must_use]
-pub(super) fn head(title: &str, friction: f64, wall_friction: f64) -> String {
+pub(super) fn head(title: &str, friction: f64, wall_friction: f64, rolling: f64) -> String {
     format!(
         "title = \"{title}\"\n\
          [simulation]\nduration = 10.0\nstep = {STEP}\ncommunication_step = {LOOK}\n\
