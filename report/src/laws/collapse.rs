@@ -93,7 +93,7 @@ fn text(radius: f64, height: f64, grains: usize, wall: bool) -> String {
         "{{ cylinder = {{ base = [0.0, 0.0, 0.0], radius = {radius}, height = {} }} }}",
         1.7 * height
     );
-    let mut text = bed::head("Column collapse", FRICTION, FRICTION, ROLLING)
+    let mut text = bed::head("Column collapse", bed::G, FRICTION, FRICTION, ROLLING)
         + &bed::grains(&region, grains, 1)
         + &bed::boundary(
             "floor",
@@ -122,15 +122,7 @@ fn column(aspect: f64, radius: f64, watch: &dyn Watch) -> Result<Column, ReportE
     run.wait(&mut standing, TIMES[0])?;
     let mean = bed::places(&standing).map(|(x, _)| x.z).sum::<f64>() / grains as f64;
     let mut scene = bed::scene("collapse.toml", &text(radius, height, grains, false))?;
-    scene.initial = standing.kinematics().clone();
-    for v in scene
-        .initial
-        .velocity
-        .iter_mut()
-        .chain(&mut scene.initial.spin)
-    {
-        v.fill(0.0);
-    }
+    scene.initial = bed::at_rest(&standing);
     let mut heap = run.begin(scene)?;
     // The time of a fall from the column's top: before it nothing has ended.
     let least = (2.0 * height / bed::G).sqrt() + 0.2;
