@@ -23,15 +23,15 @@ pub(super) const LOOK: f64 = 0.01;
 
 /// Head of every scene: settings, materials, friction.
 #[must_use]
-pub(super) fn head(title: &str, friction: f64, wall_friction: f64) -> String {
+pub(super) fn head(title: &str, friction: f64, wall_friction: f64, rolling: f64) -> String {
     format!(
         "title = \"{title}\"\n\
          [simulation]\nduration = 10.0\nstep = {STEP}\ncommunication_step = {LOOK}\n\
          tolerance = {{ gap = 1e-3, slip = 1e-3, force = 1e-1 }}\n\
          [[material]]\nname = \"grain\"\ndensity = {DENSITY}\n\
          [[material]]\nname = \"wall\"\n\
-         [[pair]]\nmaterials = [\"grain\", \"grain\"]\nfriction = {friction}\n\
-         [[pair]]\nmaterials = [\"grain\", \"wall\"]\nfriction = {wall_friction}\n"
+         [[pair]]\nmaterials = [\"grain\", \"grain\"]\nfriction = {friction}\nrolling_friction = {rolling}\n\
+         [[pair]]\nmaterials = [\"grain\", \"wall\"]\nfriction = {wall_friction}\nrolling_friction = {rolling}\n"
     )
 }
 
