@@ -16,7 +16,7 @@ use crate::simulation::{StepReport, Wrench};
 /// Work done since t = 0 \[J\].
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct Work {
-    /// Energy lost by sliding friction.
+    /// Energy lost by sliding friction, and by resistance to rolling and twisting.
     pub friction: f64,
     /// Energy lost along the normals of impacts.
     pub impact: f64,

@@ -229,18 +229,13 @@ impl Stage<'_> {
                 work.impact += loss;
                 known -= loss;
             }
-            if row.b == GROUND {
-                let boundary = -p.dot(&row.drift);
-                work.boundaries += boundary;
-                known += boundary;
-            } else if row.b as usize >= spheres {
-                let body = &velocity[row.b as usize];
-                let at_contact = if couple {
-                    body.angular
-                } else {
-                    body.at(row.arm_b)
-                };
-                known += p.dot(&at_contact);
+            // Of a prescribed motion, and of a belt also where its boundary is driven.
+            let boundary = -p.dot(&row.drift);
+            work.boundaries += boundary;
+            known += boundary;
+            if row.b != GROUND && row.b as usize >= spheres {
+                let [_, grip] = row.grips();
+                known += p.dot(&grip.velocity(&velocity[row.b as usize]));
             }
         }
         let particles = &scene.particles;

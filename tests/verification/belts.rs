@@ -55,9 +55,11 @@ fn a_sphere_on_a_belt_slips_then_rolls() {
     let half = 0.5 * 1e-3 * FRICTION * G;
     let work = run.simulation.work();
     let given = mass * SPEED * (2.0 / 7.0 * SPEED + half);
-    let gained = mass * (SPEED * SPEED / 7.0 - 0.5 * 3.5 * half * half);
+    let gained = mass * SPEED * SPEED / 7.0;
     close(work.boundaries, given, 1e-7, 0.0);
-    close(work.dissipated(), given - gained, 1e-7, 0.0);
+    close(given - work.dissipated() + work.residue, gained, 1e-7, 0.0);
+    // Half of what the belt gives is lost by slip; the steps' displacements know it to first order.
+    close(work.dissipated(), gained, 2e-2, 0.0);
 }
 
 /// Without rotation it takes the belt's speed after `V/(mu g)`, and lies on it from then on.

@@ -65,7 +65,7 @@ fn text(friction: f64, [length, width, height]: [f64; 3], wall: bool) -> String 
     };
     let tall = 2.0 * h;
     let mut text =
-        bed::head("Angle of repose", bed::G, friction, 0.0) + &bed::grains(&region, count, 1);
+        bed::head("Angle of repose", bed::G, friction, 0.0, 0.0) + &bed::grains(&region, count, 1);
     let (columns, rows) = (length as usize, width as usize);
     let mut places = String::new();
     for k in 0..columns * rows {
