@@ -18,7 +18,7 @@ pub(super) const GRAIN: f64 = 0.01;
 /// Density of the grains \[kg/m^3\].
 pub(super) const DENSITY: f64 = 2500.0;
 /// Internal step \[s\].
-pub(super) const STEP: f64 = 5e-4;
+pub(super) const STEP: f64 = 1e-3;
 /// Time between two looks at a run \[s\].
 pub(super) const LOOK: f64 = 0.01;
 

@@ -22,13 +22,13 @@ const SHAPE: f64 = 1.4;
 /// Orifices over the mean grain.
 const ORIFICES: [f64; 5] = [4.0, 5.0, 6.0, 8.0, 10.0];
 /// Diameter of the bin \[m\].
-const BIN: f64 = 0.2;
+const BIN: f64 = 0.18;
 /// Friction coefficient of everything.
 const FRICTION: f64 = 0.5;
 /// Number of grains.
-const COUNT: usize = 6000;
+const COUNT: usize = 4500;
 /// Filling, then the longest outflow \[s\].
-const TIMES: [f64; 2] = [0.7, 3.0];
+const TIMES: [f64; 2] = [0.7, 2.0];
 /// When the flow counts as established \[s\], and the share of the grains at which the measurement ends.
 const BEGUN: f64 = 0.2;
 const SHARE: f64 = 0.45;

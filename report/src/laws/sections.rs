@@ -279,7 +279,7 @@ fn beverloo(report: &mut Report, study: &Study) -> Result<(), ReportError> {
     let law = &study.beverloo;
     report.document.heading(2, "Beverloo's outflow");
     report.document.text(&format!(
-        "A flat-bottomed bin twenty grains wide, friction 0.5, with orifices of 4 to 10 grains. The rate is the slope of the mass that has left, from 0.2 s until 45 % have. \
+        "A flat-bottomed bin eighteen grains wide, friction 0.5, with orifices of 4 to 10 grains. The rate is the slope of the mass that has left, from 0.2 s until 45 % have. \
          Fitted exponent of *D* - 1.4 *d*: {}; *C* = {} with the exponent 5/2 (Beverloo: 0.55 to 0.65).",
         number(law.exponent), number(law.coefficient)
     ));
