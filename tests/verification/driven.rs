@@ -408,7 +408,7 @@ fn a_light_plate_rests_on_a_heavy_pile() {
 }
 
 /// A hundred spheres in a box and a plate of `ratio` sphere masses above them.
-fn pile(joint: Joint, ratio: f64) -> Case {
+pub fn pile(joint: Joint, ratio: f64) -> Case {
     let radius = 0.05;
     let mut case = Case::new(1e-3, 0.3, 0.0).floor();
     for (point, normal) in [

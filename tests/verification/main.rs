@@ -19,6 +19,7 @@ mod ledger;
 mod paper_examples;
 mod periodic;
 mod pinched;
+mod problems;
 mod regions;
 mod resistance;
 mod rest;

@@ -312,39 +312,3 @@ fn iteration_counts_are_pinned() {
     0 sweeps, 1 augmentations, 3 factorizations
     ");
 }
-
-/// Captured steps of a hopper being filled, on which Gauss-Seidel crawls (20,000 sweeps leave them unsolved) and the lagged
-/// discs of the direct solver go round in circles.
-#[test]
-fn hard_steps_are_solved() {
-    for (name, text) in [
-        ("hopper_12", include_str!("problems/hopper_12.json")),
-        ("hopper_16", include_str!("problems/hopper_16.json")),
-    ] {
-        let (problem, start): (Problem, Vec<Vec3>) = serde_json::from_str(text).unwrap();
-        let solve_with = |kind: SolverKind| {
-            let mut impulses = start.clone();
-            let params = Params {
-                kind,
-                tolerance: Tolerance::default(),
-                max_sweeps: 5000,
-                max_factorizations: 1000,
-                penalty: 1e3,
-                adapt_penalty: true,
-                smoothing: 0,
-            };
-            let report = solve(&problem, &params, &mut Workspace::default(), &mut impulses);
-            (report, evaluate(&problem, &Scale::of(&problem), &impulses))
-        };
-        let (crawling, _) = solve_with(SolverKind::GaussSeidel);
-        assert!(
-            !crawling.converged,
-            "{name} is not hard any more: replace it"
-        );
-        let (report, residual) = solve_with(SolverKind::Auto);
-        assert!(
-            report.converged && residual.within(&Tolerance::default()),
-            "{name}: {report:?}"
-        );
-    }
-}

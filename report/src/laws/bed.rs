@@ -4,6 +4,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use sphere_dda::Vec3;
+use sphere_dda::particles::Kinematics;
 use sphere_dda::scene::Scene;
 use sphere_dda::simulation::Simulation;
 
@@ -21,17 +22,23 @@ pub(super) const STEP: f64 = 5e-4;
 /// Time between two looks at a run \[s\].
 pub(super) const LOOK: f64 = 0.01;
 
-/// Head of every scene: settings, materials, friction.
+/// Head of every scene: settings, weight downwards by `gravity` \[m/s^2\], materials, friction, resistance to rolling.
 #[must_use]
-pub(super) fn head(title: &str, friction: f64, wall_friction: f64) -> String {
+pub(super) fn head(
+    title: &str,
+    gravity: f64,
+    friction: f64,
+    wall_friction: f64,
+    rolling: f64,
+) -> String {
     format!(
         "title = \"{title}\"\n\
-         [simulation]\nduration = 10.0\nstep = {STEP}\ncommunication_step = {LOOK}\n\
+         [simulation]\nduration = 10.0\nstep = {STEP}\ncommunication_step = {LOOK}\ngravity = [0.0, 0.0, -{gravity:?}]\n\
          tolerance = {{ gap = 1e-3, slip = 1e-3, force = 1e-1 }}\n\
          [[material]]\nname = \"grain\"\ndensity = {DENSITY}\n\
          [[material]]\nname = \"wall\"\n\
-         [[pair]]\nmaterials = [\"grain\", \"grain\"]\nfriction = {friction}\n\
-         [[pair]]\nmaterials = [\"grain\", \"wall\"]\nfriction = {wall_friction}\n"
+         [[pair]]\nmaterials = [\"grain\", \"grain\"]\nfriction = {friction}\nrolling_friction = {rolling}\n\
+         [[pair]]\nmaterials = [\"grain\", \"wall\"]\nfriction = {wall_friction}\nrolling_friction = {rolling}\n"
     )
 }
 
@@ -127,6 +134,16 @@ pub(super) fn places(simulation: &Simulation) -> impl Iterator<Item = (Vec3, f64
     (0..particles.len())
         .filter(|&i| kinematics.present[i])
         .map(|i| (kinematics.position[i], particles.mass[i]))
+}
+
+/// Where the grains of `simulation` are, without velocities.
+#[must_use]
+pub(super) fn at_rest(simulation: &Simulation) -> Kinematics {
+    let mut kinematics = simulation.kinematics().clone();
+    for v in kinematics.velocity.iter_mut().chain(&mut kinematics.spin) {
+        v.fill(0.0);
+    }
+    kinematics
 }
 
 /// Kinetic energy \[J/kg\] of the grains.

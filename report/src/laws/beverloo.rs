@@ -114,7 +114,7 @@ fn text(count: usize, open: Option<f64>) -> String {
         None => "{ rectangle = { corner = [-0.12, -0.12, 0.0], u = [0.24, 0.0, 0.0], v = [0.0, 0.24, 0.0] } }".to_owned(),
         Some(open) => ring(open, 1.2 * BIN),
     };
-    bed::head("Beverloo", FRICTION, FRICTION)
+    bed::head("Beverloo", bed::G, FRICTION, FRICTION, 0.0)
         + &bed::grains(
             &format!(
                 "{{ cylinder = {{ base = [0.0, 0.0, 0.0], radius = {radius}, height = 0.27 }} }}"

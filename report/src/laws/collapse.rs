@@ -19,18 +19,19 @@ use crate::{Watch, parallel};
 /// Aspect ratio at which the law changes.
 pub const CHANGE: f64 = 1.7;
 /// Aspect ratios asked for, and the column's radius over the mean grain.
-const COLUMNS: [(f64, f64); 8] = [
-    (0.4, 9.0),
-    (0.7, 8.0),
-    (1.0, 8.0),
-    (1.4, 8.0),
+const COLUMNS: [(f64, f64); 6] = [
+    (0.5, 8.0),
+    (0.8, 8.0),
+    (1.3, 8.0),
     (2.5, 6.0),
-    (4.0, 6.0),
-    (6.0, 5.0),
-    (9.0, 5.0),
+    (4.5, 5.0),
+    (8.0, 4.5),
 ];
 /// Friction coefficient of everything.
 const FRICTION: f64 = 0.5;
+/// Coefficient of rolling resistance of everything: the grains of the law's source are no spheres, and spheres without resistance
+/// never stop on a plane.
+const ROLLING: f64 = 0.2;
 /// Filling, then the longest collapse \[s\].
 const TIMES: [f64; 2] = [0.8, 2.0];
 /// Kinetic energy \[J/kg\] at which the deposit has come to rest.
@@ -92,7 +93,7 @@ fn text(radius: f64, height: f64, grains: usize, wall: bool) -> String {
         "{{ cylinder = {{ base = [0.0, 0.0, 0.0], radius = {radius}, height = {} }} }}",
         1.7 * height
     );
-    let mut text = bed::head("Column collapse", FRICTION, FRICTION)
+    let mut text = bed::head("Column collapse", bed::G, FRICTION, FRICTION, ROLLING)
         + &bed::grains(&region, grains, 1)
         + &bed::boundary(
             "floor",
@@ -121,15 +122,7 @@ fn column(aspect: f64, radius: f64, watch: &dyn Watch) -> Result<Column, ReportE
     run.wait(&mut standing, TIMES[0])?;
     let mean = bed::places(&standing).map(|(x, _)| x.z).sum::<f64>() / grains as f64;
     let mut scene = bed::scene("collapse.toml", &text(radius, height, grains, false))?;
-    scene.initial = standing.kinematics().clone();
-    for v in scene
-        .initial
-        .velocity
-        .iter_mut()
-        .chain(&mut scene.initial.spin)
-    {
-        v.fill(0.0);
-    }
+    scene.initial = bed::at_rest(&standing);
     let mut heap = run.begin(scene)?;
     // The time of a fall from the column's top: before it nothing has ended.
     let least = (2.0 * height / bed::G).sqrt() + 0.2;

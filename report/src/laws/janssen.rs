@@ -70,7 +70,7 @@ pub fn run(share: f64, watch: &dyn Watch) -> Result<Janssen, ReportError> {
     };
     let radius = 0.5 * DIAMETER;
     let count = (share * COUNT as f64) as usize;
-    let text = bed::head("Janssen silo", INNER, WALL)
+    let text = bed::head("Janssen silo", bed::G, INNER, WALL, 0.0)
         + &bed::grains(
             &format!(
                 "{{ cylinder = {{ base = [0.0, 0.0, 0.0], radius = {radius}, height = 0.46 }} }}"

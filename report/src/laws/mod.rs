@@ -7,6 +7,7 @@ pub mod fit;
 pub mod janssen;
 pub mod repose;
 mod sections;
+pub mod triaxial;
 
 use crate::Watch;
 use crate::error::ReportError;
@@ -29,6 +30,7 @@ pub(crate) struct Study {
     beverloo: beverloo::Beverloo,
     collapse: collapse::Collapse,
     repose: Vec<repose::Slope>,
+    triaxial: Vec<triaxial::Test>,
 }
 
 /// Runs the study and writes it: `verification.md`, and below `verification/` its plots (SVG) and tables (CSV).
@@ -43,5 +45,6 @@ pub fn study(options: &Options, watch: &dyn Watch) -> Result<Folder, ReportError
         repose: repose::run(share, threads, watch)?,
         collapse: collapse::run(share, threads, watch)?,
         beverloo: beverloo::run(share, threads, watch)?,
+        triaxial: triaxial::run(share, threads, watch)?,
     })
 }

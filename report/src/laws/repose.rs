@@ -64,7 +64,8 @@ fn text(friction: f64, [length, width, height]: [f64; 3], wall: bool) -> String 
         format!("{{ rectangle = {{ corner = {corner:?}, u = {u:?}, v = {v:?} }} }}")
     };
     let tall = 2.0 * h;
-    let mut text = bed::head("Angle of repose", friction, 0.0) + &bed::grains(&region, count, 1);
+    let mut text =
+        bed::head("Angle of repose", bed::G, friction, 0.0, 0.0) + &bed::grains(&region, count, 1);
     let (columns, rows) = (length as usize, width as usize);
     let mut places = String::new();
     for k in 0..columns * rows {
@@ -104,15 +105,7 @@ fn slope(friction: f64, share: f64, watch: &dyn Watch) -> Result<Slope, ReportEr
     let mut full = run.begin(bed::scene("repose.toml", &text(friction, size, true))?)?;
     run.wait(&mut full, TIMES[0])?;
     let mut scene = bed::scene("repose.toml", &text(friction, size, false))?;
-    scene.initial = full.kinematics().clone();
-    for v in scene
-        .initial
-        .velocity
-        .iter_mut()
-        .chain(&mut scene.initial.spin)
-    {
-        v.fill(0.0);
-    }
+    scene.initial = bed::at_rest(&full);
     let mut heap = run.begin(scene)?;
     run.advance(&mut heap, TIMES[1], |heap| {
         Ok(heap.time() < 0.5 || bed::agitation(heap) > REST)

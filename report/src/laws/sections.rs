@@ -8,6 +8,9 @@ use crate::plot::{Axis, Plot, Style};
 use crate::report::Report;
 use crate::table::{Table, number};
 
+/// Source of the angle without friction.
+const PEYNEAU: &str = "Peyneau & Roux 2008";
+
 /// A measured figure and what it must be.
 struct Check {
     case: &'static str,
@@ -52,6 +55,7 @@ pub(super) fn write(study: &Study) -> Result<Folder, ReportError> {
     beverloo(&mut report, study)?;
     collapse(&mut report, study)?;
     repose(&mut report, study)?;
+    triaxial(&mut report, study)?;
     Ok(report.finish())
 }
 
@@ -66,6 +70,9 @@ fn checks(study: &Study) -> Vec<Check> {
     let angles = study.repose.iter().map(|s| s.angle);
     let rise = study.repose.windows(2).map(|s| s[1].angle - s[0].angle);
     let zhou = "Zhou et al. 2002";
+    let peaks: Vec<f64> = study.triaxial.iter().map(|t| t.peak).collect();
+    let peak_rise = peaks.windows(2).map(|p| p[1] - p[0]);
+    let dilation = |t: &super::triaxial::Test| t.solid[1] - t.solid[0];
     let near = |value: f64, off: f64| [value - off, value + off];
     let check = |case, quantity, reference: &str, source, measured, allowed| Check {
         case,
@@ -164,7 +171,52 @@ fn checks(study: &Study) -> Vec<Check> {
             rise.fold(f64::INFINITY, f64::min),
             [0.0, 25.0],
         ),
+        check(
+            "triaxial, no friction",
+            "mean angle at the end [deg]",
+            "5.76, more with the rate",
+            PEYNEAU,
+            study.triaxial.first().map_or(f64::NAN, |t| t.end),
+            [4.0, 10.0],
+        ),
+        check(
+            "triaxial, no friction",
+            "change of the solid fraction",
+            "0 ± 0.01",
+            PEYNEAU,
+            study.triaxial.first().map_or(f64::NAN, dilation),
+            near(0.0, 0.01),
+        ),
+        check(
+            "triaxial",
+            "least rise of the peak with friction [deg]",
+            "> 0",
+            "Göncü & Luding 2013",
+            peak_rise.clone().fold(f64::INFINITY, f64::min),
+            [0.0, 45.0],
+        ),
+        check(
+            "triaxial",
+            "last rise of the peak over the first, per friction",
+            "< 1",
+            "Göncü & Luding 2013",
+            saturation(study),
+            [0.0, 1.0],
+        ),
     ]
+}
+
+/// Slope of the peak angle over the friction coefficient, in the last step of it over that in the first.
+fn saturation(study: &Study) -> f64 {
+    let slopes: Vec<f64> = study
+        .triaxial
+        .windows(2)
+        .map(|t| (t[1].peak - t[0].peak) / (t[1].friction - t[0].friction))
+        .collect();
+    match slopes.as_slice() {
+        [first, .., last] => last / first,
+        _ => f64::NAN,
+    }
 }
 
 fn summary(report: &mut Report, study: &Study) -> Result<(), ReportError> {
@@ -347,4 +399,58 @@ fn repose(report: &mut Report, study: &Study) -> Result<(), ReportError> {
         );
     }
     report.plot("slopes", &plot, "Surfaces that stay")
+}
+
+fn triaxial(report: &mut Report, study: &Study) -> Result<(), ReportError> {
+    report.document.heading(2, "Triaxial compression");
+    let grains = study.triaxial.first().map_or(0, |t| t.grains);
+    report.document.text(&format!(
+        "{grains} grains between six frictionless walls without gravity, compacted without friction, so dense; then their friction is that of the table, the top comes down and servo walls hold \
+         the pressure at the sides, with an inertial number of 0.001. Friction angle: sin φ = (s₁ - s₃)/(s₁ + s₃), means over 0.05 s. Without friction the angle is that of Peyneau and Roux, \
+         a little above their limit of slow shear, and nothing dilates; with friction the sample dilates as it reaches its peak. *Servo*: what the side walls feel over the pressure they are to hold, less one.",
+    ));
+    let mut table = Table::new(&[
+        "friction",
+        "peak [deg]",
+        "end [deg]",
+        "solid fraction, start",
+        "end",
+        "servo",
+    ]);
+    for t in &study.triaxial {
+        table.row([t.friction, t.peak, t.end, t.solid[0], t.solid[1], t.servo].map(number));
+    }
+    report.table("triaxial", &table)?;
+    let mut plot = Plot::new(
+        "Peak friction angle",
+        Axis::linear("friction coefficient"),
+        Axis::linear("angle [deg]"),
+    );
+    let points = |f: &dyn Fn(&super::triaxial::Test) -> f64| {
+        study.triaxial.iter().map(|t| (t.friction, f(t))).collect()
+    };
+    plot.add("peak", Style::Both, points(&|t| t.peak));
+    plot.add("end", Style::Both, points(&|t| t.end));
+    report.plot(
+        "triaxial",
+        &plot,
+        "Friction angle of a dense sample against friction",
+    )?;
+    let mut plot = Plot::new(
+        "Triaxial compression",
+        Axis::linear("axial strain"),
+        Axis::linear("mobilised friction angle [deg]"),
+    );
+    for t in &study.triaxial {
+        plot.add(
+            &format!("friction {}", t.friction),
+            Style::Line,
+            t.history.clone(),
+        );
+    }
+    report.plot(
+        "triaxial-history",
+        &plot,
+        "Mobilised friction angle by strain",
+    )
 }
