@@ -105,7 +105,8 @@ impl Settled {
             if settled.unbalanced <= BALANCED || fine.ended {
                 break;
             }
-            near.settings.tolerance.force = LOOSE_FORCE.max(scene.settings.tolerance.force);
+            near.settings.tolerance.slip = LOOSE.slip;
+            near.settings.tolerance.force = LOOSE.force;
         }
         settled.start = last.snapshot();
         Ok(settled)
@@ -124,10 +125,15 @@ const FINE: Tolerance = Tolerance {
     slip: 1e-4,
     force: 1e-1,
 };
-/// Most stretches, and the force tolerance of all but the first: they start from the exact forces at rest, and what the
-/// tolerance leaves must not keep loose spheres where they would not stay.
+/// Of all stretches but the first, which start from the exact forces at rest: whatever a step leaves of slip adds up to creep,
+/// and a pile that creeps never balances.
+const LOOSE: Tolerance = Tolerance {
+    gap: 0.0,
+    slip: 1e-6,
+    force: 1e-2,
+};
+/// Most stretches.
 const STRETCHES: usize = 12;
-const LOOSE_FORCE: f64 = 1e-2;
 /// Unbalanced forces over the weight at rest \[-\].
 const BALANCED: f64 = 1e-7;
 /// A time \[s\] in which no body turns: over it a displacement is a speed.
