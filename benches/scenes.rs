@@ -26,7 +26,7 @@ fn main() {
     for (k, (gap, step)) in BED.into_iter().enumerate() {
         let name = format!("bed{k}");
         if wanted.is_empty() || wanted.contains(&name) {
-            let mut scene = load("bed");
+            let mut scene = load("dropped");
             scene.settings.step = step;
             scene.settings.tolerance = Tolerance {
                 gap,

@@ -191,9 +191,9 @@ fn heap(rolling: f64) -> Hunt {
     }
 }
 
-/// The thousand spheres of `examples/bed` while they fall on each other.
+/// The thousand spheres of `examples/dropped` while they fall on each other.
 fn bed() -> Hunt {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/bed/bed.toml");
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/dropped/dropped.toml");
     let loaded = Scene::from_file(path).unwrap_or_else(|e| panic!("{}", e.plain()));
     Hunt {
         scene: loaded.scene,
