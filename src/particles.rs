@@ -122,6 +122,12 @@ impl Kinematics {
         }
     }
 
+    /// Sets every velocity to zero.
+    pub fn stop(&mut self) {
+        self.velocity.fill(Vec3::zeros());
+        self.spin.fill(Vec3::zeros());
+    }
+
     /// Number of spheres `N`.
     #[must_use]
     pub fn len(&self) -> usize {

@@ -18,7 +18,6 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use super::Simulation;
-use crate::Vec3;
 use crate::drive::displacement;
 use crate::error::StepError;
 use crate::gravity::GravityMotion;
@@ -254,8 +253,7 @@ impl Simulation {
     /// Lets `scene` start with the spheres and driven bodies where they are, without velocities, and with their contacts.
     fn stopped(&self, scene: &mut Scene) {
         scene.initial.clone_from(&self.state.kinematics);
-        scene.initial.velocity.fill(Vec3::zeros());
-        scene.initial.spin.fill(Vec3::zeros());
+        scene.initial.stop();
         scene.initial_contacts.clone_from(&self.state.contacts);
         for (boundary, pose) in scene.boundaries.iter_mut().zip(&self.state.poses) {
             if let Motion::Driven(body) = &mut boundary.motion {

@@ -361,31 +361,15 @@ fn motion(problem: &Problem, step: &[f64]) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use super::super::bodies::probe_row;
     use super::*;
-
-    fn row(law: Law) -> Row {
-        Row {
-            a: 0,
-            b: GROUND,
-            normal: Vec3::new(0.6, 0.0, 0.8),
-            arm_a: Vec3::zeros(),
-            arm_b: Vec3::zeros(),
-            drift: Vec3::zeros(),
-            bias: Vec3::new(0.01, -0.02, 0.005),
-            compliance_n: 0.03,
-            compliance_t: 0.02,
-            law,
-            radius: 1.0,
-            impulse_scale: 1.0,
-        }
-    }
 
     /// Tangent and energy against central differences in all states of all laws, error of second order.
     #[test]
     fn tangent_and_energy_are_derivatives() {
         let p = Vec3::new(1.0, 0.3, 1.5);
-        let contact = row(Law::Contact { mu: 0.5 });
-        let resistance = row(Law::Resistance {
+        let contact = probe_row(Law::Contact { mu: 0.5 });
+        let resistance = probe_row(Law::Resistance {
             contact: 0,
             rolling: 0.3,
             twisting: 0.4,
@@ -394,7 +378,7 @@ mod tests {
             (contact, Vec3::new(0.02, 0.01, -0.1), 1.6),
             (contact, Vec3::new(0.2, 0.4, -0.1), 0.6),
             (contact, Vec3::new(0.6, 0.0, 0.9), 0.0),
-            (row(Law::Bilateral), Vec3::new(0.1, -0.3, 0.2), 0.0),
+            (probe_row(Law::Bilateral), Vec3::new(0.1, -0.3, 0.2), 0.0),
             (resistance, Vec3::new(0.02, 0.01, 0.02), 9.0),
             (resistance, Vec3::new(0.2, 0.4, -0.1), 1.0),
             (resistance, Vec3::new(0.2, 0.4, -0.1), 0.0),

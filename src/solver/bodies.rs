@@ -209,3 +209,23 @@ pub(super) fn moved(velocity: &[Dof6], step: &[f64], scale: f64) -> Vec<Dof6> {
         })
         .collect()
 }
+
+/// A row of the derivative tests: skew, biased and compliant, on a sphere of radius 1 m against the ground.
+#[cfg(test)]
+pub(super) fn probe_row(law: crate::problem::Law) -> Row {
+    let zero = crate::Vec3::zeros();
+    Row {
+        a: 0,
+        b: GROUND,
+        normal: crate::Vec3::new(0.6, 0.0, 0.8),
+        arm_a: zero,
+        arm_b: zero,
+        drift: zero,
+        bias: crate::Vec3::new(0.01, -0.02, 0.005),
+        compliance_n: 0.03,
+        compliance_t: 0.02,
+        law,
+        radius: 1.0,
+        impulse_scale: 1.0,
+    }
+}

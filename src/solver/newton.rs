@@ -315,28 +315,15 @@ pub fn solve(
 
 #[cfg(test)]
 mod tests {
+    use super::super::bodies::probe_row;
     use super::*;
 
     /// The tangent against central differences in all states of all laws, error of second order.
     #[test]
     fn the_tangent_is_the_derivative() {
-        let row = |law| Row {
-            a: 0,
-            b: GROUND,
-            normal: Vec3::new(0.6, 0.0, 0.8),
-            arm_a: Vec3::zeros(),
-            arm_b: Vec3::zeros(),
-            drift: Vec3::zeros(),
-            bias: Vec3::new(0.01, -0.02, 0.005),
-            compliance_n: 0.03,
-            compliance_t: 0.02,
-            law,
-            radius: 1.0,
-            impulse_scale: 1.0,
-        };
         let (p, q) = (Vec3::new(1.0, 0.3, 1.5), Vec3::new(0.1, 0.05, -0.1));
-        let contact = row(Law::Contact { mu: 0.5 });
-        let resistance = row(Law::Resistance {
+        let contact = probe_row(Law::Contact { mu: 0.5 });
+        let resistance = probe_row(Law::Resistance {
             contact: 0,
             rolling: 0.3,
             twisting: 0.4,
@@ -345,7 +332,7 @@ mod tests {
             (contact, Vec3::new(0.02, 0.01, -0.1)),
             (contact, Vec3::new(0.2, 0.4, -0.1)),
             (contact, Vec3::new(0.6, 0.0, 0.9)),
-            (row(Law::Bilateral), Vec3::new(0.1, -0.3, 0.2)),
+            (probe_row(Law::Bilateral), Vec3::new(0.1, -0.3, 0.2)),
             (resistance, Vec3::new(0.001, 0.002, 0.001)),
             (resistance, Vec3::new(0.2, 0.4, -0.1)),
         ];

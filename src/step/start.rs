@@ -94,8 +94,7 @@ pub fn remove_overlaps(
         return Ok(());
     }
     let mut kinematics = state.kinematics.clone();
-    kinematics.velocity.fill(Vec3::zeros());
-    kinematics.spin.fill(Vec3::zeros());
+    kinematics.stop();
     let poses = state.poses.clone();
     let inputs = Inputs {
         scene,

@@ -140,9 +140,7 @@ pub(super) fn places(simulation: &Simulation) -> impl Iterator<Item = (Vec3, f64
 #[must_use]
 pub(super) fn at_rest(simulation: &Simulation) -> Kinematics {
     let mut kinematics = simulation.kinematics().clone();
-    for v in kinematics.velocity.iter_mut().chain(&mut kinematics.spin) {
-        v.fill(0.0);
-    }
+    kinematics.stop();
     kinematics
 }
 

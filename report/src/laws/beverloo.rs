@@ -82,10 +82,7 @@ pub fn run(share: f64, threads: usize, watch: &dyn Watch) -> Result<Beverloo, Re
     let mut bin = filling.begin(bed::scene("beverloo.toml", &text(count, None))?)?;
     filling.wait(&mut bin, TIMES[0])?;
     let bulk_density = density(bed::places(&bin));
-    let mut full = bin.kinematics().clone();
-    for v in full.velocity.iter_mut().chain(&mut full.spin) {
-        v.fill(0.0);
-    }
+    let full = bed::at_rest(&bin);
     let jobs: Vec<_> = ORIFICES
         .iter()
         .map(|&orifice| {

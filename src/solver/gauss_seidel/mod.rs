@@ -2,8 +2,8 @@
 //!
 //! Contact by contact: the contact's own law is solved in closed form with all other multipliers held, and the velocities of
 //! its two bodies follow at once (for a sphere contact the local operator is diagonal, so normal and tangent do not couple).
-//! Contacts of spheres go four at a time ([`block`]), every other row by the operations of [`Row`](crate::problem::Row)
-//! ([`kernel`]); the order is fixed by the rows alone. From the fourth sweep on Nesterov's momentum moves impulses and
+//! Contacts of spheres go four at a time (`block`), every other row by the operations of [`Row`](crate::problem::Row)
+//! (`kernel`); the order is fixed by the rows alone. From the fourth sweep on Nesterov's momentum moves impulses and
 //! velocities together; it starts anew where the corrections point back or grow: with friction the latter is what counts (a
 //! tenth of the sweeps). Robust with friction.
 
