@@ -12,7 +12,7 @@ use crate::Vec3;
 use crate::boundaries::Boundary;
 use crate::contacts::Contact;
 use crate::drive::{Drive, target};
-use crate::driven::BodyState;
+use crate::driven::{BodyState, JointState};
 use crate::error::{SnapshotError, StepError};
 use crate::gravity::GravityMotion;
 use crate::motion::{Command, Motion, Pose, Twist};
@@ -412,6 +412,17 @@ impl Simulation {
             let (last, persisting) = (self.state.last_step, &carried.persisting);
             let momentum = integrator.reported(&carried.momentum, persisting, last);
             body.twist_of(&self.scene.boundaries[b], &self.state.poses[b], &momentum)
+        })
+    }
+
+    /// Travel of boundary `b`'s joint and the force of its stops and spring; zero unless it is a driven body.
+    #[must_use]
+    pub fn joint(&self, b: usize) -> JointState {
+        let mut bodies = self.scene.driven().zip(&self.state.bodies);
+        let driven = bodies.find(|((boundary, _), _)| *boundary == b);
+        driven.map_or_else(JointState::default, |(_, carried)| JointState {
+            travel: carried.travel,
+            force: carried.holds.iter().sum(),
         })
     }
 
