@@ -73,6 +73,8 @@ pub struct Servo {
     pub pressure: f64,
     /// Area it acts on.
     pub area: Area,
+    /// Whether the pressure comes from outside, [`Command::pressure`], that above being its start.
+    pub input: bool,
 }
 
 /// Mass, joint and loads of a boundary that is moved by force.
@@ -147,6 +149,13 @@ fn along(modes: &Modes, f: impl Fn(f64) -> f64) -> Matrix3<f64> {
 }
 
 impl Body {
+    /// Pressure \[Pa\] that its servo has in the scene; `None` unless that is from outside.
+    #[must_use]
+    pub fn pressure_input(&self) -> Option<f64> {
+        let servo = self.servo.as_ref().filter(|servo| servo.input);
+        servo.map(|servo| servo.pressure)
+    }
+
     /// The reference point of its equations \[m\], scene coordinates.
     fn reference(&self, boundary: &Boundary) -> Vec3 {
         match self.joint {
@@ -267,7 +276,12 @@ impl Body {
             _ => {}
         }
         if let (Joint::Slide { axis }, Some(servo)) = (self.joint, &self.servo) {
-            load.linear += axis * (servo.pressure * servo.area.of(scene, poses));
+            let pressure = if servo.input {
+                command.pressure
+            } else {
+                servo.pressure
+            };
+            load.linear += axis * (pressure * servo.area.of(scene, poses));
         }
         load
     }

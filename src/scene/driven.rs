@@ -287,6 +287,7 @@ fn servo(
     Some(Servo {
         pressure: given.pressure,
         area,
+        input: given.input,
     })
 }
 

@@ -207,6 +207,12 @@ impl Simulation {
             let change = self.gravity() - before;
             let at = self.state.kinematics.position.clone();
             self.state.lift(&self.scene, &at, change);
+            let heavy = self.scene.driven().filter(|(_, body)| body.gravity);
+            let moments = heavy.map(|(b, body)| {
+                let pose = &self.state.poses[b];
+                self.scene.boundaries[b].from_frame(pose, body.centre) * body.mass
+            });
+            self.state.work.gravity -= moments.sum::<Vec3>().dot(&change);
         }
         Ok(())
     }
@@ -222,7 +228,7 @@ impl Simulation {
             return Err(StepError::Argument {
                 what: "boundary",
                 found: b.to_string(),
-                expected: "the index of a boundary with `input` or `surface_input`",
+                expected: "the index of a boundary with `input`, `surface_input` or `servo.input`",
             });
         }
         let vectors = [
@@ -239,7 +245,7 @@ impl Simulation {
             vectors
                 .iter()
                 .flat_map(|v| v.iter())
-                .chain([&command.scalar]),
+                .chain([&command.scalar, &command.pressure]),
         )?;
         self.state.commands[b] = command;
         Ok(())

@@ -103,6 +103,9 @@ pub struct Servo {
     /// Area it acts on \[m^2\].
     #[schemars(extend("x-default" = "by `between`", "exclusiveMinimum" = 0))]
     pub area: Option<f64>,
+    /// Whether the pressure is an input of the FMU, `pressure` then being its start.
+    #[serde(default)]
+    pub input: bool,
     /// Two pairs of boundaries: the area is the product of the distances between their points of action.
     #[schemars(extend("x-default" = "none"))]
     pub between: Option<Vec<Vec<String>>>,
