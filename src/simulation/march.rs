@@ -217,6 +217,9 @@ impl Simulation {
             tolerance: failure.tolerance,
             contact,
             cuts,
+            broken: failure
+                .broken
+                .map_or_else(String::new, |why| format!(" ({why})")),
         }
     }
 

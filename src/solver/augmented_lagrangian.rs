@@ -22,7 +22,7 @@ use nalgebra::Matrix3;
 use super::bodies::{Masses, component, moved};
 use super::gauss_seidel::{Kernel, smooth};
 use super::residual::{Scale, evaluate};
-use super::{Params, Report};
+use super::{Best, Params, Report};
 use crate::Vec3;
 use crate::contacts::law::{project_disc, project_interval, split};
 use crate::linalg::{BlockMatrix, BlockPattern, Factor, LinearError, Symbolic};
@@ -36,6 +36,8 @@ const OPEN_CLOSE: usize = 40;
 const GAIN: f64 = 0.25;
 /// Factor of a penalty increase.
 const RAISE: f64 = 8.0;
+/// Growth per update of the largest penalty allowed after the inner problem did not settle.
+const RECOVERY: f64 = 1.25;
 /// Largest penalty over the mass scale `m/dt^2`: beyond it the factor loses the digits the tolerance needs.
 const CEILING: f64 = 1e3;
 
@@ -197,8 +199,18 @@ pub fn solve(
         penalty: params.penalty,
         ..Report::default()
     };
-    // A failed factorization leaves the residual above its tolerance: the verdict below tells.
-    let _ = outer_loop(problem, params, workspace, impulses, &scales, &mut report);
+    let mut best = Best::new(&report.residual, &params.tolerance, impulses);
+    let ended = outer_loop(
+        problem,
+        params,
+        workspace,
+        impulses,
+        &scales,
+        (&mut report, &mut best),
+    );
+    report.broken = ended.err();
+    // Away from the solution a large penalty may lead astray: what is handed on is the best that was met.
+    impulses.copy_from_slice(&best.impulses);
     report.residual = evaluate(problem, &scales, impulses);
     report.converged = report.residual.within(&params.tolerance);
     report
@@ -237,7 +249,7 @@ fn outer_loop(
     workspace: &mut Workspace,
     impulses: &mut [Vec3],
     scales: &[Scale],
-    report: &mut Report,
+    (report, best): (&mut Report, &mut Best),
 ) -> Result<(), LinearError> {
     let Workspace { symbolic, kernel } = workspace;
     let symbolic = analyse(symbolic, pattern(problem))?;
@@ -245,7 +257,8 @@ fn outer_loop(
     let inner = Inner::of(problem);
     let heaviest = inner.masses.heaviest();
     let dt2 = problem.step * problem.step;
-    let mut ceiling = CEILING * heaviest / dt2;
+    let largest = CEILING * heaviest / dt2;
+    let mut ceiling = largest;
     if params.adapt_penalty {
         report.penalty = report.penalty.min(ceiling);
     }
@@ -328,8 +341,11 @@ fn outer_loop(
         report.augmentations += 1;
         smooth(problem, params.smoothing, kernel, impulses);
         velocity = problem.velocities(impulses);
+        // Nearer to the solution the inner problem settles at penalties at which it did not.
+        ceiling = (ceiling * RECOVERY).min(largest);
         let before = report.residual;
         report.residual = evaluate(problem, scales, impulses);
+        best.offer(&report.residual, &params.tolerance, impulses);
         let gained = report.residual.gap <= GAIN * before.gap
             && report.residual.slip <= GAIN * before.slip
             && report.residual.force <= GAIN * before.force;
