@@ -247,10 +247,8 @@ impl Variable {
 
     /// Number of elements; `None` if a dimension is named by a variable, or the number is too large.
     pub fn elements(&self) -> Option<u64> {
-        let extents = self.dimensions.iter().map(|dimension| dimension.start);
-        extents.fold(Some(1), |product: Option<u64>, extent| {
-            product?.checked_mul(extent?)
-        })
+        let mut extents = self.dimensions.iter().map(|dimension| dimension.start);
+        extents.try_fold(1_u64, |product, extent| product.checked_mul(extent?))
     }
 
     /// When the values can change: as stated, else the default of the standard.

@@ -4,7 +4,7 @@ use sphere_dda_fmi_interface::abi3::*;
 use sphere_dda_fmi_interface::log::Level;
 use sphere_dda_fmi_interface::pointers::value_mut;
 
-use super::super::guard::{Stages, Updates, call};
+use super::super::guard::{ANY, Stages, Updates, call};
 use super::STEPPING;
 use crate::instance::{Progress, Stage, Step};
 
@@ -26,8 +26,7 @@ extern "C" fn fmi3DoStep(
     earlyReturn: *mut fmi3Boolean,
     lastSuccessfulTime: *mut fmi3Float64,
 ) -> fmi3Status {
-    let mut early = false;
-    let mut wish = None;
+    let (mut entered, mut early, mut wish) = (false, false, None);
     let step = (currentCommunicationPoint, communicationStepSize);
     let final_past = noSetFMUStatePriorToCurrentPoint != 0;
     let begun = call(instance, FUNCTION, STEPPING, |component| {
@@ -35,6 +34,7 @@ extern "C" fn fmi3DoStep(
         value_mut(terminateSimulation, "terminateSimulation")?;
         value_mut(earlyReturn, "earlyReturn")?;
         value_mut(lastSuccessfulTime, "lastSuccessfulTime")?;
+        entered = true;
         wish = component.updates;
         if wish.is_some() {
             component.instance.begin_step(step.0, step.1)?;
@@ -53,13 +53,15 @@ extern "C" fn fmi3DoStep(
         Some(updates) if begun == fmi3OK => walk(instance, updates, final_past, &mut early),
         _ => begun,
     };
-    report(
-        instance,
-        eventHandlingNeeded,
-        terminateSimulation,
-        (earlyReturn, early),
-        lastSuccessfulTime,
-    );
+    // A call that does not belong here, or has no place for the results, has been told of and gets none.
+    if entered {
+        report(
+            instance,
+            (eventHandlingNeeded, terminateSimulation),
+            (earlyReturn, early),
+            lastSuccessfulTime,
+        );
+    }
     status
 }
 
@@ -121,25 +123,19 @@ fn update(updates: Updates, time: f64, may_return: bool) -> bool {
     may_return && wanted != 0 && at <= time
 }
 
-/// Fills the places of the results; null ones have been told of.
+/// Fills the places of the results.
 fn report(
     instance: fmi3Instance,
-    event: *mut fmi3Boolean,
-    terminate: *mut fmi3Boolean,
+    (event, terminate): (*mut fmi3Boolean, *mut fmi3Boolean),
     (place, early): (*mut fmi3Boolean, bool),
     last: *mut fmi3Float64,
 ) {
-    let any: Stages = &[Stage::StepComplete, Stage::StepFailed, Stage::Error];
-    // In every other state the call was refused, which has been told.
-    let quiet = |stage| any.contains(&stage);
-    let _: fmi3Status = call(instance, FUNCTION, super::super::guard::ANY, |component| {
-        if quiet(component.instance.stage()) {
-            *value_mut(event, "eventHandlingNeeded")? = 0;
-            let ends = component.instance.wants_to_terminate();
-            *value_mut(terminate, "terminateSimulation")? = fmi3Boolean::from(ends);
-            *value_mut(place, "earlyReturn")? = fmi3Boolean::from(early);
-            *value_mut(last, "lastSuccessfulTime")? = component.instance.time();
-        }
+    let _: fmi3Status = call(instance, FUNCTION, ANY, |component| {
+        let ends = component.instance.wants_to_terminate();
+        *value_mut(event, "eventHandlingNeeded")? = 0;
+        *value_mut(terminate, "terminateSimulation")? = fmi3Boolean::from(ends);
+        *value_mut(place, "earlyReturn")? = fmi3Boolean::from(early);
+        *value_mut(last, "lastSuccessfulTime")? = component.instance.time();
         Ok(fmi3OK)
     });
 }
