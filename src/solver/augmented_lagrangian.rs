@@ -36,8 +36,6 @@ const OPEN_CLOSE: usize = 40;
 const GAIN: f64 = 0.25;
 /// Factor of a penalty increase.
 const RAISE: f64 = 8.0;
-/// Growth per update of the largest penalty allowed after the inner problem did not settle.
-const RECOVERY: f64 = 1.25;
 /// Largest penalty over the mass scale `m/dt^2`: beyond it the factor loses the digits the tolerance needs.
 const CEILING: f64 = 1e3;
 
@@ -257,8 +255,7 @@ fn outer_loop(
     let inner = Inner::of(problem);
     let heaviest = inner.masses.heaviest();
     let dt2 = problem.step * problem.step;
-    let largest = CEILING * heaviest / dt2;
-    let mut ceiling = largest;
+    let mut ceiling = CEILING * heaviest / dt2;
     if params.adapt_penalty {
         report.penalty = report.penalty.min(ceiling);
     }
@@ -322,6 +319,9 @@ fn outer_loop(
                 break;
             }
         }
+        if !settled && report.factorizations >= params.max_factorizations {
+            break;
+        }
         if !settled && params.adapt_penalty {
             // An update from an unsettled inner problem diverges: make that problem easier instead.
             report.penalty /= RAISE * RAISE;
@@ -341,8 +341,6 @@ fn outer_loop(
         report.augmentations += 1;
         smooth(problem, params.smoothing, kernel, impulses);
         velocity = problem.velocities(impulses);
-        // Nearer to the solution the inner problem settles at penalties at which it did not.
-        ceiling = (ceiling * RECOVERY).min(largest);
         let before = report.residual;
         report.residual = evaluate(problem, scales, impulses);
         best.offer(&report.residual, &params.tolerance, impulses);

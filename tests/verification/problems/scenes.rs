@@ -4,7 +4,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use sphere_dda::Vec3;
-use sphere_dda::driven::{Area, Joint, Servo};
+use sphere_dda::driven::Joint;
 use sphere_dda::motion::{Motion, Twist};
 use sphere_dda::particles::Locks;
 use sphere_dda::scene::{Method, Scene, SolverKind};
@@ -82,26 +82,9 @@ pub(super) fn all() -> Vec<Reference> {
         }),
         caught("pressed", pressed),
         with(caught("smooth_pile_soft_penalty", smooth_pile), 1e4),
-        caught("without_gravity", without_gravity),
         kept("hopper_12"),
         kept("hopper_16"),
     ]
-}
-
-/// A servo plate closes on a hundred spheres that nothing else acts on; forces unknown.
-fn without_gravity() -> Hunt {
-    let mut case = pile(Joint::Slide { axis: Vec3::z() }, 10.0).without_gravity();
-    if let Motion::Driven(plate) = &mut case.scene.boundaries[5].motion {
-        plate.damping[0] = 400.0;
-        plate.servo = Some(Servo {
-            pressure: -500.0,
-            area: Area::Constant(0.36),
-        });
-    }
-    Hunt {
-        cold: true,
-        ..Hunt::new(case, [200, 600])
-    }
 }
 
 /// Fifty spheres on each other, forces unknown: each sweep carries them one sphere on.
