@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! modelDescription.xml
-//! binaries/linux64/<identifier>.so      the scene-agnostic library
+//! binaries/linux64/<identifier>.so      the scene-agnostic library; FMI 3.0: binaries/x86_64-linux/
 //! resources/scene.toml, meshes, tables  what the instance reads
 //! resources/start.state                 the settled spheres, if there are any
 //! documentation/index.html              variables, for people
@@ -19,11 +19,10 @@ use std::path::{Path, PathBuf};
 
 use sphere_dda_fmi_interface::archive::{self, ArchiveError};
 use sphere_dda_model_description::Finding;
-use sphere_dda_model_description::fmi2::ModelDescription;
 use sphere_dda_model_description::names::is_c_identifier;
 use thiserror::Error;
 
-use crate::description::describe;
+use crate::description::{describe, version3};
 use crate::documentation;
 use crate::model::{Model, ModelError, SCENE_FILE, START_FILE};
 
@@ -35,6 +34,25 @@ pub const BUILD_ID: &str = env!("SPHERE_DDA_BUILD_ID");
 
 /// Above this number of scalar variables some importers take very long to open the FMU.
 const MANY_VARIABLES: usize = 5000;
+
+/// Version of the standard that an FMU keeps to. The library in it is the same.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Version {
+    /// FMI 2.0: scalars.
+    #[default]
+    Two,
+    /// FMI 3.0: arrays.
+    Three,
+}
+
+impl Version {
+    fn library_path(self, identifier: &str) -> String {
+        match self {
+            Self::Two => archive::library_path(identifier),
+            Self::Three => archive::library_path_3(identifier),
+        }
+    }
+}
 
 /// What was packed.
 #[derive(Debug, Clone)]
@@ -130,12 +148,11 @@ pub fn export(
     start: Option<Vec<u8>>,
     fmu: &Path,
     library: &Path,
+    version: Version,
 ) -> Result<Exported, ExportError> {
     let model = Model::read(scene, start)?;
     let identifier = identifier(scene);
-    let description =
-        describe(&model.scene, &model.table, &identifier).map_err(ModelError::from)?;
-    let findings = description.validate();
+    let (xml, findings) = described(&model, &identifier, version)?;
     if !findings.is_empty() {
         return Err(ExportError::Invalid(findings));
     }
@@ -144,12 +161,16 @@ pub fn export(
         path: library.to_path_buf(),
         source,
     })?;
-    pack(&model, &description, &identifier, &code, fmu)?;
+    let library = version.library_path(&identifier);
+    pack(&model, &xml, (library, &code), fmu)?;
 
-    let variables = model.table.variables().len();
+    let variables = match version {
+        Version::Two => model.table.variables().len(),
+        Version::Three => model.arrays.list().len(),
+    };
     let mut warnings = model.warnings;
     if variables > MANY_VARIABLES {
-        warnings.push(format!("{variables} scalar variables: some importers take long above {MANY_VARIABLES}; probe fewer spheres"));
+        warnings.push(format!("{variables} variables: some importers take long above {MANY_VARIABLES}; probe fewer spheres"));
     }
     Ok(Exported {
         guid: model.guid,
@@ -159,18 +180,29 @@ pub fn export(
     })
 }
 
-fn pack(
+/// The model description as XML, and what is wrong with it.
+fn described(
     model: &Model,
-    description: &ModelDescription,
     identifier: &str,
-    library: &[u8],
-    fmu: &Path,
-) -> Result<(), ExportError> {
-    let xml = description.to_xml().map_err(ModelError::from)?;
+    version: Version,
+) -> Result<(String, Vec<Finding>), ModelError> {
+    Ok(match version {
+        Version::Two => {
+            let own = describe(&model.scene, &model.table, identifier, &model.guid);
+            (own.to_xml()?, own.validate())
+        }
+        Version::Three => {
+            let own = version3::describe(&model.scene, &model.arrays, identifier, &model.guid);
+            (own.to_xml()?, own.validate())
+        }
+    })
+}
+
+fn pack(model: &Model, xml: &str, library: (String, &[u8]), fmu: &Path) -> Result<(), ExportError> {
     let html = documentation::page(model);
     let mut files: Vec<(String, &[u8])> = vec![
         ("modelDescription.xml".to_owned(), xml.as_bytes()),
-        (archive::library_path(identifier), library),
+        library,
         (format!("resources/{SCENE_FILE}"), model.text.as_bytes()),
         ("documentation/index.html".to_owned(), html.as_bytes()),
         (

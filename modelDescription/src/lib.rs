@@ -7,6 +7,7 @@
 //! | module     | holds                                                        | serves       |
 //! |------------|--------------------------------------------------------------|--------------|
 //! | [`fmi2`]   | the FMI 2.0 description, its XML form and its rules           | FMI 2.0      |
+//! | [`fmi3`]   | the FMI 3.0 description: arrays, aliases, intermediate update | FMI 3.0      |
 //! | [`units`]  | units as exponents of the SI base units, display units        | any version  |
 //! | [`names`]  | the grammar of structured variable names, C identifiers       | any version  |
 //! | [`Finding`]| one broken rule: where, what was found, what was expected     | any version  |
@@ -56,6 +57,7 @@
 
 mod finding;
 pub mod fmi2;
+pub mod fmi3;
 mod lexical;
 pub mod names;
 pub mod units;
