@@ -333,6 +333,7 @@ fn forces_without_gravity_have_a_scale() {
     piston.servo = Some(Servo {
         pressure: -FORCE,
         area: Area::Constant(1.0),
+        input: false,
     });
     let lid = HalfSpace::new(Vec3::z() * 0.4, -Vec3::z()).expect("a plane");
     let case = Case::new(DT, 0.3, 0.0)
