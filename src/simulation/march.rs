@@ -287,7 +287,7 @@ impl Simulation {
             let boundaries = format!("`{a}` and `{b}`");
             return StepError::Pinched {
                 time,
-                sphere: sphere as usize,
+                sphere,
                 boundaries,
             };
         }

@@ -52,7 +52,7 @@ pub struct StepFailure {
     /// The worst contact, if there is one.
     pub contact: Option<crate::contacts::Key>,
     /// A sphere that two rigid boundaries press from opposite sides, and the boundaries.
-    pub pinched: Option<(u32, [u16; 2])>,
+    pub pinched: Option<(usize, [u16; 2])>,
     /// Two bodies that would pass through each other within the step.
     pub passed: Option<Passed>,
     /// The linear system that ended the solver early.

@@ -421,7 +421,7 @@ impl<'a> Stage<'a> {
     }
 
     /// Whether the sphere of contact `row` carries load from two rigid boundaries on opposite sides.
-    fn pinch(&self, row: usize) -> Option<(u32, [u16; 2])> {
+    fn pinch(&self, row: usize) -> Option<(usize, [u16; 2])> {
         let sphere = self.candidates.get(row)?.key.sphere;
         let walls: Vec<(u16, Vec3)> = (0..self.candidates.len())
             .filter(|&k| self.candidates[k].key.sphere == sphere)
@@ -438,7 +438,7 @@ impl<'a> Stage<'a> {
             .collect();
         walls.iter().enumerate().find_map(|(k, (a, n))| {
             let opposite = walls[k + 1..].iter().find(|(_, m)| n.dot(m) < -0.5)?;
-            Some((sphere, [*a, opposite.0]))
+            Some((sphere as usize, [*a, opposite.0]))
         })
     }
 }
