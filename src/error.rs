@@ -27,7 +27,7 @@ pub enum StepError {
         /// How often the step was halved.
         cuts: u32,
         /// The linear system that ended the solver early, in words; empty if none did.
-        broken: String,
+        broken: Box<str>,
     },
     /// A sphere is squeezed between boundaries whose motion is prescribed.
     #[error(

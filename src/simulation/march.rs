@@ -314,7 +314,8 @@ impl Simulation {
             cuts,
             broken: failure
                 .broken
-                .map_or_else(String::new, |why| format!(" ({why})")),
+                .map_or_else(String::new, |why| format!(" ({why})"))
+                .into(),
         }
     }
 

@@ -41,7 +41,7 @@ pub struct StepOutcome {
 }
 
 /// Why an internal step failed; the caller may cut it.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct StepFailure {
     /// Which residual: `gap`, `slip` or `force`.
     pub what: &'static str,
@@ -56,7 +56,7 @@ pub struct StepFailure {
     /// Two bodies that would pass through each other within the step.
     pub passed: Option<Passed>,
     /// The linear system that ended the solver early.
-    pub broken: Option<LinearError>,
+    pub broken: Option<Box<LinearError>>,
 }
 
 /// Two bodies that move so far against each other in a step that contact at its ends does not tell what happens between.

@@ -416,7 +416,7 @@ impl<'a> Stage<'a> {
                 .iter()
                 .find_map(|&row| self.pinch(row)),
             passed: None,
-            broken: report.broken,
+            broken: report.broken.map(Box::new),
         }
     }
 
