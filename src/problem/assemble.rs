@@ -197,6 +197,11 @@ impl<'a> Inputs<'a> {
         } = self.pair(candidate.key);
         row.law = Law::Contact { mu: friction };
         let (approach, sliding) = split(before, n);
+        // Where nothing acts itself, forces are passed on from loads elsewhere.
+        let passed_on = match acceleration > 0.0 {
+            true => 0.0,
+            false => self.mean_acceleration * self.step,
+        };
         // Only a contact that was loaded can be taken for an approaching one because its normal turns.
         if force != Vec3::zeros() {
             acceleration = acceleration.max(sliding.norm_squared() * candidate.curvature);
@@ -214,15 +219,14 @@ impl<'a> Inputs<'a> {
             candidate.gap / self.step
         };
         row.bias = n * normal_bias;
-        // Where nothing accelerates, forces are passed on from loads elsewhere, or come from the approach; rounding of the
-        // speeds is beneath any.
+        // Where nothing accelerates, the speed of approach is a scale as well; rounding of the speeds is beneath any.
         let change = if acceleration > 0.0 {
             acceleration * self.step
         } else {
-            before.norm().max(self.mean_acceleration * self.step)
+            before.norm()
         };
         let rounding = ROUNDING * fastest / settings.tolerance.force;
-        row.impulse_scale = lightest * change.max(rounding);
+        row.impulse_scale = lightest * change.max(passed_on).max(rounding);
 
         let dt2 = self.step * self.step;
         if let (Method::Penalty, Some(penalty)) = (settings.method, settings.penalty) {
