@@ -27,7 +27,7 @@ const MOST_BODIES: usize = 300;
 /// Gauss-Seidel sweeps over the whole after each part.
 const BETWEEN: usize = 100;
 
-/// Gauss-Seidel sweeps that `auto` spends before it turns to the direct solver.
+/// Gauss-Seidel sweeps that `auto` spends before it turns to Newton.
 const AUTO_SWEEPS: usize = 1000;
 
 /// Sweeps after each multiplier update of the augmented-Lagrangian loop: they bring friction onto the true cone, where
@@ -43,13 +43,13 @@ pub struct Params {
     pub tolerance: Tolerance,
     /// Most Gauss-Seidel sweeps.
     pub max_sweeps: usize,
-    /// Most factorizations.
+    /// Most factorizations of a solver, and again of Newton where it finishes.
     pub max_factorizations: usize,
     /// Penalty number `P_n` \[N/m\] at the start of the augmented-Lagrangian loop.
     pub penalty: f64,
     /// Whether that loop may change it.
     pub adapt_penalty: bool,
-    /// Gauss-Seidel sweeps after each of its multiplier updates; 0: none, as in the paper.
+    /// Gauss-Seidel sweeps after each of its multiplier updates; 0: none, and no finish by Newton, as in the paper.
     pub smoothing: usize,
 }
 
@@ -97,13 +97,18 @@ impl Best {
 }
 
 impl Report {
-    /// Adds the work of a second solve; residual, verdict and what broke are those of the second.
+    /// Adds the work of a second solve; residual, verdict and what broke are those of the second, the penalty the last.
     #[must_use]
     pub fn then(self, next: Self) -> Self {
         Self {
             sweeps: self.sweeps + next.sweeps,
             augmentations: self.augmentations + next.augmentations,
             factorizations: self.factorizations + next.factorizations,
+            penalty: if next.penalty > 0.0 {
+                next.penalty
+            } else {
+                self.penalty
+            },
             ..next
         }
     }
@@ -116,30 +121,63 @@ pub fn solve(
     workspace: &mut Workspace,
     impulses: &mut [Vec3],
 ) -> Report {
+    let brief = Params {
+        max_sweeps: params.max_sweeps.min(AUTO_SWEEPS),
+        ..*params
+    };
+    let sweep = |workspace: &mut Workspace, impulses: &mut [Vec3], params: &Params| {
+        gauss_seidel::solve(problem, params, &mut workspace.kernel, impulses)
+    };
     match params.kind {
-        SolverKind::GaussSeidel => {
-            gauss_seidel::solve(problem, params, &mut workspace.kernel, impulses)
+        SolverKind::GaussSeidel => sweep(workspace, impulses, params),
+        SolverKind::Direct => {
+            let report = augmented_lagrangian::solve(problem, params, workspace, impulses);
+            if params.smoothing == 0 {
+                return report;
+            }
+            finish(problem, params, workspace, impulses, report).0
         }
-        SolverKind::Direct => augmented_lagrangian::solve(problem, params, workspace, impulses),
-        SolverKind::Auto => auto(problem, params, workspace, impulses),
+        SolverKind::Auto => {
+            let report = sweep(workspace, impulses, &brief);
+            let (report, stuck) = finish(problem, params, workspace, impulses, report);
+            match stuck {
+                _ if report.converged => report,
+                Some(Stuck::Large) => {
+                    let rest = Params {
+                        max_sweeps: params.max_sweeps.saturating_sub(report.sweeps),
+                        ..*params
+                    };
+                    report.then(sweep(workspace, impulses, &rest))
+                }
+                Some(Stuck::Broken) | None => report.then(augmented_lagrangian::solve(
+                    problem, params, workspace, impulses,
+                )),
+            }
+        }
     }
 }
 
-/// Gauss-Seidel; where it crawls or goes in circles, Newton on the neighbourhoods of the rows that are left.
-fn auto(
+/// Why Newton leaves a problem to others.
+enum Stuck {
+    /// What is unsolved spreads over more than [`MOST_BODIES`].
+    Large,
+    /// A factorization failed.
+    Broken,
+}
+
+/// Where a solver crawls or goes in circles: Newton on the neighbourhoods of the rows that it leaves, sweeps over the whole
+/// after each. `report` is that of the first solver; at most `max_factorizations` more.
+fn finish(
     problem: &Problem,
     params: &Params,
     workspace: &mut Workspace,
     impulses: &mut [Vec3],
-) -> Report {
-    let mut brief = Params {
-        max_sweeps: params.max_sweeps.min(AUTO_SWEEPS),
-        ..*params
-    };
-    let mut report = gauss_seidel::solve(problem, &brief, &mut workspace.kernel, impulses);
+    mut report: Report,
+) -> (Report, Option<Stuck>) {
     let scales = Scale::of(problem);
+    let most = report.factorizations + params.max_factorizations;
     let mut hops = HOPS;
-    while !report.converged && report.factorizations < params.max_factorizations {
+    while !report.converged && report.factorizations < most {
         let velocity = problem.velocities(impulses);
         let unsolved = |&k: &usize| {
             let row = &problem.rows[k];
@@ -153,48 +191,39 @@ fn auto(
         let seeds: Vec<usize> = (0..problem.rows.len()).filter(unsolved).collect();
         let part = Part::around(problem, impulses, seeds.into_iter(), hops);
         if part.problem.free.len() > MOST_BODIES {
-            brief.max_sweeps = params.max_sweeps.saturating_sub(report.sweeps);
-            return report.then(gauss_seidel::solve(
-                problem,
-                &brief,
-                &mut workspace.kernel,
-                impulses,
-            ));
+            return (report, Some(Stuck::Large));
         }
         let mut own: Vec<Vec3> = part.rows.iter().map(|&k| impulses[k]).collect();
         // What the part's border costs the whole must fit in as well.
         let share = if part.closed { 1.0 } else { 0.5 };
         let rest = Params {
             tolerance: params.tolerance.scaled(share),
-            max_factorizations: params.max_factorizations - report.factorizations,
+            max_factorizations: most - report.factorizations,
             ..*params
         };
-        match newton::solve(&part.problem, &rest, &mut own) {
-            Ok(newton) => {
-                report = report.then(newton);
-                for (&k, p) in part.rows.iter().zip(&own) {
-                    impulses[k] = *p;
-                }
-            }
-            Err(_) => {
-                return report.then(augmented_lagrangian::solve(
-                    problem, params, workspace, impulses,
-                ));
-            }
+        let Ok(newton) = newton::solve(&part.problem, &rest, &mut own) else {
+            return (report, Some(Stuck::Broken));
+        };
+        report = report.then(newton);
+        for (&k, p) in part.rows.iter().zip(&own) {
+            impulses[k] = *p;
         }
         report.residual = evaluate(problem, &scales, impulses);
         report.converged = report.residual.within(&params.tolerance);
         if report.converged || part.closed {
             break;
         }
-        brief.max_sweeps = BETWEEN;
+        let between = Params {
+            max_sweeps: BETWEEN,
+            ..*params
+        };
         report = report.then(gauss_seidel::solve(
             problem,
-            &brief,
+            &between,
             &mut workspace.kernel,
             impulses,
         ));
         hops *= 2;
     }
-    report
+    (report, None)
 }

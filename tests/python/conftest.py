@@ -1,7 +1,6 @@
 """The command and the exported FMUs that the tests drive.
 
-`tests/run` names the release command in SPHERE_DDA and a folder with the exported examples in SPHERE_DDA_FMUS.
-Without them: the command of target/release, which exports the examples once per session.
+`tests/run` names the release command in SPHERE_DDA; without it, that of target/release. It exports the examples once per session.
 """
 
 import os
@@ -11,7 +10,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
-EXAMPLES = ("funnel", "slopes", "feeder", "landslide", "bed")
+EXAMPLES = ("funnel", "slopes", "feeder", "conveyor", "landslide", "bed", "shear", "triaxial")
 
 
 def scene(name):
@@ -32,12 +31,9 @@ def command():
 @pytest.fixture(scope="session")
 def fmus(command, tmp_path_factory):
     """Name -> path of the FMU of every example, and of the shaker."""
-    named = os.environ.get("SPHERE_DDA_FMUS")
-    folder = Path(named) if named else tmp_path_factory.mktemp("fmus")
+    folder = tmp_path_factory.mktemp("fmus")
     paths = {name: folder / f"{name}.fmu" for name in (*EXAMPLES, "shaker")}
     for name, path in paths.items():
-        if path.exists():
-            continue
         if name == "shaker":
             subprocess.run([command.parent / "export-shaker", path], check=True)
         else:

@@ -97,13 +97,13 @@ pub struct Simulation {
     /// Time integration: `"moreau"`, or `"shi"`, the paper's constant acceleration.
     #[serde(default)]
     pub integrator: Integrator,
-    /// Solver of a step: `"auto"` takes Gauss-Seidel first and Newton on what it leaves.
+    /// Solver of a step: `"auto"` takes Gauss-Seidel first, then Newton on what it leaves, then the direct solver.
     #[serde(default)]
     pub solver: SolverKind,
     /// Penalty number \[N/m\].
     #[schemars(extend("x-default" = "chosen from mass and step; the penalty method needs it", "exclusiveMinimum" = 0))]
     pub penalty: Option<f64>,
-    /// Whether the augmented-Lagrangian loop may change the penalty and sweep between its multiplier updates; `false` with
+    /// Whether the augmented-Lagrangian loop may change the penalty, sweep between its multiplier updates, and leave the rest to Newton; `false` with
     /// `solver = "direct"` is exactly the paper's loop, slow unless the penalty is large ([how slow](paper.md#augmentations-at-a-held-penalty)).
     #[serde(default = "yes")]
     pub adapt_penalty: bool,

@@ -23,44 +23,28 @@ const SOLVERS: [(&str, SolverKind, usize); 4] = [
 
 /// Slow: thousands of sweeps gain little more on chains of contacts that are loaded far beyond their weights.
 const CRAWLS: &str = "sweeps crawl";
-/// Direct: friction discs and couples lag one update behind, and the updates go round or gain little.
-const LAGS: &str = "the lagged discs converge slowly";
+/// Newton's parts have a limit.
+const LARGE: &str = "a part of more than 300 bodies is left to sweeps, of which none are left";
 
 /// What does not converge, and why. A line that converges has to go.
-const EXPECTED: [(&str, &str, &str); 13] = [
-    (
-        "stack",
-        "newton",
-        "its proximal steps do not settle so far from the solution: 1000 factorizations",
-    ),
-    ("heap_resists_rolling", "direct", LAGS),
+const EXPECTED: [(&str, &str, &str); 9] = [
     ("bed", "gauss-seidel", CRAWLS),
-    (
-        "bed",
-        "newton",
-        "a part of more than 300 bodies is left to sweeps, of which none are left",
-    ),
-    (
-        "bed",
-        "auto",
-        "gap and slip are solved, 1000 factorizations of parts leave 2e-4 of the force; its scene asks for 0.1",
-    ),
+    ("bed", "newton", LARGE),
     ("pressed", "gauss-seidel", CRAWLS),
+    ("servo", "newton", LARGE),
     ("smooth_pile_soft_penalty", "gauss-seidel", CRAWLS),
-    (
-        "smooth_pile_soft_penalty",
-        "direct",
-        "its impulses of 3000 weights balance each other but for a rest that 500 updates at the largest penalty take out slowly",
-    ),
     ("hopper_12", "gauss-seidel", CRAWLS),
-    ("hopper_12", "direct", LAGS),
+    (
+        "hopper_12",
+        "direct",
+        "the lagged discs converge slowly, and Newton needs sweeps before",
+    ),
     (
         "hopper_12",
         "newton",
         "too few sweeps before: with a thousand it is solved",
     ),
     ("hopper_16", "gauss-seidel", CRAWLS),
-    ("hopper_16", "direct", LAGS),
 ];
 
 /// A problem with the impulses from which its step would have started.
@@ -104,7 +88,7 @@ fn replay((problem, start): &Captured, params: &Params) -> (Report, Residual) {
     (report, residual)
 }
 
-/// Every problem over every solver: what fails is what [`EXPECTED`] names, and `auto` never leaves an overlap or a slip. With `--nocapture` the table
+/// Every problem over every solver: what fails is what [`EXPECTED`] names, and never `auto`. With `--nocapture` the table
 /// of docs/solvers.md.
 #[test]
 fn every_solver_on_every_problem() {
@@ -121,10 +105,7 @@ fn every_solver_on_every_problem() {
             let (report, found) = replay(&captured, &params);
             let within = found.within(&params.tolerance);
             assert_eq!(report.converged, within, "{name}, {solver}: {report:?}");
-            // What users see is the overlap: `auto` may leave a force, never that.
-            let (gap, slip) = (params.tolerance.gap, params.tolerance.slip);
-            let shown = solver != "auto" || (found.gap <= gap && found.slip <= slip);
-            assert!(shown, "{name}: {found:?}");
+            assert!(solver != "auto" || within, "{name}: {found:?}");
             let expected = EXPECTED.iter().find(|e| (e.0, e.1) == (name, solver));
             let verdict = match (within, expected) {
                 (true, None) => "solved",
@@ -163,6 +144,7 @@ fn every_solver_on_every_problem() {
     bed: 1436 rows, 5000 sweeps
     plate: 177 rows, 238 sweeps
     light_plate: 154 rows, 54 sweeps
+    servo: 1611 rows, 700 sweeps
     pressed: 68 rows, 5000 sweeps
     smooth_pile_soft_penalty: 42 rows, 5000 sweeps
     hopper_12: 208 rows, 5000 sweeps
@@ -171,12 +153,14 @@ fn every_solver_on_every_problem() {
 }
 
 /// Catches the problems of [`scenes`] anew; a changed solver takes other ways through a scene, so the files change with it:
-/// `cargo test --release -p sphere-dda --test verification -- --ignored --nocapture catch_the_problems_anew`
+/// `cargo test --release -p sphere-dda --test verification -- --ignored --nocapture catch_the_problems_anew`; with
+/// `SPHERE_DDA_PROBLEM=name` that one only.
 #[test]
 #[ignore = "writes the files beside it"]
 fn catch_the_problems_anew() {
     for reference in scenes::all() {
-        let Some(scene) = reference.scene else {
+        let left_out = std::env::var("SPHERE_DDA_PROBLEM").is_ok_and(|only| only != reference.name);
+        let Some(scene) = reference.scene.filter(|_| !left_out) else {
             continue;
         };
         let (captured, step, sweeps) = scenes::hardest(&reference, scene);

@@ -81,6 +81,7 @@ pub(super) fn all() -> Vec<Reference> {
             Hunt::new(pile(Joint::Free, 1.0), [60, 260])
         }),
         caught("pressed", pressed),
+        caught("servo", servo),
         with(caught("smooth_pile_soft_penalty", smooth_pile), 1e4),
         kept("hopper_12"),
         kept("hopper_16"),
@@ -191,16 +192,26 @@ fn heap(rolling: f64) -> Hunt {
     }
 }
 
-/// The thousand spheres of `examples/dropped` while they fall on each other.
-fn bed() -> Hunt {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/dropped/dropped.toml");
+/// An example, looked at in these steps.
+fn example(name: &str, steps: [usize; 2]) -> Hunt {
+    let path = format!("{}/examples/{name}.toml", env!("CARGO_MANIFEST_DIR"));
     let loaded = Scene::from_file(path).unwrap_or_else(|e| panic!("{}", e.plain()));
     Hunt {
         scene: loaded.scene,
-        steps: [200, 320],
+        steps,
         cold: false,
         tilt: 0.0,
     }
+}
+
+/// The thousand spheres of `examples/dropped` while they fall on each other.
+fn bed() -> Hunt {
+    example("dropped/dropped", [200, 320])
+}
+
+/// The start of `examples/triaxial`: servo walls close in on spheres that nothing else acts on.
+fn servo() -> Hunt {
+    example("triaxial/triaxial", [0, 100])
 }
 
 /// Spheres in a box under a lid with a stiffness, which presses them with many times their weight.
