@@ -17,8 +17,8 @@ STOP = {
     "conveyor": 0.5,
     "landslide": 1.5,
     "bed": 0.1,
-    "shear": 0.03,
-    "triaxial": 0.1,
+    "shear": 0.1,
+    "triaxial": 0.2,
 }
 # Overlap that a scene allows [-], where it is not the default.
 OVERLAP = {"shear": 1e-3, "triaxial": 1e-3}
