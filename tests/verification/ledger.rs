@@ -2,8 +2,8 @@
 //! that is named, and that vanishes with dt.
 
 use sphere_dda::Vec3;
-use sphere_dda::boundaries::{HalfSpace, Revolution};
-use sphere_dda::driven::{Joint, Spring};
+use sphere_dda::boundaries::{Facets, HalfSpace, Revolution, Shape};
+use sphere_dda::driven::{Area, Joint, Servo, Spring};
 use sphere_dda::motion::{Motion, Twist};
 
 use crate::support::{Case, G, Run, body, close, grid, order};
@@ -191,6 +191,80 @@ fn the_ledger_closes_with_a_piston() {
     }
     let work = run.simulation.work();
     assert!(touched && work.impact > 0.0 && work.dampers < 0.0 && work.springs != 0.0);
+}
+
+fn plate(low: Vec3, u: Vec3, v: Vec3) -> Vec<Shape> {
+    vec![Facets::rectangle(low, u, v).expect("a face").into()]
+}
+
+/// Runs `case`: the ledger closes in every step, and what it calls a residue is small.
+fn closes(case: Case) -> Run {
+    let mut run = case.start();
+    let start = run.whole_energy();
+    let start = start.kinetic() + start.gravity;
+    let mut scale = 0.0f64;
+    for _ in 0..600 {
+        run.step();
+        scale = scale.max(start.abs() + run.simulation.work().loads.abs());
+        let left = open_with_bodies(&run, start);
+        assert!(left.abs() < 1e-9 * scale, "{left:e} of {scale:e}");
+    }
+    let work = run.simulation.work();
+    assert!(work.impact > 0.0 && work.loads > 0.0 && work.friction > 0.0);
+    assert!(work.residue.abs() < 0.02 * scale, "{:e}", work.residue);
+    run
+}
+
+/// A free plate with a load off its centre falls on three spheres and tilts.
+#[test]
+fn the_ledger_closes_with_a_free_plate() {
+    let moments = Vec3::new(0.05, 0.06, 0.1);
+    let mut body = body(1.5, Vec3::z() * 0.3, moments, Joint::Free);
+    body.force = Vec3::new(1.0, 0.0, -20.0);
+    let low = Vec3::new(-0.5, -0.5, 0.3);
+    let mut case = Case::new(1e-3, 0.3, 0.2)
+        .floor()
+        .driven(plate(low, Vec3::x(), Vec3::y()), body);
+    for k in 0..3 {
+        let angle = 2.1 * f64::from(k);
+        let place = Vec3::new(0.3 * angle.cos(), 0.3 * angle.sin(), RADIUS);
+        case = case.sphere(RADIUS, place, Vec3::zeros());
+    }
+    closes(case);
+}
+
+/// A servo wall presses two spheres against a wall: its work is pressure times area times way.
+#[test]
+fn the_ledger_closes_with_a_servo_wall() {
+    let (pressure, area, axis) = (300.0, 0.5, Vec3::x());
+    let mut wall = body(1.0, Vec3::zeros(), Vec3::zeros(), Joint::Slide { axis });
+    wall.servo = Some(Servo {
+        pressure,
+        area: Area::Constant(area),
+        input: false,
+    });
+    wall.damping[0] = 5.0;
+    let low = Vec3::new(0.0, -0.5, -0.5);
+    let mut case = Case::new(1e-3, 0.3, 0.2)
+        .without_gravity()
+        .plane(axis * 0.6, -axis)
+        .driven(plate(low, Vec3::y(), Vec3::z()), wall);
+    for k in 0..2 {
+        let place = Vec3::new(0.13, 0.04, 0.0) + Vec3::new(0.24, -0.06, 0.0) * f64::from(k);
+        case = case.sphere(RADIUS, place, Vec3::zeros());
+    }
+    let run = closes(case);
+    // Work counts mean velocities of steps, half a step behind the way, from rest at t = 0 to rest: of mass 1 kg, half a
+    // step before t = 0, `-f dt/2` but for the damper's `c dt/m` of it.
+    let (dt, force) = (1e-3, pressure * area);
+    assert!(run.simulation.boundary_twist(1).linear.norm() < 1e-9);
+    let way = run.simulation.joint(1).travel - 0.5 * dt * (0.5 * dt * force);
+    close(
+        run.simulation.work().loads,
+        pressure * area * way,
+        1e-9,
+        0.0,
+    );
 }
 
 /// A frictionless sphere in a bucket that swings on a hinge: no force but weight does work, and the residue is of second order.
