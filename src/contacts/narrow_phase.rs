@@ -130,6 +130,19 @@ impl Placement<'_> {
         }
     }
 
+    /// The longest way \[m\] of points fixed to boundary `b`, where spheres are, while it moves to `to`.
+    #[must_use]
+    pub fn carried(&self, b: usize, to: &Pose) -> f64 {
+        let (wall, from) = (&self.boundaries[b], &self.poses[b]);
+        if from == to {
+            return 0.0;
+        }
+        self.present_positions()
+            .map(|x| wall.copy_near(self.cell, from, x))
+            .map(|x| (wall.from_frame(to, wall.to_frame(from, x)) - x).norm())
+            .fold(0.0, f64::max)
+    }
+
     /// Every pair of `list` whose gap is at most `reach(key)` \[m\], in canonical order.
     pub fn candidates(
         &self,

@@ -49,15 +49,11 @@ impl Stage<'_> {
             .iter()
             .copied()
             .fold(f64::INFINITY, f64::min);
-        let [standing, freely] = self.inputs.poses;
+        let [_, freely] = self.inputs.poses;
         let mut range = 2.0 * longest;
-        for (b, from) in standing.iter().enumerate() {
-            for to in [&ends[b], &freely[b]].into_iter().filter(|to| *to != from) {
-                let wall = &start.boundaries[b];
-                let moved = start
-                    .present_positions()
-                    .map(|x| (wall.from_frame(to, wall.to_frame(from, x)) - x).norm());
-                range = moved.map(|m| longest + m).fold(range, f64::max);
+        for b in 0..ends.len() {
+            for to in [&ends[b], &freely[b]] {
+                range = range.max(longest + start.carried(b, to));
             }
         }
         if range <= SMALL_MOTION * smallest {

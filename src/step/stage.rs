@@ -73,12 +73,10 @@ impl<'a> Stage<'a> {
             (wall.from_frame(to, wall.to_frame(from, x)) - x).norm()
         };
         let largest = reach.iter().copied().fold(0.0, f64::max);
-        scratch.neighbors.ensure(&start, 2.0 * largest);
-        let walls = scratch.neighbors.walls.iter();
-        let widest = walls
-            .map(|&(i, b)| reach[i as usize] + wall_motion(i, b))
-            .fold(0.0, f64::max);
-        scratch.neighbors.ensure(&start, widest);
+        // Of every sphere and boundary: what the list holds already must not decide what it lacks.
+        let carried = (0..scene.boundaries.len()).map(|b| start.carried(b, &inputs.poses[1][b]));
+        let widest = carried.fold(largest, |widest, way| widest.max(largest + way));
+        scratch.neighbors.ensure(&start, widest.max(2.0 * largest));
         let candidates = start.candidates(
             &scratch.neighbors,
             |i, j| reach[i as usize] + reach[j as usize],

@@ -2,6 +2,7 @@
 
 mod c;
 mod refusals;
+mod rollback;
 mod states;
 
 use std::path::{Path, PathBuf};
