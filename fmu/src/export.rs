@@ -2,6 +2,7 @@
 //!
 //! ```text
 //! modelDescription.xml
+//! terminalsAndIcons/terminalsAndIcons.xml   one terminal per boundary
 //! binaries/linux64/<identifier>.so      the scene-agnostic library
 //! resources/scene.toml, meshes, tables  what the instance reads
 //! resources/start.state                 the settled spheres, if there are any
@@ -21,17 +22,22 @@ use sphere_dda_fmi_interface::archive::{self, ArchiveError};
 use sphere_dda_model_description::Finding;
 use sphere_dda_model_description::fmi2::ModelDescription;
 use sphere_dda_model_description::names::is_c_identifier;
+use sphere_dda_model_description::terminals::TerminalsAndIcons;
 use thiserror::Error;
 
 use crate::description::describe;
 use crate::documentation;
 use crate::model::{Model, ModelError, SCENE_FILE, START_FILE};
+use crate::terminals::terminals;
 
 /// Environment variable that names the library to pack.
 pub const LIBRARY_VARIABLE: &str = "SPHERE_DDA_LIBRARY";
 
 /// Hash of the sources this crate was built from; the library exports its own as `sphere_dda_build_id`.
 pub const BUILD_ID: &str = env!("SPHERE_DDA_BUILD_ID");
+
+/// Where FMI 3.0, and FMI 2.0.4, expect the terminals.
+const TERMINALS_FILE: &str = "terminalsAndIcons/terminalsAndIcons.xml";
 
 /// Above this number of scalar variables some importers take very long to open the FMU.
 const MANY_VARIABLES: usize = 5000;
@@ -135,7 +141,10 @@ pub fn export(
     let identifier = identifier(scene);
     let description =
         describe(&model.scene, &model.table, &identifier).map_err(ModelError::from)?;
-    let findings = description.validate();
+    let terminals = terminals(&model.scene, &model.table, false);
+    let names = description.model_variables.iter();
+    let mut findings = description.validate();
+    findings.extend(terminals.validate(names.map(|v| v.name.as_str())));
     if !findings.is_empty() {
         return Err(ExportError::Invalid(findings));
     }
@@ -144,7 +153,7 @@ pub fn export(
         path: library.to_path_buf(),
         source,
     })?;
-    pack(&model, &description, &identifier, &code, fmu)?;
+    pack(&model, &description, &terminals, &identifier, &code, fmu)?;
 
     let variables = model.table.variables().len();
     let mut warnings = model.warnings;
@@ -162,14 +171,17 @@ pub fn export(
 fn pack(
     model: &Model,
     description: &ModelDescription,
+    terminals: &TerminalsAndIcons,
     identifier: &str,
     library: &[u8],
     fmu: &Path,
 ) -> Result<(), ExportError> {
     let xml = description.to_xml().map_err(ModelError::from)?;
+    let terminals = terminals.to_xml().map_err(ModelError::from)?;
     let html = documentation::page(model);
     let mut files: Vec<(String, &[u8])> = vec![
         ("modelDescription.xml".to_owned(), xml.as_bytes()),
+        (TERMINALS_FILE.to_owned(), terminals.as_bytes()),
         (archive::library_path(identifier), library),
         (format!("resources/{SCENE_FILE}"), model.text.as_bytes()),
         ("documentation/index.html".to_owned(), html.as_bytes()),

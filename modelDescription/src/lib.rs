@@ -7,6 +7,7 @@
 //! | module     | holds                                                        | serves       |
 //! |------------|--------------------------------------------------------------|--------------|
 //! | [`fmi2`]   | the FMI 2.0 description, its XML form and its rules           | FMI 2.0      |
+//! | [`terminals`]| groups of variables and the icon, its XML form and its rules | FMI 2.0.4, 3.0 |
 //! | [`units`]  | units as exponents of the SI base units, display units        | any version  |
 //! | [`names`]  | the grammar of structured variable names, C identifiers       | any version  |
 //! | [`Finding`]| one broken rule: where, what was found, what was expected     | any version  |
@@ -58,6 +59,7 @@ mod finding;
 pub mod fmi2;
 mod lexical;
 pub mod names;
+pub mod terminals;
 pub mod units;
 mod xml;
 
