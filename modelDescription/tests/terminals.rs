@@ -65,13 +65,10 @@ fn each_breakage_is_found_and_nothing_else() {
             t.terminals[0].name.clear();
         }),
         (Rule::Drawing, "CoordinateSystem", |t| {
-            *t = TerminalsAndIcons {
-                graphical_representation: Some(GraphicalRepresentation {
-                    icon: None,
-                    ..GraphicalRepresentation::square(0.0)
-                }),
-                ..t.clone()
-            };
+            t.graphical_representation = Some(GraphicalRepresentation {
+                icon: None,
+                ..GraphicalRepresentation::square(0.0)
+            });
         }),
         (Rule::Drawing, "Icon", |t| {
             let mut area = GraphicalRepresentation::square(20.0);
