@@ -188,6 +188,15 @@ impl Motion {
         }
     }
 
+    /// The pressure \[Pa\] that the outside may change, as in the scene.
+    #[must_use]
+    pub fn pressure_input(&self) -> Option<f64> {
+        match self {
+            Self::Driven(body) => body.pressure_input(),
+            _ => None,
+        }
+    }
+
     /// The pose that the scene prescribes at time `t` \[s\]; as in the scene for a motion driven from outside, that of
     /// t = 0 for a driven body.
     ///
@@ -230,7 +239,7 @@ pub(crate) fn interpolate(time: &[f64], value: &[Vec3], t: f64) -> Vec3 {
     }
 }
 
-/// A command for a boundary with a [`Motion::input`] or a belt driven from outside, held until the next one.
+/// A command for a boundary with a [`Motion::input`], a belt or a servo pressure driven from outside, held until the next one.
 /// Components that the boundary's [`InputKind`] does not use are ignored.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct Command {
@@ -251,6 +260,8 @@ pub struct Command {
     pub scalar: f64,
     /// Velocity of the surface against the boundary \[m/s\], its own axes ([`crate::boundaries::Belt`]).
     pub surface_velocity: Vec3,
+    /// Pressure of a servo wall \[Pa\] ([`crate::driven::Servo::input`]).
+    pub pressure: f64,
 }
 
 #[cfg(test)]

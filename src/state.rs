@@ -18,19 +18,19 @@ use crate::simulation::{StepReport, Wrench};
 pub struct Work {
     /// Energy lost by sliding friction, and by resistance to rolling and twisting.
     pub friction: f64,
-    /// Energy lost along the normals of impacts.
+    /// Energy lost along the normals of impacts and at the stops of joints.
     pub impact: f64,
     /// Energy that the scheme has added; negative: taken. What is left of the change of kinetic energy after all other work.
     pub residue: f64,
     /// Work of moving boundaries on the spheres.
     pub boundaries: f64,
-    /// Potential energy that the spheres got because gravity changed with time.
+    /// Potential energy that spheres and driven bodies got because gravity changed with time.
     pub gravity: f64,
     /// Work of point loads on the spheres, and of all loads but gravity on driven bodies.
     pub loads: f64,
     /// Work of the dampers of driven bodies: at most zero.
     pub dampers: f64,
-    /// Work of constrained springs on the spheres.
+    /// Work of constrained springs on the spheres and of the springs of joints on driven bodies.
     pub springs: f64,
 }
 

@@ -10,7 +10,7 @@
 //! Pose, slide and hinge inputs are total displacements from the scene's placement: the boundary moves linearly
 //! (a rotation by its logarithm) from where it is to the commanded pose and reaches it at the end of the
 //! communication step. Speeds, forces and torques are held over the step. The start values mean "as in the scene": zero,
-//! and for a belt the scene's surface velocity.
+//! and for a belt or a servo wall the scene's surface velocity or pressure.
 
 mod parameters;
 mod rows;
@@ -110,6 +110,8 @@ pub enum Input {
     Scalar,
     /// Velocity of the surface against the boundary \[m/s\].
     SurfaceVelocity,
+    /// Pressure of a servo wall \[Pa\].
+    Pressure,
 }
 
 /// One variable.
@@ -164,6 +166,9 @@ impl Table {
             if let Some(belt) = boundary.belt.filter(|belt| belt.input) {
                 rows.belt(&prefix, b, belt.velocity);
             }
+            if let Some(pressure) = boundary.motion.pressure_input() {
+                rows.servo(&prefix, b, pressure);
+            }
         }
         for (rank, quantity) in quantities(scene).into_iter().enumerate() {
             let row = match quantity.kind {
@@ -201,6 +206,7 @@ pub fn component(command: &mut Command, input: Input, axis: usize) -> &mut f64 {
         Input::Force => &mut command.force[axis],
         Input::Torque => &mut command.torque[axis],
         Input::Scalar => &mut command.scalar,
+        Input::Pressure => &mut command.pressure,
         Input::SurfaceVelocity => &mut command.surface_velocity[axis],
     }
 }

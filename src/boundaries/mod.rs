@@ -163,14 +163,17 @@ impl Boundary {
     pub fn rest(&self) -> Command {
         Command {
             surface_velocity: self.belt.map_or_else(Vec3::zeros, |belt| belt.velocity),
+            pressure: self.motion.pressure_input().unwrap_or_default(),
             ..Command::default()
         }
     }
 
-    /// Whether a [`Command`] moves the boundary or its surface.
+    /// Whether a [`Command`] moves or presses the boundary or moves its surface.
     #[must_use]
     pub fn is_commanded(&self) -> bool {
-        self.motion.input().is_some() || self.belt.is_some_and(|belt| belt.input)
+        self.motion.input().is_some()
+            || self.motion.pressure_input().is_some()
+            || self.belt.is_some_and(|belt| belt.input)
     }
 }
 

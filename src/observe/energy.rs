@@ -5,7 +5,7 @@
 //! rotational      sum I |w|^2 / 2           I = 2/5 m R^2
 //! gravity         - sum m g . c             zero at the origin of the scene
 //! centrifugal     - sum m |W x (c - p)|^2 / 2
-//! springs         sum P_c |x - t|^2 / 2     x: constrained point, t: its target
+//! springs         sum P_c |x - t|^2 / 2     x: constrained point, t: its target; k (q - q_0)^2 / 2 of a joint
 //! loads           - sum f . x               x: point of the load
 //! P               sum m v_h                 v_h, w_h: half-step velocity
 //! L               sum (c x m v_h + I w_h)   about the origin
@@ -30,7 +30,7 @@ pub struct Energy {
     pub gravity: f64,
     /// Centrifugal potential in a rotating frame, zero on its axis.
     pub centrifugal: f64,
-    /// Potential of the constrained points' springs.
+    /// Potential of the springs of constrained points and joints.
     pub springs: f64,
     /// Potential of the point loads, zero at the origin.
     pub loads: f64,
@@ -62,6 +62,10 @@ impl Energy {
             if body.gravity {
                 let centre = boundary.from_frame(&now.pose, body.centre);
                 energy.gravity -= body.mass * state.gravity.dot(&centre);
+            }
+            if let Some(spring) = &body.spring {
+                let stretch = now.joint.travel - spring.rest;
+                energy.springs += 0.5 * spring.stiffness * stretch * stretch;
             }
         }
         let present = |sphere: usize| state.kinematics.present[sphere];

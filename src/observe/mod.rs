@@ -24,6 +24,7 @@ pub mod writer;
 
 use crate::Vec3;
 use crate::contacts::{Contact, Partner};
+use crate::driven::JointState;
 use crate::motion::{Pose, Twist};
 use crate::particles::Kinematics;
 use crate::scene::Scene;
@@ -43,6 +44,8 @@ pub struct BoundaryState {
     pub wrench: Wrench,
     /// Contact wrench averaged over the last communication step.
     pub mean_wrench: Wrench,
+    /// Travel of a driven body's joint and the force of its stops and spring; zero for all others.
+    pub joint: JointState,
 }
 
 /// The state at the end of a communication step, as observers see it.
@@ -106,6 +109,7 @@ impl<'a> Observation<'a> {
                     surface_velocity: simulation.surface_velocity(b),
                     wrench: simulation.wrench(b),
                     mean_wrench: simulation.mean_wrench(b),
+                    joint: simulation.joint(b),
                 })
                 .collect(),
             passed: &simulation.state().passed,

@@ -7,8 +7,9 @@
 //! |---|---|
 //! | inertia | `inverse_mass`, `free` |
 //! | body force, point load | `free`, by the external acceleration |
-//! | constrained spring | a bilateral row of compliance `1/(P_c dt^2)` and bias `(x - target)/dt` |
+//! | constrained spring, spring of a joint | a bilateral row of compliance `1/(P_c dt^2)` and bias `(x - target)/dt` |
 //! | normal contact, shear contact, friction | a contact row |
+//! | (not in the paper) stop of a joint | a contact row without friction on the body alone |
 //! | (not in the paper) rolling and twisting resistance | a resistance row behind all others |
 //! | elastic strain, initial stress | vanish: the spheres are rigid |
 //!
@@ -21,7 +22,7 @@ use crate::Vec3;
 use crate::contacts::law::split;
 use crate::contacts::narrow_phase::Candidate;
 use crate::contacts::{Key, Partner};
-use crate::driven::Ready;
+use crate::driven::{Hold, Kind, Ready};
 use crate::materials::Pair;
 use crate::motion::{Pose, Twist};
 use crate::particles::Kinematics;
@@ -295,6 +296,55 @@ impl<'a> Inputs<'a> {
             resistance.bias = torque * (-self.step / row.radius * compliance);
         }
         Some(resistance)
+    }
+
+    /// The row of a stop or spring of driven body `rank`, and whether it is an impact: a stop is met as a wall is, without
+    /// restitution.
+    #[must_use]
+    pub fn hold(&self, free: &[Dof6], rank: usize, hold: &Hold) -> (Row, bool) {
+        let (settings, body) = (&self.scene.settings, &self.bodies[rank]);
+        let particles = &self.scene.particles;
+        let normal = hold.normal();
+        let dt2 = self.step * self.step;
+        let (law, compliance) = match (hold.kind, settings.method, settings.penalty) {
+            (Kind::Spring(stiffness), ..) => (Law::Bilateral, 1.0 / (stiffness * dt2)),
+            (_, Method::Penalty, Some(penalty)) => {
+                (Law::Contact { mu: 0.0 }, 1.0 / (penalty * dt2))
+            }
+            _ => (Law::Contact { mu: 0.0 }, 0.0),
+        };
+        let mut row = Row {
+            a: (self.kinematics.len() + rank) as u32,
+            b: GROUND,
+            normal,
+            arm_a: hold.arm,
+            arm_b: Vec3::zeros(),
+            drift: Vec3::zeros(),
+            bias: normal * (hold.distance / self.step),
+            compliance_n: compliance,
+            compliance_t: compliance,
+            law,
+            radius: particles
+                .radius
+                .iter()
+                .copied()
+                .fold(f64::INFINITY, f64::min),
+            impulse_scale: 0.0,
+        };
+        let before = body.velocity.at(hold.arm).dot(&normal);
+        let acceleration = body.acceleration_at(hold.arm).norm();
+        let acceleration = acceleration.max(self.gravity.norm());
+        let change = if acceleration > 0.0 {
+            acceleration * self.step
+        } else {
+            before.abs()
+        };
+        row.impulse_scale = body.mass() * change;
+        let threshold = settings
+            .threshold_velocity
+            .max(2.0 * self.step * acceleration);
+        let closes = hold.distance + self.step * normal.dot(&row.relative_velocity(free)) < 0.0;
+        (row, hold.stops() && closes && before < -threshold)
     }
 
     /// The row of constrained point `s`.

@@ -300,7 +300,8 @@ impl Problem {
         // The update of a row treats normal and tangent side by side: a bound keeps it from overshooting where they couple.
         let coupling = t1.dot(&(operator * n)).hypot(t2.dot(&(operator * n)));
         let share = coupling / (w_n * w_t).sqrt();
-        if share > UNCOUPLED {
+        // Where a joint leaves nothing but the normal, all across it is rounding.
+        if share > UNCOUPLED && coupling > UNCOUPLED * w_n {
             (w_n * (1.0 + share), w_t * (1.0 + share))
         } else {
             (w_n, w_t)

@@ -7,7 +7,7 @@ use super::document::Document;
 use super::file;
 use super::names::Names;
 use crate::Vec3;
-use crate::driven::{Area, Body, Joint, Servo};
+use crate::driven::{Area, Body, Joint, Servo, Spring};
 use crate::motion::{Pose, Twist};
 
 /// Largest asymmetry of an inertia, and how far a moment may exceed the sum of the others, over the largest \[-\].
@@ -57,6 +57,8 @@ pub(super) fn body(
             given.joint,
         )?),
     };
+    let limits = limits(document, &at("limits"), given);
+    let spring = spring(document, &at("spring"), given);
     let (joint, (moments, axes)) = (joint?, principal?);
     let body = Body {
         mass: given.mass,
@@ -67,6 +69,8 @@ pub(super) fn body(
         force: given.force.into(),
         torque: given.torque.into(),
         servo,
+        limits: limits?,
+        spring: spring?,
         damping: [given.damping, given.angular_damping],
         gravity: given.gravity,
         pose: Pose::default(),
@@ -80,6 +84,54 @@ pub(super) fn body(
         && starts(document, path, &body)
         && heavy)
         .then_some(body)
+}
+
+/// Whether `path` of a body is on a joint with one free direction.
+fn guided(document: &mut Document<'_>, path: &str, joint: file::Joint) -> bool {
+    document.demand(
+        !matches!(joint, file::Joint::Free),
+        path,
+        "a free body",
+        "joint = { slide = axis } or { hinge = axis }",
+    )
+}
+
+/// Stops; `None` if refused.
+fn limits(document: &mut Document<'_>, path: &str, given: &file::Body) -> Option<[Option<f64>; 2]> {
+    let Some(file::Limits { lower, upper }) = given.limits else {
+        return Some([None; 2]);
+    };
+    let guided = guided(document, path, given.joint);
+    let any = document.demand(
+        lower.is_some() || upper.is_some(),
+        path,
+        "neither `lower` nor `upper`",
+        "at least one of them",
+    );
+    let (low, high) = (lower.unwrap_or(-1.0), upper.unwrap_or(1.0));
+    let expected = "lower <= 0 <= upper, with room between: the scene's placement is 0 [m or rad]";
+    let around = document.demand(
+        low <= 0.0 && 0.0 <= high && low < high,
+        path,
+        format!("lower = {low}, upper = {high}"),
+        expected,
+    );
+    (guided && any && around).then_some([lower, upper])
+}
+
+/// A joint's spring; `None` if refused.
+fn spring(document: &mut Document<'_>, path: &str, given: &file::Body) -> Option<Option<Spring>> {
+    let Some(file::JointSpring { stiffness, rest }) = given.spring else {
+        return Some(None);
+    };
+    let guided = guided(document, path, given.joint);
+    let stiff = document.demand(
+        stiffness > 0.0,
+        format!("{path}.stiffness"),
+        stiffness,
+        "a stiffness > 0 [N/m or N m/rad]",
+    );
+    (guided && stiff).then_some(Some(Spring { stiffness, rest }))
 }
 
 /// A body that can turn needs inertia.
@@ -235,6 +287,7 @@ fn servo(
     Some(Servo {
         pressure: given.pressure,
         area,
+        input: given.input,
     })
 }
 

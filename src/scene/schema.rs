@@ -170,7 +170,7 @@ fn order(schema: &mut Value) {
     let tables = tables! {
         Simulation Turning GravityTable RotatingFrame Cell Tolerance Material PairDefault Pair Load Spring Output
         Spheres Lattice Uniform Normal LogNormal MassTable Packing Source Sink
-        Boundary Body Servo Plane Rectangle Cuboid Cone Cylinder Stl Terrain Constant Sinusoid Table
+        Boundary Body Limits JointSpring Servo Plane Rectangle Cuboid Cone Cylinder Stl Terrain Constant Sinusoid Table
         Tube Sensor Probe
     };
     schema["x-order"] = keys_of::<file::TopLevel>().into();

@@ -12,7 +12,7 @@ use crate::Vec3;
 use crate::boundaries::Boundary;
 use crate::contacts::Contact;
 use crate::drive::{Drive, target};
-use crate::driven::BodyState;
+use crate::driven::{BodyState, JointState};
 use crate::error::{SnapshotError, StepError};
 use crate::gravity::GravityMotion;
 use crate::motion::{Command, Motion, Pose, Twist};
@@ -207,6 +207,12 @@ impl Simulation {
             let change = self.gravity() - before;
             let at = self.state.kinematics.position.clone();
             self.state.lift(&self.scene, &at, change);
+            let heavy = self.scene.driven().filter(|(_, body)| body.gravity);
+            let moments = heavy.map(|(b, body)| {
+                let pose = &self.state.poses[b];
+                self.scene.boundaries[b].from_frame(pose, body.centre) * body.mass
+            });
+            self.state.work.gravity -= moments.sum::<Vec3>().dot(&change);
         }
         Ok(())
     }
@@ -222,7 +228,7 @@ impl Simulation {
             return Err(StepError::Argument {
                 what: "boundary",
                 found: b.to_string(),
-                expected: "the index of a boundary with `input` or `surface_input`",
+                expected: "the index of a boundary with `input`, `surface_input` or `servo.input`",
             });
         }
         let vectors = [
@@ -239,7 +245,7 @@ impl Simulation {
             vectors
                 .iter()
                 .flat_map(|v| v.iter())
-                .chain([&command.scalar]),
+                .chain([&command.scalar, &command.pressure]),
         )?;
         self.state.commands[b] = command;
         Ok(())
@@ -412,6 +418,17 @@ impl Simulation {
             let (last, persisting) = (self.state.last_step, &carried.persisting);
             let momentum = integrator.reported(&carried.momentum, persisting, last);
             body.twist_of(&self.scene.boundaries[b], &self.state.poses[b], &momentum)
+        })
+    }
+
+    /// Travel of boundary `b`'s joint and the force of its stops and spring; zero unless it is a driven body.
+    #[must_use]
+    pub fn joint(&self, b: usize) -> JointState {
+        let mut bodies = self.scene.driven().zip(&self.state.bodies);
+        let driven = bodies.find(|((boundary, _), _)| *boundary == b);
+        driven.map_or_else(JointState::default, |(_, carried)| JointState {
+            travel: carried.travel,
+            force: carried.holds.iter().sum(),
         })
     }
 

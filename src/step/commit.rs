@@ -1,7 +1,7 @@
 //! From a solution to the next state: motion, contact forces, wrenches, work.
 
 use super::dof;
-use super::stage::Stage;
+use super::stage::{Held, Stage};
 use crate::Vec3;
 use crate::contacts::history::transfer;
 use crate::contacts::narrow_phase::Placement;
@@ -18,12 +18,19 @@ impl Stage<'_> {
     /// Counts as impacts the contacts that an impact has hit through others: their impulses are more than twice what they
     /// carried before and what loads bring in a step. As persisting forces they would shift the half step.
     pub(super) fn spread_impacts(&mut self, state: &State) {
-        let struck = |(impact, p): (&bool, &Vec3)| *impact && *p != Vec3::zeros();
-        if !self.impact.iter().zip(&self.impulses).any(struck) {
+        let struck = |(k, p): (usize, &Vec3)| *p != Vec3::zeros() && self.is_impact(k);
+        if !self.impulses.iter().enumerate().any(struck) {
             return;
         }
         let before = transfer(&state.contacts, self.candidates.iter().map(|c| c.key));
         let step = self.inputs.step;
+        let first = self.first_hold();
+        for (k, held) in self.holds.iter_mut().enumerate() {
+            let load = self.inputs.weight(self.problem.rows[first + k].a);
+            let before = held.hold.force.abs();
+            let handed_on = self.impulses[first + k].norm() > 2.0 * step * (before + load);
+            held.impact |= held.hold.stops() && handed_on;
+        }
         for (k, (impact, before)) in self.impact.iter_mut().zip(before).enumerate() {
             let row = &self.problem.rows[k];
             let load = [row.a, row.b].map(|body| self.inputs.weight(body));
@@ -106,9 +113,19 @@ impl Stage<'_> {
         bodies
             .map(|(d, body)| {
                 let [mut contacts, mut persisting] = [Dof6::ZERO; 2];
+                let mut holds = [0.0; 3];
                 for (k, row) in self.problem.rows.iter().enumerate() {
-                    if row.b as usize == spheres + d {
-                        let push = row.grips()[1].momentum(-self.impulses[k]);
+                    let (p, rank) = (self.impulses[k], (spheres + d) as u32);
+                    let push = match [row.a, row.b] {
+                        [a, _] if a == rank => Some(row.grips()[0].momentum(p)),
+                        [_, b] if b == rank => Some(row.grips()[1].momentum(-p)),
+                        _ => None,
+                    };
+                    if let Some(Held { hold, .. }) = push.and(self.held(k)) {
+                        let force = p.dot(&hold.direction) / self.inputs.step;
+                        holds[hold.slot()] = force * hold.lever;
+                    }
+                    if let Some(push) = push {
                         contacts = contacts.plus(&push, 1.0);
                         if !self.is_impact(k) {
                             persisting = persisting.plus(&push, 1.0);
@@ -122,6 +139,7 @@ impl Stage<'_> {
                     settings,
                     &solution[spheres + d],
                     impulses,
+                    holds,
                     end,
                     self.inputs.step,
                 )
@@ -151,13 +169,14 @@ impl Stage<'_> {
         let settings = &scene.settings;
         let step = self.inputs.step;
         let persisting = self.persisting_acceleration();
+        let finished = self.finished(solution, ends);
         self.work(state, solution, &persisting);
+        self.body_work(state, solution, &finished, ends);
         self.store(state);
         state.springs = self.spring_forces();
         state.persisting = persisting;
-        for (carried, (after, work)) in state.bodies.iter_mut().zip(self.finished(solution, ends)) {
+        for (carried, (after, _)) in state.bodies.iter_mut().zip(finished) {
             *carried = after;
-            state.work.dampers += work;
         }
         let position = self.moved(solution);
         for (i, v1) in solution[..position.len()].iter().enumerate() {
@@ -195,20 +214,16 @@ impl Stage<'_> {
         let (scene, step) = (self.inputs.scene, self.inputs.step);
         let integrator = scene.settings.integrator;
         let before = self.before();
-        let mean: Vec<Dof6> = before
-            .iter()
-            .zip(solution)
-            .map(|(before, v1)| match integrator {
-                Integrator::Moreau => Dof6::ZERO.plus(before, 0.5).plus(v1, 0.5),
-                Integrator::Shi => *v1,
-            })
-            .collect();
+        let mean = self.mean(solution);
         let spheres = self.inputs.kinematics.len();
         let work = &mut state.work;
         // Work on the spheres that is accounted for.
         let mut known = 0.0;
         for (k, row) in self.problem.rows.iter().enumerate() {
             let p = self.impulses[k];
+            if self.held(k).is_some() {
+                continue;
+            }
             if row.law == Law::Bilateral {
                 let spring = p.dot(&row.relative_velocity(solution));
                 work.springs += spring;
@@ -257,11 +272,63 @@ impl Stage<'_> {
             let arm = self.inputs.kinematics.orientation[load.sphere] * load.arm;
             work.loads += step * load.force.dot(&solution[load.sphere].at(arm));
         }
-        for (body, mean) in self.inputs.bodies.iter().zip(&mean[spheres..]) {
-            let at_action = body.action_velocity(mean);
+    }
+
+    /// Adds the work on driven bodies, as [`Self::work`] does for spheres. Their weight acts along the way of the centre of mass.
+    fn body_work(
+        &self,
+        state: &mut State,
+        solution: &[Dof6],
+        finished: &[(BodyState, f64)],
+        ends: &[Pose],
+    ) {
+        let (scene, step) = (self.inputs.scene, self.inputs.step);
+        let integrator = scene.settings.integrator;
+        let mean = self.mean(solution);
+        let spheres = self.inputs.kinematics.len();
+        let work = &mut state.work;
+        for (k, row) in self.problem.rows.iter().enumerate() {
+            let velocity = if self.is_impact(k) { &mean } else { solution };
+            let p = self.impulses[k];
+            if let Some(held) = self.held(k) {
+                let done = p.dot(&row.relative_velocity(velocity));
+                work.residue -= done;
+                match held.hold.stops() {
+                    true => work.impact -= done,
+                    false => work.springs += done,
+                }
+            } else if row.b != GROUND && row.b as usize >= spheres {
+                let [_, grip] = row.grips();
+                work.residue += p.dot(&grip.velocity(&velocity[row.b as usize]));
+            }
+        }
+        let bodies = self.inputs.bodies.iter().zip(&state.bodies).zip(finished);
+        for (d, ((body, before), (after, damped))) in bodies.enumerate() {
+            let poses = [&self.inputs.poses[0][body.boundary], &ends[body.boundary]];
+            let [old, new] = [(before, poses[0], state.last_step), (after, poses[1], step)].map(
+                |(carried, pose, last)| {
+                    let (momentum, lasting) = (&carried.momentum, &carried.persisting);
+                    body.kinetic_energy(pose, &integrator.reported(momentum, lasting, last))
+                },
+            );
+            let at_action = body.action_velocity(&mean[spheres + d]);
             let power =
                 body.load.linear.dot(&at_action.linear) + body.load.angular.dot(&at_action.angular);
             work.loads += step * power;
+            work.dampers += damped;
+            let weight = body.weight_work(self.inputs.gravity, poses);
+            work.residue += new - old - step * power - damped - weight;
         }
+    }
+
+    /// Mean velocities over the step, `[N + D]`: what an impact works with.
+    fn mean(&self, solution: &[Dof6]) -> Vec<Dof6> {
+        let before = self.before();
+        let both = before.iter().zip(solution);
+        both.map(|(before, v1)| match self.inputs.scene.settings.integrator {
+            Integrator::Moreau => Dof6::ZERO.plus(before, 0.5).plus(v1, 0.5),
+            Integrator::Shi => *v1,
+        })
+        .collect()
     }
 }

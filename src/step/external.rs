@@ -109,6 +109,12 @@ impl Start<'_> {
                 .zip(&state.kinematics.position);
             let middle: Vec<Vec3> = ends.map(|(a, b)| (a + b) * 0.5).collect();
             state.lift(scene, &middle, to - from);
+            let heavy = self.bodies.iter().filter_map(|body| {
+                let poses = [&self.standing[body.boundary], &state.poses[body.boundary]];
+                body.weight_moment(poses)
+            });
+            let moment: Vec3 = heavy.sum();
+            state.work.gravity -= moment.dot(&(to - from));
         }
     }
 }

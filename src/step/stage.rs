@@ -4,6 +4,7 @@ use super::{Passed, Scratch, StepFailure, StepOutcome};
 use crate::Vec3;
 use crate::contacts::narrow_phase::{Candidate, Placement};
 use crate::contacts::{Partner, history};
+use crate::driven::Hold;
 use crate::motion::Pose;
 use crate::problem::assemble::Inputs;
 use crate::problem::{Dof6, Law, Problem};
@@ -22,6 +23,13 @@ const NEAR: f64 = 1e-3;
 /// Share of the gap tolerance left to the linear problem; the rest is for curvature and rounding.
 const LINEAR_SHARE: f64 = 0.5;
 
+/// A stop or spring of a driven body.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Held {
+    pub(super) hold: Hold,
+    pub(super) impact: bool,
+}
+
 /// The step under way: its problem and who its rows are.
 pub(super) struct Stage<'a> {
     pub(super) inputs: Inputs<'a>,
@@ -29,6 +37,8 @@ pub(super) struct Stage<'a> {
     pub(super) problem: Problem,
     pub(super) candidates: Vec<Candidate>,
     pub(super) impact: Vec<bool>,
+    /// Stops and springs of the driven bodies: their rows follow those of the constrained points.
+    pub(super) holds: Vec<Held>,
     pub(super) impulses: Vec<Vec3>,
     /// Whether bodies move through the step: a displacement that removes overlaps is no way.
     pub(super) moves: bool,
@@ -80,6 +90,7 @@ impl<'a> Stage<'a> {
             problem,
             candidates,
             impact: Vec::new(),
+            holds: Vec::new(),
             impulses: Vec::new(),
             moves: true,
         };
@@ -87,8 +98,8 @@ impl<'a> Stage<'a> {
         stage
     }
 
-    /// Rows and warm-start impulses for the candidates, the constrained points and the contacts' resistances, in this
-    /// order.
+    /// Rows and warm-start impulses for the candidates, the constrained points, the stops and springs of driven bodies and
+    /// the contacts' resistances, in this order.
     fn write_rows(&mut self, state: &State) {
         let carried = history::transfer(&state.contacts, self.candidates.iter().map(|c| c.key));
         self.problem.rows.clear();
@@ -115,6 +126,14 @@ impl<'a> Stage<'a> {
             .chain(springs_held)
             .map(|f| f * step)
             .collect();
+        for (rank, body) in self.inputs.bodies.iter().enumerate() {
+            for hold in body.holds() {
+                let (row, impact) = self.inputs.hold(&self.problem.free, rank, &hold);
+                self.problem.rows.push(row);
+                self.impulses.push(hold.direction * (hold.force * step));
+                self.holds.push(Held { hold, impact });
+            }
+        }
         if self.inputs.scene.pairs.resists() {
             for (k, carried) in carried.iter().enumerate() {
                 self.resist(k, carried.torque);
@@ -143,8 +162,20 @@ impl<'a> Stage<'a> {
 
     /// Whether row `k` belongs to an impact.
     pub(super) fn is_impact(&self, k: usize) -> bool {
-        self.contact_of(k)
-            .is_some_and(|contact| self.impact[contact])
+        match self.contact_of(k) {
+            Some(contact) => self.impact[contact],
+            None => self.held(k).is_some_and(|held| held.impact),
+        }
+    }
+
+    /// Row of the first stop or spring of a driven body.
+    pub(super) fn first_hold(&self) -> usize {
+        self.candidates.len() + self.inputs.targets.len()
+    }
+
+    /// The stop or spring that row `k` is.
+    pub(super) fn held(&self, k: usize) -> Option<&Held> {
+        self.holds.get(k.checked_sub(self.first_hold())?)
     }
 
     /// Solves the problem as it stands.

@@ -1,13 +1,13 @@
 //! The start of a run: overlaps out by displacement, contact forces at rest.
 
-use super::stage::Stage;
+use super::stage::{Held, Stage};
 use super::{Scratch, StepFailure, external, surfaces};
 use crate::Vec3;
 use crate::contacts::narrow_phase::Placement;
 use crate::driven::Ready;
 use crate::motion::Twist;
 use crate::problem::assemble::Inputs;
-use crate::problem::{Dof6, Law};
+use crate::problem::{Dof6, Law, Row};
 use crate::scene::{Method, Scene};
 use crate::state::State;
 
@@ -60,6 +60,7 @@ pub fn initial_forces(
     let at_rest = stage.finished(&solution, &poses);
     for (carried, (found, _)) in state.bodies.iter_mut().zip(at_rest) {
         carried.persisting = found.persisting;
+        carried.holds = found.holds;
     }
     Ok(())
 }
@@ -138,9 +139,25 @@ impl Stage<'_> {
             self.candidates[k].gap <= closed * row.radius
                 && row.normal.dot(&row.relative_velocity(&velocity)).abs() <= 1e-3 * creep
         };
+        let stop_rests = |held: &Held, row: &Row| {
+            held.hold.distance <= closed * row.radius
+                && row.normal.dot(&row.relative_velocity(&velocity)).abs() <= 1e-3 * creep
+        };
         let keep: Vec<bool> = (0..self.problem.rows.len())
-            .map(|k| self.contact_of(k).is_none_or(rests))
+            .map(|k| match (self.contact_of(k), self.held(k)) {
+                (Some(contact), _) => rests(contact),
+                (None, Some(held)) if held.hold.stops() => stop_rests(held, &self.problem.rows[k]),
+                _ => true,
+            })
             .collect();
+        let first = self.first_hold();
+        for (held, row) in self.holds.iter_mut().zip(&mut self.problem.rows[first..]) {
+            if held.hold.stops() {
+                row.bias = Vec3::zeros();
+                held.impact = false;
+            }
+        }
+        retain(&mut self.holds, &keep[first..]);
         for row in &mut self.problem.rows {
             if let Law::Resistance { contact, .. } = &mut row.law {
                 let before = &keep[..*contact as usize];

@@ -8,6 +8,7 @@ import pytest
 from fmu import Slave
 
 MASS, RADIUS, G, STEP = 2.0, 0.1, 9.81, 1e-3
+AREA = 0.3
 SPHERE = 2500.0 * 4.0 / 3.0 * np.pi * RADIUS**3
 SCENE = f"""
 title = "piston"
@@ -43,6 +44,42 @@ def piston(command, tmp_path_factory):
     (folder / "piston.toml").write_text(SCENE)
     subprocess.run([command, "export", folder / "piston.toml", "-o", folder / "piston.fmu"], check=True)
     return folder / "piston.fmu"
+
+
+@pytest.fixture(scope="module")
+def servo(command, tmp_path_factory):
+    folder = tmp_path_factory.mktemp("servo")
+    wall = f"servo = {{ pressure = 400.0, area = {AREA}, input = true }} }}"
+    text = SCENE.replace("[0.0, 0.0, -1.0] } }\ninput = \"load\"", f"[0.0, 0.0, -1.0] }}, limits = {{ lower = -0.02 }}, {wall}")
+    assert "servo" in text
+    (folder / "servo.toml").write_text(text)
+    subprocess.run([command, "export", folder / "servo.toml", "-o", folder / "servo.fmu"], check=True)
+    return folder / "servo.fmu"
+
+
+def test_the_floor_carries_the_pressure_that_the_importer_asks_for(servo):
+    with Slave(servo) as slave:
+        assert slave.get("boundary.piston.pressure") == [400.0]
+        for k in range(40):
+            pressure = 400.0 if k < 10 else 400.0 + 50.0 * k
+            if k >= 10:
+                slave.set("boundary.piston.pressure", pressure)
+            slave.step(k * STEP, STEP)
+            pressed = pressure * AREA + MASS * G
+            assert slave.vector("boundary.piston.averageForce")[2] == pytest.approx(pressed, rel=1e-6)
+            floor = -slave.vector("boundary.floor.averageForce")[2]
+            assert floor == pytest.approx(pressed + 2 * SPHERE * G, rel=1e-6)
+            assert slave.get("boundary.piston.jointForce") == [0.0]
+
+
+def test_a_piston_that_is_sucked_up_hangs_on_its_stop(servo):
+    """Travel is counted along the slide, which points down: the lower stop lies above."""
+    with Slave(servo) as slave:
+        for k in range(200):
+            slave.set("boundary.piston.pressure", -400.0)
+            slave.step(k * STEP, STEP)
+        assert slave.get("boundary.piston.jointTravel") == pytest.approx([-0.02], abs=1e-6 * RADIUS)
+        assert slave.get("boundary.piston.jointForce") == pytest.approx([400.0 * AREA - MASS * G], rel=1e-6)
 
 
 def load(time):

@@ -362,6 +362,7 @@ fn a_servo_wall_presses_with_pressure_times_area() {
         piston.servo = Some(Servo {
             pressure: -500.0,
             area,
+            input: false,
         });
         let mut case = Case::new(1e-3, 0.3, 0.0)
             .tolerance(1e-9, 1e-9, 1e-8)

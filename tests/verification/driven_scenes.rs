@@ -192,6 +192,42 @@ fn bad_bodies_are_refused_where_they_are_wrong() {
             "without `body`",
         ),
         (
+            &[
+                free,
+                servo,
+                ("mass = 2.0", "mass = 2.0\nlimits = { upper = 1 }"),
+            ],
+            at("limits"),
+            "hinge = axis",
+        ),
+        (
+            &[("mass = 2.0", "mass = 2.0\nlimits = {}")],
+            at("limits"),
+            "at least one",
+        ),
+        (
+            &[(
+                "mass = 2.0",
+                "mass = 2.0\nlimits = { lower = 0.1, upper = 0.2 }",
+            )],
+            at("limits"),
+            "lower <= 0 <= upper",
+        ),
+        (
+            &[("mass = 2.0", "mass = 2.0\nspring = { stiffness = 0 }")],
+            at("spring.stiffness"),
+            "stiffness > 0",
+        ),
+        (
+            &[
+                free,
+                servo,
+                ("mass = 2.0", "mass = 2.0\nspring = { stiffness = 1 }"),
+            ],
+            at("spring"),
+            "hinge = axis",
+        ),
+        (
             &[("mass = 2.0", "mass = 2.0\nweight = 3")],
             at("weight"),
             "unknown key",
@@ -209,6 +245,19 @@ fn bad_bodies_are_refused_where_they_are_wrong() {
         });
         assert!(found, "{path}: {message}\n{}", error.plain());
     }
+}
+
+#[test]
+fn stops_and_springs_mean_what_they_say() {
+    let held = PISTON.replace(
+        "damping = 5.0",
+        "damping = 5.0\nlimits = { lower = -0.2 }\nspring = { stiffness = 40, rest = 0.1 }",
+    );
+    let scene = load(&held).unwrap_or_else(|e| panic!("{}", e.plain()));
+    let body = body(&scene);
+    assert_eq!(body.limits, [Some(-0.2), None]);
+    let spring = body.spring.expect("a spring");
+    assert_eq!([spring.stiffness, spring.rest], [40.0, 0.1]);
 }
 
 /// Settling lets the piston down on the sphere, the sphere on the floor, and stops both: at t = 0 the floor carries all.

@@ -3,9 +3,10 @@
 
 use sphere_dda::Vec3;
 use sphere_dda::boundaries::{HalfSpace, Revolution};
+use sphere_dda::driven::{Joint, Spring};
 use sphere_dda::motion::{Motion, Twist};
 
-use crate::support::{Case, G, Run, close, order};
+use crate::support::{Case, G, Run, body, close, grid, order};
 
 const RADIUS: f64 = 0.1;
 
@@ -144,6 +145,85 @@ fn the_residue_on_a_curved_path_is_of_second_order() {
             worst = worst.max(run.simulation.work().residue.abs());
         }
         worst / (run.mass(0) * G * hollow)
+    };
+    let (coarse, fine) = (residue(4e-3), residue(1e-3));
+    let found = order(coarse, fine, 4.0);
+    assert!(
+        (found - 2.0).abs() < 0.3,
+        "order {found}: {coarse:e} {fine:e}"
+    );
+}
+
+/// What the ledger leaves open of the change of the energy of spheres and driven bodies; springs do work.
+fn open_with_bodies(run: &Run, start: f64) -> f64 {
+    let (work, energy) = (run.simulation.work(), run.whole_energy());
+    let gained = work.boundaries + work.loads + work.dampers + work.springs + work.residue;
+    energy.kinetic() + energy.gravity - start - gained + work.friction + work.impact
+}
+
+/// A loaded piston on a spring with a damper falls on a sphere, which it drives down to where the spring's stop holds it up again:
+/// the ledger closes in every step.
+#[test]
+fn the_ledger_closes_with_a_piston() {
+    let axis = Vec3::z();
+    let mut piston = body(1.5, Vec3::zeros(), Vec3::zeros(), Joint::Slide { axis });
+    piston.force = Vec3::z() * -90.0;
+    piston.damping[0] = 2.0;
+    piston.spring = Some(Spring {
+        stiffness: 900.0,
+        rest: 0.02,
+    });
+    piston.limits = [Some(-0.095), Some(0.03)];
+    let lid = HalfSpace::new(Vec3::z() * 0.3, -Vec3::z()).expect("a plane");
+    let mut run = Case::new(1e-3, 0.2, 0.6)
+        .floor()
+        .driven(vec![lid.into()], piston)
+        .sphere(RADIUS, Vec3::z() * 0.13, Vec3::x())
+        .start();
+    let start = run.whole_energy();
+    let start = start.kinetic() + start.gravity;
+    let mut touched = false;
+    for _ in 0..1000 {
+        run.step();
+        touched |= run.force_on_boundary(1).z > 0.0;
+        let left = open_with_bodies(&run, start);
+        assert!(left.abs() < 1e-9 * start, "{left:e}");
+    }
+    let work = run.simulation.work();
+    assert!(touched && work.impact > 0.0 && work.dampers < 0.0 && work.springs != 0.0);
+}
+
+/// A frictionless sphere in a bucket that swings on a hinge: no force but weight does work, and the residue is of second order.
+#[test]
+fn the_residue_in_a_swinging_bucket_is_of_second_order() {
+    let residue = |dt: f64| {
+        let trough = grid(64, 1, |i, j| {
+            let angle = (f64::from(i) / 64.0 - 0.5) * std::f64::consts::PI;
+            let y = f64::from(j) - 0.5;
+            Vec3::new(angle.sin(), y, -angle.cos())
+        });
+        let mut bucket = body(
+            20.0,
+            Vec3::z() * -0.9,
+            Vec3::repeat(2.0),
+            Joint::Hinge { axis: Vec3::y() },
+        );
+        bucket.twist.angular = Vec3::y() * 0.8;
+        let mut run = Case::new(dt, 0.0, 0.0)
+            .tolerance(1e-11, 1e-11, 1e-11)
+            .driven(vec![trough.into()], bucket)
+            .sphere(RADIUS, Vec3::z() * (RADIUS - 0.999), Vec3::zeros())
+            .start();
+        let start = run.whole_energy();
+        let start = start.kinetic() + start.gravity;
+        let mut worst = 0.0f64;
+        while run.simulation.time() < 1.0 {
+            run.step();
+            let left = open_with_bodies(&run, start);
+            assert!(left.abs() < 1e-9 * start.abs(), "{left:e}");
+            worst = worst.max(run.simulation.work().residue.abs());
+        }
+        worst / start.abs()
     };
     let (coarse, fine) = (residue(4e-3), residue(1e-3));
     let found = order(coarse, fine, 4.0);

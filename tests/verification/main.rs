@@ -11,6 +11,7 @@ mod driven_scenes;
 mod edges;
 mod frames;
 mod free_motion;
+mod holds;
 mod impact;
 mod incline;
 mod invariance;

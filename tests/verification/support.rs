@@ -10,6 +10,8 @@ use sphere_dda::driven::{Body, Joint};
 use sphere_dda::gravity::GravityMotion;
 use sphere_dda::materials::{Material, Pair, PairTable};
 use sphere_dda::motion::{Motion, Pose, Twist};
+use sphere_dda::observe::Observation;
+use sphere_dda::observe::energy::Energy;
 use sphere_dda::particles::{Kinematics, Locks, Particles};
 use sphere_dda::problem::Dof6;
 use sphere_dda::scene::{Integrator, Method, Output, Scene, Settings};
@@ -194,6 +196,8 @@ pub fn body(mass: f64, centre: Vec3, moments: Vec3, joint: Joint) -> Body {
         force: Vec3::zeros(),
         torque: Vec3::zeros(),
         servo: None,
+        limits: [None; 2],
+        spring: None,
         damping: [0.0; 2],
         gravity: true,
         pose: Pose::default(),
@@ -277,6 +281,11 @@ impl Run {
             .map(|(i, m)| -m * gravity.dot(&self.position(i)))
             .sum();
         self.kinetic() + potential
+    }
+
+    /// Energy of spheres and driven bodies, springs and loads included \[J\].
+    pub fn whole_energy(&self) -> Energy {
+        Energy::of(&Observation::of(&self.simulation))
     }
 
     /// One step of the scene, with the balance of linear momentum and the true overlaps: boundary forces, weight, loads and
@@ -371,7 +380,17 @@ impl Run {
             if body.damping != [0.0; 2] || body.input || body.servo.is_some() {
                 continue;
             }
-            let wrench = self.simulation.mean_wrench(b);
+            let mut wrench = self.simulation.mean_wrench(b);
+            if body.limits != [None; 2] || body.spring.is_some() {
+                // What stops and springs exert is known of the last internal step only.
+                let Joint::Slide { axis } = body.joint else {
+                    continue;
+                };
+                if self.simulation.report().internal_steps > 1 {
+                    continue;
+                }
+                wrench.force += axis * self.simulation.joint(b).force;
+            }
             let weight = scene.settings.gravity * body.mass;
             let force = weight * f64::from(u8::from(body.gravity)) + body.force + wrench.force;
             let scale = weight.norm() + body.force.norm() + wrench.force.norm();

@@ -124,6 +124,18 @@ impl Rows {
         self.vector(&name, "m/s", text, meaning, start);
     }
 
+    /// The pressure of a servo wall.
+    pub(super) fn servo(&mut self, prefix: &str, boundary: usize, start: f64) {
+        let text = "Pressure of the servo wall, held over the communication step";
+        let row = Row::real(format!("{prefix}.pressure"), Some("Pa"), text);
+        let meaning = Meaning::Input {
+            boundary,
+            input: Input::Pressure,
+            axis: 0,
+        };
+        self.push(row.start(Value::Real(start)), Causality::Input, meaning);
+    }
+
     pub(super) fn parameters(&mut self, scene: &Scene) {
         let parameters = Parameters::of(scene);
         let mut add = |row: Row, parameter: Parameter| {

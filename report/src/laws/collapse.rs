@@ -31,7 +31,7 @@ const COLUMNS: [(f64, f64); 6] = [
 const FRICTION: f64 = 0.5;
 /// Coefficient of rolling resistance of everything: the grains of the law's source are no spheres, and spheres without resistance
 /// never stop on a plane.
-const ROLLING: f64 = 0.2;
+const ROLLING: f64 = 0.05;
 /// Filling, then the longest collapse \[s\].
 const TIMES: [f64; 2] = [0.8, 2.0];
 /// Kinetic energy \[J/kg\] at which the deposit has come to rest.

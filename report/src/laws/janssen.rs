@@ -19,16 +19,16 @@ use crate::error::ReportError;
 
 /// Diameter of the silo \[m\].
 const DIAMETER: f64 = 0.1;
-/// Friction coefficient of the wall.
-const WALL: f64 = 0.5;
+/// Friction coefficient of the wall: below that of the grains, so that they slide along it and do not roll.
+const WALL: f64 = 0.3;
 /// Friction coefficient between grains.
 const INNER: f64 = 0.5;
 /// Number of grains.
 const COUNT: usize = 2600;
 /// Filling, then sinking \[s\]; the second half of the sinking is averaged.
-const TIMES: [f64; 2] = [0.8, 0.5];
+const TIMES: [f64; 2] = [0.8, 0.6];
 /// Speed of the floor \[m/s\].
-const SINKING: f64 = 0.004;
+const SINKING: f64 = 0.01;
 /// Levels at which the stress is read.
 const LEVELS: usize = 24;
 

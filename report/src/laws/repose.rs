@@ -16,6 +16,8 @@ use crate::{Watch, parallel};
 
 /// Friction coefficients.
 const FRICTIONS: [f64; 5] = [0.2, 0.3, 0.4, 0.5, 0.6];
+/// Packings of every friction coefficient: one heap alone scatters by half a degree, which is the rise between two coefficients.
+const SEEDS: [u64; 4] = [1, 2, 3, 4];
 /// Length, width and filling height of the box over the mean grain.
 const BOX: [f64; 3] = [30.0, 6.0, 15.0];
 /// Filling, then the longest outflow \[s\].
@@ -25,11 +27,9 @@ const REST: f64 = 1e-5;
 /// Solid fraction of the filling.
 const PACKED: f64 = 0.58;
 
-/// A slope.
+/// A heap.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Slope {
-    /// Friction coefficient.
-    pub friction: f64,
+pub struct Heap {
     /// Angle \[degrees\].
     pub angle: f64,
     /// Coefficient of determination of the line.
@@ -40,6 +40,31 @@ pub struct Slope {
     pub rest: f64,
 }
 
+/// The heaps of a friction coefficient.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Slope {
+    /// Friction coefficient.
+    pub friction: f64,
+    /// By packing.
+    pub heaps: Vec<Heap>,
+}
+
+impl Slope {
+    /// Mean angle \[degrees\].
+    #[must_use]
+    pub fn angle(&self) -> f64 {
+        self.heaps.iter().map(|heap| heap.angle).sum::<f64>() / self.heaps.len() as f64
+    }
+
+    /// Standard error of the mean angle \[degrees\].
+    #[must_use]
+    pub fn scatter(&self) -> f64 {
+        let (n, mean) = (self.heaps.len() as f64, self.angle());
+        let squares: f64 = self.heaps.iter().map(|h| (h.angle - mean).powi(2)).sum();
+        (squares / (n * (n - 1.0))).sqrt()
+    }
+}
+
 /// Runs every friction coefficient.
 ///
 /// # Errors
@@ -47,12 +72,22 @@ pub struct Slope {
 pub fn run(share: f64, threads: usize, watch: &dyn Watch) -> Result<Vec<Slope>, ReportError> {
     let jobs: Vec<_> = FRICTIONS
         .iter()
-        .map(|&friction| move || slope(friction, share, watch))
+        .flat_map(|&friction| SEEDS.map(|seed| move || heap(friction, seed, share, watch)))
         .collect();
-    parallel::run(threads, jobs).into_iter().collect()
+    let mut heaps = parallel::run(threads, jobs).into_iter();
+    FRICTIONS
+        .iter()
+        .map(|&friction| {
+            let heaps: Result<Vec<Heap>, ReportError> = heaps.by_ref().take(SEEDS.len()).collect();
+            Ok(Slope {
+                friction,
+                heaps: heaps?,
+            })
+        })
+        .collect()
 }
 
-fn text(friction: f64, [length, width, height]: [f64; 3], wall: bool) -> String {
+fn text(friction: f64, seed: u64, [length, width, height]: [f64; 3], wall: bool) -> String {
     let d = GRAIN;
     let (l, w, h) = (length * d, width * d, height * d);
     let count = (6.0 / std::f64::consts::PI * PACKED * length * width * height) as usize;
@@ -64,8 +99,8 @@ fn text(friction: f64, [length, width, height]: [f64; 3], wall: bool) -> String 
         format!("{{ rectangle = {{ corner = {corner:?}, u = {u:?}, v = {v:?} }} }}")
     };
     let tall = 2.0 * h;
-    let mut text =
-        bed::head("Angle of repose", bed::G, friction, 0.0, 0.0) + &bed::grains(&region, count, 1);
+    let mut text = bed::head("Angle of repose", bed::G, friction, 0.0, 0.0)
+        + &bed::grains(&region, count, seed);
     let (columns, rows) = (length as usize, width as usize);
     let mut places = String::new();
     for k in 0..columns * rows {
@@ -98,13 +133,16 @@ fn text(friction: f64, [length, width, height]: [f64; 3], wall: bool) -> String 
     text + "[[sink]]\nname = \"off\"\nregion = { beyond = { point = [0.0, 0.0, -0.02], normal = [0.0, 0.0, -1.0] } }\n"
 }
 
-fn slope(friction: f64, share: f64, watch: &dyn Watch) -> Result<Slope, ReportError> {
-    let name = format!("repose at friction {friction}");
+fn heap(friction: f64, seed: u64, share: f64, watch: &dyn Watch) -> Result<Heap, ReportError> {
+    let name = format!("repose at friction {friction}, packing {seed}");
     let run = Run { name: &name, watch };
     let size = BOX.map(|side| (side * share.cbrt()).round());
-    let mut full = run.begin(bed::scene("repose.toml", &text(friction, size, true))?)?;
+    let mut full = run.begin(bed::scene(
+        "repose.toml",
+        &text(friction, seed, size, true),
+    )?)?;
     run.wait(&mut full, TIMES[0])?;
-    let mut scene = bed::scene("repose.toml", &text(friction, size, false))?;
+    let mut scene = bed::scene("repose.toml", &text(friction, seed, size, false))?;
     scene.initial = bed::at_rest(&full);
     let mut heap = run.begin(scene)?;
     run.advance(&mut heap, TIMES[1], |heap| {
@@ -114,15 +152,14 @@ fn slope(friction: f64, share: f64, watch: &dyn Watch) -> Result<Slope, ReportEr
     // The wall's and the edge's own grains are not the slope.
     let inner = 2..surface.len().saturating_sub(3);
     let line = Line::through(&surface[inner]);
-    let slope = Slope {
-        friction,
+    let measured = Heap {
         angle: (-line.slope).atan().to_degrees(),
         r2: line.r2,
         rest: heap.time(),
         surface,
     };
-    watch.note(&format!("{name}: {:.1} degrees", slope.angle));
-    Ok(slope)
+    watch.note(&format!("{name}: {:.1} degrees", measured.angle));
+    Ok(measured)
 }
 
 /// Mean height of the highest grains in slices of one and a half grains, by distance from the left wall \[m\].

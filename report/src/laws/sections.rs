@@ -2,6 +2,7 @@
 
 use super::Study;
 use super::collapse::CHANGE;
+use super::repose::Slope;
 use crate::error::ReportError;
 use crate::folder::Folder;
 use crate::plot::{Axis, Plot, Style};
@@ -67,8 +68,8 @@ fn checks(study: &Study) -> Vec<Check> {
     let head = heads.sum::<f64>() / beverloo.outflows.len() as f64 - 1.0;
     let [low, high] = study.collapse.laws;
     let lube = "Lube et al. 2004";
-    let angles = study.repose.iter().map(|s| s.angle);
-    let rise = study.repose.windows(2).map(|s| s[1].angle - s[0].angle);
+    let angles = study.repose.iter().map(Slope::angle);
+    let rise = study.repose.windows(2).map(|s| s[1].angle() - s[0].angle());
     let zhou = "Zhou et al. 2002";
     let peaks: Vec<f64> = study.triaxial.iter().map(|t| t.peak).collect();
     let peak_rise = peaks.windows(2).map(|p| p[1] - p[0]);
@@ -249,7 +250,7 @@ fn janssen(report: &mut Report, study: &Study) -> Result<(), ReportError> {
     let silo = &study.janssen;
     report.document.heading(2, "Janssen's silo");
     report.document.text(&format!(
-        "A silo ten grains wide; its floor sinks by 4 mm/s, so that wall friction (0.5) points up. Weight above a level over the cross-section, *s*, against the vertical \
+        "A silo ten grains wide; its floor sinks by 10 mm/s, so that wall friction (0.3, the grains have 0.5) points up. Weight above a level over the cross-section, *s*, against the vertical \
          stress that is left, by the balance of forces on all that lies above. The line is *s*∞ (1 - exp(-*s*/*s*∞)) with *s*∞ = {} Pa, that is *K* = {} at a bulk density of {} kg/m³.",
         number(silo.limit), number(silo.ratio), number(silo.bulk_density)
     ));
@@ -368,11 +369,19 @@ fn collapse(report: &mut Report, study: &Study) -> Result<(), ReportError> {
 fn repose(report: &mut Report, study: &Study) -> Result<(), ReportError> {
     report.document.heading(2, "Angle of repose");
     report.document.text(
-        "A box of grains on a floor of held grains, front and back without friction: its right wall vanishes, what stays has a slope. No rolling resistance.",
+        "A box of grains on a floor of held grains, front and back without friction: its right wall vanishes, what stays has a slope. No rolling resistance. Means and standard errors over four packings; the slopes drawn are those of the first.",
     );
-    let mut table = Table::new(&["friction", "angle [deg]", "R² of the line", "at rest [s]"]);
+    let mut table = Table::new(&[
+        "friction",
+        "angle [deg]",
+        "standard error [deg]",
+        "least R² of a line",
+        "all at rest [s]",
+    ]);
     for s in &study.repose {
-        table.row([s.friction, s.angle, s.r2, s.rest].map(number));
+        let r2 = s.heaps.iter().map(|h| h.r2).fold(1.0, f64::min);
+        let rest = s.heaps.iter().map(|h| h.rest).fold(0.0, f64::max);
+        table.row([s.friction, s.angle(), s.scatter(), r2, rest].map(number));
     }
     report.table("repose", &table)?;
     let mut plot = Plot::new(
@@ -383,7 +392,11 @@ fn repose(report: &mut Report, study: &Study) -> Result<(), ReportError> {
     plot.add(
         "measured",
         Style::Both,
-        study.repose.iter().map(|s| (s.friction, s.angle)).collect(),
+        study
+            .repose
+            .iter()
+            .map(|s| (s.friction, s.angle()))
+            .collect(),
     );
     report.plot("repose", &plot, "Angle of repose against friction")?;
     let mut plot = Plot::new(
@@ -395,7 +408,7 @@ fn repose(report: &mut Report, study: &Study) -> Result<(), ReportError> {
         plot.add(
             &format!("friction {}", s.friction),
             Style::Both,
-            s.surface.clone(),
+            s.heaps.first().map_or_else(Vec::new, |h| h.surface.clone()),
         );
     }
     report.plot("slopes", &plot, "Surfaces that stay")

@@ -116,6 +116,20 @@ pub(super) const DRIVEN: [Field<Body>; 2] = [
     ),
 ];
 
+/// Of bodies on a slide with stops or a spring.
+#[rustfmt::skip]
+pub(super) const SLIDE: [Field<Body>; 2] = [
+    real("jointTravel", "m", "Displacement along the slide from the scene's placement", |b| b.state.joint.travel),
+    real("jointForce", "N", "Force of the stops and the spring along the slide, last internal step", |b| b.state.joint.force),
+];
+
+/// Of bodies on a hinge with stops or a spring.
+#[rustfmt::skip]
+pub(super) const HINGE: [Field<Body>; 2] = [
+    real("jointAngle", "rad", "Angle about the hinge from the scene's placement, whole turns included", |b| b.state.joint.travel),
+    real("jointTorque", "N.m", "Torque of the stops and the spring about the hinge, last internal step", |b| b.state.joint.force),
+];
+
 #[rustfmt::skip]
 pub(super) const PROBE: [Field<Sphere>; 8] = [
     vector("position", "m", "Centre of the sphere", |s| s.position),
@@ -175,7 +189,7 @@ pub(super) const WHOLE: [Field<Whole>; 27] = [
     real("gravityWork", "J", "Potential energy gained since the start because gravity changed with time", |w| w.work.gravity),
     real("loadWork", "J", "Work of point loads and of the loads on driven bodies since the start", |w| w.work.loads),
     real("damperWork", "J", "Work of the dampers of driven bodies since the start", |w| w.work.dampers),
-    real("springWork", "J", "Work of constrained springs since the start", |w| w.work.springs),
+    real("springWork", "J", "Work of constrained springs and springs of joints since the start", |w| w.work.springs),
     count("contactCount", LOADED, |w| w.contacts),
     number("maxOverlap", "Largest true overlap over radius in the communication step", |w| w.max_overlap),
     count("solver.internalSteps", "Internal steps of the communication step", |w| w.report.internal_steps),

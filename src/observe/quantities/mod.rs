@@ -15,9 +15,10 @@ mod readings;
 use super::Observation;
 use super::loads::Loads;
 use super::sensors::region;
+use crate::driven::Joint;
 use crate::motion::Motion;
 use crate::scene::{Measure, Scene};
-use fields::{BODY, DRIVEN, FLOW, Field, PROBE, REGION, SINK, SOURCE, WHOLE, WRENCH};
+use fields::{BODY, DRIVEN, FLOW, Field, HINGE, PROBE, REGION, SINK, SLIDE, SOURCE, WHOLE, WRENCH};
 use readings::{Body, Flow, Sphere, Whole};
 
 /// What kind of number a quantity is.
@@ -52,6 +53,7 @@ pub fn quantities(scene: &Scene) -> Vec<Quantity> {
         if matches!(boundary.motion, Motion::Driven(_)) {
             describe(&mut list, &prefix, &DRIVEN);
         }
+        describe(&mut list, &prefix, joint(&boundary.motion));
     }
     for probe in &scene.probes {
         describe(&mut list, &format!("probe.{}.", probe.name), &PROBE);
@@ -74,6 +76,18 @@ pub fn quantities(scene: &Scene) -> Vec<Quantity> {
     list
 }
 
+/// What is measured of a boundary's joint.
+fn joint(motion: &Motion) -> &'static [Field<Body>] {
+    match motion {
+        Motion::Driven(body) if body.is_held() => match body.joint {
+            Joint::Slide { .. } => &SLIDE,
+            Joint::Hinge { .. } => &HINGE,
+            Joint::Free => &[],
+        },
+        _ => &[],
+    }
+}
+
 /// Values of all quantities, in the order of [`quantities`] and in their units.
 #[must_use]
 pub fn values(state: &Observation) -> Vec<f64> {
@@ -86,6 +100,7 @@ pub fn values(state: &Observation) -> Vec<f64> {
         if matches!(boundary.motion, Motion::Driven(_)) {
             measure(&mut list, &DRIVEN, &body);
         }
+        measure(&mut list, joint(&boundary.motion), &body);
     }
     for probe in &scene.probes {
         measure(&mut list, &PROBE, &Sphere::of(state, &loads, probe.sphere));

@@ -31,6 +31,12 @@ pub struct Body {
     /// Pressure of a servo wall, along the axis of its slide.
     #[schemars(extend("x-default" = "none"))]
     pub servo: Option<Servo>,
+    /// Stops of a slide or hinge, without restitution.
+    #[schemars(extend("x-default" = "none"))]
+    pub limits: Option<Limits>,
+    /// Spring along a slide or about a hinge.
+    #[schemars(extend("x-default" = "none"))]
+    pub spring: Option<JointSpring>,
     /// Damping force over velocity \[N s/m\], of the centre of mass or along the slide.
     #[serde(default)]
     #[schemars(extend("minimum" = 0))]
@@ -63,6 +69,31 @@ pub enum Joint {
     Hinge(Vector),
 }
 
+/// How far a slide or hinge travels from the scene's placement, which lies between: \[m\] along the slide, \[rad\] about the
+/// hinge, whole turns counted.
+#[derive(Debug, Clone, Copy, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Limits {
+    /// Least travel, at most 0.
+    #[schemars(extend("x-default" = "none", "maximum" = 0))]
+    pub lower: Option<f64>,
+    /// Greatest travel, at least 0.
+    #[schemars(extend("x-default" = "none", "minimum" = 0))]
+    pub upper: Option<f64>,
+}
+
+/// A linear spring along the slide or about the hinge of a body.
+#[derive(Debug, Clone, Copy, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct JointSpring {
+    /// Force over displacement \[N/m\], of a hinge torque over angle \[N m/rad\].
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub stiffness: f64,
+    /// Travel from the scene's placement at which it exerts nothing \[m\], of a hinge \[rad\].
+    #[serde(default)]
+    pub rest: f64,
+}
+
 /// A pressure that a body on a slide exerts: either on `area`, or on the rectangle `between` two pairs of boundaries.
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -72,6 +103,9 @@ pub struct Servo {
     /// Area it acts on \[m^2\].
     #[schemars(extend("x-default" = "by `between`", "exclusiveMinimum" = 0))]
     pub area: Option<f64>,
+    /// Whether the pressure is an input of the FMU, `pressure` then being its start.
+    #[serde(default)]
+    pub input: bool,
     /// Two pairs of boundaries: the area is the product of the distances between their points of action.
     #[schemars(extend("x-default" = "none"))]
     pub between: Option<Vec<Vec<String>>>,

@@ -19,7 +19,7 @@ pub use boundaries::{
     Stl, Table, Terrain,
 };
 pub use cell::Cell;
-pub use driven::{Body, Joint, Servo};
+pub use driven::{Body, Joint, JointSpring, Limits, Servo};
 pub use frame::{GravityMotion, GravityTable, RotatingFrame, Turning};
 pub use regions::{Region, Tube};
 pub use sensors::{MassFlow, Probe, Sensor};
