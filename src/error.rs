@@ -8,7 +8,7 @@ use thiserror::Error;
 pub enum StepError {
     /// The tolerances were not met, also after the step had been cut as often as allowed.
     #[error(
-        "step from t = {time} s, dt = {step:e} s: {what} {residual:e} stays above {tolerance:e} at {contact} after {cuts} cuts; \
+        "step from t = {time} s, dt = {step:e} s: {what} {residual:e} stays above {tolerance:e} at {contact} after {cuts} cuts{broken}; \
          loosen tolerance.{what}, reduce simulation.step or raise simulation.max_iterations"
     )]
     NotConverged {
@@ -26,6 +26,8 @@ pub enum StepError {
         contact: String,
         /// How often the step was halved.
         cuts: u32,
+        /// The linear system that ended the solver early, in words; empty if none did.
+        broken: Box<str>,
     },
     /// A sphere is squeezed between boundaries whose motion is prescribed.
     #[error(

@@ -3,9 +3,10 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use clap::ValueEnum;
 use miette::miette;
 use sphere_dda::scene::Scene;
-use sphere_dda_fmu::export::{check_library, export, find_library};
+use sphere_dda_fmu::export::{Version, check_library, export, find_library};
 
 use crate::failure::Failure;
 use crate::progress::{Interrupt, note, print};
@@ -18,6 +19,7 @@ Examples:
   sphere-dda export examples/feeder/feeder.toml
   sphere-dda export scene.toml -o build/scene.fmu --overwrite
   sphere-dda export hopper.toml --until-rest
+  sphere-dda export scene.toml --fmi 3
 
 With --settle or --until-rest the FMU carries the settled spheres: a full hopper is there at t = 0.
 
@@ -32,11 +34,31 @@ pub(crate) struct Export {
     /// The shared library to pack.
     #[arg(long, value_name = "FILE")]
     library: Option<PathBuf>,
+    /// Version of the standard: scalars and wide support in 2, arrays of all spheres in 3.
+    #[arg(long, value_name = "VERSION", default_value = "2")]
+    fmi: Fmi,
     /// Replace the FMU if there is one.
     #[arg(long)]
     overwrite: bool,
     #[command(flatten)]
     settling: Settling,
+}
+
+#[derive(Debug, Clone, Copy, ValueEnum)]
+enum Fmi {
+    #[value(name = "2")]
+    Two,
+    #[value(name = "3")]
+    Three,
+}
+
+impl From<Fmi> for Version {
+    fn from(fmi: Fmi) -> Self {
+        match fmi {
+            Fmi::Two => Self::Two,
+            Fmi::Three => Self::Three,
+        }
+    }
 }
 
 /// Packs a scene and the library into an FMU.
@@ -68,7 +90,7 @@ pub(crate) fn run(arguments: &Export, interrupt: &Interrupt) -> Result<(), Failu
     let start = arguments
         .settling
         .start(&Scene::from_file(scene)?.scene, interrupt)?;
-    pack(scene, start, &output, &library)
+    pack(scene, start, &output, &library, arguments.fmi.into())
 }
 
 /// Exports `scene` and its settled start, if there is one, with `library`, and says what was packed.
@@ -80,8 +102,9 @@ pub(crate) fn pack(
     start: Option<Vec<u8>>,
     fmu: &Path,
     library: &Path,
+    version: Version,
 ) -> Result<(), Failure> {
-    let exported = export(scene, start, fmu, library)?;
+    let exported = export(scene, start, fmu, library, version)?;
     for warning in &exported.warnings {
         note(format_args!("warning: {warning}"));
     }

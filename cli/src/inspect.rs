@@ -1,12 +1,14 @@
 //! `sphere-dda inspect X.fmu`.
 
+mod version3;
+
 use std::path::PathBuf;
 
 use clap::Args;
 use miette::miette;
-use sphere_dda_fmu::import::Fmu;
+use sphere_dda_fmu::import::{Fmu, description_3};
 use sphere_dda_model_description::fmi2::{
-    CoSimulation, ModelDescription, ScalarVariable, TypeDefinition, VariableType,
+    CoSimulation, DefaultExperiment, ModelDescription, ScalarVariable, TypeDefinition, VariableType,
 };
 
 use crate::failure::Failure;
@@ -19,7 +21,7 @@ Examples:
   sphere-dda inspect funnel.fmu
   sphere-dda inspect --validate funnel.fmu")]
 pub(crate) struct Inspect {
-    /// The FMU, of FMI 2.0 for co-simulation.
+    /// The FMU, of FMI 2.0 for co-simulation or of FMI 3.0.
     fmu: PathBuf,
     /// Show also what is wrong with its model description; exit code 2 if anything is.
     #[arg(long)]
@@ -31,20 +33,24 @@ pub(crate) struct Inspect {
 /// # Errors
 /// What the importer says; findings of the validation if it was asked for.
 pub(crate) fn run(arguments: &Inspect) -> Result<(), Failure> {
-    let fmu = Fmu::open(&arguments.fmu)?;
-    let description = fmu.description();
+    let (text, findings) = match description_3(&arguments.fmu)? {
+        Some(description) => (version3::page(&description), description.validate()),
+        None => {
+            let fmu = Fmu::open(&arguments.fmu)?;
+            let description = fmu.description();
+            let rows = description.model_variables.iter();
+            let rows = rows.map(|variable| row(description, variable)).collect();
+            let page = header(description, fmu.co_simulation()) + &variables(rows);
+            (page, description.validate())
+        }
+    };
     let findings = if arguments.validate {
-        description.validate()
+        findings
     } else {
         Vec::new()
     };
     print(|out| {
-        write!(
-            out,
-            "{}{}",
-            header(description, fmu.co_simulation()),
-            variables(description)
-        )?;
+        write!(out, "{text}")?;
         findings
             .iter()
             .try_for_each(|finding| writeln!(out, "{finding}"))
@@ -75,19 +81,26 @@ fn header(description: &ModelDescription, co_simulation: &CoSimulation) -> Strin
     for (name, text) in texts {
         lines.extend(text.iter().map(|text| (name, text.clone())));
     }
-    if let Some(experiment) = description.default_experiment {
-        let times = [
-            ("start", experiment.start_time),
-            ("stop", experiment.stop_time),
-            ("step", experiment.step_size),
-        ];
-        let times: Vec<String> = times
-            .iter()
-            .filter_map(|(name, time)| Some(format!("{name} {} s", (*time)?)))
-            .collect();
-        lines.push(("experiment", times.join(", ")));
-    }
+    lines.extend(description.default_experiment.map(times));
     lines.push(("able to", abilities(co_simulation)));
+    list(&lines)
+}
+
+/// The suggested experiment as a line.
+fn times(experiment: DefaultExperiment) -> (&'static str, String) {
+    let times = [
+        ("start", experiment.start_time),
+        ("stop", experiment.stop_time),
+        ("step", experiment.step_size),
+    ];
+    let times: Vec<String> = times
+        .iter()
+        .filter_map(|(name, time)| Some(format!("{name} {} s", (*time)?)))
+        .collect();
+    ("experiment", times.join(", "))
+}
+
+fn list(lines: &[(&str, String)]) -> String {
     lines
         .iter()
         .map(|(name, text)| format!("{name:<12}{text}\n"))
@@ -126,11 +139,11 @@ fn abilities(co_simulation: &CoSimulation) -> String {
 }
 
 /// One line for each variable, the columns as wide as they must be.
-fn variables(description: &ModelDescription) -> String {
+fn variables(variables: Vec<[String; 6]>) -> String {
+    let count = variables.len();
     let title = ["name", "causality", "type", "unit", "start", "description"];
     let mut rows = vec![title.map(str::to_owned)];
-    let variables = &description.model_variables;
-    rows.extend(variables.iter().map(|variable| row(description, variable)));
+    rows.extend(variables);
     let mut widths = [0; 6];
     for row in &rows {
         for (width, cell) in widths.iter_mut().zip(row) {
@@ -145,7 +158,7 @@ fn variables(description: &ModelDescription) -> String {
         format!("{}\n", cells.join("  ").trim_end())
     };
     let lines: String = rows.iter().map(line).collect();
-    format!("\n{} variables\n{lines}", variables.len())
+    format!("\n{count} variables\n{lines}")
 }
 
 fn row(description: &ModelDescription, variable: &ScalarVariable) -> [String; 6] {

@@ -1,5 +1,7 @@
 //! The model description of a scene, and the guid that ties it to its variable table.
 
+pub mod version3;
+
 use sphere_dda::scene::Scene;
 use sphere_dda_fmi_interface::archive;
 use sphere_dda_fmi_interface::log::Category;
@@ -10,30 +12,30 @@ use sphere_dda_model_description::fmi2::{
 };
 use sphere_dda_model_description::units::{BaseUnit, Unit};
 
-use crate::variables::{Table, Value, Variable};
+use crate::variables::{Arrays, Table, Value, Variable};
 
 /// Version of this crate: part of the guid, so that a library and a description of another version part ways.
 pub const VERSION: &str = env!("CARGO_PKG_VERSION");
 
-/// The model description of a scene: the same scene, identifier and version give the same bytes.
+/// The model description of a scene with its `guid`: the same scene, identifier and version give the same bytes.
 ///
 /// `identifier` names the shared library, a C identifier.
+#[must_use]
+pub fn describe(scene: &Scene, table: &Table, identifier: &str, guid: &str) -> ModelDescription {
+    let mut model = unsigned(scene, table, identifier);
+    model.guid = guid.to_owned();
+    model
+}
+
+/// The guid, which is also the instantiation token of FMI 3.0: hash of version, scene content and both descriptions,
+/// the library's name left out. One for both, so that a saved state of one is a state of the other.
 ///
 /// # Errors
 /// If a name or description of the scene has a character that XML cannot carry.
-pub fn describe(scene: &Scene, table: &Table, identifier: &str) -> Result<ModelDescription, Error> {
-    let mut model = unsigned(scene, table, identifier);
-    model.guid = guid(scene, table)?;
-    Ok(model)
-}
-
-/// The guid: hash of version, scene content and description, the library's name left out.
-///
-/// # Errors
-/// As [`describe`].
-pub fn guid(scene: &Scene, table: &Table) -> Result<String, Error> {
+pub fn guid(scene: &Scene, table: &Table, arrays: &Arrays) -> Result<String, Error> {
     let text = unsigned(scene, table, "").to_xml()?;
-    Ok(archive::guid(&[VERSION, &scene.hash, &text]))
+    let text3 = version3::describe(scene, arrays, "", "").to_xml()?;
+    Ok(archive::guid(&[VERSION, &scene.hash, &text, &text3]))
 }
 
 /// The description with an empty guid.

@@ -3,7 +3,7 @@
 //! ```text
 //! modelDescription.xml
 //! terminalsAndIcons/terminalsAndIcons.xml   one terminal per boundary
-//! binaries/linux64/<identifier>.so      the scene-agnostic library
+//! binaries/linux64/<identifier>.so      the scene-agnostic library; FMI 3.0: binaries/x86_64-linux/
 //! resources/scene.toml, meshes, tables  what the instance reads
 //! resources/start.state                 the settled spheres, if there are any
 //! documentation/index.html              variables, for people
@@ -20,12 +20,10 @@ use std::path::{Path, PathBuf};
 
 use sphere_dda_fmi_interface::archive::{self, ArchiveError};
 use sphere_dda_model_description::Finding;
-use sphere_dda_model_description::fmi2::ModelDescription;
 use sphere_dda_model_description::names::is_c_identifier;
-use sphere_dda_model_description::terminals::TerminalsAndIcons;
 use thiserror::Error;
 
-use crate::description::describe;
+use crate::description::{describe, version3};
 use crate::documentation;
 use crate::model::{Model, ModelError, SCENE_FILE, START_FILE};
 use crate::terminals::terminals;
@@ -41,6 +39,25 @@ const TERMINALS_FILE: &str = "terminalsAndIcons/terminalsAndIcons.xml";
 
 /// Above this number of scalar variables some importers take very long to open the FMU.
 const MANY_VARIABLES: usize = 5000;
+
+/// Version of the standard that an FMU keeps to. The library in it is the same.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Version {
+    /// FMI 2.0: scalars.
+    #[default]
+    Two,
+    /// FMI 3.0: arrays.
+    Three,
+}
+
+impl Version {
+    fn library_path(self, identifier: &str) -> String {
+        match self {
+            Self::Two => archive::library_path(identifier),
+            Self::Three => archive::library_path_3(identifier),
+        }
+    }
+}
 
 /// What was packed.
 #[derive(Debug, Clone)]
@@ -136,29 +153,29 @@ pub fn export(
     start: Option<Vec<u8>>,
     fmu: &Path,
     library: &Path,
+    version: Version,
 ) -> Result<Exported, ExportError> {
     let model = Model::read(scene, start)?;
     let identifier = identifier(scene);
-    let description =
-        describe(&model.scene, &model.table, &identifier).map_err(ModelError::from)?;
-    let terminals = terminals(&model.scene, &model.table, false);
-    let names = description.model_variables.iter();
-    let mut findings = description.validate();
-    findings.extend(terminals.validate(names.map(|v| v.name.as_str())));
-    if !findings.is_empty() {
-        return Err(ExportError::Invalid(findings));
+    let texts = described(&model, &identifier, version, false)?;
+    if !texts.findings.is_empty() {
+        return Err(ExportError::Invalid(texts.findings));
     }
     check_library(library)?;
     let code = fs::read(library).map_err(|source| ExportError::Read {
         path: library.to_path_buf(),
         source,
     })?;
-    pack(&model, &description, &terminals, &identifier, &code, fmu)?;
+    let library = version.library_path(&identifier);
+    pack(&model, &texts, (library, &code), fmu)?;
 
-    let variables = model.table.variables().len();
+    let variables = match version {
+        Version::Two => model.table.variables().len(),
+        Version::Three => model.arrays.list().len(),
+    };
     let mut warnings = model.warnings;
     if variables > MANY_VARIABLES {
-        warnings.push(format!("{variables} scalar variables: some importers take long above {MANY_VARIABLES}; probe fewer spheres"));
+        warnings.push(format!("{variables} variables: some importers take long above {MANY_VARIABLES}; probe fewer spheres"));
     }
     Ok(Exported {
         guid: model.guid,
@@ -168,21 +185,52 @@ pub fn export(
     })
 }
 
+/// The XML files of an archive, and what is wrong with them.
+struct Texts {
+    description: String,
+    terminals: String,
+    findings: Vec<Finding>,
+}
+
+/// Model description and terminals of one version.
+fn described(
+    model: &Model,
+    identifier: &str,
+    version: Version,
+    icon: bool,
+) -> Result<Texts, ModelError> {
+    let (xml, mut findings, names) = match version {
+        Version::Two => {
+            let own = describe(&model.scene, &model.table, identifier, &model.guid);
+            let names = model.table.variables().iter().map(|v| v.name.as_str());
+            (own.to_xml()?, own.validate(), names.collect::<Vec<_>>())
+        }
+        Version::Three => {
+            let own = version3::describe(&model.scene, &model.arrays, identifier, &model.guid);
+            let names = model.arrays.list().iter().map(|a| a.name.as_str());
+            (own.to_xml()?, own.validate(), names.collect())
+        }
+    };
+    let terminals = terminals(&model.scene, &names, icon);
+    findings.extend(terminals.validate(names));
+    Ok(Texts {
+        description: xml,
+        terminals: terminals.to_xml()?,
+        findings,
+    })
+}
+
 fn pack(
     model: &Model,
-    description: &ModelDescription,
-    terminals: &TerminalsAndIcons,
-    identifier: &str,
-    library: &[u8],
+    texts: &Texts,
+    library: (String, &[u8]),
     fmu: &Path,
 ) -> Result<(), ExportError> {
-    let xml = description.to_xml().map_err(ModelError::from)?;
-    let terminals = terminals.to_xml().map_err(ModelError::from)?;
     let html = documentation::page(model);
     let mut files: Vec<(String, &[u8])> = vec![
-        ("modelDescription.xml".to_owned(), xml.as_bytes()),
-        (TERMINALS_FILE.to_owned(), terminals.as_bytes()),
-        (archive::library_path(identifier), library),
+        ("modelDescription.xml".to_owned(), texts.description.as_bytes()),
+        (TERMINALS_FILE.to_owned(), texts.terminals.as_bytes()),
+        library,
         (format!("resources/{SCENE_FILE}"), model.text.as_bytes()),
         ("documentation/index.html".to_owned(), html.as_bytes()),
         (

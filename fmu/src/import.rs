@@ -43,6 +43,7 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
 use sphere_dda_model_description::fmi2::{CoSimulation, ModelDescription};
+use sphere_dda_model_description::fmi3;
 use sphere_dda_model_description::names;
 use tempfile::TempDir;
 
@@ -136,6 +137,37 @@ impl fmt::Display for Phase {
     }
 }
 
+/// The model description of an FMU of FMI 3.0, which can be looked at but not run; `None` if the FMU is of another version.
+///
+/// # Errors
+///
+/// [`ImportError::Archive`], [`NoDescription`](ImportError::NoDescription) and
+/// [`Description`](ImportError::Description).
+pub fn description_3(
+    path: impl AsRef<Path>,
+) -> Result<Option<fmi3::ModelDescription>, ImportError> {
+    let path = path.as_ref().to_owned();
+    let (_, text) = unpack(&path, Limits::default())?;
+    match fmi3::ModelDescription::from_xml(&text) {
+        Ok(description) => Ok(Some(description)),
+        Err(sphere_dda_model_description::Error::Version { .. }) => Ok(None),
+        Err(source) => Err(ImportError::Description { path, source }),
+    }
+}
+
+/// Unpacks an archive and gives its folder and the text of its description.
+fn unpack(path: &Path, limits: Limits) -> Result<(TempDir, String), ImportError> {
+    let path = path.to_owned();
+    let folder = match archive::unpack(&path, limits) {
+        Ok(folder) => folder,
+        Err(source) => return Err(ImportError::Archive { path, source }),
+    };
+    match fs::read_to_string(folder.path().join("modelDescription.xml")) {
+        Ok(text) => Ok((folder, text)),
+        Err(problem) => Err(ImportError::NoDescription { path, problem }),
+    }
+}
+
 /// An unpacked FMU. Its folder is removed when it and its last instance are dropped.
 #[derive(Debug)]
 pub struct Fmu {
@@ -166,14 +198,7 @@ impl Fmu {
     /// As [`open`](Self::open).
     pub fn open_within(path: impl AsRef<Path>, limits: Limits) -> Result<Self, ImportError> {
         let path = path.as_ref().to_owned();
-        let folder = match archive::unpack(&path, limits) {
-            Ok(folder) => folder,
-            Err(source) => return Err(ImportError::Archive { path, source }),
-        };
-        let text = match fs::read_to_string(folder.path().join("modelDescription.xml")) {
-            Ok(text) => text,
-            Err(problem) => return Err(ImportError::NoDescription { path, problem }),
-        };
+        let (folder, text) = unpack(&path, limits)?;
         let description = match ModelDescription::from_xml(&text) {
             Ok(description) => description,
             Err(source) => return Err(ImportError::Description { path, source }),

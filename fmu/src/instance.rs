@@ -8,7 +8,9 @@
 //! The time of the scene counts from the start time of the experiment. A step ends exactly at `tc + h`; nothing is
 //! accumulated, the simulation is asked for what is left to that point. A refused call changes nothing.
 
+mod arrays;
 mod values;
+mod walk;
 
 use std::fmt;
 use std::path::Path;
@@ -25,6 +27,11 @@ use crate::state::{Run, Saved};
 use crate::variables::Parameters;
 use sphere_dda_fmi_interface::log::{Level, Log};
 use sphere_dda_fmi_interface::pointers::BadArgument;
+use walk::Walk;
+
+pub use arrays::Element;
+pub(crate) use arrays::counted;
+pub use walk::Progress;
 
 /// Share of the step by which a communication point may miss the end of the last one: masters add up or round their
 /// times, and a mistake of the master is far larger.
@@ -45,6 +52,8 @@ pub enum Stage {
     Error,
     /// The end.
     Terminated,
+    /// Between two internal steps of a step, while the importer is called; never saved.
+    Intermediate,
 }
 
 impl fmt::Display for Stage {
@@ -56,6 +65,7 @@ impl fmt::Display for Stage {
             Self::StepFailed => "step failed",
             Self::Error => "error",
             Self::Terminated => "terminated",
+            Self::Intermediate => "intermediate update mode",
         })
     }
 }
@@ -76,6 +86,8 @@ pub struct Instance {
     log: Log,
     run: Run,
     simulation: Option<Simulation>,
+    /// The step under way, if it is taken in pieces.
+    walk: Option<Walk>,
     /// Measured values of the last communication point, in the order of the table; computed when first asked for.
     outputs: Option<Vec<f64>>,
     recorder: Recorder,
@@ -99,6 +111,7 @@ impl Instance {
             log,
             run,
             simulation: None,
+            walk: None,
             outputs: None,
             recorder: Recorder::default(),
             read_ahead: false,
@@ -199,7 +212,22 @@ impl Instance {
     /// [`Refusal::Repeated`] if a step that was discarded is tried again and fails again.
     pub fn do_step(&mut self, point: f64, h: f64, final_past: bool) -> Result<Step, Refusal> {
         let end = self.check_step(point, h)?;
-        let outcome = match self.advance(end) {
+        let advanced = self.advance(end);
+        let outcome = self.concluded(advanced, h, end);
+        if final_past {
+            self.recorder.commit(point - self.run.start);
+        }
+        outcome
+    }
+
+    /// Where an attempt at a step of length `h` to `end` \[s\] leaves the instance.
+    fn concluded(
+        &mut self,
+        advanced: Result<(), StepError>,
+        h: f64,
+        end: f64,
+    ) -> Result<Step, Refusal> {
+        match advanced {
             Ok(()) => {
                 self.run.time = end;
                 self.run.failed = None;
@@ -223,11 +251,7 @@ impl Instance {
                 self.run.stage = Stage::StepFailed;
                 Ok(Step::Discarded(error))
             }
-        };
-        if final_past {
-            self.recorder.commit(point - self.run.start);
         }
-        outcome
     }
 
     /// Checks the arguments of a step and gives its end.
@@ -266,6 +290,12 @@ impl Instance {
 
     /// Advances the simulation to the time `end` \[s\]; on error it is as before.
     fn advance(&mut self, end: f64) -> Result<(), StepError> {
+        let end = end - self.run.start;
+        self.commanded()?.advance_to(end).map(|_| ())
+    }
+
+    /// The simulation with gravity and commands of now.
+    fn commanded(&mut self) -> Result<&mut Simulation, StepError> {
         let Some(simulation) = &mut self.simulation else {
             let found = format!("none in state {}", self.run.stage);
             return Err(StepError::Argument {
@@ -276,7 +306,7 @@ impl Instance {
         };
         simulation.set_gravity(self.run.parameters.gravity)?;
         command(simulation, &self.run.commands)?;
-        simulation.advance_to(end - self.run.start).map(|_| ())
+        Ok(simulation)
     }
 
     /// Ends the run; values stay readable, result files are complete.
@@ -290,6 +320,7 @@ impl Instance {
         self.recorder.close(&self.log);
         self.run = initial(&self.model);
         self.simulation = None;
+        self.walk = None;
         self.outputs = None;
         self.read_ahead = false;
     }
@@ -298,6 +329,7 @@ impl Instance {
     pub fn fail(&mut self, what: &str) {
         self.run.stage = Stage::Error;
         self.simulation = None;
+        self.walk = None;
         self.outputs = None;
         let text =
             "this is a defect of the library; reset the instance or restore an earlier state";

@@ -1,4 +1,5 @@
-//! The functional mock-up unit of sphere-dda: a scene-agnostic FMI 2.0 co-simulation library, its exporter, and a
+//! The functional mock-up unit of sphere-dda: a scene-agnostic co-simulation library for FMI 2.0 and
+//! FMI 3.0, its exporter, and a
 //! small master for FMUs of any kind.
 //!
 //! ```text
@@ -10,6 +11,7 @@
 //! and refuses a guid that does not fit. Unsafe code is in [`ffi`] and in the importer only.
 
 pub mod description;
+pub mod document;
 pub mod documentation;
 pub mod export;
 pub mod ffi;

@@ -9,7 +9,7 @@ use sphere_dda::scene::{Attachment, Scene, SceneError};
 use thiserror::Error;
 
 use crate::description;
-use crate::variables::Table;
+use crate::variables::{Arrays, Table};
 
 /// Name of the scene file inside `resources/` of an FMU.
 pub const SCENE_FILE: &str = "scene.toml";
@@ -24,7 +24,9 @@ pub struct Model {
     pub scene: Arc<Scene>,
     /// Its variables.
     pub table: Table,
-    /// Fingerprint of scene, table and version.
+    /// The same, gathered into the arrays of FMI 3.0.
+    pub arrays: Arrays,
+    /// Fingerprint of scene, variables and version.
     pub guid: String,
     /// Text of the scene file.
     pub text: String,
@@ -62,9 +64,11 @@ impl Model {
             loaded.scene.start_from(start)?;
         }
         let table = Table::new(&loaded.scene);
-        let guid = description::guid(&loaded.scene, &table)?;
+        let arrays = Arrays::new(&loaded.scene, &table);
+        let guid = description::guid(&loaded.scene, &table, &arrays)?;
         Ok(Self {
             table,
+            arrays,
             guid,
             start,
             warnings: loaded

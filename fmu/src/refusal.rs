@@ -4,6 +4,7 @@ use sphere_dda::error::{SnapshotError, StepError};
 use sphere_dda::observe::error::OutputError;
 use sphere_dda_fmi_interface::pointers::BadArgument;
 use sphere_dda_model_description::fmi2::BaseType;
+use sphere_dda_model_description::fmi3::Kind;
 use thiserror::Error;
 
 use crate::instance::Stage;
@@ -35,6 +36,16 @@ pub enum Refusal {
         found: Option<String>,
         /// Type of the call.
         expected: BaseType,
+    },
+    /// No such variable of FMI 3.0, or one of another type.
+    #[error("value reference {reference} is no {expected} variable{}", .found.as_ref().map(|f| format!(", it is {f}")).unwrap_or_default())]
+    ArrayReference {
+        /// Value reference.
+        reference: u32,
+        /// The variable that has it, with its type.
+        found: Option<String>,
+        /// Type of the call.
+        expected: Kind,
     },
     /// The variable cannot be set, or not now.
     #[error("`{name}` cannot be set in state {stage}: it is {kind}; {allowed}")]
@@ -81,9 +92,7 @@ pub enum Refusal {
         tolerance: f64,
     },
     /// The step ends behind the stop time that was set up.
-    #[error(
-        "the step ends at {end} s, expected at most the stop time {stop} s of fmi2SetupExperiment"
-    )]
+    #[error("the step ends at {end} s, expected at most the stop time {stop} s of the experiment")]
     PastStop {
         /// End of the step \[s\].
         end: f64,
@@ -137,6 +146,23 @@ pub enum InstantiationError {
         found: String,
         /// Of the scene in `resources/` with this library.
         expected: String,
+    },
+    /// A null pointer.
+    #[error(transparent)]
+    Argument(#[from] BadArgument),
+    /// A variable that the importer wants within a step does not exist.
+    #[error(
+        "requiredIntermediateVariables has {reference}, expected value references of the model description"
+    )]
+    Intermediate {
+        /// Value reference.
+        reference: u32,
+    },
+    /// An interface of FMI 3.0 is not offered.
+    #[error("{interface} is not offered, expected co-simulation: use fmi3InstantiateCoSimulation")]
+    Interface3 {
+        /// Its name.
+        interface: &'static str,
     },
     /// The interface is not offered.
     #[error("fmuType {found}, expected 1 (co-simulation): model exchange is not offered")]

@@ -12,6 +12,7 @@
 //! communication step. Speeds, forces and torques are held over the step. The start values mean "as in the scene": zero,
 //! and for a belt or a servo wall the scene's surface velocity or pressure.
 
+mod arrays;
 mod parameters;
 mod rows;
 
@@ -20,6 +21,7 @@ use sphere_dda::observe::quantities::{Kind, quantities};
 use sphere_dda::scene::Scene;
 use sphere_dda_model_description::fmi2::{BaseType, Causality, Variability};
 
+pub use arrays::{Array, Arrays, Field, Source};
 pub use parameters::Parameters;
 use rows::{Row, Rows};
 

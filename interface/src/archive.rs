@@ -39,6 +39,17 @@ pub fn library_path(identifier: &str) -> String {
     format!("binaries/{PLATFORM}/{identifier}{DLL_SUFFIX}")
 }
 
+/// The same for FMI 3.0, whose platforms are named by architecture and system.
+#[must_use]
+pub fn library_path_3(identifier: &str) -> String {
+    let system = match std::env::consts::OS {
+        "macos" => "darwin",
+        other => other,
+    };
+    let architecture = std::env::consts::ARCH;
+    format!("binaries/{architecture}-{system}/{identifier}{DLL_SUFFIX}")
+}
+
 /// A guid in the usual form, `{8-4-4-4-12}` hexadecimal digits: the hash of `parts`.
 #[must_use]
 pub fn guid(parts: &[&str]) -> String {

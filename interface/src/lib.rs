@@ -1,13 +1,15 @@
-//! What every FMU of FMI 2.0 has, whatever it computes; knows no model.
+//! What every FMU of FMI 2.0 or 3.0 has, whatever it computes; knows no model.
 //!
 //! | module       | holds                                                                |
 //! |--------------|----------------------------------------------------------------------|
-//! | [`abi2`]     | the types of the C interface, for both sides of it                   |
+//! | [`abi2`]     | the types of the C interface of FMI 2.0, for both sides of it        |
+//! | [`abi3`]     | the types of the C interface of FMI 3.0                              |
 //! | [`pointers`] | pointers from C as slices and texts, or a reason why not             |
 //! | [`log`]      | log lines, their categories, and the way to the importer's logger    |
 //! | [`archive`]  | files to an `.fmu`, with the same bytes every time; the guid's form   |
 
 pub mod abi2;
+pub mod abi3;
 pub mod archive;
 pub mod log;
 pub mod pointers;

@@ -14,6 +14,7 @@ use std::ffi::{CStr, CString, c_char, c_int};
 use thiserror::Error;
 
 use crate::abi2::{fmi2CallbackFunctions, fmi2String};
+use crate::abi3::{fmi3InstanceEnvironment, fmi3LogMessageCallback};
 use crate::log::{Category, Level, Sink, printf};
 
 /// A null pointer, or a value that the argument cannot have.
@@ -42,6 +43,30 @@ pub fn sink(callbacks: fmi2CallbackFunctions, name: &str) -> Option<Sink> {
                 logger(
                     environment,
                     name.as_ptr(),
+                    level as c_int,
+                    category.as_ptr(),
+                    message.as_ptr(),
+                )
+            };
+        },
+    ))
+}
+
+/// A sink that calls the importer's logger of FMI 3.0, which takes the text as it is.
+pub fn message_sink(
+    logger: Option<fmi3LogMessageCallback>,
+    environment: fmi3InstanceEnvironment,
+) -> Option<Sink> {
+    let logger = logger?;
+    Some(Box::new(
+        move |level: Level, category: Category, message: &str| {
+            let message = c_string(&message.replace('\0', " "));
+            let category = c_string(category.name());
+            // SAFETY: the logger is the importer's own, valid as long as the instance; both texts end with NUL and
+            // outlive the call.
+            unsafe {
+                logger(
+                    environment,
                     level as c_int,
                     category.as_ptr(),
                     message.as_ptr(),

@@ -157,6 +157,23 @@ pub enum Rule {
     TerminalMember,
     /// Members of a terminal are variables of the model.
     TerminalVariable,
+
+    // FMI 3.0 only.
+    /// Value references of variables are unique.
+    ReferenceUnique,
+    /// A dimension is a number greater than 0, or names a structural parameter or
+    /// constant of type UInt64.
+    Dimension,
+    /// There are as many start values as elements, or one for all.
+    StartCount,
+    /// Values are of the type of their variable.
+    ValueType,
+    /// `intermediateUpdate` stands only at inputs, outputs and local variables.
+    IntermediateUpdate,
+    /// A capability of a step goes with those it needs.
+    StepFlags,
+    /// A clock named by a variable is one.
+    Clocks,
 }
 
 /// Collects findings.

@@ -85,6 +85,18 @@ impl Lexical for u32 {
     }
 }
 
+impl Lexical for u64 {
+    const EXPECTED: &'static str = "an unsigned integer of 64 bits (xs:unsignedLong)";
+
+    fn parse(text: &str) -> Option<Self> {
+        text.parse().ok()
+    }
+
+    fn print(&self) -> String {
+        self.to_string()
+    }
+}
+
 impl Lexical for Vec<u32> {
     const EXPECTED: &'static str = "a list of unsigned integers separated by blanks";
 

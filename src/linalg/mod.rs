@@ -15,7 +15,7 @@ pub use lu::GeneralMatrix;
 use thiserror::Error;
 
 /// Why a linear system could not be solved.
-#[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum LinearError {
     /// The matrix is not positive definite to working precision.

@@ -55,6 +55,8 @@ pub struct Inputs<'a> {
     pub gravity: Vec3,
     /// Spring targets at the end of the step \[m\], `[S]`.
     pub targets: &'a [Vec3],
+    /// [`mean_acceleration`] \[m/s^2\].
+    pub mean_acceleration: f64,
 }
 
 impl<'a> Inputs<'a> {
@@ -195,6 +197,11 @@ impl<'a> Inputs<'a> {
         } = self.pair(candidate.key);
         row.law = Law::Contact { mu: friction };
         let (approach, sliding) = split(before, n);
+        // Where nothing acts itself, forces are passed on from loads elsewhere.
+        let passed_on = match acceleration > 0.0 {
+            true => 0.0,
+            false => self.mean_acceleration * self.step,
+        };
         // Only a contact that was loaded can be taken for an approaching one because its normal turns.
         if force != Vec3::zeros() {
             acceleration = acceleration.max(sliding.norm_squared() * candidate.curvature);
@@ -212,14 +219,14 @@ impl<'a> Inputs<'a> {
             candidate.gap / self.step
         };
         row.bias = n * normal_bias;
-        // Where nothing accelerates, the speed of approach is the only scale there is; rounding of the speeds is beneath any.
+        // Where nothing accelerates, the speed of approach is a scale as well; rounding of the speeds is beneath any.
         let change = if acceleration > 0.0 {
             acceleration * self.step
         } else {
             before.norm()
         };
         let rounding = ROUNDING * fastest / settings.tolerance.force;
-        row.impulse_scale = lightest * change.max(rounding);
+        row.impulse_scale = lightest * change.max(passed_on).max(rounding);
 
         let dt2 = self.step * self.step;
         if let (Method::Penalty, Some(penalty)) = (settings.method, settings.penalty) {
@@ -372,6 +379,21 @@ impl<'a> Inputs<'a> {
                 * self.step,
         }
     }
+}
+
+/// Acceleration \[m/s^2\] by which all loads would change the speed of all bodies together: `sum |f| / sum m` over spheres
+/// with their `external` accelerations, `[N]`, and driven `bodies`. What a body on which nothing acts itself is pressed with.
+#[must_use]
+pub fn mean_acceleration(scene: &Scene, external: &[Dof6], bodies: &[Ready]) -> f64 {
+    let masses = &scene.particles.mass;
+    let spheres = external.iter().zip(masses);
+    let force: f64 = spheres.map(|(a, m)| m * a.linear.norm()).sum::<f64>()
+        + bodies
+            .iter()
+            .map(|body| body.external.linear.norm())
+            .sum::<f64>();
+    let mass = masses.iter().sum::<f64>() + bodies.iter().map(Ready::mass).sum::<f64>();
+    if mass > 0.0 { force / mass } else { 0.0 }
 }
 
 /// External acceleration of every sphere: gravity and point loads, `[N]`; zero where locked or absent.

@@ -7,45 +7,140 @@ use crate::Vec3;
 use crate::contacts::{Key, Partner};
 use crate::drive::{Drive, displacement};
 use crate::error::StepError;
-use crate::motion::Motion;
+use crate::motion::{Command, Motion, Pose};
 use crate::observe::sensors::flow::{Gate, crossings};
 use crate::scene::{Integrator, Measure, Scene};
+use crate::state::State;
 use crate::step::{StepFailure, step};
 
+/// A communication step under way: see [`Simulation::begin`].
+#[derive(Debug)]
+pub struct March {
+    before: State,
+    start: f64,
+    end: f64,
+    steps: u64,
+    done: u64,
+    /// Where the boundaries stood, and when, as their commands last changed.
+    from: Vec<Pose>,
+    since: f64,
+    commands: Vec<Command>,
+    sums: Sums,
+}
+
+/// What is averaged over a communication step.
+#[derive(Debug)]
+struct Sums {
+    /// Impulse on each boundary, `[B]`.
+    impulse: Vec<Wrench>,
+    /// Impulse of the body forces \[N s\].
+    body_force: Vec3,
+}
+
+impl March {
+    /// Whether the end is reached.
+    #[must_use]
+    pub fn is_done(&self) -> bool {
+        self.done == self.steps
+    }
+
+    fn drive<'a>(&self, scene: &'a Scene) -> Drive<'a> {
+        let (from, commands) = (&self.from, &self.commands);
+        Drive::new(&scene.boundaries, commands, from, self.since, self.end)
+    }
+}
+
 impl Simulation {
-    pub(super) fn march(&mut self, start: f64, end: f64) -> Result<StepReport, StepError> {
-        let scene = Arc::clone(&self.scene);
+    /// Begins a step to exactly `end` \[s\] in equal internal steps, which [`Self::internal_step`] takes one by one:
+    /// between them the state can be read and boundaries can be commanded anew. Without that the result is that of
+    /// [`Self::advance_to`], bit for bit. Until the end is reached, or the rest is given up, no other step may be taken.
+    ///
+    /// # Errors
+    /// [`StepError`] if `end` is not a finite time after the present, or a boundary would jump; nothing has changed.
+    pub fn begin(&mut self, end: f64) -> Result<March, StepError> {
+        let start = self.state.time;
         let h = end - start;
-        // The margin keeps a communication step that is n internal steps but for rounding at n.
-        let steps = (h / scene.settings.step * (1.0 - 1e-9)).ceil().max(1.0) as u64;
-        let drive = Drive::new(
-            &scene.boundaries,
-            &self.state.commands,
-            &self.state.poses,
+        if !(h > 0.0 && h.is_finite()) {
+            return Err(StepError::Argument {
+                what: "communication step",
+                found: format!("{h} s"),
+                expected: "a finite time after the current one",
+            });
+        }
+        let march = March {
+            before: self.state.clone(),
             start,
             end,
-        );
-        self.check_jump(&drive, start, end, steps)?;
+            // The margin keeps a communication step that is n internal steps but for rounding at n.
+            steps: (h / self.scene.settings.step * (1.0 - 1e-9))
+                .ceil()
+                .max(1.0) as u64,
+            done: 0,
+            from: self.state.poses.clone(),
+            since: start,
+            commands: self.state.commands.clone(),
+            sums: Sums {
+                impulse: vec![Wrench::default(); self.scene.boundaries.len()],
+                body_force: Vec3::zeros(),
+            },
+        };
+        let drive = march.drive(&self.scene);
+        self.check_jump(&drive, start, end, march.steps)?;
         self.state.report = StepReport::default();
-        self.state.mean_body_force = Vec3::zeros();
-        let passed = self.state.passed.clone();
-        let mut impulse = vec![Wrench::default(); scene.boundaries.len()];
-        for k in 1..=steps {
-            let target = if k == steps {
-                end
-            } else {
-                start + h * (k as f64 / steps as f64)
-            };
-            self.step_to(&scene, &drive, target, 0, &mut impulse)?;
+        Ok(march)
+    }
+
+    /// Takes the next internal step of `march`, halved where it fails. Averages are over what has been taken of the
+    /// communication step. Commands given since the last internal step hold from here to its end.
+    ///
+    /// # Errors
+    /// As [`Self::advance_to`]: the state is as before [`Self::begin`].
+    pub fn internal_step(&mut self, march: &mut March) -> Result<(), StepError> {
+        let result = self.take(march);
+        if result.is_err() {
+            self.state.clone_from(&march.before);
         }
-        for (mean, impulse) in self.state.mean_wrenches.iter_mut().zip(&impulse) {
+        result
+    }
+
+    fn take(&mut self, march: &mut March) -> Result<(), StepError> {
+        if march.is_done() {
+            return Ok(());
+        }
+        let scene = Arc::clone(&self.scene);
+        let changed = march.commands != self.state.commands;
+        if changed {
+            march.since = self.state.time;
+            march.from.clone_from(&self.state.poses);
+            march.commands.clone_from(&self.state.commands);
+        }
+        let drive = march.drive(&scene);
+        if changed {
+            self.check_jump(&drive, march.since, march.end, march.steps - march.done)?;
+        }
+        march.done += 1;
+        let (start, h) = (march.start, march.end - march.start);
+        let target = if march.is_done() {
+            march.end
+        } else {
+            start + h * (march.done as f64 / march.steps as f64)
+        };
+        self.step_to(&scene, &drive, target, 0, &mut march.sums)?;
+        self.average(march);
+        Ok(())
+    }
+
+    /// Means over what has been taken of the communication step.
+    fn average(&mut self, march: &March) {
+        let h = self.state.time - march.start;
+        let means = self.state.mean_wrenches.iter_mut();
+        for (mean, impulse) in means.zip(&march.sums.impulse) {
             mean.force = impulse.force / h;
             mean.torque = impulse.torque / h;
         }
-        self.state.mean_body_force /= h;
-        let totals = self.state.passed.iter().zip(&passed);
+        self.state.mean_body_force = march.sums.body_force / h;
+        let totals = self.state.passed.iter().zip(&march.before.passed);
         self.state.flow = totals.map(|(now, then)| (now - then) / h).collect();
-        Ok(self.state.report)
     }
 
     /// One internal step to `target`, or two half steps if it fails.
@@ -55,7 +150,7 @@ impl Simulation {
         drive: &Drive,
         target: f64,
         cuts: u32,
-        impulse: &mut [Wrench],
+        sums: &mut Sums,
     ) -> Result<(), StepError> {
         let start = self.state.time;
         let dt = target - start;
@@ -74,14 +169,14 @@ impl Simulation {
                 self.state.report.include(&outcome);
                 self.check_finite()?;
                 let shift = self.shift(dt);
-                for (b, sum) in impulse.iter_mut().enumerate() {
+                for (b, sum) in sums.impulse.iter_mut().enumerate() {
                     sum.add(&self.state.wrenches[b], dt);
                     // A step of another length moves the half step by persisting forces: their share.
                     sum.add(&self.state.persisting_wrenches[b], shift);
                     sum.add(&persisting[b], -shift);
                 }
                 let now = self.state.body_force;
-                self.state.mean_body_force += now * dt + (now - body_force) * shift;
+                sums.body_force += now * dt + (now - body_force) * shift;
                 self.count_crossings(&before);
                 self.exchange();
                 Ok(())
@@ -90,8 +185,8 @@ impl Simulation {
             Err(_) => {
                 self.state.report.cuts += 1;
                 let half = start + 0.5 * dt;
-                self.step_to(scene, drive, half, cuts + 1, impulse)?;
-                self.step_to(scene, drive, target, cuts + 1, impulse)
+                self.step_to(scene, drive, half, cuts + 1, sums)?;
+                self.step_to(scene, drive, target, cuts + 1, sums)
             }
         }
     }
@@ -217,6 +312,10 @@ impl Simulation {
             tolerance: failure.tolerance,
             contact,
             cuts,
+            broken: failure
+                .broken
+                .map_or_else(String::new, |why| format!(" ({why})"))
+                .into(),
         }
     }
 

@@ -22,6 +22,7 @@ use crate::scene::Scene;
 use crate::snapshot;
 use crate::state::{State, Work};
 use crate::step::{Scratch, StepOutcome, initial_forces};
+pub use march::March;
 pub use settle::{Settle, Settled};
 
 /// Force and torque on a boundary.
@@ -282,21 +283,11 @@ impl Simulation {
     /// # Errors
     /// [`StepError`] with time, contact and residual.
     pub fn advance_to(&mut self, end: f64) -> Result<StepReport, StepError> {
-        let start = self.state.time;
-        let h = end - start;
-        if !(h > 0.0 && h.is_finite()) {
-            return Err(StepError::Argument {
-                what: "communication step",
-                found: format!("{h} s"),
-                expected: "a finite time after the current one",
-            });
+        let mut march = self.begin(end)?;
+        while !march.is_done() {
+            self.internal_step(&mut march)?;
         }
-        let before = self.state.clone();
-        let result = self.march(start, end);
-        if result.is_err() {
-            self.state = before;
-        }
-        result
+        Ok(self.state.report)
     }
 
     /// The problem that an internal step of `dt` \[s\] from here begins with, and the impulses \[N s\] that the solver

@@ -22,7 +22,7 @@ use nalgebra::Matrix3;
 use super::bodies::{Masses, component, moved};
 use super::gauss_seidel::{Kernel, smooth};
 use super::residual::{Scale, evaluate};
-use super::{Params, Report};
+use super::{Best, Params, Report};
 use crate::Vec3;
 use crate::contacts::law::{project_disc, project_interval, split};
 use crate::linalg::{BlockMatrix, BlockPattern, Factor, LinearError, Symbolic};
@@ -197,8 +197,18 @@ pub fn solve(
         penalty: params.penalty,
         ..Report::default()
     };
-    // A failed factorization leaves the residual above its tolerance: the verdict below tells.
-    let _ = outer_loop(problem, params, workspace, impulses, &scales, &mut report);
+    let mut best = Best::new(&report.residual, &params.tolerance, impulses);
+    let ended = outer_loop(
+        problem,
+        params,
+        workspace,
+        impulses,
+        &scales,
+        (&mut report, &mut best),
+    );
+    report.broken = ended.err();
+    // Away from the solution a large penalty may lead astray: what is handed on is the best that was met.
+    impulses.copy_from_slice(&best.impulses);
     report.residual = evaluate(problem, &scales, impulses);
     report.converged = report.residual.within(&params.tolerance);
     report
@@ -237,7 +247,7 @@ fn outer_loop(
     workspace: &mut Workspace,
     impulses: &mut [Vec3],
     scales: &[Scale],
-    report: &mut Report,
+    (report, best): (&mut Report, &mut Best),
 ) -> Result<(), LinearError> {
     let Workspace { symbolic, kernel } = workspace;
     let symbolic = analyse(symbolic, pattern(problem))?;
@@ -309,6 +319,9 @@ fn outer_loop(
                 break;
             }
         }
+        if !settled && report.factorizations >= params.max_factorizations {
+            break;
+        }
         if !settled && params.adapt_penalty {
             // An update from an unsettled inner problem diverges: make that problem easier instead.
             report.penalty /= RAISE * RAISE;
@@ -330,6 +343,7 @@ fn outer_loop(
         velocity = problem.velocities(impulses);
         let before = report.residual;
         report.residual = evaluate(problem, scales, impulses);
+        best.offer(&report.residual, &params.tolerance, impulses);
         let gained = report.residual.gap <= GAIN * before.gap
             && report.residual.slip <= GAIN * before.slip
             && report.residual.force <= GAIN * before.force;

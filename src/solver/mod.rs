@@ -13,6 +13,7 @@ pub mod newton;
 pub mod residual;
 
 use crate::Vec3;
+use crate::linalg::LinearError;
 use crate::problem::Problem;
 use crate::scene::{SolverKind, Tolerance};
 use augmented_lagrangian::Workspace;
@@ -67,10 +68,36 @@ pub struct Report {
     pub factorizations: usize,
     /// Penalty number at the end \[N/m\]; zero if the augmented-Lagrangian loop did not run.
     pub penalty: f64,
+    /// Why the last solve ended early, if a factorization failed.
+    pub broken: Option<LinearError>,
+}
+
+/// The best impulses of a loop that may lead away from the solution.
+struct Best {
+    excess: f64,
+    impulses: Vec<Vec3>,
+}
+
+impl Best {
+    fn new(residual: &Residual, tolerance: &Tolerance, impulses: &[Vec3]) -> Self {
+        Self {
+            excess: residual.excess(tolerance),
+            impulses: impulses.to_vec(),
+        }
+    }
+
+    /// Keeps `impulses` if they are better.
+    fn offer(&mut self, residual: &Residual, tolerance: &Tolerance, impulses: &[Vec3]) {
+        let excess = residual.excess(tolerance);
+        if excess < self.excess {
+            self.excess = excess;
+            self.impulses.copy_from_slice(impulses);
+        }
+    }
 }
 
 impl Report {
-    /// Adds the work of a second solve; residual and verdict are those of the second.
+    /// Adds the work of a second solve; residual, verdict and what broke are those of the second.
     #[must_use]
     pub fn then(self, next: Self) -> Self {
         Self {

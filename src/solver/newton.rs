@@ -19,7 +19,7 @@ use nalgebra::Matrix3;
 use super::augmented_lagrangian::SHEAR_RATIO;
 use super::bodies::{Masses, moved};
 use super::residual::{Scale, evaluate};
-use super::{Params, Report};
+use super::{Best, Params, Report};
 use crate::Vec3;
 use crate::contacts::law::{project_disc, project_interval, split};
 use crate::linalg::{GeneralMatrix, LinearError};
@@ -278,6 +278,7 @@ pub fn solve(
         residual: evaluate(problem, &scales, impulses),
         ..Report::default()
     };
+    let mut best = Best::new(&report.residual, &params.tolerance, impulses);
     while !report.residual.within(&params.tolerance)
         && report.factorizations < params.max_factorizations
     {
@@ -307,8 +308,11 @@ pub fn solve(
         }
         report.augmentations += 1;
         report.residual = evaluate(problem, &scales, impulses);
+        best.offer(&report.residual, &params.tolerance, impulses);
         kappa *= growth;
     }
+    impulses.copy_from_slice(&best.impulses);
+    report.residual = evaluate(problem, &scales, impulses);
     report.converged = report.residual.within(&params.tolerance);
     Ok(report)
 }

@@ -39,6 +39,20 @@ impl Residual {
         self.gap <= tolerance.gap && self.slip <= tolerance.slip && self.force <= tolerance.force
     }
 
+    /// Largest of the three over its tolerance \[-\]; infinite where one is no number.
+    #[must_use]
+    pub fn excess(&self, tolerance: &Tolerance) -> f64 {
+        let shares = [
+            self.gap / tolerance.gap,
+            self.slip / tolerance.slip,
+            self.force / tolerance.force,
+        ];
+        match shares.iter().any(|share| share.is_nan()) {
+            true => f64::INFINITY,
+            false => shares.into_iter().fold(0.0, f64::max),
+        }
+    }
+
     /// Takes row `index`'s residuals into the maxima.
     pub(super) fn include(&mut self, index: usize, values: [f64; 3]) {
         let maxima = [&mut self.gap, &mut self.slip, &mut self.force];
@@ -144,15 +158,12 @@ impl Scale {
             Law::Resistance { .. } => (0.0, along.max(across)),
             _ => (along, across),
         };
-        [
-            gap,
-            slip,
-            force
-                / correction
-                    .magnitude
-                    .max(row.impulse_scale)
-                    .max(f64::MIN_POSITIVE),
-        ]
+        // Without any scale an impulse that should vanish is off by all of itself.
+        let size = match correction.magnitude.max(row.impulse_scale) {
+            0.0 => force.max(f64::MIN_POSITIVE),
+            size => size,
+        };
+        [gap, slip, force / size]
     }
 }
 

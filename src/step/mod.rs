@@ -13,9 +13,10 @@ pub use start::{initial_forces, remove_overlaps};
 use crate::Vec3;
 use crate::contacts::broad_phase::NeighborList;
 use crate::driven::Ready;
+use crate::linalg::LinearError;
 use crate::motion::{Pose, Twist};
 use crate::particles::Kinematics;
-use crate::problem::assemble::Inputs;
+use crate::problem::assemble::{Inputs, mean_acceleration};
 use crate::problem::{Dof6, Impulses, Problem};
 use crate::scene::Scene;
 use crate::solver::Report;
@@ -40,7 +41,7 @@ pub struct StepOutcome {
 }
 
 /// Why an internal step failed; the caller may cut it.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct StepFailure {
     /// Which residual: `gap`, `slip` or `force`.
     pub what: &'static str,
@@ -54,6 +55,8 @@ pub struct StepFailure {
     pub pinched: Option<(usize, [u16; 2])>,
     /// Two bodies that would pass through each other within the step.
     pub passed: Option<Passed>,
+    /// The linear system that ended the solver early.
+    pub broken: Option<Box<LinearError>>,
 }
 
 /// Two bodies that move so far against each other in a step that contact at its ends does not tell what happens between.
@@ -173,6 +176,7 @@ impl<'s> Start<'s> {
             surfaces: &self.surfaces,
             gravity: self.gravity,
             targets: &self.targets,
+            mean_acceleration: mean_acceleration(scene, &self.external, &self.bodies),
         }
     }
 }

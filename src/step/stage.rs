@@ -274,6 +274,7 @@ impl<'a> Stage<'a> {
             // Forces without bound satisfy a pinch on paper: then only the geometry refuses it.
             pinched: (0..self.candidates.len()).find_map(|row| self.pinch(row)),
             passed: None,
+            broken: None,
         })
     }
 
@@ -415,6 +416,7 @@ impl<'a> Stage<'a> {
                 .iter()
                 .find_map(|&row| self.pinch(row)),
             passed: None,
+            broken: report.broken.map(Box::new),
         }
     }
 

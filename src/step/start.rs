@@ -6,7 +6,7 @@ use crate::Vec3;
 use crate::contacts::narrow_phase::Placement;
 use crate::driven::Ready;
 use crate::motion::Twist;
-use crate::problem::assemble::Inputs;
+use crate::problem::assemble::{Inputs, mean_acceleration};
 use crate::problem::{Dof6, Law, Row};
 use crate::scene::{Method, Scene};
 use crate::state::State;
@@ -42,6 +42,7 @@ pub fn initial_forces(
         surfaces: &surfaces(scene, state),
         gravity,
         targets: &targets,
+        mean_acceleration: mean_acceleration(scene, &external, &bodies),
     };
     let mut stage = Stage::new(inputs, state, scratch);
     stage.keep_resting(scene);
@@ -109,6 +110,7 @@ pub fn remove_overlaps(
         surfaces: &vec![Vec3::zeros(); poses.len()],
         gravity: Vec3::zeros(),
         targets: &[],
+        mean_acceleration: 0.0,
     };
     let mut stage = Stage::new(inputs, state, scratch);
     stage.problem.rows.truncate(stage.candidates.len());

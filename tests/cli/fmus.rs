@@ -31,6 +31,17 @@ fn an_exported_scene_is_inspected_and_simulated() {
         assert!(inspected.contains(part), "{part} is not in\n{inspected}");
     }
 
+    let scene = scene.to_str().unwrap();
+    done(folder, &["export", scene, "--fmi", "3", "-o", "three.fmu"]);
+    let inspected = done(folder, &["inspect", "three.fmu", "--validate"]).out;
+    for part in [
+        "FMI 3.0",
+        "call the importer within a step",
+        "Float64[200][3]",
+    ] {
+        assert!(inspected.contains(part), "{part} is not in\n{inspected}");
+    }
+
     let simulate = [
         "simulate",
         "x.fmu",

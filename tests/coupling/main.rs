@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use sphere_dda_fmu::export::{export, find_library};
+use sphere_dda_fmu::export::{Version, export, find_library};
 use sphere_dda_fmu::import::{Coupling, End, Fmu, Options, Step, System, Table, simulate};
 
 const FORCE: &str = "bed.boundary.tray.averageForce[3]";
@@ -29,7 +29,8 @@ fn bed(folder: &Path, name: &str, edit: impl FnOnce(&mut String)) -> Fmu {
     edit(&mut text);
     let (scene, fmu): (PathBuf, PathBuf) = (folder.join(name), folder.join("bed.fmu"));
     fs::write(&scene, text).unwrap();
-    export(&scene, None, &fmu, &find_library(None).unwrap()).unwrap();
+    let library = find_library(None).unwrap();
+    export(&scene, None, &fmu, &library, Version::Two).unwrap();
     Fmu::open(fmu).unwrap()
 }
 

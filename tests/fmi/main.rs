@@ -118,7 +118,7 @@ fn the_table_is_the_description() {
         .collect();
     models.push(box_scene().model);
     for model in models {
-        let description = describe(&model.scene, &model.table, "box").unwrap();
+        let description = describe(&model.scene, &model.table, "box", &model.guid);
         assert_eq!(description.validate(), []);
         assert_eq!(description.guid, model.guid);
         let variables = model.table.variables();

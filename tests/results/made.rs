@@ -8,6 +8,7 @@ use sphere_dda::Vec3;
 use sphere_dda::boundaries::{Boundary, Facets, Geometry, HalfSpace, Shape};
 use sphere_dda::cell::Cell;
 use sphere_dda::contacts::{Contact, Key, Partner};
+use sphere_dda::driven::JointState;
 use sphere_dda::materials::{Material, Pair, PairTable};
 use sphere_dda::motion::{Motion, Pose, Twist};
 use sphere_dda::observe::writer::Results;
@@ -200,6 +201,7 @@ impl Made {
                         torque: Vec3::zeros(),
                     },
                     mean_wrench: Wrench::default(),
+                    joint: JointState::default(),
                 };
                 scene.boundaries.len()
             ],

@@ -1,11 +1,17 @@
 //! Solvers against each other and against closed forms, on one problem at a time.
 
 use sphere_dda::Vec3;
+use sphere_dda::boundaries::HalfSpace;
+use sphere_dda::driven::{Area, Joint, Servo};
+use sphere_dda::linalg::LinearError;
 use sphere_dda::problem::{Dof6, GROUND, Law, Problem, Row};
 use sphere_dda::scene::{SolverKind, Tolerance};
+use sphere_dda::simulation::Simulation;
 use sphere_dda::solver::augmented_lagrangian::Workspace;
 use sphere_dda::solver::residual::{Scale, evaluate};
 use sphere_dda::solver::{Params, Report, SMOOTHING, newton, solve};
+
+use crate::support::{self, Case};
 
 const R: f64 = 0.1;
 const DT: f64 = 1e-3;
@@ -311,4 +317,115 @@ fn iteration_counts_are_pinned() {
     38 sweeps, 0 augmentations, 0 factorizations
     0 sweeps, 1 augmentations, 3 factorizations
     ");
+}
+
+/// A force that nothing loads is judged by what acts elsewhere: without gravity spheres at rest are pressed by a piston with
+/// `F` alone, and the scale of their forces is `m F/(2 m + M) dt`.
+#[test]
+fn forces_without_gravity_have_a_scale() {
+    const FORCE: f64 = 30.0;
+    let mut piston = support::body(
+        4.0,
+        Vec3::z() * 0.4,
+        Vec3::zeros(),
+        Joint::Slide { axis: Vec3::z() },
+    );
+    piston.servo = Some(Servo {
+        pressure: -FORCE,
+        area: Area::Constant(1.0),
+        input: false,
+    });
+    let lid = HalfSpace::new(Vec3::z() * 0.4, -Vec3::z()).expect("a plane");
+    let case = Case::new(DT, 0.3, 0.0)
+        .without_gravity()
+        .floor()
+        .driven(vec![lid.into()], piston)
+        .sphere(R, Vec3::z() * R, Vec3::zeros())
+        .sphere(R, Vec3::z() * 3.0 * R, Vec3::zeros());
+    let run = case.start();
+    assert_eq!(run.simulation.contacts().len(), 3);
+    for contact in run.simulation.contacts() {
+        support::close(contact.force.norm(), FORCE, 1e-6, 0.0);
+    }
+    let (problem, _) = run.simulation.problem(DT).expect("a problem");
+    let mass = run.mass(0);
+    let expected = mass * FORCE / (2.0 * mass + 4.0) * DT;
+    let between = problem
+        .rows
+        .iter()
+        .find(|row| row.b == 1 || row.a == 1 && row.b == 0);
+    support::close(
+        between.expect("the pair").impulse_scale,
+        expected,
+        1e-9,
+        0.0,
+    );
+}
+
+/// A row without any scale reports how far it is off as a share of itself, not as a number beyond all bounds.
+#[test]
+fn a_residual_without_scale_is_a_share() {
+    let mut problem = pyramid(0.3);
+    problem.rows.truncate(1);
+    problem.rows[0].impulse_scale = 0.0;
+    for free in &mut problem.free {
+        *free = Dof6::ZERO;
+    }
+    let scales = Scale::of(&problem);
+    let pushed = [problem.rows[0].normal * 1e-60];
+    let found = evaluate(&problem, &scales, &pushed);
+    assert_eq!(found.force, 1.0, "{found:?}");
+    assert_eq!(evaluate(&problem, &scales, &[Vec3::zeros()]).force, 0.0);
+}
+
+/// What ends the direct solver early is in its report, and the impulses it was given are not made worse.
+#[test]
+fn a_broken_factorization_is_reported() {
+    let problem = pyramid(0.2);
+    let start: Vec<Vec3> = problem.rows.iter().map(|row| row.normal * 1e-3).collect();
+    let mut impulses = start.clone();
+    // A negative penalty makes the matrix indefinite.
+    let params = Params {
+        penalty: -1e9,
+        ..params(SolverKind::Direct)
+    };
+    let report = solve(&problem, &params, &mut Workspace::default(), &mut impulses);
+    let rows = 6 * problem.free.len();
+    assert_eq!(
+        report.broken,
+        Some(LinearError::NotPositiveDefinite { rows })
+    );
+    assert!(!report.converged && impulses == start, "{report:?}");
+
+    let case = Case::new(DT, 0.3, 0.0).floor().settings(|s| {
+        s.solver = SolverKind::Direct;
+        s.penalty = Some(-1e9);
+    });
+    let case = case.sphere(R, Vec3::z() * R, Vec3::zeros());
+    let error = Simulation::new(std::sync::Arc::new(case.scene)).expect_err("it cannot start");
+    let message = error.to_string();
+    assert!(message.contains("not positive definite"), "{message}");
+}
+
+/// Steps that the direct solver does not finish end with the best impulses it met: more work never makes them worse.
+#[test]
+fn more_work_leaves_no_larger_residual() {
+    let problem = stiff_pyramid(0.6, 0.3, 0.2);
+    let mut last = f64::INFINITY;
+    for max_factorizations in 1..30 {
+        let mut impulses = vec![Vec3::zeros(); problem.rows.len()];
+        let params = Params {
+            max_factorizations,
+            smoothing: 0,
+            penalty: 1e9,
+            ..params(SolverKind::Direct)
+        };
+        solve(&problem, &params, &mut Workspace::default(), &mut impulses);
+        let excess = evaluate(&problem, &Scale::of(&problem), &impulses).excess(&params.tolerance);
+        assert!(
+            excess <= last,
+            "{max_factorizations}: {excess:e} after {last:e}"
+        );
+        last = excess;
+    }
 }

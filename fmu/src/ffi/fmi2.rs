@@ -9,6 +9,7 @@ use std::ffi::{c_char, c_int};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use super::guard::{ANY, Component, Stages, call};
+use super::logging;
 use crate::instance::{Instance, Stage, Step};
 use crate::refusal::{InstantiationError, Refusal};
 use crate::resource;
@@ -16,7 +17,7 @@ use sphere_dda_fmi_interface::abi2::*;
 use sphere_dda_fmi_interface::log::{Level, Log};
 use sphere_dda_fmi_interface::pointers::{array, panic_text, sink, str_from, value_mut};
 
-use fmi2Status::{fmi2Discard, fmi2OK, fmi2Warning};
+use fmi2Status::{fmi2Discard, fmi2OK};
 
 const INSTANTIATED: Stages = &[Stage::Instantiated];
 const INITIALIZATION: Stages = &[Stage::Initialization];
@@ -48,25 +49,8 @@ extern "C" fn fmi2SetDebugLogging(
     nCategories: usize,
     categories: *const fmi2String,
 ) -> fmi2Status {
-    call(c, "fmi2SetDebugLogging", ANY, |component| {
-        let names = array(categories, nCategories, "categories")?.iter();
-        let names: Vec<&str> = names
-            .map(|&name| str_from(name, "categories"))
-            .collect::<Result<_, _>>()?;
-        let log = component.instance.log();
-        let unknown = log.select(loggingOn != FMI2_FALSE, &names);
-        if unknown.is_empty() {
-            return Ok(fmi2OK);
-        }
-        log.write(
-            Level::Warning,
-            format_args!(
-                "fmi2SetDebugLogging: unknown categories {}",
-                unknown.join(", ")
-            ),
-        );
-        Ok(fmi2Warning)
-    })
+    let on = loggingOn != FMI2_FALSE;
+    logging::select((c, "fmi2SetDebugLogging"), ANY, on, nCategories, categories)
 }
 
 /// Makes an instance; null if it cannot, with the reason in the log.
@@ -91,11 +75,7 @@ extern "C" fn fmi2Instantiate(
     let body = || instantiate(name, fmuType, fmuGUID, fmuResourceLocation, log());
     let refused = match catch_unwind(AssertUnwindSafe(body)) {
         Ok(Ok(instance)) => {
-            return Box::into_raw(Box::new(Component {
-                instance,
-                strings: Vec::new(),
-            }))
-            .cast();
+            return Box::into_raw(Box::new(Component::new(instance))).cast();
         }
         Ok(Err(error)) => error.to_string(),
         Err(panic) => format!("internal error: {}", panic_text(&*panic)),

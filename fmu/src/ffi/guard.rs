@@ -6,6 +6,9 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use crate::instance::{Instance, Stage};
 use crate::refusal::Refusal;
 use sphere_dda_fmi_interface::abi2::{fmi2Component, fmi2Status};
+use sphere_dda_fmi_interface::abi3::{
+    fmi3InstanceEnvironment, fmi3IntermediateUpdateCallback, fmi3Status,
+};
 use sphere_dda_fmi_interface::log::Level;
 use sphere_dda_fmi_interface::pointers::panic_text;
 
@@ -14,12 +17,54 @@ pub(super) struct Component {
     pub(super) instance: Instance,
     /// Texts handed out by the last `fmi2GetString`, valid until the next call.
     pub(super) strings: Vec<CString>,
+    /// Bytes handed out by the last `fmi3GetBinary`, likewise.
+    pub(super) binaries: Vec<Vec<u8>>,
+    /// The importer's wish to be called within a step; FMI 3.0 only.
+    pub(super) updates: Option<Updates>,
+}
+
+impl Component {
+    pub(super) fn new(instance: Instance) -> Self {
+        Self {
+            instance,
+            strings: Vec::new(),
+            binaries: Vec::new(),
+            updates: None,
+        }
+    }
+}
+
+/// How the importer is called within a step.
+#[derive(Clone, Copy)]
+pub(super) struct Updates {
+    pub(super) callback: fmi3IntermediateUpdateCallback,
+    pub(super) environment: fmi3InstanceEnvironment,
+    pub(super) early_return_allowed: bool,
+}
+
+/// The statuses of a version of the standard.
+pub(super) trait Status {
+    const OK: Self;
+    const WARNING: Self;
+    const ERROR: Self;
+}
+
+impl Status for fmi2Status {
+    const OK: Self = Self::fmi2OK;
+    const WARNING: Self = Self::fmi2Warning;
+    const ERROR: Self = Self::fmi2Error;
+}
+
+impl Status for fmi3Status {
+    const OK: Self = Self::fmi3OK;
+    const WARNING: Self = Self::fmi3Warning;
+    const ERROR: Self = Self::fmi3Error;
 }
 
 /// States of the life cycle in which a function may be called.
 pub(super) type Stages = &'static [Stage];
 
-/// Any state.
+/// Any state but within a step.
 pub(super) const ANY: Stages = &[
     Stage::Instantiated,
     Stage::Initialization,
@@ -30,16 +75,16 @@ pub(super) const ANY: Stages = &[
 ];
 
 /// Runs `body` on the instance behind `component`; whatever happens ends as a status, with a log line if it is bad.
-pub(super) fn call(
+pub(super) fn call<S: Status>(
     component: fmi2Component,
     function: &str,
     allowed: Stages,
-    body: impl FnOnce(&mut Component) -> Result<fmi2Status, Refusal>,
-) -> fmi2Status {
+    body: impl FnOnce(&mut Component) -> Result<S, Refusal>,
+) -> S {
     // SAFETY: the importer passes null or what fmi2Instantiate returned and fmi2FreeInstance has not taken back, and
     // calls one instance from one thread at a time (FMI 2.0, section 4.2.1).
     let Some(component) = (unsafe { component.cast::<Component>().as_mut() }) else {
-        return fmi2Status::fmi2Error;
+        return S::ERROR;
     };
     let outcome = catch_unwind(AssertUnwindSafe(|| {
         require(component.instance.stage(), allowed)?;
@@ -52,7 +97,7 @@ pub(super) fn call(
                 .instance
                 .log()
                 .write(Level::Error, format_args!("{function}: {refusal}"));
-            fmi2Status::fmi2Error
+            S::ERROR
         }
         Err(panic) => {
             // A second panic, while the first is cleaned up, must not cross into C either.
@@ -62,7 +107,7 @@ pub(super) fn call(
                     .fail(&format!("{function}: {}", panic_text(&*panic)))
             };
             let _ = catch_unwind(AssertUnwindSafe(fail));
-            fmi2Status::fmi2Error
+            S::ERROR
         }
     }
 }
@@ -100,13 +145,11 @@ mod tests {
         let sink: Sink = Box::new(move |_, _, line| copy.borrow_mut().push(line.to_owned()));
         let log = Log::new(Some(sink), false);
         let instance = Instance::new("one", &guid, folder.path(), log).unwrap();
-        let mut component = Component {
-            instance,
-            strings: Vec::new(),
-        };
+        let mut component = Component::new(instance);
         let c: fmi2Component = (&raw mut component).cast();
 
-        let panics = |_: &mut Component| panic!("out of {}", "luck");
+        let panics =
+            |_: &mut Component| -> Result<fmi2Status, Refusal> { panic!("out of {}", "luck") };
         assert_eq!(call(c, "fmi2DoStep", ANY, panics), fmi2Status::fmi2Error);
         assert!(lines.borrow()[0].contains("internal error: fmi2DoStep: out of luck"));
         let idle = |_: &mut Component| Ok(fmi2Status::fmi2OK);

@@ -8,10 +8,14 @@
 //! - `fmi2Error` for a refused call, which has changed nothing, and for a failed instance, which then waits for
 //!   `fmi2Reset`, `fmi2SetFMUstate` or `fmi2FreeInstance`. `fmi2Fatal` is never returned.
 //!
-//! Model exchange is not offered; its functions are not exported, as the standard asks of a co-simulation FMU.
+//! and likewise `fmi3OK` to `fmi3Error`. Model exchange is not offered: FMI 2.0 asks a co-simulation FMU not to export
+//! its functions, FMI 3.0 asks for all functions, and those of what is not offered are refused.
 
 mod fmi2;
+mod fmi3;
 mod guard;
+mod logging;
+mod saved;
 
 use std::ffi::{CStr, c_char};
 use std::path::{Path, PathBuf};

@@ -38,15 +38,7 @@ impl Instance {
             }
             Meaning::Output(rank) => rank,
         };
-        match self.run.stage {
-            Stage::Initialization if self.run.pending => self.prepare()?,
-            Stage::StepComplete if self.run.pending && !self.read_ahead => {
-                self.read_ahead = true;
-                let text = "outputs read after a set without a step: they are those of the last step (told once)";
-                self.log.write(Level::Warning, text);
-            }
-            _ => {}
-        }
+        self.look()?;
         if let (None, Some(simulation)) = (&self.outputs, &self.simulation) {
             self.outputs = Some(values(&Observation::of(simulation)));
         }
@@ -60,6 +52,20 @@ impl Instance {
                 stage: self.run.stage,
             }),
         }
+    }
+
+    /// Before outputs are read: brings the start up to date in initialization mode, warns of a read that is too early.
+    pub(super) fn look(&mut self) -> Result<(), Refusal> {
+        match self.run.stage {
+            Stage::Initialization if self.run.pending => self.prepare()?,
+            Stage::StepComplete if self.run.pending && !self.read_ahead => {
+                self.read_ahead = true;
+                let text = "outputs read after a set without a step: they are those of the last step (told once)";
+                self.log.write(Level::Warning, text);
+            }
+            _ => {}
+        }
+        Ok(())
     }
 
     /// Sets variables; all or none.
@@ -94,7 +100,9 @@ impl Instance {
         let variable = self.variable(value.base(), reference)?;
         let before = matches!(self.run.stage, Stage::Instantiated | Stage::Initialization);
         let allowed = match (variable.causality, variable.variability) {
-            (Causality::Input, _) | (_, Variability::Tunable) => true,
+            (Causality::Input, _) => true,
+            // What a step began with holds to its end, but for inputs.
+            (_, Variability::Tunable) => self.run.stage != Stage::Intermediate,
             (Causality::Parameter, _) => before,
             _ => false,
         };

@@ -10,7 +10,7 @@
 mod interfaces;
 mod structure;
 mod types;
-mod validate;
+pub(crate) mod validate;
 mod values;
 mod variables;
 

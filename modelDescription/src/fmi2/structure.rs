@@ -121,7 +121,7 @@ pub enum DependencyKind {
 }
 
 impl DependencyKind {
-    const ALL: [Self; 5] = [
+    pub(crate) const ALL: [Self; 5] = [
         Self::Dependent,
         Self::Constant,
         Self::Fixed,

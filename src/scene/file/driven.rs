@@ -74,10 +74,10 @@ pub enum Joint {
 #[derive(Debug, Clone, Copy, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Limits {
-    /// Least travel, at most 0.
+    /// Least travel \[m\], of a hinge \[rad\], at most 0.
     #[schemars(extend("x-default" = "none", "maximum" = 0))]
     pub lower: Option<f64>,
-    /// Greatest travel, at least 0.
+    /// Greatest travel \[m\], of a hinge \[rad\], at least 0.
     #[schemars(extend("x-default" = "none", "minimum" = 0))]
     pub upper: Option<f64>,
 }

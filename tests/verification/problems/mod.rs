@@ -50,7 +50,7 @@ const EXPECTED: [(&str, &str, &str); 13] = [
     (
         "smooth_pile_soft_penalty",
         "direct",
-        "500 updates gain little each, at a 64th of the largest penalty",
+        "its impulses of 3000 weights balance each other but for a rest that 500 updates at the largest penalty take out slowly",
     ),
     ("hopper_12", "gauss-seidel", CRAWLS),
     ("hopper_12", "direct", LAGS),

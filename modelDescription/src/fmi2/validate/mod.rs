@@ -195,7 +195,7 @@ fn header(model: &ModelDescription, report: &mut Report) {
     }
 }
 
-fn required(text: &str, place: String, report: &mut Report) {
+pub(crate) fn required(text: &str, place: String, report: &mut Report) {
     if text.is_empty() {
         report.error(Rule::RequiredAttribute, place, "an empty text", "a text");
     }
@@ -308,7 +308,7 @@ fn annotations(model: &ModelDescription, report: &mut Report) {
     }
 }
 
-fn default_experiment(experiment: &DefaultExperiment, report: &mut Report) {
+pub(crate) fn default_experiment(experiment: &DefaultExperiment, report: &mut Report) {
     let mut finite = true;
     for (attribute, time) in [
         ("startTime", experiment.start_time),
@@ -357,7 +357,7 @@ fn default_experiment(experiment: &DefaultExperiment, report: &mut Report) {
 
 /// Whether `text` is a date and time of XML Schema:
 /// `YYYY-MM-DDThh:mm:ss[.f][Z|±hh:mm]`.
-fn is_date_and_time(text: &str) -> bool {
+pub(crate) fn is_date_and_time(text: &str) -> bool {
     fn number(text: &str, low: u32, high: u32) -> bool {
         text.len() == 2
             && text.bytes().all(|byte| byte.is_ascii_digit())

@@ -1,0 +1,141 @@
+//! Steps, with the importer called after each internal step if it wants to be.
+
+use sphere_dda_fmi_interface::abi3::*;
+use sphere_dda_fmi_interface::log::Level;
+use sphere_dda_fmi_interface::pointers::value_mut;
+
+use super::super::guard::{ANY, Stages, Updates, call};
+use super::STEPPING;
+use crate::instance::{Progress, Stage, Step};
+
+use fmi3Status::{fmi3Discard, fmi3OK};
+
+const WITHIN: Stages = &[Stage::StepComplete, Stage::StepFailed, Stage::Intermediate];
+const FUNCTION: &str = "fmi3DoStep";
+
+/// Takes a step; a discarded one leaves the instance at its beginning, a step that returns early at the end of an
+/// internal step.
+#[unsafe(no_mangle)]
+extern "C" fn fmi3DoStep(
+    instance: fmi3Instance,
+    currentCommunicationPoint: fmi3Float64,
+    communicationStepSize: fmi3Float64,
+    noSetFMUStatePriorToCurrentPoint: fmi3Boolean,
+    eventHandlingNeeded: *mut fmi3Boolean,
+    terminateSimulation: *mut fmi3Boolean,
+    earlyReturn: *mut fmi3Boolean,
+    lastSuccessfulTime: *mut fmi3Float64,
+) -> fmi3Status {
+    let (mut entered, mut early, mut wish) = (false, false, None);
+    let step = (currentCommunicationPoint, communicationStepSize);
+    let final_past = noSetFMUStatePriorToCurrentPoint != 0;
+    let begun = call(instance, FUNCTION, STEPPING, |component| {
+        value_mut(eventHandlingNeeded, "eventHandlingNeeded")?;
+        value_mut(terminateSimulation, "terminateSimulation")?;
+        value_mut(earlyReturn, "earlyReturn")?;
+        value_mut(lastSuccessfulTime, "lastSuccessfulTime")?;
+        entered = true;
+        wish = component.updates;
+        if wish.is_some() {
+            component.instance.begin_step(step.0, step.1)?;
+            return Ok(fmi3OK);
+        }
+        match component.instance.do_step(step.0, step.1, final_past)? {
+            Step::Complete => Ok(fmi3OK),
+            Step::Discarded(why) => {
+                let log = component.instance.log();
+                log.write(Level::Discard, format_args!("{FUNCTION}: {why}"));
+                Ok(fmi3Discard)
+            }
+        }
+    });
+    let status = match wish {
+        Some(updates) if begun == fmi3OK => walk(instance, updates, final_past, &mut early),
+        _ => begun,
+    };
+    // A call that does not belong here, or has no place for the results, has been told of and gets none.
+    if entered {
+        report(
+            instance,
+            (eventHandlingNeeded, terminateSimulation),
+            (earlyReturn, early),
+            lastSuccessfulTime,
+        );
+    }
+    status
+}
+
+/// The internal steps of a step that has begun. No reference to the instance lives while the importer is called: it
+/// calls back.
+fn walk(
+    instance: fmi3Instance,
+    updates: Updates,
+    final_past: bool,
+    early: &mut bool,
+) -> fmi3Status {
+    loop {
+        let mut reached = None;
+        let taken = call(instance, FUNCTION, WITHIN, |component| {
+            match component.instance.internal_step()? {
+                Progress::Taken { last } => {
+                    reached = Some((component.instance.time(), last));
+                    Ok(fmi3OK)
+                }
+                Progress::Discarded(why) => {
+                    let log = component.instance.log();
+                    log.write(Level::Discard, format_args!("{FUNCTION}: {why}"));
+                    Ok(fmi3Discard)
+                }
+            }
+        });
+        let Some((time, last)) = reached else {
+            return taken;
+        };
+        *early = update(updates, time, !last && updates.early_return_allowed);
+        if last || *early {
+            return call(instance, FUNCTION, WITHIN, |component| {
+                component.instance.end_step(final_past)?;
+                Ok(fmi3OK)
+            });
+        }
+    }
+}
+
+/// Calls the importer at the end of an internal step; whether the step shall end here.
+fn update(updates: Updates, time: f64, may_return: bool) -> bool {
+    let (mut wanted, mut at) = (0, time);
+    let may = fmi3Boolean::from(may_return);
+    // SAFETY: the importer's own function, valid as long as the instance; the places outlive the call.
+    unsafe {
+        let callback = updates.callback;
+        callback(
+            updates.environment,
+            time,
+            1,
+            1,
+            1,
+            may,
+            &raw mut wanted,
+            &raw mut at,
+        );
+    }
+    // A return that is wanted later comes at the first internal step from then on.
+    may_return && wanted != 0 && at <= time
+}
+
+/// Fills the places of the results.
+fn report(
+    instance: fmi3Instance,
+    (event, terminate): (*mut fmi3Boolean, *mut fmi3Boolean),
+    (place, early): (*mut fmi3Boolean, bool),
+    last: *mut fmi3Float64,
+) {
+    let _: fmi3Status = call(instance, FUNCTION, ANY, |component| {
+        let ends = component.instance.wants_to_terminate();
+        *value_mut(event, "eventHandlingNeeded")? = 0;
+        *value_mut(terminate, "terminateSimulation")? = fmi3Boolean::from(ends);
+        *value_mut(place, "earlyReturn")? = fmi3Boolean::from(early);
+        *value_mut(last, "lastSuccessfulTime")? = component.instance.time();
+        Ok(fmi3OK)
+    });
+}

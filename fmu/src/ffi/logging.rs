@@ -1,0 +1,35 @@
+//! Which categories are logged.
+
+use std::ffi::c_char;
+
+use super::guard::{Stages, Status, call};
+use sphere_dda_fmi_interface::abi2::fmi2Component;
+use sphere_dda_fmi_interface::log::Level;
+use sphere_dda_fmi_interface::pointers::{array, str_from};
+
+/// Chooses categories; see [`sphere_dda_fmi_interface::log::Log::select`]. Unknown names are told and left out.
+pub(super) fn select<S: Status>(
+    (c, function): (fmi2Component, &str),
+    allowed: Stages,
+    on: bool,
+    count: usize,
+    categories: *const *const c_char,
+) -> S {
+    call(c, function, allowed, |component| {
+        let names = array(categories, count, "categories")?.iter();
+        let names: Vec<&str> = names
+            .map(|&name| str_from(name, "categories"))
+            .collect::<Result<_, _>>()?;
+        let log = component.instance.log();
+        let unknown = log.select(on, &names);
+        if unknown.is_empty() {
+            return Ok(S::OK);
+        }
+        let names = unknown.join(", ");
+        log.write(
+            Level::Warning,
+            format_args!("{function}: unknown categories {names}"),
+        );
+        Ok(S::WARNING)
+    })
+}

@@ -1,0 +1,388 @@
+//! Variables: scalars and arrays of one type.
+
+use std::fmt;
+
+use serde::{Deserialize, Serialize};
+
+use crate::fmi2::{Initial, Variability};
+use crate::lexical::{self, Lexical};
+
+/// Type of a variable and the element that holds it: one list for both.
+macro_rules! kinds {
+    ($($kind:ident),*) => {
+        /// Type of the elements of a variable: the name of its XML element.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+        #[allow(missing_docs, reason = "the names say it")]
+        pub enum Kind {
+            #[default]
+            $($kind),*
+        }
+
+        #[derive(Serialize, Deserialize)]
+        enum Element {
+            $($kind(Variable)),*
+        }
+
+        impl From<&Variable> for Element {
+            fn from(variable: &Variable) -> Self {
+                match variable.kind {
+                    $(Kind::$kind => Self::$kind(variable.clone())),*
+                }
+            }
+        }
+
+        impl From<Element> for Variable {
+            fn from(element: Element) -> Self {
+                match element {
+                    $(Element::$kind(variable) => Self { kind: Kind::$kind, ..variable }),*
+                }
+            }
+        }
+    };
+}
+kinds!(
+    Float64,
+    Float32,
+    Int8,
+    UInt8,
+    Int16,
+    UInt16,
+    Int32,
+    UInt32,
+    Int64,
+    UInt64,
+    Boolean,
+    String,
+    Binary,
+    Enumeration,
+    Clock
+);
+
+impl Kind {
+    /// Whether the values are real numbers: only they can be continuous and have units.
+    pub fn is_float(self) -> bool {
+        matches!(self, Self::Float64 | Self::Float32)
+    }
+
+    /// Whether start values are children, not an attribute.
+    pub(super) fn starts_in_elements(self) -> bool {
+        matches!(self, Self::String | Self::Binary)
+    }
+}
+
+impl fmt::Display for Kind {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(formatter, "{self:?}")
+    }
+}
+
+/// Reads and writes the children of `ModelVariables`.
+pub(super) mod list {
+    use super::{Deserialize, Element, Serialize, Variable};
+    use serde::{Deserializer, Serializer};
+
+    #[derive(Serialize, Deserialize)]
+    struct Elements {
+        #[serde(rename = "$value", default)]
+        items: Vec<Element>,
+    }
+
+    pub(crate) fn serialize<S: Serializer>(
+        variables: &[Variable],
+        serializer: S,
+    ) -> Result<S::Ok, S::Error> {
+        let items = variables.iter().map(Element::from).collect();
+        Elements { items }.serialize(serializer)
+    }
+
+    pub(crate) fn deserialize<'de, D: Deserializer<'de>>(
+        deserializer: D,
+    ) -> Result<Vec<Variable>, D::Error> {
+        let read = Elements::deserialize(deserializer)?;
+        Ok(read.items.into_iter().map(Variable::from).collect())
+    }
+}
+
+/// A variable: one value, or an array of them, row by row.
+///
+/// Numbers of all fifteen types are kept as they are written, so that none is narrowed; [`validate`] judges them.
+///
+/// [`validate`]: super::ModelDescription::validate
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct Variable {
+    /// Type of the elements.
+    #[serde(skip)]
+    pub kind: Kind,
+    /// Name, unique in the description.
+    #[serde(rename = "@name")]
+    pub name: String,
+    /// Handle of the variable, unique in the description.
+    #[serde(rename = "@valueReference", with = "lexical")]
+    pub value_reference: u32,
+    /// What the values mean.
+    #[serde(
+        rename = "@description",
+        default,
+        skip_serializing_if = "Option::is_none"
+    )]
+    pub description: Option<String>,
+    /// Who provides the values; [`Causality::Local`] if absent.
+    #[serde(rename = "@causality", default)]
+    pub causality: Causality,
+    /// When the values can change; `None` leaves it to type and causality: see
+    /// [`effective_variability`](Self::effective_variability).
+    #[serde(
+        rename = "@variability",
+        default,
+        skip_serializing_if = "Option::is_none"
+    )]
+    pub variability: Option<Variability>,
+    /// Clocks, by value reference, at whose ticks the values change.
+    #[serde(
+        rename = "@clocks",
+        default,
+        skip_serializing_if = "Option::is_none",
+        with = "lexical::optional"
+    )]
+    pub clocks: Option<Vec<u32>>,
+    /// Whether the variable can be read, or an input set, in intermediate update mode.
+    #[serde(
+        rename = "@intermediateUpdate",
+        default,
+        skip_serializing_if = "lexical::is_false",
+        with = "lexical"
+    )]
+    pub intermediate_update: bool,
+    /// Name of a type definition.
+    #[serde(
+        rename = "@declaredType",
+        default,
+        skip_serializing_if = "Option::is_none"
+    )]
+    pub declared_type: Option<String>,
+    /// How the values are initialized; `None` leaves it to causality and variability: see
+    /// [`effective_initial`](Self::effective_initial).
+    #[serde(rename = "@initial", default, skip_serializing_if = "Option::is_none")]
+    pub initial: Option<Initial>,
+    /// Physical quantity.
+    #[serde(rename = "@quantity", default, skip_serializing_if = "Option::is_none")]
+    pub quantity: Option<String>,
+    /// Name of a unit.
+    #[serde(rename = "@unit", default, skip_serializing_if = "Option::is_none")]
+    pub unit: Option<String>,
+    /// Name of a display unit of the unit.
+    #[serde(
+        rename = "@displayUnit",
+        default,
+        skip_serializing_if = "Option::is_none"
+    )]
+    pub display_unit: Option<String>,
+    /// Least value.
+    #[serde(rename = "@min", default, skip_serializing_if = "Option::is_none")]
+    pub min: Option<String>,
+    /// Greatest value.
+    #[serde(rename = "@max", default, skip_serializing_if = "Option::is_none")]
+    pub max: Option<String>,
+    /// Typical magnitude.
+    #[serde(rename = "@nominal", default, skip_serializing_if = "Option::is_none")]
+    pub nominal: Option<String>,
+    /// Values before the initialization, separated by blanks; texts and binaries have [`starts`](Self::starts).
+    #[serde(rename = "@start", default, skip_serializing_if = "Option::is_none")]
+    pub start: Option<String>,
+    /// Media type of a binary; `application/octet-stream` if absent.
+    #[serde(rename = "@mimeType", default, skip_serializing_if = "Option::is_none")]
+    pub mime_type: Option<String>,
+    /// Most bytes of a binary.
+    #[serde(
+        rename = "@maxSize",
+        default,
+        skip_serializing_if = "Option::is_none",
+        with = "lexical::optional"
+    )]
+    pub max_size: Option<u32>,
+    /// Extents of an array, the slowest first; empty: one value.
+    #[serde(rename = "Dimension", default)]
+    pub dimensions: Vec<Dimension>,
+    /// Start values of texts and binaries.
+    #[serde(rename = "Start", default)]
+    pub starts: Vec<StartValue>,
+    /// Other names.
+    #[serde(rename = "Alias", default)]
+    pub aliases: Vec<Alias>,
+}
+
+impl Variable {
+    /// A scalar without start value.
+    pub fn new(
+        kind: Kind,
+        name: impl Into<String>,
+        value_reference: u32,
+        causality: Causality,
+        variability: Variability,
+    ) -> Self {
+        Self {
+            kind,
+            name: name.into(),
+            value_reference,
+            causality,
+            variability: Some(variability),
+            ..Self::default()
+        }
+    }
+
+    /// Sets the extents of an array.
+    #[must_use]
+    pub fn with_dimensions(mut self, extents: &[u64]) -> Self {
+        self.dimensions = extents.iter().map(|&extent| extent.into()).collect();
+        self
+    }
+
+    /// Sets real start values, one for each element.
+    #[must_use]
+    pub fn with_reals(mut self, values: &[f64]) -> Self {
+        let texts: Vec<String> = values.iter().map(f64::print).collect();
+        self.start = Some(texts.join(" "));
+        self
+    }
+
+    /// Number of elements; `None` if a dimension is named by a variable, or the number is too large.
+    pub fn elements(&self) -> Option<u64> {
+        let mut extents = self.dimensions.iter().map(|dimension| dimension.start);
+        extents.try_fold(1_u64, |product, extent| product.checked_mul(extent?))
+    }
+
+    /// When the values can change: as stated, else the default of the standard.
+    pub fn effective_variability(&self) -> Variability {
+        self.variability.unwrap_or(match self.causality {
+            Causality::Parameter
+            | Causality::CalculatedParameter
+            | Causality::StructuralParameter => Variability::Fixed,
+            _ if self.kind.is_float() => Variability::Continuous,
+            _ => Variability::Discrete,
+        })
+    }
+
+    /// How the values are initialized: as stated, else the default. `None` for the independent variable and illegal
+    /// combinations.
+    pub fn effective_initial(&self) -> Option<Initial> {
+        let legal = self
+            .causality
+            .legal_initial(self.effective_variability())
+            .unwrap_or_default();
+        self.initial.or_else(|| legal.first().copied())
+    }
+
+    /// Number of start values given.
+    pub fn start_count(&self) -> usize {
+        if self.kind.starts_in_elements() {
+            return self.starts.len();
+        }
+        let texts = self.start.iter();
+        texts.flat_map(|text| text.split_ascii_whitespace()).count()
+    }
+}
+
+/// Extent of an array in one direction: a number or the value of a variable.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Dimension {
+    /// The number.
+    #[serde(
+        rename = "@start",
+        default,
+        skip_serializing_if = "Option::is_none",
+        with = "lexical::optional"
+    )]
+    pub start: Option<u64>,
+    /// Value reference of the variable.
+    #[serde(
+        rename = "@valueReference",
+        default,
+        skip_serializing_if = "Option::is_none",
+        with = "lexical::optional"
+    )]
+    pub value_reference: Option<u32>,
+}
+
+impl From<u64> for Dimension {
+    fn from(extent: u64) -> Self {
+        Self {
+            start: Some(extent),
+            value_reference: None,
+        }
+    }
+}
+
+/// A start value of a text or binary variable.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct StartValue {
+    /// The text; of a binary its bytes as hexadecimal digits.
+    #[serde(rename = "@value", default)]
+    pub value: String,
+}
+
+/// Another name of a variable.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Alias {
+    /// The name, unique in the description.
+    #[serde(rename = "@name")]
+    pub name: String,
+    /// What it means.
+    #[serde(
+        rename = "@description",
+        default,
+        skip_serializing_if = "Option::is_none"
+    )]
+    pub description: Option<String>,
+    /// Name of a display unit of the variable's unit.
+    #[serde(
+        rename = "@displayUnit",
+        default,
+        skip_serializing_if = "Option::is_none"
+    )]
+    pub display_unit: Option<String>,
+}
+
+/// Who provides a value.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub enum Causality {
+    /// The importer, in configuration mode: the size of arrays.
+    StructuralParameter,
+    /// The importer, before or between steps.
+    Parameter,
+    /// The unit, from parameters.
+    CalculatedParameter,
+    /// The importer, in a connection.
+    Input,
+    /// The unit, for use in a connection.
+    Output,
+    /// The unit, for inspection.
+    #[default]
+    Local,
+    /// The variable of which all others are functions: time.
+    Independent,
+}
+
+impl Causality {
+    /// The table of section 2.4.7.4: the legal values of `initial` for this causality with the given variability, the
+    /// default first. Empty if `initial` must not be given; `None` if the combination is illegal.
+    pub fn legal_initial(self, variability: Variability) -> Option<&'static [Initial]> {
+        use Causality as C;
+        use Variability as V;
+
+        const EXACT: Option<&[Initial]> = Some(&[Initial::Exact]);
+        const COMPUTED: Option<&[Initial]> = Some(&[Initial::Calculated, Initial::Approx]);
+        const ANY: Option<&[Initial]> =
+            Some(&[Initial::Calculated, Initial::Exact, Initial::Approx]);
+
+        match (variability, self) {
+            (V::Constant, C::Output | C::Local) => EXACT,
+            (V::Fixed | V::Tunable, C::Parameter | C::StructuralParameter) => EXACT,
+            (V::Fixed | V::Tunable, C::CalculatedParameter | C::Local) => COMPUTED,
+            (V::Discrete | V::Continuous, C::Output | C::Local) => ANY,
+            (V::Discrete | V::Continuous, C::Input) => EXACT,
+            (V::Continuous, C::Independent) => Some(&[]),
+            _ => None,
+        }
+    }
+}
