@@ -5,7 +5,8 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use miette::miette;
 use sphere_dda::scene::Scene;
-use sphere_dda_fmu::export::{check_library, export, find_library};
+use sphere_dda_fmu::export::{Pictures, check_library, export, find_library};
+use sphere_dda_report::picture::portrait;
 
 use crate::failure::Failure;
 use crate::progress::{Interrupt, note, print};
@@ -81,7 +82,7 @@ pub(crate) fn pack(
     fmu: &Path,
     library: &Path,
 ) -> Result<(), Failure> {
-    let exported = export(scene, start, fmu, library)?;
+    let exported = export(scene, start, pictures, fmu, library)?;
     for warning in &exported.warnings {
         note(format_args!("warning: {warning}"));
     }
@@ -95,4 +96,16 @@ pub(crate) fn pack(
             exported.guid
         )
     })
+}
+
+/// Pictures of a scene; none of one that has no extent.
+fn pictures(scene: &Scene) -> Option<Pictures> {
+    let draw = |width| portrait(scene, width).png();
+    match (draw(100.0), draw(480.0)) {
+        (Ok(icon), Ok(page)) => Some(Pictures { icon, page }),
+        (Err(error), _) | (_, Err(error)) => {
+            note(format_args!("warning: no picture: {error}"));
+            None
+        }
+    }
 }

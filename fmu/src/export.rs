@@ -6,8 +6,9 @@
 //! binaries/linux64/<identifier>.so      the scene-agnostic library
 //! resources/scene.toml, meshes, tables  what the instance reads
 //! resources/start.state                 the settled spheres, if there are any
-//! documentation/index.html              variables, for people
-//! documentation/licenses/license.txt
+//! documentation/index.html              variables, settings, limits, for people
+//! documentation/licenses/               of the library and of all crates it links
+//! model.png, documentation/scene.png, terminalsAndIcons/icon.png    the scene
 //! ```
 //!
 //! The same scene and library give the same bytes.
@@ -18,6 +19,7 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
+use sphere_dda::scene::Scene;
 use sphere_dda_fmi_interface::archive::{self, ArchiveError};
 use sphere_dda_model_description::Finding;
 use sphere_dda_model_description::fmi2::ModelDescription;
@@ -41,6 +43,15 @@ const TERMINALS_FILE: &str = "terminalsAndIcons/terminalsAndIcons.xml";
 
 /// Above this number of scalar variables some importers take very long to open the FMU.
 const MANY_VARIABLES: usize = 5000;
+
+/// Pictures of a scene, PNG; whoever exports draws them, so that the library needs no drawing code.
+#[derive(Debug, Clone)]
+pub struct Pictures {
+    /// About 100 x 100 px, for `model.png` and the icon.
+    pub icon: Vec<u8>,
+    /// For the documentation.
+    pub page: Vec<u8>,
+}
 
 /// What was packed.
 #[derive(Debug, Clone)]
@@ -128,12 +139,14 @@ fn places(folders: &[PathBuf]) -> String {
 }
 
 /// Packs the scene, with the `start` it has settled to (see [`sphere_dda::simulation::Settled`]), and `library` (see [`find_library`]) into the archive `fmu`, replacing it when all is done.
+/// `draw` makes pictures of the scene as it starts; without them the FMU has none.
 ///
 /// # Errors
 /// [`ExportError`]; no half-written archive is left.
 pub fn export(
     scene: &Path,
     start: Option<Vec<u8>>,
+    draw: impl FnOnce(&Scene) -> Option<Pictures>,
     fmu: &Path,
     library: &Path,
 ) -> Result<Exported, ExportError> {
@@ -141,7 +154,8 @@ pub fn export(
     let identifier = identifier(scene);
     let description =
         describe(&model.scene, &model.table, &identifier).map_err(ModelError::from)?;
-    let terminals = terminals(&model.scene, &model.table, false);
+    let pictures = draw(&model.scene);
+    let terminals = terminals(&model.scene, &model.table, pictures.is_some());
     let names = description.model_variables.iter();
     let mut findings = description.validate();
     findings.extend(terminals.validate(names.map(|v| v.name.as_str())));
@@ -153,7 +167,15 @@ pub fn export(
         path: library.to_path_buf(),
         source,
     })?;
-    pack(&model, &description, &terminals, &identifier, &code, fmu)?;
+    pack(
+        &model,
+        &description,
+        &terminals,
+        pictures.as_ref(),
+        &identifier,
+        &code,
+        fmu,
+    )?;
 
     let variables = model.table.variables().len();
     let mut warnings = model.warnings;
@@ -172,13 +194,14 @@ fn pack(
     model: &Model,
     description: &ModelDescription,
     terminals: &TerminalsAndIcons,
+    pictures: Option<&Pictures>,
     identifier: &str,
     library: &[u8],
     fmu: &Path,
 ) -> Result<(), ExportError> {
     let xml = description.to_xml().map_err(ModelError::from)?;
     let terminals = terminals.to_xml().map_err(ModelError::from)?;
-    let html = documentation::page(model);
+    let html = documentation::page(model, pictures.is_some());
     let mut files: Vec<(String, &[u8])> = vec![
         ("modelDescription.xml".to_owned(), xml.as_bytes()),
         (TERMINALS_FILE.to_owned(), terminals.as_bytes()),
@@ -189,7 +212,19 @@ fn pack(
             "documentation/licenses/license.txt".to_owned(),
             documentation::LICENSE.as_bytes(),
         ),
+        (
+            "documentation/licenses/third-party.txt".to_owned(),
+            documentation::THIRD_PARTY.as_bytes(),
+        ),
     ];
+    if let Some(Pictures { icon, page }) = pictures {
+        files.push(("model.png".to_owned(), icon));
+        files.push(("terminalsAndIcons/icon.png".to_owned(), icon));
+        files.push((
+            format!("documentation/{}", documentation::PICTURE_FILE),
+            page,
+        ));
+    }
     if let Some(start) = &model.start {
         files.push((format!("resources/{START_FILE}"), start));
     }

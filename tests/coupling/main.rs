@@ -29,7 +29,7 @@ fn bed(folder: &Path, name: &str, edit: impl FnOnce(&mut String)) -> Fmu {
     edit(&mut text);
     let (scene, fmu): (PathBuf, PathBuf) = (folder.join(name), folder.join("bed.fmu"));
     fs::write(&scene, text).unwrap();
-    export(&scene, None, &fmu, &find_library(None).unwrap()).unwrap();
+    export(&scene, None, |_| None, &fmu, &find_library(None).unwrap()).unwrap();
     Fmu::open(fmu).unwrap()
 }
 
