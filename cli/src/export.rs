@@ -6,7 +6,8 @@ use clap::Args;
 use clap::ValueEnum;
 use miette::miette;
 use sphere_dda::scene::Scene;
-use sphere_dda_fmu::export::{Version, check_library, export, find_library};
+use sphere_dda_fmu::export::{Contents, Pictures, Version, check_library, export, find_library};
+use sphere_dda_report::picture::portrait;
 
 use crate::failure::Failure;
 use crate::progress::{Interrupt, note, print};
@@ -104,7 +105,14 @@ pub(crate) fn pack(
     library: &Path,
     version: Version,
 ) -> Result<(), Failure> {
-    let exported = export(scene, start, fmu, library, version)?;
+    let contents = Contents {
+        scene,
+        start,
+        library,
+        version,
+        draw: pictures,
+    };
+    let exported = export(contents, fmu)?;
     for warning in &exported.warnings {
         note(format_args!("warning: {warning}"));
     }
@@ -118,4 +126,16 @@ pub(crate) fn pack(
             exported.guid
         )
     })
+}
+
+/// Pictures of a scene; none of one that has no extent.
+fn pictures(scene: &Scene) -> Option<Pictures> {
+    let draw = |width| portrait(scene, width).png();
+    match (draw(100.0), draw(480.0)) {
+        (Ok(icon), Ok(page)) => Some(Pictures { icon, page }),
+        (Err(error), _) | (_, Err(error)) => {
+            note(format_args!("warning: no picture: {error}"));
+            None
+        }
+    }
 }

@@ -6,8 +6,9 @@
 //! binaries/linux64/<identifier>.so      the scene-agnostic library; FMI 3.0: binaries/x86_64-linux/
 //! resources/scene.toml, meshes, tables  what the instance reads
 //! resources/start.state                 the settled spheres, if there are any
-//! documentation/index.html              variables, for people
-//! documentation/licenses/license.txt
+//! documentation/index.html              variables, settings, limits, for people
+//! documentation/licenses/               of the library and of all crates it links
+//! model.png, documentation/scene.png, terminalsAndIcons/icon.png    the scene
 //! ```
 //!
 //! The same scene and library give the same bytes.
@@ -18,6 +19,7 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
+use sphere_dda::scene::Scene;
 use sphere_dda_fmi_interface::archive::{self, ArchiveError};
 use sphere_dda_model_description::Finding;
 use sphere_dda_model_description::names::is_c_identifier;
@@ -57,6 +59,15 @@ impl Version {
             Self::Three => archive::library_path_3(identifier),
         }
     }
+}
+
+/// Pictures of a scene, PNG; whoever exports draws them, so that the library needs no drawing code.
+#[derive(Debug, Clone)]
+pub struct Pictures {
+    /// About 100 x 100 px, for `model.png` and the icon.
+    pub icon: Vec<u8>,
+    /// For the documentation.
+    pub page: Vec<u8>,
 }
 
 /// What was packed.
@@ -144,20 +155,37 @@ fn places(folders: &[PathBuf]) -> String {
         .join(", ")
 }
 
-/// Packs the scene, with the `start` it has settled to (see [`sphere_dda::simulation::Settled`]), and `library` (see [`find_library`]) into the archive `fmu`, replacing it when all is done.
+/// What an archive is made of.
+#[derive(Debug)]
+pub struct Contents<'a> {
+    /// The scene file.
+    pub scene: &'a Path,
+    /// What the scene has settled to, see [`sphere_dda::simulation::Settled`].
+    pub start: Option<Vec<u8>>,
+    /// The library, see [`find_library`].
+    pub library: &'a Path,
+    /// Version of the standard.
+    pub version: Version,
+    /// Draws the scene as it starts; without pictures the FMU has none.
+    pub draw: fn(&Scene) -> Option<Pictures>,
+}
+
+/// Packs the contents into the archive `fmu`, replacing it when all is done.
 ///
 /// # Errors
 /// [`ExportError`]; no half-written archive is left.
-pub fn export(
-    scene: &Path,
-    start: Option<Vec<u8>>,
-    fmu: &Path,
-    library: &Path,
-    version: Version,
-) -> Result<Exported, ExportError> {
+pub fn export(contents: Contents<'_>, fmu: &Path) -> Result<Exported, ExportError> {
+    let Contents {
+        scene,
+        start,
+        library,
+        version,
+        draw,
+    } = contents;
     let model = Model::read(scene, start)?;
     let identifier = identifier(scene);
-    let texts = described(&model, &identifier, version, false)?;
+    let pictures = draw(&model.scene);
+    let texts = described(&model, &identifier, version, pictures.is_some())?;
     if !texts.findings.is_empty() {
         return Err(ExportError::Invalid(texts.findings));
     }
@@ -167,7 +195,7 @@ pub fn export(
         source,
     })?;
     let library = version.library_path(&identifier);
-    pack(&model, &texts, (library, &code), fmu)?;
+    pack(&model, &texts, pictures.as_ref(), (library, &code), fmu)?;
 
     let variables = match version {
         Version::Two => model.table.variables().len(),
@@ -223,10 +251,11 @@ fn described(
 fn pack(
     model: &Model,
     texts: &Texts,
+    pictures: Option<&Pictures>,
     library: (String, &[u8]),
     fmu: &Path,
 ) -> Result<(), ExportError> {
-    let html = documentation::page(model);
+    let html = documentation::page(model, pictures.is_some());
     let mut files: Vec<(String, &[u8])> = vec![
         ("modelDescription.xml".to_owned(), texts.description.as_bytes()),
         (TERMINALS_FILE.to_owned(), texts.terminals.as_bytes()),
@@ -237,7 +266,19 @@ fn pack(
             "documentation/licenses/license.txt".to_owned(),
             documentation::LICENSE.as_bytes(),
         ),
+        (
+            "documentation/licenses/third-party.txt".to_owned(),
+            documentation::THIRD_PARTY.as_bytes(),
+        ),
     ];
+    if let Some(Pictures { icon, page }) = pictures {
+        files.push(("model.png".to_owned(), icon));
+        files.push(("terminalsAndIcons/icon.png".to_owned(), icon));
+        files.push((
+            format!("documentation/{}", documentation::PICTURE_FILE),
+            page,
+        ));
+    }
     if let Some(start) = &model.start {
         files.push((format!("resources/{START_FILE}"), start));
     }

@@ -1,9 +1,13 @@
 """What lies in the archive of an FMU beside description and library, judged by schemas and readers of others."""
 
+import io
 import zipfile
+from html.parser import HTMLParser
 from pathlib import Path
 
 import fmpy
+import matplotlib.pyplot as plt
+import numpy as np
 import pytest
 from conftest import EXAMPLES
 from lxml import etree
@@ -38,3 +42,65 @@ def test_terminals_follow_the_schema_and_hold_every_variable_of_a_boundary(fmus,
         assert "position[1]" in parts["pose"] and "averageForce[3]" in parts["wrench"]
     if name == "feeder":
         assert "displacement" in members(terminals["trough"].find("Terminal[@name='pose']"))
+
+
+class Page(HTMLParser):
+    """Refuses a page whose elements do not nest, and collects what it refers to and says."""
+
+    VOID = {"meta", "img", "br", "hr", "link", "input"}
+
+    def __init__(self):
+        super().__init__()
+        self.open, self.refers, self.cells, self.text = [], [], [], ""
+
+    def handle_starttag(self, tag, attributes):
+        self.refers += [value for key, value in attributes if key in ("src", "href")]
+        assert tag not in ("script", "link")
+        if tag not in self.VOID:
+            self.open.append(tag)
+
+    def handle_endtag(self, tag):
+        assert self.open and self.open.pop() == tag
+
+    def handle_data(self, data):
+        self.text += data
+        if self.open and self.open[-1] == "td":
+            self.cells.append(data)
+
+
+@pytest.mark.parametrize("name", EXAMPLES)
+def test_the_page_is_well_formed_complete_and_alone(fmus, name):
+    description = fmpy.read_model_description(str(fmus[name]))
+    with zipfile.ZipFile(fmus[name]) as archive:
+        page = Page()
+        page.feed(archive.read("documentation/index.html").decode())
+        assert page.open == []
+        assert page.refers == ["scene.png"]
+        assert "documentation/scene.png" in archive.namelist()
+    assert {v.name for v in description.modelVariables} <= set(page.cells)
+    for part in (description.modelName, description.guid, "Validity", "Sources", "Largest internal step"):
+        assert part in page.text
+
+
+@pytest.mark.parametrize("name", EXAMPLES)
+def test_the_pictures_show_the_scene(fmus, name):
+    with zipfile.ZipFile(fmus[name]) as archive:
+        pictures = {
+            path: plt.imread(io.BytesIO(archive.read(path)))
+            for path in ("model.png", "terminalsAndIcons/icon.png", "documentation/scene.png")
+        }
+    assert pictures["model.png"].shape[:2] == (100, 100)
+    assert pictures["documentation/scene.png"].shape[:2] == (480, 480)
+    for path, picture in pictures.items():
+        colours = np.unique(picture.reshape(-1, picture.shape[2]), axis=0)
+        assert len(colours) > 50, f"{path} is empty"
+
+
+def test_licences_are_there_for_what_is_linked(fmus):
+    with zipfile.ZipFile(fmus["funnel"]) as archive:
+        own = archive.read("documentation/licenses/license.txt").decode()
+        others = archive.read("documentation/licenses/third-party.txt").decode()
+    assert "third-party.txt" in own
+    for crate in ("nalgebra", "faer", "serde"):
+        assert f"\n- {crate} " in others
+    assert "Permission is hereby granted, free of charge" in others
