@@ -1,10 +1,12 @@
 //! The pages inside an FMU: what the model is, its variables, settings and limits; licences.
 
 use maud::{DOCTYPE, Markup, html};
+use sphere_dda::scene::{Integrator, Method};
 
 use crate::description::VERSION;
+use crate::export::Version;
 use crate::model::Model;
-use crate::variables::{Value, Variable};
+use crate::variables::{Array, Value, Variable};
 
 /// License of the library in the FMU.
 pub const LICENSE: &str = "\
@@ -49,9 +51,9 @@ const SOURCES: [&str; 3] = [
     "J. J. Moreau (1999): Numerical aspects of the sweeping process. Computer Methods in Applied Mechanics and Engineering 177.",
 ];
 
-/// `documentation/index.html`; `picture`: whether [`PICTURE_FILE`] lies beside it.
+/// `documentation/index.html` with the variables of `version`; `picture`: whether [`PICTURE_FILE`] lies beside it.
 #[must_use]
-pub fn page(model: &Model, picture: bool) -> String {
+pub fn page(model: &Model, version: Version, picture: bool) -> String {
     let scene = &model.scene;
     let title = &scene.title;
     html! {
@@ -79,7 +81,9 @@ pub fn page(model: &Model, picture: bool) -> String {
                 h2 { "Variables" }
                 table {
                     tr { @for head in ["Name", "Causality", "Type", "Unit", "Start", "Meaning"] { th { (head) } } }
-                    @for variable in model.table.variables() { (row(variable)) }
+                    @for row in rows(model, version) {
+                        tr { @for cell in row { td { (cell) } } } "\n"
+                    }
                 }
                 h2 { "Validity" }
                 (list(&LIMITS))
@@ -100,12 +104,20 @@ fn list(items: &[&str]) -> Markup {
 fn settings(model: &Model) -> Markup {
     let s = &model.scene.settings;
     let penalty = s.penalty.map_or("chosen".into(), |p| format!("{p} N/m"));
+    let method = match s.method {
+        Method::Alm => "augmented Lagrangian",
+        Method::Penalty => "contact springs",
+    };
+    let integrator = match s.integrator {
+        Integrator::Moreau => "Moreau-Jean, velocity level",
+        Integrator::Shi => "constant acceleration over the step",
+    };
     let rows = [
         ("Largest internal step", format!("{} s", s.step)),
         ("Communication step", format!("{} s", s.communication_step)),
         ("Duration", format!("{} s", s.duration)),
-        ("Contact enforcement", format!("{:?}", s.method)),
-        ("Integrator", format!("{:?}", s.integrator)),
+        ("Contact enforcement", method.to_owned()),
+        ("Integrator", integrator.to_owned()),
         ("Solver", format!("{:?}", s.solver)),
         ("Penalty number", penalty),
         (
@@ -130,23 +142,46 @@ fn settings(model: &Model) -> Markup {
     }
 }
 
-fn row(variable: &Variable) -> Markup {
-    let start = match &variable.start {
-        Some(Value::Real(value)) => value.to_string(),
-        Some(Value::Integer(value)) => value.to_string(),
-        Some(Value::Boolean(value)) => value.to_string(),
-        Some(Value::String(value)) => format!("\"{value}\""),
-        None => String::new(),
-    };
-    let causality = format!("{:?}", variable.causality).to_lowercase();
-    let kind = format!("{:?}", variable.base);
-    let cells = [
-        &variable.name,
-        &causality,
-        &kind,
-        variable.unit.unwrap_or("-"),
-        &start,
-        &variable.description,
-    ];
-    html! { tr { @for cell in cells { td { (cell) } } } "\n" }
+/// Name, causality, type, unit, start and meaning of every variable.
+fn rows(model: &Model, version: Version) -> Vec<[String; 6]> {
+    let unit = |unit: Option<&str>| unit.unwrap_or("-").to_owned();
+    match version {
+        Version::Two => {
+            let row = |v: &Variable| {
+                [
+                    v.name.clone(),
+                    format!("{:?}", v.causality).to_lowercase(),
+                    format!("{:?}", v.base),
+                    unit(v.unit),
+                    v.start.as_ref().map(start).unwrap_or_default(),
+                    v.description.clone(),
+                ]
+            };
+            model.table.variables().iter().map(row).collect()
+        }
+        Version::Three => {
+            let row = |a: &Array| {
+                let extents: String = a.dimensions.iter().map(|n| format!("[{n}]")).collect();
+                let starts: Vec<String> = a.start.iter().map(start).collect();
+                [
+                    a.name.clone(),
+                    format!("{:?}", a.causality).to_lowercase(),
+                    format!("{:?}{extents}", a.kind),
+                    unit(a.unit),
+                    starts.join(" "),
+                    a.description.clone(),
+                ]
+            };
+            model.arrays.list().iter().map(row).collect()
+        }
+    }
+}
+
+fn start(value: &Value) -> String {
+    match value {
+        Value::Real(value) => value.to_string(),
+        Value::Integer(value) => value.to_string(),
+        Value::Boolean(value) => value.to_string(),
+        Value::String(value) => format!("\"{value}\""),
+    }
 }

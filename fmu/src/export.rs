@@ -195,7 +195,8 @@ pub fn export(contents: Contents<'_>, fmu: &Path) -> Result<Exported, ExportErro
         source,
     })?;
     let library = version.library_path(&identifier);
-    pack(&model, &texts, pictures.as_ref(), (library, &code), fmu)?;
+    let page = documentation::page(&model, version, pictures.is_some());
+    pack(&model, &texts, &page, pictures.as_ref(), (library, &code), fmu)?;
 
     let variables = match version {
         Version::Two => model.table.variables().len(),
@@ -251,11 +252,11 @@ fn described(
 fn pack(
     model: &Model,
     texts: &Texts,
+    html: &str,
     pictures: Option<&Pictures>,
     library: (String, &[u8]),
     fmu: &Path,
 ) -> Result<(), ExportError> {
-    let html = documentation::page(model, pictures.is_some());
     let mut files: Vec<(String, &[u8])> = vec![
         ("modelDescription.xml".to_owned(), texts.description.as_bytes()),
         (TERMINALS_FILE.to_owned(), texts.terminals.as_bytes()),

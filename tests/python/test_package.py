@@ -13,6 +13,15 @@ from conftest import EXAMPLES
 from lxml import etree
 
 SCHEMAS = Path(fmpy.__file__).parent / "schema"
+# An archive of either version: every example in version 2, two of them in version 3.
+ARCHIVES = [(2, name) for name in EXAMPLES] + [(3, "feeder"), (3, "funnel")]
+
+
+@pytest.fixture(params=ARCHIVES, ids=lambda p: f"fmi{p[0]}-{p[1]}")
+def unit(request, fmus, units):
+    """An exported FMU, its version and the name of its scene."""
+    version, name = request.param
+    return (fmus if version == 2 else units)[name], version, name
 
 
 def members(terminal):
@@ -23,14 +32,14 @@ def members(terminal):
     return found
 
 
-@pytest.mark.parametrize("name", EXAMPLES)
-def test_terminals_follow_the_schema_and_hold_every_variable_of_a_boundary(fmus, name):
+def test_terminals_follow_the_schema_and_hold_every_variable_of_a_boundary(unit):
+    path, version, name = unit
     schema = etree.XMLSchema(etree.parse(SCHEMAS / "fmi3" / "fmi3TerminalsAndIcons.xsd"))
-    with zipfile.ZipFile(fmus[name]) as archive:
+    with zipfile.ZipFile(path) as archive:
         document = etree.fromstring(archive.read("terminalsAndIcons/terminalsAndIcons.xml"))
         schema.assertValid(document)
     terminals = {t.get("name"): t for t in document.findall("Terminals/Terminal")}
-    variables = [v.name for v in fmpy.read_model_description(str(fmus[name])).modelVariables]
+    variables = [v.name for v in fmpy.read_model_description(str(path)).modelVariables]
     of_boundaries = [v for v in variables if v.startswith("boundary.")]
     assert of_boundaries
     assert set(terminals) == {v.split(".")[1] for v in of_boundaries}
@@ -39,7 +48,8 @@ def test_terminals_follow_the_schema_and_hold_every_variable_of_a_boundary(fmus,
         wanted = {v.removeprefix(prefix): v for v in of_boundaries if v.startswith(prefix)}
         assert members(terminal) == wanted
         parts = {part.get("name"): members(part) for part in terminal.findall("Terminal")}
-        assert "position[1]" in parts["pose"] and "averageForce[3]" in parts["wrench"]
+        first, last = ("[1]", "[3]") if version == 2 else ("", "")
+        assert f"position{first}" in parts["pose"] and f"averageForce{last}" in parts["wrench"]
     if name == "feeder":
         assert "displacement" in members(terminals["trough"].find("Terminal[@name='pose']"))
 
@@ -68,10 +78,10 @@ class Page(HTMLParser):
             self.cells.append(data)
 
 
-@pytest.mark.parametrize("name", EXAMPLES)
-def test_the_page_is_well_formed_complete_and_alone(fmus, name):
-    description = fmpy.read_model_description(str(fmus[name]))
-    with zipfile.ZipFile(fmus[name]) as archive:
+def test_the_page_is_well_formed_complete_and_alone(unit):
+    path, _, _ = unit
+    description = fmpy.read_model_description(str(path))
+    with zipfile.ZipFile(path) as archive:
         page = Page()
         page.feed(archive.read("documentation/index.html").decode())
         assert page.open == []
@@ -82,18 +92,18 @@ def test_the_page_is_well_formed_complete_and_alone(fmus, name):
         assert part in page.text
 
 
-@pytest.mark.parametrize("name", EXAMPLES)
-def test_the_pictures_show_the_scene(fmus, name):
-    with zipfile.ZipFile(fmus[name]) as archive:
+def test_the_pictures_show_the_scene(unit):
+    path, _, _ = unit
+    with zipfile.ZipFile(path) as archive:
         pictures = {
-            path: plt.imread(io.BytesIO(archive.read(path)))
-            for path in ("model.png", "terminalsAndIcons/icon.png", "documentation/scene.png")
+            file: plt.imread(io.BytesIO(archive.read(file)))
+            for file in ("model.png", "terminalsAndIcons/icon.png", "documentation/scene.png")
         }
     assert pictures["model.png"].shape[:2] == (100, 100)
     assert pictures["documentation/scene.png"].shape[:2] == (480, 480)
-    for path, picture in pictures.items():
+    for file, picture in pictures.items():
         colours = np.unique(picture.reshape(-1, picture.shape[2]), axis=0)
-        assert len(colours) > 50, f"{path} is empty"
+        assert len(colours) > 50, f"{file} is empty"
 
 
 def test_licences_are_there_for_what_is_linked(fmus):
