@@ -33,12 +33,19 @@ def linked():
     return sorted(found)
 
 
-def texts(folder, named):
-    """The licence files of a crate; by the house of its sources if the crate has none."""
+def texts(package):
+    """The licence files of a crate; of one that has none, the MIT licence if it is offered under that."""
+    folder = Path(package["manifest_path"]).parent
     files = [p for p in sorted(folder.iterdir()) if p.is_file() and p.name.upper().startswith(NAMES)]
-    if named:
-        files.append(folder / named)
-    return list(dict.fromkeys(f.read_text(errors="replace").strip() for f in files))
+    if package["license_file"]:
+        files.append(folder / package["license_file"])
+    if files:
+        return list(dict.fromkeys(f.read_text(errors="replace").strip() for f in files))
+    if "MIT" not in (package["license"] or ""):
+        sys.exit(f"{package['name']} has no text of its licence `{package['license']}`: add it by hand")
+    _, body = (ROOT / "LICENSE-MIT").read_text().split("\nPermission", 1)
+    owners = ", ".join(a.split(" <")[0] for a in package["authors"]) or f"the authors of {package['repository']}"
+    return [f"MIT License\n\nCopyright (c) {owners}\n\nPermission{body}".strip()]
 
 
 def main():
@@ -50,14 +57,13 @@ def main():
     bodies = []
     for key in linked():
         package = known[key]
-        found = texts(Path(package["manifest_path"]).parent, package["license_file"])
         numbers = []
-        for text in found:
+        for text in texts(package):
             shared.setdefault(text, len(shared) + 1)
             numbers.append(f"[{shared[text]}]")
         authors = ", ".join(package["authors"]) or "the authors of the project"
         where = package["repository"] or f"https://crates.io/crates/{key[0]}"
-        print(f"- {key[0]} {key[1]}: {package['license']}; {authors}; {where}; {' '.join(numbers) or 'no text in the crate'}")
+        print(f"- {key[0]} {key[1]}: {package['license']}; {authors}; {where}; {' '.join(numbers)}")
     for text, number in shared.items():
         bodies.append(f"\n{RULE}\n[{number}]\n\n{text}\n")
     print("".join(bodies), end="")

@@ -33,6 +33,11 @@ fn every_linked_crate_is_listed_in_its_version_and_no_other() {
     let platforms = ["x86_64-unknown-linux-gnu", "x86_64-pc-windows-gnu"];
     let linked: BTreeSet<String> = platforms.iter().flat_map(|p| linked(p)).collect();
     let (crates, _) = THIRD_PARTY.split_once("\n=====").unwrap();
+    let bare: Vec<_> = crates
+        .lines()
+        .filter(|line| line.starts_with("- ") && !line.ends_with(']'))
+        .collect();
+    assert!(bare.is_empty(), "without the text of a licence: {bare:?}");
     let lines = crates.lines().filter_map(|l| l.strip_prefix("- "));
     let listed: BTreeSet<String> = lines
         .filter_map(|line| line.split_once(':'))
