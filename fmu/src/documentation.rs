@@ -6,7 +6,7 @@ use sphere_dda::scene::{Integrator, Method};
 use crate::description::VERSION;
 use crate::export::Version;
 use crate::model::Model;
-use crate::variables::{Array, Value, Variable};
+use crate::variables::{Array, Choices, Parameter, Parameters, Value, Variable};
 
 /// License of the library in the FMU.
 pub const LICENSE: &str = "\
@@ -21,7 +21,7 @@ The scene in resources/ belongs to its author.
 pub const THIRD_PARTY: &str = include_str!("../licences/third-party.txt");
 
 /// Picture of the scene beside the page.
-pub const PICTURE_FILE: &str = "scene.png";
+pub const PICTURE_FILE: &str = "diagram.png";
 
 const STYLE: &str = "body{font-family:sans-serif;margin:2em;max-width:70em}td,th{text-align:left;padding:.1em .8em}";
 
@@ -35,8 +35,11 @@ const USE: [&str; 5] = [
     "Set output.directory to get VTU, PVD and CSV files in <directory>/<instance name>/.",
 ];
 
-const LIMITS: [&str; 5] = [
-    "Spheres and boundaries are rigid; overlaps stay below the gap tolerance. Elastic waves, dents and breakage are not modelled.",
+const RIGID: &str = "Spheres and boundaries are rigid; overlaps stay below the gap tolerance. Elastic waves, dents and breakage are not modelled.";
+
+const SPRINGS: &str = "Contacts are springs of the penalty number: overlaps grow with the load and with the inverse of that number.";
+
+const LIMITS: [&str; 4] = [
     "Contacts are unilateral with Coulomb friction and Newton's restitution: no cohesion, no fluid.",
     "Steps that end before an impact do not see it: solver.step bounds the error in the time of an impact.",
     "A boundary that jumps by more than the smallest radius in one internal step is refused.",
@@ -56,6 +59,11 @@ const SOURCES: [&str; 3] = [
 pub fn page(model: &Model, version: Version, picture: bool) -> String {
     let scene = &model.scene;
     let title = &scene.title;
+    let contact = match scene.settings.method {
+        Method::Alm => RIGID,
+        Method::Penalty => SPRINGS,
+    };
+    let limits = [&[contact], &LIMITS[..]].concat();
     html! {
         (DOCTYPE)
         html lang="en" {
@@ -86,7 +94,7 @@ pub fn page(model: &Model, version: Version, picture: bool) -> String {
                     }
                 }
                 h2 { "Validity" }
-                (list(&LIMITS))
+                (list(&limits))
                 h2 { "Sources" }
                 (list(&SOURCES))
                 p { "Licences: licenses/license.txt." }
@@ -108,6 +116,8 @@ fn settings(model: &Model) -> Markup {
         Method::Alm => "augmented Lagrangian",
         Method::Penalty => "contact springs",
     };
+    let choice = Parameters::of(&model.scene).get(Parameter::Solver);
+    let solver = named(&choice, Some(&Choices::SOLVER));
     let integrator = match s.integrator {
         Integrator::Moreau => "Moreau-Jean, velocity level",
         Integrator::Shi => "constant acceleration over the step",
@@ -118,17 +128,20 @@ fn settings(model: &Model) -> Markup {
         ("Duration", format!("{} s", s.duration)),
         ("Contact enforcement", method.to_owned()),
         ("Integrator", integrator.to_owned()),
-        ("Solver", format!("{:?}", s.solver)),
+        ("Solver", solver.to_owned()),
         ("Penalty number", penalty),
         (
             "Tolerances of gap, slip, force",
             format!(
-                "{}, {}, {}",
+                "{:e}, {:e}, {:e}",
                 s.tolerance.gap, s.tolerance.slip, s.tolerance.force
             ),
         ),
     ];
-    let materials = model.scene.materials.iter();
+    // Only spheres have a mass.
+    let used = &model.scene.particles.material;
+    let materials = model.scene.materials.iter().enumerate();
+    let materials = materials.filter(|(k, _)| used.iter().any(|m| usize::from(*m) == *k));
     let starts = match &model.start {
         Some(_) => "with settled spheres, resources/start.state",
         None => "as placed by the scene",
@@ -136,7 +149,7 @@ fn settings(model: &Model) -> Markup {
     html! {
         table {
             @for (name, value) in rows { tr { td { (name) } td { (value) } } }
-            @for m in materials { tr { td { "Density of " (m.name) } td { (m.density) " kg/m3" } } }
+            @for (_, m) in materials { tr { td { "Density of " (m.name) } td { (m.density) " kg/m3" } } }
             tr { td { "Start" } td { (starts) } }
         }
     }
@@ -153,7 +166,10 @@ fn rows(model: &Model, version: Version) -> Vec<[String; 6]> {
                     format!("{:?}", v.causality).to_lowercase(),
                     format!("{:?}", v.base),
                     unit(v.unit),
-                    v.start.as_ref().map(start).unwrap_or_default(),
+                    v.start
+                        .as_ref()
+                        .map(|s| named(s, v.choices))
+                        .unwrap_or_default(),
                     v.description.clone(),
                 ]
             };
@@ -162,7 +178,7 @@ fn rows(model: &Model, version: Version) -> Vec<[String; 6]> {
         Version::Three => {
             let row = |a: &Array| {
                 let extents: String = a.dimensions.iter().map(|n| format!("[{n}]")).collect();
-                let starts: Vec<String> = a.start.iter().map(start).collect();
+                let starts: Vec<String> = a.start.iter().map(|s| named(s, a.choices)).collect();
                 [
                     a.name.clone(),
                     format!("{:?}", a.causality).to_lowercase(),
@@ -177,8 +193,12 @@ fn rows(model: &Model, version: Version) -> Vec<[String; 6]> {
     }
 }
 
-fn start(value: &Value) -> String {
+/// A value as people read it; one of an enumeration by its name.
+fn named(value: &Value, choices: Option<&Choices>) -> String {
     match value {
+        Value::Integer(value) if let Some(name) = choices.and_then(|c| c.item(*value)) => {
+            name.to_owned()
+        }
         Value::Real(value) => value.to_string(),
         Value::Integer(value) => value.to_string(),
         Value::Boolean(value) => value.to_string(),

@@ -196,7 +196,14 @@ pub fn export(contents: Contents<'_>, fmu: &Path) -> Result<Exported, ExportErro
     })?;
     let library = version.library_path(&identifier);
     let page = documentation::page(&model, version, pictures.is_some());
-    pack(&model, &texts, &page, pictures.as_ref(), (library, &code), fmu)?;
+    pack(
+        &model,
+        &texts,
+        &page,
+        pictures.as_ref(),
+        (library, &code),
+        fmu,
+    )?;
 
     let variables = match version {
         Version::Two => model.table.variables().len(),
@@ -258,7 +265,10 @@ fn pack(
     fmu: &Path,
 ) -> Result<(), ExportError> {
     let mut files: Vec<(String, &[u8])> = vec![
-        ("modelDescription.xml".to_owned(), texts.description.as_bytes()),
+        (
+            "modelDescription.xml".to_owned(),
+            texts.description.as_bytes(),
+        ),
         (TERMINALS_FILE.to_owned(), texts.terminals.as_bytes()),
         library,
         (format!("resources/{SCENE_FILE}"), model.text.as_bytes()),

@@ -54,11 +54,13 @@ impl EnumerationType {
         name: impl Into<String>,
         items: impl IntoIterator<Item = (&'a str, i64, &'a str)>,
     ) -> Self {
-        let items = items.into_iter().map(|(name, value, text)| EnumerationItem {
-            name: name.to_owned(),
-            value,
-            description: Some(text.to_owned()),
-        });
+        let items = items
+            .into_iter()
+            .map(|(name, value, text)| EnumerationItem {
+                name: name.to_owned(),
+                value,
+                description: Some(text.to_owned()),
+            });
         Self {
             name: name.into(),
             description: None,

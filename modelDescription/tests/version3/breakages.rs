@@ -2,8 +2,8 @@
 
 use sphere_dda_model_description::Rule;
 use sphere_dda_model_description::fmi3::{
-    Alias, Causality, CoSimulation, EnumerationType, Kind, ModelDescription, OtherInterface, StartValue,
-    Variability, Variable,
+    Alias, Causality, CoSimulation, EnumerationType, Kind, ModelDescription, OtherInterface,
+    StartValue, Variability, Variable,
 };
 use sphere_dda_model_description::units::{BaseUnit, Unit};
 
@@ -140,8 +140,7 @@ fn cases() -> [(Rule, Break); 34] {
             m.type_definitions.push(m.type_definitions[0].clone());
         }),
         (Rule::EnumerationItems, |m| {
-            m.type_definitions
-                .push(EnumerationType::new("Empty", []));
+            m.type_definitions.push(EnumerationType::new("Empty", []));
         }),
         (Rule::EnumerationUnique, |m| {
             m.type_definitions[0].items[0].value = 2;
