@@ -85,22 +85,25 @@ def test_the_page_is_well_formed_complete_and_alone(unit):
         page = Page()
         page.feed(archive.read("documentation/index.html").decode())
         assert page.open == []
-        assert page.refers == ["scene.png"]
-        assert "documentation/scene.png" in archive.namelist()
+        assert page.refers == ["diagram.png"]
+        assert "documentation/diagram.png" in archive.namelist()
     assert {v.name for v in description.modelVariables} <= set(page.cells)
     for part in (description.modelName, description.guid, "Validity", "Sources", "Largest internal step"):
         assert part in page.text
 
 
 def test_the_pictures_show_the_scene(unit):
-    path, _, _ = unit
+    path, version, _ = unit
     with zipfile.ZipFile(path) as archive:
+        # FMI 3.0 knows the icon only.
+        icons = ["terminalsAndIcons/icon.png"] + ["model.png"] * (version == 2)
+        assert [f for f in archive.namelist() if f.endswith("model.png")] == icons[1:]
         pictures = {
             file: plt.imread(io.BytesIO(archive.read(file)))
-            for file in ("model.png", "terminalsAndIcons/icon.png", "documentation/scene.png")
+            for file in (*icons, "documentation/diagram.png")
         }
-    assert pictures["model.png"].shape[:2] == (100, 100)
-    assert pictures["documentation/scene.png"].shape[:2] == (480, 480)
+    assert all(pictures[icon].shape[:2] == (100, 100) for icon in icons)
+    assert pictures["documentation/diagram.png"].shape[:2] == (480, 480)
     for file, picture in pictures.items():
         colours = np.unique(picture.reshape(-1, picture.shape[2]), axis=0)
         assert len(colours) > 50, f"{file} is empty"
