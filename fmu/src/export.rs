@@ -3,32 +3,35 @@
 //! ```text
 //! modelDescription.xml
 //! terminalsAndIcons/terminalsAndIcons.xml   one terminal per boundary
-//! binaries/linux64/<identifier>.so      the scene-agnostic library; FMI 3.0: binaries/x86_64-linux/
+//! binaries/linux64/<identifier>.so      the scene-agnostic library, for each platform; FMI 3.0: binaries/x86_64-linux/
 //! resources/scene.toml, meshes, tables  what the instance reads
 //! resources/start.state                 the settled spheres, if there are any
 //! documentation/index.html              variables, settings, limits, for people
 //! documentation/licenses/               of the library and of all crates it links
-//! model.png, documentation/scene.png, terminalsAndIcons/icon.png    the scene
+//! documentation/diagram.png, terminalsAndIcons/icon.png, FMI 2.0: model.png     the scene
 //! ```
 //!
 //! The same scene and library give the same bytes.
 
-use std::env;
-use std::ffi::OsString;
+mod error;
+mod library;
+
+use std::borrow::Cow;
 use std::fs;
-use std::io;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use sphere_dda::scene::Scene;
-use sphere_dda_fmi_interface::archive::{self, ArchiveError};
-use sphere_dda_model_description::Finding;
+use sphere_dda_fmi_interface::archive;
 use sphere_dda_model_description::names::is_c_identifier;
-use thiserror::Error;
 
 use crate::description::{describe, version3};
 use crate::documentation;
 use crate::model::{Model, ModelError, SCENE_FILE, START_FILE};
 use crate::terminals::terminals;
+
+pub use error::ExportError;
+pub use library::{Library, check_library, find_libraries, find_library};
+pub use sphere_dda_fmi_interface::platform::Platform;
 
 /// Environment variable that names the library to pack.
 pub const LIBRARY_VARIABLE: &str = "SPHERE_DDA_LIBRARY";
@@ -53,10 +56,10 @@ pub enum Version {
 }
 
 impl Version {
-    fn library_path(self, identifier: &str) -> String {
+    fn library_path(self, platform: &Platform, identifier: &str) -> String {
         match self {
-            Self::Two => archive::library_path(identifier),
-            Self::Three => archive::library_path_3(identifier),
+            Self::Two => platform.path_2(identifier),
+            Self::Three => platform.path_3(identifier),
         }
     }
 }
@@ -83,78 +86,6 @@ pub struct Exported {
     pub warnings: Vec<String>,
 }
 
-/// Why there is no FMU.
-#[derive(Debug, Error)]
-#[non_exhaustive]
-pub enum ExportError {
-    /// The scene makes no model.
-    #[error(transparent)]
-    Model(#[from] ModelError),
-    /// The model description breaks rules of the standard: a name of the scene, as a rule.
-    #[error("the model description would be invalid: {}", list(.0))]
-    Invalid(Vec<Finding>),
-    /// No library to pack.
-    #[error(
-        "found no {name} in {}; run `cargo build --release -p sphere-dda-fmu`, or name the library with --library or {LIBRARY_VARIABLE}",
-        places(.searched)
-    )]
-    NoLibrary {
-        /// File name looked for.
-        name: String,
-        /// Folders searched.
-        searched: Vec<PathBuf>,
-    },
-    /// The library cannot be loaded.
-    #[error("cannot load `{}`: {reason}; expected the library of sphere-dda for this platform", path.display())]
-    Load {
-        /// Its path.
-        path: PathBuf,
-        /// What the loader says.
-        reason: String,
-    },
-    /// The library was built from other sources than this program.
-    #[error(
-        "`{}` has build id {found}, expected {BUILD_ID}: it is older or newer than this program; run `cargo build --release -p sphere-dda-fmu`",
-        path.display()
-    )]
-    Stale {
-        /// Its path.
-        path: PathBuf,
-        /// Its build id.
-        found: String,
-    },
-    /// A file of the scene would overwrite another one in the archive.
-    #[error("the scene refers to a file named `{0}`, which the FMU needs for itself; rename it")]
-    Reserved(String),
-    /// The library cannot be read.
-    #[error("cannot read `{}`: {source}", path.display())]
-    Read {
-        /// Its path.
-        path: PathBuf,
-        /// The reason.
-        source: io::Error,
-    },
-    /// The archive cannot be written.
-    #[error(transparent)]
-    Archive(#[from] ArchiveError),
-}
-
-fn list(findings: &[Finding]) -> String {
-    findings
-        .iter()
-        .map(Finding::to_string)
-        .collect::<Vec<_>>()
-        .join("; ")
-}
-
-fn places(folders: &[PathBuf]) -> String {
-    folders
-        .iter()
-        .map(|f| format!("`{}`", f.display()))
-        .collect::<Vec<_>>()
-        .join(", ")
-}
-
 /// What an archive is made of.
 #[derive(Debug)]
 pub struct Contents<'a> {
@@ -162,8 +93,8 @@ pub struct Contents<'a> {
     pub scene: &'a Path,
     /// What the scene has settled to, see [`sphere_dda::simulation::Settled`].
     pub start: Option<Vec<u8>>,
-    /// The library, see [`find_library`].
-    pub library: &'a Path,
+    /// The libraries, see [`find_libraries`].
+    pub libraries: &'a [Library],
     /// Version of the standard.
     pub version: Version,
     /// Draws the scene as it starts; without pictures the FMU has none.
@@ -178,32 +109,28 @@ pub fn export(contents: Contents<'_>, fmu: &Path) -> Result<Exported, ExportErro
     let Contents {
         scene,
         start,
-        library,
+        libraries,
         version,
         draw,
     } = contents;
     let model = Model::read(scene, start)?;
     let identifier = identifier(scene);
     let pictures = draw(&model.scene);
-    let texts = described(&model, &identifier, version, pictures.is_some())?;
-    if !texts.findings.is_empty() {
-        return Err(ExportError::Invalid(texts.findings));
+    let mut files = described(&model, &identifier, version, pictures.is_some())?;
+    for Library { platform, path } in libraries {
+        let code = fs::read(path).map_err(|source| ExportError::Read {
+            path: path.clone(),
+            source,
+        })?;
+        files.push((version.library_path(platform, &identifier), code.into()));
     }
-    check_library(library)?;
-    let code = fs::read(library).map_err(|source| ExportError::Read {
-        path: library.to_path_buf(),
-        source,
-    })?;
-    let library = version.library_path(&identifier);
-    let page = documentation::page(&model, version, pictures.is_some());
-    pack(
-        &model,
-        &texts,
-        &page,
-        pictures.as_ref(),
-        (library, &code),
-        fmu,
-    )?;
+    files.extend(resources(&model)?);
+    files.extend(documented(&model, version, pictures));
+    let files: Vec<(String, &[u8])> = files
+        .iter()
+        .map(|(path, content)| (path.clone(), &**content))
+        .collect();
+    archive::write(fmu, &files)?;
 
     let variables = match version {
         Version::Two => model.table.variables().len(),
@@ -221,12 +148,8 @@ pub fn export(contents: Contents<'_>, fmu: &Path) -> Result<Exported, ExportErro
     })
 }
 
-/// The XML files of an archive, and what is wrong with them.
-struct Texts {
-    description: String,
-    terminals: String,
-    findings: Vec<Finding>,
-}
+/// Files of an archive, by their paths in it.
+type Files<'m> = Vec<(String, Cow<'m, [u8]>)>;
 
 /// Model description and terminals of one version.
 fn described(
@@ -234,72 +157,67 @@ fn described(
     identifier: &str,
     version: Version,
     icon: bool,
-) -> Result<Texts, ModelError> {
+) -> Result<Files<'static>, ExportError> {
     let (xml, mut findings, names) = match version {
         Version::Two => {
             let own = describe(&model.scene, &model.table, identifier, &model.guid);
             let names = model.table.variables().iter().map(|v| v.name.as_str());
-            (own.to_xml()?, own.validate(), names.collect::<Vec<_>>())
+            (own.to_xml(), own.validate(), names.collect::<Vec<_>>())
         }
         Version::Three => {
             let own = version3::describe(&model.scene, &model.arrays, identifier, &model.guid);
             let names = model.arrays.list().iter().map(|a| a.name.as_str());
-            (own.to_xml()?, own.validate(), names.collect())
+            (own.to_xml(), own.validate(), names.collect())
         }
     };
     let terminals = terminals(&model.scene, &names, icon);
     findings.extend(terminals.validate(names));
-    Ok(Texts {
-        description: xml,
-        terminals: terminals.to_xml()?,
-        findings,
-    })
+    if !findings.is_empty() {
+        return Err(ExportError::Invalid(findings));
+    }
+    let xml = xml.map_err(ModelError::from)?.into_bytes();
+    let terminals = terminals.to_xml().map_err(ModelError::from)?.into_bytes();
+    Ok(vec![
+        ("modelDescription.xml".to_owned(), xml.into()),
+        (TERMINALS_FILE.to_owned(), terminals.into()),
+    ])
 }
 
-fn pack(
-    model: &Model,
-    texts: &Texts,
-    html: &str,
-    pictures: Option<&Pictures>,
-    library: (String, &[u8]),
-    fmu: &Path,
-) -> Result<(), ExportError> {
-    let mut files: Vec<(String, &[u8])> = vec![
-        (
-            "modelDescription.xml".to_owned(),
-            texts.description.as_bytes(),
-        ),
-        (TERMINALS_FILE.to_owned(), texts.terminals.as_bytes()),
-        library,
-        (format!("resources/{SCENE_FILE}"), model.text.as_bytes()),
-        ("documentation/index.html".to_owned(), html.as_bytes()),
-        (
-            "documentation/licenses/license.txt".to_owned(),
-            documentation::LICENSE.as_bytes(),
-        ),
-        (
-            "documentation/licenses/third-party.txt".to_owned(),
-            documentation::THIRD_PARTY.as_bytes(),
-        ),
-    ];
-    if let Some(Pictures { icon, page }) = pictures {
-        files.push(("model.png".to_owned(), icon));
-        files.push(("terminalsAndIcons/icon.png".to_owned(), icon));
-        files.push((
-            format!("documentation/{}", documentation::PICTURE_FILE),
-            page,
-        ));
-    }
+/// What the instance reads.
+fn resources(model: &Model) -> Result<Files<'_>, ExportError> {
+    let place = |name: &str| format!("resources/{name}");
+    let mut files: Files<'_> = vec![(place(SCENE_FILE), model.text.as_bytes().into())];
     if let Some(start) = &model.start {
-        files.push((format!("resources/{START_FILE}"), start));
+        files.push((place(START_FILE), start.into()));
     }
     for file in &model.files {
         if [SCENE_FILE, START_FILE].contains(&file.path.as_str()) {
             return Err(ExportError::Reserved(file.path.clone()));
         }
-        files.push((format!("resources/{}", file.path), &file.content));
+        files.push((place(&file.path), (&file.content).into()));
     }
-    Ok(archive::write(fmu, &files)?)
+    Ok(files)
+}
+
+/// What people read.
+fn documented(model: &Model, version: Version, pictures: Option<Pictures>) -> Files<'static> {
+    let place = |name: &str| format!("documentation/{name}");
+    let page = documentation::page(model, version, pictures.is_some()).into_bytes();
+    let (own, others) = (documentation::LICENSE, documentation::THIRD_PARTY);
+    let mut files: Files<'static> = vec![
+        (place("index.html"), page.into()),
+        (place("licenses/license.txt"), own.as_bytes().into()),
+        (place("licenses/third-party.txt"), others.as_bytes().into()),
+    ];
+    if let Some(Pictures { icon, page }) = pictures {
+        // FMI 3.0 knows the icon only.
+        if version == Version::Two {
+            files.push(("model.png".to_owned(), icon.clone().into()));
+        }
+        files.push(("terminalsAndIcons/icon.png".to_owned(), icon.into()));
+        files.push((place(documentation::PICTURE_FILE), page.into()));
+    }
+    files
 }
 
 /// The scene file's name as a C identifier.
@@ -314,68 +232,4 @@ fn identifier(scene: &Path) -> String {
     } else {
         format!("scene_{name}")
     }
-}
-
-/// The library to pack: `explicit`, else the environment variable [`LIBRARY_VARIABLE`], else beside this program or in
-/// its `deps` folder, where one that fits this program comes first.
-///
-/// # Errors
-/// [`ExportError::NoLibrary`].
-pub fn find_library(explicit: Option<&Path>) -> Result<PathBuf, ExportError> {
-    let name = format!(
-        "{}sphere_dda_fmu{}",
-        env::consts::DLL_PREFIX,
-        env::consts::DLL_SUFFIX
-    );
-    let named = explicit
-        .map(Path::to_path_buf)
-        .or_else(|| env::var_os(LIBRARY_VARIABLE).map(OsString::into));
-    if let Some(path) = named {
-        let missing = || ExportError::NoLibrary {
-            name: path.display().to_string(),
-            searched: vec![path.clone()],
-        };
-        return if path.is_file() {
-            Ok(path)
-        } else {
-            Err(missing())
-        };
-    }
-    let own = env::current_exe()
-        .ok()
-        .and_then(|exe| exe.parent().map(Path::to_path_buf))
-        .unwrap_or_default();
-    // Tests and examples run from below the folder that has the library.
-    let mut searched = vec![own.clone(), own.join("deps")];
-    searched.extend(own.parent().map(Path::to_path_buf));
-    let mut found: Vec<PathBuf> = searched
-        .iter()
-        .map(|folder| folder.join(&name))
-        .filter(|path| path.is_file())
-        .collect();
-    if found.is_empty() {
-        return Err(ExportError::NoLibrary { name, searched });
-    }
-    // Cargo may leave an old copy beside the program and put the new one into `deps`.
-    let fresh = found.iter().position(|path| check_library(path).is_ok());
-    Ok(found.swap_remove(fresh.unwrap_or(0)))
-}
-
-/// Loads a library once and refuses one that was not built from the sources of this program.
-///
-/// # Errors
-/// [`ExportError::Load`], [`ExportError::Stale`].
-pub fn check_library(path: &Path) -> Result<(), ExportError> {
-    let load = |error: libloading::Error| ExportError::Load {
-        path: path.to_path_buf(),
-        reason: error.to_string(),
-    };
-    let found = crate::ffi::build_id(path).map_err(load)?;
-    if found == BUILD_ID {
-        return Ok(());
-    }
-    Err(ExportError::Stale {
-        path: path.to_path_buf(),
-        found,
-    })
 }

@@ -1,7 +1,6 @@
 //! The archive of an FMU: deflated, without zip64 and with one fixed time stamp, so that the same files give the same
 //! bytes; and the guid that ties a description to a library.
 
-use std::env::consts::DLL_SUFFIX;
 use std::fs::{self, File};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -10,16 +9,6 @@ use sha2::{Digest, Sha256};
 use thiserror::Error;
 use zip::ZipWriter;
 use zip::write::SimpleFileOptions;
-
-/// Folder of this platform's binaries in FMI 2.0.
-#[cfg(target_os = "windows")]
-const PLATFORM: &str = "win64";
-/// Folder of this platform's binaries in FMI 2.0.
-#[cfg(target_os = "macos")]
-const PLATFORM: &str = "darwin64";
-/// Folder of this platform's binaries in FMI 2.0.
-#[cfg(not(any(target_os = "windows", target_os = "macos")))]
-const PLATFORM: &str = "linux64";
 
 /// Why there is no archive.
 #[derive(Debug, Error)]
@@ -31,23 +20,6 @@ pub struct ArchiveError {
     path: PathBuf,
     /// The reason.
     source: io::Error,
-}
-
-/// Where the library of the model `identifier` for this platform lies in the archive.
-#[must_use]
-pub fn library_path(identifier: &str) -> String {
-    format!("binaries/{PLATFORM}/{identifier}{DLL_SUFFIX}")
-}
-
-/// The same for FMI 3.0, whose platforms are named by architecture and system.
-#[must_use]
-pub fn library_path_3(identifier: &str) -> String {
-    let system = match std::env::consts::OS {
-        "macos" => "darwin",
-        other => other,
-    };
-    let architecture = std::env::consts::ARCH;
-    format!("binaries/{architecture}-{system}/{identifier}{DLL_SUFFIX}")
 }
 
 /// A guid in the usual form, `{8-4-4-4-12}` hexadecimal digits: the hash of `parts`.

@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use sphere_dda_fmu::export::{Contents, Version, export, find_library};
+use sphere_dda_fmu::export::{Contents, Version, export, find_libraries};
 use sphere_dda_fmu::import::{Coupling, End, Fmu, Options, Step, System, Table, simulate};
 
 const FORCE: &str = "bed.boundary.tray.averageForce[3]";
@@ -32,7 +32,7 @@ fn bed(folder: &Path, name: &str, edit: impl FnOnce(&mut String)) -> Fmu {
     let contents = Contents {
         scene: &scene,
         start: None,
-        library: &find_library(None).unwrap(),
+        libraries: &find_libraries(None, &[]).unwrap(),
         version: Version::Two,
         draw: |_| None,
     };
