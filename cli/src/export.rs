@@ -9,7 +9,7 @@ use clap::ValueEnum;
 use miette::miette;
 use sphere_dda::scene::Scene;
 use sphere_dda_fmu::export::{
-    Contents, Library, Pictures, Platform, Version, export, find_libraries,
+    Contents, Exported, Library, Pictures, Platform, Version, export, find_libraries,
 };
 use sphere_dda_report::picture::portrait;
 
@@ -94,6 +94,11 @@ fn platform(name: &str) -> Result<Platform, String> {
 /// All problems of the scene, or why there is no FMU.
 pub(crate) fn run(arguments: &Export, interrupt: &Interrupt) -> Result<(), Failure> {
     let scene = &arguments.scene;
+    if arguments.package.ssp.is_some() && matches!(arguments.fmi, Fmi::Three) {
+        return Err(Failure::Input(miette!(
+            "--ssp with --fmi 3: SSP 1.0 has no arrays; expected --fmi 2"
+        )));
+    }
     let output = match (&arguments.output, &arguments.package.ssp) {
         (_, Some(ssp)) => free("--ssp", ssp, "ssp", arguments.overwrite)?.to_path_buf(),
         (Some(fmu), None) => free("--output", fmu, "fmu", arguments.overwrite)?.to_path_buf(),
@@ -103,9 +108,8 @@ pub(crate) fn run(arguments: &Export, interrupt: &Interrupt) -> Result<(), Failu
             fmu
         }
     };
-    // Neither do FMUs that do not fit wait for them.
-    let others = arguments.package.open()?;
     // What would stop the export shows before the spheres settle.
+    let others = arguments.package.open()?;
     let libraries = find_libraries(arguments.library.as_deref(), &arguments.platforms)?;
     let start = arguments
         .settling
@@ -117,7 +121,7 @@ pub(crate) fn run(arguments: &Export, interrupt: &Interrupt) -> Result<(), Failu
     let folder = tempfile::tempdir().map_err(Failure::run)?;
     let fmu = folder.path().join(scene.file_stem().unwrap_or_default());
     let fmu = fmu.with_extension("fmu");
-    pack(scene, start, &fmu, &libraries, Version::Two)?;
+    write(scene, start, &fmu, &libraries, Version::Two)?;
     arguments.package.write(&fmu, &others, &output)
 }
 
@@ -154,6 +158,27 @@ pub(crate) fn pack(
     libraries: &[Library],
     version: Version,
 ) -> Result<(), Failure> {
+    let exported = write(scene, start, fmu, libraries, version)?;
+    let size = std::fs::metadata(fmu).map_err(Failure::run)?.len() as f64 * 1e-6;
+    print(|out| {
+        writeln!(
+            out,
+            "{}: {} variables, {size:.1} MB, guid {}",
+            fmu.display(),
+            exported.variables,
+            exported.guid
+        )
+    })
+}
+
+/// Exports with warnings.
+fn write(
+    scene: &Path,
+    start: Option<Vec<u8>>,
+    fmu: &Path,
+    libraries: &[Library],
+    version: Version,
+) -> Result<Exported, Failure> {
     let contents = Contents {
         scene,
         start,
@@ -165,16 +190,7 @@ pub(crate) fn pack(
     for warning in &exported.warnings {
         note(format_args!("warning: {warning}"));
     }
-    let size = std::fs::metadata(fmu).map_err(Failure::run)?.len() as f64 * 1e-6;
-    print(|out| {
-        writeln!(
-            out,
-            "{}: {} variables, {size:.1} MB, guid {}",
-            fmu.display(),
-            exported.variables,
-            exported.guid
-        )
-    })
+    Ok(exported)
 }
 
 /// Pictures of a scene; none of one that has no extent.

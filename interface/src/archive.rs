@@ -1,7 +1,7 @@
 //! The archive of an FMU: deflated, without zip64 and with one fixed time stamp, so that the same files give the same
 //! bytes; and the guid that ties a description to a library.
 
-use std::fs::{self, File};
+use std::fs::File;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
@@ -77,8 +77,9 @@ fn zipped(files: &[(String, &[u8])]) -> io::Result<Vec<u8>> {
 /// Temporary files are private; an FMU is passed on.
 #[cfg(unix)]
 fn readable(file: &File) -> io::Result<()> {
+    use std::fs::Permissions;
     use std::os::unix::fs::PermissionsExt;
-    file.set_permissions(fs::Permissions::from_mode(0o644))
+    file.set_permissions(Permissions::from_mode(0o644))
 }
 
 #[cfg(not(unix))]
@@ -97,6 +98,8 @@ fn failed(action: &'static str, path: &Path) -> impl Fn(io::Error) -> ArchiveErr
 
 #[cfg(test)]
 mod tests {
+    use std::fs;
+
     use super::*;
 
     #[test]

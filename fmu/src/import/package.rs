@@ -286,3 +286,26 @@ fn parameter(variable: &Variable<'_>, given: Option<&Value>) -> Option<Parameter
         _ => return None,
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn one_name_means_one_thing() {
+        let item = |name: &str, value| Enumeration {
+            name: name.to_owned(),
+            items: vec![Item {
+                name: "one".to_owned(),
+                value,
+            }],
+        };
+        let mut list = Vec::new();
+        let mut add = |new| merge(&mut list, new, |e: &Enumeration| &e.name, "enumerations");
+        assert!(add(item("a", 1)).is_ok() && add(item("b", 2)).is_ok());
+        assert!(add(item("a", 1)).is_ok(), "the same again is no conflict");
+        let error = add(item("a", 2)).unwrap_err().to_string();
+        assert!(error.contains("two different enumerations named `a`"));
+        assert_eq!(list.len(), 2);
+    }
+}
