@@ -68,7 +68,7 @@ fn apart(platform: Platform) -> Result<PathBuf, ExportError> {
     let name = platform.file(CRATE);
     let found = searched.iter().map(|folder| folder.join(&name));
     let found = found.into_iter().find(|path| path.is_file());
-    found.ok_or_else(|| ExportError::NoLibraryFor {
+    found.ok_or(ExportError::NoLibraryFor {
         platform: platform.name,
         name,
         searched,
