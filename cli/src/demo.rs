@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use miette::miette;
-use sphere_dda_fmu::export::{Version, find_library};
+use sphere_dda_fmu::export::{Version, find_libraries};
 use sphere_dda_fmu::import::{Fmu, Options, System, Table};
 
 use crate::export::pack;
@@ -50,7 +50,13 @@ pub(crate) fn run(arguments: &Demo, interrupt: &Interrupt) -> Result<(), Failure
     let folder = prepare(&arguments.output)?;
     let (scene, archive) = (folder.join("funnel.toml"), folder.join("funnel.fmu"));
     put(&scene, SCENE.as_bytes())?;
-    pack(&scene, None, &archive, &find_library(None)?, Version::Two)?;
+    pack(
+        &scene,
+        None,
+        &archive,
+        &find_libraries(None, &[])?,
+        Version::Two,
+    )?;
 
     let fmu = Fmu::open(&archive)?;
     let options = Options {

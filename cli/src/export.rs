@@ -1,12 +1,19 @@
 //! `sphere-dda export SCENE -o X.fmu`.
 
+mod package;
+
 use std::path::{Path, PathBuf};
 
 use clap::Args;
 use clap::ValueEnum;
 use miette::miette;
 use sphere_dda::scene::Scene;
-use sphere_dda_fmu::export::{Version, check_library, export, find_library};
+use sphere_dda_fmu::export::{
+    Contents, Exported, Library, Pictures, Platform, Version, export, find_libraries,
+};
+use sphere_dda_report::picture::portrait;
+
+use package::Package;
 
 use crate::failure::Failure;
 use crate::progress::{Interrupt, note, print};
@@ -20,6 +27,10 @@ Examples:
   sphere-dda export scene.toml -o build/scene.fmu --overwrite
   sphere-dda export hopper.toml --until-rest
   sphere-dda export scene.toml --fmi 3
+  sphere-dda export scene.toml --platform linux64,win64
+  sphere-dda export bed.toml --ssp coupled.ssp --with shaker.fmu --set shaker.amplitude=0.001 \\
+      --connect shaker.position=bed.boundary.tray.displacement \\
+      --connect 'bed.boundary.tray.averageForce[3]=shaker.force'
 
 With --settle or --until-rest the FMU carries the settled spheres: a full hopper is there at t = 0.
 
@@ -34,6 +45,10 @@ pub(crate) struct Export {
     /// The shared library to pack.
     #[arg(long, value_name = "FILE")]
     library: Option<PathBuf>,
+    /// Platforms of the FMU: linux64, win64; this one if absent. `fmu/platforms/build` builds the libraries of others,
+    /// and one for old Linux.
+    #[arg(long = "platform", value_name = "NAME", value_delimiter = ',', value_parser = platform)]
+    platforms: Vec<Platform>,
     /// Version of the standard: scalars and wide support in 2, arrays of all spheres in 3.
     #[arg(long, value_name = "VERSION", default_value = "2")]
     fmi: Fmi,
@@ -42,6 +57,8 @@ pub(crate) struct Export {
     overwrite: bool,
     #[command(flatten)]
     settling: Settling,
+    #[command(flatten)]
+    package: Package,
 }
 
 #[derive(Debug, Clone, Copy, ValueEnum)]
@@ -61,36 +78,73 @@ impl From<Fmi> for Version {
     }
 }
 
+/// A platform by name.
+fn platform(name: &str) -> Result<Platform, String> {
+    Platform::named(name.trim()).ok_or_else(|| {
+        format!(
+            "found `{name}`, expected {}, linux64 or win64",
+            Platform::HERE.name
+        )
+    })
+}
+
 /// Packs a scene and the library into an FMU.
 ///
 /// # Errors
 /// All problems of the scene, or why there is no FMU.
 pub(crate) fn run(arguments: &Export, interrupt: &Interrupt) -> Result<(), Failure> {
     let scene = &arguments.scene;
-    let output = match &arguments.output {
-        Some(output) => output.clone(),
-        None => PathBuf::from(scene.file_stem().unwrap_or_default()).with_extension("fmu"),
+    if arguments.package.ssp.is_some() && matches!(arguments.fmi, Fmi::Three) {
+        return Err(Failure::Input(miette!(
+            "--ssp with --fmi 3: SSP 1.0 has no arrays; expected --fmi 2"
+        )));
+    }
+    let output = match (&arguments.output, &arguments.package.ssp) {
+        (_, Some(ssp)) => free("--ssp", ssp, "ssp", arguments.overwrite)?.to_path_buf(),
+        (Some(fmu), None) => free("--output", fmu, "fmu", arguments.overwrite)?.to_path_buf(),
+        (None, None) => {
+            let fmu = PathBuf::from(scene.file_stem().unwrap_or_default()).with_extension("fmu");
+            free("--output", &fmu, "fmu", arguments.overwrite)?;
+            fmu
+        }
     };
-    // An ending that importers want also keeps a slip of the hand from replacing the scene.
-    if output.extension().is_none_or(|ending| ending != "fmu") {
-        return Err(Failure::Input(miette!(
-            "--output: found `{}`, expected a name that ends with .fmu",
-            output.display()
-        )));
-    }
-    if output.exists() && !arguments.overwrite {
-        return Err(Failure::Input(miette!(
-            "`{}` exists already; choose another name or allow --overwrite",
-            output.display()
-        )));
-    }
     // What would stop the export shows before the spheres settle.
-    let library = find_library(arguments.library.as_deref())?;
-    check_library(&library)?;
+    let others = arguments.package.open()?;
+    let libraries = find_libraries(arguments.library.as_deref(), &arguments.platforms)?;
     let start = arguments
         .settling
         .start(&Scene::from_file(scene)?.scene, interrupt)?;
-    pack(scene, start, &output, &library, arguments.fmi.into())
+    if arguments.package.ssp.is_none() {
+        return pack(scene, start, &output, &libraries, arguments.fmi.into());
+    }
+    // Its name in the package is that of the scene.
+    let folder = tempfile::tempdir().map_err(Failure::run)?;
+    let fmu = folder.path().join(scene.file_stem().unwrap_or_default());
+    let fmu = fmu.with_extension("fmu");
+    write(scene, start, &fmu, &libraries, Version::Two)?;
+    arguments.package.write(&fmu, &others, &output)
+}
+
+/// The file if it can be written: an ending that importers want also keeps a slip of the hand from replacing the scene.
+fn free<'p>(
+    option: &str,
+    path: &'p Path,
+    ending: &str,
+    overwrite: bool,
+) -> Result<&'p Path, Failure> {
+    if path.extension().is_none_or(|found| found != ending) {
+        return Err(Failure::Input(miette!(
+            "{option}: found `{}`, expected a name that ends with .{ending}",
+            path.display()
+        )));
+    }
+    if path.exists() && !overwrite {
+        return Err(Failure::Input(miette!(
+            "`{}` exists already; choose another name or allow --overwrite",
+            path.display()
+        )));
+    }
+    Ok(path)
 }
 
 /// Exports `scene` and its settled start, if there is one, with `library`, and says what was packed.
@@ -101,13 +155,10 @@ pub(crate) fn pack(
     scene: &Path,
     start: Option<Vec<u8>>,
     fmu: &Path,
-    library: &Path,
+    libraries: &[Library],
     version: Version,
 ) -> Result<(), Failure> {
-    let exported = export(scene, start, fmu, library, version)?;
-    for warning in &exported.warnings {
-        note(format_args!("warning: {warning}"));
-    }
+    let exported = write(scene, start, fmu, libraries, version)?;
     let size = std::fs::metadata(fmu).map_err(Failure::run)?.len() as f64 * 1e-6;
     print(|out| {
         writeln!(
@@ -118,4 +169,38 @@ pub(crate) fn pack(
             exported.guid
         )
     })
+}
+
+/// Exports with warnings.
+fn write(
+    scene: &Path,
+    start: Option<Vec<u8>>,
+    fmu: &Path,
+    libraries: &[Library],
+    version: Version,
+) -> Result<Exported, Failure> {
+    let contents = Contents {
+        scene,
+        start,
+        libraries,
+        version,
+        draw: pictures,
+    };
+    let exported = export(contents, fmu)?;
+    for warning in &exported.warnings {
+        note(format_args!("warning: {warning}"));
+    }
+    Ok(exported)
+}
+
+/// Pictures of a scene; none of one that has no extent.
+fn pictures(scene: &Scene) -> Option<Pictures> {
+    let draw = |width| portrait(scene, width).png();
+    match (draw(100.0), draw(480.0)) {
+        (Ok(icon), Ok(page)) => Some(Pictures { icon, page }),
+        (Err(error), _) | (_, Err(error)) => {
+            note(format_args!("warning: no picture: {error}"));
+            None
+        }
+    }
 }

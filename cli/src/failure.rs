@@ -8,7 +8,7 @@ use sphere_dda::error::StepError;
 use sphere_dda::observe::error::OutputError;
 use sphere_dda::scene::SceneError;
 use sphere_dda_fmu::export::ExportError;
-use sphere_dda_fmu::import::{ImportError, SignalsError, SimulateError, SystemError};
+use sphere_dda_fmu::import::{ImportError, PackageError, SignalsError, SimulateError, SystemError};
 use sphere_dda_fmu::model::ModelError;
 
 /// Why a command has not done its work.
@@ -79,6 +79,12 @@ impl From<ImportError> for Failure {
 
 impl From<SystemError> for Failure {
     fn from(error: SystemError) -> Self {
+        Self::input(error)
+    }
+}
+
+impl From<PackageError> for Failure {
+    fn from(error: PackageError) -> Self {
         Self::input(error)
     }
 }

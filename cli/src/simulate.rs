@@ -88,14 +88,14 @@ impl From<Scheme> for Coupling {
 }
 
 /// `output=input`.
-fn connection(text: &str) -> Result<(String, String), String> {
+pub(crate) fn connection(text: &str) -> Result<(String, String), String> {
     let (output, input) =
         assignment(text).map_err(|_| format!("found `{text}`, expected OUTPUT=INPUT"))?;
     Ok((output, input.trim().to_owned()))
 }
 
 /// `name=value`, split at the first `=` that is not in single quotes, as names may have.
-fn assignment(text: &str) -> Result<(String, String), String> {
+pub(crate) fn assignment(text: &str) -> Result<(String, String), String> {
     let mut quoted = false;
     let mut escaped = false;
     for (at, character) in text.char_indices() {
@@ -169,7 +169,7 @@ pub(crate) fn run(arguments: &Simulate, interrupt: &Interrupt) -> Result<(), Fai
 }
 
 /// Name of a file without its ending.
-fn stem(path: &Path) -> String {
+pub(crate) fn stem(path: &Path) -> String {
     path.file_stem()
         .unwrap_or_default()
         .to_string_lossy()

@@ -2,17 +2,20 @@
 
 pub mod version3;
 
+use std::collections::BTreeMap;
+
 use sphere_dda::scene::Scene;
 use sphere_dda_fmi_interface::archive;
 use sphere_dda_fmi_interface::log::Category;
 use sphere_dda_model_description::Error;
 use sphere_dda_model_description::fmi2::{
-    BaseType, BooleanVariable, CoSimulation, DefaultExperiment, IntegerVariable, LogCategory,
-    ModelDescription, RealVariable, ScalarVariable, StringVariable, VariableType,
+    BaseType, BooleanVariable, CoSimulation, DefaultExperiment, EnumerationVariable,
+    IntegerVariable, LogCategory, ModelDescription, RealVariable, ScalarVariable, SimpleType,
+    StringVariable, VariableType,
 };
 use sphere_dda_model_description::units::{BaseUnit, Unit};
 
-use crate::variables::{Arrays, Table, Value, Variable};
+use crate::variables::{Arrays, Choices, Table, Value, Variable};
 
 /// Version of this crate: part of the guid, so that a library and a description of another version part ways.
 pub const VERSION: &str = env!("CARGO_PKG_VERSION");
@@ -55,6 +58,9 @@ fn unsigned(scene: &Scene, table: &Table, identifier: &str) -> ModelDescription 
     model.license = Some("MIT OR Apache-2.0".to_owned());
     model.generation_tool = Some(format!("sphere-dda {VERSION}"));
     model.unit_definitions = units();
+    let used = choices(table.variables().iter().map(|v| v.choices));
+    let definition = |c: &Choices| SimpleType::enumeration(c.name, c.items.iter().copied());
+    model.type_definitions = used.into_values().map(definition).collect();
     model.log_categories = Category::ALL
         .iter()
         .map(|category| LogCategory::new(category.name(), category.description()))
@@ -66,6 +72,15 @@ fn unsigned(scene: &Scene, table: &Table, identifier: &str) -> ModelDescription 
         step_size: Some(scene.settings.communication_step),
     });
     model
+}
+
+/// The enumerations among the variables, each once.
+fn choices(
+    used: impl Iterator<Item = Option<&'static Choices>>,
+) -> BTreeMap<&'static str, &'static Choices> {
+    used.flatten()
+        .map(|choices| (choices.name, choices))
+        .collect()
 }
 
 /// Every unit of the table, with SI exponents and display units.
@@ -113,6 +128,15 @@ fn scalar_variable(variable: &Variable) -> ScalarVariable {
 }
 
 fn variable_type(variable: &Variable) -> VariableType {
+    if let Some(choices) = variable.choices {
+        return VariableType::Enumeration(EnumerationVariable {
+            start: match variable.start {
+                Some(Value::Integer(start)) => Some(start),
+                _ => None,
+            },
+            ..EnumerationVariable::new(choices.name)
+        });
+    }
     match variable.base {
         BaseType::Real => VariableType::Real(RealVariable {
             unit: variable.unit.map(str::to_owned),

@@ -4,7 +4,7 @@
 //! |------------------|------------------------------------------------------------------------|
 //! | [`Fmu`]          | an unpacked archive and its model description; loads the library once   |
 //! | [`Instance`]     | one running instance: every call of the standard, judged by its status  |
-//! | [`System`]       | one FMU, or several with outputs connected to inputs                    |
+//! | [`System`]       | one FMU, or several with outputs connected to inputs; also as an SSP    |
 //! | [`simulate`]     | a small master: inputs from a table, outputs to a table                 |
 //!
 //! The archive and the description are untrusted: they are read within limits and refused with a reason. The
@@ -30,6 +30,7 @@ mod grid;
 mod instance;
 mod library;
 mod logger;
+mod package;
 mod run;
 mod signals;
 mod simulate;
@@ -52,6 +53,7 @@ pub use connection::{ConnectionError, ConnectionFault};
 pub use error::ImportError;
 pub use instance::{Instance, SavedState, Step};
 pub use logger::Message;
+pub use package::PackageError;
 pub use signals::{Signals, SignalsError};
 pub use simulate::{Coupling, Event, Options, SimulateError, simulate};
 pub use system::{System, SystemError};

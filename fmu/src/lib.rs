@@ -22,4 +22,5 @@ pub mod recorder;
 pub mod refusal;
 pub mod resource;
 pub mod state;
+pub mod terminals;
 pub mod variables;

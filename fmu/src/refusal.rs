@@ -69,6 +69,16 @@ pub enum Refusal {
         /// What is allowed.
         expected: String,
     },
+    /// The value is none of the enumeration's.
+    #[error("`{name}` = {found}, expected one of {expected}")]
+    Item {
+        /// Name of the variable.
+        name: String,
+        /// Value found.
+        found: i64,
+        /// Values with their names.
+        expected: String,
+    },
     /// The variable has no value yet, or none any more.
     #[error(
         "`{name}` has no value in state {stage}: outputs are known from initialization mode on"

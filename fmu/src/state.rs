@@ -20,7 +20,7 @@ use crate::instance::Stage;
 use crate::variables::Parameters;
 
 const MAGIC: [u8; 8] = *b"SDDAFMU\0";
-const FORMAT: u32 = 3;
+const FORMAT: u32 = 4;
 const HEADER: usize = 24;
 
 /// Everything an instance holds beside the simulation.

@@ -22,7 +22,7 @@ use sphere_dda::scene::Scene;
 use sphere_dda_model_description::fmi2::{BaseType, Causality, Variability};
 
 pub use arrays::{Array, Arrays, Field, Source};
-pub use parameters::Parameters;
+pub use parameters::{Choices, Parameters};
 use rows::{Row, Rows};
 
 /// A value of one of the four types of the C interface.
@@ -91,6 +91,8 @@ pub enum Parameter {
     ToleranceForce,
     /// Largest internal time step \[s\].
     Step,
+    /// Which solver takes the step's problem: an item of [`Choices::SOLVER`].
+    Solver,
 }
 
 /// Parts of a [`Command`].
@@ -137,6 +139,8 @@ pub struct Variable {
     pub min: Option<f64>,
     /// Largest allowed value.
     pub max: Option<f64>,
+    /// The named values of an integer that has no others.
+    pub choices: Option<&'static Choices>,
     /// One line for people.
     pub description: String,
     /// What it stands for.

@@ -1,8 +1,7 @@
 //! The archive of an FMU: deflated, without zip64 and with one fixed time stamp, so that the same files give the same
 //! bytes; and the guid that ties a description to a library.
 
-use std::env::consts::DLL_SUFFIX;
-use std::fs::{self, File};
+use std::fs::File;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
@@ -10,16 +9,6 @@ use sha2::{Digest, Sha256};
 use thiserror::Error;
 use zip::ZipWriter;
 use zip::write::SimpleFileOptions;
-
-/// Folder of this platform's binaries in FMI 2.0.
-#[cfg(target_os = "windows")]
-const PLATFORM: &str = "win64";
-/// Folder of this platform's binaries in FMI 2.0.
-#[cfg(target_os = "macos")]
-const PLATFORM: &str = "darwin64";
-/// Folder of this platform's binaries in FMI 2.0.
-#[cfg(not(any(target_os = "windows", target_os = "macos")))]
-const PLATFORM: &str = "linux64";
 
 /// Why there is no archive.
 #[derive(Debug, Error)]
@@ -31,23 +20,6 @@ pub struct ArchiveError {
     path: PathBuf,
     /// The reason.
     source: io::Error,
-}
-
-/// Where the library of the model `identifier` for this platform lies in the archive.
-#[must_use]
-pub fn library_path(identifier: &str) -> String {
-    format!("binaries/{PLATFORM}/{identifier}{DLL_SUFFIX}")
-}
-
-/// The same for FMI 3.0, whose platforms are named by architecture and system.
-#[must_use]
-pub fn library_path_3(identifier: &str) -> String {
-    let system = match std::env::consts::OS {
-        "macos" => "darwin",
-        other => other,
-    };
-    let architecture = std::env::consts::ARCH;
-    format!("binaries/{architecture}-{system}/{identifier}{DLL_SUFFIX}")
 }
 
 /// A guid in the usual form, `{8-4-4-4-12}` hexadecimal digits: the hash of `parts`.
@@ -105,8 +77,9 @@ fn zipped(files: &[(String, &[u8])]) -> io::Result<Vec<u8>> {
 /// Temporary files are private; an FMU is passed on.
 #[cfg(unix)]
 fn readable(file: &File) -> io::Result<()> {
+    use std::fs::Permissions;
     use std::os::unix::fs::PermissionsExt;
-    file.set_permissions(fs::Permissions::from_mode(0o644))
+    file.set_permissions(Permissions::from_mode(0o644))
 }
 
 #[cfg(not(unix))]
@@ -125,6 +98,8 @@ fn failed(action: &'static str, path: &Path) -> impl Fn(io::Error) -> ArchiveErr
 
 #[cfg(test)]
 mod tests {
+    use std::fs;
+
     use super::*;
 
     #[test]

@@ -7,9 +7,11 @@
 //! | [`pointers`] | pointers from C as slices and texts, or a reason why not             |
 //! | [`log`]      | log lines, their categories, and the way to the importer's logger    |
 //! | [`archive`]  | files to an `.fmu`, with the same bytes every time; the guid's form   |
+//! | [`platform`] | where the library of each platform lies in the archive               |
 
 pub mod abi2;
 pub mod abi3;
 pub mod archive;
 pub mod log;
+pub mod platform;
 pub mod pointers;

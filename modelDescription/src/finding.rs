@@ -164,6 +164,16 @@ pub enum Rule {
     StepFlags,
     /// A clock named by a variable is one.
     Clocks,
+
+    // Terminals and icons.
+    /// A drawing area or icon has an area, and a scale greater than 0.
+    Drawing,
+    /// Names of terminals are unique among their neighbours.
+    TerminalUnique,
+    /// Members of a terminal that match by name have names, each its own.
+    TerminalMember,
+    /// Members of a terminal are variables of the model.
+    TerminalVariable,
 }
 
 /// Collects findings.

@@ -73,6 +73,18 @@ impl Lexical for i32 {
     }
 }
 
+impl Lexical for i64 {
+    const EXPECTED: &'static str = "an integer of 64 bits (xs:long)";
+
+    fn parse(text: &str) -> Option<Self> {
+        text.parse().ok()
+    }
+
+    fn print(&self) -> String {
+        self.to_string()
+    }
+}
+
 impl Lexical for u32 {
     const EXPECTED: &'static str = "an unsigned integer of 32 bits (xs:unsignedInt)";
 

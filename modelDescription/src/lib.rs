@@ -7,7 +7,9 @@
 //! | module     | holds                                                        | serves       |
 //! |------------|--------------------------------------------------------------|--------------|
 //! | [`fmi2`]   | the FMI 2.0 description, its XML form and its rules           | FMI 2.0      |
+//! | [`terminals`]| groups of variables and the icon, its XML form and its rules | FMI 2.0.4, 3.0 |
 //! | [`fmi3`]   | the FMI 3.0 description: arrays, aliases, intermediate update | FMI 3.0      |
+//! | [`ssp`]    | systems of FMUs and their parameter values, written            | SSP 1.0      |
 //! | [`units`]  | units as exponents of the SI base units, display units        | any version  |
 //! | [`names`]  | the grammar of structured variable names, C identifiers       | any version  |
 //! | [`Finding`]| one broken rule: where, what was found, what was expected     | any version  |
@@ -60,6 +62,8 @@ pub mod fmi2;
 pub mod fmi3;
 mod lexical;
 pub mod names;
+pub mod ssp;
+pub mod terminals;
 pub mod units;
 mod xml;
 

@@ -44,7 +44,8 @@ fn each_breakage_is_found_and_nothing_else() {
 fn every_rule_has_a_breakage() {
     let source = include_str!("../src/finding.rs");
     let (_, rules) = source.split_once("pub enum Rule {").unwrap();
-    let (rules, _) = rules.split_once("\n}").unwrap();
+    // Those of terminals are broken in tests/terminals.rs.
+    let (rules, _) = rules.split_once("// Terminals and icons").unwrap();
     let declared: BTreeSet<&str> = rules
         .lines()
         .map(str::trim)

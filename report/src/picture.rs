@@ -1,12 +1,18 @@
-//! Pictures as SVG: spheres and boundaries in orthographic projection, far things first.
+//! Pictures as SVG or PNG: spheres and boundaries in orthographic projection, far things first.
 //!
 //! A view looks along `direction`; with `right = direction x up` and `top = right x direction` a point `x` \[m\] lies at
 //! `(x . right, x . top)` of the picture and at depth `x . direction`. Spheres are discs with a highlight at the depth of
 //! their centre; boundaries are translucent triangles at the depth of their centroid.
 
+mod bitmap;
+mod portrait;
+
 use std::fmt::Write as _;
 
 use sphere_dda::Vec3;
+
+pub use portrait::portrait;
+pub(crate) use portrait::sheets;
 
 /// From where a picture is seen.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -100,9 +106,9 @@ impl Panel {
         ((p.x - x0) * s, (y1 - p.y) * s, p.z)
     }
 
-    /// Everything in the panel, far things first.
-    fn draw(&self, out: &mut String) {
-        let mut items: Vec<(f64, String)> = Vec::new();
+    /// Everything that is seen in the panel, far things first.
+    fn items(&self) -> Vec<Item> {
+        let mut items: Vec<(f64, Item)> = Vec::new();
         let (width, height) = (self.width, self.height());
         for triangle in &self.triangles {
             let corners = triangle.map(|x| self.place(x));
@@ -114,44 +120,71 @@ impl Panel {
                 continue;
             }
             let depth = corners.iter().map(|c| c.2).sum::<f64>() / 3.0;
-            let points: Vec<String> = corners
-                .iter()
-                .map(|c| format!("{:.1},{:.1}", c.0, c.1))
-                .collect();
-            items.push((
-                depth,
-                format!(
-                    "<polygon class=\"wall\" points=\"{}\"/>\n",
-                    points.join(" ")
-                ),
-            ));
+            items.push((depth, Item::Wall(corners.map(|c| (c.0, c.1)))));
         }
         for line in &self.lines {
             let [a, b] = line.map(|x| self.place(x));
-            let text = format!(
-                "<line x1=\"{:.1}\" y1=\"{:.1}\" x2=\"{:.1}\" y2=\"{:.1}\"/>\n",
-                a.0, a.1, b.0, b.1
-            );
-            items.push((0.5 * (a.2 + b.2), text));
+            items.push((0.5 * (a.2 + b.2), Item::Line([(a.0, a.1), (b.0, b.1)])));
         }
         for ball in &self.balls {
             let (x, y, depth) = self.place(ball.centre);
-            let r = (ball.radius * self.scale()).max(1.2);
-            if x < -r || x > width + r || y < -r || y > height + r {
+            let radius = (ball.radius * self.scale()).max(1.2);
+            if x < -radius || x > width + radius || y < -radius || y > height + radius {
                 continue;
             }
             let colour = ball.colour % COLOURS.len();
+            let centre = (x, y);
             items.push((
                 depth,
-                format!(
-                    "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"{r:.1}\" fill=\"url(#s{colour})\"/>\n"
-                ),
+                Item::Disc {
+                    centre,
+                    radius,
+                    colour,
+                },
             ));
         }
         // Stable, so that equal depths keep the order of the scene.
         items.sort_by(|a, b| b.0.total_cmp(&a.0));
-        out.extend(items.into_iter().map(|(_, text)| text));
+        items.into_iter().map(|(_, item)| item).collect()
     }
+
+    /// Its items as elements of an SVG.
+    fn draw(&self, out: &mut String) {
+        for item in self.items() {
+            // Writing to a String cannot fail.
+            let _ = match item {
+                Item::Wall([a, b, c]) => writeln!(
+                    out,
+                    "<polygon class=\"wall\" points=\"{:.1},{:.1} {:.1},{:.1} {:.1},{:.1}\"/>",
+                    a.0, a.1, b.0, b.1, c.0, c.1
+                ),
+                Item::Line([a, b]) => writeln!(
+                    out,
+                    "<line x1=\"{:.1}\" y1=\"{:.1}\" x2=\"{:.1}\" y2=\"{:.1}\"/>",
+                    a.0, a.1, b.0, b.1
+                ),
+                Item::Disc {
+                    centre: (x, y),
+                    radius,
+                    colour,
+                } => writeln!(
+                    out,
+                    "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"{radius:.1}\" fill=\"url(#s{colour})\"/>"
+                ),
+            };
+        }
+    }
+}
+
+/// What is drawn, in pixels from the panel's upper left corner.
+enum Item {
+    Wall([(f64, f64); 3]),
+    Line([(f64, f64); 2]),
+    Disc {
+        centre: (f64, f64),
+        radius: f64,
+        colour: usize,
+    },
 }
 
 /// Rows of panels as one SVG; panels of a row stand side by side.

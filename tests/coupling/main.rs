@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use sphere_dda_fmu::export::{Version, export, find_library};
+use sphere_dda_fmu::export::{Contents, Version, export, find_libraries};
 use sphere_dda_fmu::import::{Coupling, End, Fmu, Options, Step, System, Table, simulate};
 
 const FORCE: &str = "bed.boundary.tray.averageForce[3]";
@@ -29,8 +29,14 @@ fn bed(folder: &Path, name: &str, edit: impl FnOnce(&mut String)) -> Fmu {
     edit(&mut text);
     let (scene, fmu): (PathBuf, PathBuf) = (folder.join(name), folder.join("bed.fmu"));
     fs::write(&scene, text).unwrap();
-    let library = find_library(None).unwrap();
-    export(&scene, None, &fmu, &library, Version::Two).unwrap();
+    let contents = Contents {
+        scene: &scene,
+        start: None,
+        libraries: &find_libraries(None, &[]).unwrap(),
+        version: Version::Two,
+        draw: |_| None,
+    };
+    export(contents, &fmu).unwrap();
     Fmu::open(fmu).unwrap()
 }
 

@@ -1,6 +1,7 @@
 //! The shared library through its C interface: life cycle, refusals, saved states, threads, and what it computes.
 
 mod c;
+mod licences;
 mod refusals;
 mod rollback;
 mod states;

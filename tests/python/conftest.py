@@ -39,3 +39,13 @@ def fmus(command, tmp_path_factory):
         else:
             subprocess.run([command, "export", scene(name), "-o", path], check=True)
     return paths
+
+
+@pytest.fixture(scope="session")
+def units(command, tmp_path_factory):
+    """Name -> path of the FMI 3.0 FMU of every example."""
+    folder = tmp_path_factory.mktemp("fmi3")
+    paths = {name: folder / f"{name}.fmu" for name in EXAMPLES}
+    for name, path in paths.items():
+        subprocess.run([command, "export", scene(name), "--fmi", "3", "-o", path], check=True)
+    return paths

@@ -8,23 +8,13 @@ from ctypes import byref, c_bool, c_double, c_int, c_size_t, c_void_p
 import fmpy
 import numpy as np
 import pytest
-from conftest import EXAMPLES, scene
+from conftest import EXAMPLES
 from fmpy.fmi3 import FMU3Slave
 from fmpy.validation import validate_fmu
 from fmu import Slave
 
 H = 2e-3
 DRIVE = "boundary.trough.displacement"
-
-
-@pytest.fixture(scope="module")
-def units(command, tmp_path_factory):
-    """Name -> path of the FMI 3.0 FMU of every example."""
-    folder = tmp_path_factory.mktemp("fmi3")
-    paths = {name: folder / f"{name}.fmu" for name in EXAMPLES}
-    for name, path in paths.items():
-        subprocess.run([command, "export", scene(name), "--fmi", "3", "-o", path], check=True)
-    return paths
 
 
 class Unit:

@@ -3,13 +3,13 @@
 use sphere_dda::scene::Scene;
 use sphere_dda_fmi_interface::log::Category;
 use sphere_dda_model_description::fmi3::{
-    Causality, CoSimulation, DefaultExperiment, Kind, LogCategory, ModelDescription, StartValue,
-    Variable,
+    Causality, CoSimulation, DefaultExperiment, EnumerationType, Kind, LogCategory,
+    ModelDescription, StartValue, Variable,
 };
 
-use super::{VERSION, units};
+use super::{VERSION, choices, units};
 use crate::document::{self, MEDIA_TYPE};
-use crate::variables::{Array, Arrays, Source, Value};
+use crate::variables::{Array, Arrays, Choices, Source, Value};
 
 /// The description with the instantiation token `guid`: the same scene, identifier and version give the same bytes.
 #[must_use]
@@ -31,6 +31,15 @@ pub fn describe(scene: &Scene, arrays: &Arrays, identifier: &str, guid: &str) ->
     model.license = Some("MIT OR Apache-2.0".to_owned());
     model.generation_tool = Some(format!("sphere-dda {VERSION}"));
     model.unit_definitions = units();
+    let used = choices(arrays.list().iter().map(|a| a.choices));
+    let definition = |c: &Choices| {
+        let items = c.items.iter();
+        EnumerationType::new(
+            c.name,
+            items.map(|&(name, value, text)| (name, value.into(), text)),
+        )
+    };
+    model.type_definitions = used.into_values().map(definition).collect();
     model.log_categories = Category::ALL
         .iter()
         .map(|category| LogCategory::new(category.name(), category.description()))
@@ -64,6 +73,7 @@ fn variable(array: &Array, spheres: usize) -> Variable {
     variable.description = Some(array.description.clone());
     variable.intermediate_update = matches!(array.causality, Causality::Input | Causality::Output);
     variable.unit = array.unit.map(str::to_owned);
+    variable.declared_type = array.choices.map(|choices| choices.name.to_owned());
     variable.display_unit = (array.unit == Some("rad")).then(|| "deg".to_owned());
     let bound = |value: Option<f64>| {
         value.map(|value| match array.kind {

@@ -32,7 +32,10 @@ impl Instance {
             match self.array(kind, reference)?.source.clone() {
                 Source::Scalars(members) => {
                     let found = self.get(base(kind), &members)?;
-                    values.extend(found.into_iter().map(Element::Plain));
+                    values.extend(found.into_iter().map(|value| match (kind, value) {
+                        (Kind::Int64, Value::Integer(value)) => Element::Long(value.into()),
+                        (_, value) => Element::Plain(value),
+                    }));
                 }
                 Source::Spheres(field) => field_of(self.prepared(reference)?, field, &mut values),
                 Source::Document => {
@@ -70,10 +73,13 @@ impl Instance {
         self.set(members.into_iter().zip(values).collect())
     }
 
+    /// The variable of a type; enumerations pass as Int64.
     fn array(&self, kind: Kind, reference: u32) -> Result<&Array, Refusal> {
         let found = self.model.arrays.get(reference);
         found
-            .filter(|array| array.kind == kind)
+            .filter(|array| {
+                array.kind == kind || [kind, array.kind] == [Kind::Int64, Kind::Enumeration]
+            })
             .ok_or_else(|| Refusal::ArrayReference {
                 reference,
                 found: found.map(|array| format!("`{}` of type {}", array.name, array.kind)),
@@ -119,7 +125,8 @@ pub(crate) fn counted(found: usize, expected: usize) -> Refusal {
 /// The type of the scalars behind an array.
 fn base(kind: Kind) -> BaseType {
     match kind {
-        Kind::Int32 => BaseType::Integer,
+        // Scalars of 64 bits are enumerations.
+        Kind::Int32 | Kind::Int64 => BaseType::Integer,
         Kind::Boolean => BaseType::Boolean,
         Kind::String => BaseType::String,
         _ => BaseType::Real,

@@ -118,6 +118,19 @@ impl Instance {
                 },
             });
         }
+        if let (Some(choices), Value::Integer(found)) = (variable.choices, value)
+            && choices.item(*found).is_none()
+        {
+            let items = choices.items.iter();
+            let items: Vec<String> = items
+                .map(|(name, value, _)| format!("{value} ({name})"))
+                .collect();
+            return Err(Refusal::Item {
+                name: variable.name.clone(),
+                found: (*found).into(),
+                expected: items.join(", "),
+            });
+        }
         let Value::Real(found) = *value else {
             return Ok(());
         };

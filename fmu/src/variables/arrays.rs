@@ -14,7 +14,7 @@ use sphere_dda::scene::Scene;
 use sphere_dda_model_description::fmi2::{BaseType, Causality as Causality2, Variability};
 use sphere_dda_model_description::fmi3::{Causality, Kind};
 
-use super::{Table, Value, Variable};
+use super::{Choices, Table, Value, Variable};
 
 /// What is known of every sphere.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -69,6 +69,8 @@ pub struct Array {
     pub min: Option<f64>,
     /// Largest allowed value.
     pub max: Option<f64>,
+    /// The named values of an enumeration.
+    pub choices: Option<&'static Choices>,
     /// One line for people.
     pub description: String,
     /// Where the values come from.
@@ -160,6 +162,7 @@ fn begin(variable: &Variable) -> Array {
         reference: 0,
         kind: match variable.base {
             BaseType::Real => Kind::Float64,
+            BaseType::Integer if variable.choices.is_some() => Kind::Enumeration,
             BaseType::Integer => Kind::Int32,
             BaseType::Boolean => Kind::Boolean,
             BaseType::String => Kind::String,
@@ -178,6 +181,7 @@ fn begin(variable: &Variable) -> Array {
         start: variable.start.iter().cloned().collect(),
         min: variable.min,
         max: variable.max,
+        choices: variable.choices,
         description: variable.description.clone(),
         source: Source::Scalars(vec![variable.reference]),
     }
@@ -232,6 +236,7 @@ fn over_spheres(spheres: usize) -> Vec<Array> {
         start: Vec::new(),
         min: None,
         max: None,
+        choices: None,
         description: text.to_owned(),
         source,
     };

@@ -1,9 +1,48 @@
 //! The settings that an importer may change.
 
 use sphere_dda::Vec3;
-use sphere_dda::scene::{Scene, Tolerance};
+use sphere_dda::scene::{Scene, SolverKind, Tolerance};
 
 use super::{Parameter, Value};
+
+/// An enumeration: integers with names.
+#[derive(Debug, PartialEq, Eq)]
+pub struct Choices {
+    /// Name of the type.
+    pub name: &'static str,
+    /// Name, value and meaning of each.
+    pub items: &'static [(&'static str, i32, &'static str)],
+}
+
+/// The solvers in the order of their values, from 1.
+const SOLVERS: [SolverKind; 3] = [
+    SolverKind::Auto,
+    SolverKind::Direct,
+    SolverKind::GaussSeidel,
+];
+
+impl Choices {
+    /// The solvers, by the names of scene files.
+    pub const SOLVER: Self = Self {
+        name: "SolverKind",
+        items: &[
+            ("auto", 1, "Gauss-Seidel first and Newton on what it leaves"),
+            (
+                "direct",
+                2,
+                "Sparse Cholesky, open-close iterations, augmented-Lagrangian loop",
+            ),
+            ("gauss-seidel", 3, "Block Gauss-Seidel on the multipliers"),
+        ],
+    };
+
+    /// Name of a value.
+    #[must_use]
+    pub fn item(&self, value: i32) -> Option<&'static str> {
+        let found = self.items.iter().find(|item| item.1 == value);
+        found.map(|item| item.0)
+    }
+}
 
 /// What an importer can set before the first step, with the scene's values as start.
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
@@ -20,6 +59,8 @@ pub struct Parameters {
     pub tolerance: Tolerance,
     /// Largest internal time step \[s\].
     pub step: f64,
+    /// Which solver takes the step's problem.
+    pub solver: SolverKind,
 }
 
 impl Parameters {
@@ -33,23 +74,27 @@ impl Parameters {
             output_interval: scene.output.vtu_interval,
             tolerance: scene.settings.tolerance,
             step: scene.settings.step,
+            solver: scene.settings.solver,
         }
     }
 
-    /// The scene with these tolerances and this step in the place of its own. Gravity, which may change during the
+    /// The scene with these tolerances, this step and solver in the place of its own. Gravity, which may change during the
     /// run, is left to [`sphere_dda::simulation::Simulation::set_gravity`].
     #[must_use]
     pub fn apply(&self, scene: &Scene) -> Scene {
         let mut scene = scene.clone();
         scene.settings.tolerance = self.tolerance;
         scene.settings.step = self.step;
+        scene.settings.solver = self.solver;
         scene
     }
 
     /// Whether [`Self::apply`] would not change a scene.
     #[must_use]
     pub fn fit(&self, scene: &Scene) -> bool {
-        self.tolerance == scene.settings.tolerance && self.step == scene.settings.step
+        let settings = &scene.settings;
+        (self.tolerance, self.step, self.solver)
+            == (settings.tolerance, settings.step, settings.solver)
     }
 
     /// Value of a parameter.
@@ -64,6 +109,12 @@ impl Parameters {
             Parameter::ToleranceSlip => Value::Real(self.tolerance.slip),
             Parameter::ToleranceForce => Value::Real(self.tolerance.force),
             Parameter::Step => Value::Real(self.step),
+            Parameter::Solver => Value::Integer(
+                (1..)
+                    .zip(SOLVERS)
+                    .find(|(_, solver)| *solver == self.solver)
+                    .map_or(0, |(value, _)| value),
+            ),
         }
     }
 
@@ -78,6 +129,10 @@ impl Parameters {
             (Parameter::ToleranceSlip, Value::Real(v)) => self.tolerance.slip = v,
             (Parameter::ToleranceForce, Value::Real(v)) => self.tolerance.force = v,
             (Parameter::Step, Value::Real(v)) => self.step = v,
+            (Parameter::Solver, Value::Integer(v)) => {
+                let chosen = (1..).zip(SOLVERS).find(|(value, _)| *value == v);
+                self.solver = chosen.map_or(self.solver, |(_, solver)| solver);
+            }
             _ => {}
         }
     }

@@ -6,7 +6,7 @@ use sphere_dda::motion::InputKind;
 use sphere_dda::scene::Scene;
 use sphere_dda_model_description::fmi2::{BaseType, Causality, Variability};
 
-use super::{Input, Meaning, Parameter, Parameters, Value, Variable};
+use super::{Choices, Input, Meaning, Parameter, Parameters, Value, Variable};
 
 /// A variable about to be added, without causality and meaning.
 pub(super) struct Row {
@@ -16,6 +16,7 @@ pub(super) struct Row {
     start: Option<Value>,
     min: Option<f64>,
     max: Option<f64>,
+    choices: Option<&'static Choices>,
     description: String,
 }
 
@@ -32,6 +33,7 @@ impl Row {
             start: None,
             min: None,
             max: None,
+            choices: None,
             description: description.into(),
         }
     }
@@ -55,6 +57,11 @@ impl Row {
 
     pub(super) fn max(mut self, max: f64) -> Self {
         self.max = Some(max);
+        self
+    }
+
+    pub(super) fn choices(mut self, choices: &'static Choices) -> Self {
+        self.choices = Some(choices);
         self
     }
 }
@@ -86,6 +93,7 @@ impl Rows {
             start: row.start,
             min: row.min,
             max: row.max,
+            choices: row.choices,
             description: row.description,
             meaning,
         });
@@ -150,7 +158,7 @@ impl Rows {
         };
         for (axis, letter) in ["x", "y", "z"].iter().enumerate().take(axes) {
             let name = format!("gravity[{}]", axis + 1);
-            let text = format!("{what}; {letter}; may change between steps");
+            let text = format!("{what}, may change between steps; {letter}");
             add(
                 Row::real(name, Some("m/s2"), text),
                 Parameter::Gravity(axis),
@@ -197,6 +205,8 @@ impl Rows {
             Row::real("solver.step", Some("s"), text).min(f64::MIN_POSITIVE),
             Parameter::Step,
         );
+        let row = Row::real("solver.kind", None, "Solver of every step");
+        add(row.choices(&Choices::SOLVER), Parameter::Solver);
     }
 
     pub(super) fn inputs(&mut self, prefix: &str, boundary: usize, kind: InputKind) {

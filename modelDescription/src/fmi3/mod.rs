@@ -4,10 +4,11 @@
 //! [`crate::fmi2`]: units, log categories, the default experiment, variability and `initial`.
 //!
 //! Model exchange and scheduled execution are read as offered or not; what they are able to do is skipped. Type
-//! definitions and annotations are skipped too.
+//! definitions other than enumerations, and annotations, are skipped too.
 
 mod interfaces;
 mod structure;
+mod types;
 mod validate;
 mod variables;
 
@@ -21,6 +22,7 @@ use crate::xml::{self, Error};
 
 pub use interfaces::{CoSimulation, OtherInterface};
 pub use structure::{ModelStructure, Unknown};
+pub use types::{EnumerationItem, EnumerationType};
 pub use variables::{Alias, Causality, Dimension, Kind, StartValue, Variable};
 
 /// The value of `fmiVersion` that is read and written, also for 3.0.1 and 3.0.2.
@@ -30,6 +32,7 @@ pub const FMI_VERSION: &str = "3.0";
 const ROOT: &str = "fmiModelDescription";
 
 list_element!(unit_list, crate::units::Unit, "Unit");
+list_element!(type_list, super::EnumerationType, "EnumerationType");
 list_element!(category_list, crate::fmi2::LogCategory, "Category");
 
 /// The root element `fmiModelDescription`.
@@ -113,6 +116,14 @@ pub struct ModelDescription {
         with = "unit_list"
     )]
     pub unit_definitions: Vec<Unit>,
+    /// Enumerations that variables refer to.
+    #[serde(
+        rename = "TypeDefinitions",
+        default,
+        skip_serializing_if = "Vec::is_empty",
+        with = "type_list"
+    )]
+    pub type_definitions: Vec<EnumerationType>,
     /// Categories of log messages.
     #[serde(
         rename = "LogCategories",
@@ -159,6 +170,7 @@ impl ModelDescription {
             co_simulation: Some(co_simulation),
             scheduled_execution: None,
             unit_definitions: Vec::new(),
+            type_definitions: Vec::new(),
             log_categories: Vec::new(),
             default_experiment: None,
             model_variables: Vec::new(),

@@ -7,6 +7,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::structure::is_initial_unknown;
 use super::{
     Causality, FMI_VERSION, Kind, ModelDescription, NamingConvention, ROOT, Unknown, Variable,
+    types,
 };
 use crate::finding::{Finding, Report, Rule};
 use crate::fmi2::DependencyKind;
@@ -20,6 +21,7 @@ pub(super) fn validate(model: &ModelDescription) -> Vec<Finding> {
     header(model, &mut report);
     interfaces(model, &mut report);
     units::check(&model.unit_definitions, &mut report);
+    types::check(&model.type_definitions, &mut report);
     let mut categories = BTreeSet::new();
     for category in &model.log_categories {
         let place = format!("LogCategories/Category `{}`", category.name);
@@ -177,6 +179,7 @@ fn variables(model: &ModelDescription, report: &mut Report) {
         clocks(variable, &by_reference, &place, report);
         unit(variable, &units, &place, report);
         values::check(variable, &place, report);
+        types::declared(variable, model, &place, report);
     }
 }
 

@@ -2,8 +2,8 @@
 
 use sphere_dda_model_description::Rule;
 use sphere_dda_model_description::fmi3::{
-    Alias, Causality, CoSimulation, Kind, ModelDescription, OtherInterface, StartValue,
-    Variability, Variable,
+    Alias, Causality, CoSimulation, EnumerationType, Kind, ModelDescription, OtherInterface,
+    StartValue, Variability, Variable,
 };
 use sphere_dda_model_description::units::{BaseUnit, Unit};
 
@@ -40,8 +40,13 @@ pub(crate) fn small() -> ModelDescription {
     let mut interface = CoSimulation::new("gate");
     interface.provides_intermediate_update = true;
     interface.can_return_early_after_intermediate_update = true;
-    let variables = vec![time, velocity, places, folder, bytes, count, radius];
+    let mut choice = Variable::new(Kind::Enumeration, "choice", 7, Parameter, Fixed);
+    choice.declared_type = Some("Choice".to_owned());
+    choice.start = Some("2".to_owned());
+    let variables = vec![time, velocity, places, folder, bytes, count, radius, choice];
     let mut model = ModelDescription::new("Gate", "{1c}", interface).with_variables(variables);
+    let items = [("one", 1, "The first"), ("two", 2, "The second")];
+    model.type_definitions = vec![EnumerationType::new("Choice", items)];
     let metre = BaseUnit {
         m: 1,
         s: -1,
@@ -63,7 +68,7 @@ type Break = fn(&mut ModelDescription);
 fn at(model: &mut ModelDescription, k: usize) -> &mut Variable {
     &mut model.model_variables[k]
 }
-fn cases() -> [(Rule, Break); 28] {
+fn cases() -> [(Rule, Break); 34] {
     [
         (Rule::FmiVersion, |m| m.fmi_version = "3.1".to_owned()),
         (Rule::RequiredAttribute, |m| m.instantiation_token.clear()),
@@ -131,6 +136,20 @@ fn cases() -> [(Rule, Break); 28] {
         (Rule::Dependencies, |m| {
             m.model_structure.outputs[0].dependencies = Some(vec![77]);
         }),
+        (Rule::TypeNameUnique, |m| {
+            m.type_definitions.push(m.type_definitions[0].clone());
+        }),
+        (Rule::EnumerationItems, |m| {
+            m.type_definitions.push(EnumerationType::new("Empty", []));
+        }),
+        (Rule::EnumerationUnique, |m| {
+            m.type_definitions[0].items[0].value = 2;
+        }),
+        (Rule::EnumerationUnique, |m| {
+            m.type_definitions[0].items[0].name = "two".to_owned();
+        }),
+        (Rule::DeclaredType, |m| at(m, 7).declared_type = None),
+        (Rule::StartRange, |m| at(m, 7).start = Some("3".to_owned())),
         (Rule::ReferenceUnique, |m| at(m, 3).value_reference = 1),
     ]
 }

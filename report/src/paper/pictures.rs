@@ -1,11 +1,9 @@
 //! Pictures of the examples: ALM above, penalty below, seen as the paper shows them.
 
 use sphere_dda::Vec3;
-use sphere_dda::boundaries::{Geometry, Shape};
-use sphere_dda::scene::Scene;
 
 use super::march::{Example, Moment, Record, method_name};
-use crate::picture::{Ball, Panel, View, svg};
+use crate::picture::{Ball, Panel, View, sheets, svg};
 
 /// Colour of spheres beyond a boundary.
 const BEYOND: usize = 3;
@@ -63,25 +61,6 @@ fn balls(record: &Record, moment: &Moment) -> Vec<Ball> {
             },
         })
         .collect()
-}
-
-/// Triangles of all sheets of the scene; half-spaces would hide everything.
-fn sheets(scene: &Scene) -> Vec<[Vec3; 3]> {
-    let mut triangles = Vec::new();
-    for boundary in &scene.boundaries {
-        let shapes = boundary.geometry.shapes().iter();
-        let sheets: Vec<Shape> = shapes
-            .filter(|shape| !matches!(shape, Shape::HalfSpace(_)))
-            .cloned()
-            .collect();
-        // They were a geometry with the half-spaces; without them they are one still.
-        if let Ok(geometry) = Geometry::new(sheets) {
-            let drawn = geometry.tessellate((Vec3::zeros(), Vec3::zeros()));
-            let corner = |k: u32| drawn.points[k as usize];
-            triangles.extend(drawn.triangles.iter().map(|t| t.map(corner)));
-        }
-    }
-    triangles
 }
 
 /// From the side and a little above: the whole funnel and 5 m below its outlet.

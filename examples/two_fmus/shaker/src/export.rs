@@ -3,8 +3,9 @@
 use std::path::{Path, PathBuf};
 use std::{env, fs, io};
 
-use sphere_dda_fmi_interface::archive::{self, ArchiveError, library_path};
+use sphere_dda_fmi_interface::archive::{self, ArchiveError};
 use sphere_dda_fmi_interface::log::Category;
+use sphere_dda_fmi_interface::platform::Platform;
 use sphere_dda_model_description::Error;
 use sphere_dda_model_description::fmi2::{
     CoSimulation, DefaultExperiment, Initial, LogCategory, ModelDescription, RealVariable,
@@ -70,7 +71,7 @@ pub fn export(fmu: &Path) -> Result<(), ExportError> {
     let xml = description()?.to_xml()?;
     let files = [
         ("modelDescription.xml".to_owned(), xml.as_bytes()),
-        (library_path(IDENTIFIER), &library),
+        (Platform::HERE.path_2(IDENTIFIER), &library),
         ("documentation/index.html".to_owned(), ABOUT.as_bytes()),
         (
             "documentation/licenses/license.txt".to_owned(),

@@ -3,7 +3,7 @@
 use std::ffi::CString;
 
 use sphere_dda_fmi_interface::abi3::*;
-use sphere_dda_fmi_interface::pointers::{array, array_mut, c_string, str_from};
+use sphere_dda_fmi_interface::pointers::{BadArgument, array, array_mut, c_string, str_from};
 use sphere_dda_model_description::fmi3::Kind;
 
 use super::super::guard::{Component, Stages, call};
@@ -116,6 +116,16 @@ fn never<T>(_: Element) -> Option<T> {
     None
 }
 
+/// The value of an item: enumerations are the only integers of 64 bits that can be set.
+fn item(value: i64) -> Result<Value, Refusal> {
+    let narrow = i32::try_from(value).map_err(|_| BadArgument {
+        argument: "values",
+        found: value.to_string(),
+        expected: "the value of an item of the enumeration",
+    })?;
+    Ok(Value::Integer(narrow))
+}
+
 /// As [`never`]: the value is not looked at.
 #[expect(clippy::unnecessary_wraps, reason = "one signature for all types")]
 fn any<T>(_: T) -> Result<Value, Refusal> {
@@ -130,7 +140,7 @@ numbers! {
         |element| match element { Element::Plain(Value::Integer(value)) => Some(value), _ => None },
         |value| Ok(Value::Integer(value));
     fmi3GetInt64 fmi3SetInt64 i64, Int64,
-        |element| match element { Element::Long(value) => Some(value), _ => None }, any;
+        |element| match element { Element::Long(value) => Some(value), _ => None }, item;
     fmi3GetBoolean fmi3SetBoolean fmi3Boolean, Boolean,
         |element| match element { Element::Plain(Value::Boolean(value)) => Some(value.into()), _ => None },
         |value| Ok(Value::Boolean(value != 0));
