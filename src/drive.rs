@@ -3,17 +3,36 @@
 //! A commanded pose is approached linearly (its rotation by the logarithm) and reached at the end of the
 //! communication step: continuous, one step late. Commanded speeds are held over the step, without lag.
 //! `Motion` (pose and twist together) reaches `pose + twist h`, without lag.
+//!
+//! With derivatives the command is `u(s) = u + u' s + u'' s^2/2`, `s` from the beginning of the step of length `h`:
+//!
+//! ```text
+//! pose, slide, hinge   X(s) = (1 - s/h) E + U(s)        E: from U(0) to where the boundary stands
+//! twist and speeds     x(s) = x_0 + v s + v' s^2/2 + v'' s^3/6
+//!                      Q(s) = exp(w s + w' s^2/2 + w'' s^3/6 - (w x w') s^3/12) Q_0     (Magnus, to s^3)
+//! motion               as a pose; where that has no derivatives, U(s) is the pose moved on by the twist's x(s), Q(s)
+//! ```
 
 use crate::Vec3;
 use crate::boundaries::Boundary;
-use crate::motion::{Command, InputKind, Motion, Pose, Twist};
+use crate::motion::{Command, InputKind, Motion, Pose, Rates, Twist};
+use crate::scene::Integrator;
 
-/// Path of one boundary: a constant twist from where it stands.
+/// Path of one boundary from where it stands.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Path {
     start: f64,
     from: Pose,
-    twist: Twist,
+    way: Way,
+}
+
+/// How a path goes on.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Way {
+    /// With a constant twist.
+    Straight(Twist),
+    /// Along a command that changes, within a step of this length \[s\].
+    Along(InputKind, Command, Rates, f64),
 }
 
 impl Path {
@@ -21,31 +40,92 @@ impl Path {
     #[must_use]
     pub fn commanded(kind: InputKind, command: &Command, from: Pose, start: f64, end: f64) -> Self {
         let h = end - start;
-        let commanded = Twist {
-            linear: command.velocity,
-            angular: command.angular_velocity,
-        };
         let twist = match (kind, target(kind, command)) {
-            (InputKind::Motion, Some(pose)) => from.twist_to(&pose.advanced(&commanded, h), h),
+            (InputKind::Motion, Some(pose)) => {
+                from.twist_to(&pose.advanced(&speeds(kind, command), h), h)
+            }
             (_, Some(pose)) => from.twist_to(&pose, h),
-            (InputKind::SlideSpeed { axis }, None) => Twist {
-                linear: axis * command.scalar,
-                ..Twist::default()
-            },
-            (InputKind::HingeSpeed { axis }, None) => Twist {
-                angular: axis * command.scalar,
-                ..Twist::default()
-            },
-            (_, None) => commanded,
+            (_, None) => speeds(kind, command),
         };
-        Self { start, from, twist }
+        let way = Way::Straight(twist);
+        Self { start, from, way }
+    }
+
+    /// As [`Self::commanded`], for a command with derivatives.
+    #[must_use]
+    pub fn along(
+        kind: InputKind,
+        (command, rates): (&Command, &Rates),
+        from: Pose,
+        start: f64,
+        end: f64,
+    ) -> Self {
+        if *rates == Rates::default() {
+            return Self::commanded(kind, command, from, start, end);
+        }
+        let way = Way::Along(kind, *command, *rates, end - start);
+        Self { start, from, way }
     }
 
     /// Pose at time `t` \[s\] of the path.
     #[must_use]
     pub fn at(&self, t: f64) -> Pose {
-        self.from.advanced(&self.twist, t - self.start)
+        let s = t - self.start;
+        match &self.way {
+            Way::Straight(twist) => self.from.advanced(twist, s),
+            Way::Along(kind, command, rates, h) => {
+                let Some(first) = target(*kind, command) else {
+                    return carried(*kind, command, rates, &self.from, s);
+                };
+                let moves = rates
+                    .iter()
+                    .any(|rate| target(*kind, rate) != Some(Pose::default()));
+                let wanted = match target(*kind, &command.along(rates, s)) {
+                    Some(pose) if moves || *kind != InputKind::Motion => pose,
+                    _ => carried(*kind, command, rates, &first, s),
+                };
+                let missed = first.twist_to(&self.from, 1.0);
+                let left = 1.0 - s / h;
+                Pose {
+                    translation: wanted.translation + missed.linear * left,
+                    ..wanted.advanced(&missed, left)
+                }
+            }
+        }
     }
+}
+
+/// The speeds of a command.
+fn speeds(kind: InputKind, command: &Command) -> Twist {
+    match kind {
+        InputKind::SlideSpeed { axis } => Twist {
+            linear: axis * command.scalar,
+            ..Twist::default()
+        },
+        InputKind::HingeSpeed { axis } => Twist {
+            angular: axis * command.scalar,
+            ..Twist::default()
+        },
+        _ => Twist {
+            linear: command.velocity,
+            angular: command.angular_velocity,
+        },
+    }
+}
+
+/// Where speeds that change carry a boundary from `from` within `s` \[s\].
+fn carried(kind: InputKind, command: &Command, rates: &Rates, from: &Pose, s: f64) -> Pose {
+    let [v, first, second] = [command, &rates[0], &rates[1]].map(|c| speeds(kind, c));
+    let moved = |v: Vec3, first: Vec3, second: Vec3| {
+        v * s + first * (s * s / 2.0) + second * (s * s * s / 6.0)
+    };
+    let turned = moved(v.angular, first.angular, second.angular)
+        - v.angular.cross(&first.angular) * (s * s * s / 12.0);
+    let motion = Twist {
+        linear: moved(v.linear, first.linear, second.linear),
+        angular: turned,
+    };
+    from.advanced(&motion, 1.0)
 }
 
 /// The pose a command asks for; `None` for kinds that command speeds only.
@@ -69,30 +149,62 @@ pub fn target(kind: InputKind, command: &Command) -> Option<Pose> {
 #[derive(Debug, Clone)]
 pub struct Drive<'a> {
     boundaries: &'a [Boundary],
+    commands: &'a [Command],
+    /// Empty where all commands are held.
+    rates: &'a [Rates],
+    start: f64,
     paths: Vec<Option<Path>>,
 }
 
 impl<'a> Drive<'a> {
-    /// The drive from `start` to `end` \[s\] for boundaries that stand at `poses`.
+    /// The drive from `start` to `end` \[s\] for boundaries that stand at `poses`; `rates` is `[B]`, or empty where all
+    /// commands are held.
     #[must_use]
     pub fn new(
         boundaries: &'a [Boundary],
-        commands: &[Command],
+        (commands, rates): (&'a [Command], &'a [Rates]),
         poses: &[Pose],
         start: f64,
         end: f64,
     ) -> Self {
-        let path =
-            |(boundary, (command, pose)): (&Boundary, (&Command, &Pose))| match boundary.motion {
-                Motion::Input(kind) => Some(Path::commanded(kind, command, *pose, start, end)),
-                _ => None,
-            };
-        let paths = boundaries
-            .iter()
-            .zip(commands.iter().zip(poses))
-            .map(path)
-            .collect();
-        Self { boundaries, paths }
+        let path = |(b, boundary): (usize, &Boundary)| match boundary.motion {
+            Motion::Input(kind) => {
+                let rates = rates.get(b).copied().unwrap_or_default();
+                let command = (&commands[b], &rates);
+                Some(Path::along(kind, command, poses[b], start, end))
+            }
+            _ => None,
+        };
+        Self {
+            boundaries,
+            commands,
+            rates,
+            start,
+            paths: boundaries.iter().enumerate().map(path).collect(),
+        }
+    }
+
+    /// Whether a boundary may go another way than with a constant twist.
+    #[must_use]
+    pub fn bends(&self) -> bool {
+        !self.rates.is_empty()
+    }
+
+    /// The commands in an internal step of `dt` \[s\] from `t` \[s\], `[B]`: loads where the integrator takes forces, surface
+    /// velocities at its middle. `None` where all are held.
+    #[must_use]
+    pub fn commands(&self, integrator: Integrator, t: f64, dt: f64) -> Option<Vec<Command>> {
+        let s = t - self.start;
+        let at = |(command, rates): (&Command, &Rates)| {
+            let loads = command.along(rates, integrator.middle(s, dt));
+            let surface = command.along(rates, s + 0.5 * dt);
+            Command {
+                surface_velocity: surface.surface_velocity,
+                ..loads
+            }
+        };
+        let pairs = self.commands.iter().zip(self.rates);
+        self.bends().then(|| pairs.map(at).collect())
     }
 
     /// Poses of all boundaries at time `t` \[s\], `[B]`; those of driven bodies mean nothing, the step finds them.

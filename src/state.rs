@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use crate::Vec3;
 use crate::contacts::Contact;
 use crate::driven::BodyState;
-use crate::motion::{Command, Pose, Twist};
+use crate::motion::{Command, Pose, Rates, Twist};
 use crate::particles::Kinematics;
 use crate::problem::Dof6;
 use crate::scene::Scene;
@@ -84,6 +84,8 @@ pub struct State {
     pub bodies: Vec<BodyState>,
     /// Commands in force, `[B]`.
     pub commands: Vec<Command>,
+    /// Their derivatives by time over the next communication step, `[B]`; empty where all are held.
+    pub rates: Vec<Rates>,
     /// Wrench on each boundary over the last internal step, `[B]`.
     pub wrenches: Vec<Wrench>,
     /// Wrench on each boundary by contacts that were no impacts in the last internal step, `[B]`.

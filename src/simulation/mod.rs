@@ -1,5 +1,6 @@
 //! The simulation: owns the state, advances it (`march`), takes and restores snapshots.
 
+mod derivatives;
 mod exchange;
 mod march;
 mod settle;
@@ -15,13 +16,14 @@ use crate::drive::{Drive, target};
 use crate::driven::{BodyState, JointState};
 use crate::error::{SnapshotError, StepError};
 use crate::gravity::GravityMotion;
-use crate::motion::{Command, Motion, Pose, Twist};
+use crate::motion::{Command, Motion, Pose, Rates, Twist};
 use crate::particles::Kinematics;
 use crate::problem::{Dof6, Impulses, Problem};
 use crate::scene::Scene;
 use crate::snapshot;
 use crate::state::{State, Work};
 use crate::step::{Scratch, StepOutcome, initial_forces};
+pub use derivatives::Origin;
 pub use march::March;
 pub use settle::{Settle, Settled};
 
@@ -85,6 +87,8 @@ pub struct Simulation {
     scene: Arc<Scene>,
     state: State,
     scratch: Scratch,
+    /// Where the last communication step came from.
+    origin: Option<Box<Origin>>,
 }
 
 impl Simulation {
@@ -130,6 +134,7 @@ impl Simulation {
             poses,
             bodies: BodyState::initial(&scene),
             commands: scene.boundaries.iter().map(Boundary::rest).collect(),
+            rates: Vec::new(),
             wrenches: vec![Wrench::default(); boundaries],
             persisting_wrenches: vec![Wrench::default(); boundaries],
             mean_wrenches: vec![Wrench::default(); boundaries],
@@ -150,6 +155,7 @@ impl Simulation {
             scene,
             state,
             scratch: Scratch::default(),
+            origin: None,
         };
         simulation.settle_start()?;
         Ok(simulation)
@@ -224,6 +230,21 @@ impl Simulation {
     /// # Errors
     /// [`StepError::Argument`] if the boundary is no input or a component is not finite.
     pub fn command(&mut self, b: usize, command: Command) -> Result<(), StepError> {
+        self.command_along(b, command, Rates::default())
+    }
+
+    /// As [`Self::command`], for a command that changes within the next communication step: `s` after the beginning of that
+    /// step it is `u + u' s + u'' s^2/2`, and after it `u` again. A pose follows this without lag; what it misses at the
+    /// beginning is closed linearly over the step.
+    ///
+    /// # Errors
+    /// As [`Self::command`].
+    pub fn command_along(
+        &mut self,
+        b: usize,
+        command: Command,
+        rates: Rates,
+    ) -> Result<(), StepError> {
         let boundary = self.scene.boundaries.get(b);
         if !boundary.is_some_and(Boundary::is_commanded) {
             return Err(StepError::Argument {
@@ -232,23 +253,27 @@ impl Simulation {
                 expected: "the index of a boundary with `input`, `surface_input` or `servo.input`",
             });
         }
-        let vectors = [
-            command.translation,
-            command.rotation,
-            command.velocity,
-            command.angular_velocity,
-            command.surface_velocity,
-            command.force,
-            command.torque,
-        ];
-        finite(
-            "command",
-            vectors
-                .iter()
-                .flat_map(|v| v.iter())
-                .chain([&command.scalar, &command.pressure]),
-        )?;
-        self.state.commands[b] = command;
+        for part in [&command, &rates[0], &rates[1]] {
+            let vectors = [
+                part.translation,
+                part.rotation,
+                part.velocity,
+                part.angular_velocity,
+                part.surface_velocity,
+                part.force,
+                part.torque,
+            ];
+            let components = vectors.iter().flat_map(|v| v.iter());
+            finite("command", components.chain([&part.scalar, &part.pressure]))?;
+        }
+        let state = &mut self.state;
+        state.commands[b] = command;
+        if rates != Rates::default() && state.rates.is_empty() {
+            state.rates = vec![Rates::default(); state.commands.len()];
+        }
+        if let Some(place) = state.rates.get_mut(b) {
+            *place = rates;
+        }
         Ok(())
     }
 
@@ -266,6 +291,7 @@ impl Simulation {
                 self.state.twists[b] = Twist::default();
             }
         }
+        self.origin = None;
         self.settle_start()
     }
 
@@ -287,6 +313,7 @@ impl Simulation {
         while !march.is_done() {
             self.internal_step(&mut march)?;
         }
+        self.end(march);
         Ok(self.state.report)
     }
 
@@ -305,7 +332,8 @@ impl Simulation {
         }
         let (state, end) = (&self.state, self.state.time + dt);
         let boundaries = &self.scene.boundaries;
-        let drive = Drive::new(boundaries, &state.commands, &state.poses, state.time, end);
+        let commands = (&state.commands[..], &state.rates[..]);
+        let drive = Drive::new(boundaries, commands, &state.poses, state.time, end);
         let poses = drive.poses(end);
         Ok(crate::step::problem(&self.scene, state, dt, &poses))
     }
@@ -330,6 +358,13 @@ impl Simulation {
     /// [`SnapshotError`] if the bytes are damaged or belong to another scene or version; the state is unchanged.
     pub fn restore(&mut self, blob: &[u8]) -> Result<(), SnapshotError> {
         let state: State = snapshot::restore(blob, &self.scene.hash)?;
+        self.check_counts(&state)?;
+        self.state = state;
+        self.origin = None;
+        Ok(())
+    }
+
+    fn check_counts(&self, state: &State) -> Result<(), SnapshotError> {
         let counts = [
             state.kinematics.len(),
             state.poses.len(),
@@ -342,7 +377,6 @@ impl Simulation {
                 "it has other numbers of spheres or boundaries than the scene of its hash",
             ));
         }
-        self.state = state;
         Ok(())
     }
 

@@ -70,7 +70,7 @@ impl Instance {
         self.set(members.into_iter().zip(values).collect())
     }
 
-    fn array(&self, kind: Kind, reference: u32) -> Result<&Array, Refusal> {
+    pub(super) fn array(&self, kind: Kind, reference: u32) -> Result<&Array, Refusal> {
         let found = self.model.arrays.get(reference);
         found
             .filter(|array| array.kind == kind)
@@ -91,7 +91,7 @@ impl Instance {
     }
 
     /// The simulation that outputs are read from, placed as the settings ask.
-    fn prepared(&mut self, reference: u32) -> Result<&Simulation, Refusal> {
+    pub(super) fn prepared(&mut self, reference: u32) -> Result<&Simulation, Refusal> {
         self.look()?;
         let name = || {
             let array = self.model.arrays.get(reference);

@@ -28,9 +28,6 @@ absent! {
     fmi3GetAdjointDerivative(
         References, usize, References, usize, *const f64, usize, *mut f64, usize
     ): "providesAdjointDerivatives" = "false";
-    fmi3GetOutputDerivatives(
-        References, usize, *const i32, *mut f64, usize
-    ): "maxOutputDerivativeOrder" = "0";
     fmi3GetNumberOfVariableDependencies(
         fmi3ValueReference, *mut usize
     ): "providesPerElementDependencies" = "false";
