@@ -97,6 +97,11 @@ impl Course {
         rates && [self.from.len(), self.commands.len()] == [boundaries; 2]
     }
 
+    /// Its length \[s\].
+    pub(super) fn length(&self) -> f64 {
+        self.end - self.since
+    }
+
     pub(super) fn drive<'a>(&'a self, scene: &'a Scene) -> Drive<'a> {
         let commands = (&self.commands[..], &self.rates[..]);
         Drive::new(

@@ -23,7 +23,7 @@ use crate::scene::Scene;
 use crate::snapshot;
 use crate::state::{State, Work};
 use crate::step::{Scratch, StepOutcome, initial_forces};
-pub use derivatives::Origin;
+pub use derivatives::{Direction, Origin};
 pub use march::March;
 pub use settle::{Settle, Settled};
 

@@ -11,6 +11,7 @@ pub mod gauss_seidel;
 mod neighbourhood;
 pub mod newton;
 pub mod residual;
+pub mod tangent;
 
 use crate::Vec3;
 use crate::linalg::LinearError;

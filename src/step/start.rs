@@ -119,7 +119,7 @@ pub fn remove_overlaps(
         row.law = Law::Contact { mu: 0.0 };
     }
     stage.moves = false;
-    let (solution, _) = stage.resolve(state, scratch)?;
+    let (solution, _) = stage.resolve(state, scratch, &mut [])?;
     state.kinematics.position = stage.moved(&solution);
     Ok(())
 }

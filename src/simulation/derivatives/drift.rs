@@ -73,7 +73,7 @@ impl Simulation {
             averages: origin.state.mean_wrenches.clone(),
             h: self.state.time - origin.start,
         };
-        self.replay(origin, |before, after| {
+        self.replay(origin, &mut [], |before, after| {
             past.before.clone_from(before);
             for (b, any) in past.struck_before.iter_mut().enumerate() {
                 *any |= struck(&after.state, b);

@@ -1,10 +1,13 @@
 //! Derivatives of what is measured, at the end of a communication step: by time ([`Simulation::rates`]) and by the commands
-//! held over that step (`sensitivity`).
+//! held over that step ([`Simulation::sensitivities`]).
 //!
 //! A step costs nothing for them: it only leaves its start behind, [`Origin`], and is taken again when a derivative is asked
 //! for. Steps are deterministic, so this is the same step, bit for bit.
 
 mod drift;
+mod sensitivity;
+
+pub use sensitivity::Direction;
 
 use std::sync::Arc;
 
@@ -12,9 +15,12 @@ use serde::{Deserialize, Serialize};
 
 use super::Simulation;
 use super::march::{Account, Before, Course};
+use crate::Vec3;
+use crate::contacts::Contact;
 use crate::error::{SnapshotError, StepError};
+use crate::motion::Pose;
 use crate::state::State;
-use crate::step::{Scratch, step};
+use crate::step::{Beside, Scratch, step_beside};
 
 /// Where the last communication step came from: everything to take it again. Where commands changed within the step, the
 /// internal step at which they last did.
@@ -67,34 +73,125 @@ impl Simulation {
         }
     }
 
-    /// Takes the step of `origin` again; `see` is called after every internal step, with the state before it.
+    /// Takes the step of `origin` again, and beside it `pairs`, which start from `origin` with other commands; `see` is called
+    /// after every internal step, with the state before it.
     fn replay(
         &self,
         origin: &Origin,
+        pairs: &mut [[Companion; 2]],
         mut see: impl FnMut(&State, &Self),
     ) -> Result<Self, StepError> {
         let scene = &self.scene;
-        let mut again = self.at(origin.state.clone());
-        let drive = origin.course.drive(scene);
-        let mut account = origin.before.clone();
+        let mut again = Companion::new(self, origin, origin.course.clone());
         for &target in &origin.taken {
-            let earlier = again.state.clone();
-            let (before, start) = (Before::of(&earlier), earlier.time);
-            let dt = target - start;
-            let integrator = scene.settings.integrator;
-            if let Some(commands) = drive.commands(integrator, start, dt) {
-                again.state.commands = commands;
-            }
-            let Simulation { state, scratch, .. } = &mut again;
-            step(scene, state, scratch, dt, drive.poses(target))
+            let earlier = again.simulation.state.clone();
+            let (start, dt) = (earlier.time, target - earlier.time);
+            let before = Before::of(&earlier);
+            let befores: Vec<[Before; 2]> = pairs
+                .iter()
+                .map(|pair| [0, 1].map(|k| Before::of(&pair[k].simulation.state)))
+                .collect();
+            let poses = again.prepare(start, target);
+            let mut beside: Vec<[Beside; 2]> = pairs
+                .iter_mut()
+                .map(|pair| {
+                    pair.each_mut().map(|companion| Beside {
+                        poses: companion.prepare(start, target),
+                        state: &mut companion.simulation.state,
+                    })
+                })
+                .collect();
+            let Simulation { state, scratch, .. } = &mut again.simulation;
+            step_beside(scene, state, scratch, (dt, poses), &mut beside)
                 .map_err(|failure| self.explain(failure, dt, 0))?;
-            again.state.time = target;
-            again.book(&before, dt, &mut account);
-            again.exchange();
-            again.state.commands.clone_from(&origin.course.commands);
-            see(&earlier, &again);
+            again.book(&before, target, dt);
+            let position = again.simulation.state.kinematics.position.clone();
+            again.simulation.exchange();
+            for (pair, befores) in pairs.iter_mut().zip(&befores) {
+                for (companion, before) in pair.iter_mut().zip(befores) {
+                    companion.book(before, target, dt);
+                    companion.adopt(&again.simulation.state, &position);
+                }
+            }
+            see(&earlier, &again.simulation);
         }
-        again.average(origin.start, &account);
-        Ok(again)
+        for companion in pairs.iter_mut().flatten() {
+            companion
+                .simulation
+                .average(origin.start, &companion.account);
+        }
+        again.simulation.average(origin.start, &again.account);
+        Ok(again.simulation)
+    }
+}
+
+/// A simulation that takes the step of an [`Origin`] again.
+struct Companion {
+    simulation: Simulation,
+    course: Course,
+    account: Account,
+}
+
+impl Companion {
+    fn new(of: &Simulation, origin: &Origin, course: Course) -> Self {
+        let mut simulation = of.at(origin.state.clone());
+        simulation.state.commands.clone_from(&course.commands);
+        Self {
+            simulation,
+            course,
+            account: origin.before.clone(),
+        }
+    }
+
+    /// Commands for an internal step from `start` to `target` \[s\], and the poses at its end.
+    fn prepare(&mut self, start: f64, target: f64) -> Vec<Pose> {
+        let scene = &self.simulation.scene;
+        let drive = self.course.drive(scene);
+        let commands = drive.commands(scene.settings.integrator, start, target - start);
+        let poses = drive.poses(target);
+        if let Some(commands) = commands {
+            self.simulation.state.commands = commands;
+        }
+        poses
+    }
+
+    /// Sums up the internal step of `dt` \[s\] that has led to `target` \[s\].
+    fn book(&mut self, before: &Before, target: f64, dt: f64) {
+        self.simulation.state.time = target;
+        self.simulation.book(before, dt, &mut self.account);
+        let commands = &mut self.simulation.state.commands;
+        commands.clone_from(&self.course.commands);
+    }
+
+    /// Lets spheres come and go as in `other`, whose spheres were at `position` before that.
+    fn adopt(&mut self, other: &State, position: &[Vec3]) {
+        let scene = &self.simulation.scene;
+        if scene.sources.is_empty() && scene.sinks.is_empty() {
+            return;
+        }
+        let own = &mut self.simulation.state;
+        for (i, before) in position.iter().enumerate() {
+            let now = &other.kinematics;
+            if now.position[i] == *before && now.present[i] == own.kinematics.present[i] {
+                continue;
+            }
+            own.kinematics.present[i] = now.present[i];
+            own.kinematics.position[i] = now.position[i];
+            own.kinematics.orientation[i] = now.orientation[i];
+            own.kinematics.velocity[i] = now.velocity[i];
+            own.kinematics.spin[i] = now.spin[i];
+            own.persisting[i] = other.persisting[i];
+            if let (Some(own), Some(other)) = (own.external.get_mut(i), other.external.get(i)) {
+                *own = *other;
+            }
+        }
+        let kept = |contact: &Contact| {
+            let known = |other: &Contact| other.key.cmp(&contact.key);
+            other.contacts.binary_search_by(known).is_ok()
+        };
+        own.contacts.retain(kept);
+        own.reserves.clone_from(&other.reserves);
+        own.emitted.clone_from(&other.emitted);
+        own.removed.clone_from(&other.removed);
     }
 }
