@@ -13,6 +13,7 @@ mod derivatives;
 mod values;
 mod walk;
 
+use std::collections::BTreeMap;
 use std::fmt;
 use std::path::Path;
 
@@ -87,6 +88,8 @@ struct Measured {
     outputs: Option<Vec<f64>>,
     /// Derivatives by time of all that [`derivatives`] measures.
     rates: Option<Vec<f64>>,
+    /// Its derivatives by inputs, by reference.
+    columns: BTreeMap<u32, Vec<f64>>,
 }
 
 /// A running FMU.

@@ -1,13 +1,14 @@
-//! Derivatives: of inputs and outputs by time.
+//! Derivatives: of inputs and outputs by time, of outputs by the inputs held over the last step.
 
+use sphere_dda::motion::Command;
 use sphere_dda::observe::Observation;
 use sphere_dda::observe::quantities::values;
-use sphere_dda::simulation::Simulation;
+use sphere_dda::simulation::{Direction, Simulation};
 use sphere_dda_fmi_interface::pointers::BadArgument;
 use sphere_dda_model_description::fmi2::BaseType;
 use sphere_dda_model_description::fmi3::Kind;
 
-use super::Instance;
+use super::{Instance, counted};
 use crate::refusal::Refusal;
 use crate::variables::{Array, Field, Meaning, Source, Variable, component};
 
@@ -90,10 +91,7 @@ impl Instance {
         orders: &[i32],
     ) -> Result<Vec<f64>, Refusal> {
         first_order(orders)?;
-        let mut ranks = Vec::new();
-        for &reference in references {
-            ranks.extend(self.ranks(reference)?);
-        }
+        let ranks = self.all_ranks(references)?;
         self.rates_at(&ranks)
     }
 
@@ -106,6 +104,148 @@ impl Instance {
         }
         let rates = self.measured.rates.as_deref().unwrap_or_default();
         Ok(picked(rates, ranks))
+    }
+
+    /// Change of `unknowns`, real outputs, for the change `seed` of `knowns`, inputs of boundaries held over the last step.
+    ///
+    /// # Errors
+    /// [`Refusal::Reference`], [`Refusal::NotDerivable`], [`Refusal::NoStep`], [`Refusal::Range`] of the seed,
+    /// [`Refusal::Step`] if the tangent of the step is singular.
+    pub fn directional_derivative(
+        &mut self,
+        unknowns: &[u32],
+        knowns: &[u32],
+        seed: &[f64],
+    ) -> Result<Vec<f64>, Refusal> {
+        let of = |&reference| self.rank(reference);
+        let ranks: Vec<usize> = unknowns.iter().map(of).collect::<Result<_, _>>()?;
+        self.forward(&ranks, knowns, seed)
+    }
+
+    /// As [`Self::directional_derivative`], of variables of FMI 3.0: as many of `seed` as `knowns` have elements.
+    ///
+    /// # Errors
+    /// [`Refusal::ArrayReference`], [`Refusal::Argument`] of the number of elements, otherwise as there.
+    pub fn array_directional_derivative(
+        &mut self,
+        unknowns: &[u32],
+        knowns: &[u32],
+        seed: &[f64],
+    ) -> Result<Vec<f64>, Refusal> {
+        let (ranks, inputs) = (self.all_ranks(unknowns)?, self.members(knowns)?);
+        if seed.len() != inputs.len() {
+            return Err(counted(seed.len(), inputs.len()));
+        }
+        self.forward(&ranks, &inputs, seed)
+    }
+
+    /// Products of the derivatives of `unknowns` by each element of `knowns` with `seed`, one number for each element of
+    /// `unknowns`.
+    ///
+    /// # Errors
+    /// As [`Self::array_directional_derivative`].
+    pub fn array_adjoint_derivative(
+        &mut self,
+        unknowns: &[u32],
+        knowns: &[u32],
+        seed: &[f64],
+    ) -> Result<Vec<f64>, Refusal> {
+        let (ranks, inputs) = (self.all_ranks(unknowns)?, self.members(knowns)?);
+        if seed.len() != ranks.len() {
+            return Err(counted(seed.len(), ranks.len()));
+        }
+        finite(seed)?;
+        let columns = self.columns(&inputs)?;
+        let products = columns.iter().map(|column| {
+            let parts = picked(column, &ranks);
+            parts.iter().zip(seed).map(|(part, seed)| part * seed).sum()
+        });
+        Ok(products.collect())
+    }
+
+    fn forward(
+        &mut self,
+        ranks: &[usize],
+        inputs: &[u32],
+        seed: &[f64],
+    ) -> Result<Vec<f64>, Refusal> {
+        finite(seed)?;
+        let mut sum = vec![0.0; ranks.len()];
+        for (column, seed) in self.columns(inputs)?.iter().zip(seed) {
+            for (sum, part) in sum.iter_mut().zip(picked(column, ranks)) {
+                *sum += part * seed;
+            }
+        }
+        Ok(sum)
+    }
+
+    /// Derivatives of all that [`measure`] gives by each of `inputs`.
+    fn columns(&mut self, inputs: &[u32]) -> Result<Vec<&[f64]>, Refusal> {
+        let directions: Vec<(u32, Direction)> = inputs
+            .iter()
+            .map(|&reference| Ok((reference, self.direction(reference)?)))
+            .collect::<Result<_, Refusal>>()?;
+        let Some(simulation) = self.simulation.as_ref().filter(|s| s.origin().is_some()) else {
+            return Err(self.no_derivatives());
+        };
+        let known = &mut self.measured.columns;
+        let missing: Vec<&(u32, Direction)> = directions
+            .iter()
+            .filter(|(reference, _)| !known.contains_key(reference))
+            .collect();
+        if !missing.is_empty() {
+            let along: Vec<Direction> = missing.iter().map(|(_, direction)| *direction).collect();
+            let columns = simulation.sensitivities_of(&along, measure)?;
+            let references = missing.iter().map(|(reference, _)| *reference);
+            known.extend(references.zip(columns));
+        }
+        let columns = inputs.iter().filter_map(|reference| known.get(reference));
+        Ok(columns.map(Vec::as_slice).collect())
+    }
+
+    /// What one unit of an input adds to the command of its boundary.
+    fn direction(&self, reference: u32) -> Result<Direction, Refusal> {
+        let variable = self.variable(BaseType::Real, reference)?;
+        let Meaning::Input {
+            boundary,
+            input,
+            axis,
+        } = variable.meaning
+        else {
+            return Err(not_derivable(
+                &variable.name,
+                "an input of a boundary as known",
+            ));
+        };
+        let mut change = Command::default();
+        *component(&mut change, input, axis) = 1.0;
+        Ok(Direction { boundary, change })
+    }
+
+    fn all_ranks(&self, references: &[u32]) -> Result<Vec<usize>, Refusal> {
+        let mut ranks = Vec::new();
+        for &reference in references {
+            ranks.extend(self.ranks(reference)?);
+        }
+        Ok(ranks)
+    }
+
+    /// The rows of the table behind arrays.
+    fn members(&self, references: &[u32]) -> Result<Vec<u32>, Refusal> {
+        let mut all = Vec::new();
+        for &reference in references {
+            let array = self.array(Kind::Float64, reference)?;
+            match &array.source {
+                Source::Scalars(members) => all.extend(members),
+                _ => {
+                    return Err(not_derivable(
+                        &array.name,
+                        "an input of a boundary as known",
+                    ));
+                }
+            }
+        }
+        Ok(all)
     }
 
     pub(super) fn no_derivatives(&self) -> Refusal {
@@ -174,6 +314,17 @@ pub(super) fn picked(values: &[f64], ranks: &[usize]) -> Vec<f64> {
 pub(super) fn not_derivable(name: &str, expected: &'static str) -> Refusal {
     let name = name.to_owned();
     Refusal::NotDerivable { name, expected }
+}
+
+fn finite(seed: &[f64]) -> Result<(), Refusal> {
+    match seed.iter().find(|value| !value.is_finite()) {
+        Some(value) => Err(Refusal::Argument(BadArgument {
+            argument: "seed",
+            found: value.to_string(),
+            expected: "finite numbers",
+        })),
+        None => Ok(()),
+    }
 }
 
 fn first_order(orders: &[i32]) -> Result<(), Refusal> {

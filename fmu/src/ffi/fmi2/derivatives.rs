@@ -4,7 +4,7 @@ use sphere_dda_fmi_interface::abi2::*;
 use sphere_dda_fmi_interface::pointers::{array, array_mut};
 
 use super::super::guard::{Stages, call};
-use super::{STEPPED, not_offered};
+use super::STEPPED;
 use crate::instance::Stage;
 
 use fmi2Status::fmi2OK;
@@ -15,6 +15,14 @@ const AHEAD: Stages = &[
     Stage::Initialization,
     Stage::StepComplete,
     Stage::StepFailed,
+];
+
+/// Where outputs have derivatives by inputs.
+const KNOWN: Stages = &[
+    Stage::Initialization,
+    Stage::StepComplete,
+    Stage::StepFailed,
+    Stage::Terminated,
 ];
 
 /// Sets derivatives of inputs, of order 1 and 2, for the next step.
@@ -57,21 +65,24 @@ extern "C" fn fmi2GetRealOutputDerivatives(
     })
 }
 
-/// Not offered.
+/// Change of outputs for a change of inputs held over the last step.
 #[unsafe(no_mangle)]
 extern "C" fn fmi2GetDirectionalDerivative(
     c: fmi2Component,
-    _vUnknown_ref: *const fmi2ValueReference,
-    _nUnknown: usize,
-    _vKnown_ref: *const fmi2ValueReference,
-    _nKnown: usize,
-    _dvKnown: *const fmi2Real,
-    _dvUnknown: *mut fmi2Real,
+    vUnknown_ref: *const fmi2ValueReference,
+    nUnknown: usize,
+    vKnown_ref: *const fmi2ValueReference,
+    nKnown: usize,
+    dvKnown: *const fmi2Real,
+    dvUnknown: *mut fmi2Real,
 ) -> fmi2Status {
-    not_offered(
-        c,
-        "fmi2GetDirectionalDerivative",
-        "providesDirectionalDerivative",
-        "false",
-    )
+    call(c, "fmi2GetDirectionalDerivative", KNOWN, |component| {
+        let unknowns = array(vUnknown_ref, nUnknown, "vUnknown_ref")?;
+        let knowns = array(vKnown_ref, nKnown, "vKnown_ref")?;
+        let seed = array(dvKnown, nKnown, "dvKnown")?;
+        let instance = &mut component.instance;
+        let changes = instance.directional_derivative(unknowns, knowns, seed)?;
+        array_mut(dvUnknown, nUnknown, "dvUnknown")?.copy_from_slice(&changes);
+        Ok(fmi2OK)
+    })
 }
