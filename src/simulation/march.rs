@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-use super::derivatives::Origin;
+use super::derivatives::{Origin, Step};
 use super::{Simulation, StepReport, Wrench};
 use crate::Vec3;
 use crate::contacts::{Key, Partner};
@@ -211,13 +211,13 @@ impl Simulation {
         let (state, before) = march.midway.unwrap_or((march.before, none));
         let mut account = march.account;
         account.taken.drain(..before.taken.len());
-        self.origin = Some(Box::new(Origin {
+        self.origin = Some(Box::new(Origin::Step(Step {
             state,
             start: march.start,
             course: march.course,
             taken: account.taken,
             before,
-        }));
+        })));
     }
 
     /// Means over what has been taken of the communication step from `start` \[s\].

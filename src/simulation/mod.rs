@@ -12,17 +12,17 @@ use serde::{Deserialize, Serialize};
 use crate::Vec3;
 use crate::boundaries::Boundary;
 use crate::contacts::Contact;
-use crate::drive::{Drive, target};
+use crate::drive::Drive;
 use crate::driven::{BodyState, JointState};
 use crate::error::{SnapshotError, StepError};
 use crate::gravity::GravityMotion;
-use crate::motion::{Command, Motion, Pose, Rates, Twist};
+use crate::motion::{Command, Pose, Rates, Twist};
 use crate::particles::Kinematics;
 use crate::problem::{Dof6, Impulses, Problem};
 use crate::scene::Scene;
 use crate::snapshot;
 use crate::state::{State, Work};
-use crate::step::{Scratch, StepOutcome, initial_forces};
+use crate::step::{Scratch, StepOutcome, initial_forces, remove_overlaps};
 pub use derivatives::{Direction, Origin};
 pub use march::March;
 pub use settle::{Settle, Settled};
@@ -65,6 +65,9 @@ pub struct StepReport {
     pub slip_residual: f64,
     /// Largest force residual \[-\].
     pub force_residual: f64,
+    /// How near a contact came to the edge of its state (open, stick, slip) in any internal step: 1 is at the edge, where
+    /// derivatives are one-sided, 0 far from it \[-\].
+    pub kink: f64,
 }
 
 impl StepReport {
@@ -75,6 +78,7 @@ impl StepReport {
         self.augmentations += solver.augmentations as u64;
         self.factorizations += solver.factorizations as u64;
         self.max_overlap = self.max_overlap.max(outcome.max_overlap);
+        self.kink = self.kink.max(outcome.kink);
         self.gap_residual = self.gap_residual.max(solver.residual.gap);
         self.slip_residual = self.slip_residual.max(solver.residual.slip);
         self.force_residual = self.force_residual.max(solver.residual.force);
@@ -161,13 +165,24 @@ impl Simulation {
         Ok(simulation)
     }
 
-    /// Overlaps out by displacement, then contact forces at rest.
     fn settle_start(&mut self) -> Result<(), StepError> {
+        let unsettled = self.state.clone();
+        self.settle_beside(&mut [])?;
+        self.origin = Some(Box::new(Origin::Start(unsettled)));
+        Ok(())
+    }
+
+    /// Overlaps out by displacement, then contact forces at rest; so also in `pairs` of states to either side.
+    fn settle_beside(&mut self, pairs: &mut [[&mut State; 2]]) -> Result<(), StepError> {
         let scene = Arc::clone(&self.scene);
-        crate::step::remove_overlaps(&scene, &mut self.state, &mut self.scratch)
-            .and_then(|()| initial_forces(&scene, &mut self.state, &mut self.scratch))
+        let Self { state, scratch, .. } = self;
+        remove_overlaps(&scene, state, scratch, pairs)
+            .and_then(|()| initial_forces(&scene, state, scratch, pairs))
             .map_err(|failure| self.explain(failure, scene.settings.step, 0))?;
-        self.state.mean_wrenches.clone_from(&self.state.wrenches);
+        let both = pairs.iter_mut().flatten().map(|state| &mut **state);
+        for state in both.chain([&mut self.state]) {
+            state.mean_wrenches.clone_from(&state.wrenches);
+        }
         Ok(())
     }
 
@@ -283,15 +298,7 @@ impl Simulation {
     /// # Errors
     /// As [`Self::new`].
     pub fn place(&mut self) -> Result<(), StepError> {
-        for (b, boundary) in self.scene.boundaries.iter().enumerate() {
-            if let Motion::Input(kind) = boundary.motion {
-                if let Some(pose) = target(kind, &self.state.commands[b]) {
-                    self.state.poses[b] = pose;
-                }
-                self.state.twists[b] = Twist::default();
-            }
-        }
-        self.origin = None;
+        self.state.place(&self.scene);
         self.settle_start()
     }
 

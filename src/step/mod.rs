@@ -4,6 +4,7 @@
 mod beside;
 mod commit;
 mod external;
+mod kink;
 mod passing;
 mod stage;
 mod start;
@@ -41,6 +42,8 @@ pub struct StepOutcome {
     pub solver: Report,
     /// Largest true overlap over radius at the end \[-\].
     pub max_overlap: f64,
+    /// How near a contact is to the edge of its state \[-\]: [`crate::simulation::StepReport::kink`].
+    pub kink: f64,
 }
 
 /// Why an internal step failed; the caller may cut it.

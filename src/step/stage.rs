@@ -293,6 +293,7 @@ impl<'a> Stage<'a> {
             let outcome = StepOutcome {
                 solver: total,
                 max_overlap,
+                kink: self.kink(&solution),
             };
             return Ok((solution, outcome));
         }
@@ -446,7 +447,7 @@ impl<'a> Stage<'a> {
         }
     }
 
-    fn broken(&self, report: &Report, broken: LinearError) -> StepFailure {
+    pub(super) fn broken(&self, report: &Report, broken: LinearError) -> StepFailure {
         StepFailure {
             broken: Some(Box::new(broken)),
             ..self.failure(report)

@@ -513,3 +513,70 @@ fn derivatives_are_central_differences() {
     }
     assert!(curved >= 4, "{curved} cases show the order");
 }
+
+/// At the start: forces at rest by where boundaries are placed and how driven ones are loaded, against another start.
+#[test]
+fn forces_at_rest_have_derivatives_too() {
+    let (plate, tilted) = (
+        [HEAD, PLATE, FLOOR].concat(),
+        [HEAD, BALL, FLOOR, "input = \"pose\""].concat(),
+    );
+    let start = |text: &str, command| {
+        let mut simulation = simulation(&[text]);
+        simulation.command(0, command).unwrap();
+        simulation.place().unwrap();
+        simulation
+    };
+    let mut told = 0;
+    for (text, what, axis, size) in [
+        (&plate, "force", 0, 1.0),
+        (&plate, "force", 2, 1.0),
+        (&plate, "torque", 1, 0.1),
+        (&tilted, "rotation", 0, 1e-6),
+        (&tilted, "rotation", 1, 1e-6),
+    ] {
+        let change = along(what, axis);
+        let here = start(text, Command::default());
+        let column = derivative(&here, 0, change);
+        let [low, high] = [-size, size].map(|size| {
+            let simulation = start(text, Command::default().plus(&change, size));
+            assert_eq!(contacts(&simulation), contacts(&here), "{what} {axis}");
+            measured(&simulation)
+        });
+        for (name, derivative) in &column {
+            let whole = scale(&column, name);
+            // Forces at rest are solved to 1e-8.
+            let rounding = 1e-7 * scale(&low, name) / size;
+            if !name.starts_with("boundary.") || whole == 0.0 || rounding > 1e-4 * whole {
+                continue;
+            }
+            told += 1;
+            let difference = (high[name] - low[name]) / (2.0 * size);
+            assert!(
+                (difference - derivative).abs() < 1e-3 * whole,
+                "{what} {axis} {name}: {derivative} {difference}"
+            );
+        }
+    }
+    assert!(told > 10, "{told} comparisons");
+}
+
+/// The margin falls to 0 where friction is just enough: `F = mu m g` at the floor's acceleration `a = 3.5 mu g`.
+#[test]
+fn the_margin_warns_of_a_kink() {
+    let margin = |share: f64| {
+        let mut simulation = simulation(&[HEAD, BALL, FLOOR, "input = \"twist\""]);
+        // One internal step from rest: the impulse that makes the ball roll is 2/7 m V.
+        let command = Command {
+            velocity: Vec3::x() * (share * 3.5 * 0.3 * G * 1e-3),
+            ..Command::default()
+        };
+        simulation.command(0, command).unwrap();
+        simulation.advance(1e-3).unwrap();
+        measured(&simulation)["solver.activeSetMargin"]
+    };
+    for (share, expected) in [(0.5, 0.5), (0.999, 1e-3), (1.001, 1e-3), (1.25, 0.25)] {
+        let found = margin(share);
+        assert!((found - expected).abs() < 1e-6, "{share}: {found}");
+    }
+}

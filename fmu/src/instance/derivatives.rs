@@ -96,6 +96,7 @@ impl Instance {
     }
 
     fn rates_at(&mut self, ranks: &[usize]) -> Result<Vec<f64>, Refusal> {
+        self.look()?;
         let Some(simulation) = &self.simulation else {
             return Err(self.no_derivatives());
         };
@@ -185,6 +186,7 @@ impl Instance {
             .iter()
             .map(|&reference| Ok((reference, self.direction(reference)?)))
             .collect::<Result<_, Refusal>>()?;
+        self.look()?;
         let Some(simulation) = self.simulation.as_ref().filter(|s| s.origin().is_some()) else {
             return Err(self.no_derivatives());
         };
@@ -251,7 +253,7 @@ impl Instance {
     pub(super) fn no_derivatives(&self) -> Refusal {
         Refusal::NoStep {
             stage: self.run.stage,
-            why: "they are of the last communication step, and there is none",
+            why: "they are of the start or the last communication step, and there is none",
         }
     }
 

@@ -8,7 +8,7 @@
 //! flow          the mass flow of the last communication step; its own rate 0
 //! ```
 
-use super::Simulation;
+use super::{Origin, Simulation};
 use crate::contacts::{Contact, history};
 use crate::error::StepError;
 use crate::integrate::turned;
@@ -61,7 +61,7 @@ impl Simulation {
     }
 
     fn past(&self) -> Result<Option<Past>, StepError> {
-        let Some(origin) = self.origin() else {
+        let Some(Origin::Step(origin)) = self.origin() else {
             return Ok(None);
         };
         let boundaries = self.scene.boundaries.len();

@@ -1,5 +1,5 @@
 //! Derivatives of what is measured, at the end of a communication step: by time ([`Simulation::rates`]) and by the commands
-//! held over that step ([`Simulation::sensitivities`]).
+//! held over that step ([`Simulation::sensitivities`]); at the start of a run by the commands that place its boundaries.
 //!
 //! A step costs nothing for them: it only leaves its start behind, [`Origin`], and is taken again when a derivative is asked
 //! for. Steps are deterministic, so this is the same step, bit for bit.
@@ -22,10 +22,19 @@ use crate::motion::Pose;
 use crate::state::State;
 use crate::step::{Beside, Scratch, step_beside};
 
-/// Where the last communication step came from: everything to take it again. Where commands changed within the step, the
-/// internal step at which they last did.
+/// Where a state came from.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Origin {
+pub enum Origin {
+    /// The start of a run: from this state, before overlaps were removed and forces solved.
+    Start(State),
+    /// A communication step.
+    Step(Step),
+}
+
+/// Everything to take a communication step again. Where commands changed within it, from the internal step at which they last
+/// did.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Step {
     pub(super) state: State,
     /// Start of the communication step \[s\].
     pub(super) start: f64,
@@ -36,9 +45,25 @@ pub struct Origin {
     pub(super) taken: Vec<f64>,
 }
 
+impl Origin {
+    fn state(&self) -> &State {
+        match self {
+            Self::Start(state) => state,
+            Self::Step(step) => &step.state,
+        }
+    }
+
+    fn fits(&self, boundaries: usize) -> bool {
+        match self {
+            Self::Start(_) => true,
+            Self::Step(step) => step.course.fits(boundaries) && step.before.fits(boundaries),
+        }
+    }
+}
+
 impl Simulation {
-    /// Where the last communication step came from: with [`Self::snapshot`] a state that keeps its derivatives. `None` before
-    /// the first step.
+    /// Where the present state came from: with [`Self::snapshot`] a state that keeps its derivatives. `None` after
+    /// [`Self::restore`].
     #[must_use]
     pub fn origin(&self) -> Option<&Origin> {
         self.origin.as_deref()
@@ -50,9 +75,8 @@ impl Simulation {
     /// As [`Self::restore`].
     pub fn resume(&mut self, blob: &[u8], origin: Option<Origin>) -> Result<(), SnapshotError> {
         if let Some(origin) = &origin {
-            self.check_counts(&origin.state)?;
-            let boundaries = self.scene.boundaries.len();
-            if !origin.course.fits(boundaries) || !origin.before.fits(boundaries) {
+            self.check_counts(origin.state())?;
+            if !origin.fits(self.scene.boundaries.len()) {
                 return Err(SnapshotError::Format(
                     "its last step has another number of boundaries than the scene",
                 ));
@@ -77,12 +101,12 @@ impl Simulation {
     /// after every internal step, with the state before it.
     fn replay(
         &self,
-        origin: &Origin,
+        origin: &Step,
         pairs: &mut [[Companion; 2]],
         mut see: impl FnMut(&State, &Self),
     ) -> Result<Self, StepError> {
         let scene = &self.scene;
-        let mut again = Companion::new(self, origin, origin.course.clone());
+        let mut again = Companion::of(self, origin, origin.course.clone());
         for &target in &origin.taken {
             let earlier = again.simulation.state.clone();
             let (start, dt) = (earlier.time, target - earlier.time);
@@ -133,7 +157,7 @@ struct Companion {
 }
 
 impl Companion {
-    fn new(of: &Simulation, origin: &Origin, course: Course) -> Self {
+    fn of(of: &Simulation, origin: &Step, course: Course) -> Self {
         let mut simulation = of.at(origin.state.clone());
         simulation.state.commands.clone_from(&course.commands);
         Self {

@@ -5,13 +5,13 @@
 //! compared. The step is chained with its internal steps: positions, velocities, orientations, persisting forces, driven
 //! bodies and mean wrenches of one go into the next.
 
-use super::{Companion, Simulation};
+use super::{Companion, Origin, Simulation};
 use crate::Vec3;
-use crate::boundaries::Boundary;
 use crate::error::StepError;
-use crate::motion::{Command, InputKind, Motion, Pose};
+use crate::motion::{Command, InputKind, Motion};
 use crate::observe::Observation;
 use crate::observe::quantities::values;
+use crate::state::State;
 
 /// Displacement of the companions over the smallest radius \[-\]: between rounding and curvature, both below 1e-9.
 const SMALL: f64 = 3e-5;
@@ -31,7 +31,7 @@ impl Simulation {
     /// given as 0. At a kink, where a contact is at the edge of its state, it is one-sided.
     ///
     /// # Errors
-    /// [`StepError::Argument`] before the first step or if a direction is of no such boundary, [`StepError::NotConverged`]
+    /// [`StepError::Argument`] after [`Self::restore`] or if a direction is of no such boundary, [`StepError::NotConverged`]
     /// if the tangent of the contact solve is singular.
     pub fn sensitivities(&self, directions: &[Direction]) -> Result<Vec<Vec<f64>>, StepError> {
         self.sensitivities_of(directions, |simulation| {
@@ -51,49 +51,82 @@ impl Simulation {
         let Some(origin) = self.origin() else {
             return Err(StepError::Argument {
                 what: "derivatives",
-                found: "no step".to_owned(),
+                found: "a restored state".to_owned(),
                 expected: "a communication step before them",
             });
         };
-        let mut sizes = Vec::with_capacity(directions.len());
-        let mut pairs = Vec::with_capacity(directions.len());
-        for direction in directions {
-            let b = direction.boundary;
-            let Some(boundary) = self.scene.boundaries.get(b).filter(|b| b.is_commanded()) else {
-                return Err(StepError::Argument {
-                    what: "boundary",
-                    found: b.to_string(),
-                    expected: "the index of a boundary with an input",
-                });
-            };
-            let h = origin.course.length();
-            let size = self.size(boundary, &origin.state.poses[b], &direction.change, h);
-            sizes.push(size);
-            pairs.push([-size, size].map(|size| {
-                let mut course = origin.course.clone();
-                course.commands[b] = course.commands[b].plus(&direction.change, size);
-                Companion::new(self, origin, course)
-            }));
-        }
-        self.replay(origin, &mut pairs, |_, _| {})?;
-        let columns = pairs.iter().zip(&sizes).map(|(pair, size)| {
-            let [below, above] = [0, 1].map(|k| measure(&pair[k].simulation));
+        let h = match origin {
+            Origin::Start(_) => self.scene.settings.step,
+            Origin::Step(step) => step.course.length(),
+        };
+        let sizes: Vec<f64> = directions
+            .iter()
+            .map(|direction| self.size(origin.state(), direction, h))
+            .collect::<Result<_, _>>()?;
+        let changed = |k: usize, commands: &mut [Command], sign: f64| {
+            let (b, change) = (directions[k].boundary, &directions[k].change);
+            commands[b] = commands[b].plus(change, sign * sizes[k]);
+        };
+        let ends: Vec<[Self; 2]> = match origin {
+            Origin::Step(step) => {
+                let mut pairs: Vec<[Companion; 2]> = (0..directions.len())
+                    .map(|k| {
+                        [-1.0, 1.0].map(|sign| {
+                            let mut course = step.course.clone();
+                            changed(k, &mut course.commands, sign);
+                            Companion::of(self, step, course)
+                        })
+                    })
+                    .collect();
+                self.replay(step, &mut pairs, |_, _| {})?;
+                let pairs = pairs.into_iter();
+                pairs.map(|pair| pair.map(|c| c.simulation)).collect()
+            }
+            Origin::Start(state) => {
+                let mut pairs: Vec<[Self; 2]> = (0..directions.len())
+                    .map(|k| {
+                        [-1.0, 1.0].map(|sign| {
+                            let mut state = state.clone();
+                            changed(k, &mut state.commands, sign);
+                            state.place(&self.scene);
+                            self.at(state)
+                        })
+                    })
+                    .collect();
+                let mut states: Vec<[&mut State; 2]> = pairs
+                    .iter_mut()
+                    .map(|pair| pair.each_mut().map(|simulation| &mut simulation.state))
+                    .collect();
+                self.at(state.clone()).settle_beside(&mut states)?;
+                pairs
+            }
+        };
+        let columns = ends.iter().zip(&sizes).map(|(pair, size)| {
+            let [below, above] = pair.each_ref().map(&measure);
             let both = below.iter().zip(&above);
             both.map(|(a, b)| (b - a) / (2.0 * size)).collect()
         });
         Ok(columns.collect())
     }
 
-    /// Units of `change` that displace `boundary`, or what it pushes, by [`SMALL`] radii within `h` \[s\].
-    fn size(&self, boundary: &Boundary, pose: &Pose, change: &Command, h: f64) -> f64 {
+    /// Units of a direction that displace its boundary, or what it pushes, by [`SMALL`] radii within `h` \[s\] from `state`.
+    fn size(&self, state: &State, direction: &Direction, h: f64) -> Result<f64, StepError> {
+        let (b, change) = (direction.boundary, &direction.change);
+        let Some(boundary) = self.scene.boundaries.get(b).filter(|b| b.is_commanded()) else {
+            return Err(StepError::Argument {
+                what: "boundary",
+                found: b.to_string(),
+                expected: "the index of a boundary with an input",
+            });
+        };
         let radius = &self.scene.particles.radius;
         let smallest = radius.iter().copied().fold(f64::INFINITY, f64::min);
-        let pivot = boundary.point_of_action + pose.translation;
+        let pivot = boundary.point_of_action + state.poses[b].translation;
         // What turns moves the spheres, or its own corners, at this distance.
         let lever = match boundary.geometry.bounds() {
             Some((low, high)) => (high - low).norm() + (low - boundary.point_of_action).norm(),
             None => {
-                let spheres = self.state.kinematics.position.iter();
+                let spheres = state.kinematics.position.iter();
                 spheres.map(|x| (x - pivot).norm()).fold(smallest, f64::max)
             }
         };
@@ -114,7 +147,7 @@ impl Simulation {
             Motion::Driven(body) => body
                 .servo
                 .as_ref()
-                .map_or(1.0, |servo| servo.area.of(&self.scene, &self.state.poses)),
+                .map_or(1.0, |servo| servo.area.of(&self.scene, &state.poses)),
             _ => 1.0,
         };
         let length = |v: Vec3| v.norm();
@@ -127,9 +160,9 @@ impl Simulation {
             + length(change.surface_velocity) * speed
             + change.scalar.abs() * scalar
             + change.pressure.abs() * area * force;
-        match displacement > 0.0 {
+        Ok(match displacement > 0.0 {
             true => SMALL * smallest.min(1.0) / displacement,
             false => 1.0,
-        }
+        })
     }
 }
