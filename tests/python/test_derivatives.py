@@ -245,3 +245,158 @@ def test_after_an_impact_the_wrench_has_no_derivative(export):
     assert hit[struck][0] < -MASS * G and hit[struck][1:] == (0.0, 0.0)
     # Later it is that of rest: from one step's average to the next nothing changes.
     assert abs(hit[-1][1]) < 1e-5 * MASS * G / h
+
+
+def jacobian(slave, outputs, inputs):
+    """`fmi2GetDirectionalDerivative`, one input at a time."""
+    unknowns = [slave.reference[n] for n in outputs]
+    columns = [slave.fmi.getDirectionalDerivative(unknowns, [slave.reference[n]], [1.0]) for n in inputs]
+    return np.array(columns).T
+
+
+def differences(slave, blob, outputs, inputs, base, step, change):
+    """Central differences of the FMU itself: put back, set, step, read."""
+    columns = []
+    for name in inputs:
+        ends = []
+        for sign in (-1, 1):
+            slave.restore(blob)
+            for other, value in base.items():
+                slave.set(other, value + sign * change * (other == name))
+            slave.step(*step)
+            ends.append(np.array(slave.get(*outputs)))
+        columns.append((ends[1] - ends[0]) / (2 * change))
+    return np.array(columns).T
+
+
+def components(*names):
+    return [f"{name}[{k}]" for name in names for k in (1, 2, 3)]
+
+
+MEASURED = components(
+    "boundary.floor.averageForce", "boundary.floor.averageTorque", "boundary.floor.force", "boundary.floor.position",
+    "probe.ball.position", "probe.ball.velocity", "probe.ball.angularVelocity", "momentum",
+)
+
+
+def by_vector(table):
+    """Largest entry of each vector of three outputs, for each of its rows."""
+    return np.repeat(np.abs(table).reshape(-1, 3, table.shape[1]).max(axis=1), 3, axis=0)
+
+
+@pytest.mark.parametrize("steps", (1, 5))
+def test_directional_derivatives_are_central_differences_of_the_fmu(export, steps):
+    """A ball that slips on a floor with its own motion: 1e-5, and sixteen times less error for a quarter of the change."""
+    inputs = components("boundary.floor.velocity", "boundary.floor.angularVelocity")
+    base = dict(zip(inputs, (0.7, 0.3, 0.02, 0.03, 0.02, 0.9)))
+    h = steps * STEP
+    with Slave(export(scene('input = "twist"', tolerance=1e-12))) as slave:
+        for k in range(4):
+            blob = slave.save()
+            for name, value in base.items():
+                slave.set(name, value)
+            slave.step(k * h, h)
+        assert slave.get("solver.activeSetMargin")[0] > 0.1
+        found = jacobian(slave, MEASURED, inputs)
+        errors = []
+        for change in (4e-3, 1e-3):
+            expected = differences(slave, blob, MEASURED, inputs, base, (3 * h, h), change)
+            scale = by_vector(expected)
+            told = scale > 1e-3 * scale.max()
+            errors.append((np.abs(found - expected) / np.where(told, scale, 1.0))[told].max())
+            assert told.sum() >= 30
+    assert errors[1] < 1e-5, errors
+    assert errors[0] > 8 * errors[1] or errors[0] < 2e-7, errors
+
+
+def test_derivatives_survive_a_restore_and_add_up(export):
+    inputs = components("boundary.floor.velocity")
+    with Slave(export(scene('input = "twist"'))) as slave, Unit(export(scene('input = "twist"'), 3)) as unit:
+        for k in range(3):
+            slave.set(inputs[0], 0.5)
+            slave.step(k * 2 * STEP, 2 * STEP)
+        found = jacobian(slave, MEASURED, inputs)
+        blob = slave.save()
+        slave.step(6 * STEP, 2 * STEP)
+        assert not np.array_equal(jacobian(slave, MEASURED, inputs), found)
+        slave.restore(blob)
+        assert np.array_equal(jacobian(slave, MEASURED, inputs), found)
+        # A direction is the sum of its parts.
+        unknowns, knowns = [[slave.reference[n] for n in names] for names in (MEASURED, inputs)]
+        seed = [0.3, -2.0, 0.7]
+        assert np.allclose(slave.fmi.getDirectionalDerivative(unknowns, knowns, seed), found @ seed, rtol=1e-12)
+        # The other version has the same numbers, of whole arrays, and their transpose.
+        unit.restore(blob)
+        names = list(dict.fromkeys(n[:-3] for n in MEASURED))
+        unknowns = [unit.reference(n) for n in names]
+        known = [unit.reference("boundary.floor.velocity")]
+        forward = unit.fmi.getDirectionalDerivative(unknowns, known, seed, nSensitivity=len(MEASURED))
+        assert np.allclose(forward, found @ seed, rtol=1e-12)
+        weights = np.cos(np.arange(len(MEASURED)))
+        adjoint = unit.fmi.getAdjointDerivative(unknowns, known, list(weights), nSensitivity=3)
+        assert np.allclose(adjoint, found.T @ weights, rtol=1e-12)
+        spheres = unit.fmi.getDirectionalDerivative([unit.reference("spheres.position")], known, seed, nSensitivity=3)
+        rows = [MEASURED.index(n) for n in components("probe.ball.position")]
+        assert np.allclose(spheres, (found @ seed)[rows], rtol=1e-12)
+
+
+def test_in_initialization_mode_they_are_of_the_forces_at_rest(export):
+    text = scene('input = "twist"', height=0.5) + PLATE
+    outputs, inputs = components("boundary.floor.force"), components("boundary.plate.appliedForce")
+    with Unit(export(text, 3), initialize=False) as unit:
+        unit.fmi.enterInitializationMode(startTime=0.0)
+        unknown, known = [unit.reference("boundary.floor.force")], [unit.reference("boundary.plate.appliedForce")]
+        push = unit.fmi.getDirectionalDerivative(unknown, known, [0.0, 0.0, -1.0], nSensitivity=3)
+        unit.set("boundary.plate.appliedForce", 0.0, 0.0, -10.0)
+        loaded = unit.get("boundary.floor.force")
+        unit.fmi.exitInitializationMode()
+    # Three balls carry the plate: what presses on it presses on the floor.
+    assert np.allclose(push, [0, 0, -1], atol=1e-6) and len(outputs) == len(inputs) == 3
+    assert loaded[2] < -10.0
+
+
+PLATE = """
+[[spheres]]
+name = "balls"
+material = "glass"
+radius = [0.1, 0.1, 0.1]
+positions = [[1.3, 0.0, 0.1], [0.7, 0.25, 0.1], [0.7, -0.25, 0.1]]
+[[boundary]]
+name = "plate"
+material = "glass"
+faces = [{ box = { min = [0.4, -0.6, 0.2], max = [1.6, 0.6, 0.25] } }]
+body = { mass = 30.0, centre = [1.0, 0.0, 0.225], inertia = [4.0, 5.0, 8.0] }
+input = "load"
+"""
+
+
+def test_refused_directional_derivatives_say_why(export):
+    with Slave(export(scene('input = "twist"'))) as slave:
+        force, speed = slave.reference["boundary.floor.force[1]"], slave.reference["boundary.floor.velocity[1]"]
+        count, gravity = slave.reference["contactCount"], slave.reference["gravity[1]"]
+        for unknown, known, seed in [(count, speed, 1.0), (speed, speed, 1.0), (force, gravity, 1.0), (force, speed, np.nan)]:
+            with pytest.raises(FMICallException):
+                slave.fmi.getDirectionalDerivative([unknown], [known], [seed])
+
+
+def test_the_feeder_has_derivatives_where_its_contacts_last(fmus):
+    """150 grains: the force on the trough by its displacement, in the smoothest of some steps."""
+    name, h = "boundary.trough.displacement", 2e-3
+    outputs = components("boundary.trough.averageForce", "boundary.trough.averageTorque", "momentum")
+    best = np.inf
+    with Slave(fmus["feeder"]) as slave:
+        for k in range(60):
+            blob = slave.save() if k >= 50 else None
+            position = 1.5e-3 * np.sin(2 * np.pi * 18 * (k + 1) * h)
+            slave.set(name, position)
+            slave.step(k * h, h)
+            if blob is None:
+                continue
+            end = slave.save()
+            found = jacobian(slave, outputs, [name])
+            expected = differences(slave, blob, outputs, [name], {name: position}, (k * h, h), 1e-7)
+            scale = by_vector(expected)
+            best = min(best, (np.abs(found - expected) / scale)[scale > 1.0].max(initial=0.0))
+            slave.restore(end)
+    # The solver's tolerance of 1e-6 is all that is left, over a change of 1e-5 radii.
+    assert best < 2e-3, best
