@@ -241,3 +241,63 @@ pub fn displacement(boundary: &Boundary, from: &Pose, to: &Pose) -> f64 {
         })
         .fold(0.0, f64::max)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A pose follows its polynomial from wherever it stands, and misses nothing at the end.
+    #[test]
+    fn a_pose_closes_what_it_misses() {
+        let command = Command {
+            translation: Vec3::new(0.1, 0.0, 0.0),
+            rotation: Vec3::new(0.0, 0.0, 0.2),
+            ..Command::default()
+        };
+        let rates = [
+            Command {
+                translation: Vec3::new(0.0, 2.0, 0.0),
+                ..Command::default()
+            },
+            Command {
+                rotation: Vec3::new(0.0, 0.0, 6.0),
+                ..Command::default()
+            },
+        ];
+        let (from, h) = (Pose::default(), 0.5);
+        let path = Path::along(InputKind::Pose, (&command, &rates), from, 1.0, 1.0 + h);
+        for s in [0.0, 0.2, 0.5] {
+            let pose = path.at(1.0 + s);
+            let left = 1.0 - s / h;
+            let place = Vec3::new(0.1 * (1.0 - left), 2.0 * s, 0.0);
+            assert!((pose.translation - place).norm() < 1e-15, "{s}");
+            let angle = 0.2 * (1.0 - left) + 3.0 * s * s;
+            let turn = pose.rotation_vector() - Vec3::z() * angle;
+            assert!(turn.norm() < 1e-14, "{s}");
+        }
+    }
+
+    /// A turning axis: against a product of many small turns, of fourth order in the step.
+    #[test]
+    fn an_angular_velocity_that_turns_is_integrated_to_third_order() {
+        let part = |w: Vec3| Command {
+            angular_velocity: w,
+            ..Command::default()
+        };
+        let command = part(Vec3::new(1.0, 0.0, 0.5));
+        let rates = [part(Vec3::new(0.0, 3.0, -1.0)), Command::default()];
+        let missed = |h: f64| {
+            let path = Path::along(InputKind::Twist, (&command, &rates), Pose::default(), 0.0, h);
+            let n = 4000;
+            let fine = (0..n).fold(Pose::default(), |pose, k| {
+                let middle = (f64::from(k) + 0.5) * h / f64::from(n);
+                let angular = command.along(&rates, middle).angular_velocity;
+                let linear = Vec3::zeros();
+                pose.advanced(&Twist { linear, angular }, h / f64::from(n))
+            });
+            (path.at(h).rotation * fine.rotation.inverse()).angle()
+        };
+        let (coarse, fine) = (missed(0.2), missed(0.1));
+        assert!(fine < 1e-4 && coarse > 12.0 * fine, "{coarse:e} {fine:e}");
+    }
+}

@@ -4,6 +4,7 @@ import subprocess
 
 import numpy as np
 import pytest
+from conftest import scene as feeder
 from fmpy.fmi1 import FMICallException
 from fmu import Slave
 from test_fmi3 import Unit
@@ -379,14 +380,16 @@ def test_refused_directional_derivatives_say_why(export):
                 slave.fmi.getDirectionalDerivative([unknown], [known], [seed])
 
 
-def test_the_feeder_has_derivatives_where_its_contacts_last(fmus):
-    """150 grains: the force on the trough by its displacement, in the smoothest of some steps."""
+def test_the_feeder_has_derivatives_where_its_contacts_last(export):
+    """150 grains: the force on the trough by its displacement; in each of ten steps that keep their contacts, to 1e-5."""
     name, h = "boundary.trough.displacement", 2e-3
     outputs = components("boundary.trough.averageForce", "boundary.trough.averageTorque", "momentum")
-    best = np.inf
-    with Slave(fmus["feeder"]) as slave:
-        for k in range(60):
-            blob = slave.save() if k >= 50 else None
+    text = feeder("feeder").read_text()
+    tight = "[simulation]\ntolerance = { gap = 1e-11, slip = 1e-11, force = 1e-10 }"
+    errors = []
+    with Slave(export(text.replace("[simulation]", tight))) as slave:
+        for k in range(40):
+            blob = slave.save() if k >= 30 else None
             position = 1.5e-3 * np.sin(2 * np.pi * 18 * (k + 1) * h)
             slave.set(name, position)
             slave.step(k * h, h)
@@ -394,9 +397,9 @@ def test_the_feeder_has_derivatives_where_its_contacts_last(fmus):
                 continue
             end = slave.save()
             found = jacobian(slave, outputs, [name])
-            expected = differences(slave, blob, outputs, [name], {name: position}, (k * h, h), 1e-7)
+            expected = differences(slave, blob, outputs, [name], {name: position}, (k * h, h), 1e-8)
             scale = by_vector(expected)
-            best = min(best, (np.abs(found - expected) / scale)[scale > 1.0].max(initial=0.0))
+            errors.append((np.abs(found - expected) / scale)[scale > 1e-3 * scale.max()].max())
             slave.restore(end)
-    # The solver's tolerance of 1e-6 is all that is left, over a change of 1e-5 radii.
-    assert best < 2e-3, best
+    # With so many grains some contact changes its state now and then.
+    assert sum(error < 1e-5 for error in errors) >= 5, errors
