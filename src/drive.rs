@@ -19,7 +19,7 @@ use crate::motion::{Command, InputKind, Motion, Pose, Rates, Twist};
 use crate::scene::Integrator;
 
 /// Path of one boundary from where it stands.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Path {
     start: f64,
     from: Pose,
@@ -27,12 +27,22 @@ pub struct Path {
 }
 
 /// How a path goes on.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 enum Way {
     /// With a constant twist.
     Straight(Twist),
-    /// Along a command that changes, within a step of this length \[s\].
-    Along(InputKind, Command, Rates, f64),
+    /// Along a command that changes.
+    Along(Box<Curve>),
+}
+
+/// A command with derivatives.
+#[derive(Debug, Clone, PartialEq)]
+struct Curve {
+    kind: InputKind,
+    command: Command,
+    rates: Rates,
+    /// Length of the step \[s\].
+    h: f64,
 }
 
 impl Path {
@@ -63,7 +73,12 @@ impl Path {
         if *rates == Rates::default() {
             return Self::commanded(kind, command, from, start, end);
         }
-        let way = Way::Along(kind, *command, *rates, end - start);
+        let way = Way::Along(Box::new(Curve {
+            kind,
+            command: *command,
+            rates: *rates,
+            h: end - start,
+        }));
         Self { start, from, way }
     }
 
@@ -73,25 +88,32 @@ impl Path {
         let s = t - self.start;
         match &self.way {
             Way::Straight(twist) => self.from.advanced(twist, s),
-            Way::Along(kind, command, rates, h) => {
-                let Some(first) = target(*kind, command) else {
-                    return carried(*kind, command, rates, &self.from, s);
-                };
-                let moves = rates
-                    .iter()
-                    .any(|rate| target(*kind, rate) != Some(Pose::default()));
-                let wanted = match target(*kind, &command.along(rates, s)) {
-                    Some(pose) if moves || *kind != InputKind::Motion => pose,
-                    _ => carried(*kind, command, rates, &first, s),
-                };
-                let missed = first.twist_to(&self.from, 1.0);
-                let left = 1.0 - s / h;
-                Pose {
-                    translation: wanted.translation + missed.linear * left,
-                    ..wanted.advanced(&missed, left)
-                }
-            }
+            Way::Along(curve) => curve.at(&self.from, s),
         }
+    }
+}
+
+impl Curve {
+    /// The pose `s` \[s\] after the beginning of the step, for a boundary that stood at `from`.
+    fn at(&self, from: &Pose, s: f64) -> Pose {
+        let Self {
+            kind,
+            command,
+            rates,
+            h,
+        } = self;
+        let Some(first) = target(*kind, command) else {
+            return carried(*kind, command, rates, from, s);
+        };
+        let moves = rates
+            .iter()
+            .any(|rate| target(*kind, rate) != Some(Pose::default()));
+        let wanted = match target(*kind, &command.along(rates, s)) {
+            Some(pose) if moves || *kind != InputKind::Motion => pose,
+            _ => carried(*kind, command, rates, &first, s),
+        };
+        let missed = first.twist_to(from, 1.0);
+        wanted.advanced(&missed, 1.0 - s / h)
     }
 }
 
@@ -287,7 +309,13 @@ mod tests {
         let command = part(Vec3::new(1.0, 0.0, 0.5));
         let rates = [part(Vec3::new(0.0, 3.0, -1.0)), Command::default()];
         let missed = |h: f64| {
-            let path = Path::along(InputKind::Twist, (&command, &rates), Pose::default(), 0.0, h);
+            let path = Path::along(
+                InputKind::Twist,
+                (&command, &rates),
+                Pose::default(),
+                0.0,
+                h,
+            );
             let n = 4000;
             let fine = (0..n).fold(Pose::default(), |pose, k| {
                 let middle = (f64::from(k) + 0.5) * h / f64::from(n);
