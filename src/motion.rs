@@ -264,6 +264,33 @@ pub struct Command {
     pub pressure: f64,
 }
 
+/// First and second derivative of a command by time: each component in its unit over s and s^2.
+pub type Rates = [Command; 2];
+
+impl Command {
+    /// The command `s` \[s\] later, `u + u' s + u'' s^2/2`.
+    #[must_use]
+    pub fn along(&self, [first, second]: &Rates, s: f64) -> Self {
+        self.plus(first, s).plus(second, 0.5 * s * s)
+    }
+
+    /// `self + scale * other`.
+    #[must_use]
+    pub fn plus(&self, other: &Self, scale: f64) -> Self {
+        Self {
+            translation: self.translation + other.translation * scale,
+            rotation: self.rotation + other.rotation * scale,
+            velocity: self.velocity + other.velocity * scale,
+            angular_velocity: self.angular_velocity + other.angular_velocity * scale,
+            force: self.force + other.force * scale,
+            torque: self.torque + other.torque * scale,
+            scalar: self.scalar + other.scalar * scale,
+            surface_velocity: self.surface_velocity + other.surface_velocity * scale,
+            pressure: self.pressure + other.pressure * scale,
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

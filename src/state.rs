@@ -6,8 +6,9 @@ use serde::{Deserialize, Serialize};
 
 use crate::Vec3;
 use crate::contacts::Contact;
+use crate::drive::target;
 use crate::driven::BodyState;
-use crate::motion::{Command, Pose, Twist};
+use crate::motion::{Command, Motion, Pose, Rates, Twist};
 use crate::particles::Kinematics;
 use crate::problem::Dof6;
 use crate::scene::Scene;
@@ -84,6 +85,8 @@ pub struct State {
     pub bodies: Vec<BodyState>,
     /// Commands in force, `[B]`.
     pub commands: Vec<Command>,
+    /// Their derivatives by time over the next communication step, `[B]`; empty where all are held.
+    pub rates: Vec<Rates>,
     /// Wrench on each boundary over the last internal step, `[B]`.
     pub wrenches: Vec<Wrench>,
     /// Wrench on each boundary by contacts that were no impacts in the last internal step, `[B]`.
@@ -115,6 +118,18 @@ impl State {
     #[must_use]
     pub fn gravity_at(&self, scene: &Scene, t: f64) -> Vec3 {
         scene.settings.gravity_motion.at(self.gravity, t)
+    }
+
+    /// Places every input boundary where its command wants it, without velocity.
+    pub(crate) fn place(&mut self, scene: &Scene) {
+        for (b, boundary) in scene.boundaries.iter().enumerate() {
+            if let Motion::Input(kind) = boundary.motion {
+                if let Some(pose) = target(kind, &self.commands[b]) {
+                    self.poses[b] = pose;
+                }
+                self.twists[b] = Twist::default();
+            }
+        }
     }
 
     /// Books the potential energy `-m x . change` of a change of gravity \[m/s^2\] with the spheres at `position` \[m\], `[N]`.

@@ -48,6 +48,9 @@ fn unsigned(scene: &Scene, table: &Table, identifier: &str) -> ModelDescription 
         can_not_use_memory_management_functions: true,
         can_get_and_set_fmu_state: true,
         can_serialize_fmu_state: true,
+        can_interpolate_inputs: true,
+        provides_directional_derivative: true,
+        max_output_derivative_order: 1,
         ..CoSimulation::new(identifier)
     };
     let variables = table.variables().iter().map(scalar_variable).collect();

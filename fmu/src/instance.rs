@@ -9,15 +9,17 @@
 //! accumulated, the simulation is asked for what is left to that point. A refused call changes nothing.
 
 mod arrays;
+mod derivatives;
 mod values;
 mod walk;
 
+use std::collections::BTreeMap;
 use std::fmt;
 use std::path::Path;
 
 use sphere_dda::boundaries::Boundary;
 use sphere_dda::error::StepError;
-use sphere_dda::motion::Command;
+use sphere_dda::motion::{Command, Rates};
 use sphere_dda::simulation::Simulation;
 
 use crate::model::Model;
@@ -79,6 +81,17 @@ pub enum Step {
     Discarded(StepError),
 }
 
+/// What was read off the simulation at the last communication point; computed when first asked for.
+#[derive(Default)]
+struct Measured {
+    /// Values, in the order of the table.
+    outputs: Option<Vec<f64>>,
+    /// Derivatives by time of all that [`derivatives`] measures.
+    rates: Option<Vec<f64>>,
+    /// Its derivatives by inputs, by reference.
+    columns: BTreeMap<u32, Vec<f64>>,
+}
+
 /// A running FMU.
 pub struct Instance {
     name: String,
@@ -88,8 +101,7 @@ pub struct Instance {
     simulation: Option<Simulation>,
     /// The step under way, if it is taken in pieces.
     walk: Option<Walk>,
-    /// Measured values of the last communication point, in the order of the table; computed when first asked for.
-    outputs: Option<Vec<f64>>,
+    measured: Measured,
     recorder: Recorder,
     read_ahead: bool,
 }
@@ -112,7 +124,7 @@ impl Instance {
             run,
             simulation: None,
             walk: None,
-            outputs: None,
+            measured: Measured::default(),
             recorder: Recorder::default(),
             read_ahead: false,
         })
@@ -233,7 +245,8 @@ impl Instance {
                 self.run.failed = None;
                 self.run.pending = false;
                 self.run.stage = Stage::StepComplete;
-                self.outputs = None;
+                self.run.rates.fill(Rates::default());
+                self.measured = Measured::default();
                 if let Some(simulation) = &self.simulation {
                     self.recorder.record(simulation, &self.log);
                 }
@@ -305,7 +318,7 @@ impl Instance {
             });
         };
         simulation.set_gravity(self.run.parameters.gravity)?;
-        command(simulation, &self.run.commands)?;
+        command(simulation, &self.run)?;
         Ok(simulation)
     }
 
@@ -321,7 +334,7 @@ impl Instance {
         self.run = initial(&self.model);
         self.simulation = None;
         self.walk = None;
-        self.outputs = None;
+        self.measured = Measured::default();
         self.read_ahead = false;
     }
 
@@ -330,7 +343,7 @@ impl Instance {
         self.run.stage = Stage::Error;
         self.simulation = None;
         self.walk = None;
-        self.outputs = None;
+        self.measured = Measured::default();
         let text =
             "this is a defect of the library; reset the instance or restore an earlier state";
         self.log
@@ -352,6 +365,11 @@ impl Instance {
             guid: self.model.guid.clone(),
             run: self.run.clone(),
             snapshot: self.simulation.as_ref().map(Simulation::snapshot),
+            origin: self
+                .simulation
+                .as_ref()
+                .and_then(Simulation::origin)
+                .cloned(),
         };
         Ok(saved.encode()?)
     }
@@ -380,17 +398,17 @@ impl Instance {
                     .as_mut()
                     .filter(|s| parameters.fit(s.scene()))
                 {
-                    Some(simulation) => simulation.restore(snapshot)?,
+                    Some(simulation) => simulation.resume(snapshot, saved.origin)?,
                     None => {
                         let mut simulation = self.simulate(parameters)?;
-                        simulation.restore(snapshot)?;
+                        simulation.resume(snapshot, saved.origin)?;
                         self.simulation = Some(simulation);
                     }
                 }
             }
         }
         self.run = saved.run;
-        self.outputs = None;
+        self.measured = Measured::default();
         match &self.simulation {
             Some(simulation) if self.run.stage == Stage::StepComplete => {
                 self.recorder
@@ -412,7 +430,7 @@ impl Instance {
 
     /// Brings the simulation to the start that parameters and inputs ask for.
     fn prepare(&mut self) -> Result<(), Refusal> {
-        self.outputs = None;
+        self.measured = Measured::default();
         let mut simulation = self.simulate(&self.run.parameters)?;
         let gravity = self.run.parameters.gravity;
         // A start that is the scene's own is left alone: the FMU then gives the bytes that the library gives.
@@ -420,7 +438,7 @@ impl Instance {
             || self.run.commands.iter().any(|c| *c != Command::default())
         {
             simulation.set_gravity(gravity)?;
-            command(&mut simulation, &self.run.commands)?;
+            command(&mut simulation, &self.run)?;
             simulation.place()?;
         }
         self.simulation = Some(simulation);
@@ -438,16 +456,17 @@ fn initial(model: &Model) -> Run {
         time: 0.0,
         parameters: Parameters::of(&model.scene),
         commands: model.scene.boundaries.iter().map(Boundary::rest).collect(),
+        rates: vec![Rates::default(); model.scene.boundaries.len()],
         pending: false,
         failed: None,
     }
 }
 
 /// Hands the commands of all driven boundaries to the simulation.
-fn command(simulation: &mut Simulation, commands: &[Command]) -> Result<(), StepError> {
-    for (b, &command) in commands.iter().enumerate() {
+fn command(simulation: &mut Simulation, run: &Run) -> Result<(), StepError> {
+    for (b, (&command, &rates)) in run.commands.iter().zip(&run.rates).enumerate() {
         if simulation.scene().boundaries[b].is_commanded() {
-            simulation.command(b, command)?;
+            simulation.command_along(b, command, rates)?;
         }
     }
     Ok(())

@@ -59,6 +59,22 @@ pub enum Refusal {
         /// When it may be set.
         allowed: &'static str,
     },
+    /// No derivative of this kind.
+    #[error("no derivative of `{name}`, expected {expected}")]
+    NotDerivable {
+        /// Name of the variable.
+        name: String,
+        /// What has one.
+        expected: &'static str,
+    },
+    /// There is no step whose derivatives could be given.
+    #[error("no derivatives in state {stage}: {why}")]
+    NoStep {
+        /// Present state.
+        stage: Stage,
+        /// What is missing.
+        why: &'static str,
+    },
     /// The value is NaN, infinite or out of bounds.
     #[error("`{name}` = {found}, expected {expected}")]
     Range {

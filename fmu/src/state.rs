@@ -6,21 +6,22 @@
 //! 8..12     format version, little endian as all numbers
 //! 12..20    length of the body
 //! 20..24    CRC-32 of the body
-//! 24..      body (postcard): guid, life cycle, parameters, commands, snapshot of the simulation
+//! 24..      body (postcard): guid, life cycle, parameters, commands, snapshot of the simulation, start of its last step
 //! ```
 //!
 //! The snapshot is [`sphere_dda::simulation::Simulation::snapshot`], the same blob as a checkpoint file. There are no
 //! pointers inside, so a state works in another instance and in another process.
 
 use serde::{Deserialize, Serialize};
-use sphere_dda::motion::Command;
+use sphere_dda::motion::{Command, Rates};
+use sphere_dda::simulation::Origin;
 use thiserror::Error;
 
 use crate::instance::Stage;
 use crate::variables::Parameters;
 
 const MAGIC: [u8; 8] = *b"SDDAFMU\0";
-const FORMAT: u32 = 4;
+const FORMAT: u32 = 5;
 const HEADER: usize = 24;
 
 /// Everything an instance holds beside the simulation.
@@ -38,6 +39,8 @@ pub struct Run {
     pub parameters: Parameters,
     /// Command of every boundary, zero where it is not driven; `[B]`.
     pub commands: Vec<Command>,
+    /// Their derivatives by time, for the next step; `[B]`.
+    pub rates: Vec<Rates>,
     /// Something was set since the simulation was prepared (initialization) or advanced (stepping).
     pub pending: bool,
     /// Length \[s\] of the step that could not be taken from here.
@@ -53,6 +56,8 @@ pub struct Saved {
     pub run: Run,
     /// The simulation's part; `None` before there is one.
     pub snapshot: Option<Vec<u8>>,
+    /// Where its last step came from: what derivatives need.
+    pub origin: Option<Origin>,
 }
 
 /// Bytes that are no state of this model.
@@ -85,11 +90,12 @@ impl Saved {
     /// # Errors
     /// [`StateError::Format`].
     pub fn check(&self, boundaries: usize) -> Result<(), StateError> {
-        expect(
-            "number of commands",
-            self.run.commands.len() as u64,
-            boundaries as u64,
-        )?;
+        for (what, found) in [
+            ("number of commands", self.run.commands.len()),
+            ("number of derivatives", self.run.rates.len()),
+        ] {
+            expect(what, found as u64, boundaries as u64)?;
+        }
         let running = matches!(self.run.stage, Stage::StepComplete | Stage::StepFailed);
         if running && self.snapshot.is_none() {
             return Err(broken("simulation", "none".to_owned(), "one"));

@@ -93,7 +93,7 @@ impl Body {
 
     /// Displacement along the slide \[m\] or angle about the hinge \[rad\] at `pose`, of whole turns that nearest to `last`; zero for
     /// a free body.
-    pub(super) fn travel(&self, pose: &Pose, last: f64) -> f64 {
+    pub(crate) fn travel(&self, pose: &Pose, last: f64) -> f64 {
         match self.joint {
             Joint::Free => 0.0,
             Joint::Slide { axis } => axis.dot(&pose.translation),

@@ -289,7 +289,7 @@ impl Body {
 
 impl Area {
     /// The area \[m^2\] when the boundaries stand at `poses`.
-    fn of(&self, scene: &Scene, poses: &[Pose]) -> f64 {
+    pub(crate) fn of(&self, scene: &Scene, poses: &[Pose]) -> f64 {
         match self {
             Self::Constant(area) => *area,
             Self::Between(pairs) => {

@@ -82,11 +82,11 @@ impl GeneralMatrix {
         }
     }
 
-    /// Solves `K x = b` in place; `x` has `6 n` entries.
+    /// The factor, for several right-hand sides.
     ///
     /// # Errors
     /// [`LinearError::Singular`] or [`LinearError::Memory`].
-    pub fn solve(&self, x: &mut [f64]) -> Result<(), LinearError> {
+    pub fn factorize(&self) -> Result<GeneralFactor, LinearError> {
         let rows = 6 * self.columns.len();
         let view = SparseColMatRef::new(self.scalar.as_ref(), &self.values);
         let factor =
@@ -96,11 +96,36 @@ impl GeneralMatrix {
                     LuError::Generic(_) => LinearError::Memory { rows },
                 },
             )?;
-        factor.solve_in_place(ColMut::from_slice_mut(x).as_mat_mut());
-        if x.iter().all(|x| x.is_finite()) {
-            Ok(())
-        } else {
-            Err(LinearError::Singular { rows })
+        Ok(GeneralFactor { factor, rows })
+    }
+
+    /// Solves `K x = b` in place; `x` has `6 n` entries.
+    ///
+    /// # Errors
+    /// [`LinearError::Singular`] or [`LinearError::Memory`].
+    pub fn solve(&self, x: &mut [f64]) -> Result<(), LinearError> {
+        self.factorize()?.solve(x)
+    }
+}
+
+/// LU factor of a [`GeneralMatrix`].
+#[derive(Debug, Clone)]
+pub struct GeneralFactor {
+    factor: Lu<usize, f64>,
+    rows: usize,
+}
+
+impl GeneralFactor {
+    /// Solves `K x = b` in place; `x` has `6 n` entries.
+    ///
+    /// # Errors
+    /// [`LinearError::Singular`].
+    pub fn solve(&self, x: &mut [f64]) -> Result<(), LinearError> {
+        self.factor
+            .solve_in_place(ColMut::from_slice_mut(x).as_mat_mut());
+        match x.iter().all(|x| x.is_finite()) {
+            true => Ok(()),
+            false => Err(LinearError::Singular { rows: self.rows }),
         }
     }
 }

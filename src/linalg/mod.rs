@@ -10,7 +10,7 @@ mod lu;
 pub use block_matrix::{BlockMatrix, BlockPattern};
 pub use cholesky::{Factor, Symbolic};
 pub use condition::Condition;
-pub use lu::GeneralMatrix;
+pub use lu::{GeneralFactor, GeneralMatrix};
 
 use thiserror::Error;
 

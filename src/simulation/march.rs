@@ -2,12 +2,15 @@
 
 use std::sync::Arc;
 
+use serde::{Deserialize, Serialize};
+
+use super::derivatives::{Origin, Step};
 use super::{Simulation, StepReport, Wrench};
 use crate::Vec3;
 use crate::contacts::{Key, Partner};
 use crate::drive::{Drive, displacement};
 use crate::error::StepError;
-use crate::motion::{Command, Motion, Pose};
+use crate::motion::{Command, Motion, Pose, Rates};
 use crate::observe::sensors::flow::{Gate, crossings};
 use crate::scene::{Integrator, Measure, Scene};
 use crate::state::State;
@@ -18,23 +21,52 @@ use crate::step::{StepFailure, step};
 pub struct March {
     before: State,
     start: f64,
-    end: f64,
     steps: u64,
     done: u64,
-    /// Where the boundaries stood, and when, as their commands last changed.
-    from: Vec<Pose>,
-    since: f64,
-    commands: Vec<Command>,
-    sums: Sums,
+    course: Course,
+    /// State and account where commands last changed within the step.
+    midway: Option<(State, Account)>,
+    account: Account,
 }
 
-/// What is averaged over a communication step.
-#[derive(Debug)]
-struct Sums {
+/// Where the boundaries go until the end of a communication step.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(super) struct Course {
+    /// Where they stood, and when, as their commands last changed.
+    from: Vec<Pose>,
+    since: f64,
+    end: f64,
+    pub(super) commands: Vec<Command>,
+    rates: Vec<Rates>,
+}
+
+/// What is summed up over a communication step.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(super) struct Account {
     /// Impulse on each boundary, `[B]`.
     impulse: Vec<Wrench>,
     /// Impulse of the body forces \[N s\].
     body_force: Vec3,
+    /// Ends of the internal steps taken \[s\].
+    pub(super) taken: Vec<f64>,
+}
+
+/// What an internal step began with.
+#[derive(Debug)]
+pub(super) struct Before {
+    position: Vec<Vec3>,
+    persisting: Vec<Wrench>,
+    body_force: Vec3,
+}
+
+impl Before {
+    pub(super) fn of(state: &State) -> Self {
+        Self {
+            position: state.kinematics.position.clone(),
+            persisting: state.persisting_wrenches.clone(),
+            body_force: state.body_force,
+        }
+    }
 }
 
 impl March {
@@ -43,10 +75,42 @@ impl March {
     pub fn is_done(&self) -> bool {
         self.done == self.steps
     }
+}
 
-    fn drive<'a>(&self, scene: &'a Scene) -> Drive<'a> {
-        let (from, commands) = (&self.from, &self.commands);
-        Drive::new(&scene.boundaries, commands, from, self.since, self.end)
+impl Account {
+    fn of(boundaries: usize) -> Self {
+        Self {
+            impulse: vec![Wrench::default(); boundaries],
+            body_force: Vec3::zeros(),
+            taken: Vec::new(),
+        }
+    }
+
+    pub(super) fn fits(&self, boundaries: usize) -> bool {
+        self.impulse.len() == boundaries
+    }
+}
+
+impl Course {
+    pub(super) fn fits(&self, boundaries: usize) -> bool {
+        let rates = self.rates.is_empty() || self.rates.len() == boundaries;
+        rates && [self.from.len(), self.commands.len()] == [boundaries; 2]
+    }
+
+    /// Its length \[s\].
+    pub(super) fn length(&self) -> f64 {
+        self.end - self.since
+    }
+
+    pub(super) fn drive<'a>(&'a self, scene: &'a Scene) -> Drive<'a> {
+        let commands = (&self.commands[..], &self.rates[..]);
+        Drive::new(
+            &scene.boundaries,
+            commands,
+            &self.from,
+            self.since,
+            self.end,
+        )
     }
 }
 
@@ -67,24 +131,26 @@ impl Simulation {
                 expected: "a finite time after the current one",
             });
         }
+        let state = &self.state;
         let march = March {
-            before: self.state.clone(),
+            before: state.clone(),
             start,
-            end,
             // The margin keeps a communication step that is n internal steps but for rounding at n.
             steps: (h / self.scene.settings.step * (1.0 - 1e-9))
                 .ceil()
                 .max(1.0) as u64,
             done: 0,
-            from: self.state.poses.clone(),
-            since: start,
-            commands: self.state.commands.clone(),
-            sums: Sums {
-                impulse: vec![Wrench::default(); self.scene.boundaries.len()],
-                body_force: Vec3::zeros(),
+            course: Course {
+                from: state.poses.clone(),
+                since: start,
+                end,
+                commands: state.commands.clone(),
+                rates: state.rates.clone(),
             },
+            midway: None,
+            account: Account::of(self.scene.boundaries.len()),
         };
-        let drive = march.drive(&self.scene);
+        let drive = march.course.drive(&self.scene);
         self.check_jump(&drive, start, end, march.steps)?;
         self.state.report = StepReport::default();
         Ok(march)
@@ -108,39 +174,61 @@ impl Simulation {
             return Ok(());
         }
         let scene = Arc::clone(&self.scene);
-        let changed = march.commands != self.state.commands;
+        let course = &mut march.course;
+        let changed = course.commands != self.state.commands || course.rates != self.state.rates;
         if changed {
-            march.since = self.state.time;
-            march.from.clone_from(&self.state.poses);
-            march.commands.clone_from(&self.state.commands);
+            course.since = self.state.time;
+            course.from.clone_from(&self.state.poses);
+            course.commands.clone_from(&self.state.commands);
+            course.rates.clone_from(&self.state.rates);
+            march.midway = Some((self.state.clone(), march.account.clone()));
         }
-        let drive = march.drive(&scene);
+        let drive = march.course.drive(&scene);
+        let (start, end) = (march.start, march.course.end);
         if changed {
-            self.check_jump(&drive, march.since, march.end, march.steps - march.done)?;
+            self.check_jump(&drive, march.course.since, end, march.steps - march.done)?;
         }
         march.done += 1;
-        let (start, h) = (march.start, march.end - march.start);
-        let target = if march.is_done() {
-            march.end
+        let h = end - start;
+        let target = if march.done == march.steps {
+            end
         } else {
             start + h * (march.done as f64 / march.steps as f64)
         };
-        self.step_to(&scene, &drive, target, 0, &mut march.sums)?;
-        self.average(march);
+        self.step_to(&scene, &drive, target, 0, &mut march.account)?;
+        self.average(march.start, &march.account);
+        let h = self.state.time - march.start;
+        let totals = self.state.passed.iter().zip(&march.before.passed);
+        self.state.flow = totals.map(|(now, then)| (now - then) / h).collect();
         Ok(())
     }
 
-    /// Means over what has been taken of the communication step.
-    fn average(&mut self, march: &March) {
-        let h = self.state.time - march.start;
+    /// Ends a communication step where its last internal step has ended. Derivatives of commands end with it, and
+    /// [`Self::derivatives`] are those of this step.
+    pub fn end(&mut self, march: March) {
+        self.state.rates.clear();
+        let none = Account::of(self.scene.boundaries.len());
+        let (state, before) = march.midway.unwrap_or((march.before, none));
+        let mut account = march.account;
+        account.taken.drain(..before.taken.len());
+        self.origin = Some(Box::new(Origin::Step(Step {
+            state,
+            start: march.start,
+            course: march.course,
+            taken: account.taken,
+            before,
+        })));
+    }
+
+    /// Means over what has been taken of the communication step from `start` \[s\].
+    pub(super) fn average(&mut self, start: f64, account: &Account) {
+        let h = self.state.time - start;
         let means = self.state.mean_wrenches.iter_mut();
-        for (mean, impulse) in means.zip(&march.sums.impulse) {
+        for (mean, impulse) in means.zip(&account.impulse) {
             mean.force = impulse.force / h;
             mean.torque = impulse.torque / h;
         }
-        self.state.mean_body_force = march.sums.body_force / h;
-        let totals = self.state.passed.iter().zip(&march.before.passed);
-        self.state.flow = totals.map(|(now, then)| (now - then) / h).collect();
+        self.state.mean_body_force = account.body_force / h;
     }
 
     /// One internal step to `target`, or two half steps if it fails.
@@ -150,34 +238,30 @@ impl Simulation {
         drive: &Drive,
         target: f64,
         cuts: u32,
-        sums: &mut Sums,
+        account: &mut Account,
     ) -> Result<(), StepError> {
         let start = self.state.time;
         let dt = target - start;
-        let before = self.state.kinematics.position.clone();
-        let persisting = self.state.persisting_wrenches.clone();
-        let body_force = self.state.body_force;
-        match step(
+        let before = Before::of(&self.state);
+        let commands = drive.commands(scene.settings.integrator, start, dt);
+        let held = commands.map(|now| std::mem::replace(&mut self.state.commands, now));
+        let taken = step(
             scene,
             &mut self.state,
             &mut self.scratch,
             dt,
             drive.poses(target),
-        ) {
+        );
+        if let Some(held) = held {
+            self.state.commands = held;
+        }
+        match taken {
             Ok(outcome) => {
                 self.state.time = target;
                 self.state.report.include(&outcome);
                 self.check_finite()?;
-                let shift = self.shift(dt);
-                for (b, sum) in sums.impulse.iter_mut().enumerate() {
-                    sum.add(&self.state.wrenches[b], dt);
-                    // A step of another length moves the half step by persisting forces: their share.
-                    sum.add(&self.state.persisting_wrenches[b], shift);
-                    sum.add(&persisting[b], -shift);
-                }
-                let now = self.state.body_force;
-                sums.body_force += now * dt + (now - body_force) * shift;
-                self.count_crossings(&before);
+                self.book(&before, dt, account);
+                account.taken.push(target);
                 self.exchange();
                 Ok(())
             }
@@ -185,10 +269,24 @@ impl Simulation {
             Err(_) => {
                 self.state.report.cuts += 1;
                 let half = start + 0.5 * dt;
-                self.step_to(scene, drive, half, cuts + 1, sums)?;
-                self.step_to(scene, drive, target, cuts + 1, sums)
+                self.step_to(scene, drive, half, cuts + 1, account)?;
+                self.step_to(scene, drive, target, cuts + 1, account)
             }
         }
+    }
+
+    /// Sums up what an internal step of `dt` \[s\] has done.
+    pub(super) fn book(&mut self, before: &Before, dt: f64, account: &mut Account) {
+        let shift = self.shift(dt);
+        for (b, sum) in account.impulse.iter_mut().enumerate() {
+            sum.add(&self.state.wrenches[b], dt);
+            // A step of another length moves the half step by persisting forces: their share.
+            sum.add(&self.state.persisting_wrenches[b], shift);
+            sum.add(&before.persisting[b], -shift);
+        }
+        let now = self.state.body_force;
+        account.body_force += now * dt + (now - before.body_force) * shift;
+        self.count_crossings(&before.position);
     }
 
     /// Time \[s\] by which the half step after a step of `dt` lies earlier than half a `simulation.step` before its end.
@@ -256,25 +354,26 @@ impl Simulation {
             .iter()
             .copied()
             .fold(f64::INFINITY, f64::min);
-        let poses = drive.poses(start + (end - start) / steps as f64);
-        for ((boundary, from), to) in self
-            .scene
-            .boundaries
-            .iter()
-            .zip(&self.state.poses)
-            .zip(&poses)
-        {
-            if !matches!(boundary.motion, Motion::Input(_)) || from == to {
-                continue;
+        // With a constant twist every internal step is as long as the first.
+        let looked_at = if drive.bends() { steps } else { 1 };
+        let mut before = self.state.poses.clone();
+        for k in 1..=looked_at {
+            let poses = drive.poses(start + (end - start) * (k as f64 / steps as f64));
+            let ways = before.iter().zip(&poses);
+            for (boundary, (from, to)) in self.scene.boundaries.iter().zip(ways) {
+                if !matches!(boundary.motion, Motion::Input(_)) || from == to {
+                    continue;
+                }
+                let jump = displacement(boundary, from, to);
+                if jump > limit {
+                    return Err(StepError::Jump {
+                        boundary: boundary.name.clone(),
+                        jump,
+                        limit,
+                    });
+                }
             }
-            let jump = displacement(boundary, from, to);
-            if jump > limit {
-                return Err(StepError::Jump {
-                    boundary: boundary.name.clone(),
-                    jump,
-                    limit,
-                });
-            }
+            before = poses;
         }
         Ok(())
     }

@@ -1,5 +1,6 @@
 //! The simulation: owns the state, advances it (`march`), takes and restores snapshots.
 
+mod derivatives;
 mod exchange;
 mod march;
 mod settle;
@@ -11,17 +12,18 @@ use serde::{Deserialize, Serialize};
 use crate::Vec3;
 use crate::boundaries::Boundary;
 use crate::contacts::Contact;
-use crate::drive::{Drive, target};
+use crate::drive::Drive;
 use crate::driven::{BodyState, JointState};
 use crate::error::{SnapshotError, StepError};
 use crate::gravity::GravityMotion;
-use crate::motion::{Command, Motion, Pose, Twist};
+use crate::motion::{Command, Pose, Rates, Twist};
 use crate::particles::Kinematics;
 use crate::problem::{Dof6, Impulses, Problem};
 use crate::scene::Scene;
 use crate::snapshot;
 use crate::state::{State, Work};
-use crate::step::{Scratch, StepOutcome, initial_forces};
+use crate::step::{Scratch, StepOutcome, initial_forces, remove_overlaps};
+pub use derivatives::{Direction, Origin};
 pub use march::March;
 pub use settle::{Settle, Settled};
 
@@ -63,6 +65,9 @@ pub struct StepReport {
     pub slip_residual: f64,
     /// Largest force residual \[-\].
     pub force_residual: f64,
+    /// How near a contact came to the edge of its state (open, stick, slip) in any internal step: 1 is at the edge, where
+    /// derivatives are one-sided, 0 far from it \[-\].
+    pub kink: f64,
 }
 
 impl StepReport {
@@ -73,6 +78,7 @@ impl StepReport {
         self.augmentations += solver.augmentations as u64;
         self.factorizations += solver.factorizations as u64;
         self.max_overlap = self.max_overlap.max(outcome.max_overlap);
+        self.kink = self.kink.max(outcome.kink);
         self.gap_residual = self.gap_residual.max(solver.residual.gap);
         self.slip_residual = self.slip_residual.max(solver.residual.slip);
         self.force_residual = self.force_residual.max(solver.residual.force);
@@ -85,6 +91,8 @@ pub struct Simulation {
     scene: Arc<Scene>,
     state: State,
     scratch: Scratch,
+    /// Where the last communication step came from.
+    origin: Option<Box<Origin>>,
 }
 
 impl Simulation {
@@ -130,6 +138,7 @@ impl Simulation {
             poses,
             bodies: BodyState::initial(&scene),
             commands: scene.boundaries.iter().map(Boundary::rest).collect(),
+            rates: Vec::new(),
             wrenches: vec![Wrench::default(); boundaries],
             persisting_wrenches: vec![Wrench::default(); boundaries],
             mean_wrenches: vec![Wrench::default(); boundaries],
@@ -150,18 +159,30 @@ impl Simulation {
             scene,
             state,
             scratch: Scratch::default(),
+            origin: None,
         };
         simulation.settle_start()?;
         Ok(simulation)
     }
 
-    /// Overlaps out by displacement, then contact forces at rest.
     fn settle_start(&mut self) -> Result<(), StepError> {
+        let unsettled = self.state.clone();
+        self.settle_beside(&mut [])?;
+        self.origin = Some(Box::new(Origin::Start(unsettled)));
+        Ok(())
+    }
+
+    /// Overlaps out by displacement, then contact forces at rest; so also in `pairs` of states to either side.
+    fn settle_beside(&mut self, pairs: &mut [[&mut State; 2]]) -> Result<(), StepError> {
         let scene = Arc::clone(&self.scene);
-        crate::step::remove_overlaps(&scene, &mut self.state, &mut self.scratch)
-            .and_then(|()| initial_forces(&scene, &mut self.state, &mut self.scratch))
+        let Self { state, scratch, .. } = self;
+        remove_overlaps(&scene, state, scratch, pairs)
+            .and_then(|()| initial_forces(&scene, state, scratch, pairs))
             .map_err(|failure| self.explain(failure, scene.settings.step, 0))?;
-        self.state.mean_wrenches.clone_from(&self.state.wrenches);
+        let both = pairs.iter_mut().flatten().map(|state| &mut **state);
+        for state in both.chain([&mut self.state]) {
+            state.mean_wrenches.clone_from(&state.wrenches);
+        }
         Ok(())
     }
 
@@ -224,6 +245,21 @@ impl Simulation {
     /// # Errors
     /// [`StepError::Argument`] if the boundary is no input or a component is not finite.
     pub fn command(&mut self, b: usize, command: Command) -> Result<(), StepError> {
+        self.command_along(b, command, Rates::default())
+    }
+
+    /// As [`Self::command`], for a command that changes within the next communication step: `s` after the beginning of that
+    /// step it is `u + u' s + u'' s^2/2`, and after it `u` again. A pose follows this without lag; what it misses at the
+    /// beginning is closed linearly over the step.
+    ///
+    /// # Errors
+    /// As [`Self::command`].
+    pub fn command_along(
+        &mut self,
+        b: usize,
+        command: Command,
+        rates: Rates,
+    ) -> Result<(), StepError> {
         let boundary = self.scene.boundaries.get(b);
         if !boundary.is_some_and(Boundary::is_commanded) {
             return Err(StepError::Argument {
@@ -232,23 +268,27 @@ impl Simulation {
                 expected: "the index of a boundary with `input`, `surface_input` or `servo.input`",
             });
         }
-        let vectors = [
-            command.translation,
-            command.rotation,
-            command.velocity,
-            command.angular_velocity,
-            command.surface_velocity,
-            command.force,
-            command.torque,
-        ];
-        finite(
-            "command",
-            vectors
-                .iter()
-                .flat_map(|v| v.iter())
-                .chain([&command.scalar, &command.pressure]),
-        )?;
-        self.state.commands[b] = command;
+        for part in [&command, &rates[0], &rates[1]] {
+            let vectors = [
+                part.translation,
+                part.rotation,
+                part.velocity,
+                part.angular_velocity,
+                part.surface_velocity,
+                part.force,
+                part.torque,
+            ];
+            let components = vectors.iter().flat_map(|v| v.iter());
+            finite("command", components.chain([&part.scalar, &part.pressure]))?;
+        }
+        let state = &mut self.state;
+        state.commands[b] = command;
+        if rates != Rates::default() && state.rates.is_empty() {
+            state.rates = vec![Rates::default(); state.commands.len()];
+        }
+        if let Some(place) = state.rates.get_mut(b) {
+            *place = rates;
+        }
         Ok(())
     }
 
@@ -258,14 +298,7 @@ impl Simulation {
     /// # Errors
     /// As [`Self::new`].
     pub fn place(&mut self) -> Result<(), StepError> {
-        for (b, boundary) in self.scene.boundaries.iter().enumerate() {
-            if let Motion::Input(kind) = boundary.motion {
-                if let Some(pose) = target(kind, &self.state.commands[b]) {
-                    self.state.poses[b] = pose;
-                }
-                self.state.twists[b] = Twist::default();
-            }
-        }
+        self.state.place(&self.scene);
         self.settle_start()
     }
 
@@ -287,6 +320,7 @@ impl Simulation {
         while !march.is_done() {
             self.internal_step(&mut march)?;
         }
+        self.end(march);
         Ok(self.state.report)
     }
 
@@ -305,7 +339,8 @@ impl Simulation {
         }
         let (state, end) = (&self.state, self.state.time + dt);
         let boundaries = &self.scene.boundaries;
-        let drive = Drive::new(boundaries, &state.commands, &state.poses, state.time, end);
+        let commands = (&state.commands[..], &state.rates[..]);
+        let drive = Drive::new(boundaries, commands, &state.poses, state.time, end);
         let poses = drive.poses(end);
         Ok(crate::step::problem(&self.scene, state, dt, &poses))
     }
@@ -330,6 +365,13 @@ impl Simulation {
     /// [`SnapshotError`] if the bytes are damaged or belong to another scene or version; the state is unchanged.
     pub fn restore(&mut self, blob: &[u8]) -> Result<(), SnapshotError> {
         let state: State = snapshot::restore(blob, &self.scene.hash)?;
+        self.check_counts(&state)?;
+        self.state = state;
+        self.origin = None;
+        Ok(())
+    }
+
+    fn check_counts(&self, state: &State) -> Result<(), SnapshotError> {
         let counts = [
             state.kinematics.len(),
             state.poses.len(),
@@ -342,7 +384,6 @@ impl Simulation {
                 "it has other numbers of spheres or boundaries than the scene of its hash",
             ));
         }
-        self.state = state;
         Ok(())
     }
 

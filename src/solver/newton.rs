@@ -38,25 +38,28 @@ const BALANCE: [f64; 2] = [1e-13, 1e-9];
 
 /// A row's answer to a velocity.
 #[derive(Debug, Clone, Copy)]
-struct Answer {
+pub(super) struct Answer {
     /// Its impulse `p^` \[N s\].
-    impulse: Vec3,
+    pub(super) impulse: Vec3,
     /// `-d p^ / d u` \[kg\].
-    tangent: Matrix3<f64>,
+    pub(super) tangent: Matrix3<f64>,
     /// Of a resistance: `-d p^ / d u_n` \[kg\], `u_n` being the normal velocity of its contact.
-    widening: Vec3,
+    pub(super) widening: Vec3,
 }
 
 /// The answer of a row with impulse `p` at velocity `u`, for the proximal stiffness `s` \[kg\]; `contact` is that of a
 /// resistance's contact, with its normal.
-fn answer(row: &Row, u: Vec3, p: Vec3, s: f64, contact: Option<(&Answer, Vec3)>) -> Answer {
+pub(super) fn answer(
+    row: &Row,
+    u: Vec3,
+    p: Vec3,
+    s: f64,
+    contact: Option<(&Answer, Vec3)>,
+) -> Answer {
     let n = row.normal;
     let (d_n, d_t) = split(u + row.bias, n);
     let (p_n, p_t) = split(p, n);
-    let s_t = match row.law {
-        Law::Resistance { .. } => s,
-        _ => s * SHEAR_RATIO,
-    };
+    let s_t = s * shear_share(row);
     let k_n = s / (1.0 + s * row.compliance_n);
     let k_t = s_t / (1.0 + s_t * row.compliance_t);
     let q_n = (p_n / s - d_n) * k_n;
@@ -100,6 +103,14 @@ fn answer(row: &Row, u: Vec3, p: Vec3, s: f64, contact: Option<(&Answer, Vec3)>)
     }
 }
 
+/// Stiffness across the normal over that along it \[-\].
+pub(super) fn shear_share(row: &Row) -> f64 {
+    match row.law {
+        Law::Resistance { .. } => 1.0,
+        _ => SHEAR_RATIO,
+    }
+}
+
 /// Projection of `y` on the disc of radius `r` across the normal, its derivative by `y` and by `r`.
 fn on_disc(y: Vec3, r: f64, across: &Matrix3<f64>) -> (Vec3, Matrix3<f64>, Vec3) {
     let length = y.norm();
@@ -115,7 +126,11 @@ fn on_disc(y: Vec3, r: f64, across: &Matrix3<f64>) -> (Vec3, Matrix3<f64>, Vec3)
 }
 
 /// The contact that bounds row `row`, as it has answered.
-fn bound<'a>(row: &Row, rows: &[Row], answers: &'a [Answer]) -> Option<(&'a Answer, Vec3)> {
+pub(super) fn bound<'a>(
+    row: &Row,
+    rows: &[Row],
+    answers: &'a [Answer],
+) -> Option<(&'a Answer, Vec3)> {
     match row.law {
         Law::Resistance { contact, .. } => {
             let contact = contact as usize;
@@ -136,12 +151,12 @@ struct Iterate {
 }
 
 /// The proximal problem: what does not change while Newton iterates.
-struct Proximal<'a> {
-    problem: &'a Problem,
-    impulses: &'a [Vec3],
+pub(super) struct Proximal<'a> {
+    pub(super) problem: &'a Problem,
+    pub(super) impulses: &'a [Vec3],
     /// `kappa / w_n` of each row \[kg\].
-    stiffness: Vec<f64>,
-    masses: &'a Masses<'a>,
+    pub(super) stiffness: Vec<f64>,
+    pub(super) masses: &'a Masses<'a>,
 }
 
 impl Proximal<'_> {
@@ -168,7 +183,7 @@ impl Proximal<'_> {
         }
     }
 
-    fn assemble(&self, matrix: &mut GeneralMatrix, answers: &[Answer]) {
+    pub(super) fn assemble(&self, matrix: &mut GeneralMatrix, answers: &[Answer]) {
         matrix.clear();
         for i in 0..self.masses.len() {
             matrix.add(i, i, &self.masses.block(i));
@@ -250,6 +265,23 @@ impl Proximal<'_> {
     }
 }
 
+/// The matrix of a problem, all zero.
+pub(super) fn empty(problem: &Problem) -> Result<GeneralMatrix, LinearError> {
+    let pairs = problem.rows.iter().filter(|row| row.b != GROUND);
+    GeneralMatrix::new(problem.free.len(), pairs.map(|row| (row.a, row.b)))
+}
+
+/// `1/w` of each row \[kg\].
+pub(super) fn stiffness(problem: &Problem, scales: &[Scale]) -> Vec<f64> {
+    // Where the rotation about the normal is locked, a resistance still has that across it.
+    let operator = |(scale, row): (&Scale, &Row)| match row.law {
+        Law::Resistance { .. } => scale.normal.max(scale.tangential),
+        _ => scale.normal,
+    };
+    let rows = scales.iter().zip(&problem.rows).map(operator);
+    rows.map(|w| if w > 0.0 { 1.0 / w } else { 1.0 }).collect()
+}
+
 /// Solves `problem` from the impulses given; see [`super::solve`].
 ///
 /// # Errors
@@ -261,18 +293,8 @@ pub fn solve(
 ) -> Result<Report, LinearError> {
     let scales = Scale::of(problem);
     let masses = Masses::of(problem);
-    let pairs = problem.rows.iter().filter(|row| row.b != GROUND);
-    let mut matrix = GeneralMatrix::new(problem.free.len(), pairs.map(|row| (row.a, row.b)))?;
-    // Where the rotation about the normal is locked, a resistance still has that across it.
-    let stiffness: Vec<f64> = scales
-        .iter()
-        .zip(&problem.rows)
-        .map(|(scale, row)| match row.law {
-            Law::Resistance { .. } => scale.normal.max(scale.tangential),
-            _ => scale.normal,
-        })
-        .map(|w| if w > 0.0 { 1.0 / w } else { 1.0 })
-        .collect();
+    let mut matrix = empty(problem)?;
+    let stiffness = stiffness(problem, &scales);
     let (mut kappa, mut growth) = (FIRST, GROWTH[0]);
     let mut report = Report {
         residual: evaluate(problem, &scales, impulses),

@@ -1,12 +1,16 @@
 //! One internal time step, its stages in order: `stage` finds candidates and solves until the true geometry
 //! agrees, `commit` writes the solution into the state; `start` does the same at t = 0.
 
+mod beside;
 mod commit;
 mod external;
+mod kink;
 mod passing;
 mod stage;
 mod start;
 
+pub use beside::Beside;
+use beside::Twin;
 pub(crate) use external::release;
 pub use start::{initial_forces, remove_overlaps};
 
@@ -38,6 +42,8 @@ pub struct StepOutcome {
     pub solver: Report,
     /// Largest true overlap over radius at the end \[-\].
     pub max_overlap: f64,
+    /// How near a contact is to the edge of its state \[-\]: [`crate::simulation::StepReport::kink`].
+    pub kink: f64,
 }
 
 /// Why an internal step failed; the caller may cut it.
@@ -79,24 +85,47 @@ pub fn step(
     dt: f64,
     poses: Vec<Pose>,
 ) -> Result<StepOutcome, StepFailure> {
+    step_beside(scene, state, scratch, (dt, poses), &mut [])
+}
+
+/// [`step`] to `(dt, poses)`, and beside it pairs of states to either side of `state`: see [`beside`].
+///
+/// # Errors
+/// As [`step`], and if the tangent of the solution is singular.
+pub fn step_beside(
+    scene: &Scene,
+    state: &mut State,
+    scratch: &mut Scratch,
+    (dt, poses): (f64, Vec<Pose>),
+    pairs: &mut [[Beside<'_>; 2]],
+) -> Result<StepOutcome, StepFailure> {
     let start = Start::of(scene, state, dt, poses);
+    let starts: Vec<[Start; 2]> = pairs
+        .iter()
+        .map(|pair| [0, 1].map(|k| Start::of(scene, pair[k].state, dt, pair[k].poses.clone())))
+        .collect();
     let mut stage = Stage::new(start.inputs(scene, dt), state, scratch);
-    let (solution, outcome) = stage.resolve(state, scratch)?;
+    let mut twins: Vec<Twin> = starts
+        .iter()
+        .zip(&*pairs)
+        .map(|(starts, pair)| Twin {
+            stages: [0, 1]
+                .map(|k| Stage::beside(&stage, starts[k].inputs(scene, dt), pair[k].state)),
+        })
+        .collect();
+    let (solution, outcome) = stage.resolve(state, scratch, &mut twins)?;
     stage.spread_impacts(state);
-    let poses = stage.end_poses(&solution);
-    stage.commit(state, &solution, &poses);
+    for ((twin, starts), pair) in twins.iter_mut().zip(&starts).zip(pairs) {
+        twin.agree(&stage);
+        for (k, side) in twin.stages.iter().enumerate() {
+            let solution = side.problem.velocities(&side.impulses);
+            starts[k].finish(side, pair[k].state, &solution, dt);
+        }
+    }
+    start.finish(&stage, state, &solution, dt);
     if outcome.solver.penalty > 0.0 && outcome.solver.penalty.is_finite() {
         state.penalty = outcome.solver.penalty;
     }
-    state.twists = state
-        .poses
-        .iter()
-        .zip(&poses)
-        .map(|(from, to)| from.twist_to(to, dt))
-        .collect();
-    state.poses = poses;
-    start.book(scene, state, dt);
-    state.last_step = dt;
     Ok(outcome)
 }
 
@@ -162,6 +191,17 @@ impl<'s> Start<'s> {
             twists: state.twists.clone(),
             surfaces: surfaces(scene, state),
         }
+    }
+
+    /// Writes the solution of `stage` into `state`.
+    fn finish(&self, stage: &Stage, state: &mut State, solution: &[Dof6], dt: f64) {
+        let poses = stage.end_poses(solution);
+        stage.commit(state, solution, &poses);
+        let ways = state.poses.iter().zip(&poses);
+        state.twists = ways.map(|(from, to)| from.twist_to(to, dt)).collect();
+        state.poses = poses;
+        self.book(stage.inputs.scene, state, dt);
+        state.last_step = dt;
     }
 
     fn inputs<'a>(&'a self, scene: &'a Scene, dt: f64) -> Inputs<'a> {

@@ -1,10 +1,12 @@
 //! The step under way: candidates, rows, and the solve that repeats until the true geometry agrees.
 
+use super::beside::{self, Twin};
 use super::{Passed, Scratch, StepFailure, StepOutcome};
 use crate::Vec3;
 use crate::contacts::narrow_phase::{Candidate, Placement};
 use crate::contacts::{Partner, history};
 use crate::driven::Hold;
+use crate::linalg::LinearError;
 use crate::motion::Pose;
 use crate::problem::assemble::Inputs;
 use crate::problem::{Dof6, Law, Problem};
@@ -93,6 +95,32 @@ impl<'a> Stage<'a> {
             moves: true,
         };
         stage.write_rows(state);
+        stage
+    }
+
+    /// The step beside `other`, from slightly other data: the same contacts, each an impact if it is one there.
+    pub(super) fn beside(other: &Stage, inputs: Inputs<'a>, state: &State) -> Self {
+        let scene = inputs.scene;
+        let start = Placement {
+            particles: &scene.particles,
+            position: &inputs.kinematics.position,
+            present: &inputs.kinematics.present,
+            boundaries: &scene.boundaries,
+            poses: inputs.poses[0],
+            cell: &scene.cell,
+        };
+        let mut stage = Self {
+            problem: inputs.bodies(),
+            candidates: other.candidates.iter().map(|c| follow(&start, c)).collect(),
+            inputs,
+            start,
+            impact: Vec::new(),
+            holds: Vec::new(),
+            impulses: Vec::new(),
+            moves: other.moves,
+        };
+        stage.write_rows(state);
+        stage.impact.clone_from(&other.impact);
         stage
     }
 
@@ -225,6 +253,7 @@ impl<'a> Stage<'a> {
         &mut self,
         state: &State,
         scratch: &mut Scratch,
+        twins: &mut [Twin<'_>],
     ) -> Result<(Vec<Dof6>, StepOutcome), StepFailure> {
         let mut total = Report::default();
         for _ in 0..PASSES {
@@ -232,6 +261,7 @@ impl<'a> Stage<'a> {
             if !total.converged {
                 return Err(self.failure(&total));
             }
+            beside::follow(self, twins).map_err(|broken| self.broken(&total, broken))?;
             let solution = self.problem.velocities(&self.impulses);
             let position = self.moved(&solution);
             let ends = self.end_poses(&solution);
@@ -252,7 +282,7 @@ impl<'a> Stage<'a> {
             if swept && let Some(passed) = self.struck(&end, &closed) {
                 return Err(self.too_fast(&total, passed));
             }
-            if alm && self.correct(&end, &closed, &solution, state) {
+            if alm && self.correct(&end, &closed, (&solution, state), twins) {
                 continue;
             }
             if swept && let Some(passed) = self.passed(&solution, &ends, scratch) {
@@ -261,6 +291,7 @@ impl<'a> Stage<'a> {
             let outcome = StepOutcome {
                 solver: total,
                 max_overlap,
+                kink: self.kink(&solution),
             };
             return Ok((solution, outcome));
         }
@@ -283,24 +314,17 @@ impl<'a> Stage<'a> {
         &mut self,
         end: &Placement,
         closed: &[Candidate],
-        solution: &[Dof6],
-        state: &State,
+        (solution, state): (&[Dof6], &State),
+        twins: &mut [Twin<'_>],
     ) -> bool {
         let settings = &self.inputs.scene.settings;
         let tolerance = settings.tolerance.gap;
-        let step = self.inputs.step;
-        let true_gap = |k: usize| {
-            // With a contact stiffness the spring's compression is not an overlap.
-            let row = &self.problem.rows[k];
-            let compression = self.impulses[k].dot(&row.normal) * row.compliance_n * step;
-            end.follow(&self.candidates[k]).gap + compression
-        };
         let loaded = |k: usize| self.impulses[k] != Vec3::zeros();
         let wall = |k: usize| matches!(self.candidates[k].key.partner, Partner::Boundary { .. });
         // Two spheres without load that overlap are among the closed ones below.
         let mut off = (0..self.candidates.len()).any(|k| {
             (loaded(k) || wall(k)) && {
-                let (gap, radius) = (true_gap(k), self.problem.rows[k].radius);
+                let (gap, radius) = (self.true_gap(end, k), self.problem.rows[k].radius);
                 let opens = loaded(k) && !self.impact[k] && gap > OPENING * radius;
                 gap < -tolerance * radius || opens
             }
@@ -320,27 +344,56 @@ impl<'a> Stage<'a> {
         if !off && late.is_empty() {
             return false;
         }
-        let true_gaps: Vec<f64> = (0..self.candidates.len()).map(true_gap).collect();
-        for (k, gap) in true_gaps.into_iter().enumerate() {
+        // A rebound yields only to an overlap.
+        let yields: Vec<bool> = (0..self.candidates.len())
+            .map(|k| {
+                !self.impact[k] || self.true_gap(end, k) < -tolerance * self.problem.rows[k].radius
+            })
+            .collect();
+        for stage in twins.iter_mut().flat_map(|twin| &mut twin.stages) {
+            let solution = stage.problem.velocities(&stage.impulses);
+            let (position, poses) = (stage.moved(&solution), stage.end_poses(&solution));
+            let end = Placement {
+                position: &position,
+                poses: &poses,
+                ..stage.start
+            };
+            let late: Vec<Candidate> = late.iter().map(|found| follow(&end, found)).collect();
+            stage.relinearise(&end, &solution, &yields);
+            for found in late {
+                stage.insert(found, &solution, state);
+            }
+        }
+        self.relinearise(end, solution, &yields);
+        for found in late {
+            self.insert(found, solution, state);
+        }
+        true
+    }
+
+    /// Lets the gaps of the contacts that yield be the true ones at `end`, where `solution` leads.
+    fn relinearise(&mut self, end: &Placement, solution: &[Dof6], yields: &[bool]) {
+        let step = self.inputs.step;
+        for k in (0..yields.len()).filter(|&k| yields[k]) {
+            let gap = self.true_gap(end, k);
             let row = &mut self.problem.rows[k];
             let n = row.normal;
             let linear = step * n.dot(&row.relative_velocity(solution));
             let compression = self.impulses[k].dot(&n) * row.compliance_n * step;
             let wanted = (gap - compression - linear) / step;
             let now = row.bias.dot(&n);
-            if self.impact[k] {
-                // A rebound yields only to an overlap.
-                if gap < -tolerance * row.radius {
-                    row.bias += n * (wanted.min(now) - now);
-                }
-            } else {
-                row.bias += n * (wanted - now);
-            }
+            row.bias += match self.impact[k] {
+                true => n * (wanted.min(now) - now),
+                false => n * (wanted - now),
+            };
         }
-        for found in late {
-            self.insert(found, solution, state);
-        }
-        true
+    }
+
+    /// Gap \[m\] of contact `k` at `end`, without the compression of a contact spring, which is not an overlap.
+    fn true_gap(&self, end: &Placement, k: usize) -> f64 {
+        let row = &self.problem.rows[k];
+        let compression = self.impulses[k].dot(&row.normal) * row.compliance_n * self.inputs.step;
+        end.follow(&self.candidates[k]).gap + compression
     }
 
     /// Adds a contact that `solution` closes: its normal is the one it closes with.
@@ -392,6 +445,13 @@ impl<'a> Stage<'a> {
         }
     }
 
+    pub(super) fn broken(&self, report: &Report, broken: LinearError) -> StepFailure {
+        StepFailure {
+            broken: Some(Box::new(broken)),
+            ..self.failure(report)
+        }
+    }
+
     pub(super) fn failure(&self, report: &Report) -> StepFailure {
         let tolerance = &self.inputs.scene.settings.tolerance;
         let residual = &report.residual;
@@ -438,5 +498,14 @@ impl<'a> Stage<'a> {
             let opposite = walls[k + 1..].iter().find(|(_, m)| n.dot(m) < -0.5)?;
             Some((sphere as usize, [*a, opposite.0]))
         })
+    }
+}
+
+/// The pair of `candidate` at another placement; where that has no such feature, as it was.
+fn follow(at: &Placement, candidate: &Candidate) -> Candidate {
+    let found = at.follow(candidate);
+    match found.gap.is_finite() {
+        true => found,
+        false => *candidate,
     }
 }

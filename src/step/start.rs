@@ -1,12 +1,12 @@
 //! The start of a run: overlaps out by displacement, contact forces at rest.
 
+use super::beside::{self, Twin};
 use super::stage::{Held, Stage};
-use super::{Scratch, StepFailure, external, surfaces};
+use super::{Scratch, Start, StepFailure, external, surfaces};
 use crate::Vec3;
 use crate::contacts::narrow_phase::Placement;
 use crate::driven::Ready;
 use crate::motion::Twist;
-use crate::problem::assemble::{Inputs, mean_acceleration};
 use crate::problem::{Dof6, Law, Row};
 use crate::scene::{Method, Scene};
 use crate::state::State;
@@ -15,7 +15,7 @@ use crate::state::State;
 const AT_REST: f64 = 1e-8;
 
 /// Contact forces at t = 0 from the acceleration-level problem: closed contacts that neither approach nor part
-/// must not accelerate into each other. Leaves them and the persisting accelerations in `state`.
+/// must not accelerate into each other. Leaves them and the persisting accelerations in `state`, and beside it in `pairs`.
 ///
 /// # Errors
 /// [`StepFailure`] if that problem has no solution within the tolerances.
@@ -23,29 +23,18 @@ pub fn initial_forces(
     scene: &Scene,
     state: &mut State,
     scratch: &mut Scratch,
+    pairs: &mut [[&mut State; 2]],
 ) -> Result<(), StepFailure> {
     let dt = 0.5 * scene.settings.step;
-    let kinematics = state.kinematics.clone();
-    let gravity = state.gravity_at(scene, state.time);
-    let external = external::at_start(scene, &kinematics, gravity);
-    let targets: Vec<Vec3> = scene.springs.iter().map(|spring| spring.target).collect();
-    let (poses, twists) = (state.poses.clone(), state.twists.clone());
-    let bodies = Ready::all(scene, state, dt);
-    let inputs = Inputs {
-        scene,
-        kinematics: &kinematics,
-        external: &external,
-        step: dt,
-        poses: [&poses, &poses],
-        bodies: &bodies,
-        twists: &twists,
-        surfaces: &surfaces(scene, state),
-        gravity,
-        targets: &targets,
-        mean_acceleration: mean_acceleration(scene, &external, &bodies),
-    };
-    let mut stage = Stage::new(inputs, state, scratch);
-    stage.keep_resting(scene);
+    let start = Start::at_rest(scene, state, dt);
+    let starts = each(pairs, |state| Start::at_rest(scene, state, dt));
+    let mut stage = Stage::new(start.inputs(scene, dt), state, scratch);
+    let mut twins = twins(&stage, scene, dt, &starts, pairs);
+    let resting = stage.resting(scene);
+    for side in twins.iter_mut().flat_map(|twin| &mut twin.stages) {
+        side.keep(&resting);
+    }
+    stage.keep(&resting);
     let report = stage.solve(state, scratch);
     if scene.settings.method == Method::Alm && !report.converged {
         return Err(stage.failure(&report));
@@ -53,21 +42,37 @@ pub fn initial_forces(
     if scene.settings.method == Method::Alm {
         stage.polish(state, scratch, AT_REST);
     }
-    stage.store(state);
-    state.springs = stage.spring_forces();
-    state.persisting = stage.persisting_acceleration();
-    external::keep(scene, state, &external);
-    let solution = stage.problem.velocities(&stage.impulses);
-    let at_rest = stage.finished(&solution, &poses);
-    for (carried, (found, _)) in state.bodies.iter_mut().zip(at_rest) {
-        carried.persisting = found.persisting;
-        carried.holds = found.holds;
+    beside::follow(&stage, &mut twins).map_err(|broken| stage.broken(&report, broken))?;
+    for ((twin, starts), pair) in twins.iter().zip(&starts).zip(pairs) {
+        for (k, side) in twin.stages.iter().enumerate() {
+            side.store_start(pair[k], &starts[k].external);
+        }
     }
+    stage.store_start(state, &start.external);
     Ok(())
 }
 
+/// One of something for each state.
+fn each<T>(pairs: &[[&mut State; 2]], of: impl Fn(&State) -> T) -> Vec<[T; 2]> {
+    let pair = |pair: &[&mut State; 2]| [0, 1].map(|k| of(&*pair[k]));
+    pairs.iter().map(pair).collect()
+}
+
+fn twins<'a>(
+    stage: &Stage,
+    scene: &'a Scene,
+    dt: f64,
+    starts: &'a [[Start<'a>; 2]],
+    pairs: &[[&mut State; 2]],
+) -> Vec<Twin<'a>> {
+    let twin = |(starts, pair): (&'a [Start<'a>; 2], &[&mut State; 2])| Twin {
+        stages: [0, 1].map(|k| Stage::beside(stage, starts[k].inputs(scene, dt), &*pair[k])),
+    };
+    starts.iter().zip(pairs).map(twin).collect()
+}
+
 /// Removes overlaps at t = 0 by the smallest displacement (in the mass metric) that closes no other gap; leaves the
-/// largest overlap found in `state.initial_overlap`. The penalty method keeps its overlaps.
+/// largest overlap found in `state.initial_overlap`. The penalty method keeps its overlaps. `pairs` do as `state` does.
 ///
 /// # Errors
 /// [`StepFailure`] if no such displacement is found.
@@ -75,8 +80,9 @@ pub fn remove_overlaps(
     scene: &Scene,
     state: &mut State,
     scratch: &mut Scratch,
+    pairs: &mut [[&mut State; 2]],
 ) -> Result<(), StepFailure> {
-    let start = Placement {
+    let placement = Placement {
         particles: &scene.particles,
         position: &state.kinematics.position,
         present: &state.kinematics.present,
@@ -84,50 +90,101 @@ pub fn remove_overlaps(
         poses: &state.poses,
         cell: &scene.cell,
     };
-    scratch.neighbors.ensure(&start, 0.0);
-    let closed = start.candidates(&scratch.neighbors, |_, _| 0.0, |_, _| 0.0);
+    scratch.neighbors.ensure(&placement, 0.0);
+    let closed = placement.candidates(&scratch.neighbors, |_, _| 0.0, |_, _| 0.0);
     state.initial_overlap = closed
         .iter()
-        .map(|c| -c.gap / start.scale(c.key))
+        .map(|c| -c.gap / placement.scale(c.key))
         .fold(0.0, f64::max);
     if scene.settings.method == Method::Penalty
         || state.initial_overlap <= scene.settings.tolerance.gap
     {
         return Ok(());
     }
-    let mut kinematics = state.kinematics.clone();
-    kinematics.stop();
-    let poses = state.poses.clone();
-    let inputs = Inputs {
-        scene,
-        kinematics: &kinematics,
-        external: &vec![Dof6::ZERO; kinematics.len()],
-        step: scene.settings.step,
-        poses: [&poses, &poses],
-        // Walls give way to no overlap.
-        bodies: &[],
-        twists: &vec![Twist::default(); poses.len()],
-        surfaces: &vec![Vec3::zeros(); poses.len()],
-        gravity: Vec3::zeros(),
-        targets: &[],
-        mean_acceleration: 0.0,
-    };
-    let mut stage = Stage::new(inputs, state, scratch);
-    stage.problem.rows.truncate(stage.candidates.len());
-    stage.impulses.truncate(stage.candidates.len());
-    for row in &mut stage.problem.rows {
-        row.law = Law::Contact { mu: 0.0 };
+    let dt = scene.settings.step;
+    let start = Start::still(state);
+    let starts = each(pairs, Start::still);
+    let mut stage = Stage::new(start.inputs(scene, dt), state, scratch);
+    let mut twins = twins(&stage, scene, dt, &starts, pairs);
+    for side in twins.iter_mut().flat_map(|twin| &mut twin.stages) {
+        side.displace();
     }
-    stage.moves = false;
-    let (solution, _) = stage.resolve(state, scratch)?;
+    stage.displace();
+    let (solution, _) = stage.resolve(state, scratch, &mut twins)?;
+    for (twin, pair) in twins.iter().zip(pairs) {
+        for (side, state) in twin.stages.iter().zip(pair) {
+            let solution = side.problem.velocities(&side.impulses);
+            state.kinematics.position = side.moved(&solution);
+        }
+    }
     state.kinematics.position = stage.moved(&solution);
     Ok(())
 }
 
+impl<'s> Start<'s> {
+    /// For the forces at the time of `state`.
+    fn at_rest(scene: &'s Scene, state: &State, dt: f64) -> Self {
+        let gravity = state.gravity_at(scene, state.time);
+        Self {
+            external: external::at_start(scene, &state.kinematics, gravity),
+            kinematics: state.kinematics.clone(),
+            gravity,
+            targets: scene.springs.iter().map(|spring| spring.target).collect(),
+            standing: state.poses.clone(),
+            ends: state.poses.clone(),
+            bodies: Ready::all(scene, state, dt),
+            twists: state.twists.clone(),
+            surfaces: surfaces(scene, state),
+        }
+    }
+
+    /// For a displacement of spheres without velocities and forces.
+    fn still(state: &State) -> Self {
+        let mut kinematics = state.kinematics.clone();
+        kinematics.stop();
+        let boundaries = state.poses.len();
+        Self {
+            external: vec![Dof6::ZERO; kinematics.len()],
+            kinematics,
+            gravity: Vec3::zeros(),
+            targets: Vec::new(),
+            standing: state.poses.clone(),
+            ends: state.poses.clone(),
+            // Walls give way to no overlap.
+            bodies: Vec::new(),
+            twists: vec![Twist::default(); boundaries],
+            surfaces: vec![Vec3::zeros(); boundaries],
+        }
+    }
+}
+
 impl Stage<'_> {
-    /// Keeps the candidates that are closed and neither approach nor part. They may not accelerate into each other: with
-    /// zero gap, less what sliding over a curved surface opens or closes by itself, `g(t) = g + dt n.u + ...`.
-    fn keep_resting(&mut self, scene: &Scene) {
+    /// Leaves contacts without friction, for a displacement.
+    fn displace(&mut self) {
+        self.problem.rows.truncate(self.candidates.len());
+        self.impulses.truncate(self.candidates.len());
+        for row in &mut self.problem.rows {
+            row.law = Law::Contact { mu: 0.0 };
+        }
+        self.moves = false;
+    }
+
+    /// Forces at t = 0 into `state`.
+    fn store_start(&self, state: &mut State, external: &[Dof6]) {
+        self.store(state);
+        state.springs = self.spring_forces();
+        state.persisting = self.persisting_acceleration();
+        external::keep(self.inputs.scene, state, external);
+        let solution = self.problem.velocities(&self.impulses);
+        let at_rest = self.finished(&solution, self.inputs.poses[0]);
+        for (carried, (found, _)) in state.bodies.iter_mut().zip(at_rest) {
+            carried.persisting = found.persisting;
+            carried.holds = found.holds;
+        }
+    }
+
+    /// Whether each row is kept: of the candidates those that are closed and neither approach nor part.
+    fn resting(&self, scene: &Scene) -> Vec<bool> {
         let velocity = self.before();
         let mut weight = scene.settings.gravity.norm();
         if scene.settings.rotating_frame.is_some() {
@@ -145,13 +202,19 @@ impl Stage<'_> {
             held.hold.distance <= closed * row.radius
                 && row.normal.dot(&row.relative_velocity(&velocity)).abs() <= 1e-3 * creep
         };
-        let keep: Vec<bool> = (0..self.problem.rows.len())
+        (0..self.problem.rows.len())
             .map(|k| match (self.contact_of(k), self.held(k)) {
                 (Some(contact), _) => rests(contact),
                 (None, Some(held)) if held.hold.stops() => stop_rests(held, &self.problem.rows[k]),
                 _ => true,
             })
-            .collect();
+            .collect()
+    }
+
+    /// Keeps these rows. Their contacts may not accelerate into each other: with zero gap, less what sliding over a curved
+    /// surface opens or closes by itself, `g(t) = g + dt n.u + ...`.
+    fn keep(&mut self, keep: &[bool]) {
+        let velocity = self.before();
         let first = self.first_hold();
         for (held, row) in self.holds.iter_mut().zip(&mut self.problem.rows[first..]) {
             if held.hold.stops() {
@@ -186,9 +249,9 @@ impl Stage<'_> {
             }
             *impact = false;
         }
-        retain(&mut self.impulses, &keep);
-        retain(&mut self.problem.rows, &keep);
-        retain(&mut self.candidates, &keep);
+        retain(&mut self.impulses, keep);
+        retain(&mut self.problem.rows, keep);
+        retain(&mut self.candidates, keep);
         self.impact.truncate(self.candidates.len());
     }
 }

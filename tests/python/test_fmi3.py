@@ -249,6 +249,9 @@ SERVED = {
     # Nothing of nothing: only the state is judged.
     **{f"fmi3Get{kind}": STATES for kind in (*NUMBERS, "String", "Binary")},
     **{f"fmi3Set{kind}": STATES[:3] for kind in (*NUMBERS, "String", "Binary")},
+    "fmi3GetOutputDerivatives": ("step", "terminated"),
+    "fmi3GetDirectionalDerivative": STATES[1:],
+    "fmi3GetAdjointDerivative": STATES[1:],
 }
 # Beyond the standard: a state may also be saved and values read where nothing stands against it (instantiated:
 # importers that show start values); outputs have values from initialization mode on.
@@ -284,6 +287,9 @@ def arguments(name, unit, state, size):
         "fmi3SerializedFMUStateSize": (copy, byref(c_size_t())),
         "fmi3SerializeFMUState": (copy, room[0], own),
         "fmi3DeserializeFMUState": (unit.blob, c_size_t(size), byref(c_void_p())),
+        "fmi3GetOutputDerivatives": (None, c_size_t(0), None, None, c_size_t(0)),
+        "fmi3GetDirectionalDerivative": (None, c_size_t(0)) * 4,
+        "fmi3GetAdjointDerivative": (None, c_size_t(0)) * 4,
     }
     if name in table:
         return table[name]

@@ -17,6 +17,9 @@ pub fn describe(scene: &Scene, arrays: &Arrays, identifier: &str, guid: &str) ->
     let interface = CoSimulation {
         can_get_and_set_fmu_state: true,
         can_serialize_fmu_state: true,
+        provides_directional_derivatives: true,
+        provides_adjoint_derivatives: true,
+        max_output_derivative_order: 1,
         can_handle_variable_communication_step_size: true,
         provides_intermediate_update: true,
         can_return_early_after_intermediate_update: true,

@@ -2,6 +2,7 @@
 
 #![allow(non_snake_case)]
 
+mod derivatives;
 mod states;
 mod values;
 
@@ -187,59 +188,6 @@ fn not_offered(
     call(c, function, ANY, |_| {
         Err(Refusal::NotOffered { capability, value })
     })
-}
-
-/// Not offered.
-#[unsafe(no_mangle)]
-extern "C" fn fmi2GetDirectionalDerivative(
-    c: fmi2Component,
-    _vUnknown_ref: *const fmi2ValueReference,
-    _nUnknown: usize,
-    _vKnown_ref: *const fmi2ValueReference,
-    _nKnown: usize,
-    _dvKnown: *const fmi2Real,
-    _dvUnknown: *mut fmi2Real,
-) -> fmi2Status {
-    not_offered(
-        c,
-        "fmi2GetDirectionalDerivative",
-        "providesDirectionalDerivative",
-        "false",
-    )
-}
-
-/// Not offered.
-#[unsafe(no_mangle)]
-extern "C" fn fmi2SetRealInputDerivatives(
-    c: fmi2Component,
-    _vr: *const fmi2ValueReference,
-    _nvr: usize,
-    _order: *const fmi2Integer,
-    _value: *const fmi2Real,
-) -> fmi2Status {
-    not_offered(
-        c,
-        "fmi2SetRealInputDerivatives",
-        "canInterpolateInputs",
-        "false",
-    )
-}
-
-/// Not offered.
-#[unsafe(no_mangle)]
-extern "C" fn fmi2GetRealOutputDerivatives(
-    c: fmi2Component,
-    _vr: *const fmi2ValueReference,
-    _nvr: usize,
-    _order: *const fmi2Integer,
-    _value: *mut fmi2Real,
-) -> fmi2Status {
-    not_offered(
-        c,
-        "fmi2GetRealOutputDerivatives",
-        "maxOutputDerivativeOrder",
-        "0",
-    )
 }
 
 /// Takes a step; a discarded one leaves the instance at its beginning.

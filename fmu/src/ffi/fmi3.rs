@@ -1,9 +1,10 @@
-//! The 75 functions of FMI 3.0: those of co-simulation here and in `values`, `states` and `step`; those of what is not
+//! The 75 functions of FMI 3.0: those of co-simulation here and in `values`, `states`, `step` and `derivatives`; those of what is not
 //! offered in `absent`.
 
 #![allow(non_snake_case)]
 
 mod absent;
+mod derivatives;
 mod states;
 mod step;
 mod values;

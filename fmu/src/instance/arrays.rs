@@ -74,7 +74,7 @@ impl Instance {
     }
 
     /// The variable of a type; enumerations pass as Int64.
-    fn array(&self, kind: Kind, reference: u32) -> Result<&Array, Refusal> {
+    pub(super) fn array(&self, kind: Kind, reference: u32) -> Result<&Array, Refusal> {
         let found = self.model.arrays.get(reference);
         found
             .filter(|array| {
@@ -97,7 +97,7 @@ impl Instance {
     }
 
     /// The simulation that outputs are read from, placed as the settings ask.
-    fn prepared(&mut self, reference: u32) -> Result<&Simulation, Refusal> {
+    pub(super) fn prepared(&mut self, reference: u32) -> Result<&Simulation, Refusal> {
         self.look()?;
         let name = || {
             let array = self.model.arrays.get(reference);

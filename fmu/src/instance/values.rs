@@ -39,10 +39,11 @@ impl Instance {
             Meaning::Output(rank) => rank,
         };
         self.look()?;
-        if let (None, Some(simulation)) = (&self.outputs, &self.simulation) {
-            self.outputs = Some(values(&Observation::of(simulation)));
+        let outputs = &mut self.measured.outputs;
+        if let (None, Some(simulation)) = (&outputs, &self.simulation) {
+            *outputs = Some(values(&Observation::of(simulation)));
         }
-        let outputs = self.outputs.as_ref();
+        let outputs = outputs.as_ref();
         match outputs.and_then(|values| values.get(rank)) {
             // A cast keeps within the range: the C interface has no integer beyond 2^31.
             Some(&value) if base == BaseType::Integer => Ok(Value::Integer(value as i32)),
@@ -88,6 +89,9 @@ impl Instance {
                     Value::Real(value),
                 ) => {
                     *component(&mut self.run.commands[boundary], input, axis) = value;
+                    for rate in &mut self.run.rates[boundary] {
+                        *component(rate, input, axis) = 0.0;
+                    }
                 }
                 _ => continue,
             }
@@ -153,7 +157,7 @@ impl Instance {
         })
     }
 
-    fn variable(&self, base: BaseType, reference: u32) -> Result<&Variable, Refusal> {
+    pub(super) fn variable(&self, base: BaseType, reference: u32) -> Result<&Variable, Refusal> {
         let found = self.model.table.get(reference);
         found
             .filter(|variable| variable.base == base)

@@ -4,7 +4,7 @@ use sphere_dda::error::StepError;
 use sphere_dda::motion::Command;
 use sphere_dda::simulation::March;
 
-use super::{Instance, Stage, Step, command};
+use super::{Instance, Measured, Stage, Step, command};
 use crate::refusal::Refusal;
 
 /// A communication step under way.
@@ -57,9 +57,9 @@ impl Instance {
         let (Some(mut walk), Some(simulation)) = (self.walk.take(), &mut self.simulation) else {
             return Err(self.no_step());
         };
-        self.outputs = None;
-        let taken = command(simulation, &self.run.commands)
-            .and_then(|()| simulation.internal_step(&mut walk.march));
+        self.measured = Measured::default();
+        let taken =
+            command(simulation, &self.run).and_then(|()| simulation.internal_step(&mut walk.march));
         match taken {
             Ok(()) => {
                 let last = walk.march.is_done();
@@ -93,6 +93,9 @@ impl Instance {
         let Some(walk) = self.walk.take() else {
             return Err(self.no_step());
         };
+        if let Some(simulation) = &mut self.simulation {
+            simulation.end(walk.march);
+        }
         self.concluded(Ok(()), walk.h, self.run.time)?;
         if final_past {
             self.recorder.commit(walk.point - self.run.start);

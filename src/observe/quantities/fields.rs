@@ -173,7 +173,7 @@ pub(super) const SINK: [Field<f64>; 1] =
     [real("mass", "kg", "Mass removed since the start", |m| *m)];
 
 #[rustfmt::skip]
-pub(super) const WHOLE: [Field<Whole>; 27] = [
+pub(super) const WHOLE: [Field<Whole>; 28] = [
     real("mass", "kg", "Mass of all spheres in the scene", |w| w.mass),
     count("sphereCount", "Number of spheres in the scene", |w| w.spheres),
     vector("momentum", "kg.m/s", "Momentum of the spheres, half-step velocities: averaged wrench x time + weight = its change", |w| w.momentum.linear),
@@ -200,5 +200,6 @@ pub(super) const WHOLE: [Field<Whole>; 27] = [
     number("solver.gapResidual", "Largest gap residual in the communication step", |w| w.report.gap_residual),
     number("solver.slipResidual", "Largest slip residual in the communication step", |w| w.report.slip_residual),
     number("solver.forceResidual", "Largest force residual in the communication step", |w| w.report.force_residual),
+    number("solver.activeSetMargin", "How far the contacts stayed from opening, closing, sticking and slipping in the communication step: 1 far, 0 at a kink, where derivatives are one-sided", |w| 1.0 - w.report.kink),
     real("recommendedStep", "s", "Internal step advised at the present speeds", |w| w.recommended_step),
 ];

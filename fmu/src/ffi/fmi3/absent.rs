@@ -22,15 +22,6 @@ macro_rules! absent {
 type References = *const fmi3ValueReference;
 
 absent! {
-    fmi3GetDirectionalDerivative(
-        References, usize, References, usize, *const f64, usize, *mut f64, usize
-    ): "providesDirectionalDerivatives" = "false";
-    fmi3GetAdjointDerivative(
-        References, usize, References, usize, *const f64, usize, *mut f64, usize
-    ): "providesAdjointDerivatives" = "false";
-    fmi3GetOutputDerivatives(
-        References, usize, *const i32, *mut f64, usize
-    ): "maxOutputDerivativeOrder" = "0";
     fmi3GetNumberOfVariableDependencies(
         fmi3ValueReference, *mut usize
     ): "providesPerElementDependencies" = "false";

@@ -1,0 +1,88 @@
+//! Derivatives of inputs and outputs by time, and of outputs by inputs.
+
+use sphere_dda_fmi_interface::abi2::*;
+use sphere_dda_fmi_interface::pointers::{array, array_mut};
+
+use super::super::guard::{Stages, call};
+use super::STEPPED;
+use crate::instance::Stage;
+
+use fmi2Status::fmi2OK;
+
+/// Before a step: what is set holds for that step.
+const AHEAD: Stages = &[
+    Stage::Instantiated,
+    Stage::Initialization,
+    Stage::StepComplete,
+    Stage::StepFailed,
+];
+
+/// Where outputs have derivatives by inputs.
+const KNOWN: Stages = &[
+    Stage::Initialization,
+    Stage::StepComplete,
+    Stage::StepFailed,
+    Stage::Terminated,
+];
+
+/// Sets derivatives of inputs, of order 1 and 2, for the next step.
+#[unsafe(no_mangle)]
+extern "C" fn fmi2SetRealInputDerivatives(
+    c: fmi2Component,
+    vr: *const fmi2ValueReference,
+    nvr: usize,
+    order: *const fmi2Integer,
+    value: *const fmi2Real,
+) -> fmi2Status {
+    call(c, "fmi2SetRealInputDerivatives", AHEAD, |component| {
+        let references = array(vr, nvr, "vr")?.iter().copied();
+        let orders = array(order, nvr, "order")?.iter().copied();
+        let values = array(value, nvr, "value")?.iter().copied();
+        let given = references.zip(orders).zip(values);
+        let given = given.map(|((reference, order), value)| (reference, order, value));
+        component
+            .instance
+            .set_derivatives(&given.collect::<Vec<_>>())?;
+        Ok(fmi2OK)
+    })
+}
+
+/// Derivatives of outputs, of order 1, at the communication point.
+#[unsafe(no_mangle)]
+extern "C" fn fmi2GetRealOutputDerivatives(
+    c: fmi2Component,
+    vr: *const fmi2ValueReference,
+    nvr: usize,
+    order: *const fmi2Integer,
+    value: *mut fmi2Real,
+) -> fmi2Status {
+    call(c, "fmi2GetRealOutputDerivatives", STEPPED, |component| {
+        let references = array(vr, nvr, "vr")?;
+        let orders = array(order, nvr, "order")?;
+        let rates = component.instance.output_derivatives(references, orders)?;
+        array_mut(value, nvr, "value")?.copy_from_slice(&rates);
+        Ok(fmi2OK)
+    })
+}
+
+/// Change of outputs for a change of inputs held over the last step.
+#[unsafe(no_mangle)]
+extern "C" fn fmi2GetDirectionalDerivative(
+    c: fmi2Component,
+    vUnknown_ref: *const fmi2ValueReference,
+    nUnknown: usize,
+    vKnown_ref: *const fmi2ValueReference,
+    nKnown: usize,
+    dvKnown: *const fmi2Real,
+    dvUnknown: *mut fmi2Real,
+) -> fmi2Status {
+    call(c, "fmi2GetDirectionalDerivative", KNOWN, |component| {
+        let unknowns = array(vUnknown_ref, nUnknown, "vUnknown_ref")?;
+        let knowns = array(vKnown_ref, nKnown, "vKnown_ref")?;
+        let seed = array(dvKnown, nKnown, "dvKnown")?;
+        let instance = &mut component.instance;
+        let changes = instance.directional_derivative(unknowns, knowns, seed)?;
+        array_mut(dvUnknown, nUnknown, "dvUnknown")?.copy_from_slice(&changes);
+        Ok(fmi2OK)
+    })
+}

@@ -1,0 +1,115 @@
+//! Derivatives of outputs by time and by inputs.
+
+use sphere_dda_fmi_interface::abi3::*;
+use sphere_dda_fmi_interface::pointers::{array, array_mut};
+
+use super::super::guard::{Stages, call};
+use crate::instance::{Instance, Stage, counted};
+use crate::refusal::Refusal;
+
+use fmi3Status::fmi3OK;
+
+const STEPPED: Stages = &[
+    Stage::StepComplete,
+    Stage::StepFailed,
+    Stage::Error,
+    Stage::Terminated,
+];
+
+/// Where outputs have derivatives by inputs.
+const KNOWN: Stages = &[
+    Stage::Initialization,
+    Stage::StepComplete,
+    Stage::StepFailed,
+    Stage::Terminated,
+];
+
+/// References to variables, and how many.
+type References = (*const fmi3ValueReference, usize);
+/// Numbers, and how many.
+type Seed = (*const fmi3Float64, usize);
+type Places = (*mut fmi3Float64, usize);
+
+/// A product of derivatives with a seed.
+fn product(
+    (instance, function): (fmi3Instance, &str),
+    (unknowns, knowns): (References, References),
+    (seed, sensitivity): (Seed, Places),
+    of: impl FnOnce(&mut Instance, &[u32], &[u32], &[f64]) -> Result<Vec<f64>, Refusal>,
+) -> fmi3Status {
+    call(instance, function, KNOWN, |component| {
+        let unknowns = array(unknowns.0, unknowns.1, "unknowns")?;
+        let knowns = array(knowns.0, knowns.1, "knowns")?;
+        let seed = array(seed.0, seed.1, "seed")?;
+        let changes = of(&mut component.instance, unknowns, knowns, seed)?;
+        if changes.len() != sensitivity.1 {
+            return Err(counted(sensitivity.1, changes.len()));
+        }
+        array_mut(sensitivity.0, sensitivity.1, "sensitivity")?.copy_from_slice(&changes);
+        Ok(fmi3OK)
+    })
+}
+
+/// Change of outputs for a change of inputs held over the last step.
+#[unsafe(no_mangle)]
+extern "C" fn fmi3GetDirectionalDerivative(
+    instance: fmi3Instance,
+    unknowns: *const fmi3ValueReference,
+    nUnknowns: usize,
+    knowns: *const fmi3ValueReference,
+    nKnowns: usize,
+    seed: *const fmi3Float64,
+    nSeed: usize,
+    sensitivity: *mut fmi3Float64,
+    nSensitivity: usize,
+) -> fmi3Status {
+    product(
+        (instance, "fmi3GetDirectionalDerivative"),
+        ((unknowns, nUnknowns), (knowns, nKnowns)),
+        ((seed, nSeed), (sensitivity, nSensitivity)),
+        Instance::array_directional_derivative,
+    )
+}
+
+/// Sum of the derivatives of outputs by inputs held over the last step, weighted by the seed.
+#[unsafe(no_mangle)]
+extern "C" fn fmi3GetAdjointDerivative(
+    instance: fmi3Instance,
+    unknowns: *const fmi3ValueReference,
+    nUnknowns: usize,
+    knowns: *const fmi3ValueReference,
+    nKnowns: usize,
+    seed: *const fmi3Float64,
+    nSeed: usize,
+    sensitivity: *mut fmi3Float64,
+    nSensitivity: usize,
+) -> fmi3Status {
+    product(
+        (instance, "fmi3GetAdjointDerivative"),
+        ((unknowns, nUnknowns), (knowns, nKnowns)),
+        ((seed, nSeed), (sensitivity, nSensitivity)),
+        Instance::array_adjoint_derivative,
+    )
+}
+
+/// Derivatives of outputs, of order 1, at the communication point.
+#[unsafe(no_mangle)]
+extern "C" fn fmi3GetOutputDerivatives(
+    instance: fmi3Instance,
+    valueReferences: *const fmi3ValueReference,
+    nValueReferences: usize,
+    orders: *const i32,
+    values: *mut fmi3Float64,
+    nValues: usize,
+) -> fmi3Status {
+    call(instance, "fmi3GetOutputDerivatives", STEPPED, |component| {
+        let references = array(valueReferences, nValueReferences, "valueReferences")?;
+        let orders = array(orders, nValueReferences, "orders")?;
+        let rates = component.instance.array_derivatives(references, orders)?;
+        if rates.len() != nValues {
+            return Err(counted(nValues, rates.len()));
+        }
+        array_mut(values, nValues, "values")?.copy_from_slice(&rates);
+        Ok(fmi3OK)
+    })
+}

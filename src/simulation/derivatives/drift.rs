@@ -1,0 +1,160 @@
+//! Derivatives by time: the state moves on along its own rates, and what is measured there is compared.
+//!
+//! ```text
+//! places        x' = v, Q' = w x Q, of boundaries with their twist over the last internal step          exact
+//! velocities    v' = a, the acceleration by external forces and lasting contacts in the last internal step
+//! forces, work  (F - F_-)/dt, the backward difference over the last two internal steps; 0 where one of them held an impact
+//! averages      (A - A_-)/h over the last two communication steps; 0 where the last held an impact
+//! flow          the mass flow of the last communication step; its own rate 0
+//! ```
+
+use super::{Origin, Simulation};
+use crate::contacts::{Contact, history};
+use crate::error::StepError;
+use crate::integrate::turned;
+use crate::observe::Observation;
+use crate::observe::quantities::values;
+use crate::simulation::Wrench;
+use crate::state::{State, Work};
+
+/// How far the state moves on, over the last internal step \[-\].
+const SHARE: f64 = 1e-2;
+
+/// What changes by differences: the state before the last internal step, and which boundaries had an impact.
+struct Past {
+    before: State,
+    /// In one of the last two internal steps, `[B]`.
+    struck: Vec<bool>,
+    /// In the communication step, `[B]`.
+    struck_before: Vec<bool>,
+    /// Averages of the communication step before.
+    averages: Vec<Wrench>,
+    /// Length of the communication step \[s\].
+    h: f64,
+}
+
+impl Simulation {
+    /// First derivative by time of all quantities ([`crate::observe::quantities`]) at the end of the last communication step, in
+    /// their units over s; counts and the solver's report have none, which is given as 0.
+    ///
+    /// # Errors
+    /// [`StepError`] if the last step cannot be taken again: an internal failure.
+    pub fn rates(&self) -> Result<Vec<f64>, StepError> {
+        self.rates_of(|simulation| values(&Observation::of(simulation)))
+    }
+
+    /// As [`Self::rates`], of whatever numbers `measure` reads off a simulation.
+    ///
+    /// # Errors
+    /// As [`Self::rates`].
+    pub fn rates_of(&self, measure: impl Fn(&Self) -> Vec<f64>) -> Result<Vec<f64>, StepError> {
+        let past = self.past()?;
+        let dt = match self.state.last_step {
+            dt if dt > 0.0 => dt,
+            _ => self.scene.settings.step,
+        };
+        let eta = SHARE * dt;
+        let [before, after] =
+            [-eta, eta].map(|eta| measure(&self.at(self.drifted(past.as_ref(), eta))));
+        let pairs = before.iter().zip(&after);
+        Ok(pairs.map(|(a, b)| (b - a) / (2.0 * eta)).collect())
+    }
+
+    fn past(&self) -> Result<Option<Past>, StepError> {
+        let Some(Origin::Step(origin)) = self.origin() else {
+            return Ok(None);
+        };
+        let boundaries = self.scene.boundaries.len();
+        let struck = |state: &State, b: usize| state.wrenches[b] != state.persisting_wrenches[b];
+        let mut past = Past {
+            before: origin.state.clone(),
+            struck: Vec::new(),
+            struck_before: vec![false; boundaries],
+            averages: origin.state.mean_wrenches.clone(),
+            h: self.state.time - origin.start,
+        };
+        self.replay(origin, &mut [], |before, after| {
+            past.before.clone_from(before);
+            for (b, any) in past.struck_before.iter_mut().enumerate() {
+                *any |= struck(&after.state, b);
+            }
+        })?;
+        let last = |b| struck(&self.state, b) || struck(&past.before, b);
+        past.struck = (0..boundaries).map(last).collect();
+        Ok(Some(past))
+    }
+
+    /// The state `eta` \[s\] later along its rates.
+    fn drifted(&self, past: Option<&Past>, eta: f64) -> State {
+        let mut state = self.state.clone();
+        state.time += eta;
+        let kinematics = &mut state.kinematics;
+        for i in (0..kinematics.len()).filter(|&i| self.state.kinematics.present[i]) {
+            let (twist, a) = (self.velocity(i), &self.state.persisting[i]);
+            kinematics.position[i] += twist.linear * eta;
+            kinematics.orientation[i] = turned(&kinematics.orientation[i], &twist.angular, eta);
+            kinematics.velocity[i] += a.linear * eta;
+            kinematics.spin[i] += a.angular * eta;
+        }
+        for (b, pose) in state.poses.iter_mut().enumerate() {
+            *pose = pose.advanced(&self.boundary_twist(b), eta);
+        }
+        for ((b, body), carried) in self.scene.driven().zip(&mut state.bodies) {
+            carried.momentum = carried.momentum.plus(&carried.persisting, eta);
+            carried.travel = body.travel(&state.poses[b], carried.travel);
+        }
+        let flows = state.passed.iter_mut().zip(&self.state.flow);
+        flows.for_each(|(passed, flow)| *passed += flow * eta);
+        if let Some(past) = past {
+            self.extrapolate(past, eta, &mut state);
+        }
+        state
+    }
+
+    /// Moves forces and work on by their backward differences.
+    fn extrapolate(&self, past: &Past, eta: f64, state: &mut State) {
+        let share = eta / self.state.last_step;
+        let before = &past.before;
+        let grow = |wrench: &mut Wrench, then: &Wrench, share: f64| {
+            let now = *wrench;
+            wrench.add(&now, share);
+            wrench.add(then, -share);
+        };
+        for b in 0..state.wrenches.len() {
+            if !past.struck[b] {
+                grow(&mut state.wrenches[b], &before.wrenches[b], share);
+            }
+            if !past.struck_before[b] {
+                grow(&mut state.mean_wrenches[b], &past.averages[b], eta / past.h);
+            }
+        }
+        if !past.struck.contains(&true) {
+            let keys = state.contacts.iter().map(|contact| contact.key);
+            let then = history::transfer(&before.contacts, keys);
+            for (contact, then) in state.contacts.iter_mut().zip(then) {
+                let Contact { force, torque, .. } = contact;
+                *force += (*force - then.force) * share;
+                *torque += (*torque - then.torque) * share;
+            }
+        }
+        for (carried, then) in state.bodies.iter_mut().zip(&before.bodies) {
+            let holds = carried.holds.iter_mut().zip(&then.holds);
+            holds.for_each(|(now, then)| *now += (*now - then) * share);
+        }
+        state.work = grown(&state.work, &before.work, share);
+    }
+}
+
+fn grown(now: &Work, then: &Work, share: f64) -> Work {
+    let grow = |of: fn(&Work) -> f64| of(now) + (of(now) - of(then)) * share;
+    Work {
+        friction: grow(|w| w.friction),
+        impact: grow(|w| w.impact),
+        residue: grow(|w| w.residue),
+        boundaries: grow(|w| w.boundaries),
+        gravity: grow(|w| w.gravity),
+        loads: grow(|w| w.loads),
+        dampers: grow(|w| w.dampers),
+        springs: grow(|w| w.springs),
+    }
+}

@@ -1,0 +1,87 @@
+//! The step beside the step: its derivative along a direction of its data.
+//!
+//! A [`Twin`] is the same step from two states, a little to either side. What is smooth and closed-form (geometry, commands,
+//! inertia, the way into the state) is done with each of the two, and half their difference is the derivative: error
+//! of second order in a displacement of `1e-5` radii. The contact solve is not repeated: half the difference of the two problems goes
+//! through the tangent of the solution, [`crate::solver::tangent`], pass by pass as gaps are re-linearised, and both get the
+//! impulses of the solution changed by that.
+
+use super::stage::Stage;
+use crate::linalg::LinearError;
+use crate::motion::Pose;
+use crate::problem::Dof6;
+use crate::solver::tangent::{Change, respond};
+use crate::state::State;
+
+/// A state beside the one that takes the step, and where its boundaries go.
+#[derive(Debug)]
+pub struct Beside<'a> {
+    /// The state; on success it takes the step too.
+    pub state: &'a mut State,
+    /// Poses at the end, `[B]`.
+    pub poses: Vec<Pose>,
+}
+
+/// The step to either side, below and above.
+pub(super) struct Twin<'a> {
+    pub(super) stages: [Stage<'a>; 2],
+}
+
+/// Lets twins follow the solution of `stage`.
+///
+/// # Errors
+/// [`LinearError`] if the tangent of the solution is singular.
+pub(super) fn follow(stage: &Stage, twins: &mut [Twin]) -> Result<(), LinearError> {
+    if twins.is_empty() {
+        return Ok(());
+    }
+    let velocity = stage.problem.velocities(&stage.impulses);
+    let changes: Vec<Change> = twins
+        .iter()
+        .map(|twin| change(stage, &velocity, twin))
+        .collect();
+    let responses = respond(&stage.problem, &stage.impulses, &changes)?;
+    for (twin, response) in twins.iter_mut().zip(responses) {
+        for (side, sign) in twin.stages.iter_mut().zip([-1.0, 1.0]) {
+            let changed = stage.impulses.iter().zip(&response);
+            side.impulses = changed.map(|(p, change)| p + change * sign).collect();
+        }
+    }
+    Ok(())
+}
+
+/// Half the difference of the twin's problems.
+fn change(stage: &Stage, velocity: &[Dof6], twin: &Twin) -> Change {
+    let [below, above] = &twin.stages;
+    let [low, high] = [below, above].map(|side| side.problem.velocities(&stage.impulses));
+    let rows = || below.problem.rows.iter().zip(&above.problem.rows);
+    let zero = Dof6::ZERO;
+    Change {
+        velocity: low
+            .iter()
+            .zip(&high)
+            .map(|(low, high)| zero.plus(high, 0.5).plus(low, -0.5))
+            .collect(),
+        normal: rows()
+            .map(|(low, high)| (high.normal - low.normal) * 0.5)
+            .collect(),
+        approach: rows()
+            .map(|(low, high)| {
+                let [low, high] = [low, high].map(|row| row.relative_velocity(velocity) + row.bias);
+                (high - low) * 0.5
+            })
+            .collect(),
+    }
+}
+
+impl Twin<'_> {
+    /// Counts as impacts what `stage` does.
+    pub(super) fn agree(&mut self, stage: &Stage) {
+        for side in &mut self.stages {
+            side.impact.clone_from(&stage.impact);
+            for (own, held) in side.holds.iter_mut().zip(&stage.holds) {
+                own.impact = held.impact;
+            }
+        }
+    }
+}
