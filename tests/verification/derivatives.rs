@@ -509,7 +509,6 @@ fn derivatives_are_central_differences() {
         let second_order = coarse > 2e-6 && fine < coarse / 30.0;
         assert!(coarse < 1e-3, "{name}: {coarse:e} {fine:e}");
         curved += usize::from(second_order);
-        println!("{name}: {coarse:.1e} {fine:.1e}, {told} told");
     }
     assert!(curved >= 4, "{curved} cases show the order");
 }
@@ -578,5 +577,81 @@ fn the_margin_warns_of_a_kink() {
     for (share, expected) in [(0.5, 0.5), (0.999, 1e-3), (1.001, 1e-3), (1.25, 0.25)] {
         let found = margin(share);
         assert!((found - expected).abs() < 1e-6, "{share}: {found}");
+    }
+}
+
+/// Where commands change between internal steps, the derivative is by what was set last: of the averages over the whole step too.
+#[test]
+fn commands_that_change_within_a_step_count_from_there() {
+    let text = [HEAD, BALL, FLOOR, "input = \"twist\""].concat();
+    let run = |last: f64| {
+        let mut simulation = simulation(&[&text]);
+        let slow = Command {
+            velocity: Vec3::new(0.5, 0.2, 0.01),
+            ..Command::default()
+        };
+        simulation.command(0, slow).unwrap();
+        let mut march = simulation.begin(5e-3).unwrap();
+        for k in 0..5 {
+            if k == 2 {
+                simulation
+                    .command(0, slow.plus(&velocity(1), last))
+                    .unwrap();
+            }
+            simulation.internal_step(&mut march).unwrap();
+        }
+        simulation.end(march);
+        simulation
+    };
+    let column = derivative(&run(0.4), 0, velocity(1));
+    let [low, high] = [0.3999, 0.4001].map(|last| measured(&run(last)));
+    for name in [
+        "boundary.floor.averageForce[1]",
+        "boundary.floor.averageForce[2]",
+        "probe.ball.velocity[2]",
+    ] {
+        let difference = (high[name] - low[name]) / 2e-4;
+        assert!(difference.abs() > 1e-4, "{name}");
+        assert!(
+            (difference - column[name]).abs() < 1e-6 * difference.abs().max(1.0),
+            "{name}: {difference} {}",
+            column[name]
+        );
+    }
+}
+
+/// Spheres that come within the step carry no derivative of their own, and those that stay keep theirs.
+#[test]
+fn spheres_that_come_and_go_do_not_disturb() {
+    let source = r#"
+[[source]]
+name = "rain"
+material = "glass"
+radius = 0.02
+capacity = 5
+rate = 500.0
+region = { box = { min = [1.0, 1.0, 1.0], max = [1.5, 1.5, 1.5] } }
+seed = 3
+"#;
+    let step = |text: &str| {
+        let mut simulation = simulation(&[text]);
+        simulation.command(0, slipping(0)).unwrap();
+        simulation.advance(5e-3).unwrap();
+        simulation
+    };
+    let alone = [HEAD, BALL, FLOOR, "input = \"twist\""].concat();
+    let (calm, fed) = (step(&alone), step(&[&alone, source].concat()));
+    assert!(measured(&fed)["sphereCount"] > 1.0);
+    let columns = [&calm, &fed].map(|simulation| derivative(simulation, 0, velocity(1)));
+    for name in [
+        "boundary.floor.averageForce[2]",
+        "probe.ball.velocity[2]",
+        "momentum[2]",
+    ] {
+        let [calm, fed] = columns.each_ref().map(|column| column[name]);
+        assert!(
+            calm != 0.0 && (calm - fed).abs() < 1e-9 * calm.abs(),
+            "{name}: {calm} {fed}"
+        );
     }
 }
