@@ -129,9 +129,15 @@ impl<'a> Inputs<'a> {
         [now, twist.linear + twist.angular.cross(&(x - pivot))]
     }
 
-    /// The row of a candidate, and whether it is an impact. `force` \[N\] is the contact's last one.
+    /// The row of a candidate, and whether it is an impact: as `told`, or as it finds. `force` \[N\] is the contact's last one.
     #[must_use]
-    pub fn contact(&self, free: &[Dof6], candidate: &Candidate, force: Vec3) -> (Row, bool) {
+    pub fn contact(
+        &self,
+        free: &[Dof6],
+        candidate: &Candidate,
+        force: Vec3,
+        told: Option<bool>,
+    ) -> (Row, bool) {
         let (scene, settings) = (self.scene, &self.scene.settings);
         let particles = &scene.particles;
         let a = candidate.key.sphere as usize;
@@ -210,7 +216,7 @@ impl<'a> Inputs<'a> {
             .threshold_velocity
             .max(2.0 * self.step * acceleration);
         let closes = candidate.gap + self.step * n.dot(&row.relative_velocity(free)) < 0.0;
-        let impact = approach < -threshold && closes;
+        let impact = told.unwrap_or(approach < -threshold && closes);
         let rebounds =
             impact && restitution > 0.0 && settings.integrator == crate::scene::Integrator::Moreau;
         let normal_bias = if rebounds {

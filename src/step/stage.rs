@@ -94,7 +94,7 @@ impl<'a> Stage<'a> {
             impulses: Vec::new(),
             moves: true,
         };
-        stage.write_rows(state);
+        stage.write_rows(state, None);
         stage
     }
 
@@ -119,20 +119,19 @@ impl<'a> Stage<'a> {
             impulses: Vec::new(),
             moves: other.moves,
         };
-        stage.write_rows(state);
-        stage.impact.clone_from(&other.impact);
+        stage.write_rows(state, Some(&other.impact));
         stage
     }
 
     /// Rows and warm-start impulses for the candidates, the constrained points, the stops and springs of driven bodies and
     /// the contacts' resistances, in this order.
-    fn write_rows(&mut self, state: &State) {
+    fn write_rows(&mut self, state: &State, told: Option<&[bool]>) {
         let carried = history::transfer(&state.contacts, self.candidates.iter().map(|c| c.key));
         self.problem.rows.clear();
         self.impact.clear();
-        for (candidate, carried) in self.candidates.iter().zip(&carried) {
-            let force = carried.force;
-            let (row, impact) = self.inputs.contact(&self.problem.free, candidate, force);
+        for (k, (candidate, carried)) in self.candidates.iter().zip(&carried).enumerate() {
+            let (free, told) = (&self.problem.free, told.map(|told| told[k]));
+            let (row, impact) = self.inputs.contact(free, candidate, carried.force, told);
             self.problem.rows.push(row);
             self.impact.push(impact);
         }
@@ -350,6 +349,11 @@ impl<'a> Stage<'a> {
                 !self.impact[k] || self.true_gap(end, k) < -tolerance * self.problem.rows[k].radius
             })
             .collect();
+        self.relinearise(end, solution, &yields);
+        let told: Vec<bool> = late
+            .iter()
+            .map(|found| self.insert(*found, (solution, state), None))
+            .collect();
         for stage in twins.iter_mut().flat_map(|twin| &mut twin.stages) {
             let solution = stage.problem.velocities(&stage.impulses);
             let (position, poses) = (stage.moved(&solution), stage.end_poses(&solution));
@@ -360,13 +364,9 @@ impl<'a> Stage<'a> {
             };
             let late: Vec<Candidate> = late.iter().map(|found| follow(&end, found)).collect();
             stage.relinearise(&end, &solution, &yields);
-            for found in late {
-                stage.insert(found, &solution, state);
+            for (found, told) in late.into_iter().zip(&told) {
+                stage.insert(found, (&solution, state), Some(*told));
             }
-        }
-        self.relinearise(end, solution, &yields);
-        for found in late {
-            self.insert(found, solution, state);
         }
         true
     }
@@ -396,12 +396,18 @@ impl<'a> Stage<'a> {
         end.follow(&self.candidates[k]).gap + compression
     }
 
-    /// Adds a contact that `solution` closes: its normal is the one it closes with.
-    fn insert(&mut self, found: Candidate, solution: &[Dof6], state: &State) {
+    /// Adds a contact that `solution` closes: its normal is the one it closes with. Returns whether it is an impact, as
+    /// `told` or as it is found.
+    fn insert(
+        &mut self,
+        found: Candidate,
+        (solution, state): (&[Dof6], &State),
+        told: Option<bool>,
+    ) -> bool {
         let carried = history::transfer(&state.contacts, std::iter::once(found.key))[0];
-        let (mut row, impact) = self
-            .inputs
-            .contact(&self.problem.free, &found, carried.force);
+        let (mut row, impact) =
+            self.inputs
+                .contact(&self.problem.free, &found, carried.force, told);
         let linear = self.inputs.step * found.normal.dot(&row.relative_velocity(solution));
         row.bias +=
             row.normal * ((found.gap - linear) / self.inputs.step - row.bias.dot(&row.normal));
@@ -416,6 +422,7 @@ impl<'a> Stage<'a> {
             }
         }
         self.resist(at, carried.torque);
+        impact
     }
 
     /// Boundary poses at the end of the step, `[B]`: prescribed ones, and those that the driven bodies reach.

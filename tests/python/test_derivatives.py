@@ -381,25 +381,27 @@ def test_refused_directional_derivatives_say_why(export):
 
 
 def test_the_feeder_has_derivatives_where_its_contacts_last(export):
-    """150 grains: the force on the trough by its displacement; in each of ten steps that keep their contacts, to 1e-5."""
+    """150 grains, thrown and caught: the wrench on the trough by its displacement, to 1e-5 where contacts keep their states."""
     name, h = "boundary.trough.displacement", 2e-3
     outputs = components("boundary.trough.averageForce", "boundary.trough.averageTorque", "momentum")
     text = feeder("feeder").read_text()
     tight = "[simulation]\ntolerance = { gap = 1e-11, slip = 1e-11, force = 1e-10 }"
     errors = []
     with Slave(export(text.replace("[simulation]", tight))) as slave:
-        for k in range(40):
-            blob = slave.save() if k >= 30 else None
+        for k in range(50):
+            blob = slave.save() if k >= 20 else None
             position = 1.5e-3 * np.sin(2 * np.pi * 18 * (k + 1) * h)
             slave.set(name, position)
             slave.step(k * h, h)
             if blob is None:
                 continue
             end = slave.save()
+            margin = slave.get("solver.activeSetMargin")[0]
             found = jacobian(slave, outputs, [name])
             expected = differences(slave, blob, outputs, [name], {name: position}, (k * h, h), 1e-8)
             scale = by_vector(expected)
-            errors.append((np.abs(found - expected) / scale)[scale > 1e-3 * scale.max()].max())
             slave.restore(end)
-    # With so many grains some contact changes its state now and then.
-    assert sum(error < 1e-5 for error in errors) >= 5, errors
+            if scale.max() > 0:
+                errors.append(((np.abs(found - expected)[scale > 0] / scale[scale > 0]).max(), margin))
+    kept = [error for error, margin in errors if margin > 1e-4]
+    assert len(kept) >= 10 and max(kept) < 1e-5, errors

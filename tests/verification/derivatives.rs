@@ -507,6 +507,16 @@ fn cases() -> Vec<Case> {
             &[("scalar", 0)],
             1e-7,
         ),
+        // Many impacts at once, one of them near the speed that makes it one.
+        case(
+            "landing",
+            &[&feeder],
+            feeding,
+            40,
+            2e-3,
+            &[("scalar", 0)],
+            2e-9,
+        ),
     ]
 }
 
