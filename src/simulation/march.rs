@@ -204,7 +204,7 @@ impl Simulation {
     }
 
     /// Ends a communication step where its last internal step has ended. Derivatives of commands end with it, and
-    /// [`Self::derivatives`] are those of this step.
+    /// [`Self::sensitivities`] are those of this step.
     pub fn end(&mut self, march: March) {
         self.state.rates.clear();
         let none = Account::of(self.scene.boundaries.len());

@@ -88,7 +88,7 @@ pub fn step(
     step_beside(scene, state, scratch, (dt, poses), &mut [])
 }
 
-/// [`step`] to `(dt, poses)`, and beside it pairs of states to either side of `state`: see [`beside`].
+/// [`step`] to `(dt, poses)`, and beside it pairs of states to either side of `state`: see `beside`.
 ///
 /// # Errors
 /// As [`step`], and if the tangent of the solution is singular.
