@@ -384,9 +384,10 @@ fn a_broken_factorization_is_reported() {
     let problem = pyramid(0.2);
     let start: Vec<Vec3> = problem.rows.iter().map(|row| row.normal * 1e-3).collect();
     let mut impulses = start.clone();
-    // A negative penalty makes the matrix indefinite.
+    // A negative penalty makes the matrix indefinite; without sweeps between Newton does not finish.
     let params = Params {
         penalty: -1e9,
+        smoothing: 0,
         ..params(SolverKind::Direct)
     };
     let report = solve(&problem, &params, &mut Workspace::default(), &mut impulses);
@@ -400,6 +401,7 @@ fn a_broken_factorization_is_reported() {
     let case = Case::new(DT, 0.3, 0.0).floor().settings(|s| {
         s.solver = SolverKind::Direct;
         s.penalty = Some(-1e9);
+        s.adapt_penalty = false;
     });
     let case = case.sphere(R, Vec3::z() * R, Vec3::zeros());
     let error = Simulation::new(std::sync::Arc::new(case.scene)).expect_err("it cannot start");

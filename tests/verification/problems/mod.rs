@@ -144,8 +144,8 @@ fn every_solver_on_every_problem() {
     bed: 1436 rows, 5000 sweeps
     plate: 177 rows, 238 sweeps
     light_plate: 154 rows, 54 sweeps
-    servo: 1611 rows, 700 sweeps
     pressed: 68 rows, 5000 sweeps
+    servo: 1611 rows, 700 sweeps
     smooth_pile_soft_penalty: 42 rows, 5000 sweeps
     hopper_12: 208 rows, 5000 sweeps
     hopper_16: 207 rows, 5000 sweeps
