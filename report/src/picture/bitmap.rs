@@ -148,7 +148,8 @@ mod tests {
         assert_eq!((map.width(), map.height()), (40, 20));
         let red = |x: u32, y: u32| {
             let p = map.pixel(x, y).unwrap();
-            p.red() > 2 * p.blue().min(p.green()) || p.red() > p.blue() + 40
+            let [r, g, b] = [p.red(), p.green(), p.blue()].map(u32::from);
+            r > 2 * b.min(g) || r > b + 40
         };
         assert!(red(10, 10) && red(7, 10) && red(13, 10));
         assert!(!red(16, 10) && !red(10, 3) && !red(30, 10));
