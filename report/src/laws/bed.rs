@@ -22,24 +22,42 @@ pub(super) const STEP: f64 = 1e-3;
 /// Time between two looks at a run \[s\].
 pub(super) const LOOK: f64 = 0.01;
 
-/// Head of every scene: settings, weight downwards by `gravity` \[m/s^2\], materials, friction, resistance to rolling.
+/// Friction of a pair of materials.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Friction {
+    /// Coulomb's coefficient \[-\].
+    pub(super) sliding: f64,
+    /// Coefficient of rolling resistance \[-\].
+    pub(super) rolling: f64,
+}
+
+impl Friction {
+    /// Without resistance to rolling.
+    pub(super) const fn sliding(sliding: f64) -> Self {
+        Self {
+            sliding,
+            rolling: 0.0,
+        }
+    }
+}
+
+/// Head of every scene: settings, weight downwards by `gravity` \[m/s^2\], materials, friction between grains and on walls.
 #[must_use]
-pub(super) fn head(
-    title: &str,
-    gravity: f64,
-    friction: f64,
-    wall_friction: f64,
-    rolling: f64,
-) -> String {
+pub(super) fn head(title: &str, gravity: f64, grains: Friction, walls: Friction) -> String {
+    let pair = |with: &str, friction: Friction| {
+        let Friction { sliding, rolling } = friction;
+        format!(
+            "[[pair]]\nmaterials = [\"grain\", \"{with}\"]\nfriction = {sliding}\nrolling_friction = {rolling}\n"
+        )
+    };
     format!(
         "title = \"{title}\"\n\
          [simulation]\nduration = 10.0\nstep = {STEP}\ncommunication_step = {LOOK}\ngravity = [0.0, 0.0, -{gravity:?}]\n\
          tolerance = {{ gap = 1e-3, slip = 1e-3, force = 1e-1 }}\n\
          [[material]]\nname = \"grain\"\ndensity = {DENSITY}\n\
-         [[material]]\nname = \"wall\"\n\
-         [[pair]]\nmaterials = [\"grain\", \"grain\"]\nfriction = {friction}\nrolling_friction = {rolling}\n\
-         [[pair]]\nmaterials = [\"grain\", \"wall\"]\nfriction = {wall_friction}\nrolling_friction = {rolling}\n"
-    )
+         [[material]]\nname = \"wall\"\n"
+    ) + &pair("grain", grains)
+        + &pair("wall", walls)
 }
 
 /// `count` grains packed at random into `region`.

@@ -12,7 +12,7 @@ use std::fmt::Write as _;
 
 use sphere_dda::particles::Kinematics;
 
-use super::bed::{self, G, GRAIN, Run};
+use super::bed::{self, Friction, G, GRAIN, Run};
 use super::fit::Line;
 use crate::error::ReportError;
 use crate::{Watch, parallel};
@@ -24,7 +24,7 @@ const ORIFICES: [f64; 5] = [4.0, 5.0, 6.0, 8.0, 10.0];
 /// Diameter of the bin \[m\].
 const BIN: f64 = 0.18;
 /// Friction coefficient of everything.
-const FRICTION: f64 = 0.5;
+const FRICTION: Friction = Friction::sliding(0.5);
 /// Number of grains.
 const COUNT: usize = 4500;
 /// Filling, then the longest outflow \[s\].
@@ -111,7 +111,7 @@ fn text(count: usize, open: Option<f64>) -> String {
         None => "{ rectangle = { corner = [-0.12, -0.12, 0.0], u = [0.24, 0.0, 0.0], v = [0.0, 0.24, 0.0] } }".to_owned(),
         Some(open) => ring(open, 1.2 * BIN),
     };
-    bed::head("Beverloo", bed::G, FRICTION, FRICTION, 0.0)
+    bed::head("Beverloo", bed::G, FRICTION, FRICTION)
         + &bed::grains(
             &format!(
                 "{{ cylinder = {{ base = [0.0, 0.0, 0.0], radius = {radius}, height = 0.27 }} }}"

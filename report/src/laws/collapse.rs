@@ -6,12 +6,12 @@
 //! ```
 //!
 //! Source: G. Lube, H. E. Huppert, R. S. J. Sparks, M. A. Hallworth, *Axisymmetric collapses of granular columns*, Journal of
-//! Fluid Mechanics 508 (2004). `r_inf` is where the deposit has half the cover of a dense single layer: grains that run on
-//! alone are not its front.
+//! Fluid Mechanics 508 (2004). `r_inf` is where the cover falls to a twentieth of a dense single layer: a slope of 20 degrees is thinner
+//! than a grain over its last three, and less is grains that run on alone.
 
 use sphere_dda::simulation::Simulation;
 
-use super::bed::{self, GRAIN, Run};
+use super::bed::{self, Friction, GRAIN, Run};
 use super::fit::Line;
 use crate::error::ReportError;
 use crate::{Watch, parallel};
@@ -20,18 +20,23 @@ use crate::{Watch, parallel};
 pub const CHANGE: f64 = 1.7;
 /// Aspect ratios asked for, and the column's radius over the mean grain.
 const COLUMNS: [(f64, f64); 6] = [
-    (0.5, 8.0),
-    (0.8, 8.0),
-    (1.3, 8.0),
-    (2.5, 6.0),
-    (4.5, 5.0),
-    (8.0, 4.5),
+    (0.5, 11.0),
+    (0.8, 10.0),
+    (1.2, 9.0),
+    (2.2, 7.0),
+    (4.0, 6.0),
+    (7.0, 5.0),
 ];
-/// Friction coefficient of everything.
-const FRICTION: f64 = 0.5;
-/// Coefficient of rolling resistance of everything: the grains of the law's source are no spheres, and spheres without resistance
-/// never stop on a plane.
-const ROLLING: f64 = 0.05;
+/// Friction of grains: those of the law's source are no spheres, and spheres without resistance to rolling never stop on a plane.
+const GRAINS: Friction = Friction {
+    sliding: 0.5,
+    rolling: 0.05,
+};
+/// Friction on floor and wall: rough, so that a front of single grains does not roll off the deposit as on bearings.
+const FLOOR: Friction = Friction {
+    sliding: 0.5,
+    rolling: 0.2,
+};
 /// Filling, then the longest collapse \[s\].
 const TIMES: [f64; 2] = [0.8, 2.0];
 /// Kinetic energy \[J/kg\] at which the deposit has come to rest.
@@ -40,6 +45,8 @@ const REST: f64 = 1e-4;
 const PACKED: f64 = 0.6;
 /// Cover of a dense single layer of equal spheres: that of random close discs.
 const COVER: f64 = 0.82;
+/// Cover at the front.
+const FRONT: f64 = COVER / 20.0;
 
 /// One column.
 #[derive(Debug, Clone, PartialEq)]
@@ -93,7 +100,7 @@ fn text(radius: f64, height: f64, grains: usize, wall: bool) -> String {
         "{{ cylinder = {{ base = [0.0, 0.0, 0.0], radius = {radius}, height = {} }} }}",
         1.7 * height
     );
-    let mut text = bed::head("Column collapse", bed::G, FRICTION, FRICTION, ROLLING)
+    let mut text = bed::head("Column collapse", bed::G, GRAINS, FLOOR)
         + &bed::grains(&region, grains, 1)
         + &bed::boundary(
             "floor",
@@ -139,7 +146,7 @@ fn column(aspect: f64, radius: f64, watch: &dyn Watch) -> Result<Column, ReportE
     Ok(column)
 }
 
-/// Where the cover falls to half of a dense single layer's \[m\].
+/// Where the cover falls to [`FRONT`] \[m\].
 fn front(heap: &Simulation) -> f64 {
     let centre = bed::places(heap).map(|(x, _)| x).sum::<sphere_dda::Vec3>()
         / bed::places(heap).count() as f64;
@@ -155,8 +162,8 @@ fn front(heap: &Simulation) -> f64 {
     let (mut k, mut before) = (0, cover(0).max(COVER));
     loop {
         let now = cover(k);
-        if now < 0.5 * COVER {
-            let share = (before - 0.5 * COVER) / (before - now);
+        if now < FRONT {
+            let share = (before - FRONT) / (before - now);
             return ring * (k as f64 - 0.5 + share);
         }
         (before, k) = (now, k + 1);

@@ -12,7 +12,7 @@ use sphere_dda::contacts::Partner;
 use sphere_dda::motion::Command;
 use sphere_dda::simulation::Simulation;
 
-use super::bed::{self, G, GRAIN, Run};
+use super::bed::{self, Friction, G, GRAIN, Run};
 use super::fit;
 use crate::Watch;
 use crate::error::ReportError;
@@ -70,26 +70,26 @@ pub fn run(share: f64, watch: &dyn Watch) -> Result<Janssen, ReportError> {
     };
     let radius = 0.5 * DIAMETER;
     let count = (share * COUNT as f64) as usize;
-    let text = bed::head("Janssen silo", bed::G, INNER, WALL, 0.0)
-        + &bed::grains(
-            &format!(
-                "{{ cylinder = {{ base = [0.0, 0.0, 0.0], radius = {radius}, height = 0.46 }} }}"
-            ),
-            count,
-            1,
-        )
-        + &bed::boundary(
-            "wall",
-            &format!(
-                "{{ cylinder = {{ base = [0.0, 0.0, -0.05], radius = {radius}, height = 0.55 }} }}"
-            ),
-            "",
-        )
-        + &bed::boundary(
-            "floor",
-            "{ rectangle = { corner = [-0.06, -0.06, 0.0], u = [0.12, 0.0, 0.0], v = [0.0, 0.12, 0.0] } }",
-            "input = { slide_speed = [0.0, 0.0, -1.0] }",
-        );
+    let text = bed::head(
+        "Janssen silo",
+        bed::G,
+        Friction::sliding(INNER),
+        Friction::sliding(WALL),
+    ) + &bed::grains(
+        &format!("{{ cylinder = {{ base = [0.0, 0.0, 0.0], radius = {radius}, height = 0.46 }} }}"),
+        count,
+        1,
+    ) + &bed::boundary(
+        "wall",
+        &format!(
+            "{{ cylinder = {{ base = [0.0, 0.0, -0.05], radius = {radius}, height = 0.55 }} }}"
+        ),
+        "",
+    ) + &bed::boundary(
+        "floor",
+        "{ rectangle = { corner = [-0.06, -0.06, 0.0], u = [0.12, 0.0, 0.0], v = [0.0, 0.12, 0.0] } }",
+        "input = { slide_speed = [0.0, 0.0, -1.0] }",
+    );
     let mut silo = run.begin(bed::scene("janssen.toml", &text)?)?;
     run.wait(&mut silo, TIMES[0])?;
     let floor = Command {

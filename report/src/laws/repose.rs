@@ -9,7 +9,7 @@ use std::fmt::Write as _;
 
 use sphere_dda::simulation::Simulation;
 
-use super::bed::{self, GRAIN, Run};
+use super::bed::{self, Friction, GRAIN, Run};
 use super::fit::Line;
 use crate::error::ReportError;
 use crate::{Watch, parallel};
@@ -99,8 +99,12 @@ fn text(friction: f64, seed: u64, [length, width, height]: [f64; 3], wall: bool)
         format!("{{ rectangle = {{ corner = {corner:?}, u = {u:?}, v = {v:?} }} }}")
     };
     let tall = 2.0 * h;
-    let mut text = bed::head("Angle of repose", bed::G, friction, 0.0, 0.0)
-        + &bed::grains(&region, count, seed);
+    let mut text = bed::head(
+        "Angle of repose",
+        bed::G,
+        Friction::sliding(friction),
+        Friction::sliding(0.0),
+    ) + &bed::grains(&region, count, seed);
     let (columns, rows) = (length as usize, width as usize);
     let mut places = String::new();
     for k in 0..columns * rows {

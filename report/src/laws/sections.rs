@@ -337,7 +337,7 @@ fn collapse(report: &mut Report, study: &Study) -> Result<(), ReportError> {
     let study = &study.collapse;
     report.document.heading(2, "Collapse of a column");
     report.document.text(
-        "A cylinder of grains (friction 0.5) whose wall vanishes. *a*: height over radius as it stood; the front is where the deposit covers half of what a dense single layer does.",
+        "A cylinder of grains (friction 0.5, rolling resistance 0.05 and on the floor 0.2) whose wall vanishes. *a*: height over radius as it stood; the front is where the deposit covers a twentieth of what a dense single layer does.",
     );
     let mut table = Table::new(&["a", "grains", "run-out (r∞ - r₀)/r₀", "Lube", "at rest [s]"]);
     let lube = |a: f64| if a < CHANGE { 1.24 * a } else { 1.6 * a.sqrt() };

@@ -16,7 +16,7 @@
 use sphere_dda::Vec3;
 use sphere_dda::simulation::Simulation;
 
-use super::bed::{self, GRAIN, Run};
+use super::bed::{self, Friction, GRAIN, Run};
 use crate::error::ReportError;
 use crate::{Watch, parallel};
 
@@ -149,7 +149,12 @@ fn placed(sample: &Simulation) -> String {
 
 /// The scene of a box with `grains`, its top with the keys `top`.
 fn text(friction: f64, grains: &str, walls: &Walls, top: &str) -> String {
-    let mut text = bed::head("Triaxial compression", 0.0, friction, 0.0, 0.0) + grains;
+    let mut text = bed::head(
+        "Triaxial compression",
+        0.0,
+        Friction::sliding(friction),
+        Friction::sliding(0.0),
+    ) + grains;
     for (k, name) in WALLS.iter().enumerate() {
         let (axis, sign) = (k / 2, if k % 2 == 0 { 1.0 } else { -1.0 });
         let (mut point, mut normal) = ([0.0; 3], [0.0; 3]);
