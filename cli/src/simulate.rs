@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use clap::{Args, ValueEnum};
 use miette::miette;
 use sphere_dda_fmu::import::{
-    Coupling, End, Event, Fmu, Options, Signals, System, Table, Value, simulate,
+    Coupling, End, Event, Fmu, Iteration, Options, Signals, System, Table, Value, simulate,
 };
 
 use crate::failure::Failure;
@@ -27,7 +27,7 @@ Examples:
 With several FMUs every name of a variable, also in files, is `<file name without .fmu>.<variable>`.
 What was recorded before a failure or Ctrl-C is written too. An FMU that ends before the stop time makes exit code 1.")]
 pub(crate) struct Simulate {
-    /// The FMUs: any of FMI 2.0 for co-simulation with a library for this system. They step in this order.
+    /// The FMUs: any of FMI 2.0 or 3.0 for co-simulation with a library for this system. They step in this order.
     #[arg(required = true, value_name = "FMU")]
     fmus: Vec<PathBuf>,
     /// Let an output feed an input; can be repeated.
@@ -36,6 +36,16 @@ pub(crate) struct Simulate {
     /// When connected FMUs exchange values.
     #[arg(long, value_enum, default_value_t)]
     coupling: Scheme,
+    /// Iterated coupling: greatest change of an exchanged value from one try of a step to the next, as a part of the
+    /// greatest it has had.
+    #[arg(long, value_name = "NUMBER", default_value_t = Iteration::default().tolerance)]
+    tolerance: f64,
+    /// Iterated coupling: most tries of a step.
+    #[arg(long, value_name = "COUNT", default_value_t = Iteration::default().limit)]
+    iterations: u32,
+    /// Iterated coupling: part of the difference by which the very first correction goes.
+    #[arg(long, value_name = "NUMBER", default_value_t = Iteration::default().relaxation)]
+    relaxation: f64,
     /// Inputs over time: CSV with the header `time,name,...`. Continuous reals are interpolated, all else is held.
     #[arg(long, value_name = "CSV")]
     input: Option<PathBuf>,
@@ -76,6 +86,8 @@ enum Scheme {
     Jacobi,
     /// Each before its own step, so that it gets what the FMUs before it have just reached.
     GaussSeidel,
+    /// Steps are repeated from saved states until all that is exchanged at their end agrees.
+    Iterated,
 }
 
 impl From<Scheme> for Coupling {
@@ -83,6 +95,7 @@ impl From<Scheme> for Coupling {
         match scheme {
             Scheme::Jacobi => Self::Jacobi,
             Scheme::GaussSeidel => Self::GaussSeidel,
+            Scheme::Iterated => Self::Iterated,
         }
     }
 }
@@ -139,6 +152,11 @@ pub(crate) fn run(arguments: &Simulate, interrupt: &Interrupt) -> Result<(), Fai
         stop: arguments.stop,
         step: arguments.step,
         coupling: arguments.coupling.into(),
+        iteration: Iteration {
+            tolerance: arguments.tolerance,
+            limit: arguments.iterations,
+            relaxation: arguments.relaxation,
+        },
         inputs,
         outputs: (!arguments.record.is_empty()).then(|| arguments.record.clone()),
         set: arguments.set.clone(),
@@ -160,12 +178,23 @@ pub(crate) fn run(arguments: &Simulate, interrupt: &Interrupt) -> Result<(), Fai
     if let Some(table) = &driven.table {
         let last = table.time.last().copied().unwrap_or(f64::NAN);
         note(format_args!(
-            "{} rows up to {last} s, wall time {:.2} s",
+            "{} rows up to {last} s{}, wall time {:.2} s",
             table.time.len(),
+            tries(table),
             driven.wall
         ));
     }
     driven.end
+}
+
+/// How often steps were tried, on average and at most, if the coupling iterates.
+fn tries(table: &Table) -> String {
+    let tries = &table.iterations;
+    let Some(most) = tries.iter().max() else {
+        return String::new();
+    };
+    let mean = tries.iter().map(|&count| f64::from(count)).sum::<f64>() / tries.len() as f64;
+    format!(", {mean:.2} tries of a step on average, at most {most}")
 }
 
 /// Name of a file without its ending.

@@ -309,7 +309,7 @@ pub struct Item {
     pub name: String,
     /// Its value.
     #[serde(rename = "@value", with = "lexical")]
-    pub value: i32,
+    pub value: i64,
 }
 
 /// The root of a `.ssv`.
@@ -366,7 +366,7 @@ pub enum ParameterValue {
     Integer {
         /// The number.
         #[serde(rename = "@value", with = "lexical")]
-        value: i32,
+        value: i64,
     },
     /// A truth value.
     #[serde(rename = "ssv:Boolean")]

@@ -79,7 +79,7 @@ fn the_fmu_of_the_shaker_is_its_equation_and_rolls_back() {
     let folder = tempfile::tempdir().unwrap();
     let fmu = shaker(folder.path());
     assert_eq!(fmu.missing_functions().unwrap(), [""; 0]);
-    assert_eq!(fmu.description().validate(), []);
+    assert_eq!(fmu.description().version_2().unwrap().validate(), []);
     let mut instance = fmu.instantiate("one", false).unwrap();
     instance.setup_experiment(None, 0.0, None).unwrap();
     instance.set_real(&[1, 8], &[0.01, 0.0]).unwrap();
