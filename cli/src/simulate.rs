@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use clap::{Args, ValueEnum};
 use miette::miette;
 use sphere_dda_fmu::import::{
-    Coupling, End, Event, Fmu, Iteration, Options, Signals, System, Table, Value, simulate,
+    Coupling, End, Event, Fmu, Iteration, Options, Signals, Ssp, System, Table, Value, simulate,
 };
 
 use crate::failure::Failure;
@@ -21,14 +21,16 @@ Examples:
   sphere-dda simulate funnel.fmu -o outputs.csv
   sphere-dda simulate feeder.fmu --input drive.csv --step 0.002 --stop 2 -o outputs.csv
   sphere-dda simulate funnel.fmu --set output.directory=results --record maxOverlap
+  sphere-dda simulate coupled.ssp --coupling iterated --step 0.001 -o outputs.csv
   sphere-dda simulate shaker.fmu bed.fmu --connect shaker.position=bed.boundary.tray.displacement \\
       --connect 'bed.boundary.tray.averageForce[3]=shaker.force' --set shaker.amplitude=0.001 -o outputs.csv
 
-With several FMUs every name of a variable, also in files, is `<file name without .fmu>.<variable>`.
+With several FMUs, or an SSP, every name of a variable, also in files, is `<file name without .fmu>.<variable>`.
 What was recorded before a failure or Ctrl-C is written too. An FMU that ends before the stop time makes exit code 1.")]
 pub(crate) struct Simulate {
-    /// The FMUs: any of FMI 2.0 or 3.0 for co-simulation with a library for this system. They step in this order.
-    #[arg(required = true, value_name = "FMU")]
+    /// The FMUs: any of FMI 2.0 or 3.0 for co-simulation with a library for this system. They step in this order. Or one
+    /// SSP 1.0 archive, with its FMUs, connections, parameters and times.
+    #[arg(required = true, value_name = "FMU|SSP")]
     fmus: Vec<PathBuf>,
     /// Let an output feed an input; can be repeated.
     #[arg(long = "connect", value_name = "OUTPUT=INPUT", value_parser = connection)]
@@ -132,24 +134,38 @@ pub(crate) fn assignment(text: &str) -> Result<(String, String), String> {
 /// # Errors
 /// What the importer says, and files that cannot be read or written.
 pub(crate) fn run(arguments: &Simulate, interrupt: &Interrupt) -> Result<(), Failure> {
-    let fmus: Vec<Fmu> = arguments
-        .fmus
-        .iter()
-        .map(Fmu::open)
-        .collect::<Result<_, _>>()?;
-    let mut system = match &*fmus {
-        [fmu] => System::of(fmu),
-        _ => System::coupled(fmus.iter().map(|fmu| (stem(fmu.path()), fmu)))?,
+    let ssp = match &*arguments.fmus {
+        [path] if is_ssp(path) => Some(Ssp::open(path)?),
+        _ => None,
+    };
+    let fmus: Vec<Fmu> = match ssp {
+        Some(_) => Vec::new(),
+        None => arguments
+            .fmus
+            .iter()
+            .map(Fmu::open)
+            .collect::<Result<_, _>>()?,
+    };
+    let mut system = match (&ssp, &*fmus) {
+        (Some(ssp), _) => ssp.system()?,
+        (None, [fmu]) => System::of(fmu),
+        (None, _) => System::coupled(fmus.iter().map(|fmu| (stem(fmu.path()), fmu)))?,
     };
     let pairs = arguments.connect.iter();
     system.connect(pairs.map(|(output, input)| (&**output, &**input)))?;
+    let (mut set, (start, stop)) = match &ssp {
+        Some(ssp) => (ssp.set(&system)?, ssp.experiment()),
+        None => (Vec::new(), (None, None)),
+    };
+    set.retain(|(name, _)| arguments.set.iter().all(|(given, _)| given != name));
+    set.extend(arguments.set.iter().cloned());
     let inputs = match &arguments.input {
         Some(path) => Some(Signals::from_csv(path, &system)?),
         None => None,
     };
     let options = Options {
-        start: arguments.start,
-        stop: arguments.stop,
+        start: arguments.start.or(start),
+        stop: arguments.stop.or(stop),
         step: arguments.step,
         coupling: arguments.coupling.into(),
         iteration: Iteration {
@@ -159,7 +175,7 @@ pub(crate) fn run(arguments: &Simulate, interrupt: &Interrupt) -> Result<(), Fai
         },
         inputs,
         outputs: (!arguments.record.is_empty()).then(|| arguments.record.clone()),
-        set: arguments.set.clone(),
+        set,
         logging: arguments.verbose,
         allow_nan: arguments.allow_nan,
         ..Options::default()
@@ -185,6 +201,12 @@ pub(crate) fn run(arguments: &Simulate, interrupt: &Interrupt) -> Result<(), Fai
         ));
     }
     driven.end
+}
+
+/// Whether a file is named as an SSP is.
+fn is_ssp(path: &Path) -> bool {
+    path.extension()
+        .is_some_and(|ending| ending.eq_ignore_ascii_case("ssp"))
 }
 
 /// How often steps were tried, on average and at most, if the coupling iterates.

@@ -4,7 +4,8 @@
 //! |------------------|------------------------------------------------------------------------|
 //! | [`Fmu`]          | an unpacked archive and its model description; loads the library once   |
 //! | [`Instance`]     | one running instance: every call of the standard, judged by its status  |
-//! | [`System`]       | one FMU, or several with outputs connected to inputs; also as an SSP    |
+//! | [`System`]       | one FMU, or several with outputs connected to inputs; to an SSP          |
+//! | [`Ssp`]          | FMUs, connections and parameters from an SSP                             |
 //! | [`simulate`]     | a small master: inputs from a table, outputs to a table                 |
 //!
 //! The archive and the description are untrusted: they are read within limits and refused with a reason. The
@@ -39,6 +40,7 @@ mod quantity;
 mod run;
 mod signals;
 mod simulate;
+mod ssp;
 mod system;
 mod table;
 mod values;
@@ -62,10 +64,12 @@ pub use logger::Message;
 pub use package::PackageError;
 pub use signals::{Signals, SignalsError};
 pub use simulate::{Coupling, Event, Options, SimulateError, simulate};
+pub use ssp::{Ssp, SspError};
 pub use system::{System, SystemError};
 pub use table::{Column, End, Table};
 pub use values::{Base, Value, Values, VariableError};
 
+use archive::Unpacked;
 use library::{Interface, Library};
 use logger::RawStatus;
 use participant::Participant;
@@ -148,15 +152,15 @@ impl fmt::Display for Phase {
     }
 }
 
-/// Unpacks an archive and gives its folder and the text of its description.
-fn unpack(path: &Path, limits: Limits) -> Result<(TempDir, String), ImportError> {
+/// Unpacks an archive and gives it and the text of its description.
+fn unpack(path: &Path, limits: Limits) -> Result<(Unpacked, String), ImportError> {
     let path = path.to_owned();
-    let folder = match archive::unpack(&path, limits) {
-        Ok(folder) => folder,
+    let unpacked = match archive::unpack(&path, limits) {
+        Ok(unpacked) => unpacked,
         Err(source) => return Err(ImportError::Archive { path, source }),
     };
-    match text(&folder.path().join("modelDescription.xml")) {
-        Ok(text) => Ok((folder, text)),
+    match text(&unpacked.folder.path().join("modelDescription.xml")) {
+        Ok(text) => Ok((unpacked, text)),
         Err(problem) => Err(ImportError::NoDescription { path, problem }),
     }
 }
@@ -184,6 +188,8 @@ enum Loaded {
 pub struct Fmu {
     path: PathBuf,
     folder: Arc<TempDir>,
+    /// Size of all its files, unpacked \[byte\].
+    bytes: u64,
     description: Description,
     quantities: Vec<Quantity>,
     library: Mutex<Option<Loaded>>,
@@ -209,7 +215,7 @@ impl Fmu {
     /// As [`open`](Self::open).
     pub fn open_within(path: impl AsRef<Path>, limits: Limits) -> Result<Self, ImportError> {
         let path = path.as_ref().to_owned();
-        let (folder, text) = unpack(&path, limits)?;
+        let (Unpacked { folder, bytes }, text) = unpack(&path, limits)?;
         let description = match Description::from_xml(&text) {
             Ok(description) => description,
             Err(source) => return Err(ImportError::Description { path, source }),
@@ -240,6 +246,7 @@ impl Fmu {
         Ok(Self {
             path,
             folder: Arc::new(folder),
+            bytes,
             description,
             quantities,
             library: Mutex::new(None),

@@ -1,6 +1,9 @@
 //! System structure and parameter values of SSP 1.0: which FMUs run together, what feeds what, and with which parameters.
 //!
-//! Written with the prefixes `ssd`, `ssc` and `ssv`, which some readers take for part of the names.
+//! Written with the prefixes `ssd`, `ssc` and `ssv`, which some readers take for part of the names; what others write is
+//! in [`reading`].
+
+pub mod reading;
 
 use serde::Serialize;
 
