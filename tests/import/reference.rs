@@ -277,13 +277,9 @@ fn state_space_takes_arrays_whole_and_element_by_element() {
     let mut x = [0.0; 3];
     for row in 0..table.time.len() {
         let y = times(&c, &x);
-        for k in 0..3 {
+        for (k, y) in y.iter().enumerate() {
             let found = table.real(&format!("y[{}]", k + 1)).unwrap()[row];
-            assert!(
-                (found - y[k]).abs() < 1e-9,
-                "row {row}: {found} is not {}",
-                y[k]
-            );
+            assert!((found - y).abs() < 1e-9, "row {row}: {found} is not {y}");
         }
         for _ in 0..1000 {
             let (ax, bu) = (times(&a, &x), times(&b, &u));
