@@ -11,7 +11,7 @@
 //!
 //! For one value that is the secant method, Aitken's relaxation. The columns of earlier steps are kept, the newest
 //! first, as far as they say something new; while there are none, x' = x + relaxation r. All values are divided by their
-//! greatest magnitude so far, so that metres and newtons weigh alike.
+//! greatest magnitude so far, so that metres and newtons weigh alike; of the least squares that means V and r.
 
 use super::exchange::{Broken, Exchange, Load};
 use super::participant::Participant;
@@ -21,6 +21,9 @@ use super::{ImportError, SavedState};
 
 /// Most columns that are kept.
 const COLUMNS: usize = 24;
+
+/// Tries of a step after which the columns of earlier steps are dropped: they may tell of contacts that are no more.
+const PATIENCE: u32 = 10;
 
 /// A column says nothing new if what is left of it, beside those before it, is a smaller part of it.
 const NEW: f64 = 1e-4;
@@ -51,7 +54,7 @@ impl Default for Iteration {
 /// What is known from one try to the next, and from one step to the next.
 #[derive(Debug, Default)]
 pub(super) struct Memory {
-    /// Differences of residuals and of G, scaled; the newest last.
+    /// Differences of residuals and of G; the newest last.
     columns: Vec<(Vec<f64>, Vec<f64>)>,
     /// Greatest magnitude of each value.
     scales: Vec<f64>,
@@ -88,12 +91,10 @@ impl Run<'_> {
             let others_agree = pairs
                 .filter(|((_, value), _)| !matches!(value, Value::Real(_)))
                 .all(|((_, a), (_, b))| a == b);
-            let residual: Vec<f64> = (g.iter().zip(&x).zip(&scales))
-                .map(|((g, x), scale)| (g - x) / scale)
-                .collect();
-            let worst = (0..residual.len())
-                .max_by(|&a, &b| size(&residual, a).total_cmp(&size(&residual, b)));
-            let change = worst.map_or(0.0, |worst| size(&residual, worst));
+            let changes = over(&minus(&g, &x), &scales);
+            let worst =
+                (0..changes.len()).max_by(|&a, &b| size(&changes, a).total_cmp(&size(&changes, b)));
+            let change = worst.map_or(0.0, |worst| size(&changes, worst));
             if others_agree && change <= settings.tolerance {
                 self.release(states)?;
                 self.memory.scales = scales;
@@ -108,21 +109,18 @@ impl Run<'_> {
                     change,
                 });
             }
-            let scaled: Vec<f64> = g.iter().zip(&scales).map(|(g, scale)| g / scale).collect();
-            if let Some((residual_before, g_before)) =
-                before.replace((residual.clone(), scaled.clone()))
+            let residual = minus(&g, &x);
+            if let Some((residual_before, g_before)) = before.replace((residual.clone(), g.clone()))
             {
-                self.memory.learn(
-                    minus(&residual, &residual_before),
-                    minus(&scaled, &g_before),
-                );
+                let changes = (minus(&residual, &residual_before), minus(&g, &g_before));
+                self.memory.learn(changes);
             }
-            let next = self.memory.next(&residual, &scaled, settings.relaxation);
-            let next: Vec<f64> = next
-                .iter()
-                .zip(&scales)
-                .map(|(x, scale)| x * scale)
-                .collect();
+            if attempt == PATIENCE {
+                self.memory.keep_last(PATIENCE as usize - 1);
+            }
+            let next = self
+                .memory
+                .next(&residual, &g, &scales, settings.relaxation);
             guess = found;
             put(&mut guess, &next);
             for (component, state) in states.iter().enumerate() {
@@ -204,19 +202,25 @@ impl Memory {
             .collect()
     }
 
-    fn learn(&mut self, residuals: Vec<f64>, values: Vec<f64>) {
+    /// Keeps the differences of residuals and of G between two tries.
+    fn learn(&mut self, differences: (Vec<f64>, Vec<f64>)) {
         if self.columns.len() == COLUMNS {
             self.columns.remove(0);
         }
-        self.columns.push((residuals, values));
+        self.columns.push(differences);
+    }
+
+    fn keep_last(&mut self, count: usize) {
+        let old = self.columns.len().saturating_sub(count);
+        self.columns.drain(..old);
     }
 
     /// x' for the residual r and G(x).
-    fn next(&self, residual: &[f64], g: &[f64], relaxation: f64) -> Vec<f64> {
+    fn next(&self, residual: &[f64], g: &[f64], scales: &[f64], relaxation: f64) -> Vec<f64> {
         // Gram and Schmidt: each column without what those before it say already; W is changed along with V.
         let mut basis: Vec<(Vec<f64>, Vec<f64>)> = Vec::new();
         for (v, w) in self.columns.iter().rev() {
-            let (mut v, mut w) = (v.clone(), w.clone());
+            let (mut v, mut w) = (over(v, scales), w.clone());
             let whole = norm(&v);
             for (q, p) in &basis {
                 let part = dot(q, &v);
@@ -235,8 +239,9 @@ impl Memory {
             return pairs.map(|(g, r)| g - (1.0 - relaxation) * r).collect();
         }
         let mut next = g.to_vec();
+        let residual = over(residual, scales);
         for (q, p) in &basis {
-            subtract(&mut next, dot(q, residual), p);
+            subtract(&mut next, dot(q, &residual), p);
         }
         next
     }
@@ -248,6 +253,14 @@ fn size(values: &[f64], k: usize) -> f64 {
 
 fn minus(a: &[f64], b: &[f64]) -> Vec<f64> {
     a.iter().zip(b).map(|(a, b)| a - b).collect()
+}
+
+fn over(values: &[f64], scales: &[f64]) -> Vec<f64> {
+    values
+        .iter()
+        .zip(scales)
+        .map(|(a, scale)| a / scale)
+        .collect()
 }
 
 fn subtract(from: &mut [f64], factor: f64, what: &[f64]) {
@@ -299,6 +312,7 @@ mod tests {
         let b = [1.0, -2.0, 0.5];
         let g = |x: &[f64]| -> Vec<f64> { (0..3).map(|k| dot(&a[k], x) + b[k]).collect() };
         let mut memory = Memory::default();
+        let scales = [3.0, 0.5, 1.0];
         let mut x = vec![0.0; 3];
         let mut before: Option<(Vec<f64>, Vec<f64>)> = None;
         let mut tries = 0;
@@ -311,14 +325,14 @@ mod tests {
             }
             assert!(tries < 6, "{r:?}");
             if let Some((r0, g0)) = before.replace((r.clone(), found.clone())) {
-                memory.learn(minus(&r, &r0), minus(&found, &g0));
+                memory.learn((minus(&r, &r0), minus(&found, &g0)));
             }
-            x = memory.next(&r, &found, 0.5);
+            x = memory.next(&r, &found, &scales, 0.5);
         }
         assert_eq!(tries, 5);
         // The next step of the same map with another b needs two.
         let shifted = minus(&g(&x), &[0.3, -0.1, 0.2]);
-        let x1 = memory.next(&minus(&shifted, &x), &shifted, 0.5);
+        let x1 = memory.next(&minus(&shifted, &x), &shifted, &scales, 0.5);
         let r = minus(&minus(&g(&x1), &[0.3, -0.1, 0.2]), &x1);
         assert!(norm(&r) < 1e-9, "{r:?}");
     }
