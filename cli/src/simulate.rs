@@ -48,6 +48,10 @@ pub(crate) struct Simulate {
     /// Iterated coupling: part of the difference by which the very first correction goes.
     #[arg(long, value_name = "NUMBER", default_value_t = Iteration::default().relaxation)]
     relaxation: f64,
+    /// Iterated coupling: after the most tries go on with the best of them instead of ending. The number of such steps
+    /// and the greatest change that was left are told at the end.
+    #[arg(long)]
+    go_on: bool,
     /// Inputs over time: CSV with the header `time,name,...`. Continuous reals are interpolated, all else is held.
     #[arg(long, value_name = "CSV")]
     input: Option<PathBuf>,
@@ -172,6 +176,7 @@ pub(crate) fn run(arguments: &Simulate, interrupt: &Interrupt) -> Result<(), Fai
             tolerance: arguments.tolerance,
             limit: arguments.iterations,
             relaxation: arguments.relaxation,
+            go_on: arguments.go_on,
         },
         inputs,
         outputs: (!arguments.record.is_empty()).then(|| arguments.record.clone()),
@@ -216,7 +221,15 @@ fn tries(table: &Table) -> String {
         return String::new();
     };
     let mean = tries.iter().map(|&count| f64::from(count)).sum::<f64>() / tries.len() as f64;
-    format!(", {mean:.2} tries of a step on average, at most {most}")
+    let left = table.unsettled.iter().map(|step| step.change);
+    let unsettled = match left.reduce(f64::max) {
+        None => String::new(),
+        Some(worst) => format!(
+            "; {} steps went on although values changed, by at most {worst:.1e} of their greatest",
+            table.unsettled.len()
+        ),
+    };
+    format!(", {mean:.2} tries of a step on average, at most {most}{unsettled}")
 }
 
 /// Name of a file without its ending.

@@ -59,7 +59,7 @@ pub use connection::{ConnectionError, ConnectionFault};
 pub use description::Description;
 pub use error::ImportError;
 pub use instance::{Instance, SavedState, Step};
-pub use iterate::Iteration;
+pub use iterate::{Iteration, Unsettled};
 pub use logger::Message;
 pub use package::PackageError;
 pub use signals::{Signals, SignalsError};

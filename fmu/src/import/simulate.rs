@@ -139,7 +139,7 @@ pub enum SimulateError {
     /// The values that FMUs exchange did not come to agree.
     #[error(
         "at time {time} s: {} changes by {change:.1e} of its greatest value after {limit} tries of the step, expected at \
-         most {tolerance:e}: allow more tries or a larger tolerance, or give a shorter step or a smaller relaxation",
+         most {tolerance:e}: allow more tries or a larger tolerance, give a shorter step, or let the run go on",
         .variable.as_ref().map_or("a value that is no real number".to_owned(), |name| format!("`{name}`"))
     )]
     Apart {
@@ -324,6 +324,7 @@ fn check_iteration(
         tolerance,
         limit,
         relaxation,
+        ..
     } = options.iteration;
     let sound = tolerance.is_finite() && tolerance > 0.0 && limit > 0;
     if !(sound && relaxation > 0.0 && relaxation <= 1.0) {

@@ -6,6 +6,7 @@ use sphere_dda_model_description::fmi3::Causality;
 
 use super::VariableError;
 use super::exchange::Broken;
+use super::iterate::Unsettled;
 use super::participant::Participant;
 use super::quantity::Place;
 use super::system::{System, Variable};
@@ -48,6 +49,8 @@ pub struct Table {
     pub end: End,
     /// How often each step was tried until the exchanged values agreed; empty if the coupling does not iterate.
     pub iterations: Vec<u32>,
+    /// Steps of an iterated coupling that were kept although the values did not agree.
+    pub unsettled: Vec<Unsettled>,
 }
 
 impl Table {
@@ -86,6 +89,7 @@ impl Table {
             columns: variables.iter().flat_map(columns).collect(),
             end: End::Interrupted,
             iterations: Vec::new(),
+            unsettled: Vec::new(),
         })
     }
 
