@@ -254,35 +254,47 @@ fn hostile_systems_are_refused() {
         "{error}"
     );
 
-    // What the FMUs unpack to counts together with the SSP itself.
-    let whole = ssp(folder.path(), ["", "", ""], STRONG);
-    let files: u64 = {
-        let fmu = Fmu::open(folder.path().join("my fmu.fmu")).unwrap();
-        let sizes = walk(fmu.folder());
-        sizes
-            + std::fs::metadata(folder.path().join("my fmu.fmu"))
-                .unwrap()
-                .len()
-    };
-    let limits = |bytes| Limits {
-        bytes,
+    // What the FMUs unpack to counts together with the SSP itself, and with each other.
+    let copy = "<ssd:Component name=\"c\" source=\"resources/copy.fmu\"/>";
+    let one = ssp(folder.path(), ["", copy, ""], STRONG);
+    let error = Ssp::open(&one).unwrap_err().to_string();
+    assert!(error.contains("component `c`: found source"), "{error}");
+    let fmu = folder.path().join("my fmu.fmu");
+    let packed = std::fs::read(&fmu).unwrap();
+    let structure = ["BINDINGS", "CONNECTIONS"]
+        .iter()
+        .fold(SSD.replace("ELEMENTS", copy), |text, part| {
+            text.replace(part, "")
+        });
+    let both = folder.path().join("both.ssp");
+    let files = [
+        ("SystemStructure.ssd", structure.into_bytes()),
+        ("resources/my fmu.fmu", packed.clone()),
+        ("resources/copy.fmu", packed.clone()),
+    ];
+    write_archive(&both, &files);
+    let inside = walk(Fmu::open(&fmu).unwrap().folder());
+    let limits = |fmus: u64| Limits {
+        bytes: 2 * packed.len() as u64 + fmus * inside / 2 + 10_000,
         ..Limits::default()
     };
-    assert!(Ssp::open_within(&whole, limits(files + 10_000)).is_ok());
-    let error = Ssp::open_within(&whole, limits(files)).unwrap_err();
-    let SspError::Fmu { source, .. } = &error else {
-        panic!("{error}");
-    };
-    assert!(
-        matches!(
-            **source,
-            ImportError::Archive {
-                source: ArchiveError::Limit { .. },
-                ..
-            }
-        ),
-        "{error}"
-    );
+    assert!(Ssp::open_within(&both, limits(4)).is_ok());
+    for halves in [1, 3] {
+        let error = Ssp::open_within(&both, limits(halves)).unwrap_err();
+        let SspError::Fmu { source, .. } = &error else {
+            panic!("{error}");
+        };
+        assert!(
+            matches!(
+                **source,
+                ImportError::Archive {
+                    source: ArchiveError::Limit { .. },
+                    ..
+                }
+            ),
+            "{error}"
+        );
+    }
 }
 
 fn walk(folder: &Path) -> u64 {
