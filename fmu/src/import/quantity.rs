@@ -16,7 +16,7 @@ pub(super) use version2::quantities as quantities_2;
 pub(super) use version3::quantities as quantities_3;
 
 /// Most elements that the arrays of one FMU have together.
-pub(super) const MAX_ELEMENTS: u64 = 50_000_000;
+pub(super) const MAX_ELEMENTS: u64 = 5_000_000;
 
 /// One value of an FMU, as calls name it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
