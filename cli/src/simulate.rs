@@ -39,15 +39,15 @@ pub(crate) struct Simulate {
     #[arg(long, value_enum, default_value_t)]
     coupling: Scheme,
     /// Iterated coupling: greatest change of an exchanged value from one try of a step to the next, as a part of the
-    /// greatest it has had.
-    #[arg(long, value_name = "NUMBER", default_value_t = Iteration::default().tolerance)]
-    tolerance: f64,
-    /// Iterated coupling: most tries of a step.
-    #[arg(long, value_name = "COUNT", default_value_t = Iteration::default().limit)]
-    iterations: u32,
-    /// Iterated coupling: part of the difference by which the very first correction goes.
-    #[arg(long, value_name = "NUMBER", default_value_t = Iteration::default().relaxation)]
-    relaxation: f64,
+    /// greatest it has had; 1e-6 if absent.
+    #[arg(long, value_name = "NUMBER")]
+    tolerance: Option<f64>,
+    /// Iterated coupling: most tries of a step; 30 if absent.
+    #[arg(long, value_name = "COUNT")]
+    iterations: Option<u32>,
+    /// Iterated coupling: part of the difference by which the very first correction goes; 0.5 if absent.
+    #[arg(long, value_name = "NUMBER")]
+    relaxation: Option<f64>,
     /// Iterated coupling: after the most tries go on with the best of them instead of ending. The number of such steps
     /// and the greatest change that was left are told at the end.
     #[arg(long)]
@@ -140,6 +140,11 @@ pub(crate) fn assignment(text: &str) -> Result<(String, String), String> {
 pub(crate) fn run(arguments: &Simulate, interrupt: &Interrupt) -> Result<(), Failure> {
     let ssp = match &*arguments.fmus {
         [path] if is_ssp(path) => Some(Ssp::open(path)?),
+        [_, _, ..] if arguments.fmus.iter().any(|path| is_ssp(path)) => {
+            return Err(Failure::Input(miette!(
+                "found an SSP among several files, expected one SSP alone, or FMUs"
+            )));
+        }
         _ => None,
     };
     let fmus: Vec<Fmu> = match ssp {
@@ -172,12 +177,7 @@ pub(crate) fn run(arguments: &Simulate, interrupt: &Interrupt) -> Result<(), Fai
         stop: arguments.stop.or(stop),
         step: arguments.step,
         coupling: arguments.coupling.into(),
-        iteration: Iteration {
-            tolerance: arguments.tolerance,
-            limit: arguments.iterations,
-            relaxation: arguments.relaxation,
-            go_on: arguments.go_on,
-        },
+        iteration: iteration(arguments)?,
         inputs,
         outputs: (!arguments.record.is_empty()).then(|| arguments.record.clone()),
         set,
@@ -206,6 +206,30 @@ pub(crate) fn run(arguments: &Simulate, interrupt: &Interrupt) -> Result<(), Fai
         ));
     }
     driven.end
+}
+
+/// How to iterate; numbers for it are refused where nothing is iterated.
+fn iteration(arguments: &Simulate) -> Result<Iteration, Failure> {
+    let given = [
+        ("--tolerance", arguments.tolerance.is_some()),
+        ("--iterations", arguments.iterations.is_some()),
+        ("--relaxation", arguments.relaxation.is_some()),
+        ("--go-on", arguments.go_on),
+    ];
+    if let Some((name, _)) = given.iter().find(|(_, given)| *given)
+        && !matches!(arguments.coupling, Scheme::Iterated)
+    {
+        return Err(Failure::Input(miette!(
+            "{name}: found another coupling, expected `--coupling iterated`, for which it is"
+        )));
+    }
+    let default = Iteration::default();
+    Ok(Iteration {
+        tolerance: arguments.tolerance.unwrap_or(default.tolerance),
+        limit: arguments.iterations.unwrap_or(default.limit),
+        relaxation: arguments.relaxation.unwrap_or(default.relaxation),
+        go_on: arguments.go_on,
+    })
 }
 
 /// Whether a file is named as an SSP is.
