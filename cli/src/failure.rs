@@ -8,7 +8,9 @@ use sphere_dda::error::StepError;
 use sphere_dda::observe::error::OutputError;
 use sphere_dda::scene::SceneError;
 use sphere_dda_fmu::export::ExportError;
-use sphere_dda_fmu::import::{ImportError, PackageError, SignalsError, SimulateError, SystemError};
+use sphere_dda_fmu::import::{
+    ImportError, PackageError, SignalsError, SimulateError, SspError, SystemError,
+};
 use sphere_dda_fmu::model::ModelError;
 
 /// Why a command has not done its work.
@@ -73,6 +75,12 @@ impl From<OutputError> for Failure {
 
 impl From<ImportError> for Failure {
     fn from(error: ImportError) -> Self {
+        Self::input(error)
+    }
+}
+
+impl From<SspError> for Failure {
+    fn from(error: SspError) -> Self {
         Self::input(error)
     }
 }

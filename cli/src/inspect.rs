@@ -6,7 +6,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use miette::miette;
-use sphere_dda_fmu::import::{Fmu, description_3};
+use sphere_dda_fmu::import::{Description, Fmu};
 use sphere_dda_model_description::fmi2::{
     CoSimulation, DefaultExperiment, ModelDescription, ScalarVariable, TypeDefinition, VariableType,
 };
@@ -21,7 +21,7 @@ Examples:
   sphere-dda inspect funnel.fmu
   sphere-dda inspect --validate funnel.fmu")]
 pub(crate) struct Inspect {
-    /// The FMU, of FMI 2.0 for co-simulation or of FMI 3.0.
+    /// The FMU, of FMI 2.0 or 3.0, for co-simulation.
     fmu: PathBuf,
     /// Show also what is wrong with its model description; exit code 2 if anything is.
     #[arg(long)]
@@ -33,15 +33,16 @@ pub(crate) struct Inspect {
 /// # Errors
 /// What the importer says; findings of the validation if it was asked for.
 pub(crate) fn run(arguments: &Inspect) -> Result<(), Failure> {
-    let (text, findings) = match description_3(&arguments.fmu)? {
-        Some(description) => (version3::page(&description), description.validate()),
-        None => {
-            let fmu = Fmu::open(&arguments.fmu)?;
-            let description = fmu.description();
+    let fmu = Fmu::open(&arguments.fmu)?;
+    let (text, findings) = match fmu.description() {
+        Description::Three(description) => (version3::page(description), description.validate()),
+        Description::Two(description) => {
             let rows = description.model_variables.iter();
             let rows = rows.map(|variable| row(description, variable)).collect();
-            let page = header(description, fmu.co_simulation()) + &variables(rows);
-            (page, description.validate())
+            (
+                header(description) + &variables(rows),
+                description.validate(),
+            )
         }
     };
     let findings = if arguments.validate {
@@ -65,10 +66,9 @@ pub(crate) fn run(arguments: &Inspect) -> Result<(), Failure> {
     )))
 }
 
-fn header(description: &ModelDescription, co_simulation: &CoSimulation) -> String {
+fn header(description: &ModelDescription) -> String {
     let mut lines = vec![
         ("model", description.model_name.clone()),
-        ("library", co_simulation.model_identifier.clone()),
         ("guid", description.guid.clone()),
     ];
     let texts = [
@@ -82,7 +82,10 @@ fn header(description: &ModelDescription, co_simulation: &CoSimulation) -> Strin
         lines.extend(text.iter().map(|text| (name, text.clone())));
     }
     lines.extend(description.default_experiment.map(times));
-    lines.push(("able to", abilities(co_simulation)));
+    if let Some(co_simulation) = &description.co_simulation {
+        lines.insert(1, ("library", co_simulation.model_identifier.clone()));
+        lines.push(("able to", abilities(co_simulation)));
+    }
     list(&lines)
 }
 

@@ -60,11 +60,11 @@ enum Command {
     ReproducePaper(reproduce_paper::ReproducePaper),
     /// Measure laws of granular matter (silo, outflow, collapse, repose) and write them as a report.
     Verify(verify::Verify),
-    /// Pack a scene into an FMU of FMI 2.0 for co-simulation.
+    /// Pack a scene into an FMU of FMI 2.0 or 3.0 for co-simulation.
     Export(export::Export),
     /// Show what an FMU is and its variables.
     Inspect(inspect::Inspect),
-    /// Run an FMU, or several coupled, any of FMI 2.0 for co-simulation, and write the outputs as CSV.
+    /// Run an FMU, or several coupled, any of FMI 2.0 or 3.0 for co-simulation, or an SSP, and write the outputs as CSV.
     Simulate(simulate::Simulate),
 }
 

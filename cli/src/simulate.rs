@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use clap::{Args, ValueEnum};
 use miette::miette;
 use sphere_dda_fmu::import::{
-    Coupling, End, Event, Fmu, Options, Signals, System, Table, Value, simulate,
+    Coupling, End, Event, Fmu, Iteration, Options, Signals, Ssp, System, Table, Value, simulate,
 };
 
 use crate::failure::Failure;
@@ -21,14 +21,16 @@ Examples:
   sphere-dda simulate funnel.fmu -o outputs.csv
   sphere-dda simulate feeder.fmu --input drive.csv --step 0.002 --stop 2 -o outputs.csv
   sphere-dda simulate funnel.fmu --set output.directory=results --record maxOverlap
+  sphere-dda simulate coupled.ssp --coupling iterated --step 0.001 -o outputs.csv
   sphere-dda simulate shaker.fmu bed.fmu --connect shaker.position=bed.boundary.tray.displacement \\
       --connect 'bed.boundary.tray.averageForce[3]=shaker.force' --set shaker.amplitude=0.001 -o outputs.csv
 
-With several FMUs every name of a variable, also in files, is `<file name without .fmu>.<variable>`.
+With several FMUs, or an SSP, every name of a variable, also in files, is `<file name without .fmu>.<variable>`.
 What was recorded before a failure or Ctrl-C is written too. An FMU that ends before the stop time makes exit code 1.")]
 pub(crate) struct Simulate {
-    /// The FMUs: any of FMI 2.0 for co-simulation with a library for this system. They step in this order.
-    #[arg(required = true, value_name = "FMU")]
+    /// The FMUs: any of FMI 2.0 or 3.0 for co-simulation with a library for this system. They step in this order. Or one
+    /// SSP 1.0 archive, with its FMUs, connections, parameters and times.
+    #[arg(required = true, value_name = "FMU|SSP")]
     fmus: Vec<PathBuf>,
     /// Let an output feed an input; can be repeated.
     #[arg(long = "connect", value_name = "OUTPUT=INPUT", value_parser = connection)]
@@ -36,6 +38,20 @@ pub(crate) struct Simulate {
     /// When connected FMUs exchange values.
     #[arg(long, value_enum, default_value_t)]
     coupling: Scheme,
+    /// Iterated coupling: greatest change of an exchanged value from one try of a step to the next, as a part of the
+    /// greatest it has had; 1e-6 if absent.
+    #[arg(long, value_name = "NUMBER")]
+    tolerance: Option<f64>,
+    /// Iterated coupling: most tries of a step; 30 if absent.
+    #[arg(long, value_name = "COUNT")]
+    iterations: Option<u32>,
+    /// Iterated coupling: part of the difference by which the very first correction goes; 0.5 if absent.
+    #[arg(long, value_name = "NUMBER")]
+    relaxation: Option<f64>,
+    /// Iterated coupling: after the most tries go on with the best of them instead of ending. The number of such steps
+    /// and the greatest change that was left are told at the end.
+    #[arg(long)]
+    go_on: bool,
     /// Inputs over time: CSV with the header `time,name,...`. Continuous reals are interpolated, all else is held.
     #[arg(long, value_name = "CSV")]
     input: Option<PathBuf>,
@@ -76,6 +92,8 @@ enum Scheme {
     Jacobi,
     /// Each before its own step, so that it gets what the FMUs before it have just reached.
     GaussSeidel,
+    /// Steps are repeated from saved states until all that is exchanged at their end agrees.
+    Iterated,
 }
 
 impl From<Scheme> for Coupling {
@@ -83,6 +101,7 @@ impl From<Scheme> for Coupling {
         match scheme {
             Scheme::Jacobi => Self::Jacobi,
             Scheme::GaussSeidel => Self::GaussSeidel,
+            Scheme::Iterated => Self::Iterated,
         }
     }
 }
@@ -119,29 +138,49 @@ pub(crate) fn assignment(text: &str) -> Result<(String, String), String> {
 /// # Errors
 /// What the importer says, and files that cannot be read or written.
 pub(crate) fn run(arguments: &Simulate, interrupt: &Interrupt) -> Result<(), Failure> {
-    let fmus: Vec<Fmu> = arguments
-        .fmus
-        .iter()
-        .map(Fmu::open)
-        .collect::<Result<_, _>>()?;
-    let mut system = match &*fmus {
-        [fmu] => System::of(fmu),
-        _ => System::coupled(fmus.iter().map(|fmu| (stem(fmu.path()), fmu)))?,
+    let ssp = match &*arguments.fmus {
+        [path] if is_ssp(path) => Some(Ssp::open(path)?),
+        [_, _, ..] if arguments.fmus.iter().any(|path| is_ssp(path)) => {
+            return Err(Failure::Input(miette!(
+                "found an SSP among several files, expected one SSP alone, or FMUs"
+            )));
+        }
+        _ => None,
+    };
+    let fmus: Vec<Fmu> = match ssp {
+        Some(_) => Vec::new(),
+        None => arguments
+            .fmus
+            .iter()
+            .map(Fmu::open)
+            .collect::<Result<_, _>>()?,
+    };
+    let mut system = match (&ssp, &*fmus) {
+        (Some(ssp), _) => ssp.system()?,
+        (None, [fmu]) => System::of(fmu),
+        (None, _) => System::coupled(fmus.iter().map(|fmu| (stem(fmu.path()), fmu)))?,
     };
     let pairs = arguments.connect.iter();
     system.connect(pairs.map(|(output, input)| (&**output, &**input)))?;
+    let (mut set, (start, stop)) = match &ssp {
+        Some(ssp) => (ssp.set(&system)?, ssp.experiment()),
+        None => (Vec::new(), (None, None)),
+    };
+    set.retain(|(name, _)| arguments.set.iter().all(|(given, _)| given != name));
+    set.extend(arguments.set.iter().cloned());
     let inputs = match &arguments.input {
         Some(path) => Some(Signals::from_csv(path, &system)?),
         None => None,
     };
     let options = Options {
-        start: arguments.start,
-        stop: arguments.stop,
+        start: arguments.start.or(start),
+        stop: arguments.stop.or(stop),
         step: arguments.step,
         coupling: arguments.coupling.into(),
+        iteration: iteration(arguments)?,
         inputs,
         outputs: (!arguments.record.is_empty()).then(|| arguments.record.clone()),
-        set: arguments.set.clone(),
+        set,
         logging: arguments.verbose,
         allow_nan: arguments.allow_nan,
         ..Options::default()
@@ -160,12 +199,61 @@ pub(crate) fn run(arguments: &Simulate, interrupt: &Interrupt) -> Result<(), Fai
     if let Some(table) = &driven.table {
         let last = table.time.last().copied().unwrap_or(f64::NAN);
         note(format_args!(
-            "{} rows up to {last} s, wall time {:.2} s",
+            "{} rows up to {last} s{}, wall time {:.2} s",
             table.time.len(),
+            tries(table),
             driven.wall
         ));
     }
     driven.end
+}
+
+/// How to iterate; numbers for it are refused where nothing is iterated.
+fn iteration(arguments: &Simulate) -> Result<Iteration, Failure> {
+    let given = [
+        ("--tolerance", arguments.tolerance.is_some()),
+        ("--iterations", arguments.iterations.is_some()),
+        ("--relaxation", arguments.relaxation.is_some()),
+        ("--go-on", arguments.go_on),
+    ];
+    if let Some((name, _)) = given.iter().find(|(_, given)| *given)
+        && !matches!(arguments.coupling, Scheme::Iterated)
+    {
+        return Err(Failure::Input(miette!(
+            "{name}: found another coupling, expected `--coupling iterated`, for which it is"
+        )));
+    }
+    let default = Iteration::default();
+    Ok(Iteration {
+        tolerance: arguments.tolerance.unwrap_or(default.tolerance),
+        limit: arguments.iterations.unwrap_or(default.limit),
+        relaxation: arguments.relaxation.unwrap_or(default.relaxation),
+        go_on: arguments.go_on,
+    })
+}
+
+/// Whether a file is named as an SSP is.
+fn is_ssp(path: &Path) -> bool {
+    path.extension()
+        .is_some_and(|ending| ending.eq_ignore_ascii_case("ssp"))
+}
+
+/// How often steps were tried, on average and at most, if the coupling iterates.
+fn tries(table: &Table) -> String {
+    let tries = &table.iterations;
+    let Some(most) = tries.iter().max() else {
+        return String::new();
+    };
+    let mean = tries.iter().map(|&count| f64::from(count)).sum::<f64>() / tries.len() as f64;
+    let left = table.unsettled.iter().map(|step| step.change);
+    let unsettled = match left.reduce(f64::max) {
+        None => String::new(),
+        Some(worst) => format!(
+            "; {} steps went on although values changed, by at most {worst:.1e} of their greatest",
+            table.unsettled.len()
+        ),
+    };
+    format!(", {mean:.2} tries of a step on average, at most {most}{unsettled}")
 }
 
 /// Name of a file without its ending.

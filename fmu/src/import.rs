@@ -1,10 +1,11 @@
-//! Runs foreign FMUs, alone or coupled: any FMI 2.0 co-simulation FMU with a library for this system.
+//! Runs foreign FMUs, alone or coupled: any co-simulation FMU of FMI 2.0 or 3.0 with a library for this system.
 //!
 //! | type or function | is                                                                     |
 //! |------------------|------------------------------------------------------------------------|
 //! | [`Fmu`]          | an unpacked archive and its model description; loads the library once   |
 //! | [`Instance`]     | one running instance: every call of the standard, judged by its status  |
-//! | [`System`]       | one FMU, or several with outputs connected to inputs; also as an SSP    |
+//! | [`System`]       | one FMU, or several with outputs connected to inputs; to an SSP          |
+//! | [`Ssp`]          | FMUs, connections and parameters from an SSP                             |
 //! | [`simulate`]     | a small master: inputs from a table, outputs to a table                 |
 //!
 //! The archive and the description are untrusted: they are read within limits and refused with a reason. The
@@ -21,48 +22,60 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-mod abi;
 mod archive;
 mod connection;
+mod description;
 mod error;
 mod exchange;
+mod fmi2;
+mod fmi3;
 mod grid;
 mod instance;
+mod iterate;
 mod library;
 mod logger;
 mod package;
+mod participant;
+mod quantity;
 mod run;
 mod signals;
 mod simulate;
+mod ssp;
 mod system;
 mod table;
 mod values;
 
 use std::fmt;
 use std::fs;
+use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
-use sphere_dda_model_description::fmi2::{CoSimulation, ModelDescription};
-use sphere_dda_model_description::fmi3;
-use sphere_dda_model_description::names;
+use sphere_dda_model_description::{MAX_BYTES, names};
 use tempfile::TempDir;
 
 pub use archive::{ArchiveError, Limits, RATIO_FLOOR};
 pub use connection::{ConnectionError, ConnectionFault};
+pub use description::Description;
 pub use error::ImportError;
 pub use instance::{Instance, SavedState, Step};
+pub use iterate::{Iteration, Unsettled};
 pub use logger::Message;
 pub use package::PackageError;
 pub use signals::{Signals, SignalsError};
 pub use simulate::{Coupling, Event, Options, SimulateError, simulate};
+pub use ssp::{Ssp, SspError};
 pub use system::{System, SystemError};
 pub use table::{Column, End, Table};
-pub use values::{Value, Values, VariableError};
+pub use values::{Base, Value, Values, VariableError};
 
-use library::Library;
+use archive::Unpacked;
+use library::{Interface, Library};
+use logger::RawStatus;
+use participant::Participant;
+use quantity::{MAX_ELEMENTS, Quantity, quantities_2, quantities_3};
 
-/// What a function of the interface says about its work: `fmi2Status`.
+/// What a function of the interface says about its work: `fmi2Status`, `fmi3Status`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Status {
     /// All well.
@@ -80,7 +93,7 @@ pub enum Status {
 }
 
 impl Status {
-    fn from_raw(raw: abi::RawStatus) -> Option<Self> {
+    fn from_raw(raw: RawStatus) -> Option<Self> {
         Some(match raw {
             0 => Self::Ok,
             1 => Self::Warning,
@@ -139,35 +152,35 @@ impl fmt::Display for Phase {
     }
 }
 
-/// The model description of an FMU of FMI 3.0, which can be looked at but not run; `None` if the FMU is of another version.
-///
-/// # Errors
-///
-/// [`ImportError::Archive`], [`NoDescription`](ImportError::NoDescription) and
-/// [`Description`](ImportError::Description).
-pub fn description_3(
-    path: impl AsRef<Path>,
-) -> Result<Option<fmi3::ModelDescription>, ImportError> {
-    let path = path.as_ref().to_owned();
-    let (_, text) = unpack(&path, Limits::default())?;
-    match fmi3::ModelDescription::from_xml(&text) {
-        Ok(description) => Ok(Some(description)),
-        Err(sphere_dda_model_description::Error::Version { .. }) => Ok(None),
-        Err(source) => Err(ImportError::Description { path, source }),
+/// Unpacks an archive and gives it and the text of its description.
+fn unpack(path: &Path, limits: Limits) -> Result<(Unpacked, String), ImportError> {
+    let path = path.to_owned();
+    let unpacked = match archive::unpack(&path, limits) {
+        Ok(unpacked) => unpacked,
+        Err(source) => return Err(ImportError::Archive { path, source }),
+    };
+    match text(&unpacked.folder.path().join("modelDescription.xml")) {
+        Ok(text) => Ok((unpacked, text)),
+        Err(problem) => Err(ImportError::NoDescription { path, problem }),
     }
 }
 
-/// Unpacks an archive and gives its folder and the text of its description.
-fn unpack(path: &Path, limits: Limits) -> Result<(TempDir, String), ImportError> {
-    let path = path.to_owned();
-    let folder = match archive::unpack(&path, limits) {
-        Ok(folder) => folder,
-        Err(source) => return Err(ImportError::Archive { path, source }),
-    };
-    match fs::read_to_string(folder.path().join("modelDescription.xml")) {
-        Ok(text) => Ok((folder, text)),
-        Err(problem) => Err(ImportError::NoDescription { path, problem }),
+/// The text of a file that is not too long for XML.
+fn text(path: &Path) -> io::Result<String> {
+    let length = fs::metadata(path)?.len();
+    if length > MAX_BYTES as u64 {
+        return Err(io::Error::other(format!(
+            "found {length} bytes, expected at most {MAX_BYTES}"
+        )));
     }
+    fs::read_to_string(path)
+}
+
+/// The library, once it is loaded.
+#[derive(Debug)]
+enum Loaded {
+    Two(Arc<Library<fmi2::Functions>>),
+    Three(Arc<Library<fmi3::Functions>>),
 }
 
 /// An unpacked FMU. Its folder is removed when it and its last instance are dropped.
@@ -175,9 +188,11 @@ fn unpack(path: &Path, limits: Limits) -> Result<(TempDir, String), ImportError>
 pub struct Fmu {
     path: PathBuf,
     folder: Arc<TempDir>,
-    description: ModelDescription,
-    co_simulation: CoSimulation,
-    library: Mutex<Option<Arc<Library>>>,
+    /// Size of all its files, unpacked \[byte\].
+    bytes: u64,
+    description: Description,
+    quantities: Vec<Quantity>,
+    library: Mutex<Option<Loaded>>,
 }
 
 impl Fmu {
@@ -187,8 +202,8 @@ impl Fmu {
     /// # Errors
     ///
     /// [`ImportError::Archive`], [`NoDescription`](ImportError::NoDescription),
-    /// [`Description`](ImportError::Description), [`NoCoSimulation`](ImportError::NoCoSimulation) and
-    /// [`ModelIdentifier`](ImportError::ModelIdentifier).
+    /// [`Description`](ImportError::Description), [`NoCoSimulation`](ImportError::NoCoSimulation),
+    /// [`ModelIdentifier`](ImportError::ModelIdentifier) and [`Elements`](ImportError::Elements).
     pub fn open(path: impl AsRef<Path>) -> Result<Self, ImportError> {
         Self::open_within(path, Limits::default())
     }
@@ -200,23 +215,40 @@ impl Fmu {
     /// As [`open`](Self::open).
     pub fn open_within(path: impl AsRef<Path>, limits: Limits) -> Result<Self, ImportError> {
         let path = path.as_ref().to_owned();
-        let (folder, text) = unpack(&path, limits)?;
-        let description = match ModelDescription::from_xml(&text) {
+        let (Unpacked { folder, bytes }, text) = unpack(&path, limits)?;
+        let description = match Description::from_xml(&text) {
             Ok(description) => description,
             Err(source) => return Err(ImportError::Description { path, source }),
         };
-        let Some(co_simulation) = description.co_simulation.clone() else {
+        if !description.offers_co_simulation() {
             return Err(ImportError::NoCoSimulation { path });
-        };
-        if !names::is_c_identifier(&co_simulation.model_identifier) {
-            let found = co_simulation.model_identifier;
+        }
+        if !names::is_c_identifier(description.model_identifier()) {
+            let found = description.model_identifier().to_owned();
             return Err(ImportError::ModelIdentifier { path, found });
         }
+        let quantities = match &description {
+            Description::Two(own) => Ok(quantities_2(own)),
+            Description::Three(own) => quantities_3(own),
+        };
+        let quantities = match quantities {
+            Ok(quantities) => quantities,
+            Err((name, found)) => {
+                let limit = MAX_ELEMENTS;
+                return Err(ImportError::Elements {
+                    path,
+                    name,
+                    found,
+                    limit,
+                });
+            }
+        };
         Ok(Self {
             path,
             folder: Arc::new(folder),
+            bytes,
             description,
-            co_simulation,
+            quantities,
             library: Mutex::new(None),
         })
     }
@@ -232,16 +264,16 @@ impl Fmu {
     }
 
     /// The model description.
-    pub fn description(&self) -> &ModelDescription {
+    pub fn description(&self) -> &Description {
         &self.description
     }
 
-    /// The co-simulation interface and what it is able to do.
-    pub fn co_simulation(&self) -> &CoSimulation {
-        &self.co_simulation
+    fn quantities(&self) -> &[Quantity] {
+        &self.quantities
     }
 
-    /// Makes an instance, loading the library if none is loaded yet.
+    /// Makes an instance of an FMU of FMI 2.0, loading the library if none is loaded yet. [`simulate`] runs those of
+    /// FMI 3.0 too.
     ///
     /// `logging` asks the FMU to log more than warnings and errors.
     ///
@@ -250,9 +282,27 @@ impl Fmu {
     /// [`ImportError::NoBinary`], [`Load`](ImportError::Load), [`MissingFunction`](ImportError::MissingFunction),
     /// [`Interface`](ImportError::Interface), [`OnlyOnce`](ImportError::OnlyOnce),
     /// [`Instantiate`](ImportError::Instantiate), [`Phase`](ImportError::Phase) after a `Fatal`,
-    /// [`Nul`](ImportError::Nul).
+    /// [`Nul`](ImportError::Nul), [`Version`](ImportError::Version).
     pub fn instantiate(&self, name: &str, logging: bool) -> Result<Instance, ImportError> {
-        Instance::new(self.library()?, self, name, logging)
+        match self.library()? {
+            Loaded::Two(library) => Instance::<fmi2::Functions>::new(library, self, name, logging),
+            Loaded::Three(_) => Err(ImportError::Version {
+                path: self.path.clone(),
+            }),
+        }
+    }
+
+    /// As [`instantiate`](Self::instantiate), of either version.
+    fn participant(&self, name: &str, logging: bool) -> Result<Box<dyn Participant>, ImportError> {
+        Ok(match self.library()? {
+            Loaded::Two(library) => Box::new(Instance::<fmi2::Functions>::new(
+                library, self, name, logging,
+            )?),
+            Loaded::Three(library) => {
+                let instance = Instance::<fmi3::Functions>::new(library, self, name, logging)?;
+                Box::new(fmi3::Arrays::new(instance, &self.quantities))
+            }
+        })
     }
 
     /// Names of the optional functions of the interface that the library does not have.
@@ -261,15 +311,33 @@ impl Fmu {
     ///
     /// Those of loading: see [`instantiate`](Self::instantiate).
     pub fn missing_functions(&self) -> Result<Vec<&'static str>, ImportError> {
-        Ok(self.library()?.functions.missing.clone())
+        Ok(match self.library()? {
+            Loaded::Two(library) => library.functions.missing().to_vec(),
+            Loaded::Three(library) => library.functions.missing().to_vec(),
+        })
     }
 
-    fn library(&self) -> Result<Arc<Library>, ImportError> {
+    fn library(&self) -> Result<Loaded, ImportError> {
         let mut slot = self.library.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(library) = &*slot {
-            return Ok(Arc::clone(library));
+        let loaded = match &*slot {
+            Some(loaded) => loaded.again(),
+            None => {
+                let loaded = match self.description {
+                    Description::Two(_) => Loaded::Two(Arc::new(Library::load(self)?)),
+                    Description::Three(_) => Loaded::Three(Arc::new(Library::load(self)?)),
+                };
+                slot.insert(loaded).again()
+            }
+        };
+        Ok(loaded)
+    }
+}
+
+impl Loaded {
+    fn again(&self) -> Self {
+        match self {
+            Self::Two(library) => Self::Two(Arc::clone(library)),
+            Self::Three(library) => Self::Three(Arc::clone(library)),
         }
-        let library = Arc::new(Library::load(self)?);
-        Ok(Arc::clone(slot.insert(library)))
     }
 }

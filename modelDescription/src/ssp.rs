@@ -1,6 +1,9 @@
 //! System structure and parameter values of SSP 1.0: which FMUs run together, what feeds what, and with which parameters.
 //!
-//! Written with the prefixes `ssd`, `ssc` and `ssv`, which some readers take for part of the names.
+//! Written with the prefixes `ssd`, `ssc` and `ssv`, which some readers take for part of the names; what others write is
+//! in [`reading`].
+
+pub mod reading;
 
 use serde::Serialize;
 
@@ -309,7 +312,7 @@ pub struct Item {
     pub name: String,
     /// Its value.
     #[serde(rename = "@value", with = "lexical")]
-    pub value: i32,
+    pub value: i64,
 }
 
 /// The root of a `.ssv`.
@@ -366,7 +369,7 @@ pub enum ParameterValue {
     Integer {
         /// The number.
         #[serde(rename = "@value", with = "lexical")]
-        value: i32,
+        value: i64,
     },
     /// A truth value.
     #[serde(rename = "ssv:Boolean")]

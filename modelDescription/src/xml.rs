@@ -89,8 +89,10 @@ pub enum Error {
         expected: &'static str,
     },
     /// The description is of another version of the standard.
-    #[error("attribute `fmiVersion`: found `{found}`, expected `{expected}`")]
+    #[error("attribute `{attribute}`: found `{found}`, expected `{expected}`")]
     Version {
+        /// Name of the attribute.
+        attribute: &'static str,
         /// Value of the attribute; empty if it is absent.
         found: String,
         /// The version that is read.
@@ -134,6 +136,34 @@ pub(crate) fn read<T: DeserializeOwned>(
     root: &'static str,
     version: &'static str,
 ) -> Result<T, Error> {
+    let expected = Expected {
+        root,
+        attribute: "fmiVersion",
+        version,
+    };
+    read_expected(text, expected)
+}
+
+/// What a document begins with.
+#[derive(Clone, Copy)]
+pub(crate) struct Expected {
+    /// Name of the root element, without prefix.
+    pub(crate) root: &'static str,
+    /// The attribute that tells the version.
+    pub(crate) attribute: &'static str,
+    /// The version that is read.
+    pub(crate) version: &'static str,
+}
+
+/// As [`read`], with the version in any attribute.
+///
+/// # Errors
+///
+/// As [`read`].
+pub(crate) fn read_expected<T: DeserializeOwned>(
+    text: &str,
+    expected: Expected,
+) -> Result<T, Error> {
     if text.len() > MAX_BYTES {
         return Err(Error::TooLarge {
             found: text.len(),
@@ -142,7 +172,7 @@ pub(crate) fn read<T: DeserializeOwned>(
     }
     // A byte order mark is legal in front of UTF-8 and common on Windows.
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-    Scan { text }.run(root, version)?;
+    Scan { text, expected }.run()?;
 
     let mut deserializer = Deserializer::from_str(text);
     deserializer
@@ -187,10 +217,11 @@ pub(crate) fn write<T: Serialize>(value: &T, root: &str) -> Result<String, Error
 /// The first pass: well-formedness, limits, root and version.
 struct Scan<'a> {
     text: &'a str,
+    expected: Expected,
 }
 
 impl Scan<'_> {
-    fn run(&self, root: &'static str, version: &'static str) -> Result<(), Error> {
+    fn run(&self) -> Result<(), Error> {
         if let Some((at, found)) = forbidden_character(self.text) {
             return Err(self.malformed(at, format!("{found:?}"), "a character of XML 1.0"));
         }
@@ -205,11 +236,11 @@ impl Scan<'_> {
             })?;
             match event {
                 Event::Start(tag) => {
-                    self.element(at, &tag, depth, &mut seen_root, root, version)?;
+                    self.element(at, &tag, depth, &mut seen_root)?;
                     depth += 1;
                 }
                 Event::Empty(tag) => {
-                    self.element(at, &tag, depth, &mut seen_root, root, version)?;
+                    self.element(at, &tag, depth, &mut seen_root)?;
                 }
                 // The reader itself refuses an end tag that does not match.
                 Event::End(_) => depth = depth.saturating_sub(1),
@@ -239,9 +270,12 @@ impl Scan<'_> {
         tag: &BytesStart<'_>,
         depth: usize,
         seen_root: &mut bool,
-        root: &'static str,
-        version: &'static str,
     ) -> Result<(), Error> {
+        let Expected {
+            root,
+            attribute: version_attribute,
+            version,
+        } = self.expected;
         if depth >= MAX_DEPTH {
             return Err(self.limit(at, "nested elements", MAX_DEPTH));
         }
@@ -252,7 +286,7 @@ impl Scan<'_> {
             }
             let attribute =
                 attribute.map_err(|error| self.malformed(at, error.to_string(), "attributes"))?;
-            if depth == 0 && attribute.key.as_ref() == "fmiVersion" {
+            if depth == 0 && attribute.key.as_ref() == version_attribute {
                 found_version = Some(attribute.value.into_owned());
             }
         }
@@ -263,7 +297,7 @@ impl Scan<'_> {
             return Err(self.malformed(at, "a second root".to_owned(), "one root element"));
         }
         *seen_root = true;
-        let name = tag.name();
+        let name = tag.local_name();
         if name.as_ref() != root {
             return Err(Error::Root {
                 found: excerpt(name.as_ref()),
@@ -273,6 +307,7 @@ impl Scan<'_> {
         match found_version {
             Some(found) if found.trim_ascii() == version => Ok(()),
             found => Err(Error::Version {
+                attribute: version_attribute,
                 found: excerpt(&found.unwrap_or_default()),
                 expected: version,
             }),

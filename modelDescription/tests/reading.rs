@@ -283,6 +283,7 @@ fn another_document_or_version() {
         let text = format!("<fmiModelDescription {attribute} modelName=\"m\"/>");
         let error = refuse(&text);
         let expected = Error::Version {
+            attribute: "fmiVersion",
             found: found.to_owned(),
             expected: "2.0",
         };

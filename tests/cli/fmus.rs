@@ -172,7 +172,7 @@ fn same_bytes(scene: &Path, steps: u32) {
         &["export", scene.to_str().unwrap(), "-o", "x.fmu"],
     );
     let fmu = Fmu::open(folder.path().join("x.fmu")).unwrap();
-    let guid = fmu.description().guid.clone();
+    let guid = fmu.description().token().to_owned();
     let mut instance = fmu.instantiate("same", false).unwrap();
     instance.setup_experiment(None, 0.0, None).unwrap();
     instance.enter_initialization_mode().unwrap();

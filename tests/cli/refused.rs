@@ -18,6 +18,7 @@ fn prepare(folder: &Path) {
         .replacen("penalty = 1e5", "", 1);
     fs::write(folder.join("no_penalty.toml"), plain).unwrap();
     fs::write(folder.join("text.fmu"), "no archive").unwrap();
+    fs::write(folder.join("text.ssp"), "no archive").unwrap();
     fs::write(folder.join("broken.toml"), "title = ").unwrap();
     fs::write(folder.join("bytes.toml"), [0xff, 0xfe, 0x00]).unwrap();
     fs::write(folder.join("drive.csv"), "time,nothing\n0,1\n").unwrap();
@@ -35,6 +36,16 @@ fn bad_command_lines_and_files_exit_with_2_and_say_why() {
     let cases: &[(&str, &str)] = &[
         ("", "Usage"),
         ("rum funnel.toml", "unrecognized subcommand"),
+        ("simulate text.ssp", "text.ssp: "),
+        ("simulate text.ssp funnel.fmu", "one SSP alone"),
+        (
+            "simulate funnel.fmu --tolerance 1e-3",
+            "--tolerance: found another coupling, expected `--coupling iterated`",
+        ),
+        (
+            "simulate funnel.fmu --coupling iterated --iterations 0",
+            "a limit of at least 1",
+        ),
         ("run", "required arguments"),
         ("run funnel.toml", "--output"),
         ("run funnel.toml -o out --stop 0", "greater than 0"),

@@ -6,7 +6,9 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use sphere_dda_fmu::export::{Contents, Version, export, find_libraries};
-use sphere_dda_fmu::import::{Coupling, End, Fmu, Options, Step, System, Table, simulate};
+use sphere_dda_fmu::import::{
+    Coupling, End, Fmu, Iteration, Options, Step, System, Table, simulate,
+};
 
 const FORCE: &str = "bed.boundary.tray.averageForce[3]";
 const GRAVITY: f64 = 9.81;
@@ -79,7 +81,7 @@ fn the_fmu_of_the_shaker_is_its_equation_and_rolls_back() {
     let folder = tempfile::tempdir().unwrap();
     let fmu = shaker(folder.path());
     assert_eq!(fmu.missing_functions().unwrap(), [""; 0]);
-    assert_eq!(fmu.description().validate(), []);
+    assert_eq!(fmu.description().version_2().unwrap().validate(), []);
     let mut instance = fmu.instantiate("one", false).unwrap();
     instance.setup_experiment(None, 0.0, None).unwrap();
     instance.set_real(&[1, 8], &[0.01, 0.0]).unwrap();
@@ -135,7 +137,9 @@ fn what_the_grains_lose_the_shaker_gets_in_every_step() {
         (Coupling::Jacobi, false),
         (Coupling::GaussSeidel, false),
         (Coupling::GaussSeidel, true),
+        (Coupling::Iterated, false),
     ] {
+        let together = bed_first || coupling == Coupling::Iterated;
         let options = Options {
             stop: Some(0.3),
             coupling,
@@ -150,12 +154,17 @@ fn what_the_grains_lose_the_shaker_gets_in_every_step() {
         let (force, impulse) = (column(FORCE), column("shaker.impulse"));
         let (momentum, mass) = (column("bed.momentum[3]"), column("bed.mass")[0]);
         let h = 1e-3;
+        let peak = force.iter().copied().fold(0.0, |a: f64, b| a.max(b.abs()));
         assert_eq!(table.time.len(), 301);
         let mut given = 0.0;
         for n in 1..=300 {
-            // The force of which step the shaker holds: the last, or this one if the bed goes first.
-            given += h * force[if bed_first { n } else { n - 1 }];
-            assert!((impulse[n] - given).abs() < 1e-12, "{coupling:?} row {n}");
+            // The force of which step the shaker holds: the last, or this one if the bed goes first or both iterate.
+            given += h * force[if together { n } else { n - 1 }];
+            let apart = match coupling {
+                Coupling::Iterated => 1e-6 * h * n as f64 * peak,
+                _ => 1e-12,
+            };
+            assert!((impulse[n] - given).abs() < apart, "{coupling:?} row {n}");
             let lost = momentum[n - 1] - momentum[n] - h * mass * GRAVITY;
             let gap = (lost - h * force[n]).abs();
             assert!(
@@ -256,6 +265,72 @@ fn loose_coupling_is_stable_up_to_the_added_mass_limit() {
                     );
                 }
             }
+        }
+    }
+}
+
+/// The same recursion with the force of the step itself, which depends on where the tray goes under it: affine, so that
+/// two tries tell it.
+fn by_hand_together(grain: f64, v0: f64, h: f64, steps: usize) -> Vec<f64> {
+    let (mut state, mut tray) = ([0.0, v0], [0.0, 0.0]);
+    let mut forces = vec![-grain * GRAVITY];
+    for _ in 0..steps {
+        let [x, last] = tray;
+        let answer = |force: f64| {
+            let next = free_step(state, SHAKER[0], force + grain * GRAVITY, h)[0];
+            -grain * ((next - 2.0 * x + last) / (h * h) + GRAVITY)
+        };
+        let (at_zero, slope) = (answer(0.0), answer(1.0) - answer(0.0));
+        let force = at_zero / (1.0 - slope);
+        state = free_step(state, SHAKER[0], force + grain * GRAVITY, h);
+        forces.push(force);
+        tray = [state[0], x];
+    }
+    forces
+}
+
+/// Beyond the limits of loose coupling: a = -(q/2)(a + a_before), so |z| = q / (2 + q) < 1 for every ratio q.
+#[test]
+fn iterated_coupling_is_stable_beyond_the_limit() {
+    let folder = tempfile::tempdir().unwrap();
+    let shaker = shaker(folder.path());
+    let density = 2.0 / (4.0 / 3.0 * std::f64::consts::PI * 0.05_f64.powi(3));
+    for ratio in [4.0, 10.0] {
+        let grain = SHAKER[0] * ratio;
+        let bed = bed(folder.path(), "plate.toml", |text| {
+            *text = text.replace(
+                &format!("density = {density}"),
+                &format!("density = {}", density * ratio),
+            );
+        });
+        for h in [1e-3, 2.5e-4] {
+            let options = Options {
+                stop: Some(200.0 * h),
+                step: Some(h),
+                coupling: Coupling::Iterated,
+                iteration: Iteration {
+                    tolerance: 1e-8,
+                    ..Iteration::default()
+                },
+                set: set(&[
+                    ("shaker.amplitude", 0.0),
+                    ("shaker.support", grain * GRAVITY),
+                    ("shaker.velocity", 0.1 * h),
+                    ("bed.solver.step", h),
+                ]),
+                ..Options::default()
+            };
+            let table = coupled([("shaker", &shaker), ("bed", &bed)], &options);
+            let force = table.real(FORCE).unwrap();
+            let expected = by_hand_together(grain, 0.1 * h, h, 200);
+            for n in 0..=200 {
+                let error = (force[n] - expected[n]).abs() / (grain * GRAVITY);
+                assert!(error < 1e-3, "{ratio} {h} row {n}: {error:e}");
+            }
+            let (early, late) = (jitter(&force[1..26]), jitter(&force[150..]));
+            assert!(late < 0.02 * early, "{ratio} {h}: {early:e} {late:e}");
+            let most = table.iterations.iter().max();
+            assert!(most <= Some(&6), "{:?}", table.iterations);
         }
     }
 }

@@ -133,14 +133,23 @@ pub(crate) fn write_link(path: &Path, name: &str, target: &str) {
     archive.finish().unwrap();
 }
 
-/// Packs one of the Reference FMUs of the Modelica Association, built here from its sources, as `<model>.fmu`.
+/// Packs one of the Reference FMUs of the Modelica Association, built here from its sources for FMI 2.0, as `<model>.fmu`.
+#[allow(dead_code, reason = "each test binary uses its own part")]
 pub(crate) fn pack_reference(folder: &Path, model: &str) -> PathBuf {
+    pack_reference_of(folder, model, 2)
+}
+
+/// As [`pack_reference`], for FMI 2.0 or 3.0.
+#[allow(dead_code, reason = "each test binary uses its own part")]
+pub(crate) fn pack_reference_of(folder: &Path, model: &str, version: u32) -> PathBuf {
     let sources = source("reference_fmus");
     let include = |part: &str| PathBuf::from(format!("-I{}", sources.join(part).display()));
     let (headers, own) = (include("include"), include(model));
-    let files = ["src/fmi2Functions.c", "src/cosimulation.c"].map(|file| sources.join(file));
+    let functions = format!("src/fmi{version}Functions.c");
+    let files = [&*functions, "src/cosimulation.c"].map(|file| sources.join(file));
+    let definition = format!("-DFMI_VERSION={version}");
     let arguments = [
-        Path::new("-DFMI_VERSION=2"),
+        Path::new(&definition),
         Path::new("-DDISABLE_PREFIX"),
         Path::new("-w"),
         &headers,
@@ -149,19 +158,24 @@ pub(crate) fn pack_reference(folder: &Path, model: &str) -> PathBuf {
         &files[1],
         &sources.join(model).join("model.c"),
     ];
+    let platform = match (version, std::env::consts::OS) {
+        (2, _) => platform().to_owned(),
+        (_, "macos") => format!("{}-darwin", std::env::consts::ARCH),
+        (_, system) => format!("{}-{system}", std::env::consts::ARCH),
+    };
     let binary = format!(
-        "binaries/{}/{model}{}",
-        platform(),
+        "binaries/{platform}/{model}{}",
         std::env::consts::DLL_SUFFIX
     );
+    let description = format!("FMI{version}.xml");
     let entries = [
         (
             "modelDescription.xml",
-            std::fs::read(sources.join(model).join("FMI2.xml")).unwrap(),
+            std::fs::read(sources.join(model).join(description)).unwrap(),
         ),
         (
             &*binary,
-            std::fs::read(compiled(model, &arguments)).unwrap(),
+            std::fs::read(compiled(&format!("{model}{version}"), &arguments)).unwrap(),
         ),
     ];
     let path = folder.join(format!("{model}.fmu"));

@@ -4,9 +4,11 @@ mod coupling;
 #[path = "../foreign_fmu/mod.rs"]
 mod foreign_fmu;
 mod instance;
+mod iterated;
 mod reference;
 mod refusals;
 mod simulation;
+mod ssp;
 
 use std::ops::ControlFlow;
 

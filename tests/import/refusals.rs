@@ -225,3 +225,94 @@ fn descriptions_that_cannot_be_used_are_refused() {
         "{error}"
     );
 }
+
+/// The sizes that an archive declares are not believed: neither a small one for much, nor an absurd one for little.
+#[test]
+fn declared_sizes_are_not_believed() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("x.fmu");
+    let size = 3_000_007_u32;
+    let limits = Limits {
+        bytes: 1 << 20,
+        ..Limits::default()
+    };
+    for declared in [7_u32, u32::MAX - 1] {
+        write_archive(&path, &[("zeros", vec![0; size as usize])]);
+        let bytes = std::fs::read(&path).unwrap();
+        let lying = replace(&bytes, &size.to_le_bytes(), &declared.to_le_bytes());
+        assert_ne!(bytes, lying);
+        std::fs::write(&path, lying).unwrap();
+        let ImportError::Archive { source, .. } = Fmu::open_within(&path, limits).unwrap_err()
+        else {
+            panic!("{declared}");
+        };
+        assert!(
+            matches!(
+                source,
+                ArchiveError::Limit { .. } | ArchiveError::Zip { .. }
+            ),
+            "{declared}: {source}"
+        );
+    }
+    // Little is there, whatever is declared: nothing is reserved for it.
+    let xml = entries(Build::Whole, |_| ())[0].1.clone();
+    write_archive(&path, &[("modelDescription.xml", xml.clone())]);
+    let bytes = std::fs::read(&path).unwrap();
+    let length = u32::try_from(xml.len()).unwrap();
+    std::fs::write(
+        &path,
+        replace(&bytes, &length.to_le_bytes(), &(u32::MAX - 1).to_le_bytes()),
+    )
+    .unwrap();
+    if let Err(error) = Fmu::open_within(&path, limits) {
+        assert!(matches!(error, ImportError::Archive { .. }), "{error}");
+    }
+}
+
+/// Descriptions that would grow without bound: entities, nesting, arrays of FMI 3.0.
+#[test]
+fn descriptions_do_not_grow_without_bound() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("x.fmu");
+    let refusal = |text: String| {
+        write_archive(&path, &[("modelDescription.xml", text.into_bytes())]);
+        Fmu::open(&path).unwrap_err().to_string()
+    };
+    let xml = String::from_utf8(entries(Build::Whole, |_| ())[0].1.clone()).unwrap();
+    let laughs = xml.replacen(
+        "<fmiModelDescription",
+        "<!DOCTYPE x [<!ENTITY a \"&b;&b;\"><!ENTITY b \"&c;&c;\"><!ENTITY c \"ha\">]><fmiModelDescription",
+        1,
+    );
+    assert!(refusal(laughs).contains("found a DOCTYPE, expected none"));
+    let deep = xml.replace("<UnitDefinitions>", &"<x>".repeat(1_000_000));
+    assert!(refusal(deep).contains("more than 64 nested elements"));
+
+    let arrays = |dimensions: &str| {
+        format!(
+            "<fmiModelDescription fmiVersion=\"3.0\" modelName=\"x\" instantiationToken=\"x\">\
+             <CoSimulation modelIdentifier=\"x\"/><ModelVariables>\
+             <UInt64 name=\"n\" valueReference=\"1\" causality=\"structuralParameter\" start=\"18446744073709551615\"/>\
+             <Float64 name=\"big\" valueReference=\"2\" causality=\"input\" start=\"0\">{dimensions}</Float64>\
+             </ModelVariables><ModelStructure/></fmiModelDescription>"
+        )
+    };
+    for (dimensions, found) in [
+        ("<Dimension start=\"1000000000000\"/>", "1000000000000"),
+        (
+            "<Dimension start=\"4294967296\"/><Dimension start=\"4294967296\"/>",
+            "more than 2^64",
+        ),
+        ("<Dimension valueReference=\"1\"/>", "18446744073709551615"),
+    ] {
+        let told = refusal(arrays(dimensions));
+        assert!(
+            told.contains(&format!(
+                "variable `big`: found {found} elements, expected at most"
+            )),
+            "{told}"
+        );
+    }
+    let told = refusal(arrays("<Dimension start=\"-1\"/>"));
+    assert!(told.contains("modelDescription.xml: line 1"), "{told}");
+}

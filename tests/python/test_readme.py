@@ -32,7 +32,7 @@ def test_scenes(command, tmp_path):
 
 def test_commands_exist(command):
     """Every `sphere-dda NAME` on the pages is a subcommand."""
-    pages = ["README.md", "examples/README.md", "examples/two_fmus/README.md", "docs/scene.md", "docs/results.md", "docs/fmu.md"]
+    pages = ["README.md", "examples/README.md", "examples/two_fmus/README.md", "docs/scene.md", "docs/results.md", "docs/fmu.md", "docs/coupling.md"]
     text = "".join((ROOT / page).read_text(encoding="utf-8") for page in pages)
     named = set(re.findall(r"(?:sphere-dda|cargo run --release --) ([a-z]+(?:-[a-z]+)*)\b(?! --release)", text))
     assert {"demo", "run", "export", "check", "simulate", "inspect"} <= named
@@ -42,7 +42,7 @@ def test_commands_exist(command):
 
 
 def test_links_lead_somewhere():
-    for page in ["README.md", "CONTRIBUTING.md", "CHANGELOG.md", "examples/README.md", "examples/two_fmus/README.md", "docs/scene.md", "docs/results.md", "docs/fmu.md", "docs/theory.md"]:
+    for page in ["README.md", "CONTRIBUTING.md", "CHANGELOG.md", "examples/README.md", "examples/two_fmus/README.md", "docs/scene.md", "docs/results.md", "docs/fmu.md", "docs/coupling.md", "docs/theory.md"]:
         for link in re.findall(r"\]\(([^)#]+)\)", (ROOT / page).read_text(encoding="utf-8")):
             if "://" not in link:
                 assert ((ROOT / page).parent / link).exists(), f"{page}: {link}"

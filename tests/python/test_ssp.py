@@ -137,3 +137,24 @@ def test_what_does_not_fit_is_refused_and_leaves_nothing(command, fmus, tmp_path
     done = export(command, fmus, path, *more)
     assert done.returncode == 2 and told in done.stderr, done.stderr
     assert list(tmp_path.iterdir()) == []
+
+
+def test_the_built_in_master_runs_it_as_it_runs_the_parts(command, package, fmus, tmp_path):
+    wanted = ["shaker.position", "shaker.impulse", "bed.boundary.tray.averageForce[3]", "bed.momentum[1]"]
+    options = ["--stop", "0.1", "--step", "1e-3", *(f"--record={name}" for name in wanted)]
+    for coupling in ("jacobi", "gauss-seidel", "iterated"):
+        files = [tmp_path / f"{coupling}-{kind}.csv" for kind in ("ssp", "parts")]
+        more = [*options, "--coupling", coupling]
+        wires = [f"--connect={a}={b}" for a, b in CONNECTIONS]
+        values = [f"--set={name}={value}" for name, value in SET.items()]
+        parts = [fmus["shaker"], fmus["bed"], *wires, *values]
+        for out, what in zip(files, ([package], parts)):
+            subprocess.run([command, "simulate", *what, *more, "-o", out], check=True, capture_output=True)
+        assert files[0].read_bytes() == files[1].read_bytes(), coupling
+        rows = np.genfromtxt(files[0], delimiter=",", names=True, deletechars="")
+        assert len(rows) == 101 and np.abs(rows["shaker.position"]).max() > 1e-3
+    # What is given on the command line goes before the set of the package.
+    out = tmp_path / "still.csv"
+    still = ["--set", "shaker.amplitude=0", "--set", "bed.gravity[1]=0"]
+    subprocess.run([command, "simulate", package, *options, *still, "-o", out], check=True, capture_output=True)
+    assert out.read_bytes() != files[0].read_bytes()

@@ -94,12 +94,20 @@ pub enum ArchiveError {
     },
 }
 
-/// Unpacks `path` into a new folder, which is removed when the result is dropped.
+/// What became of an archive.
+pub(super) struct Unpacked {
+    /// Where it is now; removed when this is dropped.
+    pub(super) folder: TempDir,
+    /// Size of all files together \[byte\].
+    pub(super) bytes: u64,
+}
+
+/// Unpacks `path` into a new folder.
 ///
 /// # Errors
 ///
 /// Every variant of [`ArchiveError`].
-pub(super) fn unpack(path: &Path, limits: Limits) -> Result<TempDir, ArchiveError> {
+pub(super) fn unpack(path: &Path, limits: Limits) -> Result<Unpacked, ArchiveError> {
     let at = |path: &Path| {
         let path = path.to_owned();
         move |source| ArchiveError::Io { path, source }
@@ -155,7 +163,10 @@ pub(super) fn unpack(path: &Path, limits: Limits) -> Result<TempDir, ArchiveErro
         )?;
         budget.take(copied)?;
     }
-    Ok(folder)
+    Ok(Unpacked {
+        folder,
+        bytes: budget.unpacked,
+    })
 }
 
 struct Budget {
@@ -196,7 +207,7 @@ impl Budget {
 }
 
 /// The entry's path below the archive, or `None` if it would leave it, on this system or another.
-fn inner_path(name: &str) -> Option<PathBuf> {
+pub(super) fn inner_path(name: &str) -> Option<PathBuf> {
     let absolute = name.starts_with(['/', '\\']);
     let forbidden = name.contains(['\0', ':']);
     if name.is_empty() || absolute || forbidden {

@@ -2,22 +2,19 @@
 
 use std::fmt;
 
-use sphere_dda_model_description::fmi2::{
-    BaseType, Causality, RealType, TypeDefinition, VariableType,
-};
+use sphere_dda_model_description::fmi3::Causality;
 use sphere_dda_model_description::units::BaseUnit;
 use thiserror::Error;
 
 use super::VariableError;
+use super::quantity::{Items, Place, Unit, shape};
 use super::system::Variable;
-use super::values::items_of;
 
-/// An output that feeds an input: component and value reference of both.
+/// An output that feeds an input, one value: component and place of both.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Connection {
-    pub(super) source: (usize, u32),
-    pub(super) target: (usize, u32),
-    pub(super) base: BaseType,
+    pub(super) source: (usize, Place),
+    pub(super) target: (usize, Place),
 }
 
 /// Why an output cannot feed an input.
@@ -59,6 +56,14 @@ pub enum ConnectionFault {
         /// Type of the input.
         to: &'static str,
     },
+    /// The extents of arrays differ.
+    #[error("found {from} and {to}, expected arrays of the same extents, or one value each")]
+    Shape {
+        /// Extents of the output.
+        from: String,
+        /// Extents of the input.
+        to: String,
+    },
     /// The items of the enumerations differ.
     #[error("found enumerations of different items, {from} and {to}, expected the same")]
     Items {
@@ -80,99 +85,58 @@ pub enum ConnectionFault {
     Taken(String),
 }
 
-/// How the types or units of two variables differ.
+/// How the types, shapes or units of two variables differ.
 pub(super) fn mismatch(source: &Variable<'_>, target: &Variable<'_>) -> Option<ConnectionFault> {
-    let kinds = (
-        kind(&source.scalar.variable_type),
-        kind(&target.scalar.variable_type),
-    );
-    if kinds.0 != kinds.1 {
+    let types = (source.quantity.type_name(), target.quantity.type_name());
+    if types.0 != types.1 {
         return Some(ConnectionFault::Type {
-            from: kinds.0,
-            to: kinds.1,
+            from: types.0,
+            to: types.1,
         });
     }
-    let items = (items(source), items(target));
-    if items.0 != items.1 {
+    if source.extents() != target.extents() {
+        return Some(ConnectionFault::Shape {
+            from: shape(source.extents()),
+            to: shape(target.extents()),
+        });
+    }
+    let items = (&source.quantity.items, &target.quantity.items);
+    if let (Some(from), Some(to)) = items
+        && from.items != to.items
+    {
         return Some(ConnectionFault::Items {
-            from: items.0,
-            to: items.1,
+            from: list(from),
+            to: list(to),
         });
     }
-    let (from, to) = (Unit::of(source)?, Unit::of(target)?);
-    (!from.is(&to)).then(|| ConnectionFault::Unit {
+    let (from, to) = (
+        source.quantity.unit.as_ref()?,
+        target.quantity.unit.as_ref()?,
+    );
+    // The same meaning in SI units, or the same name where that is not told.
+    let same = match (&from.base, &to.base) {
+        (Some(one), Some(other)) => one == other,
+        _ => from.name == to.name,
+    };
+    (!same).then(|| ConnectionFault::Unit {
         from: from.to_string(),
         to: to.to_string(),
     })
 }
 
-fn kind(variable_type: &VariableType) -> &'static str {
-    match variable_type {
-        VariableType::Real(_) => "Real",
-        VariableType::Integer(_) => "Integer",
-        VariableType::Boolean(_) => "Boolean",
-        VariableType::String(_) => "String",
-        VariableType::Enumeration(_) => "Enumeration",
-    }
-}
-
-/// Items of an enumeration as text; empty for other types.
-fn items(variable: &Variable<'_>) -> String {
-    let VariableType::Enumeration(enumeration) = &variable.scalar.variable_type else {
-        return String::new();
-    };
-    let items = items_of(variable.description, &enumeration.declared_type);
+/// Items of an enumeration as text.
+fn list(items: &Items) -> String {
     let items: Vec<String> = items
+        .items
         .iter()
         .map(|(name, value)| format!("`{name}` = {value}"))
         .collect();
     items.join(", ")
 }
 
-/// The unit of a real variable.
-struct Unit<'s> {
-    name: &'s str,
-    base: Option<BaseUnit>,
-}
-
-impl<'s> Unit<'s> {
-    /// The variable's own or its type's; `None` if nobody gives one.
-    fn of(variable: &Variable<'s>) -> Option<Self> {
-        let VariableType::Real(real) = &variable.scalar.variable_type else {
-            return None;
-        };
-        let description = variable.description;
-        let of_type = || {
-            let name = real.declared_type.as_ref()?;
-            let known = description
-                .type_definitions
-                .iter()
-                .find(|t| t.name == *name)?;
-            match &known.definition {
-                TypeDefinition::Real(RealType { unit, .. }) => unit.as_deref(),
-                _ => None,
-            }
-        };
-        let name = real.unit.as_deref().or_else(of_type)?;
-        let mut units = description.unit_definitions.iter();
-        let base = units
-            .find(|unit| unit.name == name)
-            .and_then(|unit| unit.base_unit);
-        Some(Self { name, base })
-    }
-
-    /// The same meaning in SI units, or the same name where that is not told.
-    fn is(&self, other: &Self) -> bool {
-        match (&self.base, &other.base) {
-            (Some(one), Some(other)) => one == other,
-            _ => self.name == other.name,
-        }
-    }
-}
-
-impl fmt::Display for Unit<'_> {
+impl fmt::Display for Unit {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        formatter.write_str(self.name)?;
+        formatter.write_str(&self.name)?;
         match self.base {
             Some(BaseUnit { factor, .. }) if factor != 1.0 => {
                 write!(formatter, " (factor {factor} to SI)")

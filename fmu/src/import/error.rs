@@ -33,8 +33,8 @@ pub enum ImportError {
     },
     /// The model description cannot be understood.
     #[error(
-        "{path}: modelDescription.xml: {source}; expected a model description of FMI 2.0: export the FMU as FMI 2.0 \
-         co-simulation",
+        "{path}: modelDescription.xml: {source}; expected a model description of FMI 2.0 or 3.0: export the FMU \
+         again, for co-simulation",
         path = path.display()
     )]
     Description {
@@ -97,7 +97,7 @@ pub enum ImportError {
         function: &'static str,
     },
     /// The library speaks another version or another set of types.
-    #[error("{function}: found {found:?}, expected {expected:?}: export the FMU as FMI 2.0")]
+    #[error("{function}: found {found:?}, expected {expected:?}: export the FMU again")]
     Interface {
         /// The function that tells.
         function: &'static str,
@@ -112,13 +112,15 @@ pub enum ImportError {
          instance before"
     )]
     OnlyOnce,
-    /// `fmi2Instantiate` gave no instance.
+    /// No instance was made.
     #[error(
-        "fmi2Instantiate: found no instance of `{instance}`, expected one{}: see what the FMU logged, and whether guid \
+        "{function}: found no instance of `{instance}`, expected one{}: see what the FMU logged, and whether guid \
          and resources are those of its library",
         said(.log)
     )]
     Instantiate {
+        /// The function in C.
+        function: &'static str,
         /// Name of the instance.
         instance: String,
         /// Last messages of the FMU.
@@ -145,7 +147,9 @@ pub enum ImportError {
         log: Vec<String>,
     },
     /// A call returned a number that is no status.
-    #[error("{function}: found status {found}, expected 0 to 5: the FMU does not keep to FMI 2.0")]
+    #[error(
+        "{function}: found status {found}, expected 0 to 5: the FMU does not keep to the standard"
+    )]
     UnknownStatus {
         /// The function in C.
         function: &'static str,
@@ -153,7 +157,9 @@ pub enum ImportError {
         found: i32,
     },
     /// A call gave NULL where it promised data.
-    #[error("{function}: found NULL for {what}, expected data: the FMU does not keep to FMI 2.0")]
+    #[error(
+        "{function}: found NULL for {what}, expected data: the FMU does not keep to the standard"
+    )]
     Null {
         /// The function in C.
         function: &'static str,
@@ -177,6 +183,38 @@ pub enum ImportError {
         function: &'static str,
         /// The text.
         text: String,
+    },
+    /// A number does not fit the type of the variable.
+    #[error("{function}: found {found}, expected a value of {expected}")]
+    Range {
+        /// The function in C.
+        function: &'static str,
+        /// The number.
+        found: String,
+        /// The type.
+        expected: String,
+    },
+    /// An array is too large to be looked at element by element.
+    #[error(
+        "{path}: variable `{name}`: found {found} elements, expected at most {limit} in all variables together: \
+         do not use this file, it may be an attack",
+        path = path.display()
+    )]
+    Elements {
+        /// The FMU.
+        path: PathBuf,
+        /// Name of the array.
+        name: String,
+        /// Number of its elements.
+        found: String,
+        /// The limit.
+        limit: u64,
+    },
+    /// An FMU of FMI 3.0 where only one of 2.0 will do.
+    #[error("{path}: found FMI 3.0, expected FMI 2.0: export the FMU as FMI 2.0", path = path.display())]
+    Version {
+        /// The FMU.
+        path: PathBuf,
     },
     /// A saved state of another instance, or one that was freed.
     #[error(

@@ -1,13 +1,16 @@
-//! Values on their way from outputs to inputs.
+//! Carries values from outputs to inputs.
 
-use sphere_dda_model_description::fmi2::BaseType;
-
+use super::ImportError;
+use super::participant::Participant;
+use super::quantity::Place;
 use super::system::System;
-use super::values::{self, Value, set};
-use super::{ImportError, Instance};
+use super::values::{Base, Value};
 
-/// Values for the inputs of one instance, by value reference.
-pub(super) type Load = Vec<(u32, Value)>;
+/// Values for the inputs of one instance.
+pub(super) type Load = Vec<(Place, Value)>;
+
+/// The instances of a system.
+pub(super) type Instances = [Box<dyn Participant>];
 
 /// Why values did not arrive: the number of the component that failed, and how.
 pub(super) enum Broken {
@@ -24,14 +27,13 @@ impl Broken {
     }
 }
 
-/// Connections of one type from one component to another: one call to read them all.
+/// Connections from one component to another: read together.
 #[derive(Debug)]
 struct Channel {
     source: usize,
     target: usize,
-    base: BaseType,
-    outputs: Vec<u32>,
-    inputs: Vec<u32>,
+    outputs: Vec<Place>,
+    inputs: Vec<Place>,
     /// Names of the outputs.
     names: Vec<String>,
 }
@@ -48,15 +50,11 @@ impl Exchange {
         let mut channels: Vec<Channel> = Vec::new();
         for connection in system.connections() {
             let (source, target) = (connection.source.0, connection.target.0);
-            let base = connection.base;
-            let fits = |channel: &Channel| {
-                (channel.source, channel.target, channel.base) == (source, target, base)
-            };
+            let fits = |channel: &Channel| (channel.source, channel.target) == (source, target);
             let place = channels.iter().position(fits).unwrap_or_else(|| {
                 channels.push(Channel {
                     source,
                     target,
-                    base,
                     outputs: Vec::new(),
                     inputs: Vec::new(),
                     names: Vec::new(),
@@ -76,22 +74,28 @@ impl Exchange {
     }
 
     /// What the outputs hold now for the inputs of component `target`.
-    pub(super) fn read(&self, target: usize, instances: &mut [Instance]) -> Result<Load, Broken> {
+    pub(super) fn read(&self, target: usize, instances: &mut Instances) -> Result<Load, Broken> {
+        self.read_from(target, instances, |_| true)
+    }
+
+    /// As [`read`](Self::read), from those components only that `from` says.
+    pub(super) fn read_from(
+        &self,
+        target: usize,
+        instances: &mut Instances,
+        from: impl Fn(usize) -> bool,
+    ) -> Result<Load, Broken> {
         let mut load = Load::new();
-        for channel in self
-            .channels
-            .iter()
-            .filter(|channel| channel.target == target)
-        {
+        let own = |channel: &&Channel| channel.target == target && from(channel.source);
+        for channel in self.channels.iter().filter(own) {
             let Some(source) = instances.get_mut(channel.source) else {
                 continue;
             };
-            let values = values::get(source, channel.base, &channel.outputs)
+            let values = source
+                .get(&channel.outputs)
                 .map_err(Broken::at(channel.source))?;
-            for (k, (input, name)) in channel.inputs.iter().zip(&channel.names).enumerate() {
-                let Some(value) = values.get(k) else {
-                    continue;
-                };
+            let ends = channel.inputs.iter().zip(&channel.names);
+            for ((input, name), value) in ends.zip(values) {
                 if !self.allow_nan && matches!(value, Value::Real(value) if value.is_nan()) {
                     return Err(Broken::Nan(name.clone()));
                 }
@@ -101,21 +105,41 @@ impl Exchange {
         Ok(load)
     }
 
+    /// Names of the real ones among the outputs that [`read_from`](Self::read_from) reads, in its order.
+    pub(super) fn real_names(&self, target: usize, from: impl Fn(usize) -> bool) -> Vec<String> {
+        let own = |channel: &&Channel| channel.target == target && from(channel.source);
+        let pairs = self
+            .channels
+            .iter()
+            .filter(own)
+            .flat_map(|channel| channel.outputs.iter().zip(&channel.names));
+        pairs
+            .filter(|(place, _)| place.call.base() == Base::Real)
+            .map(|(_, name)| name.clone())
+            .collect()
+    }
+
+    /// Whether some component gets values from itself or from one behind it.
+    pub(super) fn has_loops(&self) -> bool {
+        let back = |channel: &Channel| channel.source >= channel.target;
+        self.channels.iter().any(back)
+    }
+
     /// Sets inputs of component `target`.
     pub(super) fn write(
         target: usize,
         load: &Load,
-        instances: &mut [Instance],
+        instances: &mut Instances,
     ) -> Result<(), Broken> {
         match instances.get_mut(target) {
-            Some(instance) => set(instance, load).map_err(Broken::at(target)),
+            Some(instance) => instance.set(load).map_err(Broken::at(target)),
             None => Ok(()),
         }
     }
 
     /// Carries outputs to inputs until nothing changes, at most as often as there are components: through every
     /// chain of direct feedthrough, but a loop of it is not iterated to its end.
-    pub(super) fn settle(&self, instances: &mut [Instance]) -> Result<(), Broken> {
+    pub(super) fn settle(&self, instances: &mut Instances) -> Result<(), Broken> {
         let mut before: Vec<Load> = vec![Load::new(); instances.len()];
         for _ in 0..instances.len() {
             let mut changed = false;

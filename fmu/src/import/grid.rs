@@ -45,10 +45,7 @@ impl Grid {
             return Err(SimulateError::Times { start, stop, step });
         }
         let even = (ratio - ratio.round()).abs() <= STEP_TOLERANCE * ratio.max(1.0);
-        let all_take_any = system.fmus().all(|fmu| {
-            fmu.co_simulation()
-                .can_handle_variable_communication_step_size
-        });
+        let all_take_any = system.fmus().all(|fmu| fmu.description().takes_any_step());
         if !even && !all_take_any {
             return Err(SimulateError::Uneven { step, duration });
         }

@@ -1,6 +1,7 @@
 //! The shared library of a foreign FMU.
 
-use std::env::consts::{ARCH, DLL_SUFFIX, OS};
+use std::env::consts::DLL_SUFFIX;
+use std::ffi::{c_char, c_void};
 use std::fmt;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -9,12 +10,126 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 use tempfile::TempDir;
 
-use super::abi::{Functions, Text};
+use super::logger::RawStatus;
 use super::{Fmu, ImportError, logger};
 
+/// An instance, or a saved state of one, as the library knows it.
+pub(super) type Handle = *mut c_void;
+
+/// A function of the states of an instance: its name in C, and the function if the library has it.
+pub(super) type Named<F> = (&'static str, Option<F>);
+
+/// The functions that save and restore; of one form in all versions.
+pub struct StateCalls {
+    pub(super) save: Named<unsafe extern "C" fn(Handle, *mut Handle) -> RawStatus>,
+    pub(super) restore: Named<unsafe extern "C" fn(Handle, Handle) -> RawStatus>,
+    pub(super) free: Named<unsafe extern "C" fn(Handle, *mut Handle) -> RawStatus>,
+    pub(super) size: Named<unsafe extern "C" fn(Handle, Handle, *mut usize) -> RawStatus>,
+    pub(super) write: Named<unsafe extern "C" fn(Handle, Handle, *mut u8, usize) -> RawStatus>,
+    pub(super) read:
+        Named<unsafe extern "C" fn(Handle, *const u8, usize, *mut Handle) -> RawStatus>,
+}
+
+/// What the versions of the standard do differently, as far as loading, states and freeing go.
+pub trait Interface: Sized {
+    /// Looks the functions up.
+    ///
+    /// # Errors
+    ///
+    /// The name of the first one that no simulation can do without and that is missing.
+    ///
+    /// # Safety
+    ///
+    /// Symbols must have the types of the standard, and none may be called after `library` is closed.
+    unsafe fn resolve(library: &libloading::Library) -> Result<Self, &'static str>;
+
+    /// Whether the library is of this version.
+    ///
+    /// # Errors
+    ///
+    /// [`ImportError::Interface`].
+    fn check(&self) -> Result<(), ImportError>;
+
+    /// Folder of this platform's libraries.
+    fn platform() -> String;
+
+    /// The functions of states.
+    fn states(&self) -> StateCalls;
+
+    /// Frees an instance.
+    ///
+    /// # Safety
+    ///
+    /// It was made by this library, is not freed, and is not used again.
+    unsafe fn free(&self, instance: *mut c_void);
+
+    /// Names of optional functions that the library does not have.
+    fn missing(&self) -> &[&'static str];
+}
+
+/// Declares the table of functions: name in C, field, type. Those that no simulation can do without are
+/// `required`; a missing `optional` one is an error only when it is called; one of the `rest` serves steps that return
+/// before they are done, which this importer never asks for, and is looked up only to tell whether it is there.
+macro_rules! functions {
+    (
+        $(#[$documentation:meta])*
+        required { $($required:ident $required_name:literal: $required_type:ty,)* }
+        optional { $($optional:ident $optional_name:literal: $optional_type:ty,)* }
+        rest { $($rest_name:literal: $rest_type:ty,)* }
+    ) => {
+        $(#[$documentation])*
+        pub struct Functions {
+            $(pub(in crate::import) $required: $required_type,)*
+            $(pub(in crate::import) $optional: Option<$optional_type>,)*
+            /// Names of the optional functions that the library does not have.
+            pub(in crate::import) missing: Vec<&'static str>,
+        }
+
+        impl Functions {
+            /// Looks every function up.
+            ///
+            /// # Errors
+            ///
+            /// The name of the first required function that is missing.
+            ///
+            /// # Safety
+            ///
+            /// Symbols of these names must have the types that the standard gives them, and no function may be
+            /// called after `library` is closed.
+            pub(in crate::import) unsafe fn look_up(library: &libloading::Library) -> Result<Self, &'static str> {
+                let mut missing = Vec::new();
+                $({
+                    // SAFETY: the caller vouches for the type.
+                    let symbol = unsafe { library.get::<$rest_type>($rest_name) };
+                    if symbol.is_err() {
+                        missing.push($rest_name);
+                    }
+                })*
+                Ok(Self {
+                    $($required: {
+                        // SAFETY: the caller vouches for the type.
+                        let symbol = unsafe { library.get::<$required_type>($required_name) };
+                        *symbol.map_err(|_| $required_name)?
+                    },)*
+                    $($optional: {
+                        // SAFETY: the caller vouches for the type.
+                        let symbol = unsafe { library.get::<$optional_type>($optional_name) };
+                        if symbol.is_err() {
+                            missing.push($optional_name);
+                        }
+                        symbol.ok().map(|symbol| *symbol)
+                    },)*
+                    missing,
+                })
+            }
+        }
+    };
+}
+pub(super) use functions;
+
 /// A loaded library. The folder that it was unpacked to lives at least as long.
-pub(super) struct Library {
-    pub(super) functions: Functions,
+pub(super) struct Library<F> {
+    pub(super) functions: F,
     pub(super) path: PathBuf,
     /// A call returned `Fatal`: nothing of the library may be called again.
     dead: AtomicBool,
@@ -25,7 +140,7 @@ pub(super) struct Library {
     _folder: Arc<TempDir>,
 }
 
-impl fmt::Debug for Library {
+impl<F> fmt::Debug for Library<F> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         formatter
             .debug_struct("Library")
@@ -34,13 +149,13 @@ impl fmt::Debug for Library {
     }
 }
 
-impl Library {
+impl<F: Interface> Library<F> {
     /// Loads the library of `fmu` for this system and checks what it says of itself.
     pub(super) fn load(fmu: &Fmu) -> Result<Self, ImportError> {
         let relative = format!(
             "binaries/{}/{}{DLL_SUFFIX}",
-            platform(),
-            fmu.co_simulation.model_identifier
+            F::platform(),
+            fmu.description().model_identifier()
         );
         let path = fmu.folder().join(&relative);
         if !path.is_file() {
@@ -55,8 +170,8 @@ impl Library {
             Ok(handle) => handle,
             Err(source) => return Err(ImportError::Load { path, source }),
         };
-        // SAFETY: the model description says that it is a library of FMI 2.0; the handle is kept beside the table.
-        let functions = match unsafe { Functions::resolve(&handle) } {
+        // SAFETY: the model description says that it is a library of this version; the handle is kept beside the table.
+        let functions = match unsafe { F::resolve(&handle) } {
             Ok(functions) => functions,
             Err(function) => return Err(ImportError::MissingFunction { path, function }),
         };
@@ -68,22 +183,18 @@ impl Library {
             handle: Some(handle),
             _folder: Arc::clone(&fmu.folder),
         };
-        let Functions {
-            get_version,
-            get_types_platform,
-            ..
-        } = library.functions;
-        expect("fmi2GetVersion", get_version, "2.0")?;
-        expect("fmi2GetTypesPlatform", get_types_platform, "default")?;
+        library.functions.check()?;
         Ok(library)
     }
+}
 
+impl<F> Library<F> {
     /// An optional function, or the error that names it.
-    pub(super) fn optional<F>(
+    pub(super) fn optional<C>(
         &self,
         name: &'static str,
-        function: Option<F>,
-    ) -> Result<F, ImportError> {
+        function: Option<C>,
+    ) -> Result<C, ImportError> {
         function.ok_or_else(|| ImportError::MissingFunction {
             path: self.path.clone(),
             function: name,
@@ -111,7 +222,7 @@ impl Library {
     }
 }
 
-impl Drop for Library {
+impl<F> Drop for Library<F> {
     fn drop(&mut self) {
         // After `Fatal` instances were not freed and may have threads in the library: it must stay.
         if self.is_dead() {
@@ -139,10 +250,10 @@ unsafe fn open(path: &Path) -> Result<libloading::Library, libloading::Error> {
     }
 }
 
-/// Checks one of the two functions that tell what the library is.
-fn expect(
+/// Checks one of the functions that tell what the library is.
+pub(super) fn expect(
     function: &'static str,
-    ask: unsafe extern "C" fn() -> Text,
+    ask: unsafe extern "C" fn() -> *const c_char,
     expected: &'static str,
 ) -> Result<(), ImportError> {
     // SAFETY: takes nothing and may be called at any time.
@@ -157,22 +268,6 @@ fn expect(
         found,
         expected,
     })
-}
-
-/// Name of this platform in FMI 2.0.
-fn platform() -> String {
-    let system = match OS {
-        "windows" => "win",
-        "macos" => "darwin",
-        other => other,
-    };
-    match ARCH {
-        "x86_64" => format!("{system}64"),
-        "x86" => format!("{system}32"),
-        // FMI 2.0 has no name for it; macOS has universal libraries in `darwin64`.
-        _ if OS == "macos" => "darwin64".to_owned(),
-        other => format!("{other}-{system}"),
-    }
 }
 
 /// The platforms that `folder` has binaries for, sorted; "none" if there are none.

@@ -10,12 +10,17 @@
 //! directive, the way most libraries pass a finished text. Apple's AArch64 puts it elsewhere, so there it is
 //! never read. Any other format is shown as it is, its arguments left out.
 
-use std::ffi::{CStr, c_char, c_void};
+use std::ffi::{CStr, c_char, c_int, c_void};
 use std::fmt;
 use std::sync::{Mutex, PoisonError};
 
 use super::Status;
-use super::abi::{RawStatus, Text};
+
+/// A status as it arrives: perhaps none of the standard.
+pub(super) type RawStatus = c_int;
+
+/// A text of the interface.
+type Text = *const c_char;
 
 /// Most messages that one instance keeps until they are taken; later ones are counted only.
 const CAPACITY: usize = 10_000;
@@ -59,9 +64,18 @@ struct Messages {
 #[derive(Debug, Default)]
 pub(super) struct Log {
     messages: Mutex<Messages>,
+    /// Name of the instance, which messages of FMI 3.0 do not tell.
+    name: String,
 }
 
 impl Log {
+    pub(super) fn new(name: &str) -> Self {
+        Self {
+            name: name.to_owned(),
+            ..Self::default()
+        }
+    }
+
     fn push(&self, message: Message) {
         let mut messages = self.messages.lock().unwrap_or_else(PoisonError::into_inner);
         if messages.kept.len() < CAPACITY {
@@ -87,7 +101,32 @@ impl Log {
     }
 }
 
-/// The callback.
+/// The callback of FMI 3.0, which gets finished texts.
+///
+/// # Safety
+///
+/// `environment` is a [`Log`] that outlives the call or NULL, the texts are NUL-terminated or NULL.
+pub(super) unsafe extern "C" fn collect_finished(
+    environment: *mut c_void,
+    status: RawStatus,
+    category: Text,
+    message: Text,
+) {
+    // SAFETY: `environment` is what the importer passed: a `Log`, shared and never mutated but through its mutex.
+    let Some(log) = (unsafe { environment.cast::<Log>().as_ref() }) else {
+        return;
+    };
+    // SAFETY: texts of the interface are NUL-terminated.
+    let (category, message) = unsafe { (text(category), text(message)) };
+    log.push(Message {
+        instance: log.name.clone(),
+        status: Status::from_raw(status),
+        category,
+        text: message.trim_end().to_owned(),
+    });
+}
+
+/// The callback of FMI 2.0.
 ///
 /// # Safety
 ///

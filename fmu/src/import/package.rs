@@ -15,7 +15,7 @@ use std::{fs, io};
 
 use sphere_dda_fmi_interface::archive::{self, ArchiveError};
 use sphere_dda_model_description::Error as XmlError;
-use sphere_dda_model_description::fmi2::{Causality, ScalarVariable, VariableType};
+use sphere_dda_model_description::fmi3::Causality;
 use sphere_dda_model_description::ssp::{
     Component, Connection, Connector, Enumeration, Experiment, Item, Parameter, ParameterSet,
     ParameterValue, Signal, SystemStructure, TopSystem,
@@ -24,8 +24,10 @@ use sphere_dda_model_description::units::Unit;
 use thiserror::Error;
 
 use super::connection::Connection as Wire;
+use super::quantity::Quantity;
 use super::system::{System, Variable};
-use super::values::{Value, VariableError, check_settable_at_start, items_of, parse};
+use super::values::{Base, Value, VariableError, check_settable_at_start, parse_one};
+use super::{Description, ImportError};
 
 /// Where the parameters lie in the archive.
 const VALUES: &str = "resources/parameters.ssv";
@@ -50,6 +52,9 @@ pub enum PackageError {
         /// Its causality.
         found: Causality,
     },
+    /// An FMU of another version.
+    #[error(transparent)]
+    Version(#[from] ImportError),
     /// Two FMUs mean different things by one name.
     #[error(
         "FMUs: found two different {what} named `{name}`, expected one: an SSP has one list of them"
@@ -92,19 +97,24 @@ impl System<'_> {
         for (name, text) in set {
             let variable = self.find(name)?;
             check_settable_at_start(&variable)?;
-            if variable.scalar.causality != Causality::Parameter {
-                let found = variable.scalar.causality;
+            if variable.quantity.causality != Causality::Parameter {
+                let found = variable.quantity.causality;
                 return Err(PackageError::Causality {
                     name: name.clone(),
                     found,
                 });
             }
-            given.push((name.as_str(), parse(&variable, text)?));
+            given.push((name.as_str(), parse_one(&variable, text)?));
         }
         let mut units: Vec<Unit> = Vec::new();
         let mut enumerations: Vec<Enumeration> = Vec::new();
         for fmu in self.fmus() {
-            for unit in &fmu.description().unit_definitions {
+            // SSP 1.0 knows no arrays.
+            let Description::Two(description) = fmu.description() else {
+                let path = fmu.path().to_owned();
+                return Err(ImportError::Version { path }.into());
+            };
+            for unit in &description.unit_definitions {
                 // Display units are left out, so only the base decides.
                 let bare = Unit {
                     display_units: Vec::new(),
@@ -116,27 +126,26 @@ impl System<'_> {
         let mut parameters = Vec::new();
         let mut connectors: Vec<Vec<Connector>> = vec![Vec::new(); self.fmus().len()];
         for variable in self.variables() {
-            let value = match variable.scalar.causality {
+            let value = match variable.quantity.causality {
                 Causality::Parameter => {
                     let given = given.iter().find(|(name, _)| *name == variable.name);
                     parameter(&variable, given.map(|(_, value)| value))
                 }
                 _ => None,
             };
-            if let VariableType::Enumeration(own) = &variable.scalar.variable_type {
-                let list = items_of(variable.description, &own.declared_type);
-                let items = list.into_iter().map(|(name, value)| Item {
-                    name: name.to_owned(),
-                    value,
+            if let Some(own) = &variable.quantity.items {
+                let items = own.items.iter().map(|(name, value)| Item {
+                    name: name.clone(),
+                    value: *value,
                 });
                 let enumeration = Enumeration {
-                    name: own.declared_type.clone(),
+                    name: own.name.clone(),
                     items: items.collect(),
                 };
                 merge(&mut enumerations, enumeration, |e| &e.name, "enumerations")?;
             }
             if let (Some(connector), Some(list)) = (
-                connector(variable.scalar, value.is_some()),
+                connector(variable.quantity, value.is_some()),
                 connectors.get_mut(variable.component),
             ) {
                 list.push(connector);
@@ -183,19 +192,16 @@ impl System<'_> {
 
     /// A connection by names.
     fn wire(&self, wire: &Wire, names: &[&str]) -> Connection {
-        let end = |(component, reference): (usize, u32), causality: Causality| {
-            let variable = self.variables().find(|v| {
-                v.component == component
-                    && v.scalar.value_reference == reference
-                    && v.scalar.causality == causality
-                    && v.scalar.variable_type.base() == wire.base
-            });
-            let name = variable.map(|v| v.scalar.name.clone());
+        let end = |component: usize, full: String| {
+            let name = match self.component_name(component) {
+                Some(own) => full.get(own.len() + 1..).unwrap_or_default().to_owned(),
+                None => full,
+            };
             let element = names.get(component).map(|&name| name.to_owned());
-            (element.unwrap_or_default(), name.unwrap_or_default())
+            (element.unwrap_or_default(), name)
         };
-        let (start_element, start_connector) = end(wire.source, Causality::Output);
-        let (end_element, end_connector) = end(wire.target, Causality::Input);
+        let (start_element, start_connector) = end(wire.source.0, self.source_name(wire));
+        let (end_element, end_connector) = end(wire.target.0, self.target_name(wire));
         Connection {
             start_element,
             start_connector,
@@ -224,66 +230,61 @@ fn merge<T: PartialEq>(
 }
 
 /// The connector of a variable, if it is to have one.
-fn connector(scalar: &ScalarVariable, has_value: bool) -> Option<Connector> {
-    let kind = match scalar.causality {
+fn connector(quantity: &Quantity, has_value: bool) -> Option<Connector> {
+    let kind = match quantity.causality {
         Causality::Input => "input",
         Causality::Output => "output",
         Causality::Parameter if has_value => "parameter",
         _ => return None,
     };
     Some(Connector {
-        name: scalar.name.clone(),
+        name: quantity.name.clone(),
         kind,
-        signal: match &scalar.variable_type {
-            VariableType::Real(real) => Signal::Real {
-                unit: real.unit.clone(),
+        signal: match (quantity.call.base(), &quantity.items) {
+            (_, Some(items)) => Signal::Enumeration {
+                name: items.name.clone(),
             },
-            VariableType::Integer(_) => Signal::Integer,
-            VariableType::Boolean(_) => Signal::Boolean,
-            VariableType::String(_) => Signal::String,
-            VariableType::Enumeration(own) => Signal::Enumeration {
-                name: own.declared_type.clone(),
+            (Base::Real, None) => Signal::Real {
+                unit: unit(quantity),
             },
+            (Base::Integer, None) => Signal::Integer,
+            (Base::Boolean, None) => Signal::Boolean,
+            // No variable of FMI 2.0 is binary.
+            (Base::String | Base::Binary, None) => Signal::String,
         },
     })
 }
 
+fn unit(quantity: &Quantity) -> Option<String> {
+    quantity.unit.as_ref().map(|unit| unit.name.clone())
+}
+
 /// The entry of a parameter in the set, if it needs one.
 fn parameter(variable: &Variable<'_>, given: Option<&Value>) -> Option<ParameterValue> {
-    Some(match (&variable.scalar.variable_type, given) {
-        (VariableType::Real(real), given) => ParameterValue::Real {
-            value: match given {
-                Some(Value::Real(value)) => *value,
-                _ => real.start?,
-            },
-            unit: real.unit.clone(),
+    let quantity = variable.quantity;
+    let start = quantity.start.first();
+    let value = match (quantity.call.base(), &quantity.items) {
+        (Base::Real, _) | (Base::Integer, None) => given.or(start)?,
+        _ => given.filter(|given| Some(*given) != start)?,
+    };
+    Some(match (value, &quantity.items) {
+        (Value::Integer(value), Some(items)) => ParameterValue::Enumeration {
+            value: items
+                .items
+                .iter()
+                .find(|(_, item)| item == value)
+                .map(|(name, _)| name.clone())?,
         },
-        (VariableType::Integer(integer), given) => ParameterValue::Integer {
-            value: match given {
-                Some(Value::Integer(value)) => *value,
-                _ => integer.start?,
-            },
+        (Value::Real(value), _) => ParameterValue::Real {
+            value: *value,
+            unit: unit(quantity),
         },
-        (VariableType::Boolean(own), Some(Value::Boolean(value))) if own.start != Some(*value) => {
-            ParameterValue::Boolean { value: *value }
-        }
-        (VariableType::String(own), Some(Value::String(value)))
-            if own.start.as_ref() != Some(value) =>
-        {
-            ParameterValue::String {
-                value: value.clone(),
-            }
-        }
-        (VariableType::Enumeration(own), Some(Value::Integer(value)))
-            if own.start != Some(*value) =>
-        {
-            let items = items_of(variable.description, &own.declared_type);
-            let (name, _) = items.into_iter().find(|(_, item)| item == value)?;
-            ParameterValue::Enumeration {
-                value: name.to_owned(),
-            }
-        }
-        _ => return None,
+        (Value::Integer(value), None) => ParameterValue::Integer { value: *value },
+        (Value::Boolean(value), _) => ParameterValue::Boolean { value: *value },
+        (Value::String(value), _) => ParameterValue::String {
+            value: value.clone(),
+        },
+        (Value::Binary(_), _) => return None,
     })
 }
 

@@ -4,10 +4,11 @@ use std::ops::ControlFlow;
 
 use super::exchange::{Broken, Exchange, Load};
 use super::grid::{Grid, STEP_TOLERANCE};
+use super::iterate::Memory;
+use super::participant::Participant;
 use super::simulate::{Coupling, Event, Options};
 use super::system::System;
-use super::values::set;
-use super::{End, ImportError, Instance, Step, Table};
+use super::{End, ImportError, Step, Table};
 
 /// Most attempts to come from one communication point to the next with an FMU that discards.
 const MAX_ATTEMPTS: u32 = 12;
@@ -17,6 +18,11 @@ pub(super) enum Halt {
     /// A call of this component failed.
     Call(usize, Box<ImportError>),
     Nan(String),
+    /// The exchanged values did not agree: the one that changed most, and by which part.
+    Apart {
+        variable: Option<String>,
+        change: f64,
+    },
     Discarded {
         component: usize,
         time: f64,
@@ -39,8 +45,9 @@ pub(super) struct Run<'a> {
     pub(super) options: &'a Options,
     pub(super) grid: Grid,
     pub(super) exchange: Exchange,
-    pub(super) instances: Vec<Instance>,
+    pub(super) instances: Vec<Box<dyn Participant>>,
     pub(super) table: &'a mut Table,
+    pub(super) memory: Memory,
 }
 
 impl Run<'_> {
@@ -79,7 +86,7 @@ impl Run<'_> {
             }
             self.record(grid.time(k + 1))?;
         }
-        self.each(|_, instance| instance.terminate())?;
+        self.each(|_, instance| instance.finish())?;
         Ok(end)
     }
 
@@ -87,25 +94,26 @@ impl Run<'_> {
         let (start, stop) = (self.grid.start, self.grid.stop);
         let fmus: Vec<_> = self.system.fmus().collect();
         let given = self.options.tolerance;
+        let none = Load::new();
         self.each(|k, instance| {
             let default = fmus
                 .get(k)
-                .and_then(|fmu| fmu.description().default_experiment);
-            let tolerance = given.or(default.and_then(|default| default.tolerance));
-            instance.setup_experiment(tolerance, start, Some(stop))?;
-            start_values
-                .get(k)
-                .map_or(Ok(()), |load| set(instance, load))
+                .and_then(|fmu| fmu.description().experiment().tolerance);
+            let values = start_values.get(k).unwrap_or(&none);
+            instance.set_up(given.or(default), start, stop, values)
         })?;
-        self.each(|_, instance| instance.enter_initialization_mode())?;
+        self.each(|_, instance| instance.enter_initialization())?;
         self.apply_inputs(start)?;
         self.exchange.settle(&mut self.instances)?;
-        self.each(|_, instance| instance.exit_initialization_mode())
+        self.each(|_, instance| instance.exit_initialization())
     }
 
     /// From point `k` to the next. The time that an FMU came to, if it wants to end before.
     fn advance(&mut self, k: u64) -> Result<Option<f64>, Halt> {
         self.apply_inputs(self.grid.time(k))?;
+        if self.options.coupling == Coupling::Iterated {
+            return self.iterate(k);
+        }
         let components = 0..self.instances.len();
         if self.options.coupling == Coupling::Jacobi {
             // All are read before the first is written: an input may show through to an output at once.
@@ -122,7 +130,7 @@ impl Run<'_> {
                 let load = self.exchange.read(component, &mut self.instances)?;
                 Exchange::write(component, &load, &mut self.instances)?;
             }
-            let ended = self.step(component, k)?;
+            let ended = self.step(component, k, true)?;
             if ended.is_some() {
                 return Ok(ended);
             }
@@ -133,10 +141,10 @@ impl Run<'_> {
     /// Calls something of every instance, in their order.
     fn each(
         &mut self,
-        mut call: impl FnMut(usize, &mut Instance) -> Result<(), ImportError>,
+        mut call: impl FnMut(usize, &mut dyn Participant) -> Result<(), ImportError>,
     ) -> Result<(), Halt> {
         for (k, instance) in self.instances.iter_mut().enumerate() {
-            call(k, instance).map_err(Broken::at(k))?;
+            call(k, &mut **instance).map_err(Broken::at(k))?;
         }
         Ok(())
     }
@@ -145,7 +153,7 @@ impl Run<'_> {
         let Some(inputs) = &self.options.inputs else {
             return Ok(());
         };
-        self.each(|k, instance| set(instance, &inputs.at(time, k)))
+        self.each(|k, instance| instance.set(&inputs.at(time, k)))
     }
 
     fn record(&mut self, time: f64) -> Result<(), Halt> {
@@ -157,15 +165,18 @@ impl Run<'_> {
     }
 
     /// One component from point `k` to the next. The time that it came to, if it wants to end before.
-    fn step(&mut self, component: usize, k: u64) -> Result<Option<f64>, Halt> {
+    pub(super) fn step(
+        &mut self,
+        component: usize,
+        k: u64,
+        no_rollback: bool,
+    ) -> Result<Option<f64>, Halt> {
         let mut fmus = self.system.fmus();
         let (Some(fmu), Some(instance)) = (fmus.nth(component), self.instances.get_mut(component))
         else {
             return Ok(None);
         };
-        let variable = fmu
-            .co_simulation()
-            .can_handle_variable_communication_step_size;
+        let variable = fmu.description().takes_any_step();
         let target = self.grid.time(k + 1);
         let mut time = self.grid.time(k);
         let mut length = self.grid.length(k);
@@ -178,7 +189,7 @@ impl Run<'_> {
                 mend,
             };
             let step = instance
-                .do_step(time, length, true)
+                .step(time, length, no_rollback)
                 .map_err(Broken::at(component))?;
             match step {
                 Step::Done if whole => return Ok(None),
@@ -224,11 +235,11 @@ impl Run<'_> {
 
 /// Hands the messages of the instances on.
 pub(super) fn forward(
-    instances: &[Instance],
+    instances: &[Box<dyn Participant>],
     observe: &mut impl FnMut(Event<'_>) -> ControlFlow<()>,
 ) -> ControlFlow<()> {
     for instance in instances {
-        let (messages, lost) = instance.take_messages();
+        let (messages, lost) = instance.messages();
         for message in &messages {
             observe(Event::Message(message))?;
         }

@@ -8,8 +8,9 @@ use csv::{ReaderBuilder, StringRecord, Trim};
 use sphere_dda_model_description::fmi2::Variability;
 use thiserror::Error;
 
+use super::quantity::Place;
 use super::system::{System, Variable};
-use super::values::{check_settable_in_steps, parse};
+use super::values::{Base, check_settable_in_steps, parse_one};
 use super::{Value, VariableError};
 
 /// Why a table of inputs cannot be used.
@@ -84,7 +85,7 @@ pub enum SignalsError {
 #[derive(Debug, Clone, PartialEq)]
 struct Signal {
     component: usize,
-    reference: u32,
+    place: Place,
     /// Linear between two times; else the value of the earlier.
     linear: bool,
     values: Vec<Value>,
@@ -165,7 +166,7 @@ impl Signals {
         };
         self.times.push(time);
         for ((signal, variable), field) in self.signals.iter_mut().zip(variables).zip(fields) {
-            let value = parse(variable, field);
+            let value = parse_one(variable, field);
             signal
                 .values
                 .push(value.map_err(|source| SignalsError::Variable {
@@ -177,8 +178,8 @@ impl Signals {
         Ok(())
     }
 
-    /// Value references and values at `time` \[s\] of the inputs of one component, counted from 0.
-    pub(super) fn at(&self, time: f64, component: usize) -> Vec<(u32, Value)> {
+    /// Places and values at `time` \[s\] of the inputs of one component, counted from 0.
+    pub(super) fn at(&self, time: f64, component: usize) -> Vec<(Place, Value)> {
         // A communication point that misses a time of the table by rounding is meant to be that time.
         let slack = 8.0 * f64::EPSILON * time.abs();
         let next = self.times.partition_point(|&known| known <= time + slack);
@@ -191,7 +192,7 @@ impl Signals {
                 }
                 _ => before.clone(),
             };
-            Some((signal.reference, value))
+            Some((signal.place, value))
         };
         let own = |signal: &&Signal| signal.component == component;
         self.signals.iter().filter(own).filter_map(value).collect()
@@ -201,8 +202,9 @@ impl Signals {
 fn signal(variable: &Variable<'_>) -> Signal {
     Signal {
         component: variable.component,
-        reference: variable.scalar.value_reference,
-        linear: variable.scalar.variability == Variability::Continuous,
+        place: variable.place(),
+        linear: variable.quantity.variability == Variability::Continuous
+            && variable.quantity.call.base() == Base::Real,
         values: Vec::new(),
     }
 }
@@ -244,6 +246,7 @@ fn variables<'f>(
 fn column<'f>(system: &System<'f>, name: &str) -> Result<Variable<'f>, VariableError> {
     let variable = system.find(name)?;
     check_settable_in_steps(&variable)?;
+    variable.check_single()?;
     system.check_free(&variable)?;
     Ok(variable)
 }

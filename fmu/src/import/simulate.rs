@@ -6,6 +6,7 @@ use thiserror::Error;
 
 use super::exchange::{Exchange, Load};
 use super::grid::{Grid, MAX_STEPS};
+use super::iterate::{Iteration, Memory};
 use super::run::{Halt, Run, forward};
 use super::system::System;
 use super::values::{check_settable_at_start, parse};
@@ -21,6 +22,9 @@ pub enum Coupling {
     /// The FMUs step one after another; an input has the value at t + h of an output of an FMU that has stepped
     /// already, the value at t of the others. The order of the FMUs matters.
     GaussSeidel,
+    /// The step is repeated from saved states until every input has the value that its output has at t + h. The FMUs
+    /// step one after another in each try; all must be able to save and restore their state if there is a loop.
+    Iterated,
 }
 
 /// How to simulate. What is `None` is taken from the FMUs' default experiments: from the first FMU that tells.
@@ -36,6 +40,8 @@ pub struct Options {
     pub tolerance: Option<f64>,
     /// When connected FMUs exchange values.
     pub coupling: Coupling,
+    /// When [`Coupling::Iterated`] ends.
+    pub iteration: Iteration,
     /// Inputs over time.
     pub inputs: Option<Signals>,
     /// Names of the variables to record; all outputs if `None`.
@@ -108,6 +114,48 @@ pub enum SimulateError {
         /// Duration \[s\].
         duration: f64,
     },
+    /// The numbers of an iteration make none.
+    #[error(
+        "iteration: found tolerance {tolerance}, limit {limit} and relaxation {relaxation}, expected a finite tolerance \
+         greater than 0, a limit of at least 1 and a relaxation greater than 0 and at most 1"
+    )]
+    Iteration {
+        /// Tolerance, dimensionless.
+        tolerance: f64,
+        /// Most tries.
+        limit: u32,
+        /// Relaxation, dimensionless.
+        relaxation: f64,
+    },
+    /// Steps cannot be repeated.
+    #[error(
+        "FMU `{component}`: found no canGetAndSetFMUstate in its model description, expected it: iterated coupling \
+         repeats steps; use another coupling"
+    )]
+    NoStates {
+        /// Name of the FMU.
+        component: String,
+    },
+    /// The values that FMUs exchange did not come to agree.
+    #[error(
+        "at time {time} s: {} changes by {change:.1e} of its greatest value after {limit} tries of the step, expected at \
+         most {tolerance:e}: allow more tries or a larger tolerance, give a shorter step, or let the run go on",
+        .variable.as_ref().map_or("a value that is no real number".to_owned(), |name| format!("`{name}`"))
+    )]
+    Apart {
+        /// The communication point before the step \[s\].
+        time: f64,
+        /// Name of the output that changes most.
+        variable: Option<String>,
+        /// Its change, as a part of its greatest magnitude.
+        change: f64,
+        /// Most tries of a step.
+        limit: u32,
+        /// What was asked for.
+        tolerance: f64,
+        /// What was recorded so far.
+        table: Box<Table>,
+    },
     /// A call failed after the FMU was instantiated.
     #[error("at time {time} s: {}{failure}", prefix(.component))]
     Call {
@@ -159,9 +207,10 @@ impl SimulateError {
     /// What was recorded before the error.
     pub fn table(&self) -> Option<&Table> {
         match self {
-            Self::Call { table, .. } | Self::Nan { table, .. } | Self::Discarded { table, .. } => {
-                Some(table)
-            }
+            Self::Call { table, .. }
+            | Self::Nan { table, .. }
+            | Self::Apart { table, .. }
+            | Self::Discarded { table, .. } => Some(table),
             _ => None,
         }
     }
@@ -192,24 +241,27 @@ pub fn simulate(
         let variable = system.find(name)?;
         check_settable_at_start(&variable)?;
         system.check_free(&variable)?;
-        let value = parse(&variable, text)?;
+        let values = parse(&variable, text)?;
         if let Some(load) = start_values.get_mut(variable.component) {
-            load.push((variable.scalar.value_reference, value));
+            load.extend(variable.places().into_iter().zip(values));
         }
     }
     let mut instances = Vec::new();
     for (k, fmu) in system.fmus().enumerate() {
         let own = options.instance_name.as_deref();
-        let own = own.unwrap_or(&fmu.description().model_name);
+        let own = own.unwrap_or(fmu.description().model_name());
         let name = system.component_name(k).unwrap_or(own);
-        instances.push(fmu.instantiate(name, options.logging).map_err(Box::new)?);
+        instances.push(fmu.participant(name, options.logging).map_err(Box::new)?);
     }
 
+    let exchange = Exchange::new(system, options.allow_nan);
+    check_iteration(system, options, &exchange)?;
     let mut run = Run {
         system,
         options,
         grid,
-        exchange: Exchange::new(system, options.allow_nan),
+        exchange,
+        memory: Memory::default(),
         instances,
         table: &mut table,
     };
@@ -239,6 +291,14 @@ pub fn simulate(
             variable,
             table,
         },
+        Halt::Apart { variable, change } => SimulateError::Apart {
+            time,
+            variable,
+            change,
+            limit: options.iteration.limit,
+            tolerance: options.iteration.tolerance,
+            table,
+        },
         Halt::Discarded {
             component,
             time,
@@ -252,4 +312,39 @@ pub fn simulate(
             table,
         },
     })
+}
+
+/// Whether the numbers make sense, and all steps can be repeated.
+fn check_iteration(
+    system: &System<'_>,
+    options: &Options,
+    exchange: &Exchange,
+) -> Result<(), SimulateError> {
+    let Iteration {
+        tolerance,
+        limit,
+        relaxation,
+        ..
+    } = options.iteration;
+    let sound = tolerance.is_finite() && tolerance > 0.0 && limit > 0;
+    if !(sound && relaxation > 0.0 && relaxation <= 1.0) {
+        return Err(SimulateError::Iteration {
+            tolerance,
+            limit,
+            relaxation,
+        });
+    }
+    if options.coupling != Coupling::Iterated || !exchange.has_loops() {
+        return Ok(());
+    }
+    let mut fmus = system.fmus().enumerate();
+    match fmus.find(|(_, fmu)| !fmu.description().has_states()) {
+        None => Ok(()),
+        Some((k, fmu)) => Err(SimulateError::NoStates {
+            component: system
+                .component_name(k)
+                .unwrap_or(fmu.description().model_name())
+                .to_owned(),
+        }),
+    }
 }

@@ -1,11 +1,11 @@
 //! Which FMUs run together, and which outputs feed which inputs.
 
-use sphere_dda_model_description::fmi2::{
-    Causality, DefaultExperiment, ModelDescription, ScalarVariable,
-};
+use sphere_dda_model_description::fmi2::DefaultExperiment;
+use sphere_dda_model_description::fmi3::Causality;
 use thiserror::Error;
 
 use super::connection::{Connection, ConnectionError, ConnectionFault, mismatch};
+use super::quantity::{Place, Quantity, shape};
 use super::{Fmu, VariableError};
 
 /// Names that resemble an unknown one, at most.
@@ -28,15 +28,74 @@ struct Component<'f> {
     fmu: &'f Fmu,
 }
 
-/// A variable of a system.
+/// A variable of a system, or one element of it.
 #[derive(Debug, Clone)]
 pub(super) struct Variable<'s> {
     /// Number of its component.
     pub(super) component: usize,
     /// Its name in the system.
     pub(super) name: String,
-    pub(super) scalar: &'s ScalarVariable,
-    pub(super) description: &'s ModelDescription,
+    pub(super) quantity: &'s Quantity,
+    /// The one of an array that is meant; `None`: all.
+    element: Option<usize>,
+}
+
+impl Variable<'_> {
+    /// Whether all elements of an array are meant.
+    pub(super) fn is_array(&self) -> bool {
+        self.extents().is_some()
+    }
+
+    /// Extents of what is meant; `None`: one value.
+    pub(super) fn extents(&self) -> Option<&[usize]> {
+        match self.element {
+            None => self.quantity.extents.as_deref(),
+            Some(_) => None,
+        }
+    }
+
+    /// Place of the value, or of the first.
+    pub(super) fn place(&self) -> Place {
+        self.quantity.place(self.element.unwrap_or(0))
+    }
+
+    /// Places of all values that are meant.
+    pub(super) fn places(&self) -> Vec<Place> {
+        match self.element {
+            Some(element) => vec![self.quantity.place(element)],
+            None => (0..self.quantity.elements())
+                .map(|element| self.quantity.place(element))
+                .collect(),
+        }
+    }
+
+    /// Names and places of all values that are meant.
+    pub(super) fn elements(&self) -> Vec<(String, Place)> {
+        if !self.is_array() {
+            return vec![(self.name.clone(), self.place())];
+        }
+        let own = self.quantity.name.len();
+        let places = self.places().into_iter();
+        places
+            .map(|place| {
+                let name = self.quantity.element_name(place.element);
+                let indices = name.get(own..).unwrap_or_default();
+                (format!("{}{indices}", self.name), place)
+            })
+            .collect()
+    }
+
+    /// Whether one value is meant.
+    pub(super) fn check_single(&self) -> Result<(), VariableError> {
+        match self.extents() {
+            None => Ok(()),
+            extents => Err(VariableError::Array {
+                name: self.name.clone(),
+                shape: shape(extents),
+                first: self.quantity.element_name(0),
+            }),
+        }
+    }
 }
 
 /// Why FMUs do not make a system.
@@ -102,7 +161,7 @@ impl<'f> System<'f> {
         let mut errors = Vec::new();
         for (from, to) in pairs {
             match self.connection(from, to, &made) {
-                Ok(connection) => made.push(connection),
+                Ok(connections) => made.extend(connections),
                 Err(faults) => errors.extend(faults.into_iter().map(|fault| ConnectionError {
                     from: from.to_owned(),
                     to: to.to_owned(),
@@ -122,7 +181,7 @@ impl<'f> System<'f> {
         from: &str,
         to: &str,
         made: &[Connection],
-    ) -> Result<Connection, Vec<ConnectionFault>> {
+    ) -> Result<Vec<Connection>, Vec<ConnectionFault>> {
         let (source, target) = match (self.find(from), self.find(to)) {
             (Ok(source), Ok(target)) => (source, target),
             (source, target) => {
@@ -132,28 +191,28 @@ impl<'f> System<'f> {
         };
         let mut faults = Vec::new();
         for (variable, expected) in [(&source, Causality::Output), (&target, Causality::Input)] {
-            if variable.scalar.causality != expected {
+            if variable.quantity.causality != expected {
                 faults.push(ConnectionFault::Causality {
                     name: variable.name.clone(),
-                    found: variable.scalar.causality,
+                    found: variable.quantity.causality,
                     expected,
                 });
             }
         }
         faults.extend(mismatch(&source, &target));
-        let connection = Connection {
-            source: (source.component, source.scalar.value_reference),
-            target: (target.component, target.scalar.value_reference),
-            base: source.scalar.variable_type.base(),
-        };
-        let same = |known: &&Connection| {
-            known.target == connection.target && known.base == connection.base
-        };
-        if let Some(known) = made.iter().find(same) {
+        let pairs = source.places().into_iter().zip(target.places());
+        let connections: Vec<Connection> = pairs
+            .map(|(from, to)| Connection {
+                source: (source.component, from),
+                target: (target.component, to),
+            })
+            .collect();
+        let taken = |known: &&Connection| connections.iter().any(|new| new.target == known.target);
+        if let Some(known) = made.iter().find(taken) {
             faults.push(ConnectionFault::Taken(self.source_name(known)));
         }
         if faults.is_empty() {
-            Ok(connection)
+            Ok(connections)
         } else {
             Err(faults)
         }
@@ -175,9 +234,10 @@ impl<'f> System<'f> {
 
     /// Whether nothing feeds the input.
     pub(super) fn check_free(&self, variable: &Variable<'_>) -> Result<(), VariableError> {
-        let target = (variable.component, variable.scalar.value_reference);
-        let base = variable.scalar.variable_type.base();
-        let feeds = |known: &&Connection| known.target == target && known.base == base;
+        let places = variable.places();
+        let feeds = |known: &&Connection| {
+            known.target.0 == variable.component && places.contains(&known.target.1)
+        };
         match self.connections.iter().find(feeds) {
             None => Ok(()),
             Some(connection) => Err(VariableError::Connected {
@@ -189,22 +249,33 @@ impl<'f> System<'f> {
 
     /// Name of the output of a connection.
     pub(super) fn source_name(&self, connection: &Connection) -> String {
-        let (component, reference) = connection.source;
+        self.name_of(connection.source, Causality::Output)
+    }
+
+    /// Name of the input of a connection.
+    pub(super) fn target_name(&self, connection: &Connection) -> String {
+        self.name_of(connection.target, Causality::Input)
+    }
+
+    /// Name of the value in a place: several variables of FMI 2.0 can share one, so the causality decides.
+    fn name_of(&self, (component, place): (usize, Place), causality: Causality) -> String {
         let is = |variable: &Variable<'_>| {
             variable.component == component
-                && variable.scalar.value_reference == reference
-                && variable.scalar.causality == Causality::Output
-                && variable.scalar.variable_type.base() == connection.base
+                && variable.quantity.place(place.element) == place
+                && variable.quantity.causality == causality
         };
         let variable = self.variables().find(is);
-        variable.map(|variable| variable.name).unwrap_or_default()
+        let own = self.components.get(component);
+        own.zip(variable)
+            .map(|(own, variable)| own.full_name(&variable.quantity.element_name(place.element)))
+            .unwrap_or_default()
     }
 
     /// What the FMUs propose as experiment: each value from the first that has one.
     pub fn experiment(&self) -> DefaultExperiment {
         let mut proposed = DefaultExperiment::default();
         for fmu in self.fmus() {
-            let own = fmu.description().default_experiment.unwrap_or_default();
+            let own = fmu.description().experiment();
             proposed.start_time = proposed.start_time.or(own.start_time);
             proposed.stop_time = proposed.stop_time.or(own.stop_time);
             proposed.step_size = proposed.step_size.or(own.step_size);
@@ -219,13 +290,12 @@ impl<'f> System<'f> {
             .iter()
             .enumerate()
             .flat_map(|(k, component)| {
-                let description = component.fmu.description();
-                let scalars = description.model_variables.iter();
-                scalars.map(move |scalar| Variable {
+                let quantities = component.fmu.quantities().iter();
+                quantities.map(move |quantity| Variable {
                     component: k,
-                    name: component.full_name(&scalar.name),
-                    scalar,
-                    description,
+                    name: component.full_name(&quantity.name),
+                    quantity,
+                    element: None,
                 })
             })
     }
@@ -233,16 +303,16 @@ impl<'f> System<'f> {
     /// The variable of this name.
     pub(super) fn find(&self, name: &str) -> Result<Variable<'f>, VariableError> {
         for (k, component) in self.components.iter().enumerate() {
-            let description = component.fmu.description();
-            let mut scalars = description.model_variables.iter();
+            let mut quantities = component.fmu.quantities().iter();
             if let Some(own) = component.own_name(name)
-                && let Some(scalar) = scalars.find(|scalar| scalar.name == own)
+                && let Some((quantity, element)) =
+                    quantities.find_map(|known| Some((known, known.answers_to(own)?)))
             {
                 return Ok(Variable {
                     component: k,
                     name: name.to_owned(),
-                    scalar,
-                    description,
+                    quantity,
+                    element,
                 });
             }
         }

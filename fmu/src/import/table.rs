@@ -2,19 +2,18 @@
 
 use std::io::Write;
 
-use sphere_dda_model_description::fmi2::{BaseType, Causality};
+use sphere_dda_model_description::fmi3::Causality;
 
+use super::VariableError;
 use super::exchange::Broken;
+use super::iterate::Unsettled;
+use super::participant::Participant;
+use super::quantity::Place;
 use super::system::{System, Variable};
-use super::values::{self, Value, Values};
-use super::{Instance, VariableError};
+use super::values::{Value, Values};
 
-const BASES: [BaseType; 4] = [
-    BaseType::Real,
-    BaseType::Integer,
-    BaseType::Boolean,
-    BaseType::String,
-];
+/// Elements of an array up to which it is recorded without being asked for.
+const SMALL_ARRAY: usize = 100;
 
 /// Why a simulation ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -34,8 +33,7 @@ pub struct Column {
     pub name: String,
     /// Number of its FMU, from 0.
     pub component: usize,
-    /// Its value reference.
-    pub reference: u32,
+    pub(super) place: Place,
     /// One value for each time.
     pub values: Values,
 }
@@ -49,63 +47,71 @@ pub struct Table {
     pub columns: Vec<Column>,
     /// Why it ends where it does.
     pub end: End,
+    /// How often each step was tried until the exchanged values agreed; empty if the coupling does not iterate.
+    pub iterations: Vec<u32>,
+    /// Steps of an iterated coupling that were kept although the values did not agree.
+    pub unsettled: Vec<Unsettled>,
 }
 
 impl Table {
-    /// An empty table for the variables of these names, or for all outputs.
+    /// An empty table for the variables of these names, or for all outputs but large arrays.
     pub(super) fn for_outputs(
         system: &System<'_>,
         names: Option<&[String]>,
     ) -> Result<Self, VariableError> {
-        let column = |variable: Variable<'_>| Column {
-            reference: variable.scalar.value_reference,
-            values: Values::none(variable.scalar.variable_type.base()),
-            component: variable.component,
-            name: variable.name,
-        };
-        let columns = match names {
+        let variables: Vec<Variable<'_>> = match names {
             Some(names) => names
                 .iter()
-                .map(|name| system.find(name).map(column))
+                .map(|name| system.find(name))
                 .collect::<Result<_, _>>()?,
             None => system
                 .variables()
-                .filter(|variable| variable.scalar.causality == Causality::Output)
-                .map(column)
+                .filter(|variable| {
+                    variable.quantity.causality == Causality::Output
+                        && variable.quantity.elements() <= SMALL_ARRAY
+                })
                 .collect(),
+        };
+        let columns = |variable: &Variable<'_>| {
+            let elements = variable.elements();
+            elements
+                .into_iter()
+                .map(|(name, place)| Column {
+                    values: Values::none(place.call.base()),
+                    component: variable.component,
+                    name,
+                    place,
+                })
+                .collect::<Vec<_>>()
         };
         Ok(Self {
             time: Vec::new(),
-            columns,
+            columns: variables.iter().flat_map(columns).collect(),
             end: End::Interrupted,
+            iterations: Vec::new(),
+            unsettled: Vec::new(),
         })
     }
 
     /// Appends the values that the instances have now, with one call for each type; no row if one fails.
-    pub(super) fn record(&mut self, time: f64, instances: &mut [Instance]) -> Result<(), Broken> {
-        let mut row: Vec<(usize, Option<Value>)> = Vec::new();
+    pub(super) fn record(
+        &mut self,
+        time: f64,
+        instances: &mut [Box<dyn Participant>],
+    ) -> Result<(), Broken> {
+        let mut row: Vec<(usize, Value)> = Vec::new();
         for (component, instance) in instances.iter_mut().enumerate() {
-            for base in BASES {
-                let wanted = |(_, column): &(usize, &Column)| {
-                    column.component == component && column.values.base() == base
-                };
-                let columns = self.columns.iter().enumerate().filter(wanted);
-                let (places, references): (Vec<usize>, Vec<u32>) = columns
-                    .map(|(place, column)| (place, column.reference))
-                    .unzip();
-                let found =
-                    values::get(instance, base, &references).map_err(Broken::at(component))?;
-                row.extend(
-                    places
-                        .into_iter()
-                        .enumerate()
-                        .map(|(k, place)| (place, found.get(k))),
-                );
-            }
+            let columns = self.columns.iter().enumerate();
+            let (columns, places): (Vec<usize>, Vec<Place>) = columns
+                .filter(|(_, column)| column.component == component)
+                .map(|(number, column)| (number, column.place))
+                .unzip();
+            let found = instance.get(&places).map_err(Broken::at(component))?;
+            row.extend(columns.into_iter().zip(found));
         }
-        for (place, value) in row {
-            if let Some(column) = self.columns.get_mut(place) {
-                column.values.extend(value);
+        for (number, value) in row {
+            if let Some(column) = self.columns.get_mut(number) {
+                column.values.extend(Some(value));
             }
         }
         self.time.push(time);

@@ -2,25 +2,74 @@
 
 use std::fmt;
 
-use sphere_dda_model_description::fmi2::{
-    BaseType, Causality, Initial, ModelDescription, TypeDefinition, Variability, VariableType,
-};
+use sphere_dda_model_description::fmi2::Variability;
+use sphere_dda_model_description::fmi3::Causality;
 use thiserror::Error;
 
+use super::quantity::Call;
 use super::system::Variable;
-use super::{ImportError, Instance};
 
-/// A value of one of the four types of the interface; enumerations are integers.
+/// The types that values have here; the interfaces have them in several sizes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Base {
+    /// Real numbers.
+    Real,
+    /// Integers, also those that stand for items of enumerations.
+    Integer,
+    /// Truth values.
+    Boolean,
+    /// Texts.
+    String,
+    /// Bytes.
+    Binary,
+}
+
+/// A value; enumerations are integers.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Value {
-    /// `fmi2Real`, in the unit of the variable.
+    /// A real number, in the unit of the variable.
     Real(f64),
-    /// `fmi2Integer`.
-    Integer(i32),
-    /// `fmi2Boolean`.
+    /// An integer.
+    Integer(i64),
+    /// A truth value.
     Boolean(bool),
-    /// `fmi2String`.
+    /// A text.
     String(String),
+    /// Bytes.
+    Binary(Vec<u8>),
+}
+
+impl Value {
+    /// The value of a text, as model descriptions and users write it; bytes are hexadecimal digits.
+    pub(super) fn read(call: Call, text: &str) -> Option<Self> {
+        let trimmed = text.trim();
+        Some(match call.base() {
+            Base::Real => Self::Real(trimmed.parse().ok()?),
+            Base::Integer => Self::Integer(trimmed.parse().ok()?),
+            Base::Boolean => Self::Boolean(match trimmed {
+                "true" | "1" => true,
+                "false" | "0" => false,
+                _ => return None,
+            }),
+            Base::String => Self::String(text.to_owned()),
+            Base::Binary => Self::Binary(bytes(trimmed)?),
+        })
+    }
+}
+
+fn bytes(digits: &str) -> Option<Vec<u8>> {
+    let digits: Option<Vec<u8>> = digits
+        .chars()
+        .map(|digit| digit.to_digit(16).map(|value| value as u8))
+        .collect();
+    let digits = digits?;
+    let pairs = digits.chunks(2);
+    pairs
+        .map(|pair| match pair {
+            [high, low] => Some(16 * high + low),
+            _ => None,
+        })
+        .collect()
 }
 
 impl fmt::Display for Value {
@@ -31,6 +80,9 @@ impl fmt::Display for Value {
             Self::Integer(value) => write!(formatter, "{value}"),
             Self::Boolean(value) => write!(formatter, "{value}"),
             Self::String(value) => formatter.write_str(value),
+            Self::Binary(bytes) => bytes
+                .iter()
+                .try_for_each(|byte| write!(formatter, "{byte:02x}")),
         }
     }
 }
@@ -73,6 +125,18 @@ pub enum VariableError {
         /// The output that feeds it.
         source_name: String,
     },
+    /// A whole array where only one value will do.
+    #[error(
+        "variable `{name}`: found an array of {shape}, expected one value: name an element, such as `{first}`"
+    )]
+    Array {
+        /// The name.
+        name: String,
+        /// Its extents.
+        shape: String,
+        /// Name of its first element.
+        first: String,
+    },
     /// The text is not a value of the type of the variable.
     #[error("variable `{name}`: found {found:?}, expected {expected}")]
     Value {
@@ -92,31 +156,20 @@ fn did_you_mean(similar: &[String]) -> String {
     }
 }
 
-/// Whether the variable can be set before the initialization: section 2.2.7 of the standard.
+/// Whether the variable can be set before the initialization.
 pub(super) fn check_settable_at_start(variable: &Variable<'_>) -> Result<(), VariableError> {
-    let settable = match variable.scalar.causality {
-        Causality::Independent => false,
-        Causality::Input => true,
-        _ => {
-            variable.scalar.variability != Variability::Constant
-                && matches!(
-                    variable.scalar.effective_initial(),
-                    Some(Initial::Exact | Initial::Approx)
-                )
-        }
-    };
     settable_or(
         variable,
-        settable,
+        variable.quantity.settable_at_start,
         "a parameter, an input or another variable with a start value",
     )
 }
 
 /// Whether the variable can be set between steps.
 pub(super) fn check_settable_in_steps(variable: &Variable<'_>) -> Result<(), VariableError> {
-    let settable = match variable.scalar.causality {
+    let settable = match variable.quantity.causality {
         Causality::Input => true,
-        Causality::Parameter => variable.scalar.variability == Variability::Tunable,
+        Causality::Parameter => variable.quantity.variability == Variability::Tunable,
         _ => false,
     };
     settable_or(variable, settable, "an input or a tunable parameter")
@@ -132,105 +185,85 @@ fn settable_or(
     }
     Err(VariableError::NotSettable {
         name: variable.name.clone(),
-        causality: variable.scalar.causality,
-        variability: variable.scalar.variability,
+        causality: variable.quantity.causality,
+        variability: variable.quantity.variability,
         expected,
     })
 }
 
-/// The value that `text` stands for. Reals must be finite; an item of an enumeration may be given by its name.
-pub(super) fn parse(variable: &Variable<'_>, text: &str) -> Result<Value, VariableError> {
+/// The values that `text` stands for: one, or those of an array with blanks between them. Reals must be finite; an item
+/// of an enumeration may be given by its name.
+pub(super) fn parse(variable: &Variable<'_>, text: &str) -> Result<Vec<Value>, VariableError> {
+    let count = variable.places().len();
+    if !variable.is_array() {
+        return Ok(vec![parse_one(variable, text)?]);
+    }
+    let texts: Vec<&str> = text.split_whitespace().collect();
+    if texts.len() != count {
+        return Err(VariableError::Value {
+            name: variable.name.clone(),
+            found: text.to_owned(),
+            expected: format!("{count} values separated by blanks, row by row"),
+        });
+    }
+    texts.iter().map(|text| parse_one(variable, text)).collect()
+}
+
+/// As [`parse`], for one value.
+pub(super) fn parse_one(variable: &Variable<'_>, text: &str) -> Result<Value, VariableError> {
+    let quantity = variable.quantity;
     let trimmed = text.trim();
-    let (value, expected) = match &variable.scalar.variable_type {
-        VariableType::Real(_) => (
-            trimmed
-                .parse()
-                .ok()
-                .filter(|value: &f64| value.is_finite())
-                .map(Value::Real),
-            "a finite number".to_owned(),
-        ),
-        VariableType::Integer(_) => (
-            trimmed.parse().ok().map(Value::Integer),
-            "an integer of 32 bits".to_owned(),
-        ),
-        VariableType::Boolean(_) => (
-            match trimmed {
-                "true" | "1" => Some(Value::Boolean(true)),
-                "false" | "0" => Some(Value::Boolean(false)),
-                _ => None,
-            },
-            "`true`, `false`, `1` or `0`".to_owned(),
-        ),
-        VariableType::String(_) => (Some(Value::String(text.to_owned())), String::new()),
-        VariableType::Enumeration(enumeration) => {
-            let items = items_of(variable.description, &enumeration.declared_type);
-            let named = items.iter().find(|(name, _)| *name == trimmed);
-            let value = named.map_or_else(|| trimmed.parse().ok(), |(_, value)| Some(*value));
-            let names: Vec<&str> = items.iter().map(|(name, _)| *name).collect();
-            (
-                value.map(Value::Integer),
-                format!("an item of `{}`", names.join("`, `")),
-            )
-        }
+    let items = quantity.items.iter().flat_map(|items| &items.items);
+    let named = items.clone().find(|(name, _)| *name == trimmed);
+    let value = match named {
+        Some((_, value)) => Some(Value::Integer(*value)),
+        None => Value::read(quantity.call, text).filter(|value| match value {
+            Value::Real(value) => value.is_finite(),
+            Value::Integer(value) => quantity.call.range().contains(value),
+            _ => true,
+        }),
     };
     value.ok_or_else(|| VariableError::Value {
         name: variable.name.clone(),
         found: text.to_owned(),
-        expected,
+        expected: match quantity.call.base() {
+            Base::Real => "a finite number".to_owned(),
+            Base::Integer if quantity.items.is_some() => {
+                let names: Vec<&str> = items.map(|(name, _)| &**name).collect();
+                format!("an item of `{}`", names.join("`, `"))
+            }
+            Base::Integer => format!("an integer ({})", quantity.call),
+            Base::Boolean => "`true`, `false`, `1` or `0`".to_owned(),
+            Base::String => "a text".to_owned(),
+            Base::Binary => "an even number of hexadecimal digits".to_owned(),
+        },
     })
-}
-
-/// Names and values of the items of an enumeration.
-pub(super) fn items_of<'a>(
-    description: &'a ModelDescription,
-    declared_type: &str,
-) -> Vec<(&'a str, i32)> {
-    let definition = description
-        .type_definitions
-        .iter()
-        .find(|definition| definition.name == declared_type);
-    match definition.map(|definition| &definition.definition) {
-        Some(TypeDefinition::Enumeration(enumeration)) => enumeration
-            .items
-            .iter()
-            .map(|item| (&*item.name, item.value))
-            .collect(),
-        _ => Vec::new(),
-    }
 }
 
 /// Values of one type each, one after another in time.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Values {
-    /// Of `fmi2Real`, in the unit of the variable.
+    /// Real numbers, in the unit of the variable.
     Real(Vec<f64>),
-    /// Of `fmi2Integer`.
-    Integer(Vec<i32>),
-    /// Of `fmi2Boolean`.
+    /// Integers.
+    Integer(Vec<i64>),
+    /// Truth values.
     Boolean(Vec<bool>),
-    /// Of `fmi2String`.
+    /// Texts.
     String(Vec<String>),
+    /// Bytes.
+    Binary(Vec<Vec<u8>>),
 }
 
 impl Values {
     /// No values of this type.
-    pub(super) fn none(base: BaseType) -> Self {
+    pub(super) fn none(base: Base) -> Self {
         match base {
-            BaseType::Real => Self::Real(Vec::new()),
-            BaseType::Integer => Self::Integer(Vec::new()),
-            BaseType::Boolean => Self::Boolean(Vec::new()),
-            BaseType::String => Self::String(Vec::new()),
-        }
-    }
-
-    /// Their type.
-    pub(super) fn base(&self) -> BaseType {
-        match self {
-            Self::Real(_) => BaseType::Real,
-            Self::Integer(_) => BaseType::Integer,
-            Self::Boolean(_) => BaseType::Boolean,
-            Self::String(_) => BaseType::String,
+            Base::Real => Self::Real(Vec::new()),
+            Base::Integer => Self::Integer(Vec::new()),
+            Base::Boolean => Self::Boolean(Vec::new()),
+            Base::String => Self::String(Vec::new()),
+            Base::Binary => Self::Binary(Vec::new()),
         }
     }
 
@@ -241,6 +274,7 @@ impl Values {
             (Self::Integer(list), Some(Value::Integer(value))) => list.push(value),
             (Self::Boolean(list), Some(Value::Boolean(value))) => list.push(value),
             (Self::String(list), Some(Value::String(value))) => list.push(value),
+            (Self::Binary(list), Some(Value::Binary(value))) => list.push(value),
             _ => {}
         }
     }
@@ -252,58 +286,7 @@ impl Values {
             Self::Integer(list) => list.get(index).copied().map(Value::Integer),
             Self::Boolean(list) => list.get(index).copied().map(Value::Boolean),
             Self::String(list) => list.get(index).cloned().map(Value::String),
+            Self::Binary(list) => list.get(index).cloned().map(Value::Binary),
         }
-    }
-}
-
-/// The values of variables of one type.
-pub(super) fn get(
-    instance: &mut Instance,
-    base: BaseType,
-    references: &[u32],
-) -> Result<Values, ImportError> {
-    Ok(match base {
-        BaseType::Real => Values::Real(instance.get_real(references)?),
-        BaseType::Integer => Values::Integer(instance.get_integer(references)?),
-        BaseType::Boolean => Values::Boolean(instance.get_boolean(references)?),
-        BaseType::String => Values::String(instance.get_string(references)?),
-    })
-}
-
-/// Sets values of any types, with one call for each type.
-pub(super) fn set(instance: &mut Instance, values: &[(u32, Value)]) -> Result<(), ImportError> {
-    let (mut real, mut integer, mut boolean, mut string) =
-        (Lists::new(), Lists::new(), Lists::new(), Lists::new());
-    for (reference, value) in values {
-        match value {
-            Value::Real(value) => real.push(*reference, *value),
-            Value::Integer(value) => integer.push(*reference, *value),
-            Value::Boolean(value) => boolean.push(*reference, *value),
-            Value::String(value) => string.push(*reference, &**value),
-        }
-    }
-    instance.set_real(&real.references, &real.values)?;
-    instance.set_integer(&integer.references, &integer.values)?;
-    instance.set_boolean(&boolean.references, &boolean.values)?;
-    instance.set_string(&string.references, &string.values)
-}
-
-/// References and values side by side, as the interface wants them.
-struct Lists<T> {
-    references: Vec<u32>,
-    values: Vec<T>,
-}
-
-impl<T> Lists<T> {
-    fn new() -> Self {
-        Self {
-            references: Vec::new(),
-            values: Vec::new(),
-        }
-    }
-
-    fn push(&mut self, reference: u32, value: T) {
-        self.references.push(reference);
-        self.values.push(value);
     }
 }

@@ -4,7 +4,7 @@ use std::ptr;
 use std::sync::Arc;
 
 use super::{ALIVE, Instance};
-use crate::import::abi::FmuState;
+use crate::import::library::{Handle, Interface};
 use crate::import::logger::Log;
 use crate::import::{ImportError, Phase};
 
@@ -12,38 +12,38 @@ use crate::import::{ImportError, Phase};
 /// [`Instance::free_state`] did not.
 #[derive(Debug)]
 pub struct SavedState {
-    raw: FmuState,
+    raw: Handle,
     phase: Phase,
     owner: Arc<Log>,
 }
 
-impl Instance {
-    /// `fmi2GetFMUstate`.
+impl<F: Interface> Instance<F> {
+    /// `fmi2GetFMUstate`, `fmi3GetFMUState`.
     ///
     /// # Errors
     ///
     /// [`ImportError::Call`] and the other errors of calls, [`ImportError::Null`].
     pub fn save_state(&mut self) -> Result<SavedState, ImportError> {
-        const FUNCTION: &str = "fmi2GetFMUstate";
-        let call = self.optional(FUNCTION, |f| f.get_fmu_state)?;
+        let (function, call) = self.library.functions.states().save;
+        let call = self.library.optional(function, call)?;
         let mut raw = ptr::null_mut();
-        self.call(FUNCTION, ALIVE, |component| {
+        self.call(function, ALIVE, |component| {
             // SAFETY: `raw` is there for the call; NULL asks for a new state.
             unsafe { call(component, &raw mut raw) }
         })?;
-        self.hold(FUNCTION, raw, self.phase)
+        self.hold(function, raw, self.phase)
     }
 
-    /// `fmi2SetFMUstate`.
+    /// `fmi2SetFMUstate`, `fmi3SetFMUState`.
     ///
     /// # Errors
     ///
     /// [`ImportError::Call`] and the other errors of calls, [`ImportError::ForeignState`].
     pub fn restore_state(&mut self, state: &SavedState) -> Result<(), ImportError> {
-        const FUNCTION: &str = "fmi2SetFMUstate";
-        let call = self.optional(FUNCTION, |f| f.set_fmu_state)?;
-        self.own(FUNCTION, state)?;
-        self.call(FUNCTION, ALIVE, |component| {
+        let (function, call) = self.library.functions.states().restore;
+        let call = self.library.optional(function, call)?;
+        self.own(function, state)?;
+        self.call(function, ALIVE, |component| {
             // SAFETY: a state of this instance that is not freed.
             unsafe { call(component, state.raw) }
         })?;
@@ -51,18 +51,18 @@ impl Instance {
         Ok(())
     }
 
-    /// `fmi2FreeFMUstate`.
+    /// `fmi2FreeFMUstate`, `fmi3FreeFMUState`.
     ///
     /// # Errors
     ///
     /// [`ImportError::Call`] and the other errors of calls, [`ImportError::ForeignState`].
     pub fn free_state(&mut self, state: SavedState) -> Result<(), ImportError> {
-        const FUNCTION: &str = "fmi2FreeFMUstate";
-        let call = self.optional(FUNCTION, |f| f.free_fmu_state)?;
-        self.own(FUNCTION, &state)?;
+        let (function, call) = self.library.functions.states().free;
+        let call = self.library.optional(function, call)?;
+        self.own(function, &state)?;
         self.states.retain(|&held| held != state.raw);
         let mut raw = state.raw;
-        self.call(FUNCTION, ALIVE, |component| {
+        self.call(function, ALIVE, |component| {
             // SAFETY: a state of this instance, held no longer.
             unsafe { call(component, &raw mut raw) }
         })
@@ -74,20 +74,19 @@ impl Instance {
     ///
     /// [`ImportError::Call`] and the other errors of calls, [`ImportError::ForeignState`].
     pub fn serialize_state(&mut self, state: &SavedState) -> Result<Vec<u8>, ImportError> {
-        const SIZE: &str = "fmi2SerializedFMUstateSize";
-        const WRITE: &str = "fmi2SerializeFMUstate";
-        let size_of = self.optional(SIZE, |f| f.serialized_fmu_state_size)?;
-        let write = self.optional(WRITE, |f| f.serialize_fmu_state)?;
-        self.own(WRITE, state)?;
+        let calls = self.library.functions.states();
+        let size_of = self.library.optional(calls.size.0, calls.size.1)?;
+        let write = self.library.optional(calls.write.0, calls.write.1)?;
+        self.own(calls.write.0, state)?;
         let mut size = 0;
-        self.call(SIZE, ALIVE, |component| {
+        self.call(calls.size.0, ALIVE, |component| {
             // SAFETY: a state of this instance that is not freed; `size` is there for the call.
             unsafe { size_of(component, state.raw, &raw mut size) }
         })?;
         let mut bytes = vec![0_u8; size];
-        self.call(WRITE, ALIVE, |component| {
+        self.call(calls.write.0, ALIVE, |component| {
             // SAFETY: as above; the buffer has the size that was asked for.
-            unsafe { write(component, state.raw, bytes.as_mut_ptr().cast(), size) }
+            unsafe { write(component, state.raw, bytes.as_mut_ptr(), size) }
         })?;
         Ok(bytes)
     }
@@ -99,20 +98,20 @@ impl Instance {
     ///
     /// [`ImportError::Call`] and the other errors of calls, [`ImportError::Null`].
     pub fn deserialize_state(&mut self, bytes: &[u8]) -> Result<SavedState, ImportError> {
-        const FUNCTION: &str = "fmi2DeSerializeFMUstate";
-        let call = self.optional(FUNCTION, |f| f.deserialize_fmu_state)?;
+        let (function, call) = self.library.functions.states().read;
+        let call = self.library.optional(function, call)?;
         let mut raw = ptr::null_mut();
-        self.call(FUNCTION, ALIVE, |component| {
+        self.call(function, ALIVE, |component| {
             // SAFETY: the buffer has that many bytes; `raw` is there for the call.
-            unsafe { call(component, bytes.as_ptr().cast(), bytes.len(), &raw mut raw) }
+            unsafe { call(component, bytes.as_ptr(), bytes.len(), &raw mut raw) }
         })?;
-        self.hold(FUNCTION, raw, Phase::Stepping)
+        self.hold(function, raw, Phase::Stepping)
     }
 
     fn hold(
         &mut self,
         function: &'static str,
-        raw: FmuState,
+        raw: Handle,
         phase: Phase,
     ) -> Result<SavedState, ImportError> {
         if raw.is_null() {

@@ -3,30 +3,30 @@
 //! Types follow `fmi2TypesPlatform.h` ("default") and `fmi2FunctionTypes.h`. Enumerations cross the border
 //! as integers: a foreign library may return a number that no enumeration has.
 
-use std::ffi::{c_char, c_int, c_void};
+use std::ffi::{c_int, c_void};
 
-pub(super) use sphere_dda_fmi_interface::abi2::{
+use super::super::library::{StateCalls, functions};
+use super::super::logger::RawStatus;
+
+pub(in crate::import) use sphere_dda_fmi_interface::abi2::{
     FMI2_CO_SIMULATION as CO_SIMULATION, FMI2_LAST_SUCCESSFUL_TIME as LAST_SUCCESSFUL_TIME,
     FMI2_TERMINATED as TERMINATED, fmi2Boolean as Boolean, fmi2Component as Component,
     fmi2FMUstate as FmuState, fmi2String as Text, fmi2ValueReference as ValueReference,
 };
 
-/// `fmi2Status` as it arrives: perhaps none of the enumeration.
-pub(super) type RawStatus = c_int;
-
-/// `fmi2CallbackLogger`, with one argument in place of the variable ones: see [`super::logger`].
-pub(super) type Logger =
+/// `fmi2CallbackLogger`, with one argument in place of the variable ones: see [`crate::import::logger`].
+pub(in crate::import) type Logger =
     unsafe extern "C" fn(*mut c_void, Text, RawStatus, Text, Text, *const c_void);
 
 /// `fmi2CallbackFunctions`. The library keeps a pointer to it until the instance is freed.
 #[repr(C)]
-pub(super) struct Callbacks {
-    pub(super) logger: Logger,
-    pub(super) allocate_memory: unsafe extern "C" fn(usize, usize) -> *mut c_void,
-    pub(super) free_memory: unsafe extern "C" fn(*mut c_void),
+pub(in crate::import) struct Callbacks {
+    pub(in crate::import) logger: Logger,
+    pub(in crate::import) allocate_memory: unsafe extern "C" fn(usize, usize) -> *mut c_void,
+    pub(in crate::import) free_memory: unsafe extern "C" fn(*mut c_void),
     /// NULL: every step must be done when `fmi2DoStep` returns.
-    pub(super) step_finished: Option<unsafe extern "C" fn(*mut c_void, RawStatus)>,
-    pub(super) component_environment: *mut c_void,
+    pub(in crate::import) step_finished: Option<unsafe extern "C" fn(*mut c_void, RawStatus)>,
+    pub(in crate::import) component_environment: *mut c_void,
 }
 
 // SAFETY: nothing of it ever changes, and the environment is a `Log`, which threads may share.
@@ -34,74 +34,17 @@ unsafe impl Send for Callbacks {}
 // SAFETY: as above.
 unsafe impl Sync for Callbacks {}
 
-pub(super) type Get<T> =
+pub(in crate::import) type Get<T> =
     unsafe extern "C" fn(Component, *const ValueReference, usize, *mut T) -> RawStatus;
-pub(super) type Set<T> =
+pub(in crate::import) type Set<T> =
     unsafe extern "C" fn(Component, *const ValueReference, usize, *const T) -> RawStatus;
-pub(super) type Derivatives<P> =
+pub(in crate::import) type Derivatives<P> =
     unsafe extern "C" fn(Component, *const ValueReference, usize, *const c_int, P) -> RawStatus;
-pub(super) type Query<T> = unsafe extern "C" fn(Component, c_int, *mut T) -> RawStatus;
-pub(super) type Plain = unsafe extern "C" fn(Component) -> RawStatus;
-
-/// Declares the table of functions: name in C, field, type. Those that no simulation can do without are
-/// `required`; a missing `optional` one is an error only when it is called; one of the `rest` serves steps that return
-/// before they are done, which this importer never asks for, and is looked up only to tell whether it is there.
-macro_rules! functions {
-    (
-        required { $($required:ident $required_name:literal: $required_type:ty,)* }
-        optional { $($optional:ident $optional_name:literal: $optional_type:ty,)* }
-        rest { $($rest_name:literal: $rest_type:ty,)* }
-    ) => {
-        /// The 34 functions of FMI 2.0 for co-simulation.
-        pub(super) struct Functions {
-            $(pub(super) $required: $required_type,)*
-            $(pub(super) $optional: Option<$optional_type>,)*
-            /// Names of the optional functions that the library does not have.
-            pub(super) missing: Vec<&'static str>,
-        }
-
-        impl Functions {
-            /// Looks every function up.
-            ///
-            /// # Errors
-            ///
-            /// The name of the first required function that is missing.
-            ///
-            /// # Safety
-            ///
-            /// Symbols of these names must have the types that FMI 2.0 gives them, and no function may be
-            /// called after `library` is closed.
-            pub(super) unsafe fn resolve(library: &libloading::Library) -> Result<Self, &'static str> {
-                let mut missing = Vec::new();
-                $({
-                    // SAFETY: the caller vouches for the type.
-                    let symbol = unsafe { library.get::<$rest_type>($rest_name) };
-                    if symbol.is_err() {
-                        missing.push($rest_name);
-                    }
-                })*
-                Ok(Self {
-                    $($required: {
-                        // SAFETY: the caller vouches for the type.
-                        let symbol = unsafe { library.get::<$required_type>($required_name) };
-                        *symbol.map_err(|_| $required_name)?
-                    },)*
-                    $($optional: {
-                        // SAFETY: the caller vouches for the type.
-                        let symbol = unsafe { library.get::<$optional_type>($optional_name) };
-                        if symbol.is_err() {
-                            missing.push($optional_name);
-                        }
-                        symbol.ok().map(|symbol| *symbol)
-                    },)*
-                    missing,
-                })
-            }
-        }
-    };
-}
+pub(in crate::import) type Query<T> = unsafe extern "C" fn(Component, c_int, *mut T) -> RawStatus;
+pub(in crate::import) type Plain = unsafe extern "C" fn(Component) -> RawStatus;
 
 functions! {
+    /// The 34 functions of FMI 2.0 for co-simulation.
     required {
         get_types_platform "fmi2GetTypesPlatform": unsafe extern "C" fn() -> Text,
         get_version "fmi2GetVersion": unsafe extern "C" fn() -> Text,
@@ -133,9 +76,9 @@ functions! {
         serialized_fmu_state_size "fmi2SerializedFMUstateSize":
             unsafe extern "C" fn(Component, FmuState, *mut usize) -> RawStatus,
         serialize_fmu_state "fmi2SerializeFMUstate":
-            unsafe extern "C" fn(Component, FmuState, *mut c_char, usize) -> RawStatus,
+            unsafe extern "C" fn(Component, FmuState, *mut u8, usize) -> RawStatus,
         deserialize_fmu_state "fmi2DeSerializeFMUstate":
-            unsafe extern "C" fn(Component, *const c_char, usize, *mut FmuState) -> RawStatus,
+            unsafe extern "C" fn(Component, *const u8, usize, *mut FmuState) -> RawStatus,
         get_directional_derivative "fmi2GetDirectionalDerivative": unsafe extern "C" fn(
             Component, *const ValueReference, usize, *const ValueReference, usize, *const f64, *mut f64,
         ) -> RawStatus,
@@ -149,5 +92,18 @@ functions! {
         "fmi2GetStatus": Query<RawStatus>,
         "fmi2GetIntegerStatus": Query<c_int>,
         "fmi2GetStringStatus": Query<Text>,
+    }
+}
+
+impl Functions {
+    pub(in crate::import) fn state_calls(&self) -> StateCalls {
+        StateCalls {
+            save: ("fmi2GetFMUstate", self.get_fmu_state),
+            restore: ("fmi2SetFMUstate", self.set_fmu_state),
+            free: ("fmi2FreeFMUstate", self.free_fmu_state),
+            size: ("fmi2SerializedFMUstateSize", self.serialized_fmu_state_size),
+            write: ("fmi2SerializeFMUstate", self.serialize_fmu_state),
+            read: ("fmi2DeSerializeFMUstate", self.deserialize_fmu_state),
+        }
     }
 }

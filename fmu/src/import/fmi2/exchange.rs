@@ -3,8 +3,8 @@
 use std::ffi::{c_char, c_int};
 use std::ptr;
 
-use super::{GET, Instance, SET, c_texts};
-use crate::import::abi::{self, Functions};
+use super::abi::{self, Functions};
+use crate::import::instance::{GET, Instance, SET, c_texts};
 use crate::import::{ImportError, logger};
 
 impl Instance {
