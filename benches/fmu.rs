@@ -1,0 +1,81 @@
+//! What the FMU costs over the library: the bed of 1000 spheres in communication steps of 1 ms, in turns.
+//!
+//! ```sh
+//! sphere-dda export examples/dropped/dropped.toml -o bed.fmu
+//! cargo bench -p sphere-dda-fmu --bench fmu -- bed.fmu
+//! ```
+//!
+//! CPU time of this thread. The FMU is the archive's own release library behind its C interface; after every step the wrench of the box and
+//! all scalar outputs are read, as masters do.
+
+use std::sync::Arc;
+
+use sphere_dda::simulation::Simulation;
+use sphere_dda_fmu::import::Fmu;
+use sphere_dda_fmu::model::Model;
+use sphere_dda_model_description::fmi2::{Causality, VariableType};
+
+const STEP: f64 = 1e-3;
+const STEPS: u32 = 300;
+const ROUNDS: usize = 5;
+
+fn main() {
+    let path = std::env::args().skip(1).find(|a| !a.starts_with('-'));
+    let path = path.expect("the path of the exported bed after `--`");
+    let fmu = Fmu::open(path).expect("an FMU");
+    let model = Model::read(&fmu.folder().join("resources/scene.toml"), None).expect("its scene");
+    let scene = Arc::clone(&model.scene);
+    let description = fmu.description().version_2().expect("an FMU of FMI 2.0");
+    let variables = description.model_variables.iter();
+    let outputs: Vec<u32> = variables
+        .filter(|v| {
+            v.causality == Causality::Output && matches!(v.variable_type, VariableType::Real(_))
+        })
+        .map(|v| v.value_reference)
+        .collect();
+    println!(
+        "round  library s  FMU s  ratio   ({STEPS} steps, {} outputs read after each)",
+        outputs.len()
+    );
+    let mut best = [f64::INFINITY; 2];
+    for round in 0..ROUNDS {
+        let mut library = Simulation::new(Arc::clone(&scene)).expect("a start");
+        let start = cpu();
+        for k in 1..=STEPS {
+            library.advance_to(f64::from(k) * STEP).expect("a step");
+        }
+        let alone = cpu() - start;
+        let mut instance = fmu.instantiate("bed", false).expect("an instance");
+        instance.setup_experiment(None, 0.0, None).expect("set up");
+        instance.enter_initialization_mode().expect("initialized");
+        instance.exit_initialization_mode().expect("ready");
+        let start = cpu();
+        let mut last = Vec::new();
+        for k in 0..STEPS {
+            instance
+                .do_step(f64::from(k) * STEP, STEP, true)
+                .expect("a step");
+            last = instance.get_real(&outputs).expect("values");
+        }
+        let packed = cpu() - start;
+        assert!(last.iter().all(|x| x.is_finite()));
+        best = [best[0].min(alone), best[1].min(packed)];
+        println!(
+            "{round:5}  {alone:9.3}  {packed:5.3}  {:.4}",
+            packed / alone
+        );
+    }
+    println!(
+        " best  {:9.3}  {:5.3}  {:.4}",
+        best[0],
+        best[1],
+        best[1] / best[0]
+    );
+}
+
+/// Time this thread has run \[s\]; not a number where the system does not tell.
+fn cpu() -> f64 {
+    let text = std::fs::read_to_string("/proc/thread-self/schedstat").unwrap_or_default();
+    let first = text.split(' ').next();
+    first.and_then(|n| n.parse().ok()).unwrap_or(f64::NAN) * 1e-9
+}
