@@ -178,12 +178,9 @@ fn rows(model: &Model, version: Version) -> Vec<[String; 6]> {
         Version::Three => {
             let row = |a: &Array| {
                 let extents: String = a.dimensions.iter().map(|n| format!("[{n}]")).collect();
-                let names =
-                    std::iter::once(&a.name).chain(a.aliases.iter().map(|alias| &alias.name));
-                let names = names.map(String::as_str);
                 let starts: Vec<String> = a.start.iter().map(|s| named(s, a.choices)).collect();
                 [
-                    names.collect::<Vec<_>>().join(", "),
+                    a.name.clone(),
                     format!("{:?}", a.causality).to_lowercase(),
                     format!("{:?}{extents}", a.kind),
                     unit(a.unit),

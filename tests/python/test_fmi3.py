@@ -23,7 +23,6 @@ class Unit:
     def __init__(self, path, initialize=True, **options):
         self.description = fmpy.read_model_description(str(path))
         self.variables = {v.name: v for v in self.description.modelVariables}
-        self.variables |= {alias.name: v for v in self.description.modelVariables for alias in v.aliases}
         self.lines = []
         self.fmi = FMU3Slave(
             guid=self.description.guid,
@@ -118,14 +117,6 @@ def test_both_versions_give_the_same_bytes_and_share_states(units, fmus):
             with pytest.raises(fmpy.fmi1.FMICallException):
                 three.restore(bad)
         assert three.save() == blob
-
-
-def test_a_wrench_sensor_is_another_name_of_its_boundarys_average(units):
-    with Unit(units["feeder"]) as unit:
-        names = [v.name for v in unit.description.modelVariables]
-        assert "sensor.reaction.force" not in names
-        assert unit.reference("sensor.reaction.force") == unit.reference("boundary.trough.averageForce")
-        assert unit.reference("sensor.reaction.torque") == unit.reference("boundary.trough.averageTorque")
 
 
 def test_arrays_and_document_are_one(units):

@@ -74,7 +74,6 @@ fn variable(array: &Array, spheres: usize) -> Variable {
     )
     .with_dimensions(&extents);
     variable.description = Some(array.description.clone());
-    variable.aliases = array.aliases.clone();
     variable.intermediate_update = matches!(array.causality, Causality::Input | Causality::Output);
     variable.unit = array.unit.map(str::to_owned);
     variable.declared_type = array.choices.map(|choices| choices.name.to_owned());

@@ -7,15 +7,12 @@
 //! | `spheres.*`            | `[N, k]` or `[N]`  | all spheres: [`Field`]                                        |
 //! | `spheres.document`     | none               | all spheres as one binary: [`crate::document`]                |
 //!
-//! A sensor of a boundary's wrench has no variables of its own: `sensor.NAME.force` and `.torque` are aliases of the boundary's
-//! `averageForce` and `averageTorque`.
-//!
 //! `N` is the number of spheres the scene has room for, and a sphere keeps its row. A row whose `spheres.present` is
 //! false belongs to a sphere that waits in a source or has left through a sink: it rests where it was.
 
-use sphere_dda::scene::{Measure, Scene};
+use sphere_dda::scene::Scene;
 use sphere_dda_model_description::fmi2::{BaseType, Causality as Causality2, Variability};
-use sphere_dda_model_description::fmi3::{Alias, Causality, Kind};
+use sphere_dda_model_description::fmi3::{Causality, Kind};
 
 use super::{Choices, Table, Value, Variable};
 
@@ -78,8 +75,6 @@ pub struct Array {
     pub description: String,
     /// Where the values come from.
     pub source: Source,
-    /// Other names of it.
-    pub aliases: Vec<Alias>,
 }
 
 impl Array {
@@ -107,7 +102,6 @@ impl Arrays {
                 None => list.push(begin(variable)),
             }
         }
-        alias_wrenches(scene, &mut list);
         let names = scene.boundaries.iter().map(|b| b.name.as_str());
         list.extend(over_boundaries(&list, &names.collect::<Vec<_>>()));
         if !scene.particles.is_empty() {
@@ -190,31 +184,6 @@ fn begin(variable: &Variable) -> Array {
         choices: variable.choices,
         description: variable.description.clone(),
         source: Source::Scalars(vec![variable.reference]),
-        aliases: Vec::new(),
-    }
-}
-
-/// Turns the variables of wrench sensors into aliases of those of their boundaries.
-fn alias_wrenches(scene: &Scene, list: &mut Vec<Array>) {
-    for sensor in &scene.sensors {
-        let Measure::Wrench { boundary } = sensor.measure else {
-            continue;
-        };
-        let boundary = &scene.boundaries[boundary].name;
-        for (own, of) in [("force", "averageForce"), ("torque", "averageTorque")] {
-            let own = format!("sensor.{}.{own}", sensor.name);
-            let of = format!("boundary.{boundary}.{of}");
-            let places = [&own, &of].map(|name| list.iter().position(|array| array.name == *name));
-            if let [Some(own), Some(of)] = places {
-                let alias = Alias {
-                    name: list[own].name.clone(),
-                    description: Some(list[own].description.clone()),
-                    display_unit: None,
-                };
-                list[of].aliases.push(alias);
-                list.remove(own);
-            }
-        }
     }
 }
 
@@ -245,7 +214,6 @@ fn over_boundaries(list: &[Array], names: &[&str]) -> Vec<Array> {
         whole.dimensions.insert(0, parts.len());
         whole.description = format!("{}; all boundaries in the scene's order", whole.description);
         whole.source = Source::Scalars(members);
-        whole.aliases.clear();
         Some(whole)
     };
     fields.filter_map(gather).collect()
@@ -271,7 +239,6 @@ fn over_spheres(spheres: usize) -> Vec<Array> {
         choices: None,
         description: text.to_owned(),
         source,
-        aliases: Vec::new(),
     };
     let field = |name, kind, unit, columns, text, field| {
         array(name, kind, unit, columns, text, Source::Spheres(field))
