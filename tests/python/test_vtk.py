@@ -109,7 +109,9 @@ def check_frame(series, time, path):
             assert np.array_equal(a, b), f"{path}: {name}"
             assert np.isfinite(a).all()
     if series == "spheres":
-        assert np.array_equal(vtk["point"]["id"], np.arange(len(vtk["points"])))
+        # Spheres that wait in a source are left out; a frame without any has one point with id -1.
+        ids = vtk["point"]["id"]
+        assert (np.diff(ids) > 0).all() and (ids[0] >= 0 or list(ids) == [-1])
         assert np.allclose(np.linalg.norm(vtk["point"]["orientation"], axis=1), 1, atol=1e-6)
     if series == "contacts":
         data = vtk["cell"]
@@ -117,7 +119,9 @@ def check_frame(series, time, path):
         assert np.array_equal(order, np.arange(vtk["cells"])), "contacts sorted by id1, kind, id2"
         empty = data["kind"][0] == -1
         assert empty == (mio["type"] == "vertex")
-        assert empty or (data["normal_force"] >= 0).all()
+        # Never a pull; a force that only friction makes has a normal part of rounding.
+        pushes = data["normal_force"]
+        assert empty or pushes.min() >= -1e-12 * pushes.max()
     return vtk
 
 
