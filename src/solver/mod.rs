@@ -123,59 +123,63 @@ pub fn solve(
     workspace: &mut Workspace,
     impulses: &mut [Vec3],
 ) -> Report {
-    let brief = Params {
-        max_sweeps: params.max_sweeps.min(AUTO_SWEEPS),
-        ..*params
-    };
-    let sweep = |workspace: &mut Workspace, impulses: &mut [Vec3], params: &Params| {
-        gauss_seidel::solve(problem, params, &mut workspace.kernel, impulses)
-    };
     match params.kind {
-        SolverKind::GaussSeidel => sweep(workspace, impulses, params),
+        SolverKind::GaussSeidel => {
+            gauss_seidel::solve(problem, params, &mut workspace.kernel, impulses)
+        }
         SolverKind::Direct => {
             let report = augmented_lagrangian::solve(problem, params, workspace, impulses);
-            if params.smoothing == 0 {
-                return report;
-            }
-            finish(problem, params, workspace, impulses, report).0
-        }
-        SolverKind::Auto => {
-            let report = sweep(workspace, impulses, &brief);
-            let (report, stuck) = finish(problem, params, workspace, impulses, report);
-            match stuck {
-                _ if report.converged => report,
-                Some(Stuck::Large) => {
-                    let rest = Params {
-                        max_sweeps: params.max_sweeps.saturating_sub(report.sweeps),
-                        ..*params
-                    };
-                    report.then(sweep(workspace, impulses, &rest))
-                }
-                Some(Stuck::Broken) | None => report.then(augmented_lagrangian::solve(
-                    problem, params, workspace, impulses,
-                )),
+            match params.smoothing {
+                0 => report,
+                _ => finish(problem, params, workspace, impulses, report).0,
             }
         }
+        SolverKind::Auto => auto(problem, params, workspace, impulses),
     }
 }
 
-/// Why Newton leaves a problem to others.
-enum Stuck {
-    /// What is unsolved spreads over more than [`MOST_BODIES`].
-    Large,
-    /// A factorization failed.
-    Broken,
+/// Gauss-Seidel, then Newton; what is too large for that goes on with sweeps, and what parts do not finish goes to the direct
+/// solver.
+fn auto(
+    problem: &Problem,
+    params: &Params,
+    workspace: &mut Workspace,
+    impulses: &mut [Vec3],
+) -> Report {
+    let sweeps = |max_sweeps: usize| Params {
+        max_sweeps,
+        ..*params
+    };
+    let brief = sweeps(params.max_sweeps.min(AUTO_SWEEPS));
+    let report = gauss_seidel::solve(problem, &brief, &mut workspace.kernel, impulses);
+    let (report, large) = finish(problem, params, workspace, impulses, report);
+    if report.converged {
+        report
+    } else if large {
+        let rest = sweeps(params.max_sweeps.saturating_sub(report.sweeps));
+        report.then(gauss_seidel::solve(
+            problem,
+            &rest,
+            &mut workspace.kernel,
+            impulses,
+        ))
+    } else {
+        report.then(augmented_lagrangian::solve(
+            problem, params, workspace, impulses,
+        ))
+    }
 }
 
 /// Where a solver crawls or goes in circles: Newton on the neighbourhoods of the rows that it leaves, sweeps over the whole
-/// after each. `report` is that of the first solver; at most `max_factorizations` more.
+/// after each. `report` is that of the first solver; at most `max_factorizations` more. Also whether it ended because what is
+/// unsolved spreads over more than [`MOST_BODIES`].
 fn finish(
     problem: &Problem,
     params: &Params,
     workspace: &mut Workspace,
     impulses: &mut [Vec3],
     mut report: Report,
-) -> (Report, Option<Stuck>) {
+) -> (Report, bool) {
     let scales = Scale::of(problem);
     let most = report.factorizations + params.max_factorizations;
     let mut hops = HOPS;
@@ -193,7 +197,7 @@ fn finish(
         let seeds: Vec<usize> = (0..problem.rows.len()).filter(unsolved).collect();
         let part = Part::around(problem, impulses, seeds.into_iter(), hops);
         if part.problem.free.len() > MOST_BODIES {
-            return (report, Some(Stuck::Large));
+            return (report, true);
         }
         let mut own: Vec<Vec3> = part.rows.iter().map(|&k| impulses[k]).collect();
         // What the part's border costs the whole must fit in as well.
@@ -203,10 +207,13 @@ fn finish(
             max_factorizations: most - report.factorizations,
             ..*params
         };
-        let Ok(newton) = newton::solve(&part.problem, &rest, &mut own) else {
-            return (report, Some(Stuck::Broken));
-        };
-        report = report.then(newton);
+        match newton::solve(&part.problem, &rest, &mut own) {
+            Ok(newton) => report = report.then(newton),
+            Err(broken) => {
+                report.broken = Some(broken);
+                break;
+            }
+        }
         for (&k, p) in part.rows.iter().zip(&own) {
             impulses[k] = *p;
         }
@@ -227,5 +234,5 @@ fn finish(
         ));
         hops *= 2;
     }
-    (report, None)
+    (report, false)
 }
