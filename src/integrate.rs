@@ -10,7 +10,7 @@
 //! `v + dt/2 a_p` with `a_p` the acceleration by external and persisting contact forces, and when `dt`
 //! changes `v += (dt_old - dt_new)/2 a_p` keeps it continuous.
 
-use nalgebra::UnitQuaternion;
+use nalgebra::{Quaternion, UnitQuaternion};
 
 use crate::problem::Dof6;
 use crate::scene::{Integrator, Settings};
@@ -94,7 +94,18 @@ pub fn turned(
     angular: &crate::Vec3,
     dt: f64,
 ) -> UnitQuaternion<f64> {
-    UnitQuaternion::new_normalize(
-        (UnitQuaternion::from_scaled_axis(angular * dt) * orientation).into_inner(),
-    )
+    let half = angular * (0.5 * dt);
+    let square = half.norm_squared();
+    let turn = if square < SMALL {
+        // Series of cos and sin(x)/x, exact to rounding.
+        let scalar = 1.0 - square * (0.5 - square * (1.0 / 24.0 - square / 720.0));
+        let vector = half * (1.0 - square * (1.0 / 6.0 - square * (1.0 / 120.0 - square / 5040.0)));
+        Quaternion::from_parts(scalar, vector)
+    } else {
+        UnitQuaternion::from_scaled_axis(half * 2.0).into_inner()
+    };
+    UnitQuaternion::new_normalize(turn * orientation.into_inner())
 }
+
+/// Square of half an angle below which four terms of a series are exact: the fifth is 1e-17.
+const SMALL: f64 = 1e-3;

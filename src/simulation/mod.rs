@@ -3,6 +3,7 @@
 mod derivatives;
 mod exchange;
 mod march;
+mod pace;
 mod settle;
 
 use std::sync::Arc;
@@ -25,6 +26,7 @@ use crate::state::{State, Work};
 use crate::step::{Scratch, StepOutcome, initial_forces, remove_overlaps};
 pub use derivatives::{Direction, Origin};
 pub use march::March;
+pub use pace::Pace;
 pub use settle::{Settle, Settled};
 
 /// Force and torque on a boundary.
@@ -154,6 +156,7 @@ impl Simulation {
                 .penalty
                 .unwrap_or(lightest / (settings.step * settings.step)),
             report: StepReport::default(),
+            pace: Pace::of(settings),
         };
         let mut simulation = Self {
             scene,
@@ -224,6 +227,7 @@ impl Simulation {
         }
         let before = self.gravity();
         self.state.gravity = gravity;
+        self.state.pace.calm = 0;
         // Before the first step the start is chosen, no work is done.
         if self.state.last_step > 0.0 {
             let change = self.gravity() - before;

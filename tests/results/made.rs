@@ -65,6 +65,7 @@ pub(crate) fn scene(n: usize) -> Scene {
             dynamic_coefficient: 1.0,
             max_iterations: 1000,
             max_cuts: 4,
+            threads: 1,
             ..Settings::default()
         },
         materials: vec![Material {
