@@ -44,7 +44,7 @@ impl Energy {
         let particles = &scene.particles;
         let mut energy = Self::default();
         for i in state.present() {
-            let velocity = state.velocity[i];
+            let velocity = state.velocities.reported(i);
             let mass = particles.mass[i];
             energy.translational += 0.5 * mass * velocity.linear.norm_squared();
             energy.rotational += 0.5 * particles.inertia(i) * velocity.angular.norm_squared();
@@ -111,7 +111,7 @@ impl Momentum {
         let particles = &state.scene.particles;
         let mut momentum = Self::default();
         for i in state.present() {
-            let velocity = state.half_step[i];
+            let velocity = state.velocities.half_step(i);
             let linear = velocity.linear * particles.mass[i];
             momentum.linear += linear;
             momentum.angular += state.kinematics.position[i].cross(&linear)

@@ -8,7 +8,7 @@ from ctypes import byref, c_bool, c_double, c_int, c_size_t, c_void_p
 import fmpy
 import numpy as np
 import pytest
-from conftest import EXAMPLES
+from conftest import SCENES
 from fmpy.fmi3 import FMU3Slave
 from fmpy.validation import validate_fmu
 from fmu import Slave
@@ -75,12 +75,12 @@ def displacement(time):
     return 1.5e-3 * np.sin(2 * np.pi * 18 * time)
 
 
-@pytest.mark.parametrize("name", EXAMPLES)
+@pytest.mark.parametrize("name", SCENES)
 def test_fmpy_finds_nothing_to_complain_about(units, name):
     assert validate_fmu(str(units[name])) == []
 
 
-@pytest.mark.parametrize("name", EXAMPLES)
+@pytest.mark.parametrize("name", SCENES)
 def test_simulate_fmu_gives_what_version_2_gives(units, fmus, name):
     step = float(fmpy.read_model_description(str(units[name])).defaultExperiment.stepSize)
     names = ["kineticEnergy", "momentum"]

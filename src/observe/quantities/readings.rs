@@ -41,12 +41,12 @@ pub(super) struct Sphere {
 }
 
 impl Sphere {
-    pub(super) fn of(state: &Observation, loads: &Loads, i: usize) -> Self {
+    pub(super) fn of(state: &Observation, load: Load, i: usize) -> Self {
         Self {
-            load: loads.spheres[i],
+            load,
             position: state.kinematics.position[i],
             orientation: wxyz(&state.kinematics.orientation[i]),
-            velocity: state.velocity[i],
+            velocity: state.velocities.reported(i),
         }
     }
 }
@@ -86,7 +86,7 @@ impl Whole {
             body_force: state.body_force,
             work: state.work,
             contacts: loads.contacts,
-            max_overlap: state.report.max_overlap.max(state.max_overlap()),
+            max_overlap: state.report.max_overlap.max(loads.max_overlap),
             report: state.report,
             recommended_step: state.recommended_step(),
         }
