@@ -35,6 +35,7 @@ pub struct Velocities<'a> {
 impl Velocities<'_> {
     /// Velocity \[m/s\] and angular velocity \[rad/s\] of sphere `i` at the time of the state.
     #[must_use]
+    #[inline]
     pub fn reported(&self, i: usize) -> Twist {
         let (own, persisting) = (self.own(i), &self.persisting[i]);
         twist(&self.integrator.reported(&own, persisting, self.last))
@@ -43,11 +44,13 @@ impl Velocities<'_> {
     /// Velocity \[m/s\] and angular velocity \[rad/s\] of sphere `i` half a `simulation.step` before that time (integrator
     /// `shi`: at that time).
     #[must_use]
+    #[inline]
     pub fn half_step(&self, i: usize) -> Twist {
         let shift = self.integrator.shift(self.last, self.step);
         twist(&self.own(i).plus(&self.persisting[i], shift))
     }
 
+    #[inline]
     fn own(&self, i: usize) -> Dof6 {
         Dof6 {
             linear: self.kinematics.velocity[i],

@@ -164,7 +164,10 @@ fn rows(model: &Model, version: Version) -> Vec<[String; 6]> {
                 [
                     v.name.clone(),
                     format!("{:?}", v.causality).to_lowercase(),
-                    format!("{:?}", v.base),
+                    match v.choices {
+                        Some(_) => "Enumeration".to_owned(),
+                        None => format!("{:?}", v.base),
+                    },
                     unit(v.unit),
                     v.start
                         .as_ref()

@@ -31,6 +31,7 @@ use crate::particles::Kinematics;
 use crate::scene::Scene;
 use crate::simulation::{Simulation, StepReport, Wrench};
 use crate::state::Work;
+use energy::Totals;
 
 /// A boundary at the end of a communication step.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -141,15 +142,10 @@ impl<'a> Observation<'a> {
     /// Internal step \[s\] at which the gap tolerance also makes forces mean something:
     /// `min(sqrt(tol R / (0.2 g)), 0.15 R / v)` with the smallest radius and the largest speed, at most the scene's.
     #[must_use]
-    pub fn recommended_step(&self) -> f64 {
-        let scene = self.scene;
-        let radius = self
-            .present()
-            .map(|i| scene.particles.radius[i])
-            .fold(f64::INFINITY, f64::min);
-        let of_spheres = self.present().map(|i| self.velocities.reported(i).linear.norm());
+    pub fn recommended_step(&self, totals: &Totals) -> f64 {
+        let (scene, radius) = (self.scene, totals.smallest_radius);
         let of_boundaries = self.boundaries.iter().map(|b| b.twist.linear.norm());
-        let speed = of_spheres.chain(of_boundaries).fold(0.0, f64::max);
+        let speed = of_boundaries.fold(totals.largest_speed, f64::max);
         let gravity = self.gravity.norm();
         let mut step = scene.settings.step;
         if gravity > 0.0 {
