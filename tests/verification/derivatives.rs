@@ -385,13 +385,6 @@ fn slipping(_: u32) -> Command {
     }
 }
 
-fn level(_: u32) -> Command {
-    Command {
-        velocity: Vec3::new(0.7, 0.3, 0.0),
-        ..Command::default()
-    }
-}
-
 fn rolling(k: u32) -> Command {
     let t = f64::from(k + 1) * 5e-3;
     Command {
@@ -502,11 +495,16 @@ fn cases() -> Vec<Case> {
         case("frame", &[&turned], slipping, 3, 5e-3, all, 1e-4),
         case(
             "cell",
-            &[HEAD, NEIGHBOURS, FLOOR, "input = \"twist\""],
-            level,
+            &[
+                HEAD,
+                NEIGHBOURS,
+                FLOOR,
+                "input = { slide_speed = [0.8, 0.3, 0.02] }",
+            ],
+            turning,
             3,
             5e-3,
-            &all[..2],
+            &[("scalar", 0)],
             1e-4,
         ),
         case("impact", &[&fall], held, 5, 6e-3, &all[..3], 1e-4),
