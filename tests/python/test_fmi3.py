@@ -216,6 +216,15 @@ def test_inputs_set_within_a_step_act_in_the_next_internal_step(units):
         assert sum("intermediate update mode" in line for line in told) == 3, told
 
 
+def test_dependencies_say_what_decides(units):
+    """No list means all: through contacts every output may depend on every input. Rows and radii of spheres depend on none."""
+    description = fmpy.read_model_description(str(units["feeder"]))
+    structure = {u.variable.name: u.dependencies for u in (*description.outputs, *description.initialUnknowns)}
+    fixed = {"spheres.id", "spheres.radius"}
+    assert fixed <= set(structure) and "boundary.trough.averageForce" in structure
+    assert all(structure[name] == [] if name in fixed else structure[name] is None for name in structure)
+
+
 def test_other_interfaces_are_refused_with_a_reason(units):
     with Unit(units["feeder"], initialize=False) as unit:
         lines = []
