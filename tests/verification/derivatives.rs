@@ -505,7 +505,7 @@ fn cases() -> Vec<Case> {
             3,
             5e-3,
             &[("scalar", 0)],
-            1e-4,
+            1e-3,
         ),
         case("impact", &[&fall], held, 5, 6e-3, &all[..3], 1e-4),
         case("shi", &[&shi], rolling, 3, 5e-3, places, 1e-7),
