@@ -25,7 +25,7 @@ pub const PICTURE_FILE: &str = "diagram.png";
 
 // Long names break, so that the table is never wider than the window.
 const STYLE: &str = "body{font-family:sans-serif;margin:2em;max-width:70em}td,th{text-align:left;padding:.1em .8em}\
-                     td:first-child{overflow-wrap:anywhere}";
+                     td:first-child,td:last-child{min-width:12em;overflow-wrap:anywhere}";
 
 const USE: [&str; 5] = [
     "All values are in SI units. Inputs at their start values mean: as in the scene.",
