@@ -315,7 +315,7 @@ fn one_sixtieth_of_a_second_for_an_hour() {
     let time = scene.reference("time");
     let momentum = scene.reference("momentum[3]");
     let h = 1.0 / 60.0;
-    // One second of the master's times in small steps, forth and back.
+    // Forth and back once a second.
     let place = |k: u32| 1e-3 * f64::from((k % 60).min(60 - k % 60)) / 30.0;
     for k in 0..216_000 {
         let t = f64::from(k) / 60.0;
