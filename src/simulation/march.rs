@@ -12,7 +12,7 @@ use crate::drive::{Drive, displacement};
 use crate::error::StepError;
 use crate::motion::{Command, Motion, Pose, Rates};
 use crate::observe::sensors::flow::{Gate, crossings};
-use crate::scene::{Integrator, Measure, Scene};
+use crate::scene::{Measure, Scene};
 use crate::state::State;
 use crate::step::{StepFailure, step};
 
@@ -297,7 +297,8 @@ impl Simulation {
 
     /// Sums up what an internal step of `dt` \[s\] has done.
     pub(super) fn book(&mut self, before: &Before, dt: f64, account: &mut Account) {
-        let shift = self.shift(dt);
+        let settings = &self.scene.settings;
+        let shift = settings.integrator.shift(dt, settings.step);
         for (b, sum) in account.impulse.iter_mut().enumerate() {
             sum.add(&self.state.wrenches[b], dt);
             // A step of another length moves the half step by persisting forces: their share.
@@ -307,14 +308,6 @@ impl Simulation {
         let now = self.state.body_force;
         account.body_force += now * dt + (now - before.body_force) * shift;
         self.count_crossings(&before.position);
-    }
-
-    /// Time \[s\] by which the half step after a step of `dt` lies earlier than half a `simulation.step` before its end.
-    pub(super) fn shift(&self, dt: f64) -> f64 {
-        match self.scene.settings.integrator {
-            Integrator::Moreau => 0.5 * (dt - self.scene.settings.step),
-            Integrator::Shi => 0.0,
-        }
     }
 
     fn count_crossings(&mut self, before: &[Vec3]) {

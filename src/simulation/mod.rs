@@ -17,6 +17,7 @@ use crate::drive::Drive;
 use crate::driven::{BodyState, JointState};
 use crate::error::{SnapshotError, StepError};
 use crate::gravity::GravityMotion;
+use crate::integrate::Velocities;
 use crate::motion::{Command, Pose, Rates, Twist};
 use crate::particles::Kinematics;
 use crate::problem::{Dof6, Impulses, Problem};
@@ -406,17 +407,7 @@ impl Simulation {
     /// Velocity \[m/s\] and angular velocity \[rad/s\] of sphere `i` at [`Self::time`].
     #[must_use]
     pub fn velocity(&self, i: usize) -> Twist {
-        let velocity = Dof6 {
-            linear: self.state.kinematics.velocity[i],
-            angular: self.state.kinematics.spin[i],
-        };
-        let integrator = self.scene.settings.integrator;
-        let reported =
-            integrator.reported(&velocity, &self.state.persisting[i], self.state.last_step);
-        Twist {
-            linear: reported.linear,
-            angular: reported.angular,
-        }
+        self.velocities().reported(i)
     }
 
     /// Velocity \[m/s\] and angular velocity \[rad/s\] of sphere `i` half a `simulation.step` before [`Self::time`]
@@ -424,11 +415,19 @@ impl Simulation {
     /// weight and loads x time less the [`Self::mean_wrench`]es x time, also where steps were cut.
     #[must_use]
     pub fn half_step_velocity(&self, i: usize) -> Twist {
-        let shift = self.shift(self.state.last_step);
-        let persisting = &self.state.persisting[i];
-        Twist {
-            linear: self.state.kinematics.velocity[i] + persisting.linear * shift,
-            angular: self.state.kinematics.spin[i] + persisting.angular * shift,
+        self.velocities().half_step(i)
+    }
+
+    /// Both, for whichever sphere.
+    #[must_use]
+    pub fn velocities(&self) -> Velocities<'_> {
+        let settings = &self.scene.settings;
+        Velocities {
+            kinematics: &self.state.kinematics,
+            persisting: &self.state.persisting,
+            integrator: settings.integrator,
+            last: self.state.last_step,
+            step: settings.step,
         }
     }
 
