@@ -93,8 +93,13 @@ fn captured(scene: Scene) -> Vec<Captured> {
 
 fn table(name: &str, problems: &[Captured]) {
     let bodies = problems[0].problem.free.len();
-    println!("{name}: {bodies} spheres, mean over {} problems", problems.len());
-    println!("| bricks | spheres a brick | rows across | jacobi | border last |\n|---|---|---|---|---|");
+    println!(
+        "{name}: {bodies} spheres, mean over {} problems",
+        problems.len()
+    );
+    println!(
+        "| bricks | spheres a brick | rows across | jacobi | border last |\n|---|---|---|---|---|"
+    );
     for split in SPLITS {
         let (mut across, mut rows) = (0, 0);
         let mut sweeps = [0, 0];
@@ -141,7 +146,9 @@ fn bricks(places: &[Vec3], split: [usize; 3]) -> Vec<usize> {
         for mut group in groups {
             group.sort_by(|&i, &j| places[i][axis].total_cmp(&places[j][axis]));
             let size = group.len();
-            finer.extend((0..parts).map(|k| group[size * k / parts..size * (k + 1) / parts].to_vec()));
+            finer.extend(
+                (0..parts).map(|k| group[size * k / parts..size * (k + 1) / parts].to_vec()),
+            );
         }
         groups = finer;
     }
@@ -214,7 +221,11 @@ fn solve(captured: &Captured, brick: &[usize], jacobi: bool) -> Option<usize> {
         let known = v.clone();
         for rows in &inside {
             // What the others do in this sweep is not known here.
-            let mut own = if jacobi { known.clone() } else { std::mem::take(&mut v) };
+            let mut own = if jacobi {
+                known.clone()
+            } else {
+                std::mem::take(&mut v)
+            };
             visit(rows, &mut own, &mut p);
             if jacobi {
                 for ((v, own), known) in v.iter_mut().zip(&own).zip(&known) {

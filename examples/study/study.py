@@ -128,7 +128,7 @@ def study(fmu, output, openings=OPENINGS, gravities=GRAVITIES, workers=2, schedu
             stack.enter_context(dask.config.set({"distributed.scheduler.allowed-failures": DEATHS}))
             # One run per process: an FMU that brings its process down takes one run with it.
             scheduler = stack.enter_context(
-                LocalCluster(n_workers=workers, threads_per_worker=1, processes=True, dashboard_address=None)
+                LocalCluster(n_workers=workers, threads_per_worker=1, processes=True, dashboard_address=":0")
             )
         client = stack.enter_context(Client(scheduler))
         # Not pure: a run that failed is not to be remembered by the scheduler.
@@ -152,17 +152,23 @@ def columns(rows):
     return np.array(sorted(good)).reshape(-1, len(COLUMNS) - 2).T
 
 
+def slope(x, y):
+    """Of the line through ln y over ln x, with its standard error; no numbers where nothing can be fitted."""
+    if len(set(x)) < 2 or len(x) < 3:
+        return np.nan, np.nan
+    line, covariance = np.polyfit(np.log(x), np.log(y), 1, cov=True)
+    return line[0], np.sqrt(covariance[0, 0])
+
+
 def judge(rows):
-    """Exponent of rate / sqrt(g) over B - k d, C for 3/2 by run, and by opening the scatter over gravities."""
+    """Exponents of B - k d and of g, each with its standard error; C for 3/2 and 1/2, by run."""
     opening, gravity, rate, density, _ = columns(rows)
     if len(opening) == 0:
         raise SystemExit("no run went well: see the column `error`")
-    scaled, width = rate / np.sqrt(gravity), opening - SHAPE * GRAIN
-    several = len(set(opening)) > 1
-    exponent = np.polyfit(np.log(width), np.log(scaled), 1)[0] if several else np.nan
-    constant = scaled / (density * SLOT * width**1.5)
-    scatter = {b: np.ptp(scaled[opening == b]) / scaled[opening == b].mean() for b in sorted(set(opening))}
-    return exponent, constant, scatter
+    width = opening - SHAPE * GRAIN
+    of_width = slope(width, rate / np.sqrt(gravity))
+    of_gravity = slope(gravity, rate / width**1.5)
+    return of_width, of_gravity, rate / (density * np.sqrt(gravity) * SLOT * width**1.5)
 
 
 def plot(rows, path):
@@ -173,7 +179,7 @@ def plot(rows, path):
     import matplotlib.pyplot as plt
 
     opening, gravity, rate, density, _ = columns(rows)
-    _, constant, _ = judge(rows)
+    *_, constant = judge(rows)
     figure, (left, right) = plt.subplots(1, 2, figsize=(10, 4), layout="constrained")
     for g in sorted(set(gravity)):
         of = gravity == g
@@ -205,11 +211,11 @@ def main():
     a = parser.parse_args()
     rows = study(a.fmu, a.output, a.openings, a.gravities, a.workers, a.scheduler, a.retry)
     plot(rows, a.output / "study.png")
-    exponent, constant, scatter = judge(rows)
-    print(f"{len(constant)} of {len(rows)} runs went well; exponent {exponent:.3f}, expected 1.5")
+    of_width, of_gravity, constant = judge(rows)
+    print(f"{len(constant)} of {len(rows)} runs went well")
+    print(f"exponent of B - {SHAPE} d: {of_width[0]:.3f} +- {of_width[1]:.3f}, expected 1.5")
+    print(f"exponent of g: {of_gravity[0]:.3f} +- {of_gravity[1]:.3f}, expected 0.5")
     print(f"C = {constant.mean():.3f}, from {constant.min():.3f} to {constant.max():.3f}")
-    for opening, of in scatter.items():
-        print(f"slot {opening} m: rate / sqrt(g) differs by {of:.1%} over the gravities")
 
 
 if __name__ == "__main__":

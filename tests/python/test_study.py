@@ -11,7 +11,7 @@ import pytest
 from conftest import ROOT, scene
 
 sys.path.insert(0, str(ROOT / "examples" / "study"))
-from study import columns, discharge, judge, plot, study  # noqa: E402
+from study import discharge, judge, plot, study  # noqa: E402
 
 OPENINGS, GRAVITIES = [0.06, 0.08], [1.62, 9.81]
 WORSE = 24.8
@@ -49,7 +49,7 @@ def fmu(command, tmp_path_factory):
 def done(fmu, tmp_path_factory):
     """Folder and rows of two openings over two gravities, and of an opening that the FMU refuses."""
     folder = tmp_path_factory.mktemp("done")
-    return folder, study(fmu, folder, [*OPENINGS, np.nan], GRAVITIES[:1]) | study(fmu, folder, OPENINGS, GRAVITIES)
+    return folder, study(fmu, folder, [*OPENINGS, np.inf], GRAVITIES[:1]) | study(fmu, folder, OPENINGS, GRAVITIES)
 
 
 def test_the_table_has_a_sorted_row_for_every_run(done):
@@ -58,27 +58,24 @@ def test_the_table_has_a_sorted_row_for_every_run(done):
         read = list(csv.DictReader(file))
     places = [(row["opening"], row["gravity"]) for row in read]
     good = [(repr(b), repr(g)) for b in OPENINGS for g in GRAVITIES]
-    assert [place for place in places if place[0] != "nan"] == good
+    assert places == [*good, ("inf", "1.62")]
     assert len(read) == len(rows) == 5
     assert all(float(rows[key]["rate"]) > 0 and not rows[key]["error"] for key in good)
     assert all(0 < float(rows[key]["worstOverlap"]) <= 1e-4 for key in good)
 
 
 def test_a_run_that_fails_is_a_row_with_what_the_fmu_said(done):
-    row = done[1]["nan", "1.62"]
+    row = done[1]["inf", "1.62"]
     assert row["rate"] == ""
-    assert re.search(r"boundary\.left\.displacement.*NaN", row["error"], re.IGNORECASE), row["error"]
+    assert re.search(r"boundary\.left\.displacement.*inf", row["error"]), row["error"]
 
 
 def test_rates_follow_the_root_of_gravity_and_the_width_of_the_slot(done, tmp_path):
-    _, constant, scatter = judge(done[1])
-    # Chaos makes samples of 300 grains differ; without the root of gravity it would be 84 %.
-    assert all(of < 0.3 for of in scatter.values()), scatter
+    of_width, of_gravity, constant = judge(done[1])
+    # 300 grains are few: two samples of one flow differ by some 10 %, and the bed is hardly higher than the slot is wide.
+    assert abs(of_gravity[0] - 0.5) < 0.1, of_gravity
+    assert 0.8 < of_width[0] < 2.2, of_width
     assert np.all((0.5 < constant) & (constant < 1.5)), constant
-    opening, gravity, rate, *_ = columns(done[1])
-    for g in GRAVITIES:
-        narrow, wide = rate[gravity == g]
-        assert wide > 1.2 * narrow, (g, narrow, wide)
     plot(done[1], tmp_path / "study.png")
     assert (tmp_path / "study.png").stat().st_size > 10_000
 
@@ -87,6 +84,11 @@ def test_what_is_there_is_not_run_again_and_of_another_fmu_refused(done, fmu, co
     folder, rows = done
     before = table(folder)
     assert study(fmu, folder, OPENINGS, GRAVITIES, run=refuse) == rows
+    assert table(folder) == before
+    script = [sys.executable, ROOT / "examples/study/study.py", "--fmu", fmu, "--output", folder]
+    values = ["--openings", *map(str, OPENINGS), "--gravities", *map(str, GRAVITIES)]
+    told = subprocess.run([*script, *values], check=True, capture_output=True, text=True).stdout
+    assert "4 of 5 runs went well" in told and "exponent of g: " in told
     assert table(folder) == before
     other = tmp_path / "other.fmu"
     subprocess.run([command, "export", scene("bin"), "-o", other], check=True)
