@@ -1,9 +1,10 @@
 //! What splitting a step among ranks costs in sweeps: the numbers of docs/scaling.md.
 //!
 //! `cargo bench --bench split [-- bed deep]` catches problems along the settling of a bed and solves each from its warm start, the spheres
-//! divided into bricks, to the scene's tolerance by the judge's own residual. Rows belong to the brick of their body A. *jacobi*: each brick sweeps its
-//! rows against what its neighbours' spheres did in the sweep before, then all changes are added. *border last*: rows between
-//! bricks are swept after all others with all changes known, which is Gauss-Seidel in another order.
+//! divided into bricks, to the scene's tolerance by the judge's own residual. Rows belong to the brick of their body A. *added*: each brick sweeps
+//! its rows against what its neighbours' spheres did in the sweep before, then all changes are added. *mass split*: the same,
+//! but a sphere that rows of k bricks touch has a k-th of its mass in each, and the mean of its velocities after the sweep: it cannot
+//! overshoot. *border last*: rows between bricks are swept after all others with all changes known, which is Gauss-Seidel in another order.
 //! Momentum and its new starts are those of the solver. One thread does all of it: counts, no times.
 
 use std::path::Path;
@@ -65,6 +66,16 @@ fn deep() -> Scene {
     loaded.expect("a good scene").scene
 }
 
+/// How bricks hear of each other.
+#[derive(Clone, Copy, PartialEq)]
+enum Scheme {
+    Added,
+    MassSplit,
+    BorderLast,
+}
+
+const SCHEMES: [Scheme; 3] = [Scheme::Added, Scheme::MassSplit, Scheme::BorderLast];
+
 /// A problem, its warm start and where its spheres are.
 struct Captured {
     problem: Problem,
@@ -72,11 +83,11 @@ struct Captured {
     places: Vec<Vec3>,
 }
 
-/// Twelve problems along the second half of a run.
+/// 24 problems along a run.
 fn captured(scene: Scene) -> Vec<Captured> {
     let (duration, step) = (scene.settings.duration, scene.settings.step);
     let mut simulation = Simulation::new(Arc::new(scene)).expect("a start");
-    (12..24)
+    (1..=24)
         .map(|k| {
             let time = duration * f64::from(k) / 24.0;
             simulation.advance_to(time).expect("a step");
@@ -98,12 +109,12 @@ fn table(name: &str, problems: &[Captured]) {
         problems.len()
     );
     println!(
-        "| bricks | spheres a brick | rows across | jacobi | border last |\n|---|---|---|---|---|"
+        "| bricks | spheres a brick | rows across | added | mass split | border last |\n|---|---|---|---|---|---|"
     );
     for split in SPLITS {
         let (mut across, mut rows) = (0, 0);
-        let mut sweeps = [0, 0];
-        let mut unsolved = [0, 0];
+        let mut sweeps = [0; 3];
+        let mut unsolved = [0; 3];
         for captured in problems {
             let brick = bricks(&captured.places, split);
             let crossing = |row: &sphere_dda::problem::Row| {
@@ -112,8 +123,8 @@ fn table(name: &str, problems: &[Captured]) {
             let list = &captured.problem.rows;
             across += list.iter().filter(|row| crossing(row)).count();
             rows += list.len();
-            for (k, jacobi) in [true, false].into_iter().enumerate() {
-                match solve(captured, &brick, jacobi) {
+            for (k, scheme) in SCHEMES.into_iter().enumerate() {
+                match solve(captured, &brick, scheme) {
                     Some(found) => sweeps[k] += found,
                     None => unsolved[k] += 1,
                 }
@@ -129,11 +140,12 @@ fn table(name: &str, problems: &[Captured]) {
         };
         let [x, y, z] = split;
         println!(
-            "| {x} x {y} x {z} | {} | {:.0} % | {} | {} |",
+            "| {x} x {y} x {z} | {} | {:.0} % | {} | {} | {} |",
             bodies / (x * y * z),
             100.0 * across as f64 / rows as f64,
             mean(0),
             mean(1),
+            mean(2),
         );
     }
 }
@@ -160,8 +172,9 @@ fn bricks(places: &[Vec3], split: [usize; 3]) -> Vec<usize> {
 }
 
 /// Sweeps until the residual is within the tolerance; none if they do not suffice.
-fn solve(captured: &Captured, brick: &[usize], jacobi: bool) -> Option<usize> {
+fn solve(captured: &Captured, brick: &[usize], scheme: Scheme) -> Option<usize> {
     let Captured { problem, start, .. } = captured;
+    let jacobi = scheme != Scheme::BorderLast;
     let tolerance = Tolerance {
         gap: 1e-4,
         slip: 1e-4,
@@ -180,6 +193,18 @@ fn solve(captured: &Captured, brick: &[usize], jacobi: bool) -> Option<usize> {
             inside[own].push(k);
         }
     }
+
+    // What the bricks believe: with shares of masses where several of them move a sphere.
+    let shares = match scheme {
+        Scheme::MassSplit => shares(problem, brick),
+        _ => vec![1.0; brick.len()],
+    };
+    let mut believed = problem.clone();
+    for (w, share) in believed.inverse_mass.iter_mut().zip(&shares) {
+        w.linear *= *share;
+        w.angular *= *share;
+    }
+    let believed_scales = Scale::of(&believed);
 
     let mut p = start.clone();
     let mut v = problem.velocities(&p);
@@ -208,10 +233,10 @@ fn solve(captured: &Captured, brick: &[usize], jacobi: bool) -> Option<usize> {
         let mut visit = |rows: &[usize], v: &mut [Dof6], p: &mut Impulses| {
             for &k in rows {
                 let row = &problem.rows[k];
-                let found = scales[k].correction(row, row.relative_velocity(v), p[k], 0.0);
+                let found = believed_scales[k].correction(row, row.relative_velocity(v), p[k], 0.0);
                 let d = (row.normal * found.normal + found.tangential) * damping;
                 if d != Vec3::zeros() {
-                    problem.apply(row, v, d);
+                    believed.apply(row, v, d);
                     p[k] += d;
                     along += d.dot(&(p[k] - before[k]));
                     change += d.norm_squared();
@@ -228,10 +253,10 @@ fn solve(captured: &Captured, brick: &[usize], jacobi: bool) -> Option<usize> {
             };
             visit(rows, &mut own, &mut p);
             if jacobi {
-                for ((v, own), known) in v.iter_mut().zip(&own).zip(&known) {
+                for (i, v) in v.iter_mut().enumerate() {
                     *v = Dof6 {
-                        linear: v.linear + (own.linear - known.linear),
-                        angular: v.angular + (own.angular - known.angular),
+                        linear: v.linear + (own[i].linear - known[i].linear) / shares[i],
+                        angular: v.angular + (own[i].angular - known[i].angular) / shares[i],
                     };
                 }
             } else {
@@ -248,6 +273,20 @@ fn solve(captured: &Captured, brick: &[usize], jacobi: bool) -> Option<usize> {
         }
     }
     None
+}
+
+/// Number of bricks whose rows touch a sphere, at least one.
+fn shares(problem: &Problem, brick: &[usize]) -> Vec<f64> {
+    let mut touched = vec![Vec::new(); brick.len()];
+    for row in &problem.rows {
+        let own = brick[row.a as usize];
+        for body in [row.a, row.b] {
+            if body != GROUND && !touched[body as usize].contains(&own) {
+                touched[body as usize].push(own);
+            }
+        }
+    }
+    touched.iter().map(|by| by.len().max(1) as f64).collect()
 }
 
 /// `x + (y - x) share`.
