@@ -131,7 +131,8 @@ fn a_full_disk_is_told_at_once_and_fails_the_run() {
     let limited = "trap '' XFSZ; ulimit -f 16; exec \"$@\"";
     let told = Command::new("sh")
         .args(["-c", limited, "sh", env!("CARGO_BIN_EXE_sphere-dda"), "run"])
-        .args([scene.to_str().unwrap(), "-o", "out", "--stop", "0.3"])
+        // Long enough for the writer to fail before the run ends.
+        .args([scene.to_str().unwrap(), "-o", "out", "--stop", "1.5"])
         .current_dir(folder.path())
         .env("NO_COLOR", "1")
         .output()
