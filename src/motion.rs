@@ -48,13 +48,28 @@ impl Pose {
 
     /// Where the point `x_0` of the scene is now: `a + s + Q (x_0 - a)` \[m\].
     #[must_use]
+    #[inline]
     pub fn apply(&self, point_of_action: Vec3, x_0: Vec3) -> Vec3 {
+        if self.is_none() {
+            return x_0;
+        }
         point_of_action + self.translation + self.rotation * (x_0 - point_of_action)
+    }
+
+    /// Whether nothing is displaced: most boundaries stay where they are.
+    #[inline]
+    fn is_none(&self) -> bool {
+        let q = self.rotation.as_ref();
+        q.w == 1.0 && q.i == 0.0 && q.j == 0.0 && q.k == 0.0 && self.translation == Vec3::zeros()
     }
 
     /// Which point of the scene is at `x` now: `a + Q^T (x - a - s)` \[m\].
     #[must_use]
+    #[inline]
     pub fn inverse_apply(&self, point_of_action: Vec3, x: Vec3) -> Vec3 {
+        if self.is_none() {
+            return x;
+        }
         point_of_action
             + self
                 .rotation

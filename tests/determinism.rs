@@ -222,6 +222,7 @@ fn spheres_are_read_from_a_snapshot_of_any_scene() {
 fn any_number_of_threads_gives_the_same_bytes() {
     let mut scene = Scene::clone(&scene("dropped"));
     let (particles, initial) = (scene.particles.clone(), scene.initial.clone());
+    scene.boundaries.clear();
     // Ten beds side by side that drift into each other.
     for copy in 1..10 {
         for i in 0..particles.len() {
@@ -236,15 +237,14 @@ fn any_number_of_threads_gives_the_same_bytes() {
                 .push(initial.position[i] + shift, drift, initial.spin[i]);
         }
     }
-    scene.settings.max_initial_overlap = 0.5;
     let runs = [1, 2, 3].map(|threads| {
         let mut scene = scene.clone();
         scene.settings.threads = threads;
         let mut simulation = Simulation::new(Arc::new(scene)).expect("a start");
         let contacts = |simulation: &Simulation| simulation.contacts().len();
-        simulation.advance_to(0.02).expect("a step");
+        simulation.advance_to(0.03).expect("a step");
         (simulation.snapshot(), contacts(&simulation))
     });
-    assert!(runs[0].1 > 1000, "{} contacts", runs[0].1);
+    assert!(runs[0].1 > 300, "{} contacts", runs[0].1);
     assert!(runs[0] == runs[1] && runs[0] == runs[2]);
 }

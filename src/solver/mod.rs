@@ -152,6 +152,9 @@ fn auto(
     };
     let brief = sweeps(params.max_sweeps.min(AUTO_SWEEPS));
     let report = gauss_seidel::solve(problem, &brief, &mut workspace.kernel, impulses);
+    if report.converged {
+        return report;
+    }
     let (report, large) = finish(problem, params, workspace, impulses, report);
     if report.converged {
         report

@@ -10,9 +10,11 @@
 
 mod block;
 mod compile;
+mod dispatch;
 mod kernel;
 mod lanes;
 mod layout;
+mod local;
 mod sheet;
 
 use super::{Params, Report};

@@ -4,7 +4,8 @@ use std::ops::Range;
 
 use arrayvec::ArrayVec;
 
-use super::block::{Block, Pace, Precision, Progress, Verdict, drift, judge, push};
+use super::block::{Block, Pace, Progress, Verdict, drift};
+use super::dispatch::{Precision, judge, push};
 use super::lanes::Body;
 use super::layout::PARTS;
 use crate::parallel::Pool;
