@@ -1,0 +1,90 @@
+"""A run of one code on one scene: what is asked for and what came of it."""
+
+import json
+from dataclasses import asdict, dataclass, field
+from typing import Any, Literal
+
+from measures import End
+from scenes import DURATION
+
+Code = Literal["sphere-dda", "rapier", "liggghts"]
+
+INTERVAL = 0.004  # between two output times [s]
+MEAN = 0.04  # before the end over which the force on the floor is averaged [s]
+
+
+@dataclass(frozen=True)
+class Case:
+    """A code, a scene and settings. Positions at every output time are judged only if `watch`."""
+
+    code: Code
+    scene: str
+    n: int
+    settings: dict[str, float]
+    seed: int = 1
+    threads: int = 1
+    duration: float = DURATION
+    watch: bool = True
+
+    @property
+    def label(self) -> str:
+        """The settings in words, for tables and legends."""
+        return _LABELS[self.code](self.settings)
+
+
+def _ours(s: dict[str, float]) -> str:
+    return f"{s['tolerance']:.0e}, {s['step'] * 1e3:g} ms"
+
+
+def _rapier(s: dict[str, float]) -> str:
+    return f"{s['step'] * 1e3:g} ms, {s['substeps']:g} substeps, {s['softness']:g} Hz"
+
+
+def _liggghts(s: dict[str, float]) -> str:
+    return f"E = {s['young']:.3g} Pa"
+
+
+_LABELS = {"sphere-dda": _ours, "rapier": _rapier, "liggghts": _liggghts}
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What a run cost and reached; `None` where a code does not tell."""
+
+    version: str
+    cpu_s: float  # of all threads or processes [s]
+    wall_s: float  # [s]
+    steps: int
+    end: End
+    worst_watched: float | None = None  # largest overlap over radius at any output time [-]
+    worst: float | None = None  # the same at every internal step [-]
+    floor: float | None = None  # mean force on the floor over the weight [-]
+    memory: float | None = None  # per sphere [B]
+    sweeps: int | None = None
+    factorizations: int | None = None
+    force_residual: float | None = None  # worst of any step [-]
+    contacts: float | None = None  # loaded ones, mean over output times
+    course: dict[str, list[float]] = field(default_factory=dict)  # per communication step
+
+
+@dataclass(frozen=True)
+class Row:
+    """A line of the record: a case, and its outcome or why there is none. Rows of one `group` were timed in turn."""
+
+    case: Case
+    group: str
+    outcome: Outcome | None
+    error: str | None = None
+
+    def to_json(self) -> str:
+        """One line."""
+        return json.dumps(asdict(self))
+
+    @staticmethod
+    def from_json(line: str) -> "Row":
+        """The row of a line of `to_json`."""
+        data: dict[str, Any] = json.loads(line)
+        outcome = data["outcome"]
+        if outcome is not None:
+            outcome = Outcome(**{**outcome, "end": End(**outcome["end"])})
+        return Row(Case(**data["case"]), data["group"], outcome, data["error"])
