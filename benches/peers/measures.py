@@ -3,8 +3,10 @@
 from dataclasses import dataclass
 
 import numpy as np
-from scenes import GRAVITY, Array, Scene
+from numpy.typing import NDArray
 from scipy.spatial import cKDTree
+
+from scenes import GRAVITY, Array, Scene
 
 
 @dataclass(frozen=True)
@@ -43,9 +45,9 @@ def _depths(scene: Scene, x: Array, r: Array) -> Array:
     return depth
 
 
-def _inside(scene: Scene, x: Array) -> np.ndarray:
+def _inside(scene: Scene, x: Array) -> NDArray[np.bool_]:
     """Spheres whose centre is within the walls; in a funnel those on their way out of it too."""
-    known = np.isfinite(x).all(1)
+    known: NDArray[np.bool_] = np.all(np.isfinite(x), axis=1)
     if scene.name == "slope":
         return known
     within = known & (np.abs(x[:, :2]) < scene.half_width).all(1)
@@ -56,7 +58,7 @@ def _inside(scene: Scene, x: Array) -> np.ndarray:
 
 def end(scene: Scene, x: Array, v: Array, w: Array) -> End:
     """Measures of the end; rows that are not numbers are spheres that a code has lost."""
-    known = np.isfinite(x).all(1)
+    known = np.all(np.isfinite(x), axis=1)
     m, r = scene.mass, scene.radius
     energy = 0.5 * m * (v**2).sum(1) + 0.2 * m * r**2 * (w**2).sum(1)
     inside = _inside(scene, x)

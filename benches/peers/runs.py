@@ -27,6 +27,11 @@ class Case:
     watch: bool = True
 
     @property
+    def key(self) -> str:
+        """Equal for equal cases."""
+        return json.dumps(asdict(self), sort_keys=True)
+
+    @property
     def label(self) -> str:
         """The settings in words, for tables and legends."""
         return _LABELS[self.code](self.settings)
@@ -54,6 +59,7 @@ class Outcome:
     version: str
     cpu_s: float  # of all threads or processes [s]
     wall_s: float  # [s]
+    spheres: int
     steps: int
     end: End
     worst_watched: float | None = None  # largest overlap over radius at any output time [-]
@@ -66,25 +72,33 @@ class Outcome:
     contacts: float | None = None  # loaded ones, mean over output times
     course: dict[str, list[float]] = field(default_factory=dict)  # per communication step
 
+    @staticmethod
+    def from_dict(data: dict[str, Any]) -> "Outcome":
+        """The outcome of what `asdict` gave."""
+        return Outcome(**{**data, "end": End(**data["end"])})
+
 
 @dataclass(frozen=True)
 class Row:
-    """A line of the record: a case, and its outcome or why there is none. Rows of one `group` were timed in turn."""
+    """A case and its outcome. Rows of one `group` were timed in turn."""
 
     case: Case
     group: str
-    outcome: Outcome | None
-    error: str | None = None
+    outcome: Outcome
 
-    def to_json(self) -> str:
-        """One line."""
-        return json.dumps(asdict(self))
 
-    @staticmethod
-    def from_json(line: str) -> "Row":
-        """The row of a line of `to_json`."""
-        data: dict[str, Any] = json.loads(line)
-        outcome = data["outcome"]
-        if outcome is not None:
-            outcome = Outcome(**{**outcome, "end": End(**outcome["end"])})
-        return Row(Case(**data["case"]), data["group"], outcome, data["error"])
+@dataclass(frozen=True)
+class Failed:
+    """A case that has no outcome, and why."""
+
+    case: Case
+    group: str
+    error: str
+
+
+def from_dict(data: dict[str, Any]) -> Row | Failed:
+    """The row of what `asdict` gave."""
+    case, group = Case(**data["case"]), data["group"]
+    if "error" in data:
+        return Failed(case, group, data["error"])
+    return Row(case, group, Outcome.from_dict(data["outcome"]))

@@ -12,6 +12,7 @@ Friction is 0.5 and restitution 0 everywhere.
 
 import math
 from dataclasses import dataclass, field
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -130,7 +131,7 @@ def _funnel_walls(b: float, top: float) -> Array:
     levels = [(OUTLET, 0.0), (b, b - OUTLET), (b, top)]
     rings = [np.column_stack([half * square, np.full(4, z)]) for half, z in levels]
     triangles = []
-    for a, c in zip(rings, rings[1:], strict=False):
+    for a, c in pairwise(rings):
         for k in range(4):
             m = (k + 1) % 4
             triangles += [(a[k], c[m], a[m]), (a[k], c[k], c[m])]
@@ -168,7 +169,7 @@ def _slope_strips(profile: list[tuple[float, float]], before: float = 0.3, after
     points[0] -= before * falls[0]
     points[-1] += after * falls[-1]
     triangles = []
-    for (x0, z0), (x1, z1) in zip(points, points[1:], strict=False):
+    for (x0, z0), (x1, z1) in pairwise(points):
         a, b, c, d = (x0, -half, z0), (x1, -half, z1), (x1, half, z1), (x0, half, z0)
         triangles += [(a, b, c), (a, c, d)]
     return np.array(triangles)

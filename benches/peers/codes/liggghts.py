@@ -7,8 +7,9 @@ import resource
 import subprocess
 from pathlib import Path
 
-import measures
 import numpy as np
+
+import measures
 from codes.sphere_dda import write_stl
 from runs import INTERVAL, MEAN, Case, Outcome
 from scenes import FRICTION, GRAVITY, Array, Scene
@@ -47,6 +48,7 @@ def run(case: Case, scene: Scene, folder: Path) -> Outcome:
         version=version[1] if version else "unknown",
         cpu_s=cpu - writing * case.threads,
         wall_s=float(loops[0]) - writing,
+        spheres=len(scene.radius),
         steps=steps,
         end=measures.end(scene, *np.split(state, 3, axis=1)),
         worst_watched=watched,
@@ -74,6 +76,8 @@ def _script(case: Case, scene: Scene, folder: Path, steps: int) -> list[str]:
         "atom_modify map array",
         "boundary f f f",
         "newton off",
+        # A layer of spheres on the floor is cut upright, so that every process has its share.
+        "processors * * 1",
         "communicate single vel yes",
         "read_data spheres.data",
         f"neighbor {0.4 * scene.radius.mean():g} bin",
@@ -132,7 +136,7 @@ def _write_spheres(path: Path, scene: Scene) -> None:
     corners = np.vstack([scene.triangles.reshape(-1, 3), x])
     low, high = corners.min(0) - MARGIN, corners.max(0) + MARGIN
     if scene.name == "bed":
-        low, high = low - [0, 0, MARGIN], high + [0, 0, 4 * MARGIN]
+        low[2], high[2] = low[2] - MARGIN, high[2] + 4 * MARGIN
     if scene.name == "funnel":
         low[2] -= 6.0
     head = ["spheres", "", f"{len(r)} atoms", "1 atom types"]

@@ -8,9 +8,10 @@ import time
 from importlib.metadata import version
 from pathlib import Path
 
-import measures
 import numpy as np
 import rapier3d
+
+import measures
 from runs import INTERVAL, MEAN, Case, Outcome
 from scenes import FRICTION, GRAVITY, Array, Scene
 
@@ -43,6 +44,7 @@ def run(case: Case, scene: Scene, folder: Path) -> Outcome:
         version=version("rapier3d"),
         cpu_s=cpu,
         wall_s=wall,
+        spheres=len(scene.radius),
         steps=steps,
         end=measures.end(scene, x, v, w),
         worst_watched=max(measures.overlap(scene, x) for x in frames) if frames else None,
@@ -51,7 +53,7 @@ def run(case: Case, scene: Scene, folder: Path) -> Outcome:
     )
 
 
-def _world(case: Case, scene: Scene):
+def _world(case: Case, scene: Scene) -> rapier3d.PhysicsWorld:
     world = rapier3d.PhysicsWorld(gravity=(0.0, 0.0, -GRAVITY))
     world.set_num_threads(case.threads)
     s, parameters = case.settings, world.integration_parameters
@@ -65,20 +67,18 @@ def _world(case: Case, scene: Scene):
     return world
 
 
-def _add_walls(world, scene: Scene):
+def _add_walls(world: rapier3d.PhysicsWorld, scene: Scene) -> rapier3d.ColliderHandle:
     """The handle of the first wall: the floor of a bed."""
     if scene.sheets:
         corners = scene.triangles.reshape(-1, 3)
         shapes = [rapier3d.Collider.trimesh(corners.tolist(), np.arange(len(corners)).reshape(-1, 3).tolist())]
     else:
-        shapes = [
-            rapier3d.Collider.halfspace(tuple(map(float, p.normal))).translation(tuple(map(float, p.point)))
-            for p in scene.planes
-        ]
-    return [world.colliders.insert(shape.friction(FRICTION).restitution(0.0)) for shape in shapes][0]
+        shapes = [rapier3d.Collider.halfspace(p.normal).translation(p.point) for p in scene.planes]
+    handles = [world.colliders.insert(shape.friction(FRICTION).restitution(0.0)) for shape in shapes]
+    return handles[0]
 
 
-def _add_spheres(world, scene: Scene) -> list:
+def _add_spheres(world: rapier3d.PhysicsWorld, scene: Scene) -> list[rapier3d.RigidBodyHandle]:
     bodies = []
     for x, r in zip(scene.position.tolist(), scene.radius.tolist(), strict=True):
         body = world.rigid_bodies.insert(rapier3d.RigidBody.dynamic().translation(tuple(x)).can_sleep(False))
@@ -88,11 +88,11 @@ def _add_spheres(world, scene: Scene) -> list:
     return bodies
 
 
-def _rows(world, bodies: list, what: str) -> Array:
+def _rows(world: rapier3d.PhysicsWorld, bodies: list[rapier3d.RigidBodyHandle], what: str) -> Array:
     return np.array([tuple(getattr(world.rigid_bodies[body], what)) for body in bodies], float)
 
 
-def _impulse(world, floor) -> float:
+def _impulse(world: rapier3d.PhysicsWorld, floor: rapier3d.ColliderHandle) -> float:
     """Normal impulse on the floor in the last step [N s]."""
     pairs = world.narrow_phase.contact_pairs_with(floor)
     points = (point for pair in pairs for manifold in pair.manifolds for point in manifold.points)

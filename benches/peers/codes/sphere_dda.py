@@ -5,8 +5,9 @@ import os
 import subprocess
 from pathlib import Path
 
-import measures
 import numpy as np
+
+import measures
 from runs import INTERVAL, Case, Outcome
 from scenes import FRICTION, GRAVITY, Array, Plane, Scene
 
@@ -25,7 +26,7 @@ def build() -> Path:
 
 
 def write(scene: Scene, duration: float, folder: Path) -> Path:
-    """Writes `scene.toml` and the files it names; step and tolerance are the driver's arguments."""
+    """Writes `scene.toml` and the files it names; settings are arguments of the driver."""
     table = np.column_stack([scene.position, scene.radius])
     np.savetxt(folder / "spheres.csv", table, "%.17g", ",", header="x,y,z,radius", comments="")
     lines = [
@@ -82,11 +83,12 @@ def write_stl(path: Path, triangles: Array) -> None:
 
 
 def run(case: Case, scene: Scene, folder: Path) -> Outcome:
-    """One run; the driver is named in SPHERE_DDA_PEERS."""
-    driver, s = os.environ["SPHERE_DDA_PEERS"], case.settings
+    """One run; the driver is named in SPHERE_DDA_PEERS, every setting is an option of it."""
+    driver = os.environ["SPHERE_DDA_PEERS"]
     frames, end = folder / "frames", folder / "end"
     command = [driver, write(scene, case.duration, folder), "--end", end, "--threads", case.threads]
-    command += ["--tolerance", s["tolerance"], "--step", s["step"]]
+    for name, value in case.settings.items():
+        command += [f"--{name}", value]
     if case.watch:
         command += ["--frames", frames]
     done = subprocess.run([str(word) for word in command], capture_output=True, text=True, check=False)
@@ -103,6 +105,7 @@ def run(case: Case, scene: Scene, folder: Path) -> Outcome:
         version=told["version"],
         cpu_s=told["cpu_s"],
         wall_s=told["wall_s"],
+        spheres=n,
         steps=told["internal_steps"],
         end=measures.end(scene, x, v, w),
         worst_watched=watched,

@@ -1,0 +1,83 @@
+"""Plots of the page, SVG, the same from the same record."""
+
+from pathlib import Path
+from statistics import median
+from typing import Any
+
+import matplotlib
+import matplotlib.pyplot as plt
+from matplotlib.figure import Figure
+
+from goals import scaled
+from record import Record, cpu, merged
+from runs import Row
+
+matplotlib.use("svg")
+matplotlib.rcParams.update({"svg.hashsalt": "peers", "font.size": 9, "axes.grid": True, "grid.alpha": 0.3})
+
+NAMES = {"sphere-dda": "this project", "rapier": "Rapier", "liggghts": "LIGGGHTS"}
+STYLES = {"sphere-dda": ("C0", "o"), "rapier": ("C1", "s"), "liggghts": ("C2", "^")}
+
+
+def _save(figure: Figure, path: Path) -> None:
+    path.parent.mkdir(parents=True, exist_ok=True)
+    figure.savefig(path, metadata={"Date": None})
+    plt.close(figure)
+
+
+def pareto(rows: list[Row], title: str, path: Path) -> None:
+    """CPU time against worst overlap and against overlap at the end, one line a code."""
+    figure, axes = plt.subplots(1, 2, figsize=(9, 4), sharey=True, layout="constrained")
+    heads = ("worst over all output times (this project: every step)", "at the end")
+    for axis, head, of in zip(axes, heads, (_worst, lambda row: row.outcome.end.overlap), strict=True):
+        for code, (colour, marker) in STYLES.items():
+            cases = [case for case in merged(rows) if case[0].case.code == code and case[0].case.threads == 1]
+            points = [(cpu(case), median(of(row) for row in case), case[0].case.label) for case in cases]
+            points = sorted(p for p in points if p[1] > 0)
+            axis.plot([p[0] for p in points], [p[1] for p in points], marker=marker, color=colour, label=NAMES[code])
+            for x, y, label in points:
+                axis.annotate(label.split(",")[0], (x, y), xytext=(4, 4), textcoords="offset points", fontsize=7, color=colour)
+        axis.set(xscale="log", yscale="log", xlabel="CPU time [s]", title=head)
+        axis.title.set_fontsize(9)
+        axis.margins(x=0.15)
+    axes[0].set_ylabel("largest overlap / radius")
+    axes[0].legend()
+    figure.suptitle(title)
+    _save(figure, path)
+
+
+def _worst(row: Row) -> float:
+    outcome = row.outcome
+    found = [q for q in (outcome.worst, outcome.worst_watched) if q is not None]
+    return max(found, default=0.0)
+
+
+def scaling(record: Record, path: Path) -> None:
+    """Cost per sphere and simulated second, cost per loaded contact and sweep, memory per sphere, against size."""
+    rows = [case[0] for case in merged(record.of("scaling"))]
+    figure, axes = plt.subplots(1, 3, figsize=(11, 3.6), layout="constrained")
+    for code, (colour, marker) in STYLES.items():
+        own = [row for row in rows if row.case.code == code]
+        style: dict[str, Any] = {"marker": marker, "color": colour, "label": NAMES[code]}
+        sizes = [row.case.n for row in own]
+        axes[0].plot(sizes, [1e3 * row.outcome.cpu_s / row.case.n / row.case.duration for row in own], **style)
+        memory = [(row.case.n, row.outcome.memory / 1e3) for row in own if row.outcome.memory is not None]
+        axes[2].plot([n for n, _ in memory], [kilobytes for _, kilobytes in memory], **style)
+        if code == "sphere-dda" and own:
+            until = min(row.case.duration for row in own)
+            axes[1].plot(sizes, [1e9 * scaled(row.outcome, until)[1] for row in own], **style)
+    labels = ("CPU time per sphere and simulated second [ms]", "time per loaded contact and sweep [ns]", "memory per sphere [kB]")
+    for axis, label in zip(axes, labels, strict=True):
+        axis.set(xscale="log", yscale="log", xlabel="spheres", ylabel=label)
+    axes[0].legend()
+    _save(figure, path)
+
+
+def rest(row: Row, path: Path) -> None:
+    """Time per step over a run."""
+    course = row.outcome.course
+    each = [1e3 * clock / steps for clock, steps in zip(course["wall_s"], course["steps"], strict=True)]
+    figure, axis = plt.subplots(figsize=(6, 3), layout="constrained")
+    axis.plot(course["time"], each, color="C0", linewidth=1)
+    axis.set(yscale="log", xlabel="simulated time [s]", ylabel="time per step [ms]")
+    _save(figure, path)
