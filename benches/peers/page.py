@@ -61,7 +61,8 @@ def _page(record: Record, folder: Path) -> Iterator[str]:
     yield f"{m['date']}, `{m['command']}`, commit {m['commit']}, {m['rustc']}; " + ", ".join(
         f"{plots.NAMES[code]} {version}" for code, version in sorted(versions.items())
     )
-    yield f"on {m['processor']}, {m['speed']}, cache {m['cache']}, {m['cores']} cores, {m['memory']}, {m['system']}; cores busy with other work at the start: {m['busy']}."
+    yield f"on {m['processor']}, {m['speed']}, cache {m['cache']}, {m['cores']} cores, {m['memory']}, {m['system']}."
+    yield f"Cores busy with other work at the start: {m['busy']}."
     yield f"All numbers: [record.jsonl]({FILE}).\n\n## Goals\n"
     yield from _goals(record)
     for group, title, words in SECTIONS:

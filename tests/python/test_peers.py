@@ -32,6 +32,8 @@ def test_overlap_of_two_spheres_is_over_the_smaller_radius():
     x = np.array([[0.0, 0.0, 0.05], [0.0, 0.018, 0.05]])
     scene = two(x, [0.01, 0.02])
     assert measures.overlap(scene, x) == pytest.approx((0.03 - 0.018) / 0.01)
+    large = two(x, [0.02, 0.02])
+    assert measures.overlap(large, np.array([[0.0, 0.0, 0.05], [0.0, 0.039, 0.05]])) == pytest.approx(0.001 / 0.02)
     apart = np.array([[0.0, 0.0, 0.05], [0.0, 0.0301, 0.05]])
     assert measures.overlap(scene, apart) == 0.0
 
