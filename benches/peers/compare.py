@@ -86,8 +86,8 @@ def _told(row: Row | Failed) -> str:
     if isinstance(row, Failed):
         return f"{head} failed: {row.error}"
     outcome = row.outcome
-    worst = outcome.worst if outcome.worst is not None else outcome.worst_watched
-    return f"{head} {outcome.cpu_s:8.2f} s  worst {worst or float('nan'):.1e}  end {outcome.end.overlap:.1e}"
+    worst = "not watched" if outcome.largest is None else f"{outcome.largest:.1e}"
+    return f"{head} {outcome.cpu_s:8.2f} s  worst {worst}  end {outcome.end.overlap:.1e}"
 
 
 def _busy() -> float:

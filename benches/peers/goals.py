@@ -142,7 +142,7 @@ def _others(record: Record) -> Iterator[Goal]:
     yield Goal.most("funnel: worst overlap at every step", 1e-4, worst(rows), " r")
     found = [r.outcome.end.discharged for r in rows if r.outcome.end.discharged is not None]
     yield Goal.within("funnel: discharged", DISCHARGED, median(found) if found else None, " kg")
-    yield Goal.most("funnel: CPU time over Rapier's at 4 ms", 1.0, _ratio(record, "funnel", rows))
+    yield Goal.most("funnel: CPU time over Rapier's at 2 ms", 1.0, _ratio(record, "funnel", rows))
 
 
 def _size(record: Record) -> Iterator[Goal]:

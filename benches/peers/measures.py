@@ -1,5 +1,6 @@
 """What is measured of every code alike, from positions and velocities."""
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 import numpy as np
@@ -68,10 +69,8 @@ def end(scene: Scene, x: Array, v: Array, w: Array) -> End:
         height = float(top.mean())
         lost = int((~inside).sum())
     if scene.name == "funnel":
-        # What has left a code's domain below the outlet counts as discharged.
-        above = known & (x[:, 2] >= 0)
-        discharged = float(m.sum() - m[above].sum())
-        lost = int((above & ~inside).sum())
+        discharged = float(m.sum()) - _above(scene, x)
+        lost = int(((x[:, 2] >= 0) & ~inside).sum())
     return End(
         overlap=overlap(scene, x),
         energy=float(energy[known].sum() / m[known].sum()),
@@ -80,6 +79,29 @@ def end(scene: Scene, x: Array, v: Array, w: Array) -> End:
         discharged=discharged,
         total=float(m.sum()),
     )
+
+
+@dataclass(frozen=True)
+class Course:
+    """What positions at output times tell."""
+
+    worst: float  # largest overlap of any pair or with a wall at any of these times, over the smaller radius [-]
+    half_out: float | None  # time at which half of the mass is below the outlet [s], to one interval
+
+
+def course(scene: Scene, frames: Iterable[Array], interval: float) -> Course:
+    """Measures of positions (N, 3) at the ends of intervals [s]."""
+    worst, half_out = 0.0, None
+    for k, x in enumerate(frames, 1):
+        worst = max(worst, overlap(scene, x))
+        if half_out is None and scene.name == "funnel" and 2 * _above(scene, x) <= scene.mass.sum():
+            half_out = k * interval
+    return Course(worst, half_out)
+
+
+def _above(scene: Scene, x: Array) -> float:
+    """Mass above the outlet [kg]; what has left a code's domain is not."""
+    return float(scene.mass[x[:, 2] >= 0].sum())
 
 
 def over_weight(scene: Scene, force: float) -> float:

@@ -86,10 +86,10 @@ def groups(quick: bool) -> list[Group]:
         for case in coded
         if case.code == "sphere-dda" or n <= PEER_LIMIT
     )
-    slope = Case("sphere-dda", "slope", 180, {"tolerance": 1e-6, "step": 1e-3})
+    slope = Case("sphere-dda", "slope", 180, {"tolerance": 1e-6, "step": 2e-3})
     slope_rapier = Case("rapier", "slope", 180, RAPIER["2 ms"])
     funnel = Case("sphere-dda", "funnel", 1000, OURS["1e-4"])
-    funnel_rapier = Case("rapier", "funnel", 1000, RAPIER["4 ms"])
+    funnel_rapier = Case("rapier", "funnel", 1000, RAPIER["2 ms"])
     return [
         Group("bed", tuple(ours.values()), rapier, repeat),
         Group("bed-peers", _peers("bed", 1000, ("2 ms", "1 ms", "0.5 ms"), hard)),
@@ -97,7 +97,7 @@ def groups(quick: bool) -> list[Group]:
         Group("slope", (slope,), slope_rapier, repeat),
         Group("slope-peers", _peers("slope", 180, ("4 ms", "1 ms", "0.5 ms"), hard)),
         Group("funnel", (funnel,), funnel_rapier, repeat),
-        Group("funnel-peers", _peers("funnel", 1000, ("2 ms", "1 ms"), hard[:2])),
+        Group("funnel-peers", _peers("funnel", 1000, ("4 ms", "1 ms", "0.5 ms"), hard[:2])),
         Group("rest", (replace(ours["1e-4"], duration=REST, watch=False),)),
         Group("large", (big,), big_rapier),
         Group("large-peers", (big_soft,)),

@@ -29,7 +29,7 @@ def pareto(rows: list[Row], title: str, path: Path) -> None:
     """CPU time against worst overlap and against overlap at the end, one line a code."""
     figure, axes = plt.subplots(1, 2, figsize=(9, 4), sharey=True, layout="constrained")
     heads = ("worst over all output times (this project: every step)", "at the end")
-    for axis, head, of in zip(axes, heads, (_worst, lambda row: row.outcome.end.overlap), strict=True):
+    for axis, head, of in zip(axes, heads, (lambda row: row.outcome.largest or 0.0, lambda row: row.outcome.end.overlap), strict=True):
         for code, (colour, marker) in STYLES.items():
             cases = [case for case in merged(rows) if case[0].case.code == code and case[0].case.threads == 1]
             points = [(cpu(case), median(of(row) for row in case), case[0].case.label) for case in cases]
@@ -44,12 +44,6 @@ def pareto(rows: list[Row], title: str, path: Path) -> None:
     axes[0].legend()
     figure.suptitle(title)
     _save(figure, path)
-
-
-def _worst(row: Row) -> float:
-    outcome = row.outcome
-    found = [q for q in (outcome.worst, outcome.worst_watched) if q is not None]
-    return max(found, default=0.0)
 
 
 def scaling(record: Record, path: Path) -> None:

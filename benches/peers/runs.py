@@ -4,7 +4,7 @@ import json
 from dataclasses import asdict, dataclass, field
 from typing import Any, Literal
 
-from measures import End
+from measures import Course, End
 from scenes import DURATION
 
 Code = Literal["sphere-dda", "rapier", "liggghts"]
@@ -62,7 +62,7 @@ class Outcome:
     spheres: int
     steps: int
     end: End
-    worst_watched: float | None = None  # largest overlap over radius at any output time [-]
+    watched: Course | None = None  # of the positions at all output times
     worst: float | None = None  # the same at every internal step [-]
     floor: float | None = None  # mean force on the floor over the weight [-]
     memory: float | None = None  # per sphere [B]
@@ -72,10 +72,17 @@ class Outcome:
     contacts: float | None = None  # loaded ones, mean over output times
     course: dict[str, list[float]] = field(default_factory=dict)  # per communication step
 
+    @property
+    def largest(self) -> float | None:
+        """The largest overlap over radius that is known of [-]."""
+        known = [] if self.worst is None else [self.worst]
+        return max([*known, self.watched.worst] if self.watched else known, default=None)
+
     @staticmethod
     def from_dict(data: dict[str, Any]) -> "Outcome":
         """The outcome of what `asdict` gave."""
-        return Outcome(**{**data, "end": End(**data["end"])})
+        watched = data["watched"] and Course(**data["watched"])
+        return Outcome(**{**data, "end": End(**data["end"]), "watched": watched})
 
 
 @dataclass(frozen=True)

@@ -116,7 +116,10 @@ fn the_course_adds_up_to_the_whole() {
     let measured = measure(scene(), outputs, memory("VmRSS:")).expect("a run");
     let course = &measured.course;
     assert_eq!(course.time.len(), 6);
-    assert_eq!(course.steps.iter().sum::<u64>(), measured.total.internal_steps);
+    assert_eq!(
+        course.steps.iter().sum::<u64>(),
+        measured.total.internal_steps
+    );
     assert_eq!(course.sweeps.iter().sum::<u64>(), measured.total.sweeps);
     let clock: f64 = course.wall_s.iter().sum();
     assert!(clock > 0.0 && clock <= measured.wall_s);

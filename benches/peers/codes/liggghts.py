@@ -40,7 +40,8 @@ def run(case: Case, scene: Scene, folder: Path) -> Outcome:
     state = _frames(folder / "end.bin", len(scene.radius), 9)[-1]
     watched = None
     if case.watch:
-        watched = max(measures.overlap(scene, x) for x in _frames(folder / "frames.bin", len(scene.radius), 3))
+        # The first frame is the start.
+        watched = measures.course(scene, _frames(folder / "frames.bin", len(scene.radius), 3)[1:], INTERVAL)
     cpu = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
     memory = re.findall(r"Memory usage per processor = (\S+) Mbytes", told)
     version = re.search(r"Version LIGGGHTS-PUBLIC ([^,\s]+)", (folder / "log").read_text() + told)
@@ -51,7 +52,7 @@ def run(case: Case, scene: Scene, folder: Path) -> Outcome:
         spheres=len(scene.radius),
         steps=steps,
         end=measures.end(scene, *np.split(state, 3, axis=1)),
-        worst_watched=watched,
+        watched=watched,
         floor=measures.over_weight(scene, _floor(told, steps)) if scene.name == "bed" else None,
         memory=float(memory[-1]) * case.threads * 2**20 / len(scene.radius) if memory else None,
     )

@@ -47,7 +47,7 @@ def run(case: Case, scene: Scene, folder: Path) -> Outcome:
         spheres=len(scene.radius),
         steps=steps,
         end=measures.end(scene, x, v, w),
-        worst_watched=max(measures.overlap(scene, x) for x in frames) if frames else None,
+        watched=measures.course(scene, frames, every * s["step"]) if frames else None,
         floor=measures.over_weight(scene, impulse / (mean * s["step"])) if scene.name == "bed" else None,
         memory=(memory - before) / len(x),
     )

@@ -99,7 +99,7 @@ def run(case: Case, scene: Scene, folder: Path) -> Outcome:
     x, v, w = np.split(np.fromfile(end).reshape(n, 9), 3, axis=1)
     watched = None
     if case.watch:
-        watched = max(measures.overlap(scene, x) for x in np.fromfile(frames).reshape(-1, n, 3))
+        watched = measures.course(scene, np.fromfile(frames).reshape(-1, n, 3), INTERVAL)
     floor, memory = told["floor_force"], told["memory_bytes"]
     return Outcome(
         version=told["version"],
@@ -108,7 +108,7 @@ def run(case: Case, scene: Scene, folder: Path) -> Outcome:
         spheres=n,
         steps=told["internal_steps"],
         end=measures.end(scene, x, v, w),
-        worst_watched=watched,
+        watched=watched,
         worst=told["max_overlap"],
         floor=measures.over_weight(scene, floor) if scene.name == "bed" else None,
         memory=None if memory is None else memory / n,
