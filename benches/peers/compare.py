@@ -15,7 +15,7 @@ from pathlib import Path
 import page
 import plan
 from codes import sphere_dda
-from record import Record
+from record import FILE, Record
 from runs import Case, Failed, Outcome, Row
 
 HERE = Path(__file__).resolve().parent
@@ -42,16 +42,22 @@ def main() -> int:
         return 2
     os.environ["SPHERE_DDA_PEERS"] = str(sphere_dda.build())
     record = Record(_machine(), [])
+    if arguments.keep:
+        if not (out / FILE).exists():
+            print(f"--keep: there is no {out / FILE} yet", file=sys.stderr)
+            return 2
+        record.add(Record.read(out), without={group.name for group in groups})
     if float(record.machine["busy"]) > QUIET:
         print(f"warning: other work keeps {record.machine['busy']} cores busy: times are worth little", file=sys.stderr)
-    total, failed = sum(len(list(group.sequence())) for group in groups), 0
+    total = sum(len(list(group.sequence())) for group in groups)
+    done = failed = 0
     for group in groups:
         for case in group.sequence():
             row = _timed(group.name, case)
             record.rows.append(row)
             record.write(out)
-            failed += isinstance(row, Failed)
-            print(f"{len(record.rows):3}/{total}  {_told(row)}", flush=True)
+            done, failed = done + 1, failed + isinstance(row, Failed)
+            print(f"{done:3}/{total}  {_told(row)}", flush=True)
     page.write(record, out)
     print(f"{out / 'benchmarks.md'} is written; {failed} of {total} runs failed")
     return 1 if failed else 0
@@ -59,9 +65,10 @@ def main() -> int:
 
 def _arguments() -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="benches/peers/run", description=__doc__)
-    parser.add_argument("--quick", action="store_true", help="what the goals need, once each: minutes instead of hours")
+    parser.add_argument("--quick", action="store_true", help="what the goals need, once each: minutes instead of an hour")
     parser.add_argument("--only", type=lambda s: s.split(","), default=[], metavar="A,B", help="these rows only, as bed,slope")
     parser.add_argument("--up-to", type=float, default=1e6, metavar="N", help="no scenes of more spheres")
+    parser.add_argument("--keep", action="store_true", help="keep the rows of the last record that are not run anew")
     parser.add_argument("--out", type=Path, default=sphere_dda.ROOT / "docs", help="folder of the page (docs)")
     parser.add_argument("--page", action="store_true", help="write the page of the last record anew, run nothing")
     return parser.parse_args()

@@ -16,7 +16,7 @@ This project, [Rapier](https://rapier.rs) and [LIGGGHTS](https://www.cfdem.com) 
 one command; this page and its plots are its output:
 
 ```sh
-benches/peers/run            # hours; --quick: minutes, --only bed,slope, --up-to 1e5
+benches/peers/run            # about an hour; --quick: minutes, --only bed,slope, --up-to 1e5
 ```
 
 It takes Rapier from PyPI into an environment of its own and needs LIGGGHTS (`apt-get install liggghts`).

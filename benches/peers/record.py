@@ -30,6 +30,11 @@ class Record:
         first, *others = (folder / FILE).read_text().splitlines()
         return Record(json.loads(first), [from_dict(json.loads(line)) for line in others])
 
+    def add(self, other: "Record", without: set[str]) -> None:
+        """Takes over the rows of an earlier record but for those of some groups, and the command they came from."""
+        self.machine["command"] = f"{other.machine['command']}; {self.machine['command']}"
+        self.rows += [row for row in other.rows if row.group not in without]
+
     def of(self, *groups: str) -> list[Row]:
         """The rows of these groups that have an outcome."""
         return [row for row in self.rows if isinstance(row, Row) and row.group in groups]

@@ -138,6 +138,13 @@ def test_records_are_read_as_they_were_written(tmp_path):
     assert json.loads(json.dumps(asdict(record.rows[0])))["outcome"]["course"] == {"time": [0.5, 1.0]}
 
 
+def test_an_earlier_record_gives_the_rows_that_are_not_run_anew():
+    case = Case("rapier", "bed", 1000, plan.RAPIER["4 ms"])
+    new = Record({"command": "run --only bed --keep"}, [])
+    new.add(Record({"command": "run"}, [Failed(case, "bed", "a"), Failed(case, "slope", "b")]), without={"bed"})
+    assert new == Record({"command": "run; run --only bed --keep"}, [Failed(case, "slope", "b")])
+
+
 def test_a_reference_runs_before_and_after_every_case():
     group = next(group for group in plan.groups(quick=True) if group.name == "bed")
     codes = [case.code for case in group.sequence()]
