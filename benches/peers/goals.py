@@ -133,12 +133,12 @@ def _large(record: Record) -> Iterator[Goal]:
 
 
 def _others(record: Record) -> Iterator[Goal]:
-    rows = [r for r in record.of("slope") if r.case.code == "sphere-dda"]
+    rows = [r for r in record.of("slope") if r.case.settings.get("tolerance") == 1e-6]
     yield Goal.most("slope: worst overlap at every step", 1e-6, worst(rows), " r")
     energy = median(r.outcome.end.energy for r in rows) if rows else None
     yield Goal.within("slope: kinetic energy", SLOPE, energy, " J/kg")
     yield Goal.most("slope: CPU time over Rapier's at 2 ms", 0.5, _ratio(record, "slope", rows))
-    rows = [r for r in record.of("funnel") if r.case.code == "sphere-dda"]
+    rows = [r for r in record.of("funnel") if r.case.settings.get("tolerance") == 1e-4]
     yield Goal.most("funnel: worst overlap at every step", 1e-4, worst(rows), " r")
     found = [r.outcome.end.discharged for r in rows if r.outcome.end.discharged is not None]
     yield Goal.within("funnel: discharged", DISCHARGED, median(found) if found else None, " kg")

@@ -7,10 +7,11 @@ from typing import Any
 import matplotlib
 import matplotlib.pyplot as plt
 from matplotlib.figure import Figure
+from matplotlib.ticker import LogLocator, NullFormatter
 
 from goals import scaled
 from record import Record, cpu, merged
-from runs import Row
+from runs import Case, Row
 
 matplotlib.use("svg")
 matplotlib.rcParams.update({"svg.hashsalt": "peers", "font.size": 9, "axes.grid": True, "grid.alpha": 0.3})
@@ -30,20 +31,33 @@ def pareto(rows: list[Row], title: str, path: Path) -> None:
     figure, axes = plt.subplots(1, 2, figsize=(9, 4), sharey=True, layout="constrained")
     heads = ("worst over all output times (this project: every step)", "at the end")
     for axis, head, of in zip(axes, heads, (lambda row: row.outcome.largest or 0.0, lambda row: row.outcome.end.overlap), strict=True):
-        for code, (colour, marker) in STYLES.items():
-            cases = [case for case in merged(rows) if case[0].case.code == code and case[0].case.threads == 1]
+        for code, ahead in (("sphere-dda", False), ("rapier", False), ("rapier", True), ("liggghts", False)):
+            colour, marker = STYLES[code]
+            cases = [case for case in merged(rows) if _series(case[0].case) == (code, ahead)]
+            if not cases:
+                continue
+            name = f"{NAMES[code]}, contacts predicted" if ahead else NAMES[code]
+            style: dict[str, Any] = {"marker": marker, "color": colour, "label": name, "fillstyle": "none" if ahead else "full"}
             points = [(cpu(case), median(of(row) for row in case), case[0].case.label) for case in cases]
             points = sorted(p for p in points if p[1] > 0)
-            axis.plot([p[0] for p in points], [p[1] for p in points], marker=marker, color=colour, label=NAMES[code])
+            axis.plot([p[0] for p in points], [p[1] for p in points], "--" if ahead else "-", **style)
             for x, y, label in points:
-                axis.annotate(label.split(",")[0], (x, y), xytext=(4, 4), textcoords="offset points", fontsize=7, color=colour)
+                axis.annotate(label.split(",")[0].removeprefix("E = "), (x, y), xytext=(4, 4), textcoords="offset points", fontsize=7, color=colour)
         axis.set(xscale="log", yscale="log", xlabel="CPU time [s]", title=head)
         axis.title.set_fontsize(9)
         axis.margins(x=0.15)
+        axis.xaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+        axis.xaxis.set_major_formatter("{x:g}")
+        axis.xaxis.set_minor_formatter(NullFormatter())
     axes[0].set_ylabel("largest overlap / radius")
-    axes[0].legend()
+    axes[1].legend()
     figure.suptitle(title)
     _save(figure, path)
+
+
+def _series(case: Case) -> tuple[str, bool]:
+    """Cases of one line of a plot are equal in this."""
+    return case.code, "prediction" in case.settings
 
 
 def scaling(record: Record, path: Path) -> None:

@@ -15,7 +15,10 @@ MEAN = 0.04  # before the end over which the force on the floor is averaged [s]
 
 @dataclass(frozen=True)
 class Case:
-    """A code, a scene and settings. Positions at every output time are judged only if `watch`."""
+    """A code, a scene and settings.
+
+    Positions at every output time are judged if `watch`; what each communication step cost is kept if `trace`.
+    """
 
     code: Code
     scene: str
@@ -25,6 +28,7 @@ class Case:
     threads: int = 1
     duration: float = DURATION
     watch: bool = True
+    trace: bool = False
 
     @property
     def key(self) -> str:
@@ -38,11 +42,13 @@ class Case:
 
 
 def _ours(s: dict[str, float]) -> str:
-    return f"{s['tolerance']:.0e}, {s['step'] * 1e3:g} ms"
+    words = {"tolerance": lambda x: f"{x:.0e}", "step": lambda x: f"{x * 1e3:g} ms"}
+    return ", ".join(words.get(name, lambda x, name=name: f"{name} {x:g}")(value) for name, value in s.items())
 
 
 def _rapier(s: dict[str, float]) -> str:
-    return f"{s['step'] * 1e3:g} ms, {s['substeps']:g} substeps, {s['softness']:g} Hz"
+    label = f"{s['step'] * 1e3:g} ms, {s['substeps']:g} substeps, {s['softness']:g} Hz"
+    return f"{label}, prediction {s['prediction']:g} d" if "prediction" in s else label
 
 
 def _liggghts(s: dict[str, float]) -> str:

@@ -61,6 +61,11 @@ def _world(case: Case, scene: Scene) -> rapier3d.PhysicsWorld:
     parameters.num_solver_iterations = int(s["substeps"])
     parameters.length_unit = float(2 * scene.radius.mean())
     parameters.contact_recycling = False
+    # How far ahead contacts are looked for: in lengths, of which one is the mean diameter.
+    if "prediction" in s:
+        parameters.normalized_prediction_distance = s["prediction"]
+    # By default 400 lengths a second: less than spheres reach that fall out of the funnel.
+    parameters.normalized_max_linear_velocity = 1e6
     # The second number is the damping ratio; contacts with what is fixed are twice as stiff, as by default.
     parameters.contact_softness = rapier3d.SpringCoefficients(s["softness"], 5.0)
     parameters.static_contact_softness = rapier3d.SpringCoefficients(2 * s["softness"], 5.0)

@@ -116,5 +116,5 @@ def run(case: Case, scene: Scene, folder: Path) -> Outcome:
         factorizations=told["factorizations"],
         force_residual=told["force_residual"],
         contacts=told["loaded_contacts"],
-        course=told["course"],
+        course=told["course"] if case.trace else {},
     )
