@@ -3,6 +3,7 @@
 import json
 import math
 import re
+import struct
 import subprocess
 import sys
 from dataclasses import asdict, replace
@@ -15,7 +16,7 @@ sys.path.insert(0, str(ROOT / "benches" / "peers"))
 import measures
 import plan
 import scenes
-from codes import sphere_dda
+from codes import liggghts, sphere_dda
 from record import Record
 from runs import Case, Failed, Outcome, Row
 
@@ -112,6 +113,20 @@ def test_scenes_start_without_overlap_and_are_read(command, tmp_path, name, n):
     found = dict(re.findall(r"^  (spheres|mass|initial overlaps) +([0-9.e+-]+)", done.stdout, re.MULTILINE))
     assert (int(found["spheres"]), int(found["initial overlaps"])) == (n, 0)
     assert float(found["mass"]) == pytest.approx(scene.mass.sum(), rel=1e-5)
+
+
+def test_frames_of_several_processes_are_put_together(tmp_path):
+    def block(rows):
+        return struct.pack("<i", 4 * len(rows)) + np.array(rows, float).tobytes()
+
+    head = struct.pack("<qq7i6dii", 8, 3, 0, *[1] * 6, *[0.0] * 6, 4, 2)
+    frame = head + block([[4, 0.4, 0.5, 0.6]]) + block([[1, 0.1, 0.2, 0.3], [2, 1.0, 2.0, 3.0]])
+    (tmp_path / "frames.bin").write_bytes(frame + frame)
+    lost = [np.nan] * 3
+    expected = [[0.1, 0.2, 0.3], [1.0, 2.0, 3.0], lost, [0.4, 0.5, 0.6]]
+    for found in (frames := liggghts.frames(tmp_path / "frames.bin", 4, 3)):
+        np.testing.assert_array_equal(found, expected)
+    assert len(frames) == 2
 
 
 def test_ratios_are_to_the_rows_just_before_and_after():

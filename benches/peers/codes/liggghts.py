@@ -37,11 +37,11 @@ def run(case: Case, scene: Scene, folder: Path) -> Outcome:
     if done.returncode != 0 or not loops:
         raise RuntimeError((told[-2000:] + done.stderr[-1000:]).strip())
     writing = _writing(told)
-    state = _frames(folder / "end.bin", len(scene.radius), 9)[-1]
+    state = frames(folder / "end.bin", len(scene.radius), 9)[-1]
     watched = None
     if case.watch:
         # The first frame is the start.
-        watched = measures.course(scene, _frames(folder / "frames.bin", len(scene.radius), 3)[1:], INTERVAL)
+        watched = measures.course(scene, frames(folder / "frames.bin", len(scene.radius), 3)[1:], INTERVAL)
     cpu = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
     memory = re.findall(r"Memory usage per processor = (\S+) Mbytes", told)
     version = re.search(r"Version LIGGGHTS-PUBLIC ([^,\s]+)", (folder / "log").read_text() + told)
@@ -146,14 +146,14 @@ def _write_spheres(path: Path, scene: Scene) -> None:
     np.savetxt(path, table, "%d %d %.15g %g %.15g %.15g %.15g", header="\n".join([*head, "", "Atoms", ""]), comments="")
 
 
-def _frames(path: Path, n: int, columns: int) -> list[Array]:
+def frames(path: Path, n: int, columns: int) -> list[Array]:
     """Frames of a binary dump of `id` and `columns` more, in the order of the spheres; lost ones are not numbers.
 
     A frame is: step and count (int64), triclinic and six kinds of borders (int32), six borders (f64), columns and blocks
     (int32), and for each block (one a process) its count of numbers (int32) and the numbers (f64).
     """
     data = path.read_bytes()
-    frames, at = [], 0
+    found, at = [], 0
     while at < len(data):
         at += 16 + 7 * 4 + 6 * 8
         width, blocks = np.frombuffer(data, np.int32, 2, at)
@@ -164,8 +164,8 @@ def _frames(path: Path, n: int, columns: int) -> list[Array]:
             rows = np.frombuffer(data, np.float64, count, at + 4).reshape(-1, width)
             frame[rows[:, 0].astype(int) - 1] = rows[:, 1:]
             at += 4 + 8 * count
-        frames.append(frame)
-    return frames
+        found.append(frame)
+    return found
 
 
 def _writing(told: str) -> float:
