@@ -6,7 +6,7 @@ from statistics import median
 
 import plan
 from record import Record, cpu, merged
-from runs import Outcome, Row
+from runs import Outcome, Row, tidy
 
 # Ratio to the CPU time of Rapier's fastest row that a tolerance on the bed may take.
 BED = {"1e-4": 0.25, "1e-5": 0.6, "1e-6": 1.9}
@@ -35,15 +35,15 @@ class Goal:
     def most(what: str, limit: float, found: float | None, unit: str = "") -> "Goal":
         """At most `limit`."""
         if found is None:
-            return Goal(what, f"≤ {limit:g}{unit}", "not measured", None)
-        return Goal(what, f"≤ {limit:g}{unit}", f"{found:.3g}{unit}", found <= limit)
+            return Goal(what, f"≤ {tidy(limit)}{unit}", "not measured", None)
+        return Goal(what, f"≤ {tidy(limit)}{unit}", f"{tidy(found)}{unit}", found <= limit)
 
     @staticmethod
     def least(what: str, limit: float, found: float | None, unit: str = "") -> "Goal":
         """At least `limit`."""
         if found is None:
-            return Goal(what, f"≥ {limit:g}{unit}", "not measured", None)
-        return Goal(what, f"≥ {limit:g}{unit}", f"{found:.3g}{unit}", found >= limit)
+            return Goal(what, f"≥ {tidy(limit)}{unit}", "not measured", None)
+        return Goal(what, f"≥ {tidy(limit)}{unit}", f"{tidy(found)}{unit}", found >= limit)
 
     @staticmethod
     def within(what: str, limits: tuple[float, float], found: float | None, unit: str = "") -> "Goal":
@@ -120,7 +120,7 @@ def _physics(record: Record) -> Iterator[Goal]:
         if case.code != "sphere-dda":
             continue
         floor, height, energy = middle(rows)
-        name = f"bed, tolerance {case.settings['tolerance']:.0e}, median of {len(rows)} seeds"
+        name = f"bed, tolerance {tidy(case.settings['tolerance'])}, median of {len(rows)} seeds"
         yield Goal.within(f"{name}: floor force over weight", FLOOR, floor)
         yield Goal.within(f"{name}: height", HEIGHT, height, " m")
         yield Goal.most(f"{name}: kinetic energy", ENERGY, energy, " J/kg")
@@ -163,18 +163,18 @@ def _size(record: Record) -> Iterator[Goal]:
 
 
 def scaled(outcome: Outcome, until: float) -> tuple[float, float]:
-    """Time on the clock per sphere and step, and per loaded contact and sweep [s], up to time `until` [s] of a run."""
+    """CPU time per sphere and step, and per loaded contact and sweep [s], up to time `until` [s] of a run."""
     course = outcome.course
     part = [k for k, time in enumerate(course["time"]) if time <= until * (1 + 1e-9)]
-    clock, steps = (sum(course[name][k] for k in part) for name in ("wall_s", "steps"))
+    cpu_s, steps = (sum(course[name][k] for k in part) for name in ("cpu_s", "steps"))
     updates = sum(course["sweeps"][k] * course["contacts"][k] for k in part)
-    return clock / (outcome.spheres * steps), clock / max(updates, 1)
+    return cpu_s / (outcome.spheres * steps), cpu_s / max(updates, 1)
 
 
 def resting(outcome: Outcome) -> tuple[float, float]:
-    """Time on the clock per step [s] of the most expensive tenth of a run's output times, and in its last tenth."""
+    """CPU time per step [s] of the most expensive tenth of a run's output times, and in its last tenth."""
     course = outcome.course
-    each = [clock / steps for clock, steps in zip(course["wall_s"], course["steps"], strict=True)]
+    each = [cpu_s / steps for cpu_s, steps in zip(course["cpu_s"], course["steps"], strict=True)]
     tenth = max(1, len(each) // 10)
     return sum(sorted(each)[-tenth:]) / tenth, sum(each[-tenth:]) / tenth
 

@@ -50,8 +50,8 @@ pub(crate) struct Measured {
 pub(crate) struct Course {
     /// Its end \[s\].
     pub(crate) time: Vec<f64>,
-    /// Time on the clock \[s\].
-    pub(crate) wall_s: Vec<f64>,
+    /// CPU time of all threads \[s\].
+    pub(crate) cpu_s: Vec<f64>,
     /// Internal steps.
     pub(crate) steps: Vec<u64>,
     /// Gauss-Seidel sweeps.
@@ -98,11 +98,12 @@ pub(crate) fn measure(
     let points = (settings.duration / settings.communication_step).round() as usize;
     let (mut impulse, mut averaged) = (0.0, 0.0);
     for k in 1..=points {
-        let (start, begun) = (simulation.time(), Instant::now());
+        let (start, begun) = (simulation.time(), self::cpu()?);
         let end = settings.duration * k as f64 / points as f64;
         let report = simulation.advance_to(end).map_err(|e| e.to_string())?;
         let contacts = simulation.contacts().len();
-        measured.course.add(end, begun, &report, contacts);
+        let cost = self::cpu()? - begun;
+        measured.course.add(end, cost, &report, contacts);
         include(&mut measured.total, &report);
         // A margin of rounding: a communication step that begins at the border counts.
         if let Some(floor) = floor
@@ -138,9 +139,9 @@ pub(crate) fn measure(
 }
 
 impl Course {
-    fn add(&mut self, time: f64, begun: Instant, report: &StepReport, contacts: usize) {
+    fn add(&mut self, time: f64, cpu_s: f64, report: &StepReport, contacts: usize) {
         self.time.push(time);
-        self.wall_s.push(begun.elapsed().as_secs_f64());
+        self.cpu_s.push(cpu_s);
         self.steps.push(report.internal_steps);
         self.sweeps.push(report.sweeps);
         self.contacts.push(contacts);

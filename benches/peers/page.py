@@ -149,7 +149,8 @@ def _rows(rows: list[Row], ratios: dict[str, list[float]]) -> Iterator[str]:
         ("force residual", _of("force_residual", ".1e", max)),
         ("lost", lost),
     ]
-    cases = merged(rows)
+    codes = list(plots.NAMES)
+    cases = sorted(merged(rows), key=lambda case: (codes.index(case[0].case.code), "prediction" in case[0].case.settings, cpu(case)))
     yield from _table([name for name, _ in columns], [[cell(case) for _, cell in columns] for case in cases])
 
 
@@ -208,8 +209,8 @@ def _scaling(record: Record, folder: Path) -> Iterator[str]:
     own = [row for row in rows if row.case.code == "sphere-dda"]
     until = min((row.case.duration for row in own), default=0.0)
     yield "\n## Size\n\nBeds of the same lattice, ever wider and deeper. Large ones are run for their first part only; costs per step of this"
-    yield f"project are those of the first {until:g} s of every size. *per contact and sweep*: time of everything over loaded contacts times sweeps."
-    yield "Memory: peak of the process less what it held before the scene (LIGGGHTS: its own account).\n"
+    yield f"project are those of the first {until:g} s of every size. *per contact and sweep*: CPU time of everything over loaded contacts times"
+    yield "sweeps. Memory: peak of the process less what it held before the scene (LIGGGHTS: its own account).\n"
     yield f"![Cost and memory against size]({PLOTS}/scaling.svg)\n"
     lines = []
     for row in rows:

@@ -14,7 +14,7 @@ from record import Record, cpu, merged
 from runs import Case, Row
 
 matplotlib.use("svg")
-matplotlib.rcParams.update({"svg.hashsalt": "peers", "font.size": 9, "axes.grid": True, "grid.alpha": 0.3})
+matplotlib.rcParams.update({"svg.hashsalt": "peers", "svg.fonttype": "none", "font.size": 9, "axes.grid": True, "grid.alpha": 0.3})
 
 NAMES = {"sphere-dda": "this project", "rapier": "Rapier", "liggghts": "LIGGGHTS"}
 STYLES = {"sphere-dda": ("C0", "o"), "rapier": ("C1", "s"), "liggghts": ("C2", "^")}
@@ -74,7 +74,7 @@ def scaling(record: Record, path: Path) -> None:
         if code == "sphere-dda" and own:
             until = min(row.case.duration for row in own)
             axes[1].plot(sizes, [1e9 * scaled(row.outcome, until)[1] for row in own], **style)
-    labels = ("CPU time per sphere and simulated second [ms]", "time per loaded contact and sweep [ns]", "memory per sphere [kB]")
+    labels = ("CPU time per sphere and simulated second [ms]", "CPU time per loaded contact and sweep [ns]", "memory per sphere [kB]")
     for axis, label in zip(axes, labels, strict=True):
         axis.set(xscale="log", yscale="log", xlabel="spheres", ylabel=label)
     axes[0].legend()
@@ -84,8 +84,8 @@ def scaling(record: Record, path: Path) -> None:
 def rest(row: Row, path: Path) -> None:
     """Time per step over a run."""
     course = row.outcome.course
-    each = [1e3 * clock / steps for clock, steps in zip(course["wall_s"], course["steps"], strict=True)]
+    each = [1e3 * cpu_s / steps for cpu_s, steps in zip(course["cpu_s"], course["steps"], strict=True)]
     figure, axis = plt.subplots(figsize=(6, 3), layout="constrained")
     axis.plot(course["time"], each, color="C0", linewidth=1)
-    axis.set(yscale="log", xlabel="simulated time [s]", ylabel="time per step [ms]")
+    axis.set(yscale="log", xlabel="simulated time [s]", ylabel="CPU time per step [ms]")
     _save(figure, path)

@@ -41,8 +41,16 @@ class Case:
         return _LABELS[self.code](self.settings)
 
 
+def tidy(x: float) -> str:
+    """Three digits; powers of ten without padding, from 1e5 on and below 1e-3."""
+    if x == 0 or 1e-3 <= abs(x) < 1e5:
+        return f"{x:.0f}" if abs(x) >= 1e3 else f"{x:.3g}"
+    mantissa, _, exponent = f"{x:.2e}".partition("e")
+    return f"{mantissa.rstrip('0').rstrip('.')}e{int(exponent)}"
+
+
 def _ours(s: dict[str, float]) -> str:
-    words = {"tolerance": lambda x: f"{x:.0e}", "step": lambda x: f"{x * 1e3:g} ms"}
+    words = {"tolerance": tidy, "step": lambda x: f"{x * 1e3:g} ms"}
     return ", ".join(words.get(name, lambda x, name=name: f"{name} {x:g}")(value) for name, value in s.items())
 
 
@@ -52,7 +60,7 @@ def _rapier(s: dict[str, float]) -> str:
 
 
 def _liggghts(s: dict[str, float]) -> str:
-    return f"E = {s['young']:.3g} Pa"
+    return f"E = {tidy(s['young'])} Pa"
 
 
 _LABELS = {"sphere-dda": _ours, "rapier": _rapier, "liggghts": _liggghts}

@@ -18,7 +18,7 @@ import plan
 import scenes
 from codes import liggghts, sphere_dda
 from record import Record
-from runs import Case, Failed, Outcome, Row
+from runs import Case, Failed, Outcome, Row, tidy
 
 STILL = np.zeros((2, 3))
 
@@ -158,6 +158,11 @@ def test_an_earlier_record_gives_the_rows_that_are_not_run_anew():
     new = Record({"command": "run --only bed --keep"}, [])
     new.add(Record({"command": "run"}, [Failed(case, "bed", "a"), Failed(case, "slope", "b")]), without={"bed"})
     assert new == Record({"command": "run; run --only bed --keep"}, [Failed(case, "slope", "b")])
+
+
+def test_numbers_are_short():
+    numbers = (1e-4, 4.95e-5, 0.25, 16.63, 1500.0, 1e7, 1.3e10, 0.0)
+    assert [tidy(x) for x in numbers] == ["1e-4", "4.95e-5", "0.25", "16.6", "1500", "1e7", "1.3e10", "0"]
 
 
 def test_a_reference_runs_before_and_after_every_case():
