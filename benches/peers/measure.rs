@@ -84,7 +84,7 @@ pub(crate) fn measure(
 ) -> Result<Measured, String> {
     let settings = scene.settings.clone();
     let mut frames = outputs.frames.map(create).transpose()?;
-    let (cpu, clock) = (cpu()?, Instant::now());
+    let (started, clock) = (cpu()?, Instant::now());
     let mut simulation = Simulation::new(Arc::new(scene)).map_err(|e| e.to_string())?;
     let boundaries = &simulation.scene().boundaries;
     let floor = boundaries.iter().position(|b| b.name == "floor");
@@ -97,13 +97,16 @@ pub(crate) fn measure(
     };
     let points = (settings.duration / settings.communication_step).round() as usize;
     let (mut impulse, mut averaged) = (0.0, 0.0);
+    // Differences of one series of readings: the system's account lags by up to a few milliseconds.
+    let mut before = cpu()?;
     for k in 1..=points {
-        let (start, begun) = (simulation.time(), self::cpu()?);
+        let start = simulation.time();
         let end = settings.duration * k as f64 / points as f64;
         let report = simulation.advance_to(end).map_err(|e| e.to_string())?;
         let contacts = simulation.contacts().len();
-        let cost = self::cpu()? - begun;
-        measured.course.add(end, cost, &report, contacts);
+        let spent = cpu()?;
+        measured.course.add(end, spent - before, &report, contacts);
+        before = spent;
         include(&mut measured.total, &report);
         // A margin of rounding: a communication step that begins at the border counts.
         if let Some(floor) = floor
@@ -120,7 +123,7 @@ pub(crate) fn measure(
         }
     }
     measured.wall_s = clock.elapsed().as_secs_f64();
-    measured.cpu_s = self::cpu()? - cpu;
+    measured.cpu_s = cpu()? - started;
     // Before anything below allocates.
     measured.memory_bytes = memory("VmHWM:")
         .zip(memory_before)

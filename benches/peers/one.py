@@ -19,7 +19,10 @@ def main() -> None:
     code = importlib.import_module(f"codes.{MODULES[case.code]}")
     scene = scenes.build(case.scene, case.n, case.seed)
     with tempfile.TemporaryDirectory(prefix="peers-") as folder:
-        outcome = code.run(case, scene, Path(folder))
+        try:
+            outcome = code.run(case, scene, Path(folder))
+        except RuntimeError as error:
+            sys.exit(str(error))
     json.dump(asdict(outcome), sys.stdout)
 
 

@@ -48,7 +48,7 @@ SECTIONS = (
         "1000 spheres of two sizes run out of a funnel of triangles for 1.0 s. *ratio*: to Rapier at 2 ms. *half out*: when half of the mass "
         "was below the outlet.",
     ),
-    ("large", "Bed of 10 000 spheres", "As above, 2.2 times as deep. *ratio*: to Rapier at 4 ms."),
+    ("large", "Bed of 10 000 spheres", "As above, twice as deep. *ratio*: to Rapier at 4 ms."),
 )
 Column = tuple[str, Callable[[list[Row]], str]]
 

@@ -64,7 +64,7 @@ def _duration(n: int, quick: bool) -> float:
     """Simulated time [s]: all of it where that is a matter of minutes."""
     if n <= 10_000:
         return 1.0
-    return 0.1 if quick or n > 100_000 else 0.4
+    return 0.2 if quick or n > 100_000 else 0.5
 
 
 def groups(quick: bool) -> list[Group]:
