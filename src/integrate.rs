@@ -10,10 +10,61 @@
 //! `v + dt/2 a_p` with `a_p` the acceleration by external and persisting contact forces, and when `dt`
 //! changes `v += (dt_old - dt_new)/2 a_p` keeps it continuous.
 
-use nalgebra::UnitQuaternion;
+use nalgebra::{Quaternion, UnitQuaternion};
 
+use crate::motion::Twist;
+use crate::particles::Kinematics;
 use crate::problem::Dof6;
 use crate::scene::{Integrator, Settings};
+
+/// Velocities of the spheres that differ from the integrator's own, formed for the sphere that is asked for.
+#[derive(Debug, Clone, Copy)]
+pub struct Velocities<'a> {
+    /// What moves, with the integrator's own velocities.
+    pub kinematics: &'a Kinematics,
+    /// Acceleration by external and persisting contact forces in the last step, `[N]`.
+    pub persisting: &'a [Dof6],
+    /// Integrator.
+    pub integrator: Integrator,
+    /// Last internal step \[s\].
+    pub last: f64,
+    /// `simulation.step` of the scene \[s\].
+    pub step: f64,
+}
+
+impl Velocities<'_> {
+    /// Velocity \[m/s\] and angular velocity \[rad/s\] of sphere `i` at the time of the state.
+    #[must_use]
+    #[inline]
+    pub fn reported(&self, i: usize) -> Twist {
+        let (own, persisting) = (self.own(i), &self.persisting[i]);
+        twist(&self.integrator.reported(&own, persisting, self.last))
+    }
+
+    /// Velocity \[m/s\] and angular velocity \[rad/s\] of sphere `i` half a `simulation.step` before that time (integrator
+    /// `shi`: at that time).
+    #[must_use]
+    #[inline]
+    pub fn half_step(&self, i: usize) -> Twist {
+        let shift = self.integrator.shift(self.last, self.step);
+        twist(&self.own(i).plus(&self.persisting[i], shift))
+    }
+
+    #[inline]
+    fn own(&self, i: usize) -> Dof6 {
+        Dof6 {
+            linear: self.kinematics.velocity[i],
+            angular: self.kinematics.spin[i],
+        }
+    }
+}
+
+fn twist(velocity: &Dof6) -> Twist {
+    Twist {
+        linear: velocity.linear,
+        angular: velocity.angular,
+    }
+}
 
 impl Integrator {
     /// The state velocity for a step of `dt` \[s\] after one of `last` \[s\].
@@ -73,6 +124,15 @@ impl Integrator {
             Self::Shi => *velocity,
         }
     }
+
+    /// Time \[s\] by which the half step after a step of `last` \[s\] lies earlier than half of `step` \[s\] before its end.
+    #[must_use]
+    pub fn shift(self, last: f64, step: f64) -> f64 {
+        match self {
+            Self::Moreau => 0.5 * (last - step),
+            Self::Shi => 0.0,
+        }
+    }
 }
 
 impl Dof6 {
@@ -94,7 +154,18 @@ pub fn turned(
     angular: &crate::Vec3,
     dt: f64,
 ) -> UnitQuaternion<f64> {
-    UnitQuaternion::new_normalize(
-        (UnitQuaternion::from_scaled_axis(angular * dt) * orientation).into_inner(),
-    )
+    let half = angular * (0.5 * dt);
+    let square = half.norm_squared();
+    let turn = if square < SMALL {
+        // Series of cos and sin(x)/x, exact to rounding.
+        let scalar = 1.0 - square * (0.5 - square * (1.0 / 24.0 - square / 720.0));
+        let vector = half * (1.0 - square * (1.0 / 6.0 - square * (1.0 / 120.0 - square / 5040.0)));
+        Quaternion::from_parts(scalar, vector)
+    } else {
+        UnitQuaternion::from_scaled_axis(half * 2.0).into_inner()
+    };
+    UnitQuaternion::new_normalize(turn * orientation.into_inner())
 }
+
+/// Square of half an angle below which four terms of a series are exact: the fifth is 1e-17.
+const SMALL: f64 = 1e-3;

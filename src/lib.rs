@@ -67,6 +67,7 @@ pub mod linalg;
 pub mod materials;
 pub mod motion;
 pub mod observe;
+mod parallel;
 pub mod particles;
 pub mod problem;
 pub mod random;

@@ -12,7 +12,7 @@ use crate::motion::{Command, Motion, Pose, Rates, Twist};
 use crate::particles::Kinematics;
 use crate::problem::Dof6;
 use crate::scene::Scene;
-use crate::simulation::{StepReport, Wrench};
+use crate::simulation::{Pace, StepReport, Wrench};
 
 /// Work done since t = 0 \[J\].
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
@@ -111,6 +111,8 @@ pub struct State {
     pub penalty: f64,
     /// Report of the last communication step.
     pub report: StepReport,
+    /// Length of the next internal step, and whether the scene rests.
+    pub pace: Pace,
 }
 
 impl State {

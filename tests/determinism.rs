@@ -216,3 +216,35 @@ fn spheres_are_read_from_a_snapshot_of_any_scene() {
     }
     assert_ne!(kinematics.velocity, own.velocity);
 }
+
+/// Large scenes are cut into parts by where spheres are, not by how many threads there are.
+#[test]
+fn any_number_of_threads_gives_the_same_bytes() {
+    let mut scene = Scene::clone(&scene("dropped"));
+    let (particles, initial) = (scene.particles.clone(), scene.initial.clone());
+    // Ten beds side by side that drift into each other.
+    for copy in 1..10 {
+        for i in 0..particles.len() {
+            let shift = nalgebra::Vector3::new(0.398 * f64::from(copy), 0.0, 0.0);
+            scene.particles.radius.push(particles.radius[i]);
+            scene.particles.mass.push(particles.mass[i]);
+            scene.particles.material.push(particles.material[i]);
+            scene.particles.locks.push(particles.locks[i]);
+            let drift = nalgebra::Vector3::new(-0.5 * f64::from(copy), 0.0, -1.0);
+            scene
+                .initial
+                .push(initial.position[i] + shift, drift, initial.spin[i]);
+        }
+    }
+    scene.settings.max_initial_overlap = 0.5;
+    let runs = [1, 2, 3].map(|threads| {
+        let mut scene = scene.clone();
+        scene.settings.threads = threads;
+        let mut simulation = Simulation::new(Arc::new(scene)).expect("a start");
+        let contacts = |simulation: &Simulation| simulation.contacts().len();
+        simulation.advance_to(0.02).expect("a step");
+        (simulation.snapshot(), contacts(&simulation))
+    });
+    assert!(runs[0].1 > 1000, "{} contacts", runs[0].1);
+    assert!(runs[0] == runs[1] && runs[0] == runs[2]);
+}

@@ -241,6 +241,7 @@ fn march(
     if start.is_none() {
         results.record(&Observation::of(simulation));
     }
+    let mut warned = false;
     let mut end = Ok(());
     let mut reached = start.unwrap_or(0);
     while reached < clock.count() {
@@ -255,6 +256,12 @@ fn march(
         reached += 1;
         let state = Observation::of(simulation);
         results.record(&state);
+        if let (false, Some(why)) = (warned, results.status().first_failure) {
+            warned = true;
+            progress.note(format_args!(
+                "a result was not written, the run goes on: {why}"
+            ));
+        }
         progress.show(point, || detail(&state));
         if reached < clock.count() {
             if interrupt.requested() {

@@ -23,7 +23,9 @@ pub const THIRD_PARTY: &str = include_str!("../licences/third-party.txt");
 /// Picture of the scene beside the page.
 pub const PICTURE_FILE: &str = "diagram.png";
 
-const STYLE: &str = "body{font-family:sans-serif;margin:2em;max-width:70em}td,th{text-align:left;padding:.1em .8em}";
+// Long names break, so that the table is never wider than the window.
+const STYLE: &str = "body{font-family:sans-serif;margin:2em;max-width:70em}td,th{text-align:left;padding:.1em .8em}\
+                     td:first-child,td:last-child{min-width:12em;overflow-wrap:anywhere}";
 
 const USE: [&str; 5] = [
     "All values are in SI units. Inputs at their start values mean: as in the scene.",
@@ -164,7 +166,10 @@ fn rows(model: &Model, version: Version) -> Vec<[String; 6]> {
                 [
                     v.name.clone(),
                     format!("{:?}", v.causality).to_lowercase(),
-                    format!("{:?}", v.base),
+                    match v.choices {
+                        Some(_) => "Enumeration".to_owned(),
+                        None => format!("{:?}", v.base),
+                    },
                     unit(v.unit),
                     v.start
                         .as_ref()

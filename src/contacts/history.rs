@@ -12,18 +12,30 @@ pub struct Carried {
     pub torque: Vec3,
 }
 
-/// What each key of `keys` carried in `contacts`, zero for new contacts. Both are in canonical order.
-pub fn transfer(contacts: &[Contact], keys: impl Iterator<Item = Key>) -> Vec<Carried> {
-    let mut old = contacts.iter().peekable();
-    keys.map(|key| {
-        while old.next_if(|contact| contact.key < key).is_some() {}
-        let known = old.next_if(|contact| contact.key == key);
-        Carried {
-            force: known.map_or_else(Vec3::zeros, |contact| contact.force),
-            torque: known.map_or_else(Vec3::zeros, |contact| contact.torque),
+impl Carried {
+    fn of(contact: Option<&Contact>) -> Self {
+        Self {
+            force: contact.map_or_else(Vec3::zeros, |contact| contact.force),
+            torque: contact.map_or_else(Vec3::zeros, |contact| contact.torque),
         }
-    })
-    .collect()
+    }
+}
+
+/// Into `carried` what each key of `keys` carried in `contacts`, zero for new contacts. Both are in canonical order.
+pub fn transfer(contacts: &[Contact], keys: impl Iterator<Item = Key>, carried: &mut Vec<Carried>) {
+    let mut old = contacts.iter().peekable();
+    carried.clear();
+    carried.extend(keys.map(|key| {
+        while old.next_if(|contact| contact.key < key).is_some() {}
+        Carried::of(old.next_if(|contact| contact.key == key))
+    }));
+}
+
+/// What `key` carried in `contacts`, which are in canonical order.
+#[must_use]
+pub fn find(contacts: &[Contact], key: Key) -> Carried {
+    let at = contacts.binary_search_by_key(&key, |contact| contact.key);
+    Carried::of(at.ok().map(|at| &contacts[at]))
 }
 
 #[cfg(test)]
@@ -51,7 +63,13 @@ mod tests {
             contact(key(2, 4), 3.0),
         ];
         let new = [key(0, 2), key(0, 3), key(1, 2), key(2, 4), key(5, 6)];
-        let carried = transfer(&old, new.into_iter());
+        let mut carried = Vec::new();
+        transfer(&old, new.into_iter(), &mut carried);
+        assert!(
+            new.iter()
+                .zip(&carried)
+                .all(|(key, c)| find(&old, *key) == *c)
+        );
         let [force, torque] = [|c: &Carried| c.force.z, |c: &Carried| c.torque.x]
             .map(|of| carried.iter().map(of).collect::<Vec<f64>>());
         assert_eq!(force, [0.0, 2.0, 0.0, 3.0, 0.0]);

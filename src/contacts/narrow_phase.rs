@@ -6,7 +6,8 @@ use crate::Vec3;
 use crate::boundaries::{Boundary, Touch};
 use crate::cell::{Cell, HERE, Image};
 use crate::motion::Pose;
-use crate::particles::Particles;
+use crate::particles::{Kinematics, Particles};
+use crate::scene::Scene;
 
 /// Where everything is at one instant.
 #[derive(Debug, Clone, Copy)]
@@ -38,6 +39,21 @@ pub struct Candidate {
     pub gap: f64,
     /// Largest curvature of the constant-gap surface of the pair \[1/m\].
     pub curvature: f64,
+}
+
+impl<'a> Placement<'a> {
+    /// Everything where `kinematics` and `poses` have it.
+    #[must_use]
+    pub fn of(scene: &'a Scene, kinematics: &'a Kinematics, poses: &'a [Pose]) -> Self {
+        Self {
+            particles: &scene.particles,
+            position: &kinematics.position,
+            present: &kinematics.present,
+            boundaries: &scene.boundaries,
+            poses,
+            cell: &scene.cell,
+        }
+    }
 }
 
 impl Placement<'_> {
@@ -133,24 +149,47 @@ impl Placement<'_> {
     /// The longest way \[m\] of points fixed to boundary `b`, where spheres are, while it moves to `to`.
     #[must_use]
     pub fn carried(&self, b: usize, to: &Pose) -> f64 {
+        if &self.poses[b] == to {
+            return 0.0;
+        }
+        self.present_positions()
+            .map(|x| self.way_at(b, to, x))
+            .fold(0.0, f64::max)
+    }
+
+    /// Way \[m\] of the point fixed to boundary `b` that is at `x` while it moves to `to`.
+    #[must_use]
+    pub fn way_at(&self, b: usize, to: &Pose, x: Vec3) -> f64 {
         let (wall, from) = (&self.boundaries[b], &self.poses[b]);
         if from == to {
             return 0.0;
         }
-        self.present_positions()
-            .map(|x| wall.copy_near(self.cell, from, x))
-            .map(|x| (wall.from_frame(to, wall.to_frame(from, x)) - x).norm())
-            .fold(0.0, f64::max)
+        let x = wall.copy_near(self.cell, from, x);
+        (wall.from_frame(to, wall.to_frame(from, x)) - x).norm()
     }
 
-    /// Every pair of `list` whose gap is at most `reach(key)` \[m\], in canonical order.
+    /// Gap \[m\] of [`Self::follow`].
+    #[must_use]
+    pub fn gap(&self, candidate: &Candidate) -> f64 {
+        match candidate.key.partner {
+            Partner::Sphere { index, image } => {
+                let i = candidate.key.sphere;
+                let [ra, rb] = [i, index].map(|k| self.particles.radius[k as usize]);
+                self.between(i, index, image).norm() - ra - rb
+            }
+            Partner::Boundary { .. } => self.follow(candidate).gap,
+        }
+    }
+
+    /// Finds every pair of `list` whose gap is at most `reach(key)` \[m\], in canonical order.
     pub fn candidates(
         &self,
         list: &NeighborList,
         reach_pair: impl Fn(u32, u32) -> f64,
         reach_wall: impl Fn(u32, u16) -> f64,
-    ) -> Vec<Candidate> {
-        let mut found = Vec::new();
+        found: &mut Vec<Candidate>,
+    ) {
+        found.clear();
         // Both lists ascend in the sphere, and a sphere's partners are spheres before boundaries: taken in turns they
         // are in canonical order but for the features of one boundary.
         let mut walls = list.walls.iter().copied().peekable();
@@ -160,7 +199,7 @@ impl Placement<'_> {
         };
         for &(i, j) in &list.pairs {
             while let Some(earlier) = walls.next_if(|(sphere, _)| *sphere < i) {
-                wall(earlier, &mut found);
+                wall(earlier, found);
             }
             let reach = reach_pair(i, j);
             if self.within(i, j, reach) {
@@ -171,7 +210,7 @@ impl Placement<'_> {
             }
         }
         for rest in walls {
-            wall(rest, &mut found);
+            wall(rest, found);
         }
         for &(i, j, image) in &list.images {
             let pair = self.pair(i, j, image);
@@ -182,7 +221,6 @@ impl Placement<'_> {
         if !list.images.is_empty() {
             found.sort_unstable_by_key(|candidate| candidate.key);
         }
-        found
     }
 
     /// Whether the gap of two spheres may be at most `reach` \[m\]: without a root, for most pairs are far.

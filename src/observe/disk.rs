@@ -175,14 +175,21 @@ impl Disk {
         Ok(())
     }
 
-    pub(super) fn serve(mut self, messages: &Receiver<Message>) {
+    /// Does what it is told until nobody is left who could tell; says after each frame that it is off its hands.
+    pub(super) fn serve(mut self, messages: &Receiver<Message>, written: &SyncSender<()>) {
         while let Ok(message) = messages.recv() {
             let outcome = match message {
                 Message::Write(Item::Frame {
                     number,
                     time,
                     grids,
-                }) => self.frame(number, time, &grids),
+                }) => {
+                    let outcome = self.frame(number, time, &grids);
+                    drop(grids);
+                    // Nobody who waits to send another is no failure.
+                    let _ = written.send(());
+                    outcome
+                }
                 Message::Write(Item::Row(values)) => self.history.push(&values).map(|()| {
                     lock(&self.status).rows += 1;
                 }),

@@ -40,20 +40,12 @@ impl Energy {
     /// Energy of the state.
     #[must_use]
     pub fn of(state: &Observation) -> Self {
-        let scene = state.scene;
-        let particles = &scene.particles;
-        let mut energy = Self::default();
-        for i in state.present() {
-            let velocity = state.velocity[i];
-            let mass = particles.mass[i];
-            energy.translational += 0.5 * mass * velocity.linear.norm_squared();
-            energy.rotational += 0.5 * particles.inertia(i) * velocity.angular.norm_squared();
-            let centre = state.kinematics.position[i];
-            energy.gravity -= mass * state.gravity.dot(&centre);
-            if let Some(frame) = &scene.settings.rotating_frame {
-                energy.centrifugal += mass * frame.potential(centre);
-            }
-        }
+        Totals::of(state).energy
+    }
+
+    /// Adds what is not of single spheres: driven bodies, springs, loads.
+    fn add_others(&mut self, state: &Observation) {
+        let (scene, energy) = (state.scene, self);
         for (b, body) in scene.driven() {
             let (boundary, now) = (&scene.boundaries[b], &state.boundaries[b]);
             let [linear, angular] = body.kinetic_energy(boundary, &now.pose, &now.twist);
@@ -79,7 +71,6 @@ impl Energy {
                 .force
                 .dot(&material_point(state, load.sphere, load.arm));
         }
-        energy
     }
 
     /// Translational plus rotational.
@@ -108,16 +99,65 @@ impl Momentum {
     /// Momentum of the state, with the half-step velocities.
     #[must_use]
     pub fn of(state: &Observation) -> Self {
+        Totals::of(state).momentum
+    }
+}
+
+/// Sums over all spheres in the scene, formed in one pass: a master reads them after every step.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Totals {
+    /// Mass \[kg\].
+    pub mass: f64,
+    /// Number of spheres.
+    pub spheres: u64,
+    /// Energy, that of driven bodies, springs and loads included.
+    pub energy: Energy,
+    /// Momentum.
+    pub momentum: Momentum,
+    /// Smallest radius \[m\]; infinite where there is no sphere.
+    pub smallest_radius: f64,
+    /// Largest reported speed of a centre \[m/s\].
+    pub largest_speed: f64,
+}
+
+impl Totals {
+    /// Sums of the state.
+    #[must_use]
+    pub fn of(state: &Observation) -> Self {
         let particles = &state.scene.particles;
-        let mut momentum = Self::default();
+        let frame = state.scene.settings.rotating_frame.as_ref();
+        let (mut energy, mut momentum) = (Energy::default(), Momentum::default());
+        let (mut mass, mut spheres) = (0.0, 0);
+        let (mut smallest_radius, mut square) = (f64::INFINITY, 0.0_f64);
         for i in state.present() {
-            let velocity = state.half_step[i];
-            let linear = velocity.linear * particles.mass[i];
+            let (own, inertia) = (particles.mass[i], particles.inertia(i));
+            let centre = state.kinematics.position[i];
+            mass += own;
+            spheres += 1;
+            smallest_radius = particles.radius[i].min(smallest_radius);
+            let velocity = state.velocities.reported(i);
+            let speed = velocity.linear.norm_squared();
+            square = speed.max(square);
+            energy.translational += 0.5 * own * speed;
+            energy.rotational += 0.5 * inertia * velocity.angular.norm_squared();
+            energy.gravity -= own * state.gravity.dot(&centre);
+            if let Some(frame) = frame {
+                energy.centrifugal += own * frame.potential(centre);
+            }
+            let velocity = state.velocities.half_step(i);
+            let linear = velocity.linear * own;
             momentum.linear += linear;
-            momentum.angular += state.kinematics.position[i].cross(&linear)
-                + velocity.angular * particles.inertia(i);
+            momentum.angular += centre.cross(&linear) + velocity.angular * inertia;
         }
-        momentum
+        energy.add_others(state);
+        Self {
+            mass,
+            spheres,
+            energy,
+            momentum,
+            smallest_radius,
+            largest_speed: square.sqrt(),
+        }
     }
 }
 

@@ -89,12 +89,12 @@ struct Vertex {
 #[must_use]
 pub fn spheres(state: &Observation) -> Grid {
     let (particles, cell) = (&state.scene.particles, &state.scene.cell);
-    let loads = Loads::of(state).spheres;
+    let loads = Loads::new(state, 0..particles.len()).spheres;
     let present = state.present().map(|i| Vertex {
         position: cell.wrapped(state.kinematics.position[i]),
         image: cell.image(state.kinematics.position[i]),
         orientation: state.kinematics.orientation[i],
-        velocity: state.velocity[i],
+        velocity: state.velocities.reported(i),
         wrench: loads[i].wrench,
         radius: particles.radius[i],
         id: i as i32,
@@ -237,10 +237,10 @@ fn slip(state: &Observation, contact: &Contact) -> f64 {
     let radius = &state.scene.particles.radius;
     let at = |twist: &Twist, arm: Vec3| twist.linear + twist.angular.cross(&arm);
     let a = contact.key.sphere as usize;
-    let own = at(&state.velocity[a], contact.normal * -radius[a]);
+    let own = at(&state.velocities.reported(a), contact.normal * -radius[a]);
     let other = match contact.key.partner {
         Partner::Sphere { index, .. } => at(
-            &state.velocity[index as usize],
+            &state.velocities.reported(index as usize),
             contact.normal * radius[index as usize],
         ),
         Partner::Boundary { boundary, .. } => {

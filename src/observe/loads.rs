@@ -42,32 +42,49 @@ impl Load {
 /// The loads of a state.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Loads {
-    /// `[N]`.
+    /// Those of the spheres that were asked for, in their order.
     pub spheres: Vec<Load>,
     /// `[B]`.
     pub boundaries: Vec<Load>,
     /// Number of loaded contacts.
     pub contacts: u64,
+    /// Largest overlap over the smaller radius of its pair \[-\].
+    pub max_overlap: f64,
 }
 
+/// Rank of a sphere that nobody asked for.
+const NOT_ASKED: u32 = u32::MAX;
+
 impl Loads {
-    /// Sums the contacts of a state.
+    /// Sums the contacts of a state, in one pass; of the spheres `of` alone, by index.
     #[must_use]
-    pub fn of(state: &Observation) -> Self {
+    pub fn new(state: &Observation, of: impl IntoIterator<Item = usize>) -> Self {
         let radius = &state.scene.particles.radius;
+        let asked: Vec<usize> = of.into_iter().collect();
+        let mut rank = vec![NOT_ASKED; radius.len()];
+        for (k, &sphere) in asked.iter().enumerate() {
+            rank[sphere] = k as u32;
+        }
         let mut loads = Self {
-            spheres: vec![Load::default(); radius.len()],
+            spheres: vec![Load::default(); asked.len()],
             boundaries: vec![Load::default(); state.scene.boundaries.len()],
             contacts: 0,
+            max_overlap: 0.0,
         };
         for contact in state.active_contacts() {
             loads.contacts += 1;
             let a = contact.key.sphere as usize;
-            loads.spheres[a].sphere(contact, radius[a], 1.0);
+            if rank[a] != NOT_ASKED {
+                loads.spheres[rank[a] as usize].sphere(contact, radius[a], 1.0);
+            }
+            let mut smaller = radius[a];
             match contact.key.partner {
                 Partner::Sphere { index, .. } => {
                     let b = index as usize;
-                    loads.spheres[b].sphere(contact, radius[b], -1.0);
+                    smaller = smaller.min(radius[b]);
+                    if rank[b] != NOT_ASKED {
+                        loads.spheres[rank[b] as usize].sphere(contact, radius[b], -1.0);
+                    }
                 }
                 Partner::Boundary { boundary, .. } => {
                     let b = usize::from(boundary);
@@ -76,6 +93,11 @@ impl Loads {
                     loads.boundaries[b].belt_power -= contact.force.dot(&belt);
                 }
             }
+            loads.max_overlap = loads.max_overlap.max(-contact.gap / smaller);
+        }
+        // A sphere that was asked for twice was summed up once, at its last place.
+        for (k, &sphere) in asked.iter().enumerate() {
+            loads.spheres[k] = loads.spheres[rank[sphere] as usize];
         }
         loads
     }

@@ -25,11 +25,13 @@ pub mod writer;
 use crate::Vec3;
 use crate::contacts::{Contact, Partner};
 use crate::driven::JointState;
+use crate::integrate::Velocities;
 use crate::motion::{Pose, Twist};
 use crate::particles::Kinematics;
 use crate::scene::Scene;
 use crate::simulation::{Simulation, StepReport, Wrench};
 use crate::state::Work;
+use energy::Totals;
 
 /// A boundary at the end of a communication step.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -61,11 +63,8 @@ pub struct Observation<'a> {
     pub body_force: Vec3,
     /// Positions, orientations, the integrator's own (half-step) velocities; `[N]` each.
     pub kinematics: &'a Kinematics,
-    /// Reported velocity \[m/s\] and angular velocity \[rad/s\] at `time`, `[N]`.
-    pub velocity: Vec<Twist>,
-    /// Velocity \[m/s\] and angular velocity \[rad/s\] whose momentum the impulses balance, `[N]`:
-    /// [`Simulation::half_step_velocity`].
-    pub half_step: Vec<Twist>,
+    /// Velocities at `time`, and those whose momentum the impulses balance: [`Simulation::half_step_velocity`].
+    pub velocities: Velocities<'a>,
     /// Loaded contacts in canonical order: gap and point at `time`, mean force of the last internal step.
     pub contacts: &'a [Contact],
     /// `[B]`.
@@ -95,12 +94,7 @@ impl<'a> Observation<'a> {
             gravity: simulation.gravity(),
             body_force: simulation.mean_body_force(),
             kinematics: simulation.kinematics(),
-            velocity: (0..scene.particles.len())
-                .map(|i| simulation.velocity(i))
-                .collect(),
-            half_step: (0..scene.particles.len())
-                .map(|i| simulation.half_step_velocity(i))
-                .collect(),
+            velocities: simulation.velocities(),
             contacts: simulation.contacts(),
             boundaries: (0..scene.boundaries.len())
                 .map(|b| BoundaryState {
@@ -134,17 +128,6 @@ impl<'a> Observation<'a> {
             .filter(|contact| contact.gap < 0.0 || contact.force != Vec3::zeros())
     }
 
-    /// Smaller radius of a contact's pair \[m\]: what its overlap is measured against.
-    #[must_use]
-    pub fn pair_radius(&self, contact: &Contact) -> f64 {
-        let radius = &self.scene.particles.radius;
-        let own = radius[contact.key.sphere as usize];
-        match contact.key.partner {
-            Partner::Sphere { index, .. } => own.min(radius[index as usize]),
-            Partner::Boundary { .. } => own,
-        }
-    }
-
     /// From the centre of body B, or the closest point on a boundary, to the centre of body A \[m\]: the copies that touch.
     #[must_use]
     pub fn branch(&self, contact: &Contact) -> [Vec3; 2] {
@@ -156,27 +139,13 @@ impl<'a> Observation<'a> {
         }
     }
 
-    /// Largest overlap over the smaller radius at `time` \[-\].
-    #[must_use]
-    pub fn max_overlap(&self) -> f64 {
-        self.contacts
-            .iter()
-            .map(|contact| -contact.gap / self.pair_radius(contact))
-            .fold(0.0, f64::max)
-    }
-
     /// Internal step \[s\] at which the gap tolerance also makes forces mean something:
     /// `min(sqrt(tol R / (0.2 g)), 0.15 R / v)` with the smallest radius and the largest speed, at most the scene's.
     #[must_use]
-    pub fn recommended_step(&self) -> f64 {
-        let scene = self.scene;
-        let radius = self
-            .present()
-            .map(|i| scene.particles.radius[i])
-            .fold(f64::INFINITY, f64::min);
-        let of_spheres = self.present().map(|i| self.velocity[i].linear.norm());
+    pub fn recommended_step(&self, totals: &Totals) -> f64 {
+        let (scene, radius) = (self.scene, totals.smallest_radius);
         let of_boundaries = self.boundaries.iter().map(|b| b.twist.linear.norm());
-        let speed = of_spheres.chain(of_boundaries).fold(0.0, f64::max);
+        let speed = of_boundaries.fold(totals.largest_speed, f64::max);
         let gravity = self.gravity.norm();
         let mut step = scene.settings.step;
         if gravity > 0.0 {

@@ -14,7 +14,7 @@
 
 use std::collections::VecDeque;
 use std::path::{Path, PathBuf};
-use std::sync::mpsc::{SyncSender, sync_channel};
+use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
 use std::sync::{Arc, Mutex};
 use std::thread::JoinHandle;
 
@@ -32,8 +32,10 @@ use crate::scene::Scene;
 
 pub use super::disk::Status;
 
-/// Frames and rows that may wait for the disk before the simulation waits too.
-const QUEUE: usize = 8;
+/// Rows and other messages that may wait for the disk before the simulation waits too.
+const QUEUE: usize = 64;
+/// Frames on their way to the disk, the one that is being written included: each holds some 0.6 kB per sphere in a heap.
+const FRAMES: usize = 2;
 /// Frames that may be held back; older ones are written although they may yet be rolled back.
 const HELD_FRAMES: usize = 16;
 /// Rows that may be held back, likewise.
@@ -94,6 +96,8 @@ pub struct Results {
     rows: Vec<f64>,
     held: VecDeque<Item>,
     sender: Option<SyncSender<Message>>,
+    /// One for each frame that may be sent.
+    permits: Receiver<()>,
     worker: Option<JoinHandle<()>>,
     status: Arc<Mutex<Status>>,
 }
@@ -233,9 +237,14 @@ impl Results {
     ) -> Result<Self, OutputError> {
         let status = disk.status();
         let (sender, receiver) = sync_channel(QUEUE);
+        let (written, permits) = sync_channel(FRAMES);
+        for _ in 0..FRAMES {
+            // There is room for all of them.
+            let _ = written.send(());
+        }
         let worker = std::thread::Builder::new()
             .name("results".to_owned())
-            .spawn(move || disk.serve(&receiver))
+            .spawn(move || disk.serve(&receiver, &written))
             .map_err(OutputError::io("start the writer of", &options.directory))?;
         Ok(Self {
             surface,
@@ -243,6 +252,7 @@ impl Results {
             rows,
             held: VecDeque::new(),
             sender: Some(sender),
+            permits,
             worker: Some(worker),
             status,
             options,
@@ -332,6 +342,10 @@ impl Results {
     /// Sends the oldest item that is held.
     fn release(&mut self) {
         if let Some(item) = self.held.pop_front() {
+            if let Item::Frame { .. } = item {
+                // A closed channel means that the thread is gone, which `send` counts.
+                let _ = self.permits.recv();
+            }
             self.send(Message::Write(item));
         }
     }

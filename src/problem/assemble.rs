@@ -60,28 +60,26 @@ pub struct Inputs<'a> {
 }
 
 impl<'a> Inputs<'a> {
-    /// The problem without rows: free velocities and inverse masses.
-    #[must_use]
-    pub fn bodies(&self) -> Problem {
+    /// Makes `problem` one without rows: free velocities and inverse masses.
+    pub fn bodies(&self, problem: &mut Problem) {
         let integrator = self.scene.settings.integrator;
-        let n = self.kinematics.len();
-        let free = (0..n)
-            .map(|i| integrator.free(&self.velocity(i), &self.external[i], self.step))
-            .chain(self.bodies.iter().map(|body| body.free))
-            .collect();
-        let inverse_mass = (0..n)
-            .map(|i| Dof6 {
-                linear: self.scene.particles.inverse_mass(i) * integrator.mobility(),
-                angular: self.scene.particles.inverse_inertia(i) * integrator.mobility(),
-            })
-            .collect();
-        Problem {
-            step: self.step,
-            free,
-            inverse_mass,
-            operators: self.bodies.iter().map(|body| body.mobility).collect(),
-            rows: Vec::new(),
-        }
+        let spheres = 0..self.kinematics.len();
+        problem.step = self.step;
+        problem.rows.clear();
+        let free = |i| integrator.free(&self.velocity(i), &self.external[i], self.step);
+        problem.free.clear();
+        problem.free.extend(spheres.clone().map(free));
+        problem
+            .free
+            .extend(self.bodies.iter().map(|body| body.free));
+        problem.inverse_mass.clear();
+        problem.inverse_mass.extend(spheres.map(|i| Dof6 {
+            linear: self.scene.particles.inverse_mass(i) * integrator.mobility(),
+            angular: self.scene.particles.inverse_inertia(i) * integrator.mobility(),
+        }));
+        problem.operators.clear();
+        let operators = self.bodies.iter().map(|body| body.mobility);
+        problem.operators.extend(operators);
     }
 
     fn velocity(&self, i: usize) -> Dof6 {

@@ -220,6 +220,12 @@ impl Row {
         }
     }
 
+    /// The bodies that it moves.
+    pub fn bodies(&self) -> impl Iterator<Item = usize> + use<> {
+        let bodies = [self.a, self.b].into_iter();
+        bodies.filter(|&body| body != GROUND).map(|b| b as usize)
+    }
+
     /// Relative velocity `u` \[m/s\] of A against B for the given body velocities.
     #[must_use]
     pub fn relative_velocity(&self, velocity: &[Dof6]) -> Vec3 {
@@ -248,14 +254,23 @@ impl Problem {
     /// Velocities `v_free + W J^T p` \[m/s\], \[rad/s\], `[N]`.
     #[must_use]
     pub fn velocities(&self, impulses: &[Vec3]) -> Vec<Dof6> {
-        let mut velocity = self.free.clone();
-        for (row, &impulse) in self.rows.iter().zip(impulses) {
-            self.apply(row, &mut velocity, impulse);
-        }
+        let mut velocity = Vec::new();
+        self.velocities_into(impulses, &mut velocity);
         velocity
     }
 
+    /// [`Self::velocities`] into `velocity`.
+    pub fn velocities_into(&self, impulses: &[Vec3], velocity: &mut Vec<Dof6>) {
+        velocity.clone_from(&self.free);
+        for (row, &impulse) in self.rows.iter().zip(impulses) {
+            if impulse != Vec3::zeros() {
+                self.apply(row, velocity, impulse);
+            }
+        }
+    }
+
     /// Adds to `velocity`, `[N + D]`, the effect of `impulse` \[N s\] on A and of its opposite on B.
+    #[inline]
     pub fn apply(&self, row: &Row, velocity: &mut [Dof6], impulse: Vec3) {
         let [grip_a, grip_b] = row.grips();
         self.kick(velocity, row.a, &grip_a.momentum(impulse));
@@ -264,6 +279,7 @@ impl Problem {
         }
     }
 
+    #[inline]
     fn kick(&self, velocity: &mut [Dof6], body: u32, momentum: &Dof6) {
         let body = body as usize;
         match self.inverse_mass.get(body) {

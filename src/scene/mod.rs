@@ -128,6 +128,9 @@ impl Default for Settings {
             rotating_frame: None,
             duration: 1.0,
             step: 1e-3,
+            smallest_step: None,
+            rest_speed: 0.0,
+            sweeps: None,
             communication_step: 1e-3,
             method: Method::default(),
             integrator: Integrator::default(),
@@ -140,6 +143,7 @@ impl Default for Settings {
             dynamic_coefficient: 1.0,
             max_iterations: 4000,
             max_cuts: 6,
+            threads: 1,
         }
     }
 }
@@ -157,6 +161,12 @@ pub struct Settings {
     pub duration: f64,
     /// Largest internal time step \[s\].
     pub step: f64,
+    /// Smallest internal step that is chosen for least total time \[s\]; `None`: all are as long as `step` allows.
+    pub smallest_step: Option<f64>,
+    /// Speed below which all points of all spheres must be for the scene to come to rest \[m/s\]; 0: never.
+    pub rest_speed: f64,
+    /// Most sweeps of a step, which is then as good as it is; `None`: until the tolerances are met.
+    pub sweeps: Option<usize>,
     /// Communication step of `run` and of the FMU's DefaultExperiment \[s\].
     pub communication_step: f64,
     /// Contact enforcement.
@@ -182,6 +192,8 @@ pub struct Settings {
     pub max_iterations: usize,
     /// How often a step may be halved before it is given up.
     pub max_cuts: u32,
+    /// Threads; results are the same for any number.
+    pub threads: usize,
 }
 
 /// A force on a sphere at a point that moves with it.

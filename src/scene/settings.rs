@@ -30,6 +30,23 @@ pub(super) fn settings(
             "a time > 0 [s]",
         );
     }
+    if let Some(smallest) = s.smallest_step {
+        document.demand(
+            smallest > 0.0 && smallest <= s.step,
+            at("smallest_step"),
+            smallest,
+            "0 < smallest_step <= step [s]",
+        );
+    }
+    document.demand(
+        s.rest_speed >= 0.0 && s.rest_speed.is_finite(),
+        at("rest_speed"),
+        s.rest_speed,
+        "a speed >= 0 [m/s]",
+    );
+    if let Some(sweeps) = s.sweeps {
+        document.demand(sweeps > 0, at("sweeps"), sweeps, "a whole number > 0");
+    }
     if let Some(penalty) = s.penalty {
         document.demand(
             penalty > 0.0,
@@ -86,6 +103,12 @@ pub(super) fn settings(
         s.max_cuts,
         "0 <= max_cuts <= 20",
     );
+    document.demand(
+        (1..=256).contains(&s.threads),
+        at("threads"),
+        s.threads,
+        "1 <= threads <= 256",
+    );
     let tolerance = Tolerance {
         gap: s.tolerance.gap,
         slip: s.tolerance.slip,
@@ -118,6 +141,9 @@ pub(super) fn settings(
         },
         duration: s.duration,
         step: s.step,
+        smallest_step: s.smallest_step,
+        rest_speed: s.rest_speed,
+        sweeps: s.sweeps.map(|n| n as usize),
         communication_step,
         method: s.method,
         integrator: s.integrator,
@@ -130,6 +156,7 @@ pub(super) fn settings(
         dynamic_coefficient: kept,
         max_iterations: s.max_iterations as usize,
         max_cuts: s.max_cuts,
+        threads: s.threads as usize,
     })
 }
 

@@ -12,7 +12,7 @@ use crate::drive::{Drive, displacement};
 use crate::error::StepError;
 use crate::motion::{Command, Motion, Pose, Rates};
 use crate::observe::sensors::flow::{Gate, crossings};
-use crate::scene::{Integrator, Measure, Scene};
+use crate::scene::{Measure, Scene};
 use crate::state::State;
 use crate::step::{StepFailure, step};
 
@@ -114,6 +114,11 @@ impl Course {
     }
 }
 
+/// In how many equal steps of at most `step` \[s\] a time `h` \[s\] goes; a margin keeps what is a whole number but for rounding.
+fn pieces(h: f64, step: f64) -> u64 {
+    (h / step * (1.0 - 1e-9)).ceil().max(1.0) as u64
+}
+
 impl Simulation {
     /// Begins a step to exactly `end` \[s\] in equal internal steps, which [`Self::internal_step`] takes one by one:
     /// between them the state can be read and boundaries can be commanded anew. Without that the result is that of
@@ -136,9 +141,7 @@ impl Simulation {
             before: state.clone(),
             start,
             // The margin keeps a communication step that is n internal steps but for rounding at n.
-            steps: (h / self.scene.settings.step * (1.0 - 1e-9))
-                .ceil()
-                .max(1.0) as u64,
+            steps: pieces(h, state.pace.step),
             done: 0,
             course: Course {
                 from: state.poses.clone(),
@@ -188,12 +191,18 @@ impl Simulation {
         if changed {
             self.check_jump(&drive, march.course.since, end, march.steps - march.done)?;
         }
+        if scene.settings.smallest_step.is_some() {
+            let rest = end - self.state.time;
+            march.steps = march.done + pieces(rest, self.state.pace.step);
+        }
         march.done += 1;
-        let h = end - start;
         let target = if march.done == march.steps {
             end
+        } else if scene.settings.smallest_step.is_some() {
+            let left = march.steps - march.done + 1;
+            self.state.time + (end - self.state.time) / left as f64
         } else {
-            start + h * (march.done as f64 / march.steps as f64)
+            start + (end - start) * (march.done as f64 / march.steps as f64)
         };
         self.step_to(&scene, &drive, target, 0, &mut march.account)?;
         self.average(march.start, &march.account);
@@ -242,6 +251,14 @@ impl Simulation {
     ) -> Result<(), StepError> {
         let start = self.state.time;
         let dt = target - start;
+        if self.rest_to(scene, drive, target) {
+            for (sum, wrench) in account.impulse.iter_mut().zip(&self.state.wrenches) {
+                sum.add(wrench, dt);
+            }
+            account.body_force += self.state.body_force * dt;
+            account.taken.push(target);
+            return Ok(());
+        }
         let before = Before::of(&self.state);
         let commands = drive.commands(scene.settings.integrator, start, dt);
         let held = commands.map(|now| std::mem::replace(&mut self.state.commands, now));
@@ -259,15 +276,18 @@ impl Simulation {
             Ok(outcome) => {
                 self.state.time = target;
                 self.state.report.include(&outcome);
+                self.state.pace.learn(&scene.settings, &outcome);
                 self.check_finite()?;
                 self.book(&before, dt, account);
                 account.taken.push(target);
                 self.exchange();
+                self.count_calm();
                 Ok(())
             }
             Err(failure) if cuts >= scene.settings.max_cuts => Err(self.explain(failure, dt, cuts)),
             Err(_) => {
                 self.state.report.cuts += 1;
+                self.state.pace.cut(&scene.settings);
                 let half = start + 0.5 * dt;
                 self.step_to(scene, drive, half, cuts + 1, account)?;
                 self.step_to(scene, drive, target, cuts + 1, account)
@@ -277,7 +297,8 @@ impl Simulation {
 
     /// Sums up what an internal step of `dt` \[s\] has done.
     pub(super) fn book(&mut self, before: &Before, dt: f64, account: &mut Account) {
-        let shift = self.shift(dt);
+        let settings = &self.scene.settings;
+        let shift = settings.integrator.shift(dt, settings.step);
         for (b, sum) in account.impulse.iter_mut().enumerate() {
             sum.add(&self.state.wrenches[b], dt);
             // A step of another length moves the half step by persisting forces: their share.
@@ -287,14 +308,6 @@ impl Simulation {
         let now = self.state.body_force;
         account.body_force += now * dt + (now - before.body_force) * shift;
         self.count_crossings(&before.position);
-    }
-
-    /// Time \[s\] by which the half step after a step of `dt` lies earlier than half a `simulation.step` before its end.
-    pub(super) fn shift(&self, dt: f64) -> f64 {
-        match self.scene.settings.integrator {
-            Integrator::Moreau => 0.5 * (dt - self.scene.settings.step),
-            Integrator::Shi => 0.0,
-        }
     }
 
     fn count_crossings(&mut self, before: &[Vec3]) {

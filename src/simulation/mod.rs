@@ -3,6 +3,7 @@
 mod derivatives;
 mod exchange;
 mod march;
+mod pace;
 mod settle;
 
 use std::sync::Arc;
@@ -16,6 +17,7 @@ use crate::drive::Drive;
 use crate::driven::{BodyState, JointState};
 use crate::error::{SnapshotError, StepError};
 use crate::gravity::GravityMotion;
+use crate::integrate::Velocities;
 use crate::motion::{Command, Pose, Rates, Twist};
 use crate::particles::Kinematics;
 use crate::problem::{Dof6, Impulses, Problem};
@@ -25,6 +27,7 @@ use crate::state::{State, Work};
 use crate::step::{Scratch, StepOutcome, initial_forces, remove_overlaps};
 pub use derivatives::{Direction, Origin};
 pub use march::March;
+pub use pace::Pace;
 pub use settle::{Settle, Settled};
 
 /// Force and torque on a boundary.
@@ -154,6 +157,7 @@ impl Simulation {
                 .penalty
                 .unwrap_or(lightest / (settings.step * settings.step)),
             report: StepReport::default(),
+            pace: Pace::of(settings),
         };
         let mut simulation = Self {
             scene,
@@ -224,6 +228,7 @@ impl Simulation {
         }
         let before = self.gravity();
         self.state.gravity = gravity;
+        self.state.pace.calm = 0;
         // Before the first step the start is chosen, no work is done.
         if self.state.last_step > 0.0 {
             let change = self.gravity() - before;
@@ -402,17 +407,7 @@ impl Simulation {
     /// Velocity \[m/s\] and angular velocity \[rad/s\] of sphere `i` at [`Self::time`].
     #[must_use]
     pub fn velocity(&self, i: usize) -> Twist {
-        let velocity = Dof6 {
-            linear: self.state.kinematics.velocity[i],
-            angular: self.state.kinematics.spin[i],
-        };
-        let integrator = self.scene.settings.integrator;
-        let reported =
-            integrator.reported(&velocity, &self.state.persisting[i], self.state.last_step);
-        Twist {
-            linear: reported.linear,
-            angular: reported.angular,
-        }
+        self.velocities().reported(i)
     }
 
     /// Velocity \[m/s\] and angular velocity \[rad/s\] of sphere `i` half a `simulation.step` before [`Self::time`]
@@ -420,11 +415,19 @@ impl Simulation {
     /// weight and loads x time less the [`Self::mean_wrench`]es x time, also where steps were cut.
     #[must_use]
     pub fn half_step_velocity(&self, i: usize) -> Twist {
-        let shift = self.shift(self.state.last_step);
-        let persisting = &self.state.persisting[i];
-        Twist {
-            linear: self.state.kinematics.velocity[i] + persisting.linear * shift,
-            angular: self.state.kinematics.spin[i] + persisting.angular * shift,
+        self.velocities().half_step(i)
+    }
+
+    /// Both, for whichever sphere.
+    #[must_use]
+    pub fn velocities(&self) -> Velocities<'_> {
+        let settings = &self.scene.settings;
+        Velocities {
+            kinematics: &self.state.kinematics,
+            persisting: &self.state.persisting,
+            integrator: settings.integrator,
+            last: self.state.last_step,
+            step: settings.step,
         }
     }
 

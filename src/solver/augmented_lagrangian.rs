@@ -43,7 +43,7 @@ const CEILING: f64 = 1e3;
 #[derive(Debug, Default)]
 pub struct Workspace {
     symbolic: Option<Symbolic>,
-    pub(super) kernel: Kernel,
+    pub(crate) kernel: Kernel,
 }
 
 /// The analysis of `pattern`: `kept`, if it is that one's.

@@ -12,7 +12,16 @@
 //! force = |r| / max(|p|, m_min |a_f| dt)                                                  [-]
 //! ```
 //!
-//! It vanishes exactly at a solution. Velocities are those of the impulses, never a solver's own.
+//! How near a contact is to opening, closing, or beginning or ending to slip is seen in what its law projects,
+//! `y = p - d/w`:
+//!
+//! ```text
+//! margin  |y_n| / max(|p|, m_min |a_f| dt)      to opening or closing
+//!         ||y_t| - mu p_n| / (mu p_n)           to stick or slip, likewise of resistances
+//! kink    1 - the smallest margin of all rows, at least 0
+//! ```
+//!
+//! The residual vanishes exactly at a solution. Velocities are those of the impulses, never a solver's own.
 
 use crate::Vec3;
 use crate::contacts::law::{project_disc, project_interval, split};
@@ -30,6 +39,8 @@ pub struct Residual {
     pub force: f64,
     /// Row of the largest gap, slip and force residual.
     pub worst: [usize; 3],
+    /// How near a row is to the edge of its state: 1 at the edge, 0 far from it.
+    pub kink: f64,
 }
 
 impl Residual {
@@ -53,8 +64,9 @@ impl Residual {
         }
     }
 
-    /// Takes row `index`'s residuals into the maxima.
-    pub(super) fn include(&mut self, index: usize, values: [f64; 3]) {
+    /// Takes row `index`'s residuals and its margin into the extremes.
+    pub(super) fn include(&mut self, index: usize, values: [f64; 3], margin: f64) {
+        self.kink = self.kink.max(1.0 - margin);
         let maxima = [&mut self.gap, &mut self.slip, &mut self.force];
         for ((maximum, value), worst) in maxima.into_iter().zip(values).zip(&mut self.worst) {
             if value > *maximum || value.is_nan() {
@@ -143,6 +155,35 @@ impl Scale {
         }
     }
 
+    /// Distance of a row to the edge of its state over its size, at relative velocity `u` and impulse `p`; 1 where it has
+    /// none or nothing can move it.
+    #[must_use]
+    #[inline]
+    pub fn margin(&self, row: &Row, u: Vec3, p: Vec3, load: f64) -> f64 {
+        if row.law == Law::Bilateral || self.normal <= 0.0 || self.tangential <= 0.0 {
+            return 1.0;
+        }
+        let n = row.normal;
+        let ((p_n, p_t), (d_n, d_t)) = (split(p, n), split(u + row.bias, n));
+        let y_n = p_n - (d_n + row.compliance_n * p_n) / self.normal;
+        let y_t = (p_t - (d_t + p_t * row.compliance_t) / self.tangential).norm();
+        let edge = |size: f64, bound: f64| match bound > 0.0 {
+            true => (size - bound).abs() / bound,
+            false => 1.0,
+        };
+        match row.law {
+            Law::Contact { mu } => {
+                let size = p.norm().max(row.impulse_scale);
+                let opens = if size > 0.0 { y_n.abs() / size } else { 1.0 };
+                opens.min(edge(y_t, mu * p_n.max(0.0)))
+            }
+            Law::Resistance {
+                rolling, twisting, ..
+            } => edge(y_t, rolling * load).min(edge(y_n.abs(), twisting * load)),
+            Law::Bilateral => 1.0,
+        }
+    }
+
     /// The three dimensionless residuals of a row whose impulse is off by `correction`.
     #[must_use]
     pub fn residuals(&self, row: &Row, step: f64, correction: &Correction) -> [f64; 3] {
@@ -194,8 +235,10 @@ pub fn evaluate(problem: &Problem, scales: &[Scale], impulses: &[Vec3]) -> Resid
     let mut residual = Residual::default();
     for (index, ((row, scale), &p)) in problem.rows.iter().zip(scales).zip(impulses).enumerate() {
         let load = row.load(&problem.rows, impulses);
-        let correction = scale.correction(row, row.relative_velocity(&velocity), p, load);
-        residual.include(index, scale.residuals(row, problem.step, &correction));
+        let u = row.relative_velocity(&velocity);
+        let correction = scale.correction(row, u, p, load);
+        let values = scale.residuals(row, problem.step, &correction);
+        residual.include(index, values, scale.margin(row, u, p, load));
     }
     residual
 }

@@ -1,5 +1,7 @@
 //! From a solution to the next state: motion, contact forces, wrenches, work.
 
+use std::iter::repeat;
+
 use super::dof;
 use super::stage::{Held, Stage};
 use crate::Vec3;
@@ -22,7 +24,9 @@ impl Stage<'_> {
         if !self.impulses.iter().enumerate().any(struck) {
             return;
         }
-        let before = transfer(&state.contacts, self.candidates.iter().map(|c| c.key));
+        let mut before = Vec::new();
+        let keys = self.candidates.iter().map(|c| c.key);
+        transfer(&state.contacts, keys, &mut before);
         let step = self.inputs.step;
         let first = self.first_hold();
         for (k, held) in self.holds.iter_mut().enumerate() {
@@ -32,10 +36,15 @@ impl Stage<'_> {
             held.impact |= held.hold.stops() && handed_on;
         }
         for (k, (impact, before)) in self.impact.iter_mut().zip(before).enumerate() {
+            let size = self.impulses[k].norm();
+            // Most carry what they did.
+            if size <= 2.0 * step * before.force.norm() {
+                continue;
+            }
             let row = &self.problem.rows[k];
             let load = [row.a, row.b].map(|body| self.inputs.weight(body));
             let load = load[0].max(load[1]);
-            *impact |= self.impulses[k].norm() > 2.0 * step * (before.force.norm() + load);
+            *impact |= size > 2.0 * step * (before.force.norm() + load);
         }
     }
 
@@ -147,15 +156,20 @@ impl Stage<'_> {
             .collect()
     }
 
-    /// Acceleration by external forces and all contacts that are no impacts, `[N]`.
-    pub(super) fn persisting_acceleration(&self) -> Vec<Dof6> {
-        let mut acceleration = self.inputs.external.to_vec();
+    /// Acceleration by external forces and all contacts that are no impacts, `[N]`: what `solution` has over the free motion,
+    /// less what impacts gave.
+    pub(super) fn persisting_acceleration(&self, solution: &[Dof6]) -> Vec<Dof6> {
+        let mobility = self.inputs.scene.settings.integrator.mobility();
+        let rate = 1.0 / (mobility * self.inputs.step);
         // Driven bodies keep their own account.
-        acceleration.resize(self.problem.free.len(), Dof6::ZERO);
-        let mobility = 1.0 / self.inputs.scene.settings.integrator.mobility();
+        let external = self.inputs.external.iter().chain(repeat(&Dof6::ZERO));
+        let changes = solution.iter().zip(&self.problem.free).zip(external);
+        let mut acceleration: Vec<Dof6> = changes
+            .map(|((v, free), external)| external.plus(&v.plus(free, -1.0), rate))
+            .collect();
         for (k, row) in self.problem.rows.iter().enumerate() {
-            if !self.is_impact(k) {
-                let force = self.impulses[k] * (mobility / self.inputs.step);
+            if self.impulses[k] != Vec3::zeros() && self.is_impact(k) {
+                let force = self.impulses[k] * -rate;
                 self.problem.apply(row, &mut acceleration, force);
             }
         }
@@ -168,7 +182,7 @@ impl Stage<'_> {
         let scene = self.inputs.scene;
         let settings = &scene.settings;
         let step = self.inputs.step;
-        let persisting = self.persisting_acceleration();
+        let persisting = self.persisting_acceleration(solution);
         let finished = self.finished(solution, ends);
         self.work(state, solution, &persisting);
         self.body_work(state, solution, &finished, ends);
@@ -178,22 +192,17 @@ impl Stage<'_> {
         for (carried, (after, _)) in state.bodies.iter_mut().zip(finished) {
             *carried = after;
         }
-        let position = self.moved(solution);
-        for (i, v1) in solution[..position.len()].iter().enumerate() {
+        for (i, v1) in solution[..self.inputs.kinematics.len()].iter().enumerate() {
             let after = settings
                 .integrator
                 .finish(&dof(self.inputs.kinematics, i), v1, settings);
+            state.kinematics.position[i] = self.inputs.kinematics.position[i] + v1.linear * step;
             state.kinematics.velocity[i] = after.linear;
             state.kinematics.spin[i] = after.angular;
             state.kinematics.orientation[i] =
                 turned(&self.inputs.kinematics.orientation[i], &v1.angular, step);
         }
-        state.kinematics.position = position;
-        let end = Placement {
-            position: &state.kinematics.position,
-            poses: ends,
-            ..self.start
-        };
+        let end = Placement::of(scene, &state.kinematics, ends);
         for (contact, candidate) in state.contacts.iter_mut().zip(
             self.candidates
                 .iter()
@@ -214,14 +223,14 @@ impl Stage<'_> {
         let (scene, step) = (self.inputs.scene, self.inputs.step);
         let integrator = scene.settings.integrator;
         let before = self.before();
-        let mean = self.mean(solution);
+        let mean = self.mean(&before, solution);
         let spheres = self.inputs.kinematics.len();
         let work = &mut state.work;
         // Work on the spheres that is accounted for.
         let mut known = 0.0;
         for (k, row) in self.problem.rows.iter().enumerate() {
             let p = self.impulses[k];
-            if self.held(k).is_some() {
+            if p == Vec3::zeros() || self.held(k).is_some() {
                 continue;
             }
             if row.law == Law::Bilateral {
@@ -282,9 +291,12 @@ impl Stage<'_> {
         finished: &[(BodyState, f64)],
         ends: &[Pose],
     ) {
+        if self.inputs.bodies.is_empty() {
+            return;
+        }
         let (scene, step) = (self.inputs.scene, self.inputs.step);
         let integrator = scene.settings.integrator;
-        let mean = self.mean(solution);
+        let mean = self.mean(&self.before(), solution);
         let spheres = self.inputs.kinematics.len();
         let work = &mut state.work;
         for (k, row) in self.problem.rows.iter().enumerate() {
@@ -322,8 +334,7 @@ impl Stage<'_> {
     }
 
     /// Mean velocities over the step, `[N + D]`: what an impact works with.
-    fn mean(&self, solution: &[Dof6]) -> Vec<Dof6> {
-        let before = self.before();
+    fn mean(&self, before: &[Dof6], solution: &[Dof6]) -> Vec<Dof6> {
         let both = before.iter().zip(solution);
         both.map(|(before, v1)| match self.inputs.scene.settings.integrator {
             Integrator::Moreau => Dof6::ZERO.plus(before, 0.5).plus(v1, 0.5),

@@ -1,11 +1,12 @@
-//! One internal time step, its stages in order: `stage` finds candidates and solves until the true geometry
-//! agrees, `commit` writes the solution into the state; `start` does the same at t = 0.
+//! One internal time step, its stages in order: `stage` finds candidates and writes rows, `resolve` solves until the true
+//! geometry agrees, `commit` writes the solution into the state; `start` does the same at t = 0.
 
 mod beside;
 mod commit;
 mod external;
-mod kink;
+mod failure;
 mod passing;
+mod resolve;
 mod stage;
 mod start;
 
@@ -16,6 +17,7 @@ pub use start::{initial_forces, remove_overlaps};
 
 use crate::Vec3;
 use crate::contacts::broad_phase::NeighborList;
+use crate::contacts::history::Carried;
 use crate::driven::Ready;
 use crate::linalg::LinearError;
 use crate::motion::{Pose, Twist};
@@ -26,13 +28,16 @@ use crate::scene::Scene;
 use crate::solver::Report;
 use crate::solver::augmented_lagrangian::Workspace;
 use crate::state::State;
-use stage::Stage;
+use stage::{Memory, Stage};
 
 /// What is kept between steps for speed and never shows in results.
 #[derive(Debug, Default)]
 pub struct Scratch {
     neighbors: NeighborList,
     workspace: Workspace,
+    memory: Memory,
+    reach: Vec<f64>,
+    carried: Vec<Carried>,
 }
 
 /// Cost and quality of one internal step.
@@ -113,7 +118,7 @@ pub fn step_beside(
                 .map(|k| Stage::beside(&stage, starts[k].inputs(scene, dt), pair[k].state)),
         })
         .collect();
-    let (solution, outcome) = stage.resolve(state, scratch, &mut twins)?;
+    let outcome = stage.resolve(state, scratch, &mut twins)?;
     stage.spread_impacts(state);
     for ((twin, starts), pair) in twins.iter_mut().zip(&starts).zip(pairs) {
         twin.agree(&stage);
@@ -122,7 +127,8 @@ pub fn step_beside(
             starts[k].finish(side, pair[k].state, &solution, dt);
         }
     }
-    start.finish(&stage, state, &solution, dt);
+    start.finish(&stage, state, &stage.solution, dt);
+    scratch.memory = stage.memory();
     if outcome.solver.penalty > 0.0 && outcome.solver.penalty.is_finite() {
         state.penalty = outcome.solver.penalty;
     }

@@ -1,12 +1,12 @@
-//! The step under way: candidates, rows, and the solve that repeats until the true geometry agrees.
+//! The step under way: candidates, rows and their impulses.
 
-use super::beside::{self, Twin};
-use super::{Passed, Scratch, StepFailure, StepOutcome};
+use std::mem::take;
+
+use super::Scratch;
 use crate::Vec3;
+use crate::contacts::history::{self, Carried};
 use crate::contacts::narrow_phase::{Candidate, Placement};
-use crate::contacts::{Partner, history};
 use crate::driven::Hold;
-use crate::linalg::LinearError;
 use crate::motion::Pose;
 use crate::problem::assemble::Inputs;
 use crate::problem::{Dof6, Law, Problem};
@@ -15,11 +15,6 @@ use crate::solver::residual::{Scale, evaluate};
 use crate::solver::{Params, Report, SMOOTHING, solve};
 use crate::state::State;
 
-/// Passes of re-linearisation and late contacts before the step is cut.
-const PASSES: usize = 30;
-/// A loaded contact may leave its linearised surface by this share of the radius before its gap is
-/// re-linearised; overlaps are held to the tolerance whatever this is.
-const OPENING: f64 = 1e-3;
 /// Contacts with a gap below this share of the radius are candidates even at rest.
 const NEAR: f64 = 1e-3;
 /// Share of the gap tolerance left to the linear problem; the rest is for curvature and rounding.
@@ -42,115 +37,139 @@ pub(super) struct Stage<'a> {
     /// Stops and springs of the driven bodies: their rows follow those of the constrained points.
     pub(super) holds: Vec<Held>,
     pub(super) impulses: Vec<Vec3>,
+    /// Velocities of the impulses, `[N + D]`, and where they lead the spheres \[m\], `[N]`: of the last pass of the solve.
+    pub(super) solution: Vec<Dof6>,
+    pub(super) position: Vec<Vec3>,
+    /// Pairs that overlap there.
+    pub(super) closed: Vec<Candidate>,
     /// Whether bodies move through the step: a displacement that removes overlaps is no way.
     pub(super) moves: bool,
+}
+
+/// The arrays of a stage, kept from step to step for their memory alone.
+#[derive(Debug, Default)]
+pub(super) struct Memory {
+    problem: Problem,
+    candidates: Vec<Candidate>,
+    closed: Vec<Candidate>,
+    impact: Vec<bool>,
+    holds: Vec<Held>,
+    impulses: Vec<Vec3>,
+    solution: Vec<Dof6>,
+    position: Vec<Vec3>,
 }
 
 impl<'a> Stage<'a> {
     /// Candidates within the step's reach, rows, warm start.
     pub(super) fn new(inputs: Inputs<'a>, state: &State, scratch: &mut Scratch) -> Self {
-        let scene = inputs.scene;
-        let problem = inputs.bodies();
-        let start = Placement {
-            particles: &scene.particles,
-            position: &inputs.kinematics.position,
-            present: &inputs.kinematics.present,
-            boundaries: &scene.boundaries,
-            poses: inputs.poses[0],
-            cell: &scene.cell,
-        };
+        let mut stage = Self::empty(inputs, take(&mut scratch.memory));
+        let (scene, start, step) = (inputs.scene, stage.start, inputs.step);
         // What a sphere can move in the step, before contacts change its velocity: the check after the
         // solve finds what this misses.
-        let reach: Vec<f64> = (0..inputs.kinematics.len())
-            .map(|i| {
-                let free = problem.free[i].linear.norm();
-                let now = inputs.kinematics.velocity[i].norm();
-                inputs.step * free.max(now) + NEAR * scene.particles.radius[i]
-            })
-            .collect();
+        let mut reach = take(&mut scratch.reach);
+        reach.clear();
+        reach.extend((0..inputs.kinematics.len()).map(|i| {
+            let free = stage.problem.free[i].linear.norm();
+            let now = inputs.kinematics.velocity[i].norm();
+            step * free.max(now) + NEAR * scene.particles.radius[i]
+        }));
         let wall_motion = |i: u32, b: u16| {
-            let (wall, i) = (&scene.boundaries[usize::from(b)], i as usize);
-            let [from, to] = inputs.poses.map(|poses| &poses[usize::from(b)]);
-            let x = wall.copy_near(&scene.cell, from, inputs.kinematics.position[i]);
-            (wall.from_frame(to, wall.to_frame(from, x)) - x).norm()
+            let b = usize::from(b);
+            start.way_at(
+                b,
+                &inputs.poses[1][b],
+                inputs.kinematics.position[i as usize],
+            )
         };
         let largest = reach.iter().copied().fold(0.0, f64::max);
+        let radii = scene.particles.radius.iter().copied();
+        let diameter = 2.0 * (radii.fold(0.0, f64::max) + largest);
+        let kernel = &mut scratch.workspace.kernel;
+        kernel.prepare(scene.settings.threads, start.position, diameter);
         // Of every sphere and boundary: what the list holds already must not decide what it lacks.
         let carried = (0..scene.boundaries.len()).map(|b| start.carried(b, &inputs.poses[1][b]));
         let widest = carried.fold(largest, |widest, way| widest.max(largest + way));
         scratch.neighbors.ensure(&start, widest.max(2.0 * largest));
-        let candidates = start.candidates(
+        start.candidates(
             &scratch.neighbors,
             |i, j| reach[i as usize] + reach[j as usize],
             |i, b| reach[i as usize] + wall_motion(i, b),
+            &mut stage.candidates,
         );
-        let mut stage = Self {
-            inputs,
-            start,
-            problem,
-            candidates,
-            impact: Vec::new(),
-            holds: Vec::new(),
-            impulses: Vec::new(),
-            moves: true,
-        };
-        stage.write_rows(state, None);
+        scratch.reach = reach;
+        stage.write_rows(state, None, &mut scratch.carried);
         stage
     }
 
     /// The step beside `other`, from slightly other data: the same contacts, each an impact if it is one there.
     pub(super) fn beside(other: &Stage, inputs: Inputs<'a>, state: &State) -> Self {
-        let scene = inputs.scene;
-        let start = Placement {
-            particles: &scene.particles,
-            position: &inputs.kinematics.position,
-            present: &inputs.kinematics.present,
-            boundaries: &scene.boundaries,
-            poses: inputs.poses[0],
-            cell: &scene.cell,
-        };
-        let mut stage = Self {
-            problem: inputs.bodies(),
-            candidates: other.candidates.iter().map(|c| follow(&start, c)).collect(),
-            inputs,
-            start,
-            impact: Vec::new(),
-            holds: Vec::new(),
-            impulses: Vec::new(),
-            moves: other.moves,
-        };
-        stage.write_rows(state, Some(&other.impact));
+        let mut stage = Self::empty(inputs, Memory::default());
+        let candidates = other.candidates.iter();
+        stage.candidates = candidates.map(|c| follow(&stage.start, c)).collect();
+        stage.moves = other.moves;
+        stage.write_rows(state, Some(&other.impact), &mut Vec::new());
         stage
+    }
+
+    /// Bodies, and nothing between them.
+    fn empty(inputs: Inputs<'a>, mut memory: Memory) -> Self {
+        inputs.bodies(&mut memory.problem);
+        memory.candidates.clear();
+        memory.closed.clear();
+        memory.impact.clear();
+        memory.holds.clear();
+        memory.impulses.clear();
+        Self {
+            inputs,
+            start: Placement::of(inputs.scene, inputs.kinematics, inputs.poses[0]),
+            problem: memory.problem,
+            candidates: memory.candidates,
+            closed: memory.closed,
+            impact: memory.impact,
+            holds: memory.holds,
+            impulses: memory.impulses,
+            solution: memory.solution,
+            position: memory.position,
+            moves: true,
+        }
+    }
+
+    /// Its arrays, for the next step.
+    pub(super) fn memory(self) -> Memory {
+        Memory {
+            problem: self.problem,
+            candidates: self.candidates,
+            closed: self.closed,
+            impact: self.impact,
+            holds: self.holds,
+            impulses: self.impulses,
+            solution: self.solution,
+            position: self.position,
+        }
     }
 
     /// Rows and warm-start impulses for the candidates, the constrained points, the stops and springs of driven bodies and
     /// the contacts' resistances, in this order.
-    fn write_rows(&mut self, state: &State, told: Option<&[bool]>) {
-        let carried = history::transfer(&state.contacts, self.candidates.iter().map(|c| c.key));
-        self.problem.rows.clear();
-        self.impact.clear();
-        for (k, (candidate, carried)) in self.candidates.iter().zip(&carried).enumerate() {
+    fn write_rows(&mut self, state: &State, told: Option<&[bool]>, carried: &mut Vec<Carried>) {
+        let step = self.inputs.step;
+        history::transfer(
+            &state.contacts,
+            self.candidates.iter().map(|c| c.key),
+            carried,
+        );
+        for (k, (candidate, carried)) in self.candidates.iter().zip(&*carried).enumerate() {
             let (free, told) = (&self.problem.free, told.map(|told| told[k]));
             let (row, impact) = self.inputs.contact(free, candidate, carried.force, told);
             self.problem.rows.push(row);
             self.impact.push(impact);
+            self.impulses.push(carried.force * step);
         }
         let springs = 0..self.inputs.targets.len();
         self.problem
             .rows
             .extend(springs.map(|s| self.inputs.spring(s)));
-        let step = self.inputs.step;
-        let springs_held = state
-            .springs
-            .iter()
-            .copied()
-            .take(self.inputs.targets.len());
-        self.impulses = carried
-            .iter()
-            .map(|carried| carried.force)
-            .chain(springs_held)
-            .map(|f| f * step)
-            .collect();
+        let springs_held = state.springs.iter().take(self.inputs.targets.len());
+        self.impulses.extend(springs_held.map(|f| f * step));
         for (rank, body) in self.inputs.bodies.iter().enumerate() {
             for hold in body.holds() {
                 let (row, impact) = self.inputs.hold(&self.problem.free, rank, &hold);
@@ -167,7 +186,7 @@ impl<'a> Stage<'a> {
     }
 
     /// Adds the resistance of contact `k`, if it has one, with its last couple.
-    fn resist(&mut self, k: usize, torque: Vec3) {
+    pub(super) fn resist(&mut self, k: usize, torque: Vec3) {
         let row = &self.problem.rows[k];
         let key = self.candidates[k].key;
         if let Some(resistance) = self.inputs.resistance(key, row, k, torque) {
@@ -203,9 +222,18 @@ impl<'a> Stage<'a> {
         self.holds.get(k.checked_sub(self.first_hold())?)
     }
 
-    /// Solves the problem as it stands.
-    pub(super) fn solve(&mut self, state: &State, scratch: &mut Scratch) -> Report {
-        let params = self.params(state);
+    /// Solves the problem as it stands; by `sweeps` at most, if so many are given.
+    pub(super) fn solve(
+        &mut self,
+        state: &State,
+        scratch: &mut Scratch,
+        sweeps: Option<usize>,
+    ) -> Report {
+        let mut params = self.params(state);
+        if let Some(sweeps) = sweeps {
+            params.kind = SolverKind::GaussSeidel;
+            params.max_sweeps = sweeps;
+        }
         let workspace = &mut scratch.workspace;
         solve(&self.problem, &params, workspace, &mut self.impulses)
     }
@@ -247,184 +275,6 @@ impl<'a> Stage<'a> {
         }
     }
 
-    /// Solves until the true geometry agrees: gaps are re-linearised, late contacts join.
-    pub(super) fn resolve(
-        &mut self,
-        state: &State,
-        scratch: &mut Scratch,
-        twins: &mut [Twin<'_>],
-    ) -> Result<(Vec<Dof6>, StepOutcome), StepFailure> {
-        let mut total = Report::default();
-        for _ in 0..PASSES {
-            total = total.then(self.solve(state, scratch));
-            if !total.converged {
-                return Err(self.failure(&total));
-            }
-            beside::follow(self, twins).map_err(|broken| self.broken(&total, broken))?;
-            let solution = self.problem.velocities(&self.impulses);
-            let position = self.moved(&solution);
-            let ends = self.end_poses(&solution);
-            let end = Placement {
-                position: &position,
-                poses: &ends,
-                ..self.start
-            };
-            scratch.neighbors.ensure(&end, 0.0);
-            let closed = end.candidates(&scratch.neighbors, |_, _| 0.0, |_, _| 0.0);
-            let max_overlap = closed
-                .iter()
-                .map(|c| -c.gap / end.scale(c.key))
-                .fold(0.0, f64::max);
-            // The penalty method lets bodies overlap as they like.
-            let alm = self.inputs.scene.settings.method == Method::Alm;
-            let swept = alm && self.moves;
-            if swept && let Some(passed) = self.struck(&end, &closed) {
-                return Err(self.too_fast(&total, passed));
-            }
-            if alm && self.correct(&end, &closed, (&solution, state), twins) {
-                continue;
-            }
-            if swept && let Some(passed) = self.passed(&solution, &ends, scratch) {
-                return Err(self.too_fast(&total, passed));
-            }
-            let outcome = StepOutcome {
-                solver: total,
-                max_overlap,
-                kink: self.kink(&solution),
-            };
-            return Ok((solution, outcome));
-        }
-        Err(StepFailure {
-            what: "gap",
-            residual: f64::NAN,
-            tolerance: self.inputs.scene.settings.tolerance.gap,
-            contact: None,
-            // Forces without bound satisfy a pinch on paper: then only the geometry refuses it.
-            pinched: (0..self.candidates.len()).find_map(|row| self.pinch(row)),
-            passed: None,
-            broken: None,
-        })
-    }
-
-    /// Compares the linear gaps with the true ones at the end of the step. Re-linearises those that are off
-    /// (the gap only: normals and arms keep the start of the step, as in SHAKE) and adds contacts that closed
-    /// without being candidates. Returns whether anything changed.
-    fn correct(
-        &mut self,
-        end: &Placement,
-        closed: &[Candidate],
-        (solution, state): (&[Dof6], &State),
-        twins: &mut [Twin<'_>],
-    ) -> bool {
-        let settings = &self.inputs.scene.settings;
-        let tolerance = settings.tolerance.gap;
-        let loaded = |k: usize| self.impulses[k] != Vec3::zeros();
-        let wall = |k: usize| matches!(self.candidates[k].key.partner, Partner::Boundary { .. });
-        // Two spheres without load that overlap are among the closed ones below.
-        let mut off = (0..self.candidates.len()).any(|k| {
-            (loaded(k) || wall(k)) && {
-                let (gap, radius) = (self.true_gap(end, k), self.problem.rows[k].radius);
-                let opens = loaded(k) && !self.impact[k] && gap > OPENING * radius;
-                gap < -tolerance * radius || opens
-            }
-        });
-        let mut late: Vec<Candidate> = Vec::new();
-        for found in closed {
-            if found.gap < -tolerance * end.scale(found.key) {
-                match self
-                    .candidates
-                    .binary_search_by_key(&found.key, |known| known.key)
-                {
-                    Ok(k) => off |= !loaded(k),
-                    Err(_) => late.push(*found),
-                }
-            }
-        }
-        if !off && late.is_empty() {
-            return false;
-        }
-        // A rebound yields only to an overlap.
-        let yields: Vec<bool> = (0..self.candidates.len())
-            .map(|k| {
-                !self.impact[k] || self.true_gap(end, k) < -tolerance * self.problem.rows[k].radius
-            })
-            .collect();
-        self.relinearise(end, solution, &yields);
-        let told: Vec<bool> = late
-            .iter()
-            .map(|found| self.insert(*found, (solution, state), None))
-            .collect();
-        for stage in twins.iter_mut().flat_map(|twin| &mut twin.stages) {
-            let solution = stage.problem.velocities(&stage.impulses);
-            let (position, poses) = (stage.moved(&solution), stage.end_poses(&solution));
-            let end = Placement {
-                position: &position,
-                poses: &poses,
-                ..stage.start
-            };
-            let late: Vec<Candidate> = late.iter().map(|found| follow(&end, found)).collect();
-            stage.relinearise(&end, &solution, &yields);
-            for (found, told) in late.into_iter().zip(&told) {
-                stage.insert(found, (&solution, state), Some(*told));
-            }
-        }
-        true
-    }
-
-    /// Lets the gaps of the contacts that yield be the true ones at `end`, where `solution` leads.
-    fn relinearise(&mut self, end: &Placement, solution: &[Dof6], yields: &[bool]) {
-        let step = self.inputs.step;
-        for k in (0..yields.len()).filter(|&k| yields[k]) {
-            let gap = self.true_gap(end, k);
-            let row = &mut self.problem.rows[k];
-            let n = row.normal;
-            let linear = step * n.dot(&row.relative_velocity(solution));
-            let compression = self.impulses[k].dot(&n) * row.compliance_n * step;
-            let wanted = (gap - compression - linear) / step;
-            let now = row.bias.dot(&n);
-            row.bias += match self.impact[k] {
-                true => n * (wanted.min(now) - now),
-                false => n * (wanted - now),
-            };
-        }
-    }
-
-    /// Gap \[m\] of contact `k` at `end`, without the compression of a contact spring, which is not an overlap.
-    fn true_gap(&self, end: &Placement, k: usize) -> f64 {
-        let row = &self.problem.rows[k];
-        let compression = self.impulses[k].dot(&row.normal) * row.compliance_n * self.inputs.step;
-        end.follow(&self.candidates[k]).gap + compression
-    }
-
-    /// Adds a contact that `solution` closes: its normal is the one it closes with. Returns whether it is an impact, as
-    /// `told` or as it is found.
-    fn insert(
-        &mut self,
-        found: Candidate,
-        (solution, state): (&[Dof6], &State),
-        told: Option<bool>,
-    ) -> bool {
-        let carried = history::transfer(&state.contacts, std::iter::once(found.key))[0];
-        let (mut row, impact) =
-            self.inputs
-                .contact(&self.problem.free, &found, carried.force, told);
-        let linear = self.inputs.step * found.normal.dot(&row.relative_velocity(solution));
-        row.bias +=
-            row.normal * ((found.gap - linear) / self.inputs.step - row.bias.dot(&row.normal));
-        let at = self.candidates.partition_point(|c| c.key < found.key);
-        self.candidates.insert(at, found);
-        self.problem.rows.insert(at, row);
-        self.impact.insert(at, impact);
-        self.impulses.insert(at, Vec3::zeros());
-        for row in &mut self.problem.rows {
-            if let Law::Resistance { contact, .. } = &mut row.law {
-                *contact += u32::from(*contact as usize >= at);
-            }
-        }
-        self.resist(at, carried.torque);
-        impact
-    }
-
     /// Boundary poses at the end of the step, `[B]`: prescribed ones, and those that the driven bodies reach.
     pub(super) fn end_poses(&self, solution: &[Dof6]) -> Vec<Pose> {
         let [start, end] = self.inputs.poses;
@@ -437,79 +287,23 @@ impl<'a> Stage<'a> {
         ends
     }
 
+    /// Where `solution` leads the spheres \[m\], `[N]`.
     pub(super) fn moved(&self, solution: &[Dof6]) -> Vec<Vec3> {
-        let start = self.inputs.kinematics.position.iter();
-        start
-            .zip(solution)
-            .map(|(x, v)| x + v.linear * self.inputs.step)
-            .collect()
+        let mut position = Vec::new();
+        self.lead(solution, &mut position);
+        position
     }
 
-    fn too_fast(&self, report: &Report, passed: Passed) -> StepFailure {
-        StepFailure {
-            passed: Some(passed),
-            ..self.failure(report)
-        }
-    }
-
-    pub(super) fn broken(&self, report: &Report, broken: LinearError) -> StepFailure {
-        StepFailure {
-            broken: Some(Box::new(broken)),
-            ..self.failure(report)
-        }
-    }
-
-    pub(super) fn failure(&self, report: &Report) -> StepFailure {
-        let tolerance = &self.inputs.scene.settings.tolerance;
-        let residual = &report.residual;
-        let kinds = [
-            ("gap", residual.gap, tolerance.gap, residual.worst[0]),
-            ("slip", residual.slip, tolerance.slip, residual.worst[1]),
-            ("force", residual.force, tolerance.force, residual.worst[2]),
-        ];
-        let excess = |(_, value, limit, _): &(_, f64, f64, _)| value / limit;
-        let worst = kinds.iter().max_by(|a, b| excess(a).total_cmp(&excess(b)));
-        let (what, residual, tolerance, row) = worst.copied().unwrap_or(kinds[0]);
-        StepFailure {
-            what,
-            residual,
-            tolerance,
-            contact: self.contact_of(row).map(|k| self.candidates[k].key),
-            pinched: report
-                .residual
-                .worst
-                .iter()
-                .find_map(|&row| self.pinch(row)),
-            passed: None,
-            broken: report.broken.map(Box::new),
-        }
-    }
-
-    /// Whether the sphere of contact `row` carries load from two rigid boundaries on opposite sides.
-    fn pinch(&self, row: usize) -> Option<(usize, [u16; 2])> {
-        let sphere = self.candidates.get(row)?.key.sphere;
-        let walls: Vec<(u16, Vec3)> = (0..self.candidates.len())
-            .filter(|&k| self.candidates[k].key.sphere == sphere)
-            .filter(|&k| self.problem.rows[k].compliance_n == 0.0)
-            .filter(|&k| self.impulses[k] != Vec3::zeros())
-            .filter_map(|k| match self.candidates[k].key.partner {
-                Partner::Boundary { boundary, .. } => {
-                    // A driven body gives way.
-                    let rigid = self.inputs.body(usize::from(boundary)).is_none();
-                    rigid.then_some((boundary, self.candidates[k].normal))
-                }
-                Partner::Sphere { .. } => None,
-            })
-            .collect();
-        walls.iter().enumerate().find_map(|(k, (a, n))| {
-            let opposite = walls[k + 1..].iter().find(|(_, m)| n.dot(m) < -0.5)?;
-            Some((sphere as usize, [*a, opposite.0]))
-        })
+    /// [`Self::moved`] into `position`.
+    pub(super) fn lead(&self, solution: &[Dof6], position: &mut Vec<Vec3>) {
+        let start = self.inputs.kinematics.position.iter().zip(solution);
+        position.clear();
+        position.extend(start.map(|(x, v)| x + v.linear * self.inputs.step));
     }
 }
 
 /// The pair of `candidate` at another placement; where that has no such feature, as it was.
-fn follow(at: &Placement, candidate: &Candidate) -> Candidate {
+pub(super) fn follow(at: &Placement, candidate: &Candidate) -> Candidate {
     let found = at.follow(candidate);
     match found.gap.is_finite() {
         true => found,

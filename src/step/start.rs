@@ -35,7 +35,7 @@ pub fn initial_forces(
         side.keep(&resting);
     }
     stage.keep(&resting);
-    let report = stage.solve(state, scratch);
+    let report = stage.solve(state, scratch, None);
     if scene.settings.method == Method::Alm && !report.converged {
         return Err(stage.failure(&report));
     }
@@ -82,16 +82,10 @@ pub fn remove_overlaps(
     scratch: &mut Scratch,
     pairs: &mut [[&mut State; 2]],
 ) -> Result<(), StepFailure> {
-    let placement = Placement {
-        particles: &scene.particles,
-        position: &state.kinematics.position,
-        present: &state.kinematics.present,
-        boundaries: &scene.boundaries,
-        poses: &state.poses,
-        cell: &scene.cell,
-    };
+    let placement = Placement::of(scene, &state.kinematics, &state.poses);
     scratch.neighbors.ensure(&placement, 0.0);
-    let closed = placement.candidates(&scratch.neighbors, |_, _| 0.0, |_, _| 0.0);
+    let mut closed = Vec::new();
+    placement.candidates(&scratch.neighbors, |_, _| 0.0, |_, _| 0.0, &mut closed);
     state.initial_overlap = closed
         .iter()
         .map(|c| -c.gap / placement.scale(c.key))
@@ -110,14 +104,14 @@ pub fn remove_overlaps(
         side.displace();
     }
     stage.displace();
-    let (solution, _) = stage.resolve(state, scratch, &mut twins)?;
+    stage.resolve(state, scratch, &mut twins)?;
     for (twin, pair) in twins.iter().zip(pairs) {
         for (side, state) in twin.stages.iter().zip(pair) {
             let solution = side.problem.velocities(&side.impulses);
             state.kinematics.position = side.moved(&solution);
         }
     }
-    state.kinematics.position = stage.moved(&solution);
+    state.kinematics.position = stage.position;
     Ok(())
 }
 
@@ -173,9 +167,9 @@ impl Stage<'_> {
     fn store_start(&self, state: &mut State, external: &[Dof6]) {
         self.store(state);
         state.springs = self.spring_forces();
-        state.persisting = self.persisting_acceleration();
-        external::keep(self.inputs.scene, state, external);
         let solution = self.problem.velocities(&self.impulses);
+        state.persisting = self.persisting_acceleration(&solution);
+        external::keep(self.inputs.scene, state, external);
         let at_rest = self.finished(&solution, self.inputs.poses[0]);
         for (carried, (found, _)) in state.bodies.iter_mut().zip(at_rest) {
             carried.persisting = found.persisting;

@@ -1,6 +1,8 @@
 //! `sphere-dda run`: the solver without an FMU.
 
 use std::fs;
+#[cfg(unix)]
+use std::process::Command;
 
 use crate::command::{command, done, example, frames, funnel, rows, said};
 
@@ -118,6 +120,30 @@ fn a_step_that_fails_leaves_what_was_reached_and_exits_with_1() {
     let out = folder.path().join("out");
     assert!(frames(&out.join("spheres.pvd")) > 0);
     assert!(rows(&out.join("history.csv")) > 0);
+}
+
+#[cfg(unix)]
+#[test]
+fn a_full_disk_is_told_at_once_and_fails_the_run() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = funnel(folder.path(), &[]);
+    // Files may have 16 blocks of 512 or 1024 bytes: rows fit, frames do not, and writing on is an error, no signal.
+    let limited = "trap '' XFSZ; ulimit -f 16; exec \"$@\"";
+    let told = Command::new("sh")
+        .args(["-c", limited, "sh", env!("CARGO_BIN_EXE_sphere-dda"), "run"])
+        // Long enough for the writer to fail before the run ends.
+        .args([scene.to_str().unwrap(), "-o", "out", "--stop", "1.5"])
+        .current_dir(folder.path())
+        .env("NO_COLOR", "1")
+        .output()
+        .unwrap();
+    let error = String::from_utf8(told.stderr).unwrap();
+    assert_eq!(told.status.code(), Some(1), "{error}");
+    let at_once = error.find("a result was not written, the run goes on: ");
+    let in_the_end = error.find("results were not written; the first: ");
+    assert!(at_once.is_some() && at_once < in_the_end, "{error}");
+    assert_eq!(error.matches("the run goes on").count(), 1, "{error}");
+    assert!(error.contains("spheres_000000.vtu"), "{error}");
 }
 
 #[test]

@@ -11,6 +11,8 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 EXAMPLES = ("funnel", "slopes", "feeder", "conveyor", "landslide", "bed", "shear", "triaxial")
+# All scenes of the examples, also those that other tests run: what lies in the archive is judged for each.
+SCENES = (*EXAMPLES, "plate", "bucket", "drum", "dropped", "hopper")
 
 
 def scene(name):
@@ -30,9 +32,9 @@ def command():
 
 @pytest.fixture(scope="session")
 def fmus(command, tmp_path_factory):
-    """Name -> path of the FMU of every example, and of the shaker."""
+    """Name -> path of the FMU of every scene of the examples, and of the shaker."""
     folder = tmp_path_factory.mktemp("fmus")
-    paths = {name: folder / f"{name}.fmu" for name in (*EXAMPLES, "shaker")}
+    paths = {name: folder / f"{name}.fmu" for name in (*SCENES, "shaker")}
     for name, path in paths.items():
         if name == "shaker":
             subprocess.run([command.parent / "export-shaker", path], check=True)
@@ -43,9 +45,9 @@ def fmus(command, tmp_path_factory):
 
 @pytest.fixture(scope="session")
 def units(command, tmp_path_factory):
-    """Name -> path of the FMI 3.0 FMU of every example."""
+    """Name -> path of the FMI 3.0 FMU of every scene of the examples."""
     folder = tmp_path_factory.mktemp("fmi3")
-    paths = {name: folder / f"{name}.fmu" for name in EXAMPLES}
+    paths = {name: folder / f"{name}.fmu" for name in SCENES}
     for name, path in paths.items():
         subprocess.run([command, "export", scene(name), "--fmi", "3", "-o", path], check=True)
     return paths

@@ -8,7 +8,7 @@ from ctypes import byref, c_bool, c_double, c_int, c_size_t, c_void_p
 import fmpy
 import numpy as np
 import pytest
-from conftest import EXAMPLES
+from conftest import SCENES
 from fmpy.fmi3 import FMU3Slave
 from fmpy.validation import validate_fmu
 from fmu import Slave
@@ -75,12 +75,12 @@ def displacement(time):
     return 1.5e-3 * np.sin(2 * np.pi * 18 * time)
 
 
-@pytest.mark.parametrize("name", EXAMPLES)
+@pytest.mark.parametrize("name", SCENES)
 def test_fmpy_finds_nothing_to_complain_about(units, name):
     assert validate_fmu(str(units[name])) == []
 
 
-@pytest.mark.parametrize("name", EXAMPLES)
+@pytest.mark.parametrize("name", SCENES)
 def test_simulate_fmu_gives_what_version_2_gives(units, fmus, name):
     step = float(fmpy.read_model_description(str(units[name])).defaultExperiment.stepSize)
     names = ["kineticEnergy", "momentum"]
@@ -214,6 +214,15 @@ def test_inputs_set_within_a_step_act_in_the_next_internal_step(units):
         expected = start + slide * (times - times[0]) / (times[-1] - times[0])
         assert np.allclose(places, expected, atol=1e-12)
         assert sum("intermediate update mode" in line for line in told) == 3, told
+
+
+def test_dependencies_say_what_decides(units):
+    """No list means all: through contacts every output may depend on every input. Rows and radii of spheres depend on none."""
+    description = fmpy.read_model_description(str(units["feeder"]))
+    structure = {u.variable.name: u.dependencies for u in (*description.outputs, *description.initialUnknowns)}
+    fixed = {"spheres.id", "spheres.radius"}
+    assert fixed <= set(structure) and "boundary.trough.averageForce" in structure
+    assert all(structure[name] == [] if name in fixed else structure[name] is None for name in structure)
 
 
 def test_other_interfaces_are_refused_with_a_reason(units):

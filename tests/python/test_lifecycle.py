@@ -96,6 +96,7 @@ STANDARD3 = {
 }
 ALWAYS3 = ("fmi3GetVersion", "fmi3FreeInstance", "fmi3InstantiateCoSimulation", "fmi3InstantiateModelExchange")
 ALWAYS3 += ("fmi3InstantiateScheduledExecution",)
+WITHIN3 = {f"fmi3{what}{kind}" for what in ("Get", "Set") for kind in TYPES}
 
 # What is served although the standard would not have it, by state; docs/fmu.md names the importer that needs it.
 TOLERATED2 = {
@@ -179,7 +180,7 @@ class Three(Two):
 
     prefix, version = "fmi3", "3"
 
-    def __init__(self, library, description, resources):
+    def __init__(self, library, description, resources, update=None):
         self.library, self.told = library, []
         self.log = fmpy.fmi3.fmi3LogMessageCallback(lambda _, status, category, text: self.told.append(text))
         make = library.fmi3InstantiateCoSimulation
@@ -187,7 +188,8 @@ class Three(Two):
         folder = f"{resources}/".encode()
         flags = [c_bool(False)] * 4
         token = description.guid.encode()
-        self.component = c_void_p(make(b"x", token, folder, *flags, None, c_size_t(0), None, self.log, None))
+        self.update = fmpy.fmi3.fmi3IntermediateUpdateCallback(update) if update else None
+        self.component = c_void_p(make(b"x", token, folder, *flags, None, c_size_t(0), None, self.log, self.update))
         assert self.component
 
     def initialize(self):
@@ -267,7 +269,7 @@ def unit(request, command, tmp_path_factory):
     fmpy.extract(str(path), unzipdir=str(folder / "fmu"))
     (library,) = (folder / "fmu/binaries").glob("*/*.so")
     made = request.param(ctypes.CDLL(str(library)), description, folder / "fmu/resources")
-    made.path = library
+    made.path, made.description, made.resources = library, description, folder / "fmu/resources"
     yield made
     made.library[made.prefix + "FreeInstance"](made.component)
 
@@ -308,6 +310,33 @@ def test_a_discarded_step_may_be_tried_shorter(unit):
     room = Room(unit)
     bring(unit, "failed", room)
     assert unit.step(room.time, 1e-3) in (OK, 2)
+    room.release(unit)
+
+
+def test_every_function_within_a_step(unit):
+    """FMI 3.0, intermediate update mode: values are read and inputs set; every other call is refused and leaves the step alone."""
+    if unit.version == "2":
+        pytest.skip("FMI 2.0 calls nobody within a step")
+    found = {}
+
+    def update(*_):
+        if not found:
+            for name in exported(unit.path, "fmi3"):
+                if name not in ALWAYS3:
+                    function = unit.library[name]
+                    function.restype = c_int
+                    found[name] = function(watched.component, *watched.arguments(name, room))
+            # Refused as well: the step still needs the instance.
+            unit.library.fmi3FreeInstance(watched.component)
+
+    room = Room(unit)
+    watched = Three(unit.library, unit.description, unit.resources, update)
+    assert watched.initialize() == OK and watched.call("ExitInitializationMode") == OK
+    assert watched.step(0.0, H) == OK
+    wrong = {name: status for name, status in found.items() if status != (OK if name in WITHIN3 else ERROR)}
+    assert len(found) == 75 - len(ALWAYS3) and not wrong
+    assert watched.step(H, H) == OK
+    watched.library.fmi3FreeInstance(watched.component)
     room.release(unit)
 
 

@@ -17,7 +17,8 @@ const V: Vec3 = Vec3::new(0.1, 0.2, 0.3);
 fn kinetic_energy_uses_the_reported_velocity() {
     let scene = scene(1);
     let mut made = Made::new(&scene, 0.0);
-    made.kinematics.velocity[0] = Vec3::repeat(99.0);
+    made.kinematics.velocity[0] = Vec3::repeat(0.5);
+    made.persisting[0].linear -= Vec3::repeat(0.5);
     let energy = Energy::of(&made.observe(&scene, 0.0));
     // A ball of density 2500 kg/m^3 and radius 0.1 m at |v|^2 = 0.14 m^2/s^2, w = 1 rad/s.
     let mass = 2500.0 * 4.0 / 3.0 * std::f64::consts::PI * 1e-3;

@@ -47,7 +47,7 @@ fn contact_loads_balance() {
     let scene = scene(4);
     let made = Made::new(&scene, 0.0);
     let state = made.observe(&scene, 0.0);
-    let loads = Loads::of(&state);
+    let loads = Loads::new(&state, 0..4);
     let wrench = |i: usize| loads.spheres[i].wrench;
     // Sphere 0 is pushed by 1 and by the floor, 1 by 0 alone.
     assert_eq!(wrench(0).force, Vec3::new(1.0, 0.0, 5.0));

@@ -9,11 +9,13 @@ use sphere_dda::boundaries::{Boundary, Facets, Geometry, HalfSpace, Shape};
 use sphere_dda::cell::Cell;
 use sphere_dda::contacts::{Contact, Key, Partner};
 use sphere_dda::driven::JointState;
+use sphere_dda::integrate::Velocities;
 use sphere_dda::materials::{Material, Pair, PairTable};
 use sphere_dda::motion::{Motion, Pose, Twist};
 use sphere_dda::observe::writer::Results;
 use sphere_dda::observe::{BoundaryState, Observation};
 use sphere_dda::particles::{Kinematics, Locks, Particles};
+use sphere_dda::problem::Dof6;
 use sphere_dda::region::Primitive;
 use sphere_dda::scene::{
     Integrator, Measure, Method, Output, Scene, Sensor, Settings, SolverKind, Tolerance,
@@ -65,6 +67,7 @@ pub(crate) fn scene(n: usize) -> Scene {
             dynamic_coefficient: 1.0,
             max_iterations: 1000,
             max_cuts: 4,
+            threads: 1,
             ..Settings::default()
         },
         materials: vec![Material {
@@ -118,9 +121,17 @@ fn crate_box() -> Geometry {
     Geometry::new(vec![Shape::Facets(walls)]).unwrap()
 }
 
+/// Twist of all spheres and boundaries.
+const TWIST: Twist = Twist {
+    linear: Vec3::new(0.1, 0.2, 0.3),
+    angular: Vec3::new(0.0, 0.0, 1.0),
+};
+
 /// Positions and contacts of a state that no solver made.
 pub(crate) struct Made {
     pub(crate) kinematics: Kinematics,
+    /// What makes the reported twist of each sphere [`TWIST`], if the kinematics' own is zero.
+    pub(crate) persisting: Vec<Dof6>,
     pub(crate) contacts: Vec<Contact>,
     pub(crate) passed: Vec<f64>,
     pub(crate) emitted: Vec<f64>,
@@ -159,8 +170,13 @@ impl Made {
             gap: 0.01,
             ..contact(3, floor, Vec3::zeros())
         });
+        let persisting = Dof6 {
+            linear: TWIST.linear,
+            angular: TWIST.angular,
+        };
         Self {
             kinematics,
+            persisting: vec![persisting; scene.particles.len()],
             contacts,
             passed: vec![0.0; scene.sensors.len()],
             emitted: vec![0.0; scene.sources.len()],
@@ -169,24 +185,20 @@ impl Made {
     }
 
     pub(crate) fn observe<'a>(&'a self, scene: &'a Scene, time: f64) -> Observation<'a> {
-        let twist = Twist {
-            linear: Vec3::new(0.1, 0.2, 0.3),
-            angular: Vec3::new(0.0, 0.0, 1.0),
-        };
         Observation {
             scene,
             time,
             gravity: scene.settings.gravity,
             body_force: Vec3::zeros(),
             kinematics: &self.kinematics,
-            velocity: vec![twist; scene.particles.len()],
-            half_step: self
-                .kinematics
-                .velocity
-                .iter()
-                .zip(&self.kinematics.spin)
-                .map(|(&linear, &angular)| Twist { linear, angular })
-                .collect(),
+            velocities: Velocities {
+                kinematics: &self.kinematics,
+                persisting: &self.persisting,
+                integrator: Integrator::Moreau,
+                // As long as the scene's: the half-step velocity is then that of the kinematics.
+                last: 2.0,
+                step: 2.0,
+            },
             contacts: &self.contacts,
             boundaries: vec![
                 BoundaryState {
@@ -194,7 +206,7 @@ impl Made {
                         translation: Vec3::new(0.0, 0.0, 0.1 * time),
                         rotation: UnitQuaternion::identity(),
                     },
-                    twist,
+                    twist: TWIST,
                     surface_velocity: Vec3::zeros(),
                     wrench: Wrench {
                         force: Vec3::new(0.0, -0.5, -7.0),

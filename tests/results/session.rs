@@ -2,6 +2,12 @@
 
 use std::fs;
 use std::path::Path;
+#[cfg(unix)]
+use std::{
+    process::Command,
+    sync::mpsc::{RecvTimeoutError, channel},
+    time::Duration,
+};
 
 use sphere_dda::observe::error::OutputError;
 use sphere_dda::observe::writer::{Options, Results};
@@ -158,6 +164,40 @@ fn a_failing_disk_is_counted_and_does_not_stop_the_run() {
     assert_eq!((status.frames, status.rows, status.failures), (2, 3, 1));
     assert!(status.first_failure.unwrap().contains("spheres_000001.vtu"));
     assert_eq!(listed(&directory.join("spheres.pvd")).len(), 2);
+}
+
+#[cfg(unix)]
+#[test]
+fn a_slow_disk_holds_up_the_third_frame_and_no_rows() {
+    let scene = scene(4);
+    let directory = place("slow");
+    let mut results = Results::create(&scene, Options::new(&directory, &scene)).unwrap();
+    // Whoever opens a pipe to write to it waits for a reader: the writer hangs in its first frame.
+    let pipe = directory.join("spheres_000000.vtu.tmp");
+    let made = Command::new("mkfifo").arg(&pipe).status().unwrap();
+    assert!(made.success());
+    record(&mut results, &scene, 0.0);
+    for row in 1..=30 {
+        record(&mut results, &scene, 0.1 + 0.001 * f64::from(row - 1));
+    }
+    let (done, third) = channel();
+    std::thread::scope(|scope| {
+        scope.spawn(|| {
+            record(&mut results, &scene, 0.2);
+            done.send(()).unwrap();
+        });
+        let early = third.recv_timeout(Duration::from_millis(200));
+        // Before the verdict, or a failure would wait for ever.
+        assert!(!fs::read(&pipe).unwrap().is_empty());
+        assert_eq!(
+            early,
+            Err(RecvTimeoutError::Timeout),
+            "three frames are on their way"
+        );
+        third.recv().unwrap();
+    });
+    let status = results.finish();
+    assert_eq!((status.frames, status.rows, status.failures), (3, 32, 0));
 }
 
 #[test]

@@ -230,6 +230,8 @@ impl Case {
             self.simulation.advance(self.h).unwrap();
         }
         let reached = contacts(&self.simulation);
+        let cut = self.simulation.report().cuts > 0;
+        assert_eq!(cut, self.name == "cut", "{}", self.name);
         let mut worst = [0.0_f64; 2];
         let mut told = 0;
         let directions: Vec<Direction> = self
@@ -332,6 +334,45 @@ point_of_action = [-0.3, 0.0, 0.2]
 input = "load"
 "#;
 
+/// Two spheres that cross in the seventh internal step: their gaps to first order meet, their ways do not, and the step is cut.
+const BULLETS: &str = r#"
+[[spheres]]
+name = "first"
+material = "glass"
+radius = 0.01
+positions = [[-0.355, 0.0, 1.0]]
+velocity = [50.0, 0.0, 0.0]
+[[spheres]]
+name = "second"
+material = "glass"
+radius = 0.01
+positions = [[0.0, -0.355, 1.025]]
+velocity = [0.0, 50.0, 0.0]
+"#;
+/// From a point of the ball, which turns with it.
+const TIE: &str = r#"
+[[spring]]
+sphere = "ball"
+stiffness = 2000.0
+point = [0.03, 0.02, 0.05]
+target = [0.06, -0.02, 0.16]
+"#;
+/// Two balls that touch through the face of their cell.
+const NEIGHBOURS: &str = r#"
+[cell]
+x = [0.0, 1.0]
+y = [0.0, 0.6]
+[[spheres]]
+name = "ball"
+material = "glass"
+radius = 0.1
+positions = [[0.03, 0.3, 0.1], [0.83, 0.32, 0.1]]
+velocity = [-0.3, 0.0, 0.0]
+[[probe]]
+name = "ball"
+sphere = "ball[1]"
+"#;
+
 fn held(_: u32) -> Command {
     Command::default()
 }
@@ -405,6 +446,14 @@ fn cases() -> Vec<Case> {
         "surface_input = true\nsurface_velocity = [0.0, 0.0, 0.0]",
     ]
     .concat();
+    let turned = twist.replace(
+        "step = 1e-3",
+        "step = 1e-3\nrotating_frame = { axis = [0.0, 0.0, 1.0], speed = 3.0, point = [0.3, 0.1, 0.0] }",
+    );
+    let sprung = HINGED.replace(
+        "damping = 0.3",
+        "damping = 0.3, spring = { stiffness = 40.0, rest = 0.1 }, limits = { lower = -0.5, upper = 0.5 }",
+    );
     let all: &[_] = &[
         ("velocity", 0),
         ("velocity", 1),
@@ -441,6 +490,23 @@ fn cases() -> Vec<Case> {
     vec![
         case("slip", &[&twist], slipping, 3, 5e-3, all, 1e-4),
         case("roll", &[&pose], rolling, 3, 5e-3, places, 1e-6),
+        case("cut", &[&twist, BULLETS], slipping, 2, 5e-3, all, 1e-4),
+        case("spring", &[&twist, TIE], slipping, 3, 5e-3, all, 1e-4),
+        case("frame", &[&turned], slipping, 3, 5e-3, all, 1e-4),
+        case(
+            "cell",
+            &[
+                HEAD,
+                NEIGHBOURS,
+                FLOOR,
+                "input = { slide_speed = [0.8, 0.3, 0.02] }",
+            ],
+            turning,
+            3,
+            5e-3,
+            &[("scalar", 0)],
+            1e-3,
+        ),
         case("impact", &[&fall], held, 5, 6e-3, &all[..3], 1e-4),
         case("shi", &[&shi], rolling, 3, 5e-3, places, 1e-7),
         case("penalty", &[&penalty], rolling, 3, 5e-3, places, 1e-6),
@@ -490,6 +556,20 @@ fn cases() -> Vec<Case> {
                 HEAD,
                 &BALL.replace("0.0, 0.0, 0.1]]", "0.4, 0.0, 0.1]]"),
                 HINGED,
+                FLOOR,
+            ],
+            turning,
+            3,
+            5e-3,
+            &[("scalar", 0)],
+            1e-2,
+        ),
+        case(
+            "sprung",
+            &[
+                HEAD,
+                &BALL.replace("0.0, 0.0, 0.1]]", "0.4, 0.0, 0.1]]"),
+                &sprung,
                 FLOOR,
             ],
             turning,

@@ -18,6 +18,7 @@ mod incline;
 mod invariance;
 mod joints;
 mod ledger;
+mod pace;
 mod paper_examples;
 mod periodic;
 mod pinched;

@@ -15,17 +15,23 @@ impl Instance {
     /// # Errors
     /// [`Refusal::Reference`], [`Refusal::NoValue`]; in initialization mode also [`Refusal::Step`].
     pub fn get(&mut self, base: BaseType, references: &[u32]) -> Result<Vec<Value>, Refusal> {
+        let mut outputs = false;
         for &reference in references {
-            self.variable(base, reference)?;
+            let meaning = self.variable(base, reference)?.meaning;
+            outputs |= matches!(meaning, Meaning::Output(_));
         }
-        references
-            .iter()
-            .map(|&reference| self.get_one(base, reference))
-            .collect()
+        if outputs {
+            self.look()?;
+            if let (None, Some(simulation)) = (&self.measured.outputs, &self.simulation) {
+                self.measured.outputs = Some(values(&Observation::of(simulation)));
+            }
+        }
+        let variables = references.iter().map(|&r| self.variable(base, r));
+        variables.map(|found| self.value(found?)).collect()
     }
 
-    fn get_one(&mut self, base: BaseType, reference: u32) -> Result<Value, Refusal> {
-        let rank = match self.variable(base, reference)?.meaning {
+    fn value(&self, variable: &Variable) -> Result<Value, Refusal> {
+        let rank = match variable.meaning {
             Meaning::Time => return Ok(Value::Real(self.run.time)),
             Meaning::Parameter(parameter) => return Ok(self.run.parameters.get(parameter)),
             Meaning::Input {
@@ -38,18 +44,13 @@ impl Instance {
             }
             Meaning::Output(rank) => rank,
         };
-        self.look()?;
-        let outputs = &mut self.measured.outputs;
-        if let (None, Some(simulation)) = (&outputs, &self.simulation) {
-            *outputs = Some(values(&Observation::of(simulation)));
-        }
-        let outputs = outputs.as_ref();
+        let outputs = self.measured.outputs.as_ref();
         match outputs.and_then(|values| values.get(rank)) {
             // A cast keeps within the range: the C interface has no integer beyond 2^31.
-            Some(&value) if base == BaseType::Integer => Ok(Value::Integer(value as i32)),
+            Some(&value) if variable.base == BaseType::Integer => Ok(Value::Integer(value as i32)),
             Some(&value) => Ok(Value::Real(value)),
             None => Err(Refusal::NoValue {
-                name: self.variable(base, reference)?.name.clone(),
+                name: variable.name.clone(),
                 stage: self.run.stage,
             }),
         }

@@ -22,7 +22,8 @@ impl Overlaps {
     /// All overlapping pairs of `placement`; `neighbors` is kept between calls for speed.
     pub fn of(placement: &Placement, neighbors: &mut NeighborList) -> Self {
         neighbors.ensure(placement, 0.0);
-        let closed = placement.candidates(neighbors, |_, _| 0.0, |_, _| 0.0);
+        let mut closed = Vec::new();
+        placement.candidates(neighbors, |_, _| 0.0, |_, _| 0.0, &mut closed);
         let mut overlaps = Self::default();
         for pair in &closed {
             overlaps.include(-pair.gap / placement.scale(pair.key));

@@ -174,13 +174,13 @@ pub(super) const SINK: [Field<f64>; 1] =
 
 #[rustfmt::skip]
 pub(super) const WHOLE: [Field<Whole>; 28] = [
-    real("mass", "kg", "Mass of all spheres in the scene", |w| w.mass),
-    count("sphereCount", "Number of spheres in the scene", |w| w.spheres),
-    vector("momentum", "kg.m/s", "Momentum of the spheres, half-step velocities: averaged wrench x time + weight = its change", |w| w.momentum.linear),
-    vector("angularMomentum", "kg.m2/s", "Angular momentum about the origin, half-step velocities", |w| w.momentum.angular),
+    real("mass", "kg", "Mass of all spheres in the scene", |w| w.totals.mass),
+    count("sphereCount", "Number of spheres in the scene", |w| w.totals.spheres),
+    vector("momentum", "kg.m/s", "Momentum of the spheres, half-step velocities: averaged wrench x time + weight = its change", |w| w.totals.momentum.linear),
+    vector("angularMomentum", "kg.m2/s", "Angular momentum about the origin, half-step velocities", |w| w.totals.momentum.angular),
     vector("averageBodyForce", "N", "Weight, inertial forces of a rotating frame and point loads, averaged over the communication step", |w| w.body_force),
-    real("kineticEnergy", "J", "Kinetic energy", |w| w.energy.kinetic()),
-    real("potentialEnergy", "J", "Potential energy of gravity, centrifugal force, springs and point loads", |w| w.energy.potential()),
+    real("kineticEnergy", "J", "Kinetic energy", |w| w.totals.energy.kinetic()),
+    real("potentialEnergy", "J", "Potential energy of gravity, centrifugal force, springs and point loads", |w| w.totals.energy.potential()),
     real("dissipatedEnergy", "J", "Energy lost in contacts since the start: friction and impact", |w| w.work.dissipated()),
     real("frictionEnergy", "J", "Energy lost by sliding friction since the start", |w| w.work.friction),
     real("impactEnergy", "J", "Energy lost along the normals of impacts since the start", |w| w.work.impact),

@@ -92,7 +92,7 @@ fn joint(motion: &Motion) -> &'static [Field<Body>] {
 #[must_use]
 pub fn values(state: &Observation) -> Vec<f64> {
     let scene = state.scene;
-    let loads = Loads::of(state);
+    let loads = Loads::new(state, scene.probes.iter().map(|probe| probe.sphere));
     let mut list = Vec::new();
     for (b, boundary) in scene.boundaries.iter().enumerate() {
         let body = Body::of(state, &loads, b);
@@ -102,8 +102,8 @@ pub fn values(state: &Observation) -> Vec<f64> {
         }
         measure(&mut list, joint(&boundary.motion), &body);
     }
-    for probe in &scene.probes {
-        measure(&mut list, &PROBE, &Sphere::of(state, &loads, probe.sphere));
+    for (probe, load) in scene.probes.iter().zip(&loads.spheres) {
+        measure(&mut list, &PROBE, &Sphere::of(state, *load, probe.sphere));
     }
     for (s, sensor) in scene.sensors.iter().enumerate() {
         match &sensor.measure {

@@ -2,7 +2,7 @@
 
 use crate::Vec3;
 use crate::motion::Twist;
-use crate::observe::energy::{Energy, Momentum};
+use crate::observe::energy::Totals;
 use crate::observe::loads::{Load, Loads};
 use crate::observe::{BoundaryState, Observation};
 use crate::simulation::StepReport;
@@ -41,12 +41,12 @@ pub(super) struct Sphere {
 }
 
 impl Sphere {
-    pub(super) fn of(state: &Observation, loads: &Loads, i: usize) -> Self {
+    pub(super) fn of(state: &Observation, load: Load, i: usize) -> Self {
         Self {
-            load: loads.spheres[i],
+            load,
             position: state.kinematics.position[i],
             orientation: wxyz(&state.kinematics.orientation[i]),
-            velocity: state.velocity[i],
+            velocity: state.velocities.reported(i),
         }
     }
 }
@@ -63,10 +63,7 @@ pub(super) struct Flow {
 }
 
 pub(super) struct Whole {
-    pub(super) mass: f64,
-    pub(super) spheres: u64,
-    pub(super) energy: Energy,
-    pub(super) momentum: Momentum,
+    pub(super) totals: Totals,
     pub(super) body_force: Vec3,
     pub(super) work: Work,
     pub(super) contacts: u64,
@@ -77,18 +74,15 @@ pub(super) struct Whole {
 
 impl Whole {
     pub(super) fn of(state: &Observation, loads: &Loads) -> Self {
-        let mass = |i: usize| state.scene.particles.mass[i];
+        let totals = Totals::of(state);
         Self {
-            mass: state.present().map(mass).sum(),
-            spheres: state.present().count() as u64,
-            energy: Energy::of(state),
-            momentum: Momentum::of(state),
             body_force: state.body_force,
             work: state.work,
             contacts: loads.contacts,
-            max_overlap: state.report.max_overlap.max(state.max_overlap()),
+            max_overlap: state.report.max_overlap.max(loads.max_overlap),
             report: state.report,
-            recommended_step: state.recommended_step(),
+            recommended_step: state.recommended_step(&totals),
+            totals,
         }
     }
 }

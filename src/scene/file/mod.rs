@@ -132,10 +132,24 @@ pub struct Simulation {
     #[serde(default = "iterations")]
     #[schemars(extend("minimum" = 1))]
     pub max_iterations: u32,
+    /// With it the internal step is chosen between this and `step` for least total time: longer where a step needs few sweeps \[s\].
+    #[schemars(extend("x-default" = "every internal step is as long as `step` allows", "exclusiveMinimum" = 0))]
+    pub smallest_step: Option<f64>,
+    /// Real-time mode: most Gauss-Seidel sweeps of a step. What they reach is taken; `maxOverlap` and the residuals say how good it is.
+    #[schemars(extend("x-default" = "as many as the tolerances need", "minimum" = 1))]
+    pub sweeps: Option<u32>,
+    /// Speed \[m/s\]: a scene whose every point is slower for ten steps comes to rest, and costs nothing until something moves it. 0: never.
+    #[serde(default)]
+    #[schemars(extend("minimum" = 0))]
+    pub rest_speed: f64,
     /// How often a step may be halved.
     #[serde(default = "cuts")]
     #[schemars(extend("minimum" = 0, "maximum" = 20))]
     pub max_cuts: u32,
+    /// Threads that share the work of scenes of more than some thousand spheres; results are the same for any number.
+    #[serde(default = "one_thread")]
+    #[schemars(extend("minimum" = 1, "maximum" = 256))]
+    pub threads: u32,
     /// Tolerances of a step.
     #[serde(default)]
     pub tolerance: Tolerance,
@@ -185,6 +199,10 @@ fn five_percent() -> f64 {
 
 fn iterations() -> u32 {
     20_000
+}
+
+fn one_thread() -> u32 {
+    1
 }
 
 fn cuts() -> u32 {

@@ -130,7 +130,8 @@ impl Simulation {
         }
         if !past.struck.contains(&true) {
             let keys = state.contacts.iter().map(|contact| contact.key);
-            let then = history::transfer(&before.contacts, keys);
+            let mut then = Vec::new();
+            history::transfer(&before.contacts, keys, &mut then);
             for (contact, then) in state.contacts.iter_mut().zip(then) {
                 let Contact { force, torque, .. } = contact;
                 *force += (*force - then.force) * share;

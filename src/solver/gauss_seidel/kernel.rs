@@ -1,21 +1,21 @@
 //! A problem compiled for sweeps: contacts of spheres in blocks, every other row as it is.
 
-use super::block::{self, Block, Body, Pace, Progress};
+use super::block::{Pace, Progress, Verdict};
+use super::lanes::Body;
+use super::layout::Layout;
+use super::sheet::{Sheet, Turns};
 use crate::Vec3;
-use crate::problem::{Dof6, GROUND, Law, Problem, Row};
+use crate::parallel::Pool;
+use crate::problem::{Dof6, Law, Problem, Row};
 use crate::scene::Tolerance;
 use crate::solver::residual::{Residual, Scale};
 
-/// Rank of a lane without a contact.
-pub(super) const NONE: u32 = u32::MAX;
-/// Blocks that fill at the same time: a contact joins one in which its bodies are not yet met.
-const OPEN: usize = 16;
-/// Relative rounding within which a contact's arm is its body's radius.
-const SAME: f64 = 1e-12;
+/// Tolerances of gap and slip, and of force, from which single precision finds impulses that double precision confirms.
+const SINGLE: [f64; 2] = [1e-7, 1e-3];
 
 /// A row that is no contact of spheres.
 #[derive(Debug, Clone, Copy)]
-struct Other {
+pub(super) struct Other {
     row: u32,
     scale: Scale,
     impulse: Vec3,
@@ -25,241 +25,198 @@ struct Other {
 /// The compiled problem; its memory serves from solve to solve.
 #[derive(Debug, Default)]
 pub struct Kernel {
-    blocks: Vec<Block>,
-    /// `[N + 1]`; the last one never moves.
-    bodies: Vec<Body>,
-    /// Bodies after the last sweep.
-    before: Vec<Body>,
-    /// Length by which each body's spin is scaled \[m\], `[N]`; zero until a contact gives it.
-    radius: Vec<f64>,
-    others: Vec<Other>,
-    /// Velocities of the bodies that other rows move, while such a row is under way.
-    velocity: Vec<Dof6>,
+    pub(super) exact: Sheet<f64>,
+    /// The same in single precision, while that is good enough.
+    pub(super) quick: Sheet<f32>,
+    /// Factor on the impulses of `quick`: the largest inverse mass.
+    pub(super) unit: f64,
+    pub(super) single: bool,
+    pub(super) pool: Pool,
+    pub(super) layout: Layout,
+    pub(super) turns: Turns,
+    /// Where each body is, `[N + D]`. Each part ends with a body that never moves, and driven bodies are behind them all.
+    pub(super) place: Vec<u32>,
+    /// Length by which each body's spin is scaled \[m\], `[N + D]`; zero until a contact gives it.
+    pub(super) radius: Vec<f64>,
+    pub(super) others: Vec<Other>,
+    /// Velocities of the bodies that other rows move, while such a row is under way, `[N + D]`.
+    pub(super) velocity: Vec<Dof6>,
     /// Whether a row is a contact with a resistance, `[C]`: both go with the other rows.
-    resisted: Vec<bool>,
+    pub(super) resisted: Vec<bool>,
+    /// Rows of the blocks by group, and which group each is of.
+    pub(super) order: Vec<u32>,
+    pub(super) group: Vec<u32>,
+    pub(super) by_place: Vec<u32>,
+    pub(super) counts: Vec<u32>,
+    /// What [`Sheet::judge`] finds.
+    pub(super) verdicts: Vec<Verdict>,
     /// For each body the filling blocks that hold it, as bits.
-    held: Vec<u16>,
-    tolerance: Tolerance,
-    step: f64,
-}
-
-/// A contact whose bodies move as spheres do.
-struct SphereContact {
-    friction: f64,
-    /// Inverse mass and `R^2/I` of A and B \[1/kg\].
-    mobility: [[f64; 2]; 2],
+    pub(super) held: Vec<u16>,
+    pub(super) tolerance: Tolerance,
+    pub(super) step: f64,
 }
 
 impl Kernel {
     /// Compiles `problem`, velocities being those of `impulses`.
     pub(super) fn compile(&mut self, problem: &Problem, tolerance: &Tolerance, impulses: &[Vec3]) {
-        let n = problem.free.len();
+        let spheres = problem.inverse_mass.len();
         self.tolerance = *tolerance;
         self.step = problem.step;
-        self.blocks.clear();
         self.others.clear();
-        self.radius.clear();
-        self.radius.resize(n, 0.0);
-        self.held.clear();
-        self.held.resize(n, 0);
-        self.resisted.clear();
-        self.resisted.resize(problem.rows.len(), false);
+        refill(&mut self.radius, problem.free.len(), 0.0);
+        refill(&mut self.held, problem.free.len(), 0);
+        refill(&mut self.velocity, problem.free.len(), Dof6::ZERO);
+        refill(&mut self.resisted, problem.rows.len(), false);
         for row in &problem.rows {
             if let Law::Resistance { contact, .. } = row.law {
                 self.resisted[contact as usize] = true;
             }
         }
-        let mut filling = [Filling::default(); OPEN];
-        let mut oldest = 0;
+        self.layout.fit(spheres);
+        let (layout, parts) = (&self.layout, self.layout.parts());
+        self.place.clear();
+        self.place.extend((0..spheres).map(|i| {
+            let (place, part) = layout.place(i);
+            (place + part) as u32
+        }));
+        let driven = (spheres..problem.free.len()).map(|d| (d + parts) as u32);
+        self.place.extend(driven);
+        self.sort(problem);
+        self.fill_groups(problem, impulses);
+        self.take_others(problem, impulses);
+        self.reload(problem);
+        let [length, force] = SINGLE;
+        self.single = self.others.is_empty()
+            && tolerance.gap.min(tolerance.slip) >= length
+            && tolerance.force >= force;
+        if self.single {
+            let masses = problem.inverse_mass.iter().map(|w| w.linear.max());
+            self.unit = masses.fold(f64::MIN_POSITIVE, f64::max);
+            let (turns, pool) = (&self.turns, &mut self.pool);
+            self.exact.single(self.unit, turns, pool, &mut self.quick);
+        }
+    }
+
+    /// Says how many threads to use and where the spheres are, `[N]` \[m\]; `diameter` \[m\] is the largest. Forgotten by a
+    /// problem of another size.
+    pub fn prepare(&mut self, threads: usize, centres: &[Vec3], diameter: f64) {
+        if self.pool.threads() != threads {
+            self.pool = Pool::new(threads);
+        }
+        self.layout.arrange(centres, diameter);
+    }
+
+    /// Whether sweeps are in single precision.
+    pub(super) fn is_single(&self) -> bool {
+        self.single
+    }
+
+    /// Leaves single precision behind.
+    pub(super) fn refine(&mut self) {
+        self.single = false;
+    }
+
+    /// Rows that are in no block.
+    fn take_others(&mut self, problem: &Problem, impulses: &[Vec3]) {
+        self.others.clear();
         for (k, row) in problem.rows.iter().enumerate() {
-            let contact = match self.resisted[k] {
-                true => None,
-                false => self.sphere_contact(problem, row),
-            };
-            let Some(contact) = contact else {
+            if self.group[k] == NONE {
                 self.others.push(Other {
                     row: k as u32,
                     scale: Scale::of_row(problem, row),
                     impulse: impulses[k],
                     previous: impulses[k],
                 });
-                continue;
-            };
-            let busy = self.held[row.a as usize]
-                | self.held.get(row.b as usize).copied().unwrap_or_default();
-            let mut at = (!busy).trailing_zeros() as usize;
-            if at >= OPEN {
-                at = oldest;
-                self.flush(&mut filling[at], at);
-                oldest = (oldest + 1) % OPEN;
-            }
-            let lane = filling[at].count;
-            self.fill(
-                &mut filling[at].block,
-                lane,
-                (k as u32, row),
-                &contact,
-                impulses[k],
-            );
-            filling[at].count += 1;
-            for body in [row.a, row.b] {
-                if let Some(held) = self.held.get_mut(body as usize) {
-                    *held |= 1 << at;
-                }
-            }
-            if filling[at].count == 4 {
-                self.flush(&mut filling[at], at);
             }
         }
-        for step in 0..OPEN {
-            let at = (oldest + step) % OPEN;
-            if filling[at].count > 0 {
-                self.flush(&mut filling[at], at);
-            }
-        }
-        self.reload(problem, impulses);
     }
 
-    /// Takes the velocities of `impulses` anew, without rounding from many sweeps.
-    pub(super) fn reload(&mut self, problem: &Problem, impulses: &[Vec3]) {
-        self.velocity = problem.velocities(impulses);
-        self.bodies.clear();
-        for (i, v) in self.velocity.iter().enumerate() {
-            let scale = self.scale(i);
+    /// Takes the velocities of the impulses anew, without rounding from many sweeps.
+    fn reload(&mut self, problem: &Problem) {
+        let bodies = &mut self.exact.bodies;
+        let parts = self.turns[0].len();
+        refill(bodies, problem.free.len() + parts, Body::default());
+        for (i, v) in problem.free.iter().enumerate() {
+            let scale = scale(&self.radius, i);
             // Driven bodies move by other rows only, which have their own operator.
             let w = problem.inverse_mass.get(i).copied().unwrap_or(Dof6::ZERO);
             let (v, s) = (v.linear, v.angular * scale);
-            self.bodies.push(Body {
-                linear: [v.x, v.y, v.z, w.linear.x],
-                spin: [s.x, s.y, s.z, w.angular.x * scale * scale],
-            });
+            let (m, k) = (w.linear.x, w.angular.x * scale * scale);
+            bodies[self.place[i] as usize] = Body([v.x, v.y, v.z, m, s.x, s.y, s.z, k]);
         }
-        self.bodies.push(Body::default());
-        self.before.clone_from(&self.bodies);
+        self.exact.push(&self.turns, &mut self.pool);
+        for at in 0..self.others.len() {
+            let other = self.others[at];
+            let row = &problem.rows[other.row as usize];
+            self.see(row);
+            self.give(problem, row, other.impulse);
+        }
+        self.exact.before.clone_from(&self.exact.bodies);
     }
 
-    fn scale(&self, body: usize) -> f64 {
-        match self.radius[body] {
-            0.0 => 1.0,
-            radius => radius,
+    /// The residual of the impulses, with velocities taken anew from them, always in double precision.
+    pub(super) fn judge(&mut self, problem: &Problem) -> Residual {
+        if self.single {
+            self.exact.take_impulses(self.unit, &self.quick);
         }
-    }
-
-    /// `row` as a contact of spheres, if it is one.
-    fn sphere_contact(&mut self, problem: &Problem, row: &Row) -> Option<SphereContact> {
-        let Law::Contact { mu } = row.law else {
-            return None;
-        };
-        if row.compliance_n != 0.0 || row.compliance_t != 0.0 {
-            return None;
+        self.reload(problem);
+        if self.single {
+            self.exact.single_bodies(self.unit, &mut self.quick);
         }
-        let a = self.sphere(problem, row.a, -row.arm_a, row.normal)?;
-        let b = self.sphere(problem, row.b, row.arm_b, row.normal)?;
-        Some(SphereContact {
-            friction: mu,
-            mobility: [a, b],
-        })
-    }
-
-    /// Inverse mass and `R^2/I` of a body with the same mobility in all directions that is touched at `R normal`.
-    fn sphere(
-        &mut self,
-        problem: &Problem,
-        body: u32,
-        arm: Vec3,
-        normal: Vec3,
-    ) -> Option<[f64; 2]> {
-        if body == GROUND {
-            return Some([0.0; 2]);
-        }
-        let w = problem.inverse_mass.get(body as usize)?;
-        let same = |v: &Vec3| v.x == v.y && v.y == v.z;
-        if !(same(&w.linear) && same(&w.angular)) {
-            return None;
-        }
-        let radius = arm.dot(&normal);
-        let known = &mut self.radius[body as usize];
-        if *known == 0.0 {
-            *known = radius;
-        }
-        let off = (arm - normal * radius).norm_squared() + (radius - *known).powi(2);
-        if !(radius > 0.0 && off <= (SAME * radius).powi(2)) {
-            return None;
-        }
-        Some([w.linear.x, w.angular.x * radius * radius])
-    }
-
-    fn fill(
-        &self,
-        block: &mut Block,
-        lane: usize,
-        (k, row): (u32, &Row),
-        contact: &SphereContact,
-        impulse: Vec3,
-    ) {
-        let still = self.radius.len() as u32;
-        block.bodies[0][lane] = row.a;
-        block.bodies[1][lane] = if row.b == GROUND { still } else { row.b };
-        block.rows[lane] = k;
-        let bias = row.bias + row.drift;
-        for axis in 0..3 {
-            block.normal[axis][lane] = row.normal[axis];
-            block.impulse[axis][lane] = impulse[axis];
-            block.previous[axis][lane] = impulse[axis];
-            block.bias[axis][lane] = bias[axis];
-        }
-        block.friction[lane] = contact.friction;
-        let [a, b] = contact.mobility;
-        let w_n = a[0] + b[0];
-        let w_t = w_n + (a[1] + b[1]);
-        let inverse = |w: f64| if w > 0.0 { 1.0 / w } else { 0.0 };
-        let length = row.radius / self.step;
-        // Where nothing moves, anything is allowed.
-        let gap = (self.tolerance.gap * length / w_n).min(f64::INFINITY);
-        let slip = (self.tolerance.slip * length / w_t).min(f64::INFINITY);
-        block.mass[0][lane] = inverse(w_n);
-        block.mass[1][lane] = inverse(w_t);
-        block.allowed[0][lane] = gap * gap;
-        block.allowed[1][lane] = slip * slip;
-        block.scale[lane] = row.impulse_scale * row.impulse_scale;
-    }
-
-    /// Appends a filled block and empties it.
-    fn flush(&mut self, filling: &mut Filling, at: usize) {
-        let still = self.radius.len() as u32;
-        for lane in 0..4 {
-            let block = &mut filling.block;
-            if lane >= filling.count {
-                block.bodies = block.bodies.map(|mut bodies| {
-                    bodies[lane] = still;
-                    bodies
-                });
-                block.rows[lane] = NONE;
-                continue;
-            }
-            for body in [block.bodies[0][lane], block.bodies[1][lane]] {
-                if let Some(held) = self.held.get_mut(body as usize) {
-                    *held &= !(1 << at);
-                }
+        let mut residual = Residual::default();
+        let (turns, pool) = (&self.turns, &mut self.pool);
+        self.exact.judge(turns, pool, &mut self.verdicts);
+        let Tolerance { gap, slip, .. } = self.tolerance;
+        for (block, [gaps, slips, forces, margins]) in self.exact.blocks.iter().zip(&self.verdicts)
+        {
+            for lane in 0..block.count {
+                let values = [gap * gaps[lane], slip * slips[lane], forces[lane]];
+                residual.include(block.rows[lane] as usize, values, margins[lane]);
             }
         }
-        self.blocks.push(filling.block);
-        *filling = Filling::default();
+        for at in 0..self.others.len() {
+            let other = self.others[at];
+            let row = &problem.rows[other.row as usize];
+            self.see(row);
+            let (u, p) = (row.relative_velocity(&self.velocity), other.impulse);
+            let load = self.load(problem, row);
+            let correction = other.scale.correction(row, u, p, load);
+            let values = other.scale.residuals(row, problem.step, &correction);
+            let margin = other.scale.margin(row, u, p, load);
+            residual.include(other.row as usize, values, margin);
+        }
+        residual
+    }
+
+    /// Velocities of the bodies of `row`.
+    fn see(&mut self, row: &Row) {
+        for i in row.bodies() {
+            let [a, b, c, _, d, e, f, _] = self.exact.bodies[self.place[i] as usize].0;
+            self.velocity[i] = Dof6 {
+                linear: Vec3::new(a, b, c),
+                angular: Vec3::new(d, e, f) / scale(&self.radius, i),
+            };
+        }
+    }
+
+    /// Gives the bodies of `row`, whose velocities are seen, an impulse.
+    fn give(&mut self, problem: &Problem, row: &Row, impulse: Vec3) {
+        problem.apply(row, &mut self.velocity, impulse);
+        for i in row.bodies() {
+            let Dof6 { linear, angular } = self.velocity[i];
+            let spin = angular * scale(&self.radius, i);
+            let body = &mut self.exact.bodies[self.place[i] as usize].0;
+            body[..3].copy_from_slice(linear.as_slice());
+            body[4..7].copy_from_slice(spin.as_slice());
+        }
     }
 
     /// One sweep: the blocks, then the other rows.
     pub(super) fn sweep(&mut self, problem: &Problem, pace: Pace) -> Progress {
-        for (body, before) in self.bodies.iter_mut().zip(&mut self.before) {
-            let now = *body;
-            if pace.momentum != 0.0 {
-                for k in 0..3 {
-                    body.linear[k] += pace.momentum * (body.linear[k] - before.linear[k]);
-                    body.spin[k] += pace.momentum * (body.spin[k] - before.spin[k]);
-                }
-            }
-            *before = now;
+        if self.single {
+            return self.quick.sweep(&self.turns, &mut self.pool, pace);
         }
-        let mut progress = block::sweep(&mut self.blocks, &mut self.bodies, pace);
+        let mut progress = self.exact.sweep(&self.turns, &mut self.pool, pace);
         let mut change = Residual::default();
         for other in 0..self.others.len() {
             let [along, squared] = self.other(problem, pace, other, &mut change);
@@ -280,35 +237,20 @@ impl Kernel {
     ) -> [f64; 2] {
         let mut other = self.others[at];
         let row = &problem.rows[other.row as usize];
-        let bodies = [row.a, row.b].into_iter().filter(|&body| body != GROUND);
-        for i in bodies.clone().map(|body| body as usize) {
-            let Body { linear, spin } = self.bodies[i];
-            self.velocity[i] = Dof6 {
-                linear: Vec3::new(linear[0], linear[1], linear[2]),
-                angular: Vec3::new(spin[0], spin[1], spin[2]) / self.scale(i),
-            };
-        }
+        self.see(row);
         let old = other.impulse;
         let p = old + (old - other.previous) * pace.momentum;
         let u = row.relative_velocity(&self.velocity);
         let correction = other.scale.correction(row, u, p, self.load(problem, row));
-        change.include(
-            other.row as usize,
-            other.scale.residuals(row, problem.step, &correction),
-        );
+        let values = other.scale.residuals(row, problem.step, &correction);
+        change.include(other.row as usize, values, 1.0);
         let full = row.normal * correction.normal + correction.tangential;
         let delta = full * pace.damping;
         other.impulse = p + delta;
         other.previous = old;
         self.others[at] = other;
         if delta != Vec3::zeros() {
-            problem.apply(row, &mut self.velocity, delta);
-            for i in bodies.map(|body| body as usize) {
-                let Dof6 { linear, angular } = self.velocity[i];
-                let spin = angular * self.scale(i);
-                self.bodies[i].linear[..3].copy_from_slice(linear.as_slice());
-                self.bodies[i].spin[..3].copy_from_slice(spin.as_slice());
-            }
+            self.give(problem, row, delta);
         }
         [delta.dot(&(other.impulse - old)), full.norm_squared()]
     }
@@ -325,14 +267,12 @@ impl Kernel {
         found.map_or(0.0, |at| self.others[at].impulse.dot(&normal).max(0.0))
     }
 
-    /// Writes the impulses of all rows \[N s\], `[C]`.
+    /// Writes the impulses of all rows \[N s\], `[C]`: those that were judged last.
     pub(super) fn store(&self, impulses: &mut [Vec3]) {
-        for block in &self.blocks {
-            for (lane, &row) in block.rows.iter().enumerate() {
-                if row != NONE {
-                    let [x, y, z] = block.impulse.map(|p| p[lane]);
-                    impulses[row as usize] = Vec3::new(x, y, z);
-                }
+        for block in &self.exact.blocks {
+            for (lane, &row) in block.rows[..block.count].iter().enumerate() {
+                let [x, y, z] = &block.impulse;
+                impulses[row as usize] = Vec3::new(x[lane], y[lane], z[lane]);
             }
         }
         for other in &self.others {
@@ -341,16 +281,27 @@ impl Kernel {
     }
 }
 
-/// A block that fills.
-#[derive(Debug, Clone, Copy, Default)]
-struct Filling {
-    block: Block,
-    count: usize,
+/// Group of a row that no block has.
+pub(super) const NONE: u32 = u32::MAX;
+
+/// Length by which the spin of body `i` is scaled \[m\].
+fn scale(radius: &[f64], i: usize) -> f64 {
+    match radius[i] {
+        0.0 => 1.0,
+        radius => radius,
+    }
+}
+
+/// `items` as so many copies of `value`.
+pub(super) fn refill<T: Clone>(items: &mut Vec<T>, count: usize, value: T) {
+    items.clear();
+    items.resize(count, value);
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::problem::GROUND;
     use nalgebra::Vector3;
 
     /// A row of spheres of different sizes on the ground, pushed, with one row that is no contact of spheres.
@@ -423,8 +374,8 @@ mod tests {
         let mut kernel = Kernel::default();
         kernel.compile(&problem, &Tolerance::default(), &start);
         assert_eq!(kernel.others.len(), 2, "one springy sphere's rows");
-        let mut order: Vec<u32> = kernel.blocks.iter().flat_map(|block| block.rows).collect();
-        order.retain(|&row| row != NONE);
+        let blocks = kernel.exact.blocks.iter();
+        let mut order: Vec<u32> = blocks.flat_map(|b| b.rows[..b.count].to_vec()).collect();
         order.extend(kernel.others.iter().map(|other| other.row));
         let mut sorted = order.clone();
         sorted.sort_unstable();
@@ -475,11 +426,11 @@ mod tests {
         kernel.store(&mut impulses);
         let velocity = problem.velocities(&impulses);
         for (i, v) in velocity.iter().enumerate() {
-            let body = &kernel.bodies[i];
-            let (linear, spin) = (v.linear, v.angular * kernel.scale(i));
+            let body = &kernel.exact.bodies[kernel.place[i] as usize].0;
+            let (linear, spin) = (v.linear, v.angular * scale(&kernel.radius, i));
             for k in 0..3 {
-                assert!((body.linear[k] - linear[k]).abs() < 1e-12);
-                assert!((body.spin[k] - spin[k]).abs() < 1e-12);
+                assert!((body[k] - linear[k]).abs() < 1e-12);
+                assert!((body[k + 4] - spin[k]).abs() < 1e-12);
             }
         }
     }

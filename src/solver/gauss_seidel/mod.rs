@@ -2,25 +2,32 @@
 //!
 //! Contact by contact: the contact's own law is solved in closed form with all other multipliers held, and the velocities of
 //! its two bodies follow at once (for a sphere contact the local operator is diagonal, so normal and tangent do not couple).
-//! Contacts of spheres go four at a time (`block`), every other row by the operations of [`Row`](crate::problem::Row)
-//! (`kernel`); the order is fixed by the rows alone. From the fourth sweep on Nesterov's momentum moves impulses and
+//! Contacts of spheres go eight at a time (`block`), in single precision first where the tolerances allow; what it finds is
+//! judged in double. Every other row goes by the operations of [`Row`](crate::problem::Row) (`kernel`). The order is fixed by
+//! the rows and, in large scenes, by where the bodies are (`layout`): parts of the scene can be swept side by side. From the fourth sweep on Nesterov's momentum moves impulses and
 //! velocities together; it starts anew where the corrections point back or grow: with friction the latter is what counts (a
 //! tenth of the sweeps). Robust with friction.
 
 mod block;
+mod compile;
 mod kernel;
 mod lanes;
+mod layout;
+mod sheet;
 
-use super::residual::{Residual, evaluate};
 use super::{Params, Report};
 use crate::Vec3;
 use crate::problem::Problem;
 use crate::scene::Tolerance;
 use block::Pace;
 pub use kernel::Kernel;
+pub use layout::Layout;
 
 /// Sweeps after which updates are damped and momentum ends: exact Coulomb friction can cycle.
 const DAMP_AFTER: [(usize, f64); 2] = [(300, 0.6), (1200, 0.3)];
+/// Sweeps after which, and promises broken after which single precision is left.
+const SINGLE_SWEEPS: usize = 200;
+const BROKEN: usize = 2;
 /// The first sweep with momentum: the first ones remove what is local.
 const MOMENTUM_FROM: usize = 4;
 
@@ -41,6 +48,7 @@ pub fn solve(
         force: params.tolerance.force,
     };
     kernel.compile(problem, &params.tolerance, impulses);
+    let (mut found, mut broken) = (None, 0);
     while report.sweeps < params.max_sweeps {
         report.sweeps += 1;
         pace.damping = DAMP_AFTER
@@ -58,26 +66,30 @@ pub fn solve(
             momentum = Momentum::default();
         }
         last = progress.change;
-        if progress.settled {
-            kernel.store(impulses);
-            report.residual = judged(problem, impulses);
-            if report.residual.within(&params.tolerance) {
-                report.converged = true;
-                return report;
+        let tired = kernel.is_single() && report.sweeps >= SINGLE_SWEEPS;
+        if progress.settled || tired {
+            let residual = kernel.judge(problem);
+            if residual.within(&params.tolerance) {
+                found = Some(residual);
+                break;
             }
-            // The sweep promised too much: ask later.
-            pace.strictness *= 0.5;
-            kernel.reload(problem, impulses);
+            // The bodies' last change is gone with the velocities taken anew.
+            momentum = Momentum::default();
+            last = f64::INFINITY;
+            if tired || (kernel.is_single() && broken == BROKEN) {
+                kernel.refine();
+                pace.strictness = 1.0;
+            } else {
+                // The sweep promised too much: ask later.
+                pace.strictness *= 0.5;
+                broken += 1;
+            }
         }
     }
-    kernel.store(impulses);
-    report.residual = judged(problem, impulses);
+    report.residual = found.unwrap_or_else(|| kernel.judge(problem));
     report.converged = report.residual.within(&params.tolerance);
+    kernel.store(impulses);
     report
-}
-
-fn judged(problem: &Problem, impulses: &[Vec3]) -> Residual {
-    evaluate(problem, &super::residual::Scale::of(problem), impulses)
 }
 
 /// `sweeps` undamped sweeps: what the augmented-Lagrangian loop uses to bring friction onto the true cone.

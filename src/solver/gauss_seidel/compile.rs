@@ -1,0 +1,251 @@
+//! From rows to blocks: which rows are contacts of spheres, which part of the scene they join, and which go together.
+
+use arrayvec::ArrayVec;
+
+use super::block::Block;
+use super::kernel::{Kernel, NONE, refill};
+use super::sheet::Group;
+use crate::Vec3;
+use crate::problem::{GROUND, Law, Problem, Row};
+
+/// Blocks that fill at the same time: a contact joins one in which its bodies are not yet met.
+const OPEN: usize = 16;
+/// Relative rounding within which a contact's arm is its body's radius.
+const SAME: f64 = 1e-12;
+
+impl Kernel {
+    /// Puts the rows of sphere contacts in the order of the blocks: by group, within it by the place of A.
+    pub(super) fn sort(&mut self, problem: &Problem) {
+        let parts = self.layout.parts();
+        self.group.clear();
+        for (k, row) in problem.rows.iter().enumerate() {
+            let group = if !self.resisted[k] && self.is_sphere_contact(problem, row) {
+                let part = |body: u32| self.layout.place(body as usize).1;
+                let a = part(row.a);
+                let b = if row.b == GROUND { a } else { part(row.b) };
+                group_of(a, b, parts) as u32
+            } else {
+                NONE
+            };
+            self.group.push(group);
+        }
+        self.order.clear();
+        let ours = |k: &u32| self.group[*k as usize] != NONE;
+        let rows = 0..problem.rows.len() as u32;
+        if parts == 1 {
+            self.order.extend(rows.filter(ours));
+            return;
+        }
+        let place = |k: u32| self.place[problem.rows[k as usize].a as usize];
+        counting_sort(
+            rows.filter(ours),
+            place,
+            &mut self.counts,
+            &mut self.by_place,
+        );
+        let group = |k: u32| self.group[k as usize];
+        let rows = self.by_place.iter().copied();
+        counting_sort(rows, group, &mut self.counts, &mut self.order);
+    }
+
+    /// Blocks of all groups.
+    pub(super) fn fill_groups(&mut self, problem: &Problem, impulses: &[Vec3]) {
+        let (parts, spheres) = (self.layout.parts(), problem.inverse_mass.len());
+        self.exact.blocks.clear();
+        self.turns.iter_mut().for_each(ArrayVec::clear);
+        let order = std::mem::take(&mut self.order);
+        let mut rest = &order[..];
+        for group in 0..2 * parts {
+            let (turn, low) = turn_of(group, parts);
+            let part = |k: usize| {
+                let range = self.layout.part(k, spheres);
+                range.start + k..range.end + k + 1
+            };
+            let still = part(low).end as u32 - 1;
+            let bodies = match turn {
+                0 => part(low),
+                1 | 2 => part(low).start..part(low + 1).end,
+                _ => 0..problem.free.len() + parts,
+            };
+            let own = |k: &&u32| self.group[**k as usize] as usize == group;
+            let count = rest.iter().take_while(own).count();
+            let (rows, others) = rest.split_at(count);
+            rest = others;
+            let first = self.exact.blocks.len();
+            self.fill_group(problem, rows, still, impulses);
+            let blocks = first..self.exact.blocks.len();
+            // Interiors stay in any case: momentum moves their bodies.
+            if turn == 0 || !blocks.is_empty() {
+                self.turns[turn].push(Group { blocks, bodies });
+            }
+        }
+        self.order = order;
+    }
+
+    /// Blocks of `rows`: a contact joins the first open block in which its bodies are not yet met; when there is none the
+    /// oldest is closed. Their ground is the body `still`.
+    fn fill_group(&mut self, problem: &Problem, rows: &[u32], still: u32, impulses: &[Vec3]) {
+        let mut open = [None; OPEN];
+        let mut oldest = 0;
+        for &k in rows {
+            let row = &problem.rows[k as usize];
+            let held = |body: u32| self.held.get(body as usize).copied().unwrap_or_default();
+            let mut at = (!(held(row.a) | held(row.b))).trailing_zeros() as usize;
+            if at >= OPEN {
+                at = oldest;
+                oldest = (oldest + 1) % OPEN;
+                self.close(problem, open[at].take(), at);
+            }
+            let block = *open[at].get_or_insert_with(|| {
+                self.exact.blocks.push(Block::default());
+                self.exact.blocks.len() - 1
+            });
+            self.fill(block, (k, row), still, impulses[k as usize], problem);
+            for body in row.bodies() {
+                self.held[body] |= 1 << at;
+            }
+            if self.exact.blocks[block].count == 8 {
+                self.close(problem, open[at].take(), at);
+            }
+        }
+        for (at, block) in open.into_iter().enumerate() {
+            self.close(problem, block, at);
+        }
+    }
+
+    /// Lets the bodies of the block that was open at `at` join another.
+    fn close(&mut self, problem: &Problem, block: Option<usize>, at: usize) {
+        let Some(block) = block.map(|block| &self.exact.blocks[block]) else {
+            return;
+        };
+        for &k in &block.rows[..block.count] {
+            for body in problem.rows[k as usize].bodies() {
+                self.held[body] &= !(1 << at);
+            }
+        }
+    }
+
+    /// Adds a contact of spheres to a block.
+    fn fill(
+        &mut self,
+        block: usize,
+        (k, row): (u32, &Row),
+        still: u32,
+        impulse: Vec3,
+        problem: &Problem,
+    ) {
+        let mobility = |body: u32| match problem.inverse_mass.get(body as usize) {
+            None => [0.0; 2],
+            Some(w) => {
+                let radius = self.radius[body as usize];
+                [w.linear.x, w.angular.x * radius * radius]
+            }
+        };
+        let (a, b) = (mobility(row.a), mobility(row.b));
+        let mu = match row.law {
+            Law::Contact { mu } => mu,
+            _ => 0.0,
+        };
+        let at = |body: u32| self.place.get(body as usize).copied().unwrap_or(still);
+        let bodies = [at(row.a), at(row.b)];
+        let block = &mut self.exact.blocks[block];
+        let lane = block.count;
+        block.count += 1;
+        for (lanes, body) in block.bodies.iter_mut().zip(bodies) {
+            // Lanes that stay empty must name some body of the part as well.
+            lanes[lane..].fill(body);
+        }
+        block.rows[lane] = k;
+        let bias = row.bias + row.drift;
+        for axis in 0..3 {
+            block.normal[axis][lane] = row.normal[axis];
+            block.impulse[axis][lane] = impulse[axis];
+            block.previous[axis][lane] = impulse[axis];
+            block.bias[axis][lane] = bias[axis];
+        }
+        block.friction[lane] = mu;
+        let w_n = a[0] + b[0];
+        let w_t = w_n + (a[1] + b[1]);
+        let inverse = |w: f64| if w > 0.0 { 1.0 / w } else { 0.0 };
+        let length = row.radius / self.step;
+        // Where nothing moves, anything is allowed.
+        let gap = (self.tolerance.gap * length / w_n).min(f64::INFINITY);
+        let slip = (self.tolerance.slip * length / w_t).min(f64::INFINITY);
+        block.mass[0][lane] = inverse(w_n);
+        block.mass[1][lane] = inverse(w_t);
+        block.allowed[0][lane] = gap * gap;
+        block.allowed[1][lane] = slip * slip;
+        block.scale[lane] = row.impulse_scale * row.impulse_scale;
+    }
+
+    /// `row` as a contact of spheres: those have the same mobility in all directions and are touched at `R normal`.
+    fn is_sphere_contact(&mut self, problem: &Problem, row: &Row) -> bool {
+        matches!(row.law, Law::Contact { .. })
+            && row.compliance_n == 0.0
+            && row.compliance_t == 0.0
+            && self.is_sphere(problem, row.a, -row.arm_a, row.normal)
+            && (row.b == GROUND || self.is_sphere(problem, row.b, row.arm_b, row.normal))
+    }
+
+    fn is_sphere(&mut self, problem: &Problem, body: u32, arm: Vec3, normal: Vec3) -> bool {
+        let Some(w) = problem.inverse_mass.get(body as usize) else {
+            return false;
+        };
+        let same = |v: &Vec3| v.x == v.y && v.y == v.z;
+        let radius = arm.dot(&normal);
+        let known = &mut self.radius[body as usize];
+        if *known == 0.0 {
+            *known = radius;
+        }
+        let off = (arm - normal * radius).norm_squared() + (radius - *known).powi(2);
+        same(&w.linear) && same(&w.angular) && radius > 0.0 && off <= (SAME * radius).powi(2)
+    }
+}
+
+/// Group of rows between parts `a` and `b` of `parts`: interiors, then borders of even and of odd parts, then all else.
+fn group_of(a: usize, b: usize, parts: usize) -> usize {
+    let low = a.min(b);
+    match (a.abs_diff(b), low % 2) {
+        (0, _) => low,
+        (1, 0) => parts + low / 2,
+        (1, _) => parts + parts / 2 + low / 2,
+        _ => 2 * parts - 1,
+    }
+}
+
+/// Turn of a group, and its lower part.
+fn turn_of(group: usize, parts: usize) -> (usize, usize) {
+    if group < parts {
+        (0, group)
+    } else if group == 2 * parts - 1 {
+        (3, 0)
+    } else if group < parts + parts / 2 {
+        (1, 2 * (group - parts))
+    } else {
+        (2, 2 * (group - parts - parts / 2) + 1)
+    }
+}
+
+/// Into `sorted` the `items` by ascending key; of equal keys in the order they come in.
+fn counting_sort(
+    items: impl Iterator<Item = u32> + Clone,
+    key: impl Fn(u32) -> u32,
+    counts: &mut Vec<u32>,
+    sorted: &mut Vec<u32>,
+) {
+    let keys = items.clone().map(&key);
+    let largest = keys.clone().max().unwrap_or_default() as usize;
+    refill(counts, largest + 2, 0);
+    for key in keys {
+        counts[key as usize + 1] += 1;
+    }
+    for k in 1..counts.len() {
+        counts[k] += counts[k - 1];
+    }
+    refill(sorted, counts.last().map_or(0, |&all| all as usize), 0);
+    for item in items {
+        let next = &mut counts[key(item) as usize];
+        sorted[*next as usize] = item;
+        *next += 1;
+    }
+}

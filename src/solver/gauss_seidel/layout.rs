@@ -1,0 +1,154 @@
+//! Where bodies lie in a kernel: in layers of cells along the longest side of the scene, and cut into parts of whole layers.
+//!
+//! Contacts inside a part touch no other part, those between parts `k` and `k + 1` only these two: all parts are swept side by
+//! side, then every second border, then the others. What lies in which part depends on the positions alone, so that results
+//! are the same for any number of threads.
+
+use crate::Vec3;
+
+/// Below this many spheres there is one part, in the order of the scene: a sweep is too short to share.
+const SMALL: usize = 8192;
+/// Spheres of a part.
+const PART: usize = 4096;
+/// Most parts.
+pub(super) const PARTS: usize = 32;
+/// Cells along an axis at most.
+const CELLS: f64 = 512.0;
+
+/// The order of the bodies.
+#[derive(Debug, Clone, Default)]
+pub struct Layout {
+    /// Place of each sphere, `[N]`; empty where all are in the order of the scene.
+    place: Vec<u32>,
+    /// First place of each part, and the end of the last.
+    starts: Vec<u32>,
+    /// Cell of each sphere, `[N]`.
+    cell: Vec<u32>,
+    /// First place of each cell.
+    first: Vec<u32>,
+}
+
+impl Layout {
+    /// Lays out spheres of the given centres \[m\], `[N]`, with cells of `edge` \[m\].
+    pub fn arrange(&mut self, centres: &[Vec3], edge: f64) {
+        self.place.clear();
+        self.starts.clear();
+        let n = centres.len();
+        if n < SMALL {
+            return;
+        }
+        let (low, high) = centres
+            .iter()
+            .fold((centres[0], centres[0]), |(low, high), x| {
+                (low.inf(x), high.sup(x))
+            });
+        let size = high - low;
+        let edge = edge.max(size.max() / CELLS);
+        let axes = {
+            let long = size.imax();
+            [long, (long + 1) % 3, (long + 2) % 3]
+        };
+        let counts = axes.map(|axis| (size[axis] / edge) as usize + 1);
+        let index = |x: &Vec3, k: usize| {
+            let along = ((x[axes[k]] - low[axes[k]]) / edge) as usize;
+            along.min(counts[k] - 1)
+        };
+        let layer = counts[1] * counts[2];
+        self.cell.clear();
+        self.cell.extend(
+            centres.iter().map(|x| {
+                ((index(x, 0) * counts[1] + index(x, 1)) * counts[2] + index(x, 2)) as u32
+            }),
+        );
+        self.first.clear();
+        self.first.resize(counts[0] * layer + 1, 0);
+        for &cell in &self.cell {
+            self.first[cell as usize + 1] += 1;
+        }
+        for k in 1..self.first.len() {
+            self.first[k] += self.first[k - 1];
+        }
+        // Parts end where a layer does.
+        let share = n.div_ceil((n / PART).clamp(1, PARTS));
+        self.starts.push(0);
+        for k in 1..counts[0] {
+            let end = self.first[k * layer];
+            let last = self.starts.last().copied().unwrap_or_default();
+            if end - last >= share as u32 && n as u32 - end >= (share / 2) as u32 {
+                self.starts.push(end);
+            }
+        }
+        self.starts.push(n as u32);
+        for &cell in &self.cell {
+            let next = &mut self.first[cell as usize];
+            self.place.push(*next);
+            *next += 1;
+        }
+    }
+
+    /// Forgets an order of another number of spheres.
+    pub(super) fn fit(&mut self, spheres: usize) {
+        if self.place.len() != spheres {
+            self.place.clear();
+            self.starts.clear();
+        }
+    }
+
+    /// How many parts there are.
+    pub(super) fn parts(&self) -> usize {
+        self.starts.len().saturating_sub(1).max(1)
+    }
+
+    /// Spheres of part `k` of `n` in all.
+    pub(super) fn part(&self, k: usize, n: usize) -> std::ops::Range<usize> {
+        match self.starts.len() {
+            0 => 0..n,
+            _ => self.starts[k] as usize..self.starts[k + 1] as usize,
+        }
+    }
+
+    /// Place of sphere `i`, and its part.
+    pub(super) fn place(&self, i: usize) -> (usize, usize) {
+        match self.place.get(i) {
+            None => (i, 0),
+            Some(&place) => {
+                let part = self.starts.partition_point(|&start| start <= place) - 1;
+                (place as usize, part)
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_layout_is_an_order_in_whole_layers() {
+        let side = 24;
+        let centres: Vec<Vec3> = (0..side * side * side)
+            .map(|i| {
+                let [x, y, z] = [i % side, i / side % side, i / side / side].map(|k| k as f64);
+                Vec3::new(z + 0.1 * (i % 7) as f64, y, 1.5 * x)
+            })
+            .collect();
+        let mut layout = Layout::default();
+        layout.arrange(&centres, 1.0);
+        let n = centres.len();
+        let mut seen = vec![false; n];
+        for i in 0..n {
+            let (place, part) = layout.place(i);
+            assert!(layout.part(part, n).contains(&place));
+            assert!(!std::mem::replace(&mut seen[place], true));
+        }
+        assert_eq!(layout.parts(), 3);
+        for (i, x) in centres.iter().enumerate() {
+            for (j, y) in centres.iter().enumerate().skip(i).take(700) {
+                let parts = [layout.place(i).1, layout.place(j).1];
+                assert!((x - y).norm() > 1.6 || parts[0].abs_diff(parts[1]) <= 1);
+            }
+        }
+        layout.arrange(&centres[..100], 1.0);
+        assert_eq!((layout.parts(), layout.place(7)), (1, (7, 0)));
+    }
+}

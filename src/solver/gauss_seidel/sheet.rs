@@ -1,0 +1,156 @@
+//! All blocks and bodies of a problem in one precision, and what is done with all of them, part by part.
+
+use std::ops::Range;
+
+use arrayvec::ArrayVec;
+
+use super::block::{Block, Pace, Precision, Progress, Verdict, drift, judge, push};
+use super::lanes::Body;
+use super::layout::PARTS;
+use crate::parallel::Pool;
+
+/// Blocks that are swept together, and the bodies they move.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Group {
+    pub(super) blocks: Range<usize>,
+    pub(super) bodies: Range<usize>,
+}
+
+/// Groups in turns: those of a turn share no body, and their blocks and bodies ascend.
+pub(super) type Turns = [ArrayVec<Group, PARTS>; 4];
+
+/// Blocks and bodies in one precision.
+#[derive(Debug, Default)]
+pub(super) struct Sheet<T> {
+    pub(super) blocks: Vec<Block<T>>,
+    pub(super) bodies: Vec<Body<T>>,
+    /// Bodies before the last sweep.
+    pub(super) before: Vec<Body<T>>,
+}
+
+/// A group with what it works on.
+struct Task<'a, T> {
+    blocks: &'a mut [Block<T>],
+    bodies: &'a mut [Body<T>],
+    offset: u32,
+    found: Progress,
+}
+
+/// `ranges` of `items`, which ascend.
+fn split<'a, X>(
+    mut items: &'a mut [X],
+    ranges: impl Iterator<Item = Range<usize>>,
+) -> ArrayVec<&'a mut [X], PARTS> {
+    let mut done = 0;
+    let part = |range: Range<usize>| {
+        let (_, rest) = std::mem::take(&mut items).split_at_mut(range.start - done);
+        let (part, rest) = rest.split_at_mut(range.len());
+        items = rest;
+        done = range.end;
+        part
+    };
+    ranges.map(part).collect()
+}
+
+impl<T: Precision> Sheet<T> {
+    /// One sweep.
+    pub(super) fn sweep(&mut self, turns: &Turns, pool: &mut Pool, pace: Pace) -> Progress {
+        self.drift(turns, pool, pace.momentum);
+        let mut total = Progress::NONE;
+        for turn in turns.iter().filter(|turn| !turn.is_empty()) {
+            let blocks = split(&mut self.blocks, turn.iter().map(|g| g.blocks.clone()));
+            let bodies = split(&mut self.bodies, turn.iter().map(|g| g.bodies.clone()));
+            let groups = turn.iter().zip(blocks).zip(bodies);
+            let mut tasks: ArrayVec<_, PARTS> = groups
+                .map(|((group, blocks), bodies)| Task {
+                    blocks,
+                    bodies,
+                    offset: group.bodies.start as u32,
+                    found: Progress::NONE,
+                })
+                .collect();
+            pool.each(&mut tasks, |task| {
+                task.found = T::sweep(task.blocks, task.bodies, task.offset, pace);
+            });
+            total = tasks.iter().fold(total, |sum, task| sum.with(&task.found));
+        }
+        total
+    }
+}
+
+impl<T: Precision> Sheet<T> {
+    /// Moves all bodies on by `momentum` times their last change.
+    fn drift(&mut self, turns: &Turns, pool: &mut Pool, momentum: f64) {
+        let parts = || turns[0].iter().map(|group| group.bodies.clone());
+        // Behind the parts are driven bodies.
+        let rest = turns[0].last().map_or(0, |group| group.bodies.end);
+        drift(&mut self.bodies[rest..], &mut self.before[rest..], momentum);
+        let bodies = split(&mut self.bodies, parts()).into_iter();
+        let pairs = bodies.zip(split(&mut self.before, parts()));
+        let mut pairs: ArrayVec<_, PARTS> = pairs.collect();
+        pool.each(&mut pairs, |(now, before)| drift(now, before, momentum));
+    }
+}
+
+impl Sheet<f64> {
+    /// Gives the bodies the impulses of all blocks.
+    pub(super) fn push(&mut self, turns: &Turns, pool: &mut Pool) {
+        for turn in turns {
+            let bodies = split(&mut self.bodies, turn.iter().map(|g| g.bodies.clone()));
+            let mut tasks: ArrayVec<_, PARTS> = turn.iter().zip(bodies).collect();
+            pool.each(&mut tasks, |(group, bodies)| {
+                let blocks = &self.blocks[group.blocks.clone()];
+                push(blocks, bodies, group.bodies.start as u32);
+            });
+        }
+    }
+
+    /// What each block's contacts are off by.
+    pub(super) fn judge(&self, turns: &Turns, pool: &mut Pool, verdicts: &mut Vec<Verdict>) {
+        verdicts.clear();
+        verdicts.resize(self.blocks.len(), Verdict::default());
+        for turn in turns {
+            let found = split(verdicts, turn.iter().map(|g| g.blocks.clone()));
+            let mut tasks: ArrayVec<_, PARTS> = turn.iter().zip(found).collect();
+            pool.each(&mut tasks, |(group, found)| {
+                judge(&self.blocks[group.blocks.clone()], &self.bodies, 0, found);
+            });
+        }
+    }
+
+    /// Copies itself into single precision, impulses and masses times `unit`.
+    pub(super) fn single(&self, unit: f64, turns: &Turns, pool: &mut Pool, to: &mut Sheet<f32>) {
+        to.blocks.resize(self.blocks.len(), Block::default());
+        for turn in turns {
+            let copies = split(&mut to.blocks, turn.iter().map(|g| g.blocks.clone()));
+            let mut tasks: ArrayVec<_, PARTS> = turn.iter().zip(copies).collect();
+            pool.each(&mut tasks, |(group, copies)| {
+                let blocks = &self.blocks[group.blocks.clone()];
+                for (block, copy) in blocks.iter().zip(copies.iter_mut()) {
+                    *copy = block.single(unit);
+                }
+            });
+        }
+        self.single_bodies(unit, to);
+    }
+
+    /// Copies the bodies alone, as if they had not moved before.
+    pub(super) fn single_bodies(&self, unit: f64, to: &mut Sheet<f32>) {
+        to.bodies.clear();
+        to.bodies.extend(self.bodies.iter().map(|Body(x)| {
+            let [a, b, c, m, d, e, f, k] = *x;
+            Body([a, b, c, m / unit, d, e, f, k / unit].map(|x| x as f32))
+        }));
+        to.before.clone_from(&to.bodies);
+    }
+
+    /// Takes the impulses back from single precision.
+    pub(super) fn take_impulses(&mut self, unit: f64, from: &Sheet<f32>) {
+        for (block, single) in self.blocks.iter_mut().zip(&from.blocks) {
+            for (axis, values) in block.impulse.iter_mut().zip(&single.impulse) {
+                *axis = values.map(|x| f64::from(x) / unit);
+            }
+            block.previous = block.impulse;
+        }
+    }
+}

@@ -1,0 +1,230 @@
+//! The solve that repeats until the true geometry agrees: gaps are re-linearised, late contacts join.
+
+use std::mem::take;
+
+use super::beside::{self, Twin};
+use super::stage::{Stage, follow};
+use super::{Passed, Scratch, StepFailure, StepOutcome};
+use crate::Vec3;
+use crate::contacts::narrow_phase::{Candidate, Placement};
+use crate::contacts::{Partner, history};
+use crate::problem::{Dof6, Law};
+use crate::scene::Method;
+use crate::solver::Report;
+use crate::state::State;
+
+/// Passes of re-linearisation and late contacts before the step is cut.
+const PASSES: usize = 30;
+/// A loaded contact may leave its linearised surface by this share of the radius before its gap is
+/// re-linearised; overlaps are held to the tolerance whatever this is.
+const OPENING: f64 = 1e-3;
+
+impl Stage<'_> {
+    /// Solves until the true geometry agrees: gaps are re-linearised, late contacts join.
+    pub(super) fn resolve(
+        &mut self,
+        state: &State,
+        scratch: &mut Scratch,
+        twins: &mut [Twin<'_>],
+    ) -> Result<StepOutcome, StepFailure> {
+        let mut total = Report::default();
+        let budget = self.inputs.scene.settings.sweeps.filter(|_| self.moves);
+        for _ in 0..PASSES {
+            let left = budget.map(|budget| budget - total.sweeps);
+            total = total.then(self.solve(state, scratch, left));
+            let spent = budget.is_some_and(|budget| total.sweeps >= budget);
+            if !total.converged && !spent {
+                return Err(self.failure(&total));
+            }
+            beside::follow(self, twins).map_err(|broken| self.broken(&total, broken))?;
+            let checked = self.check(state, scratch, twins, spent);
+            match checked.map_err(|passed| self.too_fast(&total, passed))? {
+                None => {}
+                Some(max_overlap) => {
+                    return Ok(StepOutcome {
+                        solver: total,
+                        max_overlap,
+                        kink: total.residual.kink,
+                    });
+                }
+            }
+        }
+        Err(StepFailure {
+            what: "gap",
+            residual: f64::NAN,
+            tolerance: self.inputs.scene.settings.tolerance.gap,
+            contact: None,
+            // Forces without bound satisfy a pinch on paper: then only the geometry refuses it.
+            pinched: (0..self.candidates.len()).find_map(|row| self.pinch(row)),
+            passed: None,
+            broken: None,
+        })
+    }
+
+    /// Holds the impulses against the true geometry at the end of the step: the largest overlap over radius there; `None` if
+    /// the problem had to be changed. If all sweeps are `spent` the impulses stay as they are.
+    ///
+    /// # Errors
+    /// Bodies that pass through each other.
+    fn check(
+        &mut self,
+        state: &State,
+        scratch: &mut Scratch,
+        twins: &mut [Twin<'_>],
+        spent: bool,
+    ) -> Result<Option<f64>, Passed> {
+        let mut solution = take(&mut self.solution);
+        let mut position = take(&mut self.position);
+        let mut closed = take(&mut self.closed);
+        self.problem.velocities_into(&self.impulses, &mut solution);
+        self.lead(&solution, &mut position);
+        let ends = self.end_poses(&solution);
+        let end = Placement {
+            position: &position,
+            poses: &ends,
+            ..self.start
+        };
+        scratch.neighbors.ensure(&end, 0.0);
+        end.candidates(&scratch.neighbors, |_, _| 0.0, |_, _| 0.0, &mut closed);
+        let overlaps = closed.iter().map(|c| -c.gap / end.scale(c.key));
+        let max_overlap = overlaps.fold(0.0, f64::max);
+        // The penalty method lets bodies overlap as they like.
+        let alm = self.inputs.scene.settings.method == Method::Alm;
+        let swept = alm && self.moves;
+        let struck = if swept {
+            self.struck(&end, &closed)
+        } else {
+            None
+        };
+        let verdict = if let Some(passed) = struck {
+            Err(passed)
+        } else if alm && !spent && self.correct(&end, &closed, (&solution, state), twins) {
+            Ok(None)
+        } else if swept && let Some(passed) = self.passed(&solution, &ends, scratch) {
+            Err(passed)
+        } else {
+            Ok(Some(max_overlap))
+        };
+        (self.solution, self.position, self.closed) = (solution, position, closed);
+        verdict
+    }
+
+    /// Compares the linear gaps with the true ones at the end of the step. Re-linearises those that are off
+    /// (the gap only: normals and arms keep the start of the step, as in SHAKE) and adds contacts that closed
+    /// without being candidates. Returns whether anything changed.
+    fn correct(
+        &mut self,
+        end: &Placement,
+        closed: &[Candidate],
+        (solution, state): (&[Dof6], &State),
+        twins: &mut [Twin<'_>],
+    ) -> bool {
+        let settings = &self.inputs.scene.settings;
+        let tolerance = settings.tolerance.gap;
+        let loaded = |k: usize| self.impulses[k] != Vec3::zeros();
+        let wall = |k: usize| matches!(self.candidates[k].key.partner, Partner::Boundary { .. });
+        // Two spheres without load that overlap are among the closed ones below.
+        let mut off = (0..self.candidates.len()).any(|k| {
+            (loaded(k) || wall(k)) && {
+                let (gap, radius) = (self.true_gap(end, k), self.problem.rows[k].radius);
+                let opens = loaded(k) && !self.impact[k] && gap > OPENING * radius;
+                gap < -tolerance * radius || opens
+            }
+        });
+        let mut late: Vec<Candidate> = Vec::new();
+        for found in closed {
+            if found.gap < -tolerance * end.scale(found.key) {
+                match self
+                    .candidates
+                    .binary_search_by_key(&found.key, |known| known.key)
+                {
+                    Ok(k) => off |= !loaded(k),
+                    Err(_) => late.push(*found),
+                }
+            }
+        }
+        if !off && late.is_empty() {
+            return false;
+        }
+        // A rebound yields only to an overlap.
+        let yields: Vec<bool> = (0..self.candidates.len())
+            .map(|k| {
+                !self.impact[k] || self.true_gap(end, k) < -tolerance * self.problem.rows[k].radius
+            })
+            .collect();
+        self.relinearise(end, solution, &yields);
+        let told: Vec<bool> = late
+            .iter()
+            .map(|found| self.insert(*found, (solution, state), None))
+            .collect();
+        for stage in twins.iter_mut().flat_map(|twin| &mut twin.stages) {
+            let solution = stage.problem.velocities(&stage.impulses);
+            let (position, poses) = (stage.moved(&solution), stage.end_poses(&solution));
+            let end = Placement {
+                position: &position,
+                poses: &poses,
+                ..stage.start
+            };
+            let late: Vec<Candidate> = late.iter().map(|found| follow(&end, found)).collect();
+            stage.relinearise(&end, &solution, &yields);
+            for (found, told) in late.into_iter().zip(&told) {
+                stage.insert(found, (&solution, state), Some(*told));
+            }
+        }
+        true
+    }
+
+    /// Lets the gaps of the contacts that yield be the true ones at `end`, where `solution` leads.
+    fn relinearise(&mut self, end: &Placement, solution: &[Dof6], yields: &[bool]) {
+        let step = self.inputs.step;
+        for k in (0..yields.len()).filter(|&k| yields[k]) {
+            let gap = self.true_gap(end, k);
+            let row = &mut self.problem.rows[k];
+            let n = row.normal;
+            let linear = step * n.dot(&row.relative_velocity(solution));
+            let compression = self.impulses[k].dot(&n) * row.compliance_n * step;
+            let wanted = (gap - compression - linear) / step;
+            let now = row.bias.dot(&n);
+            row.bias += match self.impact[k] {
+                true => n * (wanted.min(now) - now),
+                false => n * (wanted - now),
+            };
+        }
+    }
+
+    /// Gap \[m\] of contact `k` at `end`, without the compression of a contact spring, which is not an overlap.
+    fn true_gap(&self, end: &Placement, k: usize) -> f64 {
+        let row = &self.problem.rows[k];
+        let compression = self.impulses[k].dot(&row.normal) * row.compliance_n * self.inputs.step;
+        end.gap(&self.candidates[k]) + compression
+    }
+
+    /// Adds a contact that `solution` closes: its normal is the one it closes with. Returns whether it is an impact, as
+    /// `told` or as it is found.
+    fn insert(
+        &mut self,
+        found: Candidate,
+        (solution, state): (&[Dof6], &State),
+        told: Option<bool>,
+    ) -> bool {
+        let carried = history::find(&state.contacts, found.key);
+        let (mut row, impact) =
+            self.inputs
+                .contact(&self.problem.free, &found, carried.force, told);
+        let linear = self.inputs.step * found.normal.dot(&row.relative_velocity(solution));
+        row.bias +=
+            row.normal * ((found.gap - linear) / self.inputs.step - row.bias.dot(&row.normal));
+        let at = self.candidates.partition_point(|c| c.key < found.key);
+        self.candidates.insert(at, found);
+        self.problem.rows.insert(at, row);
+        self.impact.insert(at, impact);
+        self.impulses.insert(at, Vec3::zeros());
+        for row in &mut self.problem.rows {
+            if let Law::Resistance { contact, .. } = &mut row.law {
+                *contact += u32::from(*contact as usize >= at);
+            }
+        }
+        self.resist(at, carried.torque);
+        impact
+    }
+}

@@ -1,0 +1,133 @@
+//! Internal steps chosen for least total time, scenes that come to rest, and steps of a bounded number of sweeps.
+
+use std::sync::Arc;
+
+use sphere_dda::Vec3;
+use sphere_dda::boundaries::HalfSpace;
+use sphere_dda::motion::{Command, InputKind, Motion};
+use sphere_dda::simulation::Simulation;
+
+use crate::support::{Case, G, close};
+
+const RADIUS: f64 = 0.01;
+
+/// A heap of `n^3` spheres in a loose lattice, dropped into a box without a lid; the floor is the last boundary and can be moved.
+fn heap(n: usize, step: f64) -> Case {
+    let side = 2.4 * RADIUS * n as f64;
+    let mut case = Case::new(step, 0.5, 0.0).tolerance(1e-5, 1e-5, 1e-1);
+    for (k, direction) in [Vec3::x(), -Vec3::x(), Vec3::y(), -Vec3::y()]
+        .into_iter()
+        .enumerate()
+    {
+        let corner = if k % 2 == 0 { 0.0 } else { side };
+        case = case.plane(Vec3::new(corner, corner, 0.0), direction);
+    }
+    for k in 0..n * n * n {
+        let [x, y, z] = [k % n, k / n % n, k / n / n].map(|k| (k as f64 + 0.5) * 2.4 * RADIUS);
+        let off = 0.1 * RADIUS * (1.7 * k as f64).sin();
+        case = case.sphere(RADIUS, Vec3::new(x + off, y - off, z), Vec3::zeros());
+    }
+    let floor = HalfSpace::new(Vec3::zeros(), Vec3::z()).expect("a plane");
+    case.moving(vec![floor.into()], Motion::Input(InputKind::Twist))
+}
+
+/// Every step holds the tolerance whatever its length, the end is met exactly, and steps grow where little happens.
+#[test]
+fn chosen_steps_hold_the_tolerance() {
+    let smallest = 1e-5;
+    let mut case = heap(4, 2e-3);
+    case.scene.settings.smallest_step = Some(smallest);
+    let mut simulation = Simulation::new(Arc::new(case.scene)).expect("a start");
+    let mut lengths = Vec::new();
+    for k in 1..=100 {
+        let end = f64::from(k) * 5e-3;
+        let report = simulation.advance_to(end).expect("a step");
+        assert!(report.max_overlap <= 1e-5, "{}", report.max_overlap);
+        assert_eq!(simulation.time(), end);
+        lengths.push(5e-3 / report.internal_steps as f64);
+    }
+    let [shortest, longest] = [f64::min, f64::max].map(|f| lengths.iter().copied().reduce(f));
+    assert!(shortest >= Some(0.5 * smallest) && longest <= Some(2e-3 * (1.0 + 1e-9)));
+    assert!(longest > shortest.map(|x| 1.5 * x), "{lengths:?}");
+}
+
+/// The length of the next step is part of the state: a run that is put back goes the same way.
+#[test]
+fn chosen_steps_are_part_of_the_state() {
+    let mut case = heap(3, 2e-3);
+    case.scene.settings.smallest_step = Some(1e-5);
+    let scene = Arc::new(case.scene);
+    let mut simulation = Simulation::new(Arc::clone(&scene)).expect("a start");
+    simulation.advance_to(0.1).expect("a step");
+    let saved = simulation.snapshot();
+    simulation.advance_to(0.2).expect("a step");
+    let mut other = Simulation::new(scene).expect("a start");
+    other.restore(&saved).expect("its own state");
+    other.advance_to(0.2).expect("a step");
+    assert!(simulation.snapshot() == other.snapshot());
+}
+
+/// A heap comes to rest: no sweeps, no motion, forces that carry its weight; a floor that moves away wakes it, and the spheres
+/// fall with gravity.
+#[test]
+fn a_scene_at_rest_costs_nothing_and_wakes() {
+    let mut case = heap(3, 1e-3).tolerance(1e-5, 1e-5, 1e-6);
+    case.scene.settings.rest_speed = 1e-5;
+    let weight = case.scene.particles.mass.iter().sum::<f64>() * G;
+    let mut simulation = Simulation::new(Arc::new(case.scene)).expect("a start");
+    let floor = 4;
+    let mut end = 0.0;
+    let mut at_rest = |simulation: &mut Simulation| {
+        end += 0.01;
+        simulation.advance_to(end).expect("a step").sweeps == 0
+    };
+    assert!(
+        (0..1000).any(|_| at_rest(&mut simulation)),
+        "it never rests"
+    );
+    let before = simulation.kinematics().position.clone();
+    assert!((0..10).all(|_| at_rest(&mut simulation)));
+    assert_eq!(simulation.kinematics().position, before);
+    assert!((0..27).all(|i| simulation.velocity(i).linear == Vec3::zeros()));
+    close(-simulation.mean_wrench(floor).force.z, weight, 1e-4, 0.0);
+    let kinetic = |simulation: &Simulation| {
+        let mass = &simulation.scene().particles.mass;
+        (0..27)
+            .map(|i| 0.5 * mass[i] * simulation.velocity(i).linear.norm_squared())
+            .sum::<f64>()
+    };
+    assert_eq!(kinetic(&simulation), 0.0);
+
+    let away = Command {
+        velocity: Vec3::new(0.0, 0.0, -1.0),
+        ..Command::default()
+    };
+    simulation.command(floor, away).expect("an input");
+    let start = simulation.time();
+    simulation.advance_to(start + 0.02).expect("a step");
+    // The walls are smooth enough only for those that touch none: the fastest falls freely.
+    let fastest = (0..27)
+        .map(|i| -simulation.velocity(i).linear.z)
+        .fold(0.0, f64::max);
+    close(fastest, G * 0.02, 1e-6, 0.0);
+}
+
+/// With bounded sweeps a step never fails and never takes more of them; more sweeps leave smaller residuals.
+#[test]
+fn bounded_sweeps_bound_the_work_and_tell_the_error() {
+    let worst = |sweeps: usize| {
+        let mut case = heap(4, 1e-3).tolerance(1e-12, 1e-12, 1e-12);
+        case.scene.settings.sweeps = Some(sweeps);
+        let mut simulation = Simulation::new(Arc::new(case.scene)).expect("a start");
+        let mut last = 0.0;
+        for k in 1..=400 {
+            let report = simulation.advance_to(1e-3 * f64::from(k)).expect("a step");
+            assert!(report.sweeps <= sweeps as u64 * report.internal_steps);
+            last = report.max_overlap;
+            assert!(report.gap_residual.is_finite());
+        }
+        last
+    };
+    let [few, many] = [5, 50].map(worst);
+    assert!(few > 0.0 && many < 0.2 * few, "{few:e} {many:e}");
+}
