@@ -56,7 +56,7 @@ class Goal:
 
 def table(record: Record) -> list[Goal]:
     """All goals in the order of the page."""
-    return [*_bed(record), *_physics(record), *_large(record), *_others(record), *_size(record), *_rest(record)]
+    return [*_bed(record), *_physics(record), *_bounded(record), *_large(record), *_others(record), *_size(record), *_rest(record)]
 
 
 def worst(rows: list[Row]) -> float | None:
@@ -93,6 +93,14 @@ def _bed(record: Record) -> Iterator[Goal]:
     soft = [r for r in record.of("bed-peers") if r.case.settings == plan.LIGGGHTS["soft"]]
     ratio = cpu(middle) / cpu(soft) if middle and soft else None
     yield Goal.most("beyond that, 1e-5: CPU time over that of the softest LIGGGHTS", 1.0, ratio)
+
+
+def _bounded(record: Record) -> Iterator[Goal]:
+    rows = _own(record, "real-time", plan.BOUNDED)
+    overlap = max((r.outcome.end.overlap for r in rows), default=None)
+    name = f"bed, at most {plan.BOUNDED['sweeps']} sweeps a step"
+    yield Goal.most(f"{name}: overlap at the end", 1.2e-4, overlap, " r")
+    yield Goal.most(f"{name}: CPU time over Rapier's at 4 ms", 1 / 3, _ratio(record, "real-time", rows))
 
 
 def seeds(record: Record) -> list[list[Row]]:

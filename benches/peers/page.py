@@ -73,11 +73,13 @@ def _page(record: Record, folder: Path) -> Iterator[str]:
     yield from _goals(record)
     for group, title, words in SECTIONS:
         rows = record.of(group, f"{group}-peers")
+        if group == "bed":
+            rows += [row for row in record.of("real-time") if row.case.code == "sphere-dda"]
         if rows:
             yield f"\n## {title}\n\n{words}\n"
             plots.pareto(rows, title, folder / PLOTS / f"{group}.svg")
             yield f"![CPU time against overlap]({PLOTS}/{group}.svg)\n"
-            yield from _rows(rows, record.ratios(group))
+            yield from _rows(rows, record.ratios(group) | record.ratios("real-time"))
     yield from _seeds(record)
     yield from _rest(record, folder)
     yield from _threads(record)

@@ -31,6 +31,9 @@ SEEDS = (2, 3, 4, 5)  # besides 1, which the other groups run
 SIZES = (100, 1000, 10_000, 100_000, 1_000_000)
 PEER_LIMIT = 100_000  # spheres, above which peers are not run
 REST = 3.0  # of the bed that comes to rest [s]
+REST_SPEED = 1e-3  # below which it does [m/s]
+# A real-time mode: every step has so many sweeps and is as good as it is then.
+BOUNDED = {"tolerance": 1e-4, "step": 1e-3, "sweeps": 8}
 
 
 @dataclass(frozen=True)
@@ -106,7 +109,8 @@ def groups(quick: bool) -> list[Group]:
         Group("slope-peers", _peers("slope", 180, ("4 ms", "1 ms", "0.5 ms"), hard)),
         Group("funnel", funnel, funnel_rapier, repeat),
         Group("funnel-peers", _peers("funnel", 1000, ("4 ms", "1 ms", "0.5 ms", *AHEAD), hard[:2])),
-        Group("rest", (replace(ours["1e-4"], duration=REST, watch=False, trace=True),)),
+        Group("real-time", (Case("sphere-dda", "bed", 1000, BOUNDED),), rapier, repeat),
+        Group("rest", (replace(ours["1e-4"], settings={**OURS["1e-4"], "rest_speed": REST_SPEED}, duration=REST, watch=False, trace=True),)),
         Group("large", (big,), big_rapier),
         Group("large-peers", (big_soft,)),
         Group("threads", threads),

@@ -51,7 +51,7 @@ def tidy(x: float) -> str:
 
 def _ours(s: dict[str, float]) -> str:
     words = {"tolerance": tidy, "step": lambda x: f"{x * 1e3:g} ms"}
-    return ", ".join(words.get(name, lambda x, name=name: f"{name} {x:g}")(value) for name, value in s.items())
+    return ", ".join(words.get(name, lambda x, name=name: f"{name.replace('_', ' ')} {tidy(x)}")(value) for name, value in s.items())
 
 
 def _rapier(s: dict[str, float]) -> str:

@@ -107,7 +107,7 @@ def test_scenes_start_without_overlap_and_are_read(command, tmp_path, name, n):
     scene = scenes.build(name, n, 1)
     assert len(scene.position) == n
     assert measures.overlap(scene, scene.position) == 0.0
-    path = sphere_dda.write(scene, 1.0, tmp_path)
+    path = sphere_dda.write(scene, Case("sphere-dda", name, n, plan.OURS["1e-4"]), tmp_path)
     done = subprocess.run([command, "check", path], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
     found = dict(re.findall(r"^  (spheres|mass|initial overlaps) +([0-9.e+-]+)", done.stdout, re.MULTILINE))

@@ -11,6 +11,7 @@ import measures
 from runs import INTERVAL, Case, Outcome
 from scenes import FRICTION, GRAVITY, Array, Plane, Scene
 
+FORCE = 0.1  # force residual that goes with every gap tolerance [-]
 ROOT = Path(__file__).resolve().parents[3]
 
 
@@ -25,18 +26,19 @@ def build() -> Path:
     raise SystemExit("cargo built no bench target `peers`")
 
 
-def write(scene: Scene, duration: float, folder: Path) -> Path:
-    """Writes `scene.toml` and the files it names; settings are arguments of the driver."""
+def write(scene: Scene, case: Case, folder: Path) -> Path:
+    """Writes `scene.toml` and the files it names; settings are keys of `[simulation]`, a tolerance is that of gap and slip."""
     table = np.column_stack([scene.position, scene.radius])
     np.savetxt(folder / "spheres.csv", table, "%.17g", ",", header="x,y,z,radius", comments="")
     lines = [
         f'title = "{scene.name} of {len(scene.radius)} spheres"',
         "",
         "[simulation]",
-        f"duration = {duration!r}",
-        "step = 5e-4",
+        f"duration = {case.duration}",
         f"communication_step = {INTERVAL}",
         f"gravity = [0.0, 0.0, {-GRAVITY}]",
+        f"threads = {case.threads}",
+        *(_setting(name, value) for name, value in case.settings.items()),
         "",
         "[[material]]",
         'name = "grain"',
@@ -61,6 +63,12 @@ def write(scene: Scene, duration: float, folder: Path) -> Path:
     return path
 
 
+def _setting(name: str, value: float) -> str:
+    if name == "tolerance":
+        return f"tolerance = {{ gap = {value}, slip = {value}, force = {FORCE} }}"
+    return f"{name} = {value}"
+
+
 def _boundary(name: str, faces: list[str]) -> list[str]:
     listed = [f"    {{ {face} }}," for face in faces]
     return ["", "[[boundary]]", f'name = "{name}"', 'material = "grain"', "faces = [", *listed, "]"]
@@ -83,12 +91,10 @@ def write_stl(path: Path, triangles: Array) -> None:
 
 
 def run(case: Case, scene: Scene, folder: Path) -> Outcome:
-    """One run; the driver is named in SPHERE_DDA_PEERS, every setting is an option of it."""
+    """One run; the driver is named in SPHERE_DDA_PEERS."""
     driver = os.environ["SPHERE_DDA_PEERS"]
     frames, end = folder / "frames", folder / "end"
-    command = [driver, write(scene, case.duration, folder), "--end", end, "--threads", case.threads]
-    for name, value in case.settings.items():
-        command += [f"--{name}", value]
+    command = [driver, write(scene, case, folder), "--end", end]
     if case.watch:
         command += ["--frames", frames]
     done = subprocess.run([str(word) for word in command], capture_output=True, text=True, check=False)
