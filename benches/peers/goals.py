@@ -180,9 +180,8 @@ def scaled(outcome: Outcome, until: float) -> tuple[float, float]:
 
 
 def resting(outcome: Outcome) -> tuple[float, float]:
-    """CPU time per step [s] of the most expensive tenth of a run's output times, and in its last tenth."""
-    course = outcome.course
-    each = [cpu_s / steps for cpu_s, steps in zip(course["cpu_s"], course["steps"], strict=True)]
+    """Time on the clock per output interval [s]: mean of the most expensive tenth of them, and of the last tenth of the run."""
+    each = outcome.course["wall_s"]
     tenth = max(1, len(each) // 10)
     return sum(sorted(each)[-tenth:]) / tenth, sum(each[-tenth:]) / tenth
 
@@ -193,4 +192,4 @@ def _rest(record: Record) -> Iterator[Goal]:
     if rows:
         moving, settled = resting(rows[0].outcome)
         ratio = moving / settled
-    yield Goal.least("a settled bed: times cheaper per step than while moving", REST, ratio)
+    yield Goal.least("a settled bed: times cheaper than while moving", REST, ratio)

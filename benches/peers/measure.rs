@@ -50,8 +50,10 @@ pub(crate) struct Measured {
 pub(crate) struct Course {
     /// Its end \[s\].
     pub(crate) time: Vec<f64>,
-    /// CPU time of all threads \[s\].
+    /// CPU time of all threads \[s\]: adds up to that of the run, but is up to a few milliseconds late.
     pub(crate) cpu_s: Vec<f64>,
+    /// Time on the clock \[s\].
+    pub(crate) wall_s: Vec<f64>,
     /// Internal steps.
     pub(crate) steps: Vec<u64>,
     /// Gauss-Seidel sweeps.
@@ -100,12 +102,13 @@ pub(crate) fn measure(
     // Differences of one series of readings: the system's account lags by up to a few milliseconds.
     let mut before = cpu()?;
     for k in 1..=points {
-        let start = simulation.time();
+        let (start, begun) = (simulation.time(), Instant::now());
         let end = settings.duration * k as f64 / points as f64;
         let report = simulation.advance_to(end).map_err(|e| e.to_string())?;
         let contacts = simulation.contacts().len();
-        let spent = cpu()?;
-        measured.course.add(end, spent - before, &report, contacts);
+        let (clock, spent) = (begun.elapsed().as_secs_f64(), cpu()?);
+        let costs = [spent - before, clock];
+        measured.course.add(end, costs, &report, contacts);
         before = spent;
         include(&mut measured.total, &report);
         // A margin of rounding: a communication step that begins at the border counts.
@@ -142,9 +145,10 @@ pub(crate) fn measure(
 }
 
 impl Course {
-    fn add(&mut self, time: f64, cpu_s: f64, report: &StepReport, contacts: usize) {
+    fn add(&mut self, time: f64, [cpu_s, wall_s]: [f64; 2], report: &StepReport, contacts: usize) {
         self.time.push(time);
         self.cpu_s.push(cpu_s);
+        self.wall_s.push(wall_s);
         self.steps.push(report.internal_steps);
         self.sweeps.push(report.sweeps);
         self.contacts.push(contacts);

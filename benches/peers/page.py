@@ -173,9 +173,9 @@ def _rest(record: Record, folder: Path) -> Iterator[str]:
     for row in record.of("rest")[:1]:
         moving, settled = goals.resting(row.outcome)
         plots.rest(row, folder / PLOTS / "rest.svg")
-        yield f"\n## Bed that comes to rest\n\n1000 spheres, {row.case.label}, {row.case.duration:g} s: a step costs {moving * 1e3:.2g} ms in"
+        yield f"\n## Bed that comes to rest\n\n1000 spheres, {row.case.label}, {row.case.duration:g} s: {INTERVAL * 1e3:g} ms cost {moving * 1e3:.2g} ms in"
         yield f"the most expensive tenth of the run and {settled * 1e3:.2g} ms in the last tenth.\n"
-        yield f"![Time per step]({PLOTS}/rest.svg)"
+        yield f"![Time per output interval]({PLOTS}/rest.svg)"
 
 
 def _threads(record: Record) -> Iterator[str]:

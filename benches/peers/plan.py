@@ -31,9 +31,9 @@ SEEDS = (2, 3, 4, 5)  # besides 1, which the other groups run
 SIZES = (100, 1000, 10_000, 100_000, 1_000_000)
 PEER_LIMIT = 100_000  # spheres, above which peers are not run
 REST = 3.0  # of the bed that comes to rest [s]
-REST_SPEED = 1e-3  # below which it does [m/s]
+REST_SPEED = 1e-2  # below which it does [m/s]
 # A real-time mode: every step has so many sweeps and is as good as it is then.
-BOUNDED = {"tolerance": 1e-4, "step": 1e-3, "sweeps": 8}
+BOUNDED = {"tolerance": 1e-4, "step": 4e-3, "sweeps": 12}
 
 
 @dataclass(frozen=True)
@@ -67,7 +67,7 @@ def _duration(n: int, quick: bool) -> float:
     """Simulated time [s]: all of it where that is a matter of minutes."""
     if n <= 10_000:
         return 1.0
-    return 0.2 if quick or n > 100_000 else 0.5
+    return 0.1 if quick or n > 100_000 else 0.5
 
 
 def groups(quick: bool) -> list[Group]:

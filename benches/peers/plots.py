@@ -12,7 +12,7 @@ from matplotlib.ticker import LogLocator, NullFormatter
 
 from goals import scaled
 from record import Record, cpu, merged
-from runs import Case, Row
+from runs import INTERVAL, Case, Row
 
 matplotlib.use("svg")
 matplotlib.rcParams.update({"svg.hashsalt": "peers", "svg.fonttype": "none", "font.size": 9, "axes.grid": True, "grid.alpha": 0.3})
@@ -92,10 +92,9 @@ def scaling(record: Record, path: Path) -> None:
 
 
 def rest(row: Row, path: Path) -> None:
-    """Time per step over a run."""
+    """Cost of every output interval of a run."""
     course = row.outcome.course
-    each = [1e3 * cpu_s / steps for cpu_s, steps in zip(course["cpu_s"], course["steps"], strict=True)]
     figure, axis = plt.subplots(figsize=(6, 3), layout="constrained")
-    axis.plot(course["time"], each, color="C0", linewidth=1)
-    axis.set(yscale="log", xlabel="simulated time [s]", ylabel="CPU time per step [ms]")
+    axis.plot(course["time"], [1e3 * clock for clock in course["wall_s"]], color="C0", linewidth=1)
+    axis.set(yscale="log", xlabel="simulated time [s]", ylabel=f"time per {1e3 * INTERVAL:g} ms [ms]")
     _save(figure, path)

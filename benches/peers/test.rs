@@ -130,6 +130,8 @@ fn the_course_adds_up_to_the_whole() {
         "{cpu} of {} s",
         measured.cpu_s
     );
+    let clock: f64 = course.wall_s.iter().sum();
+    assert!(clock > 0.0 && clock <= measured.wall_s + 1e-9);
     let worst = course.max_overlap.iter().copied().fold(0.0, f64::max);
     assert_eq!(worst, measured.total.max_overlap);
 }
