@@ -1,0 +1,1 @@
+"""The codes that are compared: each has `run(case, scene, folder)`, which gives an `Outcome`."""

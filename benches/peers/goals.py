@@ -1,0 +1,195 @@
+"""What this project has to reach beside its peers, and whether a record shows it."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from statistics import median
+
+import plan
+from record import Record, cpu, merged
+from runs import Outcome, Row, tidy
+
+# Ratio to the CPU time of Rapier's fastest row that a tolerance on the bed may take.
+BED = {"1e-4": 0.25, "1e-5": 0.6, "1e-6": 1.9}
+FORCE = 0.1  # worst force residual [-]
+FLOOR = (0.99, 1.01)  # force over weight [-]
+HEIGHT = (0.0499, 0.0512)  # [m]
+ENERGY = 1e-5  # at rest [J/kg]
+SLOPE = (7.22, 7.24)  # [J/kg]
+DISCHARGED = (6.3, 7.1)  # [kg]
+MEMORY = 1500.0  # per sphere [B]
+MANY = 100_000  # spheres from which memory per sphere and threads are judged
+FLAT = 1.5
+REST = 50.0
+
+
+@dataclass(frozen=True)
+class Goal:
+    """A line of the table; `met` is `None` where nothing was measured."""
+
+    what: str
+    wanted: str
+    found: str
+    met: bool | None
+
+    @staticmethod
+    def most(what: str, limit: float, found: float | None, unit: str = "") -> "Goal":
+        """At most `limit`."""
+        if found is None:
+            return Goal(what, f"≤ {tidy(limit)}{unit}", "not measured", None)
+        return Goal(what, f"≤ {tidy(limit)}{unit}", f"{tidy(found)}{unit}", found <= limit)
+
+    @staticmethod
+    def least(what: str, limit: float, found: float | None, unit: str = "") -> "Goal":
+        """At least `limit`."""
+        if found is None:
+            return Goal(what, f"≥ {tidy(limit)}{unit}", "not measured", None)
+        return Goal(what, f"≥ {tidy(limit)}{unit}", f"{tidy(found)}{unit}", found >= limit)
+
+    @staticmethod
+    def within(what: str, limits: tuple[float, float], found: float | None, unit: str = "") -> "Goal":
+        """Between two limits."""
+        wanted = f"{limits[0]:g} to {limits[1]:g}{unit}"
+        if found is None:
+            return Goal(what, wanted, "not measured", None)
+        return Goal(what, wanted, f"{found:.4g}{unit}", limits[0] <= found <= limits[1])
+
+
+def table(record: Record) -> list[Goal]:
+    """All goals in the order of the page."""
+    return [*_bed(record), *_physics(record), *_bounded(record), *_large(record), *_others(record), *_size(record), *_rest(record)]
+
+
+def worst(rows: list[Row]) -> float | None:
+    """Worst overlap over radius of any run at every internal step."""
+    found = [row.outcome.worst for row in rows if row.outcome.worst is not None]
+    return max(found, default=None)
+
+
+def residual(rows: list[Row]) -> float | None:
+    """Worst force residual of any run."""
+    found = [row.outcome.force_residual for row in rows if row.outcome.force_residual is not None]
+    return max(found, default=None)
+
+
+def _own(record: Record, group: str, settings: dict[str, float]) -> list[Row]:
+    return [r for r in record.of(group) if r.case.code == "sphere-dda" and r.case.settings == settings]
+
+
+def _ratio(record: Record, group: str, rows: list[Row]) -> float | None:
+    ratios = record.ratios(group)
+    found = [ratio for key in {row.case.key for row in rows} for ratio in ratios.get(key, [])]
+    return median(found) if found else None
+
+
+def _bed(record: Record) -> Iterator[Goal]:
+    for name, limit in BED.items():
+        rows = _own(record, "bed", plan.OURS[name])
+        yield Goal.most(f"bed, tolerance {name}: worst overlap at every step", float(name), worst(rows), " r")
+        yield Goal.most(f"bed, tolerance {name}: CPU time over Rapier's at 4 ms", limit, _ratio(record, "bed", rows))
+        yield Goal.most(f"bed, tolerance {name}: worst force residual", FORCE, residual(rows))
+    finest = _own(record, "bed", plan.OURS["1e-6"])
+    yield Goal.most("beyond that, 1e-6: CPU time over Rapier's at 4 ms", 1.0, _ratio(record, "bed", finest))
+    middle = _own(record, "bed", plan.OURS["1e-5"])
+    soft = [r for r in record.of("bed-peers") if r.case.settings == plan.LIGGGHTS["soft"]]
+    ratio = cpu(middle) / cpu(soft) if middle and soft else None
+    yield Goal.most("beyond that, 1e-5: CPU time over that of the softest LIGGGHTS", 1.0, ratio)
+
+
+def _bounded(record: Record) -> Iterator[Goal]:
+    rows = _own(record, "real-time", plan.BOUNDED)
+    overlap = max((r.outcome.end.overlap for r in rows), default=None)
+    name = f"bed, at most {plan.BOUNDED['sweeps']} sweeps a step"
+    yield Goal.most(f"{name}: overlap at the end", 1.2e-4, overlap, " r")
+    yield Goal.most(f"{name}: CPU time over Rapier's at 4 ms", 1 / 3, _ratio(record, "real-time", rows))
+
+
+def seeds(record: Record) -> list[list[Row]]:
+    """Rows of beds of 1000 spheres by code and settings, one per seed."""
+    rows = [r for r in record.of("bed", "bed-peers", "seeds") if r.case.duration == 1.0]
+    found: dict[str, dict[int, Row]] = {}
+    for row in rows:
+        found.setdefault(f"{row.case.code} {row.case.label}", {})[row.case.seed] = row
+    return [list(by_seed.values()) for by_seed in found.values() if len(by_seed) > 1]
+
+
+def middle(rows: list[Row]) -> tuple[float, float, float]:
+    """Medians of force on the floor over weight [-], height [m] and kinetic energy [J/kg]."""
+    outcomes = [row.outcome for row in rows]
+    return (
+        median(o.floor for o in outcomes if o.floor is not None),
+        median(o.end.height for o in outcomes if o.end.height is not None),
+        median(o.end.energy for o in outcomes),
+    )
+
+
+def _physics(record: Record) -> Iterator[Goal]:
+    for rows in seeds(record):
+        case = rows[0].case
+        if case.code != "sphere-dda":
+            continue
+        floor, height, energy = middle(rows)
+        name = f"bed, tolerance {tidy(case.settings['tolerance'])}, median of {len(rows)} seeds"
+        yield Goal.within(f"{name}: floor force over weight", FLOOR, floor)
+        yield Goal.within(f"{name}: height", HEIGHT, height, " m")
+        yield Goal.most(f"{name}: kinetic energy", ENERGY, energy, " J/kg")
+
+
+def _large(record: Record) -> Iterator[Goal]:
+    rows = _own(record, "large", plan.OURS["1e-4"])
+    yield Goal.most("bed of 10 000: worst overlap at every step", 1e-4, worst(rows), " r")
+    yield Goal.most("bed of 10 000: CPU time over Rapier's at 4 ms", 0.25, _ratio(record, "large", rows))
+
+
+def _others(record: Record) -> Iterator[Goal]:
+    rows = [r for r in record.of("slope") if r.case.settings.get("tolerance") == 1e-6]
+    yield Goal.most("slope: worst overlap at every step", 1e-6, worst(rows), " r")
+    energy = median(r.outcome.end.energy for r in rows) if rows else None
+    yield Goal.within("slope: kinetic energy", SLOPE, energy, " J/kg")
+    yield Goal.most("slope: CPU time over Rapier's at 2 ms", 0.5, _ratio(record, "slope", rows))
+    rows = [r for r in record.of("funnel") if r.case.settings.get("tolerance") == 1e-4]
+    yield Goal.most("funnel: worst overlap at every step", 1e-4, worst(rows), " r")
+    found = [r.outcome.end.discharged for r in rows if r.outcome.end.discharged is not None]
+    yield Goal.within("funnel: discharged", DISCHARGED, median(found) if found else None, " kg")
+    yield Goal.most("funnel: CPU time over Rapier's at 2 ms", 1.0, _ratio(record, "funnel", rows))
+
+
+def _size(record: Record) -> Iterator[Goal]:
+    own = [rows[0] for rows in merged(record.of("scaling")) if rows[0].case.code == "sphere-dda"]
+    big = [row for row in own if row.case.n >= 1000]
+    flat, per_update = None, None
+    if len(big) > 1:
+        until = min(row.case.duration for row in big)
+        costs = [scaled(row.outcome, until) for row in big]
+        flat, per_update = (max(c) / min(c) for c in zip(*costs, strict=True))
+    sizes = f"{big[0].case.n:,} to {big[-1].case.n:,}".replace(",", " ") if big else "1000 on"
+    yield Goal.most(f"beds of {sizes}: cost per sphere and step, largest over smallest", FLAT, flat)
+    yield Goal.most(f"beds of {sizes}: cost per loaded contact and sweep, largest over smallest", FLAT, per_update)
+    memory = [r.outcome.memory for r in own if r.case.n >= MANY and r.outcome.memory is not None]
+    yield Goal.most("memory per sphere, contacts included", MEMORY, max(memory, default=None), " B")
+    clock = {row.case.threads: row.outcome.wall_s for row in record.of("threads") if row.case.n == MANY}
+    yield Goal.least("2 threads at 100 000 spheres: times as fast", 1.6, clock[1] / clock[2] if {1, 2} <= set(clock) else None)
+
+
+def scaled(outcome: Outcome, until: float) -> tuple[float, float]:
+    """CPU time per sphere and step, and per loaded contact and sweep [s], up to time `until` [s] of a run."""
+    course = outcome.course
+    part = [k for k, time in enumerate(course["time"]) if time <= until * (1 + 1e-9)]
+    cpu_s, steps = (sum(course[name][k] for k in part) for name in ("cpu_s", "steps"))
+    updates = sum(course["sweeps"][k] * course["contacts"][k] for k in part)
+    return cpu_s / (outcome.spheres * steps), cpu_s / max(updates, 1)
+
+
+def resting(outcome: Outcome) -> tuple[float, float]:
+    """Time on the clock per output interval [s]: mean of the most expensive tenth of them, and of the last tenth of the run."""
+    each = outcome.course["wall_s"]
+    tenth = max(1, len(each) // 10)
+    return sum(sorted(each)[-tenth:]) / tenth, sum(each[-tenth:]) / tenth
+
+
+def _rest(record: Record) -> Iterator[Goal]:
+    rows = record.of("rest")
+    ratio = None
+    if rows:
+        moving, settled = resting(rows[0].outcome)
+        ratio = moving / settled
+    yield Goal.least("a settled bed: times cheaper than while moving", REST, ratio)

@@ -1,0 +1,130 @@
+"""What is run, in which order."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from itertools import product
+
+from runs import Case
+
+# Own rows: gap tolerance [-] and largest step [s] at which it costs least on the bed.
+OURS = {
+    "1e-4": {"tolerance": 1e-4, "step": 5e-4},
+    "1e-5": {"tolerance": 1e-5, "step": 2.5e-4},
+    "1e-6": {"tolerance": 1e-6, "step": 1e-4},
+}
+# Step [s], substeps [-] and contact softness [Hz] from fast to accurate. Contacts are looked for 0.02 mean diameters ahead; with
+# `prediction` [diameters], the way of the fastest spheres in a step, impacts are met earlier: rows of more time and less overlap.
+RAPIER = {
+    "4 ms": {"step": 0.004, "substeps": 16, "softness": 2000},
+    "2 ms": {"step": 0.002, "substeps": 16, "softness": 2000},
+    "1 ms": {"step": 0.001, "substeps": 16, "softness": 4000},
+    "0.5 ms": {"step": 0.0005, "substeps": 16, "softness": 8000},
+    "4 ms ahead": {"step": 0.004, "substeps": 16, "softness": 2000, "prediction": 0.2},
+    "2 ms ahead": {"step": 0.002, "substeps": 16, "softness": 2000, "prediction": 0.25},
+    "1 ms ahead": {"step": 0.001, "substeps": 16, "softness": 4000, "prediction": 0.12},
+    "0.5 ms ahead": {"step": 0.0005, "substeps": 16, "softness": 8000, "prediction": 0.06},
+}
+AHEAD = ("4 ms ahead", "2 ms ahead", "1 ms ahead", "0.5 ms ahead")
+# Young's modulus [Pa] from the softest in use to that of rock.
+LIGGGHTS = {"soft": {"young": 1e7}, "1e8": {"young": 1e8}, "1e9": {"young": 1e9}, "rock": {"young": 1.3e10}}
+SEEDS = (2, 3, 4, 5)  # besides 1, which the other groups run
+SIZES = (100, 1000, 10_000, 100_000, 1_000_000)
+PEER_LIMIT = 100_000  # spheres, above which peers are not run
+REST = 3.0  # of the bed that comes to rest [s]
+REST_SPEED = 1e-2  # below which it does [m/s]
+# A real-time mode: every step has so many sweeps and is as good as it is then.
+BOUNDED = {"tolerance": 1e-4, "step": 4e-3, "sweeps": 12}
+
+
+@dataclass(frozen=True)
+class Group:
+    """Cases that belong together; a `reference` runs before and after each, so that ratios are of the same minute."""
+
+    name: str
+    cases: tuple[Case, ...]
+    reference: Case | None = None
+    repeat: int = 1
+
+    def sequence(self) -> Iterator[Case]:
+        """The runs in order."""
+        for _ in range(self.repeat):
+            for case in self.cases:
+                if self.reference:
+                    yield self.reference
+                yield case
+            if self.reference:
+                yield self.reference
+
+
+def _peers(name: str, n: int, rapier: tuple[str, ...], liggghts: tuple[str, ...]) -> tuple[Case, ...]:
+    return (
+        *(Case("rapier", name, n, RAPIER[key]) for key in rapier),
+        *(Case("liggghts", name, n, LIGGGHTS[key]) for key in liggghts),
+    )
+
+
+def _duration(n: int, quick: bool) -> float:
+    """Simulated time [s]: all of it where that is a matter of minutes."""
+    if n <= 10_000:
+        return 1.0
+    return 0.1 if quick or n > 100_000 else 0.5
+
+
+def groups(quick: bool) -> list[Group]:
+    """All groups; `quick` keeps what the goals need, once each."""
+    repeat = 1 if quick else 3
+    ours = {key: Case("sphere-dda", "bed", 1000, settings) for key, settings in OURS.items()}
+    rapier = Case("rapier", "bed", 1000, RAPIER["4 ms"])
+    soft = Case("liggghts", "bed", 1000, LIGGGHTS["soft"])
+    hard = ("soft", "1e8") if quick else tuple(LIGGGHTS)
+    seeded = (ours["1e-4"], ours["1e-5"]) if quick else (*ours.values(), rapier, soft)
+    seeds = tuple(replace(case, seed=seed, watch=False) for case, seed in product(seeded, SEEDS))
+
+    big = Case("sphere-dda", "bed", 10_000, OURS["1e-4"])
+    big_rapier, big_soft = replace(rapier, n=10_000), replace(soft, n=10_000)
+    huge = replace(ours["1e-4"], n=100_000, duration=_duration(100_000, quick), watch=False)
+    threads: tuple[Case, ...] = (huge, replace(huge, threads=2))
+    if not quick:
+        bigs = (big, big_rapier, big_soft)
+        threads = (*threads, *(replace(c, threads=t, watch=False) for c in bigs for t in (1, 2)))
+
+    coded = (ours["1e-4"],) if quick else (ours["1e-4"], rapier, soft)
+    scaling = tuple(
+        replace(case, n=n, duration=_duration(n, quick), watch=False, trace=True)
+        for n in (SIZES[:-1] if quick else SIZES)
+        for case in coded
+        if case.code == "sphere-dda" or n <= PEER_LIMIT
+    )
+    gaps = (1e-6,) if quick else (1e-4, 1e-5, 1e-6)
+    slope = tuple(Case("sphere-dda", "slope", 180, {"tolerance": gap, "step": 2e-3}) for gap in gaps)
+    slope_rapier = Case("rapier", "slope", 180, RAPIER["2 ms"])
+    gaps = (1e-4,) if quick else (1e-4, 1e-5, 1e-6)
+    funnel = tuple(Case("sphere-dda", "funnel", 1000, {"tolerance": gap, "step": 5e-4}) for gap in gaps)
+    funnel_rapier = Case("rapier", "funnel", 1000, RAPIER["2 ms"])
+    return [
+        Group("bed", tuple(ours.values()), rapier, repeat),
+        Group("bed-peers", _peers("bed", 1000, ("2 ms", "1 ms", "0.5 ms", *AHEAD), hard)),
+        Group("seeds", seeds),
+        Group("slope", slope, slope_rapier, repeat),
+        Group("slope-peers", _peers("slope", 180, ("4 ms", "1 ms", "0.5 ms"), hard)),
+        Group("funnel", funnel, funnel_rapier, repeat),
+        Group("funnel-peers", _peers("funnel", 1000, ("4 ms", "1 ms", "0.5 ms", *AHEAD), hard[:2])),
+        Group("real-time", (Case("sphere-dda", "bed", 1000, BOUNDED),), rapier, repeat),
+        Group("rest", (replace(ours["1e-4"], settings={**OURS["1e-4"], "rest_speed": REST_SPEED}, duration=REST, watch=False, trace=True),)),
+        Group("large", (big,), big_rapier),
+        Group("large-peers", (big_soft,)),
+        Group("threads", threads),
+        Group("scaling", scaling),
+    ]
+
+
+def chosen(quick: bool, only: list[str], up_to: float) -> list[Group]:
+    """The groups whose name, or its first word, is in `only` (all if that is empty), without beds above `up_to` spheres."""
+    found = []
+    for group in groups(quick):
+        if only and not {group.name, group.name.split("-")[0]} & set(only):
+            continue
+        cases = tuple(case for case in group.cases if case.n <= up_to)
+        if cases:
+            found.append(replace(group, cases=cases))
+    return found

@@ -1,0 +1,171 @@
+"""The comparison with other codes measures what it says, and its scenes are good ones. No other code is needed."""
+
+import json
+import math
+import re
+import struct
+import subprocess
+import sys
+from dataclasses import asdict, replace
+
+import numpy as np
+import pytest
+from conftest import ROOT
+
+sys.path.insert(0, str(ROOT / "benches" / "peers"))
+import measures
+import plan
+import scenes
+from codes import liggghts, sphere_dda
+from record import Record
+from runs import Case, Failed, Outcome, Row, tidy
+
+STILL = np.zeros((2, 3))
+
+
+def two(x, radius, name="bed"):
+    """Two spheres in a box of half width 0.2 m."""
+    planes = scenes.bed(1000, 1).planes
+    return scenes.Scene(name, np.array(x), np.array(radius), 2500.0, planes, 0.2)
+
+
+def test_overlap_of_two_spheres_is_over_the_smaller_radius():
+    x = np.array([[0.0, 0.0, 0.05], [0.0, 0.018, 0.05]])
+    scene = two(x, [0.01, 0.02])
+    assert measures.overlap(scene, x) == pytest.approx((0.03 - 0.018) / 0.01)
+    large = two(x, [0.02, 0.02])
+    assert measures.overlap(large, np.array([[0.0, 0.0, 0.05], [0.0, 0.039, 0.05]])) == pytest.approx(0.001 / 0.02)
+    apart = np.array([[0.0, 0.0, 0.05], [0.0, 0.0301, 0.05]])
+    assert measures.overlap(scene, apart) == 0.0
+
+
+def test_overlap_with_a_wall_is_over_the_sphere_s_own_radius():
+    x = np.array([[0.1, 0.0, 0.0195], [-0.191, 0.0, 0.05]])
+    assert measures.overlap(two(x, [0.02, 0.01]), x) == pytest.approx(0.001 / 0.01)
+    x = np.array([[0.1, 0.0, 0.015], [-0.1, 0.0, 0.05]])
+    assert measures.overlap(two(x, [0.02, 0.01]), x) == pytest.approx(0.005 / 0.02)
+
+
+def test_overlap_is_that_of_all_pairs():
+    rng = np.random.default_rng(3)
+    x, r = rng.uniform([-0.1, -0.1, 0.05], [0.1, 0.1, 0.25], (300, 3)), rng.uniform(0.004, 0.02, 300)
+    i, j = np.triu_indices(300, 1)
+    depth = (r[i] + r[j] - np.linalg.norm(x[i] - x[j], axis=1)) / np.minimum(r[i], r[j])
+    assert measures.overlap(two(x, r), x) == pytest.approx(depth.max())
+
+
+def test_a_sphere_in_the_funnel_touches_its_sloping_wall_only_above_the_outlet():
+    scene = scenes.build("funnel", 1000, 1)
+    r = 0.01
+    foot = np.array([0.1, 0.0, 0.1 - scenes.OUTLET])
+    normal = np.array([-1.0, 0.0, 1.0]) / math.sqrt(2)
+    far = np.array([1.0, 1.0, -1.0])
+    spheres = replace(scene, position=np.zeros((2, 3)), radius=np.full(2, r))
+    pressed = np.array([foot + 0.9 * r * normal, far])
+    assert measures.overlap(spheres, pressed) == pytest.approx(0.1)
+    falling = np.array([[0.058, 0.0, -0.02], far])
+    assert measures.overlap(spheres, falling) == 0.0
+
+
+def test_energy_height_and_lost_spheres():
+    x = np.array([[0.0, 0.0, 0.05], [0.3, 0.0, 0.02]])
+    scene = two(x, [0.01, 0.02])
+    v, w = np.array([[3.0, 0.0, 0.0], [0.0, 0.0, 0.0]]), np.array([[0.0, 0.0, 0.0], [0.0, 10.0, 0.0]])
+    found = measures.end(scene, x, v, w)
+    # Masses are as 1 to 8: (9/2 + 8 (1/5) 0.02^2 10^2) / 9.
+    assert found.energy == pytest.approx((4.5 + 8 * 0.2 * 0.04) / 9)
+    assert (found.lost, found.height) == (1, 0.05)
+    gone = np.array([[0.0, 0.0, 0.05], [np.nan, np.nan, np.nan]])
+    assert measures.end(scene, gone, STILL, STILL).lost == 1
+
+
+def test_what_is_below_the_outlet_or_gone_is_discharged():
+    scene = scenes.build("funnel", 1000, 1)
+    x, still = scene.position.copy(), np.zeros_like(scene.position)
+    assert measures.end(scene, x, still, still).discharged == pytest.approx(0.0, abs=1e-12)
+    x[0], x[1] = [0.0, 0.0, -0.1], np.nan
+    assert measures.end(scene, x, still, still).discharged == pytest.approx(scene.mass[:2].sum())
+
+
+def test_the_course_holds_the_worst_overlap_and_when_half_is_out():
+    scene = scenes.build("funnel", 1000, 1)
+    start = scene.position.copy()
+    touching, out = start.copy(), start.copy()
+    touching[:2] = [[0.0, 0.0, 5.0], [0.0, 0.0, 5.019]]
+    # The 500 large spheres are three quarters of the mass, the small ones a quarter.
+    out[:500, 2] = -1.0
+    found = measures.course(scene, [start, touching, start, out, start], 0.004)
+    assert found.worst == pytest.approx(0.1)
+    assert found.half_out == pytest.approx(4 * 0.004)
+    out[:500], out[500:] = start[:500], [0.0, 0.0, -100.0]
+    out[500:, 0] = np.arange(500.0)
+    assert measures.course(scene, [start, out], 0.004).half_out is None
+
+
+@pytest.mark.parametrize(("name", "n"), [("bed", 100), ("bed", 1000), ("slope", 180), ("funnel", 1000)])
+def test_scenes_start_without_overlap_and_are_read(command, tmp_path, name, n):
+    scene = scenes.build(name, n, 1)
+    assert len(scene.position) == n
+    assert measures.overlap(scene, scene.position) == 0.0
+    path = sphere_dda.write(scene, Case("sphere-dda", name, n, plan.OURS["1e-4"]), tmp_path)
+    done = subprocess.run([command, "check", path], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    found = dict(re.findall(r"^  (spheres|mass|initial overlaps) +([0-9.e+-]+)", done.stdout, re.MULTILINE))
+    assert (int(found["spheres"]), int(found["initial overlaps"])) == (n, 0)
+    assert float(found["mass"]) == pytest.approx(scene.mass.sum(), rel=1e-5)
+
+
+def test_frames_of_several_processes_are_put_together(tmp_path):
+    def block(rows):
+        return struct.pack("<i", 4 * len(rows)) + np.array(rows, float).tobytes()
+
+    head = struct.pack("<qq7i6dii", 8, 3, 0, *[1] * 6, *[0.0] * 6, 4, 2)
+    frame = head + block([[4, 0.4, 0.5, 0.6]]) + block([[1, 0.1, 0.2, 0.3], [2, 1.0, 2.0, 3.0]])
+    (tmp_path / "frames.bin").write_bytes(frame + frame)
+    lost = [np.nan] * 3
+    expected = [[0.1, 0.2, 0.3], [1.0, 2.0, 3.0], lost, [0.4, 0.5, 0.6]]
+    for found in (frames := liggghts.frames(tmp_path / "frames.bin", 4, 3)):
+        np.testing.assert_array_equal(found, expected)
+    assert len(frames) == 2
+
+
+def test_ratios_are_to_the_rows_just_before_and_after():
+    still = measures.End(0.0, 0.0, 0, None, None, 1.0)
+    ours, rapier = Case("sphere-dda", "bed", 1000, plan.OURS["1e-4"]), Case("rapier", "bed", 1000, plan.RAPIER["4 ms"])
+
+    def row(case, cpu):
+        return Row(case, "bed", Outcome("1", cpu, cpu, 1, 1, still))
+
+    rows = [row(rapier, 4.0), row(ours, 1.0), row(rapier, 6.0), row(ours, 3.0), row(rapier, 14.0)]
+    record = Record({}, rows)
+    assert record.ratios("bed") == {ours.key: [pytest.approx(1.0 / 5.0), pytest.approx(3.0 / 10.0)]}
+    failed = Record({}, [*rows[:2], Failed(rapier, "bed", "no reason")])
+    assert failed.ratios("bed") == {}
+
+
+def test_records_are_read_as_they_were_written(tmp_path):
+    end = measures.End(1e-5, 2e-6, 0, 0.05, None, 10.0)
+    case = Case("sphere-dda", "bed", 1000, plan.OURS["1e-4"])
+    outcome = Outcome("1", 1.0, 1.1, 1000, 2000, end, watched=measures.Course(1e-4, None), worst=1e-4, course={"time": [0.5, 1.0]})
+    record = Record({"cores": "2"}, [Row(case, "bed", outcome), Failed(case, "bed", "why")])
+    record.write(tmp_path)
+    assert Record.read(tmp_path) == record
+    assert json.loads(json.dumps(asdict(record.rows[0])))["outcome"]["course"] == {"time": [0.5, 1.0]}
+
+
+def test_an_earlier_record_gives_the_rows_that_are_not_run_anew():
+    case = Case("rapier", "bed", 1000, plan.RAPIER["4 ms"])
+    new = Record({"command": "run --only bed --keep"}, [])
+    new.add(Record({"command": "run"}, [Failed(case, "bed", "a"), Failed(case, "slope", "b")]), without={"bed"})
+    assert new == Record({"command": "run; run --only bed --keep"}, [Failed(case, "slope", "b")])
+
+
+def test_numbers_are_short():
+    numbers = (1e-4, 4.95e-5, 0.25, 16.63, 1500.0, 1e7, 1.3e10, 0.0)
+    assert [tidy(x) for x in numbers] == ["1e-4", "4.95e-5", "0.25", "16.6", "1500", "1e7", "1.3e10", "0"]
+
+
+def test_a_reference_runs_before_and_after_every_case():
+    group = next(group for group in plan.groups(quick=True) if group.name == "bed")
+    codes = [case.code for case in group.sequence()]
+    assert codes == ["rapier", "sphere-dda"] * 3 + ["rapier"]
