@@ -213,7 +213,7 @@ fn solve(captured: &Captured, brick: &[usize], scheme: Scheme) -> Option<usize> 
     for sweep in 1..=MOST_SWEEPS {
         let damping = if sweep > DAMP_AFTER { 0.6 } else { 1.0 };
         let mut weight = 0.0;
-        if sweep >= MOMENTUM_FROM && sweep <= DAMP_AFTER {
+        if (MOMENTUM_FROM..=DAMP_AFTER).contains(&sweep) {
             let next = 0.5 * (1.0 + (1.0 + 4.0 * momentum * momentum).sqrt());
             weight = (momentum - 1.0) / next;
             momentum = next;

@@ -56,6 +56,6 @@ impl Pool {
         items
             .par_iter_mut()
             .with_thread_pool(workers)
-            .for_each(|item| work(item));
+            .for_each(work);
     }
 }

@@ -223,8 +223,8 @@ fn any_number_of_threads_gives_the_same_bytes() {
     let mut scene = Scene::clone(&scene("dropped"));
     let (particles, initial) = (scene.particles.clone(), scene.initial.clone());
     scene.boundaries.clear();
-    // Ten beds side by side that drift into each other.
-    for copy in 1..10 {
+    // Fourteen beds side by side that drift into each other.
+    for copy in 1..14 {
         for i in 0..particles.len() {
             let shift = nalgebra::Vector3::new(0.398 * f64::from(copy), 0.0, 0.0);
             scene.particles.radius.push(particles.radius[i]);
@@ -242,9 +242,9 @@ fn any_number_of_threads_gives_the_same_bytes() {
         scene.settings.threads = threads;
         let mut simulation = Simulation::new(Arc::new(scene)).expect("a start");
         let contacts = |simulation: &Simulation| simulation.contacts().len();
-        simulation.advance_to(0.03).expect("a step");
+        simulation.advance_to(0.04).expect("a step");
         (simulation.snapshot(), contacts(&simulation))
     });
-    assert!(runs[0].1 > 300, "{} contacts", runs[0].1);
+    assert!(runs[0].1 > 200, "{} contacts", runs[0].1);
     assert!(runs[0] == runs[1] && runs[0] == runs[2]);
 }

@@ -26,6 +26,9 @@ use residual::{Residual, Scale, evaluate};
 const HOPS: usize = 2;
 /// Most bodies of a part: Newton's factor grows faster than the work of more sweeps.
 const MOST_BODIES: usize = 300;
+/// Starts among which Newton's factorizations are shared out. Where it gets through it needs about a hundred; from another start
+/// it may, where more of them do not help.
+const ATTEMPTS: usize = 8;
 /// Gauss-Seidel sweeps over the whole after each part.
 const BETWEEN: usize = 100;
 
@@ -127,14 +130,22 @@ pub fn solve(
         SolverKind::GaussSeidel => {
             gauss_seidel::solve(problem, params, &mut workspace.kernel, impulses)
         }
-        SolverKind::Direct => {
-            let report = augmented_lagrangian::solve(problem, params, workspace, impulses);
-            match params.smoothing {
-                0 => report,
-                _ => finish(problem, params, workspace, impulses, report).0,
-            }
-        }
+        SolverKind::Direct => direct(problem, params, workspace, impulses),
         SolverKind::Auto => auto(problem, params, workspace, impulses),
+    }
+}
+
+/// The augmented-Lagrangian loop, and Newton on what it leaves.
+fn direct(
+    problem: &Problem,
+    params: &Params,
+    workspace: &mut Workspace,
+    impulses: &mut [Vec3],
+) -> Report {
+    let report = augmented_lagrangian::solve(problem, params, workspace, impulses);
+    match params.smoothing {
+        0 => report,
+        _ => finish(problem, params, workspace, impulses, report).0,
     }
 }
 
@@ -167,9 +178,7 @@ fn auto(
             impulses,
         ))
     } else {
-        report.then(augmented_lagrangian::solve(
-            problem, params, workspace, impulses,
-        ))
+        report.then(direct(problem, params, workspace, impulses))
     }
 }
 
@@ -185,6 +194,7 @@ fn finish(
 ) -> (Report, bool) {
     let scales = Scale::of(problem);
     let most = report.factorizations + params.max_factorizations;
+    let attempt = params.max_factorizations.div_ceil(ATTEMPTS);
     let mut hops = HOPS;
     while !report.converged && report.factorizations < most {
         let velocity = problem.velocities(impulses);
@@ -207,7 +217,7 @@ fn finish(
         let share = if part.closed { 1.0 } else { 0.5 };
         let rest = Params {
             tolerance: params.tolerance.scaled(share),
-            max_factorizations: most - report.factorizations,
+            max_factorizations: (most - report.factorizations).min(attempt),
             ..*params
         };
         match newton::solve(&part.problem, &rest, &mut own) {
@@ -222,7 +232,7 @@ fn finish(
         }
         report.residual = evaluate(problem, &scales, impulses);
         report.converged = report.residual.within(&params.tolerance);
-        if report.converged || part.closed {
+        if report.converged {
             break;
         }
         let between = Params {

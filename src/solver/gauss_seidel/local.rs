@@ -80,9 +80,8 @@ impl<T: Real> Block<T> {
     #[inline(always)]
     fn at(&self, offset: u32) -> [[u32; 8]; 2] {
         let mut at = self.bodies;
-        for lane in 0..8 {
-            at[0][lane] = at[0][lane].wrapping_sub(offset);
-            at[1][lane] = at[1][lane].wrapping_sub(offset);
+        for index in at.as_flattened_mut() {
+            *index = index.wrapping_sub(offset);
         }
         at
     }

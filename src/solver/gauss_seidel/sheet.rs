@@ -38,10 +38,10 @@ struct Task<'a, T> {
 }
 
 /// `ranges` of `items`, which ascend.
-fn split<'a, X>(
-    mut items: &'a mut [X],
+fn split<X>(
+    mut items: &mut [X],
     ranges: impl Iterator<Item = Range<usize>>,
-) -> ArrayVec<&'a mut [X], PARTS> {
+) -> ArrayVec<&mut [X], PARTS> {
     let mut done = 0;
     let part = |range: Range<usize>| {
         let (_, rest) = std::mem::take(&mut items).split_at_mut(range.start - done);

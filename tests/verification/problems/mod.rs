@@ -27,23 +27,13 @@ const CRAWLS: &str = "sweeps crawl";
 const LARGE: &str = "a part of more than 300 bodies is left to sweeps, of which none are left";
 
 /// What does not converge, and why. A line that converges has to go.
-const EXPECTED: [(&str, &str, &str); 9] = [
+const EXPECTED: [(&str, &str, &str); 7] = [
     ("bed", "gauss-seidel", CRAWLS),
     ("bed", "newton", LARGE),
     ("pressed", "gauss-seidel", CRAWLS),
     ("servo", "newton", LARGE),
     ("smooth_pile_soft_penalty", "gauss-seidel", CRAWLS),
     ("hopper_12", "gauss-seidel", CRAWLS),
-    (
-        "hopper_12",
-        "direct",
-        "the lagged discs converge slowly, and Newton needs sweeps before",
-    ),
-    (
-        "hopper_12",
-        "newton",
-        "too few sweeps before: with a thousand it is solved",
-    ),
     ("hopper_16", "gauss-seidel", CRAWLS),
 ];
 
@@ -137,15 +127,15 @@ fn every_solver_on_every_problem() {
     insta::assert_snapshot!(pinned, @r"
     stack: 50 rows, 160 sweeps
     stack_on_springs: 50 rows, 107 sweeps
-    heavy_on_light: 71 rows, 153 sweeps
-    silo: 363 rows, 1047 sweeps
-    heap: 360 rows, 158 sweeps
+    heavy_on_light: 71 rows, 118 sweeps
+    silo: 363 rows, 990 sweeps
+    heap: 360 rows, 197 sweeps
     heap_resists_rolling: 660 rows, 258 sweeps
     bed: 1436 rows, 5000 sweeps
-    plate: 177 rows, 238 sweeps
-    light_plate: 154 rows, 54 sweeps
+    plate: 177 rows, 222 sweeps
+    light_plate: 154 rows, 49 sweeps
     pressed: 68 rows, 5000 sweeps
-    servo: 1611 rows, 700 sweeps
+    servo: 1611 rows, 683 sweeps
     smooth_pile_soft_penalty: 42 rows, 5000 sweeps
     hopper_12: 208 rows, 5000 sweeps
     hopper_16: 207 rows, 5000 sweeps
