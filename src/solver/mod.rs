@@ -220,6 +220,7 @@ fn finish(
             max_factorizations: (most - report.factorizations).min(attempt),
             ..*params
         };
+        let before = report.factorizations;
         match newton::solve(&part.problem, &rest, &mut own) {
             Ok(newton) => report = report.then(newton),
             Err(broken) => {
@@ -227,6 +228,7 @@ fn finish(
                 break;
             }
         }
+        let factorized = report.factorizations > before;
         for (&k, p) in part.rows.iter().zip(&own) {
             impulses[k] = *p;
         }
@@ -236,9 +238,12 @@ fn finish(
             break;
         }
         let between = Params {
-            max_sweeps: BETWEEN,
+            max_sweeps: BETWEEN.min(params.max_sweeps.saturating_sub(report.sweeps)),
             ..*params
         };
+        if between.max_sweeps == 0 && !factorized {
+            break;
+        }
         report = report.then(gauss_seidel::solve(
             problem,
             &between,
