@@ -6,11 +6,11 @@ from itertools import product
 
 from runs import Case
 
-# Own rows: gap tolerance [-] and largest step [s] at which it costs least on the bed.
+# Own rows: gap tolerance [-], and the range [s] in which each step is chosen for least time.
 OURS = {
-    "1e-4": {"tolerance": 1e-4, "step": 5e-4},
-    "1e-5": {"tolerance": 1e-5, "step": 2.5e-4},
-    "1e-6": {"tolerance": 1e-6, "step": 1e-4},
+    "1e-4": {"tolerance": 1e-4, "step": 2e-3, "smallest_step": 1e-4},
+    "1e-5": {"tolerance": 1e-5, "step": 1e-3, "smallest_step": 2e-5},
+    "1e-6": {"tolerance": 1e-6, "step": 5e-4, "smallest_step": 1e-5},
 }
 # Step [s], substeps [-] and contact softness [Hz] from fast to accurate. Contacts are looked for 0.02 mean diameters ahead; with
 # `prediction` [diameters], the way of the fastest spheres in a step, impacts are met earlier: rows of more time and less overlap.

@@ -129,6 +129,7 @@ impl<'a> Inputs<'a> {
 
     /// The row of a candidate, and whether it is an impact: as `told`, or as it finds. `force` \[N\] is the contact's last one.
     #[must_use]
+    #[inline]
     pub fn contact(
         &self,
         free: &[Dof6],

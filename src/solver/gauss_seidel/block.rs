@@ -79,6 +79,22 @@ impl Progress {
 }
 
 impl Block<f64> {
+    /// Zeros in the lanes beyond `count`.
+    pub(super) fn clear_rest(&mut self) {
+        let vectors = [
+            &mut self.normal,
+            &mut self.impulse,
+            &mut self.previous,
+            &mut self.bias,
+        ];
+        let others = [&mut self.friction, &mut self.scale];
+        let pairs = [&mut self.mass, &mut self.allowed];
+        let numbers = vectors.into_iter().flatten().chain(others);
+        for lanes in numbers.chain(pairs.into_iter().flatten()) {
+            lanes[self.count..].fill(0.0);
+        }
+    }
+
     /// Itself in single precision, impulses and masses times `unit`.
     pub(super) fn single(&self, unit: f64) -> Block<f32> {
         let number = |x: &Eight<f64>, unit: f64| x.map(|x| (x * unit) as f32);

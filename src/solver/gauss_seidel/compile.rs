@@ -51,7 +51,7 @@ impl Kernel {
     /// Blocks of all groups.
     pub(super) fn fill_groups(&mut self, problem: &Problem, impulses: &[Vec3]) {
         let (parts, spheres) = (self.layout.parts(), problem.inverse_mass.len());
-        self.exact.blocks.clear();
+        self.used = 0;
         self.turns.iter_mut().for_each(ArrayVec::clear);
         let order = std::mem::take(&mut self.order);
         let mut rest = &order[..];
@@ -71,14 +71,15 @@ impl Kernel {
             let count = rest.iter().take_while(own).count();
             let (rows, others) = rest.split_at(count);
             rest = others;
-            let first = self.exact.blocks.len();
+            let first = self.used;
             self.fill_group(problem, rows, still, impulses);
-            let blocks = first..self.exact.blocks.len();
+            let blocks = first..self.used;
             // Interiors stay in any case: momentum moves their bodies.
             if turn == 0 || !blocks.is_empty() {
                 self.turns[turn].push(Group { blocks, bodies });
             }
         }
+        self.exact.blocks.truncate(self.used);
         self.order = order;
     }
 
@@ -96,10 +97,11 @@ impl Kernel {
                 oldest = (oldest + 1) % OPEN;
                 self.close(problem, open[at].take(), at);
             }
-            let block = *open[at].get_or_insert_with(|| {
-                self.exact.blocks.push(Block::default());
-                self.exact.blocks.len() - 1
-            });
+            let block = match open[at] {
+                Some(block) => block,
+                None => self.new_block(),
+            };
+            open[at] = Some(block);
             self.fill(block, (k, row), still, impulses[k as usize], problem);
             for body in row.bodies() {
                 self.held[body] |= 1 << at;
@@ -113,11 +115,23 @@ impl Kernel {
         }
     }
 
+    /// An empty block, in the memory of an old one if there is one left.
+    fn new_block(&mut self) -> usize {
+        let at = self.used;
+        self.used += 1;
+        match self.exact.blocks.get_mut(at) {
+            Some(block) => block.count = 0,
+            None => self.exact.blocks.push(Block::default()),
+        }
+        at
+    }
+
     /// Lets the bodies of the block that was open at `at` join another.
     fn close(&mut self, problem: &Problem, block: Option<usize>, at: usize) {
-        let Some(block) = block.map(|block| &self.exact.blocks[block]) else {
+        let Some(block) = block.map(|block| &mut self.exact.blocks[block]) else {
             return;
         };
+        block.clear_rest();
         for &k in &block.rows[..block.count] {
             for body in problem.rows[k as usize].bodies() {
                 self.held[body] &= !(1 << at);
@@ -152,8 +166,11 @@ impl Kernel {
         let lane = block.count;
         block.count += 1;
         for (lanes, body) in block.bodies.iter_mut().zip(bodies) {
-            // Lanes that stay empty must name some body of the part as well.
-            lanes[lane..].fill(body);
+            lanes[lane] = body;
+            if lane == 0 {
+                // Lanes that stay empty must name some body of the part as well.
+                *lanes = [body; 8];
+            }
         }
         block.rows[lane] = k;
         let bias = row.bias + row.drift;

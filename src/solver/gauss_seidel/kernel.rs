@@ -48,6 +48,8 @@ pub struct Kernel {
     pub(super) group: Vec<u32>,
     pub(super) by_place: Vec<u32>,
     pub(super) counts: Vec<u32>,
+    /// Blocks in use while they fill.
+    pub(super) used: usize,
     /// What [`Sheet::judge`] finds.
     pub(super) verdicts: Vec<Verdict>,
     /// For each body the filling blocks that hold it, as bits.
