@@ -88,7 +88,7 @@ impl StepReport {
     }
 }
 
-/// A running scene. `Send`, without global state and without threads of its own.
+/// A running scene. `Send`, without global state; threads of its own only if the scene asks for them, joined when it goes.
 #[derive(Debug)]
 pub struct Simulation {
     scene: Arc<Scene>,
