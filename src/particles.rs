@@ -41,7 +41,7 @@ pub struct Particles {
 }
 
 /// What moves, one entry per sphere.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, PartialEq, Default, Serialize, Deserialize)]
 pub struct Kinematics {
     /// Centre \[m\], `[N]`.
     pub position: Vec<Vec3>,
@@ -101,6 +101,23 @@ impl Particles {
     #[must_use]
     pub fn inverse_inertia(&self, i: usize) -> Vec3 {
         Locks::free(self.locks[i].rotation) / self.inertia(i)
+    }
+}
+
+impl Clone for Kinematics {
+    fn clone(&self) -> Self {
+        let mut copy = Self::default();
+        copy.clone_from(self);
+        copy
+    }
+
+    /// In the memory that there is.
+    fn clone_from(&mut self, other: &Self) {
+        self.position.clone_from(&other.position);
+        self.orientation.clone_from(&other.orientation);
+        self.velocity.clone_from(&other.velocity);
+        self.spin.clone_from(&other.spin);
+        self.present.clone_from(&other.present);
     }
 }
 

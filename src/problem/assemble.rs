@@ -157,10 +157,10 @@ impl<'a> Inputs<'a> {
             impulse_scale: 0.0,
         };
         let mut before = self.velocity(a).at(arm_a);
-        let mut acceleration = self.gravity.norm();
-        acceleration = acceleration.max(self.external[a].linear.norm());
+        let mut squared = self.external[a].linear.norm_squared();
         let mut lightest = particles.mass[a];
-        let mut fastest = self.kinematics.velocity[a].norm();
+        let mut fastest = self.kinematics.velocity[a].norm_squared();
+        let mut acceleration: f64 = 0.0;
         let mut stiffness = None;
         match candidate.key.partner {
             Partner::Sphere { index, .. } => {
@@ -169,9 +169,9 @@ impl<'a> Inputs<'a> {
                 row.arm_b = n * particles.radius[b];
                 row.radius = row.radius.min(particles.radius[b]);
                 before -= self.velocity(b).at(row.arm_b);
-                acceleration = acceleration.max(self.external[b].linear.norm());
+                squared = squared.max(self.external[b].linear.norm_squared());
                 lightest = lightest.min(particles.mass[b]);
-                fastest = fastest.max(self.kinematics.velocity[b].norm());
+                fastest = fastest.max(self.kinematics.velocity[b].norm_squared());
             }
             Partner::Boundary { boundary, .. } => {
                 let boundary = usize::from(boundary);
@@ -195,6 +195,8 @@ impl<'a> Inputs<'a> {
                 stiffness = scene.boundaries[boundary].stiffness;
             }
         }
+        squared = squared.max(self.gravity.norm_squared());
+        acceleration = acceleration.max(squared.sqrt());
         let Pair {
             friction,
             restitution,
@@ -230,7 +232,7 @@ impl<'a> Inputs<'a> {
         } else {
             before.norm()
         };
-        let rounding = ROUNDING * fastest / settings.tolerance.force;
+        let rounding = ROUNDING * fastest.sqrt() / settings.tolerance.force;
         row.impulse_scale = lightest * change.max(passed_on).max(rounding);
 
         let dt2 = self.step * self.step;
@@ -401,12 +403,17 @@ pub fn mean_acceleration(scene: &Scene, external: &[Dof6], bodies: &[Ready]) -> 
     if mass > 0.0 { force / mass } else { 0.0 }
 }
 
-/// External acceleration of every sphere: gravity and point loads, `[N]`; zero where locked or absent.
-#[must_use]
-pub fn external_acceleration(scene: &Scene, kinematics: &Kinematics, gravity: Vec3) -> Vec<Dof6> {
+/// Into `external` the acceleration of every sphere by gravity and point loads, `[N]`; zero where locked or absent.
+pub fn external_acceleration(
+    scene: &Scene,
+    kinematics: &Kinematics,
+    gravity: Vec3,
+    external: &mut Vec<Dof6>,
+) {
     let particles = &scene.particles;
-    let mut external: Vec<Dof6> = (0..particles.len())
-        .map(|i| match kinematics.present[i] {
+    external.clear();
+    external.extend((0..particles.len()).map(|i| {
+        match kinematics.present[i] {
             true => Dof6 {
                 linear: particles
                     .inverse_mass(i)
@@ -414,8 +421,8 @@ pub fn external_acceleration(scene: &Scene, kinematics: &Kinematics, gravity: Ve
                 angular: Vec3::zeros(),
             },
             false => Dof6::ZERO,
-        })
-        .collect();
+        }
+    }));
     for load in &scene.loads {
         let i = load.sphere;
         let w = Dof6 {
@@ -425,5 +432,4 @@ pub fn external_acceleration(scene: &Scene, kinematics: &Kinematics, gravity: Ve
         let arm = kinematics.orientation[i] * load.arm;
         external[i].kick(&w, &Grip::Point(arm).momentum(load.force));
     }
-    external
 }

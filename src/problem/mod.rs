@@ -228,13 +228,21 @@ impl Row {
 
     /// Relative velocity `u` \[m/s\] of A against B for the given body velocities.
     #[must_use]
+    #[inline]
     pub fn relative_velocity(&self, velocity: &[Dof6]) -> Vec3 {
+        self.relative(|body| velocity[body])
+    }
+
+    /// [`Self::relative_velocity`] where `velocity` tells that of a body.
+    #[must_use]
+    #[inline]
+    pub fn relative(&self, velocity: impl Fn(usize) -> Dof6) -> Vec3 {
         let [a, b] = self.grips();
-        let u = a.velocity(&velocity[self.a as usize]) + self.drift;
+        let u = a.velocity(&velocity(self.a as usize)) + self.drift;
         if self.b == GROUND {
             u
         } else {
-            u - b.velocity(&velocity[self.b as usize])
+            u - b.velocity(&velocity(self.b as usize))
         }
     }
 }

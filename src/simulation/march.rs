@@ -54,15 +54,19 @@ pub(super) struct Account {
 /// What an internal step began with.
 #[derive(Debug)]
 pub(super) struct Before {
+    /// Empty where no sensor asks.
     position: Vec<Vec3>,
     persisting: Vec<Wrench>,
     body_force: Vec3,
 }
 
 impl Before {
-    pub(super) fn of(state: &State) -> Self {
+    pub(super) fn of(scene: &Scene, state: &State) -> Self {
         Self {
-            position: state.kinematics.position.clone(),
+            position: match flows(scene) {
+                true => state.kinematics.position.clone(),
+                false => Vec::new(),
+            },
             persisting: state.persisting_wrenches.clone(),
             body_force: state.body_force,
         }
@@ -112,6 +116,12 @@ impl Course {
             self.end,
         )
     }
+}
+
+/// Whether there are sensors that must know where spheres were.
+fn flows(scene: &Scene) -> bool {
+    let mut sensors = scene.sensors.iter();
+    sensors.any(|sensor| matches!(sensor.measure, Measure::MassFlow { .. }))
 }
 
 /// In how many equal steps of at most `step` \[s\] a time `h` \[s\] goes; a margin keeps what is a whole number but for rounding.
@@ -259,7 +269,7 @@ impl Simulation {
             account.taken.push(target);
             return Ok(());
         }
-        let before = Before::of(&self.state);
+        let before = Before::of(scene, &self.state);
         let commands = drive.commands(scene.settings.integrator, start, dt);
         let held = commands.map(|now| std::mem::replace(&mut self.state.commands, now));
         let taken = step(

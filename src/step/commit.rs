@@ -5,7 +5,6 @@ use std::iter::repeat;
 use super::dof;
 use super::stage::{Held, Stage};
 use crate::Vec3;
-use crate::contacts::history::transfer;
 use crate::contacts::narrow_phase::Placement;
 use crate::contacts::{Contact, Partner};
 use crate::driven::BodyState;
@@ -19,14 +18,11 @@ use crate::state::State;
 impl Stage<'_> {
     /// Counts as impacts the contacts that an impact has hit through others: their impulses are more than twice what they
     /// carried before and what loads bring in a step. As persisting forces they would shift the half step.
-    pub(super) fn spread_impacts(&mut self, state: &State) {
+    pub(super) fn spread_impacts(&mut self) {
         let struck = |(k, p): (usize, &Vec3)| *p != Vec3::zeros() && self.is_impact(k);
         if !self.impulses.iter().enumerate().any(struck) {
             return;
         }
-        let mut before = Vec::new();
-        let keys = self.candidates.iter().map(|c| c.key);
-        transfer(&state.contacts, keys, &mut before);
         let step = self.inputs.step;
         let first = self.first_hold();
         for (k, held) in self.holds.iter_mut().enumerate() {
@@ -35,7 +31,7 @@ impl Stage<'_> {
             let handed_on = self.impulses[first + k].norm() > 2.0 * step * (before + load);
             held.impact |= held.hold.stops() && handed_on;
         }
-        for (k, (impact, before)) in self.impact.iter_mut().zip(before).enumerate() {
+        for (k, (impact, before)) in self.impact.iter_mut().zip(&self.carried).enumerate() {
             let size = self.impulses[k].norm();
             // Most carry what they did.
             if size <= 2.0 * step * before.force.norm() {
@@ -57,7 +53,8 @@ impl Stage<'_> {
         state.persisting_wrenches = state.wrenches.clone();
         let couples = self.couples();
         for (k, candidate) in self.candidates.iter().enumerate() {
-            let (force, couple) = (self.impulses[k] / step, couples[k]);
+            let force = self.impulses[k] / step;
+            let couple = couples.get(k).copied().unwrap_or_default();
             if force == Vec3::zeros() {
                 continue;
             }
@@ -89,8 +86,11 @@ impl Stage<'_> {
         }
     }
 
-    /// Couple \[N m\] of each contact's resistance on A, `[contacts]`.
+    /// Couple \[N m\] of each contact's resistance on A, `[contacts]`; empty where there is no resistance.
     fn couples(&self) -> Vec<Vec3> {
+        if !self.inputs.scene.pairs.resists() {
+            return Vec::new();
+        }
         let mut couples = vec![Vec3::zeros(); self.candidates.len()];
         for (row, impulse) in self.problem.rows.iter().zip(&self.impulses) {
             if let Law::Resistance { contact, .. } = row.law {
@@ -109,10 +109,18 @@ impl Stage<'_> {
 
     /// Velocities before the step, `[N + D]`.
     pub(super) fn before(&self) -> Vec<Dof6> {
+        (0..self.problem.free.len())
+            .map(|i| self.before_of(i))
+            .collect()
+    }
+
+    /// Velocity of one body before the step.
+    fn before_of(&self, i: usize) -> Dof6 {
         let kinematics = self.inputs.kinematics;
-        let spheres = (0..kinematics.len()).map(|i| dof(kinematics, i));
-        let bodies = self.inputs.bodies.iter().map(|body| body.velocity);
-        spheres.chain(bodies).collect()
+        match i.checked_sub(kinematics.len()) {
+            None => dof(kinematics, i),
+            Some(rank) => self.inputs.bodies[rank].velocity,
+        }
     }
 
     /// What the driven bodies carry on after `solution`, and the work of their dampers \[J\], `[D]`.
@@ -158,37 +166,42 @@ impl Stage<'_> {
 
     /// Acceleration by external forces and all contacts that are no impacts, `[N]`: what `solution` has over the free motion,
     /// less what impacts gave.
-    pub(super) fn persisting_acceleration(&self, solution: &[Dof6]) -> Vec<Dof6> {
+    pub(super) fn persisting_acceleration(&self, solution: &[Dof6], acceleration: &mut Vec<Dof6>) {
         let mobility = self.inputs.scene.settings.integrator.mobility();
         let rate = 1.0 / (mobility * self.inputs.step);
         // Driven bodies keep their own account.
         let external = self.inputs.external.iter().chain(repeat(&Dof6::ZERO));
         let changes = solution.iter().zip(&self.problem.free).zip(external);
-        let mut acceleration: Vec<Dof6> = changes
-            .map(|((v, free), external)| external.plus(&v.plus(free, -1.0), rate))
-            .collect();
+        acceleration.clear();
+        acceleration
+            .extend(changes.map(|((v, free), external)| external.plus(&v.plus(free, -1.0), rate)));
         for (k, row) in self.problem.rows.iter().enumerate() {
             if self.impulses[k] != Vec3::zeros() && self.is_impact(k) {
                 let force = self.impulses[k] * -rate;
-                self.problem.apply(row, &mut acceleration, force);
+                self.problem.apply(row, acceleration, force);
             }
         }
         acceleration.truncate(self.inputs.kinematics.len());
-        acceleration
     }
 
-    /// Writes the solution into `state`: motion, forces, work; boundaries end at `ends`.
-    pub(super) fn commit(&self, state: &mut State, solution: &[Dof6], ends: &[Pose]) {
+    /// Writes the solution into `state`: motion, forces, work; boundaries end at `ends`. `spare` is memory.
+    pub(super) fn commit(
+        &self,
+        state: &mut State,
+        solution: &[Dof6],
+        ends: &[Pose],
+        spare: &mut Vec<Dof6>,
+    ) {
         let scene = self.inputs.scene;
         let settings = &scene.settings;
         let step = self.inputs.step;
-        let persisting = self.persisting_acceleration(solution);
+        self.persisting_acceleration(solution, spare);
         let finished = self.finished(solution, ends);
-        self.work(state, solution, &persisting);
+        self.work(state, solution, spare);
         self.body_work(state, solution, &finished, ends);
         self.store(state);
         state.springs = self.spring_forces();
-        state.persisting = persisting;
+        std::mem::swap(&mut state.persisting, spare);
         for (carried, (after, _)) in state.bodies.iter_mut().zip(finished) {
             *carried = after;
         }
@@ -222,8 +235,6 @@ impl Stage<'_> {
     fn work(&self, state: &mut State, solution: &[Dof6], persisting: &[Dof6]) {
         let (scene, step) = (self.inputs.scene, self.inputs.step);
         let integrator = scene.settings.integrator;
-        let before = self.before();
-        let mean = self.mean(&before, solution);
         let spheres = self.inputs.kinematics.len();
         let work = &mut state.work;
         // Work on the spheres that is accounted for.
@@ -240,8 +251,11 @@ impl Stage<'_> {
                 continue;
             }
             let impact = self.is_impact(k);
-            let velocity = if impact { &mean } else { solution };
-            let u = row.relative_velocity(velocity);
+            let velocity = |i: usize| match impact {
+                true => self.mean(solution, i),
+                false => solution[i],
+            };
+            let u = row.relative(velocity);
             let couple = matches!(row.law, Law::Resistance { .. });
             // A couple of resistance is friction as a whole.
             let p_n = if couple { 0.0 } else { p.dot(&row.normal) };
@@ -259,7 +273,7 @@ impl Stage<'_> {
             known += boundary;
             if row.b != GROUND && row.b as usize >= spheres {
                 let [_, grip] = row.grips();
-                known += p.dot(&grip.velocity(&velocity[row.b as usize]));
+                known += p.dot(&grip.velocity(&velocity(row.b as usize)));
             }
         }
         let particles = &scene.particles;
@@ -268,8 +282,9 @@ impl Stage<'_> {
                 + 0.5 * particles.inertia(i) * v.angular.norm_squared()
         };
         for (i, v1) in solution[..spheres].iter().enumerate() {
-            let after = integrator.finish(&before[i], v1, &scene.settings);
-            let old = integrator.reported(&before[i], &state.persisting[i], step);
+            let before = self.before_of(i);
+            let after = integrator.finish(&before, v1, &scene.settings);
+            let old = integrator.reported(&before, &state.persisting[i], step);
             let new = integrator.reported(&after, &persisting[i], step);
             let external = &self.inputs.external[i];
             known += step * particles.mass[i] * external.linear.dot(&v1.linear);
@@ -296,14 +311,17 @@ impl Stage<'_> {
         }
         let (scene, step) = (self.inputs.scene, self.inputs.step);
         let integrator = scene.settings.integrator;
-        let mean = self.mean(&self.before(), solution);
         let spheres = self.inputs.kinematics.len();
         let work = &mut state.work;
         for (k, row) in self.problem.rows.iter().enumerate() {
-            let velocity = if self.is_impact(k) { &mean } else { solution };
+            let impact = self.is_impact(k);
+            let velocity = |i: usize| match impact {
+                true => self.mean(solution, i),
+                false => solution[i],
+            };
             let p = self.impulses[k];
             if let Some(held) = self.held(k) {
-                let done = p.dot(&row.relative_velocity(velocity));
+                let done = p.dot(&row.relative(velocity));
                 work.residue -= done;
                 match held.hold.stops() {
                     true => work.impact -= done,
@@ -311,7 +329,7 @@ impl Stage<'_> {
                 }
             } else if row.b != GROUND && row.b as usize >= spheres {
                 let [_, grip] = row.grips();
-                work.residue += p.dot(&grip.velocity(&velocity[row.b as usize]));
+                work.residue += p.dot(&grip.velocity(&velocity(row.b as usize)));
             }
         }
         let bodies = self.inputs.bodies.iter().zip(&state.bodies).zip(finished);
@@ -323,7 +341,7 @@ impl Stage<'_> {
                     body.kinetic_energy(pose, &integrator.reported(momentum, lasting, last))
                 },
             );
-            let at_action = body.action_velocity(&mean[spheres + d]);
+            let at_action = body.action_velocity(&self.mean(solution, spheres + d));
             let power =
                 body.load.linear.dot(&at_action.linear) + body.load.angular.dot(&at_action.angular);
             work.loads += step * power;
@@ -333,13 +351,13 @@ impl Stage<'_> {
         }
     }
 
-    /// Mean velocities over the step, `[N + D]`: what an impact works with.
-    fn mean(&self, before: &[Dof6], solution: &[Dof6]) -> Vec<Dof6> {
-        let both = before.iter().zip(solution);
-        both.map(|(before, v1)| match self.inputs.scene.settings.integrator {
-            Integrator::Moreau => Dof6::ZERO.plus(before, 0.5).plus(v1, 0.5),
-            Integrator::Shi => *v1,
-        })
-        .collect()
+    /// Mean velocity of a body over the step: what an impact works with.
+    fn mean(&self, solution: &[Dof6], i: usize) -> Dof6 {
+        match self.inputs.scene.settings.integrator {
+            Integrator::Moreau => Dof6::ZERO
+                .plus(&self.before_of(i), 0.5)
+                .plus(&solution[i], 0.5),
+            Integrator::Shi => solution[i],
+        }
     }
 }

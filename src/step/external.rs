@@ -9,17 +9,17 @@ use crate::problem::assemble::external_acceleration;
 use crate::scene::{Integrator, Scene};
 use crate::state::State;
 
-/// External acceleration in a step of `dt` \[s\] that begins with `kinematics`, `[N]`.
+/// Into `external` the acceleration in a step of `dt` \[s\] that begins with `kinematics`, `[N]`.
 pub(super) fn acceleration(
     scene: &Scene,
     state: &State,
     kinematics: &Kinematics,
-    gravity: Vec3,
-    dt: f64,
-) -> Vec<Dof6> {
-    let mut external = external_acceleration(scene, kinematics, gravity);
+    (gravity, dt): (Vec3, f64),
+    external: &mut Vec<Dof6>,
+) {
+    external_acceleration(scene, kinematics, gravity, external);
     let Some(frame) = scene.settings.rotating_frame else {
-        return external;
+        return;
     };
     let rate = frame.angular_velocity;
     // Where the velocity is that of the start, the middle of the step lies half a step on.
@@ -40,12 +40,12 @@ pub(super) fn acceleration(
         external.linear += gyroscopic(rate * 2.0, before.linear, others.linear, shifts, dt);
         external.angular += gyroscopic(rate, before.angular, others.angular, turns, dt);
     }
-    external
 }
 
 /// External acceleration at the moment of `kinematics`, `[N]`.
 pub(super) fn at_start(scene: &Scene, kinematics: &Kinematics, gravity: Vec3) -> Vec<Dof6> {
-    let mut external = external_acceleration(scene, kinematics, gravity);
+    let mut external = Vec::new();
+    external_acceleration(scene, kinematics, gravity, &mut external);
     for (i, external) in external.iter_mut().enumerate() {
         if kinematics.present[i] {
             *external = external.plus(&inertial(scene, kinematics, i), 1.0);

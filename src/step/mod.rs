@@ -17,7 +17,6 @@ pub use start::{initial_forces, remove_overlaps};
 
 use crate::Vec3;
 use crate::contacts::broad_phase::NeighborList;
-use crate::contacts::history::Carried;
 use crate::driven::Ready;
 use crate::linalg::LinearError;
 use crate::motion::{Pose, Twist};
@@ -37,7 +36,7 @@ pub struct Scratch {
     workspace: Workspace,
     memory: Memory,
     reach: Vec<f64>,
-    carried: Vec<Carried>,
+    kept: Kept,
 }
 
 /// Cost and quality of one internal step.
@@ -104,11 +103,14 @@ pub fn step_beside(
     (dt, poses): (f64, Vec<Pose>),
     pairs: &mut [[Beside<'_>; 2]],
 ) -> Result<StepOutcome, StepFailure> {
-    let start = Start::of(scene, state, dt, poses);
-    let starts: Vec<[Start; 2]> = pairs
-        .iter()
-        .map(|pair| [0, 1].map(|k| Start::of(scene, pair[k].state, dt, pair[k].poses.clone())))
-        .collect();
+    let mut kept = std::mem::take(&mut scratch.kept);
+    let start = Start::of(scene, state, dt, poses, &mut kept);
+    let beside = |beside: &Beside| {
+        let poses = beside.poses.clone();
+        Start::of(scene, beside.state, dt, poses, &mut Kept::default())
+    };
+    let starts = pairs.iter().map(|pair| [0, 1].map(|k| beside(&pair[k])));
+    let starts: Vec<[Start; 2]> = starts.collect();
     let mut stage = Stage::new(start.inputs(scene, dt), state, scratch);
     let mut twins: Vec<Twin> = starts
         .iter()
@@ -119,16 +121,18 @@ pub fn step_beside(
         })
         .collect();
     let outcome = stage.resolve(state, scratch, &mut twins)?;
-    stage.spread_impacts(state);
+    stage.spread_impacts();
     for ((twin, starts), pair) in twins.iter_mut().zip(&starts).zip(pairs) {
         twin.agree(&stage);
         for (k, side) in twin.stages.iter().enumerate() {
             let solution = side.problem.velocities(&side.impulses);
-            starts[k].finish(side, pair[k].state, &solution, dt);
+            starts[k].finish(side, pair[k].state, &solution, dt, &mut Vec::new());
         }
     }
-    start.finish(&stage, state, &stage.solution, dt);
+    start.finish(&stage, state, &stage.solution, dt, &mut kept.accelerations);
     scratch.memory = stage.memory();
+    (kept.kinematics, kept.external) = (start.kinematics, start.external);
+    scratch.kept = kept;
     if outcome.solver.penalty > 0.0 && outcome.solver.penalty.is_finite() {
         state.penalty = outcome.solver.penalty;
     }
@@ -139,10 +143,18 @@ pub fn step_beside(
 /// starts from: candidates within reach, gaps not yet re-linearised.
 #[must_use]
 pub fn problem(scene: &Scene, state: &State, dt: f64, poses: &[Pose]) -> (Problem, Impulses) {
-    let start = Start::of(scene, state, dt, poses.to_vec());
+    let start = Start::of(scene, state, dt, poses.to_vec(), &mut Kept::default());
     let inputs = start.inputs(scene, dt);
     let stage = Stage::new(inputs, state, &mut Scratch::default());
     (stage.problem, stage.impulses)
+}
+
+/// Arrays kept from step to step for their memory alone.
+#[derive(Debug, Default)]
+struct Kept {
+    kinematics: Kinematics,
+    external: Vec<Dof6>,
+    accelerations: Vec<Dof6>,
 }
 
 /// What a step takes from the state before it moves anything.
@@ -168,14 +180,15 @@ fn surfaces(scene: &Scene, state: &State) -> Vec<Vec3> {
 }
 
 impl<'s> Start<'s> {
-    fn of(scene: &'s Scene, state: &State, dt: f64, mut ends: Vec<Pose>) -> Self {
+    fn of(scene: &'s Scene, state: &State, dt: f64, mut ends: Vec<Pose>, kept: &mut Kept) -> Self {
         let bodies = Ready::all(scene, state, dt);
         for body in &bodies {
             let b = body.boundary;
             ends[b] = body.moved(&state.poses[b], &body.free, dt);
         }
         let integrator = scene.settings.integrator;
-        let mut kinematics = state.kinematics.clone();
+        let mut kinematics = std::mem::take(&mut kept.kinematics);
+        kinematics.clone_from(&state.kinematics);
         for (i, persisting) in state.persisting.iter().enumerate() {
             let v = integrator.restep(&dof(&kinematics, i), persisting, state.last_step, dt);
             kinematics.velocity[i] = v.linear;
@@ -184,9 +197,11 @@ impl<'s> Start<'s> {
         let end_time = state.time + dt;
         let springs = scene.springs.iter();
         let gravity = state.gravity_at(scene, integrator.middle(state.time, dt));
+        let mut external = std::mem::take(&mut kept.external);
+        external::acceleration(scene, state, &kinematics, (gravity, dt), &mut external);
         Self {
             gravity,
-            external: external::acceleration(scene, state, &kinematics, gravity, dt),
+            external,
             kinematics,
             targets: springs
                 .map(|spring| spring.target + spring.motion.pose_at(end_time).translation)
@@ -200,9 +215,16 @@ impl<'s> Start<'s> {
     }
 
     /// Writes the solution of `stage` into `state`.
-    fn finish(&self, stage: &Stage, state: &mut State, solution: &[Dof6], dt: f64) {
+    fn finish(
+        &self,
+        stage: &Stage,
+        state: &mut State,
+        solution: &[Dof6],
+        dt: f64,
+        spare: &mut Vec<Dof6>,
+    ) {
         let poses = stage.end_poses(solution);
-        stage.commit(state, solution, &poses);
+        stage.commit(state, solution, &poses, spare);
         let ways = state.poses.iter().zip(&poses);
         state.twists = ways.map(|(from, to)| from.twist_to(to, dt)).collect();
         state.poses = poses;

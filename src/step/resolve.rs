@@ -218,13 +218,14 @@ impl Stage<'_> {
         self.candidates.insert(at, found);
         self.problem.rows.insert(at, row);
         self.impact.insert(at, impact);
+        self.carried.insert(at, carried);
         self.impulses.insert(at, Vec3::zeros());
         for row in &mut self.problem.rows {
             if let Law::Resistance { contact, .. } = &mut row.law {
                 *contact += u32::from(*contact as usize >= at);
             }
         }
-        self.resist(at, carried.torque);
+        self.resist(at);
         impact
     }
 }

@@ -37,6 +37,8 @@ pub(super) struct Stage<'a> {
     /// Stops and springs of the driven bodies: their rows follow those of the constrained points.
     pub(super) holds: Vec<Held>,
     pub(super) impulses: Vec<Vec3>,
+    /// What the candidates carried in the last step.
+    pub(super) carried: Vec<Carried>,
     /// Velocities of the impulses, `[N + D]`, and where they lead the spheres \[m\], `[N]`: of the last pass of the solve.
     pub(super) solution: Vec<Dof6>,
     pub(super) position: Vec<Vec3>,
@@ -55,6 +57,7 @@ pub(super) struct Memory {
     impact: Vec<bool>,
     holds: Vec<Held>,
     impulses: Vec<Vec3>,
+    carried: Vec<Carried>,
     solution: Vec<Dof6>,
     position: Vec<Vec3>,
 }
@@ -97,7 +100,7 @@ impl<'a> Stage<'a> {
             &mut stage.candidates,
         );
         scratch.reach = reach;
-        stage.write_rows(state, None, &mut scratch.carried);
+        stage.write_rows(state, None);
         stage
     }
 
@@ -107,7 +110,7 @@ impl<'a> Stage<'a> {
         let candidates = other.candidates.iter();
         stage.candidates = candidates.map(|c| follow(&stage.start, c)).collect();
         stage.moves = other.moves;
-        stage.write_rows(state, Some(&other.impact), &mut Vec::new());
+        stage.write_rows(state, Some(&other.impact));
         stage
     }
 
@@ -128,6 +131,7 @@ impl<'a> Stage<'a> {
             impact: memory.impact,
             holds: memory.holds,
             impulses: memory.impulses,
+            carried: memory.carried,
             solution: memory.solution,
             position: memory.position,
             moves: true,
@@ -143,6 +147,7 @@ impl<'a> Stage<'a> {
             impact: self.impact,
             holds: self.holds,
             impulses: self.impulses,
+            carried: self.carried,
             solution: self.solution,
             position: self.position,
         }
@@ -150,14 +155,11 @@ impl<'a> Stage<'a> {
 
     /// Rows and warm-start impulses for the candidates, the constrained points, the stops and springs of driven bodies and
     /// the contacts' resistances, in this order.
-    fn write_rows(&mut self, state: &State, told: Option<&[bool]>, carried: &mut Vec<Carried>) {
+    fn write_rows(&mut self, state: &State, told: Option<&[bool]>) {
         let step = self.inputs.step;
-        history::transfer(
-            &state.contacts,
-            self.candidates.iter().map(|c| c.key),
-            carried,
-        );
-        for (k, (candidate, carried)) in self.candidates.iter().zip(&*carried).enumerate() {
+        let keys = self.candidates.iter().map(|c| c.key);
+        history::transfer(&state.contacts, keys, &mut self.carried);
+        for (k, (candidate, carried)) in self.candidates.iter().zip(&self.carried).enumerate() {
             let (free, told) = (&self.problem.free, told.map(|told| told[k]));
             let (row, impact) = self.inputs.contact(free, candidate, carried.force, told);
             self.problem.rows.push(row);
@@ -179,15 +181,15 @@ impl<'a> Stage<'a> {
             }
         }
         if self.inputs.scene.pairs.resists() {
-            for (k, carried) in carried.iter().enumerate() {
-                self.resist(k, carried.torque);
+            for k in 0..self.candidates.len() {
+                self.resist(k);
             }
         }
     }
 
     /// Adds the resistance of contact `k`, if it has one, with its last couple.
-    pub(super) fn resist(&mut self, k: usize, torque: Vec3) {
-        let row = &self.problem.rows[k];
+    pub(super) fn resist(&mut self, k: usize) {
+        let (row, torque) = (&self.problem.rows[k], self.carried[k].torque);
         let key = self.candidates[k].key;
         if let Some(resistance) = self.inputs.resistance(key, row, k, torque) {
             let lever = resistance.radius;

@@ -168,7 +168,7 @@ impl Stage<'_> {
         self.store(state);
         state.springs = self.spring_forces();
         let solution = self.problem.velocities(&self.impulses);
-        state.persisting = self.persisting_acceleration(&solution);
+        self.persisting_acceleration(&solution, &mut state.persisting);
         external::keep(self.inputs.scene, state, external);
         let at_rest = self.finished(&solution, self.inputs.poses[0]);
         for (carried, (found, _)) in state.bodies.iter_mut().zip(at_rest) {

@@ -301,6 +301,14 @@ mod wide {
         [x[at], x[at + 1], x[at + 2], x[at + 3]]
     }
 
+    /// A body back to memory.
+    #[inline(always)]
+    fn put_4(bodies: &mut [Body<f64>], at: u32, linear: __m256d, spin: __m256d) {
+        let [a, b, c, d]: [f64; 4] = cast(linear);
+        let [e, f, g, h]: [f64; 4] = cast(spin);
+        bodies[at as usize] = Body([a, b, c, d, e, f, g, h]);
+    }
+
     /// Rows to columns, or columns to rows.
     #[inline(always)]
     fn transposed_4(v: V3, [a, b, c, d]: [__m256d; 4]) -> [__m256d; 4] {
@@ -425,11 +433,18 @@ mod wide {
         ) {
             let linear = transposed_4(self, [a.1, b.1, c.1, d.1]);
             let spin = transposed_4(self, [e.1, f.1, g.1, h.1]);
-            for lane in 0..4_usize.min(count.saturating_sub(4 * pass)) {
-                let body = &mut bodies[at[4 * pass + lane] as usize].0;
-                let [linear, spin]: [[f64; 4]; 2] = [cast(linear[lane]), cast(spin[lane])];
-                body[..4].copy_from_slice(&linear);
-                body[4..].copy_from_slice(&spin);
+            let at = &at[4 * pass..][..4];
+            let own = count.saturating_sub(4 * pass);
+            if own >= 4 {
+                // Written out: a loop would take the registers to memory first.
+                put_4(bodies, at[0], linear[0], spin[0]);
+                put_4(bodies, at[1], linear[1], spin[1]);
+                put_4(bodies, at[2], linear[2], spin[2]);
+                put_4(bodies, at[3], linear[3], spin[3]);
+                return;
+            }
+            for lane in 0..own {
+                put_4(bodies, at[lane], linear[lane], spin[lane]);
             }
         }
     }
@@ -478,7 +493,18 @@ mod wide {
             count: usize,
         ) {
             let rows = transposed_8(self, [a.1, b.1, c.1, d.1, e.1, f.1, g.1, h.1]);
-            for lane in 0..8_usize.min(count) {
+            if count >= 8 {
+                bodies[at[0] as usize] = Body(cast(rows[0]));
+                bodies[at[1] as usize] = Body(cast(rows[1]));
+                bodies[at[2] as usize] = Body(cast(rows[2]));
+                bodies[at[3] as usize] = Body(cast(rows[3]));
+                bodies[at[4] as usize] = Body(cast(rows[4]));
+                bodies[at[5] as usize] = Body(cast(rows[5]));
+                bodies[at[6] as usize] = Body(cast(rows[6]));
+                bodies[at[7] as usize] = Body(cast(rows[7]));
+                return;
+            }
+            for lane in 0..count {
                 bodies[at[lane] as usize] = Body(cast(rows[lane]));
             }
         }
