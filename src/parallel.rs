@@ -8,6 +8,9 @@ use std::num::NonZeroUsize;
 
 use paralight::prelude::*;
 
+/// Blocks of contacts, or bodies, from which handing out costs less than it gains: it takes some 50 us, as much as 500 blocks.
+const WORTH: usize = 2000;
+
 /// Threads, made with the first work that is worth them.
 #[derive(Default)]
 pub(crate) struct Pool {
@@ -37,12 +40,17 @@ impl Pool {
         self.threads
     }
 
-    /// Does `work` with each of `items`, side by side if there are several.
-    pub(crate) fn each<T: Send>(&mut self, items: &mut [T], work: impl Fn(&mut T) + Sync) {
+    /// Does `work` with each of `items`, side by side if they hold at least [`WORTH`] blocks or bodies (`size`).
+    pub(crate) fn each<T: Send>(
+        &mut self,
+        size: usize,
+        items: &mut [T],
+        work: impl Fn(&mut T) + Sync,
+    ) {
         let Some(count) = NonZeroUsize::new(self.threads).filter(|n| n.get() > 1) else {
             return items.iter_mut().for_each(work);
         };
-        if items.len() < 2 {
+        if items.len() < 2 || size < WORTH {
             return items.iter_mut().for_each(work);
         }
         let workers = self.workers.get_or_insert_with(|| {

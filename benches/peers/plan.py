@@ -110,7 +110,7 @@ def groups(quick: bool) -> list[Group]:
         Group("funnel", funnel, funnel_rapier, repeat),
         Group("funnel-peers", _peers("funnel", 1000, ("4 ms", "1 ms", "0.5 ms", *AHEAD), hard[:2])),
         Group("real-time", (Case("sphere-dda", "bed", 1000, BOUNDED),), rapier, repeat),
-        Group("rest", (replace(ours["1e-4"], settings={**OURS["1e-4"], "rest_speed": REST_SPEED}, duration=REST, watch=False, trace=True),)),
+        Group("rest", (replace(ours["1e-4"], settings={"tolerance": 1e-4, "step": 5e-4, "rest_speed": REST_SPEED}, duration=REST, watch=False, trace=True),)),
         Group("large", (big,), big_rapier),
         Group("large-peers", (big_soft,)),
         Group("threads", threads),

@@ -37,6 +37,11 @@ struct Task<'a, T> {
     found: Progress,
 }
 
+/// Blocks of a turn.
+fn size(turn: &[Group]) -> usize {
+    turn.iter().map(|group| group.blocks.len()).sum()
+}
+
 /// `ranges` of `items`, which ascend.
 fn split<X>(
     mut items: &mut [X],
@@ -70,7 +75,7 @@ impl<T: Precision> Sheet<T> {
                     found: Progress::NONE,
                 })
                 .collect();
-            pool.each(&mut tasks, |task| {
+            pool.each(size(turn), &mut tasks, |task| {
                 task.found = T::sweep(task.blocks, task.bodies, task.offset, pace);
             });
             total = tasks.iter().fold(total, |sum, task| sum.with(&task.found));
@@ -89,7 +94,9 @@ impl<T: Precision> Sheet<T> {
         let bodies = split(&mut self.bodies, parts()).into_iter();
         let pairs = bodies.zip(split(&mut self.before, parts()));
         let mut pairs: ArrayVec<_, PARTS> = pairs.collect();
-        pool.each(&mut pairs, |(now, before)| drift(now, before, momentum));
+        pool.each(rest, &mut pairs, |(now, before)| {
+            drift(now, before, momentum)
+        });
     }
 }
 
@@ -99,7 +106,7 @@ impl Sheet<f64> {
         for turn in turns {
             let bodies = split(&mut self.bodies, turn.iter().map(|g| g.bodies.clone()));
             let mut tasks: ArrayVec<_, PARTS> = turn.iter().zip(bodies).collect();
-            pool.each(&mut tasks, |(group, bodies)| {
+            pool.each(size(turn), &mut tasks, |(group, bodies)| {
                 let blocks = &self.blocks[group.blocks.clone()];
                 push(blocks, bodies, group.bodies.start as u32);
             });
@@ -113,7 +120,7 @@ impl Sheet<f64> {
         for turn in turns {
             let found = split(verdicts, turn.iter().map(|g| g.blocks.clone()));
             let mut tasks: ArrayVec<_, PARTS> = turn.iter().zip(found).collect();
-            pool.each(&mut tasks, |(group, found)| {
+            pool.each(size(turn), &mut tasks, |(group, found)| {
                 judge(&self.blocks[group.blocks.clone()], &self.bodies, 0, found);
             });
         }
@@ -125,7 +132,7 @@ impl Sheet<f64> {
         for turn in turns {
             let copies = split(&mut to.blocks, turn.iter().map(|g| g.blocks.clone()));
             let mut tasks: ArrayVec<_, PARTS> = turn.iter().zip(copies).collect();
-            pool.each(&mut tasks, |(group, copies)| {
+            pool.each(size(turn), &mut tasks, |(group, copies)| {
                 let blocks = &self.blocks[group.blocks.clone()];
                 for (block, copy) in blocks.iter().zip(copies.iter_mut()) {
                     *copy = block.single(unit);
