@@ -110,10 +110,10 @@ impl Simulation {
         for &target in &origin.taken {
             let earlier = again.simulation.state.clone();
             let (start, dt) = (earlier.time, target - earlier.time);
-            let before = Before::of(&scene, &earlier);
+            let before = Before::of(scene, &earlier);
             let befores: Vec<[Before; 2]> = pairs
                 .iter()
-                .map(|pair| [0, 1].map(|k| Before::of(&scene, &pair[k].simulation.state)))
+                .map(|pair| [0, 1].map(|k| Before::of(scene, &pair[k].simulation.state)))
                 .collect();
             let poses = again.prepare(start, target);
             let mut beside: Vec<[Beside; 2]> = pairs
