@@ -59,13 +59,7 @@ fn run(name: &str, scene: Scene) -> Simulation {
     let start = cpu();
     for k in 1..=points {
         let end = settings.duration * k as f64 / points as f64;
-        let report = simulation.advance_to(end).expect("a step");
-        total.internal_steps += report.internal_steps;
-        total.cuts += report.cuts;
-        total.sweeps += report.sweeps;
-        total.factorizations += report.factorizations;
-        total.max_overlap = total.max_overlap.max(report.max_overlap);
-        total.force_residual = total.force_residual.max(report.force_residual);
+        total.add(&simulation.advance_to(end).expect("a step"));
     }
     println!(
         "{name:8}  {:.0e}  {:.1e}  {:6.2}  {:6}  {:4}  {:6}  {:6.1}  {:7}  {:.1e}  {:.1e}",

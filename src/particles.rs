@@ -84,6 +84,12 @@ impl Particles {
         0.4 * self.mass[i] * self.radius[i] * self.radius[i]
     }
 
+    /// Kinetic energy \[J\] of sphere `i` at a velocity \[m/s\] and angular velocity \[rad/s\].
+    #[must_use]
+    pub fn kinetic_energy(&self, i: usize, linear: &Vec3, angular: &Vec3) -> f64 {
+        0.5 * self.mass[i] * linear.norm_squared() + 0.5 * self.inertia(i) * angular.norm_squared()
+    }
+
     /// Translations and rotations of sphere `i`: one where it is free, zero where locked.
     #[must_use]
     pub fn free(&self, i: usize) -> [Vec3; 2] {

@@ -110,7 +110,7 @@ pub(crate) fn measure(
         let costs = [spent - before, clock];
         measured.course.add(end, costs, &report, contacts);
         before = spent;
-        include(&mut measured.total, &report);
+        measured.total.add(&report);
         // A margin of rounding: a communication step that begins at the border counts.
         if let Some(floor) = floor
             && start > settings.duration - outputs.mean_s - 1e-9
@@ -154,19 +154,6 @@ impl Course {
         self.contacts.push(contacts);
         self.max_overlap.push(report.max_overlap);
     }
-}
-
-fn include(total: &mut StepReport, report: &StepReport) {
-    total.internal_steps += report.internal_steps;
-    total.cuts += report.cuts;
-    total.sweeps += report.sweeps;
-    total.augmentations += report.augmentations;
-    total.factorizations += report.factorizations;
-    total.max_overlap = total.max_overlap.max(report.max_overlap);
-    total.gap_residual = total.gap_residual.max(report.gap_residual);
-    total.slip_residual = total.slip_residual.max(report.slip_residual);
-    total.force_residual = total.force_residual.max(report.force_residual);
-    total.kink = total.kink.max(report.kink);
 }
 
 fn write_end(path: &Path, simulation: &Simulation) -> Result<(), String> {

@@ -247,7 +247,7 @@ fn march(
     while reached < clock.count() {
         let point = clock.point(reached + 1);
         match simulation.advance_to(point) {
-            Ok(report) => total.add(&report),
+            Ok(report) => total.report.add(&report),
             Err(error) => {
                 end = Err(error.into());
                 break;
@@ -313,18 +313,6 @@ struct Total {
     time: f64,
     wall: f64,
     report: StepReport,
-}
-
-impl Total {
-    fn add(&mut self, step: &StepReport) {
-        let sum = &mut self.report;
-        sum.internal_steps += step.internal_steps;
-        sum.cuts += step.cuts;
-        sum.sweeps += step.sweeps;
-        sum.augmentations += step.augmentations;
-        sum.factorizations += step.factorizations;
-        sum.max_overlap = sum.max_overlap.max(step.max_overlap);
-    }
 }
 
 impl std::fmt::Display for Total {

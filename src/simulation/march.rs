@@ -201,19 +201,17 @@ impl Simulation {
         if changed {
             self.check_jump(&drive, march.course.since, end, march.steps - march.done)?;
         }
-        if scene.settings.smallest_step.is_some() {
-            let rest = end - self.state.time;
-            march.steps = march.done + pieces(rest, self.state.pace.step);
-        }
         march.done += 1;
-        let target = if march.done == march.steps {
-            end
-        } else if scene.settings.smallest_step.is_some() {
-            let left = march.steps - march.done + 1;
-            self.state.time + (end - self.state.time) / left as f64
-        } else {
-            start + (end - start) * (march.done as f64 / march.steps as f64)
-        };
+        let mut target = start + (end - start) * (march.done as f64 / march.steps as f64);
+        if scene.settings.smallest_step.is_some() {
+            let (now, rest) = (self.state.time, end - self.state.time);
+            let left = pieces(rest, self.state.pace.step);
+            march.steps = march.done - 1 + left;
+            target = now + rest / left as f64;
+        }
+        if march.is_done() {
+            target = end;
+        }
         self.step_to(&scene, &drive, target, 0, &mut march.account)?;
         self.average(march.start, &march.account);
         let h = self.state.time - march.start;

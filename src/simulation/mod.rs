@@ -4,6 +4,7 @@ mod derivatives;
 mod exchange;
 mod march;
 mod pace;
+mod report;
 mod settle;
 
 use std::sync::Arc;
@@ -24,10 +25,11 @@ use crate::problem::{Dof6, Impulses, Problem};
 use crate::scene::Scene;
 use crate::snapshot;
 use crate::state::{State, Work};
-use crate::step::{Scratch, StepOutcome, initial_forces, remove_overlaps};
+use crate::step::{Scratch, initial_forces, remove_overlaps};
 pub use derivatives::{Direction, Origin};
 pub use march::March;
 pub use pace::Pace;
+pub use report::StepReport;
 pub use settle::{Settle, Settled};
 
 /// Force and torque on a boundary.
@@ -44,47 +46,6 @@ impl Wrench {
     pub fn add(&mut self, other: &Self, scale: f64) {
         self.force += other.force * scale;
         self.torque += other.torque * scale;
-    }
-}
-
-/// What one communication step cost and reached.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
-pub struct StepReport {
-    /// Internal steps taken, cut ones included.
-    pub internal_steps: u64,
-    /// How often a step was halved.
-    pub cuts: u64,
-    /// Gauss-Seidel sweeps.
-    pub sweeps: u64,
-    /// Multiplier updates of the augmented-Lagrangian loop.
-    pub augmentations: u64,
-    /// Factorizations (open-close iterations).
-    pub factorizations: u64,
-    /// Largest true overlap over radius at the end of any internal step \[-\].
-    pub max_overlap: f64,
-    /// Largest gap residual of any solve \[-\].
-    pub gap_residual: f64,
-    /// Largest slip residual \[-\].
-    pub slip_residual: f64,
-    /// Largest force residual \[-\].
-    pub force_residual: f64,
-    /// How near a contact came to the edge of its state (open, stick, slip) in any internal step: 1 is at the edge, where
-    /// derivatives are one-sided, 0 far from it \[-\].
-    pub kink: f64,
-}
-
-impl StepReport {
-    fn include(&mut self, outcome: &StepOutcome) {
-        let solver = &outcome.solver;
-        self.internal_steps += 1;
-        self.sweeps += solver.sweeps as u64;
-        self.augmentations += solver.augmentations as u64;
-        self.factorizations += solver.factorizations as u64;
-        self.max_overlap = self.max_overlap.max(outcome.max_overlap);
-        self.kink = self.kink.max(outcome.kink);
-        self.gap_residual = self.gap_residual.max(solver.residual.gap);
-        self.slip_residual = self.slip_residual.max(solver.residual.slip);
-        self.force_residual = self.force_residual.max(solver.residual.force);
     }
 }
 

@@ -9,12 +9,13 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Simulation, Wrench};
+use super::Simulation;
 use crate::drive::Drive;
 use crate::gravity::GravityMotion;
 use crate::motion::Twist;
 use crate::problem::Dof6;
 use crate::scene::{Scene, Settings};
+use crate::state::State;
 use crate::step::StepOutcome;
 
 /// Sweeps that cost as much as all else in a step (measured on `examples/dropped`).
@@ -113,14 +114,17 @@ impl Simulation {
         let particles = &self.scene.particles;
         let kinetic = (0..particles.len()).map(|i| {
             let v = self.velocity(i);
-            0.5 * particles.mass[i] * v.linear.norm_squared()
-                + 0.5 * particles.inertia(i) * v.angular.norm_squared()
+            particles.kinetic_energy(i, &v.linear, &v.angular)
         });
         self.state.work.residue -= kinetic.sum::<f64>();
         self.state.kinematics.stop();
         self.state.persisting.fill(Dof6::ZERO);
         self.state.twists.fill(Twist::default());
-        let wrenches: &[Wrench] = &self.state.wrenches;
-        self.state.persisting_wrenches = wrenches.to_vec();
+        let State {
+            wrenches,
+            persisting_wrenches,
+            ..
+        } = &mut self.state;
+        persisting_wrenches.clone_from(wrenches);
     }
 }

@@ -277,10 +277,7 @@ impl Stage<'_> {
             }
         }
         let particles = &scene.particles;
-        let kinetic = |i: usize, v: &Dof6| {
-            0.5 * particles.mass[i] * v.linear.norm_squared()
-                + 0.5 * particles.inertia(i) * v.angular.norm_squared()
-        };
+        let kinetic = |i: usize, v: &Dof6| particles.kinetic_energy(i, &v.linear, &v.angular);
         for (i, v1) in solution[..spheres].iter().enumerate() {
             let before = self.before_of(i);
             let after = integrator.finish(&before, v1, &scene.settings);

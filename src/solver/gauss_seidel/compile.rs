@@ -4,6 +4,7 @@ use arrayvec::ArrayVec;
 
 use super::block::Block;
 use super::kernel::{Kernel, NONE, refill};
+use super::layout::first_places;
 use super::sheet::Group;
 use crate::Vec3;
 use crate::problem::{GROUND, Law, Problem, Row};
@@ -252,13 +253,7 @@ fn counting_sort(
 ) {
     let keys = items.clone().map(&key);
     let largest = keys.clone().max().unwrap_or_default() as usize;
-    refill(counts, largest + 2, 0);
-    for key in keys {
-        counts[key as usize + 1] += 1;
-    }
-    for k in 1..counts.len() {
-        counts[k] += counts[k - 1];
-    }
+    first_places(keys, largest + 1, counts);
     refill(sorted, counts.last().map_or(0, |&all| all as usize), 0);
     for item in items {
         let next = &mut counts[key(item) as usize];

@@ -15,7 +15,7 @@ pub(super) trait Precision: Real {
     ) -> Progress;
 }
 
-/// Calls `$call` with the widest registers that the processor has, or `$width` numbers at a time without.
+/// Does `$task` with the widest registers that the processor has, or `$width` numbers at a time without.
 macro_rules! widest {
     ($width:literal, $task:ident { $($field:ident),* }) => {{
         #[cfg(target_arch = "x86_64")]
@@ -26,43 +26,31 @@ macro_rules! widest {
     }};
 }
 
-impl Precision for f64 {
-    fn sweep(
-        blocks: &mut [Block<Self>],
-        bodies: &mut [Body<Self>],
-        offset: u32,
-        pace: Pace,
-    ) -> Progress {
-        widest!(
-            4,
-            Sweep {
-                blocks,
-                bodies,
-                offset,
-                pace
+macro_rules! precision {
+    ($real:ty, $width:literal) => {
+        impl Precision for $real {
+            fn sweep(
+                blocks: &mut [Block<Self>],
+                bodies: &mut [Body<Self>],
+                offset: u32,
+                pace: Pace,
+            ) -> Progress {
+                widest!(
+                    $width,
+                    Sweep {
+                        blocks,
+                        bodies,
+                        offset,
+                        pace
+                    }
+                )
             }
-        )
-    }
+        }
+    };
 }
 
-impl Precision for f32 {
-    fn sweep(
-        blocks: &mut [Block<Self>],
-        bodies: &mut [Body<Self>],
-        offset: u32,
-        pace: Pace,
-    ) -> Progress {
-        widest!(
-            8,
-            Sweep {
-                blocks,
-                bodies,
-                offset,
-                pace
-            }
-        )
-    }
-}
+precision!(f64, 4);
+precision!(f32, 8);
 
 /// Gives `bodies` the impulses of `blocks`.
 pub(super) fn push(blocks: &[Block<f64>], bodies: &mut [Body<f64>], offset: u32) {

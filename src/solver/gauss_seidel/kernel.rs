@@ -64,7 +64,6 @@ impl Kernel {
         let spheres = problem.inverse_mass.len();
         self.tolerance = *tolerance;
         self.step = problem.step;
-        self.others.clear();
         refill(&mut self.radius, problem.free.len(), 0.0);
         refill(&mut self.held, problem.free.len(), 0);
         refill(&mut self.velocity, problem.free.len(), Dof6::ZERO);

@@ -60,14 +60,8 @@ impl Layout {
                 ((index(x, 0) * counts[1] + index(x, 1)) * counts[2] + index(x, 2)) as u32
             }),
         );
-        self.first.clear();
-        self.first.resize(counts[0] * layer + 1, 0);
-        for &cell in &self.cell {
-            self.first[cell as usize + 1] += 1;
-        }
-        for k in 1..self.first.len() {
-            self.first[k] += self.first[k - 1];
-        }
+        let cells = counts[0] * layer;
+        first_places(self.cell.iter().copied(), cells, &mut self.first);
         // Parts end where a layer does.
         let share = n.div_ceil((n / PART).clamp(1, PARTS));
         self.starts.push(0);
@@ -116,6 +110,19 @@ impl Layout {
                 (place as usize, part)
             }
         }
+    }
+}
+
+/// Into `first` where the items of each key begin when they are sorted by their `keys`, and the end of the last; keys are below
+/// `count`.
+pub(super) fn first_places(keys: impl Iterator<Item = u32>, count: usize, first: &mut Vec<u32>) {
+    first.clear();
+    first.resize(count + 1, 0);
+    for key in keys {
+        first[key as usize + 1] += 1;
+    }
+    for k in 1..first.len() {
+        first[k] += first[k - 1];
     }
 }
 

@@ -58,6 +58,21 @@ fn split<X>(
     ranges.map(part).collect()
 }
 
+/// Does `work` with every group and its `range` of `items`, those of a turn side by side.
+fn by_group<X: Send>(
+    turns: &Turns,
+    pool: &mut Pool,
+    items: &mut [X],
+    range: impl Fn(&Group) -> Range<usize>,
+    work: impl Fn(&Group, &mut [X]) + Sync,
+) {
+    for turn in turns {
+        let parts = split(items, turn.iter().map(&range));
+        let mut tasks: ArrayVec<_, PARTS> = turn.iter().zip(parts).collect();
+        pool.each(size(turn), &mut tasks, |(group, part)| work(group, part));
+    }
+}
+
 impl<T: Precision> Sheet<T> {
     /// One sweep.
     pub(super) fn sweep(&mut self, turns: &Turns, pool: &mut Pool, pace: Pace) -> Progress {
@@ -82,9 +97,7 @@ impl<T: Precision> Sheet<T> {
         }
         total
     }
-}
 
-impl<T: Precision> Sheet<T> {
     /// Moves all bodies on by `momentum` times their last change.
     fn drift(&mut self, turns: &Turns, pool: &mut Pool, momentum: f64) {
         let parts = || turns[0].iter().map(|group| group.bodies.clone());
@@ -103,42 +116,34 @@ impl<T: Precision> Sheet<T> {
 impl Sheet<f64> {
     /// Gives the bodies the impulses of all blocks.
     pub(super) fn push(&mut self, turns: &Turns, pool: &mut Pool) {
-        for turn in turns {
-            let bodies = split(&mut self.bodies, turn.iter().map(|g| g.bodies.clone()));
-            let mut tasks: ArrayVec<_, PARTS> = turn.iter().zip(bodies).collect();
-            pool.each(size(turn), &mut tasks, |(group, bodies)| {
-                let blocks = &self.blocks[group.blocks.clone()];
-                push(blocks, bodies, group.bodies.start as u32);
-            });
-        }
+        let blocks = &self.blocks;
+        let bodies = |group: &Group| group.bodies.clone();
+        by_group(turns, pool, &mut self.bodies, bodies, |group, bodies| {
+            let offset = group.bodies.start as u32;
+            push(&blocks[group.blocks.clone()], bodies, offset);
+        });
     }
 
     /// What each block's contacts are off by.
     pub(super) fn judge(&self, turns: &Turns, pool: &mut Pool, verdicts: &mut Vec<Verdict>) {
         verdicts.clear();
         verdicts.resize(self.blocks.len(), Verdict::default());
-        for turn in turns {
-            let found = split(verdicts, turn.iter().map(|g| g.blocks.clone()));
-            let mut tasks: ArrayVec<_, PARTS> = turn.iter().zip(found).collect();
-            pool.each(size(turn), &mut tasks, |(group, found)| {
-                judge(&self.blocks[group.blocks.clone()], &self.bodies, 0, found);
-            });
-        }
+        let blocks = |group: &Group| group.blocks.clone();
+        by_group(turns, pool, verdicts, blocks, |group, found| {
+            judge(&self.blocks[group.blocks.clone()], &self.bodies, 0, found);
+        });
     }
 
     /// Copies itself into single precision, impulses and masses times `unit`.
     pub(super) fn single(&self, unit: f64, turns: &Turns, pool: &mut Pool, to: &mut Sheet<f32>) {
         to.blocks.resize(self.blocks.len(), Block::default());
-        for turn in turns {
-            let copies = split(&mut to.blocks, turn.iter().map(|g| g.blocks.clone()));
-            let mut tasks: ArrayVec<_, PARTS> = turn.iter().zip(copies).collect();
-            pool.each(size(turn), &mut tasks, |(group, copies)| {
-                let blocks = &self.blocks[group.blocks.clone()];
-                for (block, copy) in blocks.iter().zip(copies.iter_mut()) {
-                    *copy = block.single(unit);
-                }
-            });
-        }
+        let blocks = |group: &Group| group.blocks.clone();
+        by_group(turns, pool, &mut to.blocks, blocks, |group, copies| {
+            let blocks = &self.blocks[group.blocks.clone()];
+            for (block, copy) in blocks.iter().zip(copies) {
+                *copy = block.single(unit);
+            }
+        });
         self.single_bodies(unit, to);
     }
 
