@@ -79,18 +79,20 @@ impl Progress {
     }
 }
 
-impl Block<f64> {
+impl<T: Real> Block<T> {
     /// Zeros in lane `first` and all beyond.
     pub(super) fn clear_from(&mut self, first: usize) {
         let [old, new] = &mut self.impulse;
-        let vectors = [&mut self.normal, old, new];
-        let others = [&mut self.bias, &mut self.friction, &mut self.length];
-        for lanes in vectors.into_iter().flatten().chain(others) {
-            lanes[first..].fill(0.0);
+        let vectors = [&mut self.normal, old, new].into_iter().flatten();
+        let numbers = [&mut self.bias, &mut self.friction];
+        let squares = [&mut self.length, &mut self.scale];
+        for lanes in vectors.chain(numbers).chain(squares) {
+            lanes[first..].fill(T::default());
         }
-        self.scale[first..].fill(0.0);
     }
+}
 
+impl Block<f64> {
     /// Itself in single precision, impulses times `unit`.
     pub(super) fn single(&self, unit: f64) -> Block<f32> {
         let vector = |v: &Vector<f64>, unit: f64| [0, 1, 2].map(|k| single(&v[k], unit));

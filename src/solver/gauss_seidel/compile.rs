@@ -104,28 +104,32 @@ impl Kernel {
         let mut oldest = 0;
         for &k in rows {
             let row = &problem.rows[k as usize];
-            let held = |body: u32| self.held.get(body as usize).copied().unwrap_or_default();
-            let mut at = (!(held(row.a) | held(row.b))).trailing_zeros() as usize;
+            let place = |body: u32| self.place.get(body as usize).map(|at| at - range.first);
+            let bodies = [row.a, row.b].map(|body| place(body).unwrap_or(range.still));
+            let held = bodies.map(|at| self.held[at as usize]);
+            let mut at = (!(held[0] | held[1])).trailing_zeros() as usize;
             if at >= OPEN {
                 at = oldest;
                 oldest = (oldest + 1) % OPEN;
-                self.close(problem, open[at].take(), at);
+                self.close(open[at].take(), at);
             }
             let block = match open[at] {
                 Some(block) => block,
                 None => self.new_block(range),
             };
             open[at] = Some(block);
-            self.fill(block, (k, row), range, impulses[k as usize]);
-            for body in row.bodies() {
-                self.held[body] |= 1 << at;
+            for body in bodies {
+                self.held[body as usize] |= 1 << at;
             }
+            // Any number of contacts may join the one that never moves.
+            self.held[range.still as usize] = 0;
+            self.fill(block, (k, row), bodies, impulses[k as usize]);
             if self.exact.blocks[block].count as usize == LANES {
-                self.close(problem, open[at].take(), at);
+                self.close(open[at].take(), at);
             }
         }
         for (at, block) in open.into_iter().enumerate() {
-            self.close(problem, block, at);
+            self.close(block, at);
         }
     }
 
@@ -144,37 +148,29 @@ impl Kernel {
     }
 
     /// Lets the bodies of the block that was open at `at` join another.
-    fn close(&mut self, problem: &Problem, block: Option<usize>, at: usize) {
-        let Some(index) = block else {
+    fn close(&mut self, block: Option<usize>, at: usize) {
+        let Some(block) = block.map(|block| &mut self.exact.blocks[block]) else {
             return;
         };
-        let block = &mut self.exact.blocks[index];
-        let count = block.count as usize;
-        if count < LANES {
-            block.clear_from(count);
+        for &body in block.bodies.as_flattened() {
+            self.held[body as usize] &= !(1 << at);
         }
-        for &k in &self.rows[index][..count] {
-            for body in problem.rows[k as usize].bodies() {
-                self.held[body] &= !(1 << at);
-            }
-        }
+        block.clear_from(block.count as usize);
     }
 
     /// Adds a contact of spheres to a block.
-    fn fill(&mut self, index: usize, (k, row): (u32, &Row), range: Bodies, impulse: Vec3) {
+    fn fill(&mut self, index: usize, (k, row): (u32, &Row), bodies: [u32; 2], impulse: Vec3) {
         let Law::Contact { mu } = row.law else {
             return;
         };
-        let place = |body: u32| self.place.get(body as usize).map(|at| at - range.first);
-        let at = [row.a, row.b].map(|body| place(body).unwrap_or(range.still));
         let block = &mut self.exact.blocks[index];
-        let lane = block.count as usize;
+        let lane = block.count as usize % LANES;
         block.count += 1;
         self.rows[index][lane] = k;
         let bias = row.bias.dot(&row.normal);
         let across = row.bias - row.normal * bias;
         let length = row.radius / self.step;
-        for (lanes, body) in block.bodies.iter_mut().zip(at) {
+        for (lanes, body) in block.bodies.iter_mut().zip(bodies) {
             lanes[lane] = body;
         }
         for axis in 0..3 {

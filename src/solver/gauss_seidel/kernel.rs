@@ -54,7 +54,7 @@ pub struct Kernel {
     pub(super) used: usize,
     /// What [`Sheet::judge`] finds.
     pub(super) verdicts: Vec<Verdict>,
-    /// For each body the filling blocks that hold it, as bits.
+    /// For each body of the group that fills, by its place in it, the filling blocks that hold it, as bits.
     pub(super) held: Vec<u16>,
     pub(super) tolerance: Tolerance,
     pub(super) step: f64,
@@ -67,7 +67,6 @@ impl Kernel {
         self.tolerance = *tolerance;
         self.step = problem.step;
         refill(&mut self.radius, problem.free.len(), 0.0);
-        refill(&mut self.held, problem.free.len(), 0);
         refill(&mut self.velocity, problem.free.len(), Dof6::ZERO);
         refill(&mut self.resisted, problem.rows.len(), false);
         for row in &problem.rows {
@@ -77,6 +76,7 @@ impl Kernel {
         }
         self.layout.fit(spheres);
         let (layout, parts) = (&self.layout, self.layout.parts());
+        refill(&mut self.held, problem.free.len() + parts, 0);
         self.place.clear();
         self.place.extend((0..spheres).map(|i| {
             let (place, part) = layout.place(i);
