@@ -303,4 +303,96 @@ mod tests {
             }
         }
     }
+
+    /// Contacts of neighbours in a cubic lattice of `side` spheres along an edge, on the ground.
+    fn lattice<T: Real>(side: usize) -> Case<T> {
+        let n = side * side * side;
+        let still = Block {
+            bodies: [[n as u32; 16]; 2],
+            drift: STILL,
+            ..Block::default()
+        };
+        let mut blocks: Vec<Block<T>> = Vec::new();
+        // One of two contacts in a line, so that those of a block share no body; then the others.
+        for (axis, odd) in (0..3).flat_map(|axis| [(axis, 0), (axis, 1)]) {
+            let stride = side.pow(axis);
+            let first = (0..n).filter(|i| {
+                let along = i / stride % side;
+                along % 2 == odd && along + 1 < side
+            });
+            for (k, i) in first.enumerate() {
+                if k % 16 == 0 {
+                    blocks.push(still);
+                }
+                let (block, lane) = (blocks.last_mut().expect("one was pushed"), k % 16);
+                block.count += 1;
+                for (at, body) in block.bodies.iter_mut().zip([i, i + stride]) {
+                    at[lane] = body as u32;
+                }
+                block.normal[axis as usize][lane] = T::of(-1.0);
+                block.bias[lane] = T::of(0.01 * (i * 7 % 13) as f64 - 0.03);
+                block.friction[lane] = T::of(0.5);
+                block.length[lane] = T::of(100.0);
+                block.scale[lane] = T::of(1e-6);
+            }
+        }
+        let body = [0.1, -0.1, -0.2, 0.9, 0.05, 0.0, 0.02, 2.2].map(T::of);
+        let mut bodies = vec![Body(body); n];
+        bodies.push(Body::default());
+        Case {
+            blocks,
+            bodies,
+            drifts: Vec::new(),
+        }
+    }
+
+    /// Shortest time of a contact's update by `sweep` \[ns\].
+    fn nanoseconds<T: Real>(side: usize, sweep: impl Fn(Sweep<T>) -> Progress) -> f64 {
+        let mut case = lattice::<T>(side);
+        let contacts: u32 = case.blocks.iter().map(|block| block.count).sum();
+        let tolerance = Tolerance {
+            gap: 1e-4,
+            slip: 1e-4,
+            force: 0.1,
+        };
+        let pace = Pace {
+            momentum: 0.1,
+            damping: 1.0,
+            strictness: 1.0,
+            tolerance,
+        };
+        let sweeps = 2 * (200_000 / contacts as usize).max(1);
+        let times = (0..25).map(|_| {
+            let start = std::time::Instant::now();
+            for k in 0..sweeps {
+                std::hint::black_box(sweep(case.sweep(k % 2, pace)));
+            }
+            start.elapsed().as_secs_f64() * 1e9 / (sweeps * contacts as usize) as f64
+        });
+        times.fold(f64::INFINITY, f64::min)
+    }
+
+    /// Prints what an update costs; docs/solvers.md, "Roofline".
+    #[test]
+    #[ignore = "a measurement: cargo test --release --lib update_costs -- --ignored --nocapture"]
+    fn update_costs() {
+        fn row(name: &str, run: impl Run) {
+            for side in [10, 22, 46] {
+                let single = nanoseconds::<f32>(side, |work| run.single(work));
+                let double = nanoseconds::<f64>(side, |work| run.double(work));
+                let n = side * side * side;
+                println!("| {name} | {n} | {single:.1} | {double:.1} |");
+            }
+        }
+        println!("| lanes | spheres | single ns | double ns |");
+        #[cfg(target_arch = "x86_64")]
+        if let Some(lanes) = pulp::x86::V4::try_new() {
+            row("AVX-512", lanes);
+        }
+        #[cfg(target_arch = "x86_64")]
+        if let Some(lanes) = pulp::x86::V3::try_new() {
+            row("AVX2", lanes);
+        }
+        row("plain", Plain::<4>);
+    }
 }
