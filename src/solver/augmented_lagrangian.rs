@@ -44,6 +44,8 @@ const CEILING: f64 = 1e3;
 pub struct Workspace {
     symbolic: Option<Symbolic>,
     pub(crate) kernel: Kernel,
+    /// Velocities of the last solution \[m/s\], \[rad/s\], `[N + D]`.
+    pub(crate) velocity: Vec<Dof6>,
 }
 
 /// The analysis of `pattern`: `kept`, if it is that one's.
@@ -249,7 +251,9 @@ fn outer_loop(
     scales: &[Scale],
     (report, best): (&mut Report, &mut Best),
 ) -> Result<(), LinearError> {
-    let Workspace { symbolic, kernel } = workspace;
+    let Workspace {
+        symbolic, kernel, ..
+    } = workspace;
     let symbolic = analyse(symbolic, pattern(problem))?;
     let mut matrix = BlockMatrix::zeros(Arc::clone(symbolic.pattern()));
     let inner = Inner::of(problem);

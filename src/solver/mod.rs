@@ -119,20 +119,34 @@ impl Report {
     }
 }
 
-/// Solves `problem` from the impulses given and leaves the solution in them, `[C]` \[N s\].
+/// Solves `problem` from the impulses given and leaves the solution in them, `[C]` \[N s\], and its velocities in the workspace.
 pub fn solve(
     problem: &Problem,
     params: &Params,
     workspace: &mut Workspace,
     impulses: &mut [Vec3],
 ) -> Report {
-    match params.kind {
+    let (report, last) = match params.kind {
         SolverKind::GaussSeidel => {
-            gauss_seidel::solve(problem, params, &mut workspace.kernel, impulses)
+            let kernel = &mut workspace.kernel;
+            let report = gauss_seidel::solve(problem, params, kernel, impulses);
+            (report, Last::Sweeps)
         }
-        SolverKind::Direct => direct(problem, params, workspace, impulses),
+        SolverKind::Direct => (direct(problem, params, workspace, impulses), Last::Factor),
         SolverKind::Auto => auto(problem, params, workspace, impulses),
+    };
+    let velocity = &mut workspace.velocity;
+    match last {
+        Last::Sweeps => workspace.kernel.velocities_into(velocity),
+        Last::Factor => problem.velocities_into(impulses, velocity),
     }
+    report
+}
+
+/// What a solution comes from: sweeps know its velocities.
+enum Last {
+    Sweeps,
+    Factor,
 }
 
 /// The augmented-Lagrangian loop, and Newton on what it leaves.
@@ -156,7 +170,7 @@ fn auto(
     params: &Params,
     workspace: &mut Workspace,
     impulses: &mut [Vec3],
-) -> Report {
+) -> (Report, Last) {
     let sweeps = |max_sweeps: usize| Params {
         max_sweeps,
         ..*params
@@ -164,21 +178,19 @@ fn auto(
     let brief = sweeps(params.max_sweeps.min(AUTO_SWEEPS));
     let report = gauss_seidel::solve(problem, &brief, &mut workspace.kernel, impulses);
     if report.converged {
-        return report;
+        return (report, Last::Sweeps);
     }
     let (report, large) = finish(problem, params, workspace, impulses, report);
     if report.converged {
-        report
+        (report, Last::Factor)
     } else if large {
         let rest = sweeps(params.max_sweeps.saturating_sub(report.sweeps));
-        report.then(gauss_seidel::solve(
-            problem,
-            &rest,
-            &mut workspace.kernel,
-            impulses,
-        ))
+        let kernel = &mut workspace.kernel;
+        let rest = gauss_seidel::solve(problem, &rest, kernel, impulses);
+        (report.then(rest), Last::Sweeps)
     } else {
-        report.then(direct(problem, params, workspace, impulses))
+        let direct = direct(problem, params, workspace, impulses);
+        (report.then(direct), Last::Factor)
     }
 }
 

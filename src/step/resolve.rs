@@ -73,10 +73,9 @@ impl Stage<'_> {
         twins: &mut [Twin<'_>],
         spent: bool,
     ) -> Result<Option<f64>, Passed> {
-        let mut solution = take(&mut self.solution);
+        let solution = take(&mut scratch.workspace.velocity);
         let mut position = take(&mut self.position);
         let mut closed = take(&mut self.closed);
-        self.problem.velocities_into(&self.impulses, &mut solution);
         self.lead(&solution, &mut position);
         let ends = self.end_poses(&solution);
         let end = Placement {
@@ -104,7 +103,8 @@ impl Stage<'_> {
         } else {
             Ok(Some(max_overlap))
         };
-        (self.solution, self.position, self.closed) = (solution, position, closed);
+        scratch.workspace.velocity = std::mem::replace(&mut self.solution, solution);
+        (self.position, self.closed) = (position, closed);
         verdict
     }
 
