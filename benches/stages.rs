@@ -134,7 +134,8 @@ impl Bed {
     fn catch(self) -> Vec<u8> {
         let mut scene = self.scene();
         if self.when != When::Resting {
-            (scene.settings.step, scene.settings.smallest_step) = (2e-3, Some(1e-4));
+            // None shorter than those of the stages: the next step's length goes with the snapshot.
+            (scene.settings.step, scene.settings.smallest_step) = (2e-3, Some(STEP));
         }
         let mut simulation = start(scene);
         let before = |when| Self { when, ..self }.simulation().snapshot();
