@@ -5,7 +5,7 @@ use std::collections::VecDeque;
 use serde::{Deserialize, Serialize};
 
 use crate::Vec3;
-use crate::contacts::Contact;
+use crate::contacts::Load;
 use crate::drive::target;
 use crate::driven::BodyState;
 use crate::motion::{Command, Motion, Pose, Rates, Twist};
@@ -74,7 +74,7 @@ pub struct State {
     /// The same averaged over the last communication step \[N\].
     pub mean_body_force: Vec3,
     /// Loaded contacts of the last step, canonical order.
-    pub contacts: Vec<Contact>,
+    pub contacts: Vec<Load>,
     /// Force of each constrained spring on its sphere \[N\], `[S]`.
     pub springs: Vec<Vec3>,
     /// Boundary poses, `[B]`.

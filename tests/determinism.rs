@@ -125,7 +125,7 @@ faces = [{ plane = { point = [0, 0, 0], normal = [0, 0, 1] } }]
         let overlap = simulation.report().max_overlap;
         assert!(overlap <= scene.settings.tolerance.gap, "{overlap}");
     }
-    let through = simulation.contacts().iter().filter(
+    let through = simulation.contacts().into_iter().filter(
         |contact| matches!(contact.key.partner, Partner::Sphere { image, .. } if image != [0; 3]),
     );
     assert!(through.count() > 3, "contacts through faces");

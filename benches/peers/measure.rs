@@ -105,7 +105,7 @@ pub(crate) fn measure(
         let (start, begun) = (simulation.time(), Instant::now());
         let end = settings.duration * k as f64 / points as f64;
         let report = simulation.advance_to(end).map_err(|e| e.to_string())?;
-        let contacts = simulation.contacts().len();
+        let contacts = simulation.state().contacts.len();
         let (clock, spent) = (begun.elapsed().as_secs_f64(), cpu()?);
         let costs = [spent - before, clock];
         measured.course.add(end, costs, &report, contacts);

@@ -43,7 +43,7 @@ impl Settling {
         };
         let mut progress = Progress::new(0.0, settle.time);
         let settled = Settled::new(scene, settle, |simulation| {
-            let detail = || format!("settling, {} contacts", simulation.contacts().len());
+            let detail = || format!("settling, {} contacts", simulation.state().contacts.len());
             progress.show(simulation.time(), detail);
             match interrupt.requested() {
                 true => ControlFlow::Break(()),

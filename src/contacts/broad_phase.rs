@@ -51,6 +51,9 @@ impl NeighborList {
             .map(|(then, now)| (now - then).norm_squared())
             .fold(0.0, f64::max)
             .sqrt();
+        if self.built_poses == now.poses {
+            return 2.0 * spheres;
+        }
         // A rigid displacement is largest at a corner of the box around the spheres.
         let corners = corners(now.present_positions());
         let walls = now
@@ -153,39 +156,65 @@ pub fn sphere_pairs(
         })
         .collect();
     cells.sort_unstable();
+    // In the order of the cells, so that neighbours are near in memory too.
+    let places = cells.iter().map(|&(_, i)| {
+        let i = i as usize;
+        (position[i], radius[i])
+    });
+    let places: Vec<(Vec3, f64)> = places.collect();
 
     let mut pairs = Vec::new();
-    let mut test = |i: u32, j: u32| {
-        let [a, b] = [i as usize, j as usize];
-        let reach = radius[a] + radius[b] + skin;
-        if (position[a] - position[b]).norm_squared() < reach * reach {
+    let mut test = |own: usize, other: usize| {
+        let [(x, r), (y, s)] = [places[own], places[other]];
+        let reach = r + s + skin;
+        if (x - y).norm_squared() < reach * reach {
+            let [i, j] = [own, other].map(|rank| cells[rank].1);
             pairs.push((i.min(j), i.max(j)));
         }
     };
     // Rows of three cells ahead of the own one, as offsets of their middle.
     let rows = [nx, nx * ny - nx, nx * ny, nx * ny + nx];
     let mut starts = [0; 4];
-    for (rank, &(key, i)) in cells.iter().enumerate() {
-        for &(_, j) in cells[rank + 1..]
-            .iter()
-            .take_while(|(other, _)| *other <= key + 1)
-        {
-            test(i, j);
+    for (rank, &(key, _)) in cells.iter().enumerate() {
+        let beside = cells[rank + 1..].iter();
+        for (k, _) in (rank + 1..).zip(beside.take_while(|(other, _)| *other <= key + 1)) {
+            test(rank, k);
         }
         for (start, offset) in starts.iter_mut().zip(rows) {
             while *start < cells.len() && cells[*start].0 < key + offset - 1 {
                 *start += 1;
             }
-            for &(_, j) in cells[*start..]
-                .iter()
-                .take_while(|(other, _)| *other <= key + offset + 1)
-            {
-                test(i, j);
+            let row = cells[*start..].iter();
+            for (k, _) in (*start..).zip(row.take_while(|(other, _)| *other <= key + offset + 1)) {
+                test(rank, k);
             }
         }
     }
-    pairs.sort_unstable();
-    pairs
+    ascending(&pairs, position.len())
+}
+
+/// `pairs` in ascending order; their indices are below `n`.
+fn ascending(pairs: &[(u32, u32)], n: usize) -> Vec<(u32, u32)> {
+    let mut next = vec![0_u32; n + 1];
+    for (i, _) in pairs {
+        next[*i as usize + 1] += 1;
+    }
+    for i in 0..n {
+        next[i + 1] += next[i];
+    }
+    let mut sorted = vec![(0, 0); pairs.len()];
+    for pair in pairs {
+        let place = &mut next[pair.0 as usize];
+        sorted[*place as usize] = *pair;
+        *place += 1;
+    }
+    // Each run now ends where the next one began.
+    let mut first = 0;
+    for &end in &next[..n] {
+        sorted[first as usize..end as usize].sort_unstable();
+        first = end;
+    }
+    sorted
 }
 
 #[cfg(test)]

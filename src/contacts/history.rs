@@ -1,41 +1,55 @@
 //! Contact transfer: what the last step's contacts hand to the next step's candidates.
 
-use super::{Contact, Key};
+use std::cmp::Ordering;
+
+use super::{Key, Load};
 use crate::Vec3;
 
-/// What a contact carried.
+/// Which of the last step's contacts a candidate goes on with, if any.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Carried {
-    /// Force on A \[N\].
-    pub force: Vec3,
-    /// Couple of its resistance on A \[N m\].
-    pub torque: Vec3,
-}
+pub struct Past(u32);
 
-impl Carried {
-    fn of(contact: Option<&Contact>) -> Self {
-        Self {
-            force: contact.map_or_else(Vec3::zeros, |contact| contact.force),
-            torque: contact.map_or_else(Vec3::zeros, |contact| contact.torque),
-        }
+impl Past {
+    /// A contact that was not there.
+    const NONE: Self = Self(u32::MAX);
+
+    /// Its force on A \[N\] in those `contacts`; zero without one.
+    #[must_use]
+    #[inline]
+    pub fn force(self, contacts: &[Load]) -> Vec3 {
+        let load = contacts.get(self.0 as usize);
+        load.map_or_else(Vec3::zeros, |load| load.force)
+    }
+
+    /// Likewise the couple of its resistance on A \[N m\].
+    #[must_use]
+    pub fn torque(self, contacts: &[Load]) -> Vec3 {
+        let load = contacts.get(self.0 as usize);
+        load.map_or_else(Vec3::zeros, |load| load.torque)
     }
 }
 
-/// Into `carried` what each key of `keys` carried in `contacts`, zero for new contacts. Both are in canonical order.
-pub fn transfer(contacts: &[Contact], keys: impl Iterator<Item = Key>, carried: &mut Vec<Carried>) {
-    let mut old = contacts.iter().peekable();
-    carried.clear();
-    carried.extend(keys.map(|key| {
-        while old.next_if(|contact| contact.key < key).is_some() {}
-        Carried::of(old.next_if(|contact| contact.key == key))
+/// Into `past` which of `contacts` each key of `keys` goes on with. Both are in canonical order.
+pub fn transfer(contacts: &[Load], keys: impl Iterator<Item = Key>, past: &mut Vec<Past>) {
+    let mut at = 0;
+    past.clear();
+    past.extend(keys.map(|key| {
+        while let Some(load) = contacts.get(at) {
+            match load.key.cmp(&key) {
+                Ordering::Less => at += 1,
+                Ordering::Equal => return Past(at as u32),
+                Ordering::Greater => break,
+            }
+        }
+        Past::NONE
     }));
 }
 
-/// What `key` carried in `contacts`, which are in canonical order.
+/// Which of `contacts`, which are in canonical order, `key` goes on with.
 #[must_use]
-pub fn find(contacts: &[Contact], key: Key) -> Carried {
-    let at = contacts.binary_search_by_key(&key, |contact| contact.key);
-    Carried::of(at.ok().map(|at| &contacts[at]))
+pub fn find(contacts: &[Load], key: Key) -> Past {
+    let at = contacts.binary_search_by_key(&key, |load| load.key);
+    at.map_or(Past::NONE, |at| Past(at as u32))
 }
 
 #[cfg(test)]
@@ -49,11 +63,9 @@ mod tests {
             sphere: i,
             partner: Partner::sphere(j),
         };
-        let contact = |key, f| Contact {
+        let contact = |key, f| Load {
             key,
-            point: Vec3::zeros(),
             normal: Vec3::z(),
-            gap: 0.0,
             force: Vec3::z() * f,
             torque: Vec3::x() * f,
         };
@@ -63,15 +75,11 @@ mod tests {
             contact(key(2, 4), 3.0),
         ];
         let new = [key(0, 2), key(0, 3), key(1, 2), key(2, 4), key(5, 6)];
-        let mut carried = Vec::new();
-        transfer(&old, new.into_iter(), &mut carried);
-        assert!(
-            new.iter()
-                .zip(&carried)
-                .all(|(key, c)| find(&old, *key) == *c)
-        );
-        let [force, torque] = [|c: &Carried| c.force.z, |c: &Carried| c.torque.x]
-            .map(|of| carried.iter().map(of).collect::<Vec<f64>>());
+        let mut past = Vec::new();
+        transfer(&old, new.into_iter(), &mut past);
+        assert!(new.iter().zip(&past).all(|(key, p)| find(&old, *key) == *p));
+        let force: Vec<f64> = past.iter().map(|p| p.force(&old).z).collect();
+        let torque: Vec<f64> = past.iter().map(|p| p.torque(&old).x).collect();
         assert_eq!(force, [0.0, 2.0, 0.0, 3.0, 0.0]);
         assert_eq!(torque, force);
     }

@@ -48,14 +48,27 @@ pub enum Partner {
     },
 }
 
-/// A candidate contact at the start of a step and, after the step, its force.
+/// What a contact carried in the last step.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Load {
+    /// Identity.
+    pub key: Key,
+    /// Unit normal from B to A at the start of the step.
+    pub normal: Vec3,
+    /// Force on A \[N\], mean over the step.
+    pub force: Vec3,
+    /// Couple of rolling and twisting resistance on A \[N m\], likewise; its opposite acts on B.
+    pub torque: Vec3,
+}
+
+/// A loaded contact, and where it is.
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Contact {
     /// Identity.
     pub key: Key,
-    /// Closest point \[m\] on body B at the start of the step.
+    /// Closest point \[m\] on body B.
     pub point: Vec3,
-    /// Unit normal from B to A at the start of the step.
+    /// Unit normal from B to A at the start of the last step.
     pub normal: Vec3,
     /// True geometric gap \[m\]; negative: overlap.
     pub gap: f64,

@@ -1,7 +1,7 @@
 //! Narrow phase: gaps and normals of the pairs within reach, and the true gap after a motion.
 
 use super::broad_phase::NeighborList;
-use super::{Key, Partner};
+use super::{Contact, Key, Load, Partner};
 use crate::Vec3;
 use crate::boundaries::{Boundary, Touch};
 use crate::cell::{Cell, HERE, Image};
@@ -31,8 +31,6 @@ pub struct Placement<'a> {
 pub struct Candidate {
     /// Identity.
     pub key: Key,
-    /// Closest point on body B \[m\].
-    pub point: Vec3,
     /// Unit normal from B to A.
     pub normal: Vec3,
     /// Gap \[m\].
@@ -93,7 +91,6 @@ impl Placement<'_> {
                 sphere: i,
                 partner: Partner::Sphere { index: j, image },
             },
-            point: other + normal * rb,
             normal,
             gap: length - ra - rb,
             curvature: 1.0 / (ra + rb),
@@ -101,8 +98,7 @@ impl Placement<'_> {
     }
 
     fn wall(&self, sphere: u32, boundary: u16, touch: &Touch) -> Candidate {
-        let b = usize::from(boundary);
-        let pose = &self.poses[b];
+        let pose = &self.poses[usize::from(boundary)];
         Candidate {
             key: Key {
                 sphere,
@@ -111,7 +107,6 @@ impl Placement<'_> {
                     feature: touch.feature,
                 },
             },
-            point: self.boundaries[b].from_frame(pose, touch.point),
             normal: pose.rotation * touch.normal,
             gap: touch.gap,
             curvature: touch.curvature,
@@ -135,14 +130,47 @@ impl Placement<'_> {
         match candidate.key.partner {
             Partner::Sphere { index, image } => self.pair(i, index, image),
             Partner::Boundary { boundary, feature } => {
-                let b = usize::from(boundary);
-                let (wall, pose) = (&self.boundaries[b], &self.poses[b]);
-                let normal = pose.rotation.inverse() * candidate.normal;
-                let centre = self.seen_by(boundary, i);
-                let radius = self.particles.radius[i as usize];
-                let touch = wall.geometry.follow(feature, normal, centre, radius);
+                let touch = self.follow_wall(i, boundary, feature, candidate.normal);
                 self.wall(i, boundary, &touch)
             }
+        }
+    }
+
+    /// A feature of a boundary as sphere `i` meets it here, on the side of `normal`; in the boundary's frame.
+    fn follow_wall(&self, i: u32, boundary: u16, feature: u32, normal: Vec3) -> Touch {
+        let b = usize::from(boundary);
+        let normal = self.poses[b].rotation.inverse() * normal;
+        let centre = self.seen_by(boundary, i);
+        let radius = self.particles.radius[i as usize];
+        let geometry = &self.boundaries[b].geometry;
+        geometry.follow(feature, normal, centre, radius)
+    }
+
+    /// Where the contact of `load` is.
+    #[must_use]
+    pub fn contact(&self, load: &Load) -> Contact {
+        let i = load.key.sphere;
+        let (point, gap) = match load.key.partner {
+            Partner::Sphere { index, image } => {
+                let pair = self.pair(i, index, image);
+                let b = index as usize;
+                let other = self.position[b] + self.cell.shift(image);
+                (other + pair.normal * self.particles.radius[b], pair.gap)
+            }
+            Partner::Boundary { boundary, feature } => {
+                let touch = self.follow_wall(i, boundary, feature, load.normal);
+                let b = usize::from(boundary);
+                let point = self.boundaries[b].from_frame(&self.poses[b], touch.point);
+                (point, touch.gap)
+            }
+        };
+        Contact {
+            key: load.key,
+            point,
+            normal: load.normal,
+            gap,
+            force: load.force,
+            torque: load.torque,
         }
     }
 
@@ -175,9 +203,17 @@ impl Placement<'_> {
             Partner::Sphere { index, image } => {
                 let i = candidate.key.sphere;
                 let [ra, rb] = [i, index].map(|k| self.particles.radius[k as usize]);
-                self.between(i, index, image).norm() - ra - rb
+                let apart = match image {
+                    HERE => self.apart(i, index),
+                    image => self.between(i, index, image).norm(),
+                };
+                apart - ra - rb
             }
-            Partner::Boundary { .. } => self.follow(candidate).gap,
+            Partner::Boundary { boundary, feature } => {
+                let i = candidate.key.sphere;
+                let touch = self.follow_wall(i, boundary, feature, candidate.normal);
+                touch.gap
+            }
         }
     }
 
@@ -223,7 +259,50 @@ impl Placement<'_> {
         }
     }
 
+    /// The largest overlap of any pair of `list` over the smaller radius \[-\], 0 without any; into `deep` goes what overlaps by
+    /// more than `limit` \[-\], in the order of the list.
+    pub fn overlaps(&self, list: &NeighborList, limit: f64, deep: &mut Vec<Candidate>) -> f64 {
+        deep.clear();
+        let mut largest: f64 = 0.0;
+        let mut include = |gap: f64, scale: f64| {
+            let overlap = -gap / scale;
+            largest = largest.max(overlap);
+            overlap > limit
+        };
+        for &(i, j) in &list.pairs {
+            if self.within(i, j, 0.0) {
+                let [ra, rb] = [i, j].map(|k| self.particles.radius[k as usize]);
+                if include(self.apart(i, j) - ra - rb, ra.min(rb)) {
+                    deep.push(self.pair(i, j, HERE));
+                }
+            }
+        }
+        for &(i, j, image) in &list.images {
+            let pair = self.pair(i, j, image);
+            if include(pair.gap, self.scale(pair.key)) {
+                deep.push(pair);
+            }
+        }
+        let (mut touches, mut found) = (Vec::new(), Vec::new());
+        for &(i, b) in &list.walls {
+            self.touching(i, b, 0.0, &mut touches, &mut found);
+            for touch in found.drain(..) {
+                if include(touch.gap, self.particles.radius[i as usize]) {
+                    deep.push(touch);
+                }
+            }
+        }
+        largest
+    }
+
+    /// Distance of the centres of spheres `i` and `j` \[m\].
+    #[inline]
+    fn apart(&self, i: u32, j: u32) -> f64 {
+        (self.position[i as usize] - self.position[j as usize]).norm()
+    }
+
     /// Whether the gap of two spheres may be at most `reach` \[m\]: without a root, for most pairs are far.
+    #[inline]
     fn within(&self, i: u32, j: u32, reach: f64) -> bool {
         let [a, b] = [i as usize, j as usize];
         let limit = (self.particles.radius[a] + self.particles.radius[b] + reach) * (1.0 + 1e-12);

@@ -66,7 +66,7 @@ pub struct Observation<'a> {
     /// Velocities at `time`, and those whose momentum the impulses balance: [`Simulation::half_step_velocity`].
     pub velocities: Velocities<'a>,
     /// Loaded contacts in canonical order: gap and point at `time`, mean force of the last internal step.
-    pub contacts: &'a [Contact],
+    pub contacts: Vec<Contact>,
     /// `[B]`.
     pub boundaries: Vec<BoundaryState>,
     /// Mass that has passed each sensor \[kg\], `[S]`; zero for sensors that do not cumulate.
@@ -122,7 +122,7 @@ impl<'a> Observation<'a> {
     }
 
     /// Contacts that carry a force or overlap.
-    pub fn active_contacts(&self) -> impl Iterator<Item = &'a Contact> {
+    pub fn active_contacts(&self) -> impl Iterator<Item = &Contact> {
         self.contacts
             .iter()
             .filter(|contact| contact.gap < 0.0 || contact.force != Vec3::zeros())

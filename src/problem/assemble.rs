@@ -26,7 +26,7 @@ use crate::driven::{Hold, Kind, Ready};
 use crate::materials::Pair;
 use crate::motion::{Pose, Twist};
 use crate::particles::Kinematics;
-use crate::scene::{Method, Scene};
+use crate::scene::{Integrator, Method, Scene};
 use crate::solver::augmented_lagrangian::SHEAR_RATIO;
 
 /// Rounding of a velocity that several impulses have changed, over its size \[-\].
@@ -53,10 +53,32 @@ pub struct Inputs<'a> {
     pub surfaces: &'a [Vec3],
     /// Gravity \[m/s^2\].
     pub gravity: Vec3,
+    /// Its size.
+    pub gravity_size: f64,
     /// Spring targets at the end of the step \[m\], `[S]`.
     pub targets: &'a [Vec3],
     /// [`mean_acceleration`] \[m/s^2\].
     pub mean_acceleration: f64,
+}
+
+/// How the bodies of a contact meet.
+struct Meeting {
+    b: u32,
+    arm_b: Vec3,
+    drift: Vec3,
+    /// Smaller radius of the pair.
+    radius: f64,
+    /// Velocity of A's surface against B's before the step.
+    before: Vec3,
+    /// Relative velocity along the normal without contacts.
+    closing: f64,
+    /// Accelerations that act: of the wall, and the largest external one of the spheres, squared.
+    acceleration: f64,
+    squared: f64,
+    lightest: f64,
+    /// Square of the larger speed.
+    fastest: f64,
+    stiffness: Option<f64>,
 }
 
 impl<'a> Inputs<'a> {
@@ -129,7 +151,7 @@ impl<'a> Inputs<'a> {
 
     /// The row of a candidate, and whether it is an impact: as `told`, or as it finds. `force` \[N\] is the contact's last one.
     #[must_use]
-    #[inline]
+    #[inline(always)]
     pub fn contact(
         &self,
         free: &[Dof6],
@@ -137,115 +159,145 @@ impl<'a> Inputs<'a> {
         force: Vec3,
         told: Option<bool>,
     ) -> (Row, bool) {
-        let (scene, settings) = (self.scene, &self.scene.settings);
-        let particles = &scene.particles;
-        let a = candidate.key.sphere as usize;
+        let settings = &self.scene.settings;
         let n = candidate.normal;
-        let arm_a = n * -particles.radius[a];
-        let mut row = Row {
-            a: a as u32,
-            b: GROUND,
-            normal: n,
-            arm_a,
-            arm_b: Vec3::zeros(),
-            drift: Vec3::zeros(),
-            bias: Vec3::zeros(),
-            compliance_n: 0.0,
-            compliance_t: 0.0,
-            law: Law::Contact { mu: 0.0 },
-            radius: particles.radius[a],
-            impulse_scale: 0.0,
-        };
-        let mut before = self.velocity(a).at(arm_a);
-        let mut squared = self.external[a].linear.norm_squared();
-        let mut lightest = particles.mass[a];
-        let mut fastest = self.kinematics.velocity[a].norm_squared();
-        let mut acceleration: f64 = 0.0;
-        let mut stiffness = None;
-        match candidate.key.partner {
-            Partner::Sphere { index, .. } => {
-                let b = index as usize;
-                row.b = index;
-                row.arm_b = n * particles.radius[b];
-                row.radius = row.radius.min(particles.radius[b]);
-                before -= self.velocity(b).at(row.arm_b);
-                squared = squared.max(self.external[b].linear.norm_squared());
-                lightest = lightest.min(particles.mass[b]);
-                fastest = fastest.max(self.kinematics.velocity[b].norm_squared());
-            }
+        let a = candidate.key.sphere as usize;
+        let radius = self.scene.particles.radius[a];
+        let meeting = match candidate.key.partner {
+            Partner::Sphere { index, .. } => self.meeting_of_spheres(free, n, a, index),
             Partner::Boundary { boundary, .. } => {
-                let boundary = usize::from(boundary);
-                let (wall, pose) = (&scene.boundaries[boundary], &self.poses[0][boundary]);
-                let centre = wall.copy_near(&scene.cell, pose, self.kinematics.position[a]);
-                let point = centre + arm_a;
-                // A belt slides along the shape: it takes no part in the approach.
-                row.drift = -split(self.surfaces[boundary], n).1;
-                if let Some((rank, body)) = self.body(boundary) {
-                    row.b = (self.kinematics.len() + rank) as u32;
-                    row.arm_b = point - body.reference;
-                    before -= body.velocity.at(row.arm_b);
-                    acceleration = acceleration.max(body.acceleration_at(row.arm_b).norm());
-                    lightest = lightest.min(body.mass());
-                } else {
-                    let [now, previous] = self.wall_velocity(boundary, point);
-                    row.drift -= now;
-                    before -= previous;
-                    acceleration = acceleration.max((now - previous).norm() / self.step);
-                }
-                stiffness = scene.boundaries[boundary].stiffness;
+                self.meeting_with_boundary(free, n, a, usize::from(boundary))
             }
-        }
-        squared = squared.max(self.gravity.norm_squared());
-        acceleration = acceleration.max(squared.sqrt());
-        let Pair {
-            friction,
-            restitution,
-            ..
-        } = self.pair(candidate.key);
-        row.law = Law::Contact { mu: friction };
-        let (approach, sliding) = split(before, n);
-        // Where nothing acts itself, forces are passed on from loads elsewhere.
-        let passed_on = match acceleration > 0.0 {
-            true => 0.0,
-            false => self.mean_acceleration * self.step,
         };
+        let acceleration = meeting.acceleration.max(meeting.squared.sqrt());
+        let pair = self.pair(candidate.key);
+        let (approach, sliding) = split(meeting.before, n);
         // Only a contact that was loaded can be taken for an approaching one because its normal turns.
-        if force != Vec3::zeros() {
-            acceleration = acceleration.max(sliding.norm_squared() * candidate.curvature);
-        }
+        let turning = match force == Vec3::zeros() {
+            true => 0.0,
+            false => sliding.norm_squared() * candidate.curvature,
+        };
         let threshold = settings
             .threshold_velocity
-            .max(2.0 * self.step * acceleration);
-        let closes = candidate.gap + self.step * n.dot(&row.relative_velocity(free)) < 0.0;
-        let impact = told.unwrap_or(approach < -threshold && closes);
+            .max(2.0 * self.step * acceleration.max(turning));
+        let impact = told.unwrap_or_else(|| {
+            approach < -threshold && candidate.gap + self.step * meeting.closing < 0.0
+        });
         let rebounds =
-            impact && restitution > 0.0 && settings.integrator == crate::scene::Integrator::Moreau;
-        let normal_bias = if rebounds {
-            restitution * approach
-        } else {
-            candidate.gap / self.step
+            impact && pair.restitution > 0.0 && settings.integrator == Integrator::Moreau;
+        let gap_bias = candidate.gap / self.step;
+        let mut bias = n * match rebounds {
+            true => pair.restitution * approach,
+            false => gap_bias,
         };
-        row.bias = n * normal_bias;
-        // Where nothing accelerates, the speed of approach is a scale as well; rounding of the speeds is beneath any.
-        let change = if acceleration > 0.0 {
-            acceleration * self.step
-        } else {
-            before.norm()
-        };
-        let rounding = ROUNDING * fastest.sqrt() / settings.tolerance.force;
-        row.impulse_scale = lightest * change.max(passed_on).max(rounding);
-
+        let mut compliance = [0.0; 2];
         let dt2 = self.step * self.step;
         if let (Method::Penalty, Some(penalty)) = (settings.method, settings.penalty) {
-            row.compliance_n = 1.0 / (penalty * dt2);
-            row.compliance_t = 1.0 / (SHEAR_RATIO * penalty * dt2);
-            row.bias = n * (candidate.gap / self.step);
+            compliance = [1.0, SHEAR_RATIO].map(|ratio| 1.0 / (ratio * penalty * dt2));
             // The shear spring keeps the stretch that carried the last force.
-            row.bias -= split(force * self.step, n).1 * row.compliance_t;
-        } else if let Some(stiffness) = stiffness {
-            row.compliance_n = 1.0 / (stiffness * dt2);
+            bias = n * gap_bias - split(force * self.step, n).1 * compliance[1];
+        } else if let Some(stiffness) = meeting.stiffness {
+            compliance[0] = 1.0 / (stiffness * dt2);
         }
+        let row = Row {
+            a: a as u32,
+            b: meeting.b,
+            normal: n,
+            arm_a: n * -radius,
+            arm_b: meeting.arm_b,
+            drift: meeting.drift,
+            bias,
+            compliance_n: compliance[0],
+            compliance_t: compliance[1],
+            law: Law::Contact { mu: pair.friction },
+            radius: meeting.radius,
+            impulse_scale: self.impulse_scale(&meeting, acceleration, turning),
+        };
         (row, impact)
+    }
+
+    /// Scale of the force residual \[N s\] of a contact on which `acceleration` acts, while its normal turns by `turning`
+    /// \[m/s^2\].
+    #[inline]
+    fn impulse_scale(&self, meeting: &Meeting, acceleration: f64, turning: f64) -> f64 {
+        let rounding = ROUNDING * meeting.fastest.sqrt() / self.scene.settings.tolerance.force;
+        let mut change = match acceleration.max(turning) {
+            // Where nothing accelerates, the speed of approach is a scale as well.
+            0.0 => meeting.before.norm(),
+            acceleration => acceleration * self.step,
+        };
+        // Where nothing acts itself, forces are passed on from loads elsewhere.
+        if acceleration == 0.0 {
+            change = change.max(self.mean_acceleration * self.step);
+        }
+        // Rounding of the speeds is beneath any.
+        meeting.lightest * change.max(rounding)
+    }
+
+    #[inline]
+    fn meeting_of_spheres(&self, free: &[Dof6], n: Vec3, a: usize, index: u32) -> Meeting {
+        let (particles, moving) = (&self.scene.particles, self.kinematics);
+        let b = index as usize;
+        let [ra, rb] = [a, b].map(|i| particles.radius[i]);
+        let [va, vb] = [a, b].map(|i| moving.velocity[i]);
+        let rolling = moving.spin[a] * ra + moving.spin[b] * rb;
+        let squared = [a, b].map(|i| self.external[i].linear.norm_squared());
+        Meeting {
+            b: index,
+            arm_b: n * rb,
+            drift: Vec3::zeros(),
+            radius: ra.min(rb),
+            before: va - vb - rolling.cross(&n),
+            closing: n.dot(&(free[a].linear - free[b].linear)),
+            acceleration: self.gravity_size,
+            squared: squared[0].max(squared[1]),
+            lightest: particles.mass[a].min(particles.mass[b]),
+            fastest: va.norm_squared().max(vb.norm_squared()),
+            stiffness: None,
+        }
+    }
+
+    fn meeting_with_boundary(&self, free: &[Dof6], n: Vec3, a: usize, boundary: usize) -> Meeting {
+        let particles = &self.scene.particles;
+        let radius = particles.radius[a];
+        let arm_a = n * -radius;
+        let (wall, pose) = (&self.scene.boundaries[boundary], &self.poses[0][boundary]);
+        let centre = wall.copy_near(&self.scene.cell, pose, self.kinematics.position[a]);
+        let point = centre + arm_a;
+        let velocity = self.velocity(a);
+        let mut meeting = Meeting {
+            b: GROUND,
+            arm_b: Vec3::zeros(),
+            // A belt slides along the shape: it takes no part in the approach.
+            drift: -split(self.surfaces[boundary], n).1,
+            radius,
+            before: velocity.at(arm_a),
+            closing: 0.0,
+            acceleration: self.gravity_size,
+            squared: self.external[a].linear.norm_squared(),
+            lightest: particles.mass[a],
+            fastest: velocity.linear.norm_squared(),
+            stiffness: wall.stiffness,
+        };
+        let mut against = meeting.drift;
+        let own = if let Some((rank, body)) = self.body(boundary) {
+            let (rank, arm) = (self.kinematics.len() + rank, point - body.reference);
+            meeting.b = rank as u32;
+            meeting.arm_b = arm;
+            meeting.before -= body.velocity.at(arm);
+            meeting.lightest = meeting.lightest.min(body.mass());
+            against -= free[rank].at(arm);
+            body.acceleration_at(arm).norm()
+        } else {
+            let [now, previous] = self.wall_velocity(boundary, point);
+            meeting.drift -= now;
+            meeting.before -= previous;
+            against -= now;
+            (now - previous).norm() / self.step
+        };
+        meeting.acceleration = meeting.acceleration.max(own);
+        meeting.closing = n.dot(&(free[a].linear + against));
+        meeting
     }
 
     fn pair(&self, key: Key) -> Pair {

@@ -41,7 +41,7 @@ use serde::{Deserialize, Serialize};
 use crate::Vec3;
 use crate::boundaries::Boundary;
 use crate::cell::Cell;
-use crate::contacts::Contact;
+use crate::contacts::Load;
 use crate::error::SnapshotError;
 use crate::frame::RotatingFrame;
 use crate::gravity::GravityMotion;
@@ -334,7 +334,7 @@ pub struct Scene {
     /// Their placement and velocity at t = 0.
     pub initial: Kinematics,
     /// Contacts whose forces at t = 0 are known, in canonical order: where their solution starts from.
-    pub initial_contacts: Vec<Contact>,
+    pub initial_contacts: Vec<Load>,
     /// The periodic cell; without periodic axes unless the scene has some.
     pub cell: Cell,
     /// Boundaries.

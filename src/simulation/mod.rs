@@ -14,6 +14,7 @@ use serde::{Deserialize, Serialize};
 use crate::Vec3;
 use crate::boundaries::Boundary;
 use crate::contacts::Contact;
+use crate::contacts::narrow_phase::Placement;
 use crate::drive::Drive;
 use crate::driven::{BodyState, JointState};
 use crate::error::{SnapshotError, StepError};
@@ -394,8 +395,11 @@ impl Simulation {
 
     /// Loaded contacts in canonical order: gap and point at [`Self::time`], mean force of the last internal step.
     #[must_use]
-    pub fn contacts(&self) -> &[Contact] {
-        &self.state.contacts
+    pub fn contacts(&self) -> Vec<Contact> {
+        let state = &self.state;
+        let placement = Placement::of(&self.scene, &state.kinematics, &state.poses);
+        let loads = state.contacts.iter();
+        loads.map(|load| placement.contact(load)).collect()
     }
 
     /// Pose of boundary `b`.

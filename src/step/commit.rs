@@ -5,8 +5,7 @@ use std::iter::repeat;
 use super::dof;
 use super::stage::{Held, Stage};
 use crate::Vec3;
-use crate::contacts::narrow_phase::Placement;
-use crate::contacts::{Contact, Partner};
+use crate::contacts::{Load, Partner};
 use crate::driven::BodyState;
 use crate::integrate::turned;
 use crate::motion::Pose;
@@ -18,7 +17,7 @@ use crate::state::State;
 impl Stage<'_> {
     /// Counts as impacts the contacts that an impact has hit through others: their impulses are more than twice what they
     /// carried before and what loads bring in a step. As persisting forces they would shift the half step.
-    pub(super) fn spread_impacts(&mut self) {
+    pub(super) fn spread_impacts(&mut self, state: &State) {
         let struck = |(k, p): (usize, &Vec3)| *p != Vec3::zeros() && self.is_impact(k);
         if !self.impulses.iter().enumerate().any(struck) {
             return;
@@ -31,16 +30,17 @@ impl Stage<'_> {
             let handed_on = self.impulses[first + k].norm() > 2.0 * step * (before + load);
             held.impact |= held.hold.stops() && handed_on;
         }
-        for (k, (impact, before)) in self.impact.iter_mut().zip(&self.carried).enumerate() {
+        for (k, (impact, past)) in self.impact.iter_mut().zip(&self.past).enumerate() {
             let size = self.impulses[k].norm();
+            let before = past.force(&state.contacts).norm();
             // Most carry what they did.
-            if size <= 2.0 * step * before.force.norm() {
+            if size <= 2.0 * step * before {
                 continue;
             }
             let row = &self.problem.rows[k];
             let load = [row.a, row.b].map(|body| self.inputs.weight(body));
             let load = load[0].max(load[1]);
-            *impact |= size > 2.0 * step * (before.force.norm() + load);
+            *impact |= size > 2.0 * step * (before + load);
         }
     }
 
@@ -58,11 +58,9 @@ impl Stage<'_> {
             if force == Vec3::zeros() {
                 continue;
             }
-            state.contacts.push(Contact {
+            state.contacts.push(Load {
                 key: candidate.key,
-                point: candidate.point,
                 normal: candidate.normal,
-                gap: candidate.gap,
                 force,
                 torque: couple,
             });
@@ -192,49 +190,49 @@ impl Stage<'_> {
         ends: &[Pose],
         spare: &mut Vec<Dof6>,
     ) {
-        let scene = self.inputs.scene;
-        let settings = &scene.settings;
-        let step = self.inputs.step;
         self.persisting_acceleration(solution, spare);
         let finished = self.finished(solution, ends);
-        self.work(state, solution, spare);
+        self.work(state, solution);
         self.body_work(state, solution, &finished, ends);
         self.store(state);
         state.springs = self.spring_forces();
+        self.advance(state, solution, spare);
         std::mem::swap(&mut state.persisting, spare);
         for (carried, (after, _)) in state.bodies.iter_mut().zip(finished) {
             *carried = after;
         }
-        for (i, v1) in solution[..self.inputs.kinematics.len()].iter().enumerate() {
-            let after = settings
-                .integrator
-                .finish(&dof(self.inputs.kinematics, i), v1, settings);
-            state.kinematics.position[i] = self.inputs.kinematics.position[i] + v1.linear * step;
-            state.kinematics.velocity[i] = after.linear;
-            state.kinematics.spin[i] = after.angular;
-            state.kinematics.orientation[i] =
-                turned(&self.inputs.kinematics.orientation[i], &v1.angular, step);
+    }
+
+    /// Moves the spheres. What of the change of their kinetic energy external forces and [`Self::work`] do not account for is
+    /// the residue.
+    fn advance(&self, state: &mut State, solution: &[Dof6], persisting: &[Dof6]) {
+        let (scene, step) = (self.inputs.scene, self.inputs.step);
+        let (particles, integrator) = (&scene.particles, scene.settings.integrator);
+        let kinetic = |i: usize, v: &Dof6| particles.kinetic_energy(i, &v.linear, &v.angular);
+        let (start, end) = (self.inputs.kinematics, &mut state.kinematics);
+        let mut residue = 0.0;
+        for (i, v1) in solution[..start.len()].iter().enumerate() {
+            let before = dof(start, i);
+            let after = integrator.finish(&before, v1, &scene.settings);
+            let old = integrator.reported(&before, &state.persisting[i], step);
+            let new = integrator.reported(&after, &persisting[i], step);
+            let external = &self.inputs.external[i];
+            let power = particles.mass[i] * external.linear.dot(&v1.linear)
+                + particles.inertia(i) * external.angular.dot(&v1.angular);
+            residue += kinetic(i, &new) - kinetic(i, &old) - step * power;
+            end.position[i] = start.position[i] + v1.linear * step;
+            end.velocity[i] = after.linear;
+            end.spin[i] = after.angular;
+            end.orientation[i] = turned(&start.orientation[i], &v1.angular, step);
         }
-        let end = Placement::of(scene, &state.kinematics, ends);
-        for (contact, candidate) in state.contacts.iter_mut().zip(
-            self.candidates
-                .iter()
-                .zip(&self.impulses)
-                .filter(|(_, p)| **p != Vec3::zeros())
-                .map(|(c, _)| c),
-        ) {
-            let now = end.follow(candidate);
-            contact.point = now.point;
-            contact.gap = now.gap;
-        }
+        state.work.residue += residue;
     }
 
     /// Adds the step's work. Lasting forces act along the displacement `dt v1`; an impact's work is `p . (u^- + u1)/2`. What
     /// contacts take across their normals is friction, along those of impacts the impact's loss. Along the normals of lasting
     /// contacts nothing is lost but by the scheme: that and all else of the change of kinetic energy is the residue.
-    fn work(&self, state: &mut State, solution: &[Dof6], persisting: &[Dof6]) {
+    fn work(&self, state: &mut State, solution: &[Dof6]) {
         let (scene, step) = (self.inputs.scene, self.inputs.step);
-        let integrator = scene.settings.integrator;
         let spheres = self.inputs.kinematics.len();
         let work = &mut state.work;
         // Work on the spheres that is accounted for.
@@ -275,18 +273,6 @@ impl Stage<'_> {
                 let [_, grip] = row.grips();
                 known += p.dot(&grip.velocity(&velocity(row.b as usize)));
             }
-        }
-        let particles = &scene.particles;
-        let kinetic = |i: usize, v: &Dof6| particles.kinetic_energy(i, &v.linear, &v.angular);
-        for (i, v1) in solution[..spheres].iter().enumerate() {
-            let before = self.before_of(i);
-            let after = integrator.finish(&before, v1, &scene.settings);
-            let old = integrator.reported(&before, &state.persisting[i], step);
-            let new = integrator.reported(&after, &persisting[i], step);
-            let external = &self.inputs.external[i];
-            known += step * particles.mass[i] * external.linear.dot(&v1.linear);
-            known += step * particles.inertia(i) * external.angular.dot(&v1.angular);
-            work.residue += kinetic(i, &new) - kinetic(i, &old);
         }
         work.residue -= known;
         for load in &scene.loads {

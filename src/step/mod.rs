@@ -121,7 +121,7 @@ pub fn step_beside(
         })
         .collect();
     let outcome = stage.resolve(state, scratch, &mut twins)?;
-    stage.spread_impacts();
+    stage.spread_impacts(state);
     for ((twin, starts), pair) in twins.iter_mut().zip(&starts).zip(pairs) {
         twin.agree(&stage);
         for (k, side) in twin.stages.iter().enumerate() {
@@ -243,6 +243,7 @@ impl<'s> Start<'s> {
             twists: &self.twists,
             surfaces: &self.surfaces,
             gravity: self.gravity,
+            gravity_size: self.gravity.norm(),
             targets: &self.targets,
             mean_acceleration: mean_acceleration(scene, &self.external, &self.bodies),
         }

@@ -85,9 +85,8 @@ impl Stage<'_> {
             ..self.start
         };
         scratch.neighbors.ensure(&end, 0.0);
-        end.candidates(&scratch.neighbors, |_, _| 0.0, |_, _| 0.0, &mut closed);
-        let overlaps = closed.iter().map(|c| -c.gap / end.scale(c.key));
-        let max_overlap = overlaps.fold(0.0, f64::max);
+        let limit = self.inputs.scene.settings.tolerance.gap;
+        let max_overlap = end.overlaps(&scratch.neighbors, limit, &mut closed);
         // The penalty method lets bodies overlap as they like.
         let alm = self.inputs.scene.settings.method == Method::Alm;
         let swept = alm && self.moves;
@@ -133,14 +132,12 @@ impl Stage<'_> {
         });
         let mut late: Vec<Candidate> = Vec::new();
         for found in closed {
-            if found.gap < -tolerance * end.scale(found.key) {
-                match self
-                    .candidates
-                    .binary_search_by_key(&found.key, |known| known.key)
-                {
-                    Ok(k) => off |= !loaded(k),
-                    Err(_) => late.push(*found),
-                }
+            match self
+                .candidates
+                .binary_search_by_key(&found.key, |known| known.key)
+            {
+                Ok(k) => off |= !loaded(k),
+                Err(_) => late.push(*found),
             }
         }
         if !off && late.is_empty() {
@@ -207,10 +204,13 @@ impl Stage<'_> {
         (solution, state): (&[Dof6], &State),
         told: Option<bool>,
     ) -> bool {
-        let carried = history::find(&state.contacts, found.key);
-        let (mut row, impact) =
-            self.inputs
-                .contact(&self.problem.free, &found, carried.force, told);
+        let past = history::find(&state.contacts, found.key);
+        let (mut row, impact) = self.inputs.contact(
+            &self.problem.free,
+            &found,
+            past.force(&state.contacts),
+            told,
+        );
         let linear = self.inputs.step * found.normal.dot(&row.relative_velocity(solution));
         row.bias +=
             row.normal * ((found.gap - linear) / self.inputs.step - row.bias.dot(&row.normal));
@@ -218,14 +218,14 @@ impl Stage<'_> {
         self.candidates.insert(at, found);
         self.problem.rows.insert(at, row);
         self.impact.insert(at, impact);
-        self.carried.insert(at, carried);
+        self.past.insert(at, past);
         self.impulses.insert(at, Vec3::zeros());
         for row in &mut self.problem.rows {
             if let Law::Resistance { contact, .. } = &mut row.law {
                 *contact += u32::from(*contact as usize >= at);
             }
         }
-        self.resist(at);
+        self.resist(state, at);
         impact
     }
 }

@@ -4,7 +4,7 @@ use std::mem::take;
 
 use super::Scratch;
 use crate::Vec3;
-use crate::contacts::history::{self, Carried};
+use crate::contacts::history::{self, Past};
 use crate::contacts::narrow_phase::{Candidate, Placement};
 use crate::driven::Hold;
 use crate::motion::Pose;
@@ -37,12 +37,12 @@ pub(super) struct Stage<'a> {
     /// Stops and springs of the driven bodies: their rows follow those of the constrained points.
     pub(super) holds: Vec<Held>,
     pub(super) impulses: Vec<Vec3>,
-    /// What the candidates carried in the last step.
-    pub(super) carried: Vec<Carried>,
+    /// Which contacts of the last step the candidates go on with.
+    pub(super) past: Vec<Past>,
     /// Velocities of the impulses, `[N + D]`, and where they lead the spheres \[m\], `[N]`: of the last pass of the solve.
     pub(super) solution: Vec<Dof6>,
     pub(super) position: Vec<Vec3>,
-    /// Pairs that overlap there.
+    /// Pairs that overlap there beyond the tolerance.
     pub(super) closed: Vec<Candidate>,
     /// Whether bodies move through the step: a displacement that removes overlaps is no way.
     pub(super) moves: bool,
@@ -57,7 +57,7 @@ pub(super) struct Memory {
     impact: Vec<bool>,
     holds: Vec<Held>,
     impulses: Vec<Vec3>,
-    carried: Vec<Carried>,
+    past: Vec<Past>,
     solution: Vec<Dof6>,
     position: Vec<Vec3>,
 }
@@ -131,7 +131,7 @@ impl<'a> Stage<'a> {
             impact: memory.impact,
             holds: memory.holds,
             impulses: memory.impulses,
-            carried: memory.carried,
+            past: memory.past,
             solution: memory.solution,
             position: memory.position,
             moves: true,
@@ -147,7 +147,7 @@ impl<'a> Stage<'a> {
             impact: self.impact,
             holds: self.holds,
             impulses: self.impulses,
-            carried: self.carried,
+            past: self.past,
             solution: self.solution,
             position: self.position,
         }
@@ -158,14 +158,18 @@ impl<'a> Stage<'a> {
     fn write_rows(&mut self, state: &State, told: Option<&[bool]>) {
         let step = self.inputs.step;
         let keys = self.candidates.iter().map(|c| c.key);
-        history::transfer(&state.contacts, keys, &mut self.carried);
-        for (k, (candidate, carried)) in self.candidates.iter().zip(&self.carried).enumerate() {
-            let (free, told) = (&self.problem.free, told.map(|told| told[k]));
-            let (row, impact) = self.inputs.contact(free, candidate, carried.force, told);
-            self.problem.rows.push(row);
-            self.impact.push(impact);
-            self.impulses.push(carried.force * step);
-        }
+        history::transfer(&state.contacts, keys, &mut self.past);
+        let (inputs, free, impact) = (&self.inputs, &self.problem.free, &mut self.impact);
+        let impulses = &mut self.impulses;
+        let contacts = self.candidates.iter().zip(&self.past).enumerate();
+        let rows = contacts.map(|(k, (candidate, past))| {
+            let (force, told) = (past.force(&state.contacts), told.map(|told| told[k]));
+            let (row, is_impact) = inputs.contact(free, candidate, force, told);
+            impact.push(is_impact);
+            impulses.push(force * step);
+            row
+        });
+        self.problem.rows.extend(rows);
         let springs = 0..self.inputs.targets.len();
         self.problem
             .rows
@@ -182,14 +186,14 @@ impl<'a> Stage<'a> {
         }
         if self.inputs.scene.pairs.resists() {
             for k in 0..self.candidates.len() {
-                self.resist(k);
+                self.resist(state, k);
             }
         }
     }
 
     /// Adds the resistance of contact `k`, if it has one, with its last couple.
-    pub(super) fn resist(&mut self, k: usize) {
-        let (row, torque) = (&self.problem.rows[k], self.carried[k].torque);
+    pub(super) fn resist(&mut self, state: &State, k: usize) {
+        let (row, torque) = (&self.problem.rows[k], self.past[k].torque(&state.contacts));
         let key = self.candidates[k].key;
         if let Some(resistance) = self.inputs.resistance(key, row, k, torque) {
             let lever = resistance.radius;

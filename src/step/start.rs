@@ -85,11 +85,7 @@ pub fn remove_overlaps(
     let placement = Placement::of(scene, &state.kinematics, &state.poses);
     scratch.neighbors.ensure(&placement, 0.0);
     let mut closed = Vec::new();
-    placement.candidates(&scratch.neighbors, |_, _| 0.0, |_, _| 0.0, &mut closed);
-    state.initial_overlap = closed
-        .iter()
-        .map(|c| -c.gap / placement.scale(c.key))
-        .fold(0.0, f64::max);
+    state.initial_overlap = placement.overlaps(&scratch.neighbors, 0.0, &mut closed);
     if scene.settings.method == Method::Penalty
         || state.initial_overlap <= scene.settings.tolerance.gap
     {

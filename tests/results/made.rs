@@ -199,7 +199,7 @@ impl Made {
                 last: 2.0,
                 step: 2.0,
             },
-            contacts: &self.contacts,
+            contacts: self.contacts.clone(),
             boundaries: vec![
                 BoundaryState {
                     pose: Pose {

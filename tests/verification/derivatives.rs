@@ -193,8 +193,8 @@ fn contacts(simulation: &Simulation) -> Vec<(sphere_dda::contacts::Key, bool)> {
         let normal = c.force.dot(&c.normal);
         (c.force - c.normal * normal).norm() > pair.friction * normal * (1.0 - 1e-6)
     };
-    let contacts = simulation.contacts().iter();
-    contacts.map(|c| (c.key, slips(c))).collect()
+    let contacts = simulation.contacts().into_iter();
+    contacts.map(|c| (c.key, slips(&c))).collect()
 }
 
 fn quotient(

@@ -117,7 +117,7 @@ fn a_row_closes_on_itself() {
             // Keys 0-1, 0-2 through the face, 1-2.
             let force = |i: u32, j: u32, image: [i32; 3]| {
                 let partner = Partner::Sphere { index: j, image };
-                let contacts = run.simulation.contacts().iter();
+                let contacts = run.simulation.contacts().into_iter();
                 contacts
                     .filter(|c| c.key.sphere == i && c.key.partner == partner)
                     .map(|c| c.force.norm())
@@ -240,8 +240,8 @@ fn a_bed_on_a_slope_without_end() {
     let mut across = 0;
     for _ in 0..500 {
         run.step();
-        let contacts = run.simulation.contacts().iter();
-        across += contacts.filter(|contact| through_a_face(contact)).count();
+        let contacts = run.simulation.contacts().into_iter();
+        across += contacts.filter(through_a_face).count();
         assert!(run.simulation.report().max_overlap <= 1e-6);
     }
     assert!(across > 100, "{across} contacts through faces");

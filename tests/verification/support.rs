@@ -234,7 +234,7 @@ impl Run {
 
     /// Normal force of the only contact; zero without one.
     pub fn normal_force(&self) -> f64 {
-        match self.simulation.contacts() {
+        match &self.simulation.contacts()[..] {
             [] => 0.0,
             [contact] => contact.force.dot(&contact.normal),
             more => panic!("{} contacts", more.len()),

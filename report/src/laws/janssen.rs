@@ -148,7 +148,7 @@ fn stress(silo: &Simulation) -> Stress {
     };
     let carried = |z: f64| -> f64 {
         let wall = |partner| matches!(partner, Partner::Boundary { boundary: 0, .. });
-        let contacts = silo.contacts().iter();
+        let contacts = silo.contacts().into_iter();
         contacts
             .filter(|c| wall(c.key.partner) && c.point.z > z)
             .map(|c| c.force.z)

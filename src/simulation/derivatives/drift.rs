@@ -9,7 +9,7 @@
 //! ```
 
 use super::{Origin, Simulation};
-use crate::contacts::{Contact, history};
+use crate::contacts::{Load, history};
 use crate::error::StepError;
 use crate::integrate::turned;
 use crate::observe::Observation;
@@ -133,9 +133,9 @@ impl Simulation {
             let mut then = Vec::new();
             history::transfer(&before.contacts, keys, &mut then);
             for (contact, then) in state.contacts.iter_mut().zip(then) {
-                let Contact { force, torque, .. } = contact;
-                *force += (*force - then.force) * share;
-                *torque += (*torque - then.torque) * share;
+                let Load { force, torque, .. } = contact;
+                *force += (*force - then.force(&before.contacts)) * share;
+                *torque += (*torque - then.torque(&before.contacts)) * share;
             }
         }
         for (carried, then) in state.bodies.iter_mut().zip(&before.bodies) {

@@ -16,7 +16,7 @@ use serde::{Deserialize, Serialize};
 use super::Simulation;
 use super::march::{Account, Before, Course};
 use crate::Vec3;
-use crate::contacts::Contact;
+use crate::contacts::Load;
 use crate::error::{SnapshotError, StepError};
 use crate::motion::Pose;
 use crate::state::State;
@@ -209,8 +209,8 @@ impl Companion {
                 *own = *other;
             }
         }
-        let kept = |contact: &Contact| {
-            let known = |other: &Contact| other.key.cmp(&contact.key);
+        let kept = |contact: &Load| {
+            let known = |other: &Load| other.key.cmp(&contact.key);
             other.contacts.binary_search_by(known).is_ok()
         };
         own.contacts.retain(kept);
