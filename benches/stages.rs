@@ -1,7 +1,7 @@
 //! Time of each stage of a step, of snapshots and of frames, on beds caught in motion and settled.
 //!
 //! `cargo bench --bench stages [-- FILTER] [--sample-count 20]`; *items* are spheres, rows or updates of rows, as each stage says. Beds are those of
-//! `examples/dropped` on a lattice that holds exactly so many spheres; they are settled on first use, which takes half a minute
+//! `examples/dropped` on a lattice that holds exactly so many spheres; they are settled on first use, which takes a minute
 //! for the large one. Under `cargo test --benches` every stage runs once, on a small bed.
 
 use std::cell::RefCell;
