@@ -41,6 +41,8 @@ pub struct Inputs<'a> {
     pub kinematics: &'a Kinematics,
     /// External acceleration, `[N]`.
     pub external: &'a [Dof6],
+    /// The spheres as contacts see them, `[N]`.
+    pub movers: &'a [Mover],
     /// Time step \[s\].
     pub step: f64,
     /// Boundary poses at the start and at the end, `[B]`; those of driven bodies at the end are without contacts.
@@ -61,6 +63,49 @@ pub struct Inputs<'a> {
     pub mean_acceleration: f64,
 }
 
+/// A sphere as its contacts see it before the step.
+#[derive(Debug, Clone, Copy)]
+pub struct Mover {
+    /// Velocity \[m/s\].
+    velocity: Vec3,
+    /// Angular velocity times radius \[m/s\].
+    rolling: Vec3,
+    /// Square of its speed \[m^2/s^2\].
+    speed: f64,
+    /// Square of its external acceleration \[m^2/s^4\].
+    pull: f64,
+    /// Radius \[m\].
+    radius: f64,
+    /// Mass \[kg\].
+    mass: f64,
+}
+
+impl Mover {
+    /// All spheres, `[N]`, in the given memory.
+    #[must_use]
+    pub fn all(
+        scene: &Scene,
+        kinematics: &Kinematics,
+        external: &[Dof6],
+        mut memory: Vec<Self>,
+    ) -> Vec<Self> {
+        let sizes = scene.particles.radius.iter().zip(&scene.particles.mass);
+        let ways = kinematics.velocity.iter().zip(&kinematics.spin);
+        memory.clear();
+        memory.extend(sizes.zip(ways).zip(external).map(
+            |(((&radius, &mass), (velocity, spin)), external)| Self {
+                velocity: *velocity,
+                rolling: spin * radius,
+                speed: velocity.norm_squared(),
+                pull: external.linear.norm_squared(),
+                radius,
+                mass,
+            },
+        ));
+        memory
+    }
+}
+
 /// How the bodies of a contact meet.
 struct Meeting {
     b: u32,
@@ -70,14 +115,14 @@ struct Meeting {
     radius: f64,
     /// Velocity of A's surface against B's before the step.
     before: Vec3,
-    /// Relative velocity along the normal without contacts.
-    closing: f64,
+    /// Velocity of the partner at the contact without contacts.
+    partner: Vec3,
     /// Accelerations that act: of the wall, and the largest external one of the spheres, squared.
     acceleration: f64,
-    squared: f64,
+    pull: f64,
     lightest: f64,
     /// Square of the larger speed.
-    fastest: f64,
+    speed: f64,
     stiffness: Option<f64>,
 }
 
@@ -94,11 +139,14 @@ impl<'a> Inputs<'a> {
         problem
             .free
             .extend(self.bodies.iter().map(|body| body.free));
-        problem.inverse_mass.clear();
-        problem.inverse_mass.extend(spheres.map(|i| Dof6 {
-            linear: self.scene.particles.inverse_mass(i) * integrator.mobility(),
-            angular: self.scene.particles.inverse_inertia(i) * integrator.mobility(),
-        }));
+        // The same in every step.
+        if problem.inverse_mass.len() != spheres.len() {
+            problem.inverse_mass.clear();
+            problem.inverse_mass.extend(spheres.map(|i| Dof6 {
+                linear: self.scene.particles.inverse_mass(i) * integrator.mobility(),
+                angular: self.scene.particles.inverse_inertia(i) * integrator.mobility(),
+            }));
+        }
         problem.operators.clear();
         let operators = self.bodies.iter().map(|body| body.mobility);
         problem.operators.extend(operators);
@@ -162,14 +210,14 @@ impl<'a> Inputs<'a> {
         let settings = &self.scene.settings;
         let n = candidate.normal;
         let a = candidate.key.sphere as usize;
-        let radius = self.scene.particles.radius[a];
+        let own = &self.movers[a];
         let meeting = match candidate.key.partner {
-            Partner::Sphere { index, .. } => self.meeting_of_spheres(free, n, a, index),
+            Partner::Sphere { index, .. } => self.meeting_of_spheres(free, n, own, index),
             Partner::Boundary { boundary, .. } => {
-                self.meeting_with_boundary(free, n, a, usize::from(boundary))
+                self.meeting_with_boundary(free, n, (a, own), usize::from(boundary))
             }
         };
-        let acceleration = meeting.acceleration.max(meeting.squared.sqrt());
+        let acceleration = meeting.acceleration.max(meeting.pull.sqrt());
         let pair = self.pair(candidate.key);
         let (approach, sliding) = split(meeting.before, n);
         // Only a contact that was loaded can be taken for an approaching one because its normal turns.
@@ -181,7 +229,8 @@ impl<'a> Inputs<'a> {
             .threshold_velocity
             .max(2.0 * self.step * acceleration.max(turning));
         let impact = told.unwrap_or_else(|| {
-            approach < -threshold && candidate.gap + self.step * meeting.closing < 0.0
+            let freely = || n.dot(&(free[a].linear - meeting.partner));
+            approach < -threshold && candidate.gap + self.step * freely() < 0.0
         });
         let rebounds =
             impact && pair.restitution > 0.0 && settings.integrator == Integrator::Moreau;
@@ -203,7 +252,7 @@ impl<'a> Inputs<'a> {
             a: a as u32,
             b: meeting.b,
             normal: n,
-            arm_a: n * -radius,
+            arm_a: n * -own.radius,
             arm_b: meeting.arm_b,
             drift: meeting.drift,
             bias,
@@ -220,7 +269,7 @@ impl<'a> Inputs<'a> {
     /// \[m/s^2\].
     #[inline]
     fn impulse_scale(&self, meeting: &Meeting, acceleration: f64, turning: f64) -> f64 {
-        let rounding = ROUNDING * meeting.fastest.sqrt() / self.scene.settings.tolerance.force;
+        let rounding = ROUNDING * meeting.speed.sqrt() / self.scene.settings.tolerance.force;
         let mut change = match acceleration.max(turning) {
             // Where nothing accelerates, the speed of approach is a scale as well.
             0.0 => meeting.before.norm(),
@@ -234,69 +283,64 @@ impl<'a> Inputs<'a> {
         meeting.lightest * change.max(rounding)
     }
 
-    #[inline]
-    fn meeting_of_spheres(&self, free: &[Dof6], n: Vec3, a: usize, index: u32) -> Meeting {
-        let (particles, moving) = (&self.scene.particles, self.kinematics);
-        let b = index as usize;
-        let [ra, rb] = [a, b].map(|i| particles.radius[i]);
-        let [va, vb] = [a, b].map(|i| moving.velocity[i]);
-        let rolling = moving.spin[a] * ra + moving.spin[b] * rb;
-        let squared = [a, b].map(|i| self.external[i].linear.norm_squared());
+    #[inline(always)]
+    fn meeting_of_spheres(&self, free: &[Dof6], n: Vec3, own: &Mover, index: u32) -> Meeting {
+        let other = &self.movers[index as usize];
         Meeting {
             b: index,
-            arm_b: n * rb,
+            arm_b: n * other.radius,
             drift: Vec3::zeros(),
-            radius: ra.min(rb),
-            before: va - vb - rolling.cross(&n),
-            closing: n.dot(&(free[a].linear - free[b].linear)),
+            radius: own.radius.min(other.radius),
+            before: own.velocity - other.velocity - (own.rolling + other.rolling).cross(&n),
+            partner: free[index as usize].linear,
             acceleration: self.gravity_size,
-            squared: squared[0].max(squared[1]),
-            lightest: particles.mass[a].min(particles.mass[b]),
-            fastest: va.norm_squared().max(vb.norm_squared()),
+            pull: own.pull.max(other.pull),
+            lightest: own.mass.min(other.mass),
+            speed: own.speed.max(other.speed),
             stiffness: None,
         }
     }
 
-    fn meeting_with_boundary(&self, free: &[Dof6], n: Vec3, a: usize, boundary: usize) -> Meeting {
-        let particles = &self.scene.particles;
-        let radius = particles.radius[a];
-        let arm_a = n * -radius;
+    fn meeting_with_boundary(
+        &self,
+        free: &[Dof6],
+        n: Vec3,
+        (a, own): (usize, &Mover),
+        boundary: usize,
+    ) -> Meeting {
         let (wall, pose) = (&self.scene.boundaries[boundary], &self.poses[0][boundary]);
         let centre = wall.copy_near(&self.scene.cell, pose, self.kinematics.position[a]);
-        let point = centre + arm_a;
-        let velocity = self.velocity(a);
+        let point = centre - n * own.radius;
         let mut meeting = Meeting {
             b: GROUND,
             arm_b: Vec3::zeros(),
             // A belt slides along the shape: it takes no part in the approach.
             drift: -split(self.surfaces[boundary], n).1,
-            radius,
-            before: velocity.at(arm_a),
-            closing: 0.0,
+            radius: own.radius,
+            before: own.velocity - own.rolling.cross(&n),
+            partner: Vec3::zeros(),
             acceleration: self.gravity_size,
-            squared: self.external[a].linear.norm_squared(),
-            lightest: particles.mass[a],
-            fastest: velocity.linear.norm_squared(),
+            pull: own.pull,
+            lightest: own.mass,
+            speed: own.speed,
             stiffness: wall.stiffness,
         };
-        let mut against = meeting.drift;
-        let own = if let Some((rank, body)) = self.body(boundary) {
+        let acceleration = if let Some((rank, body)) = self.body(boundary) {
             let (rank, arm) = (self.kinematics.len() + rank, point - body.reference);
             meeting.b = rank as u32;
             meeting.arm_b = arm;
             meeting.before -= body.velocity.at(arm);
             meeting.lightest = meeting.lightest.min(body.mass());
-            against -= free[rank].at(arm);
+            meeting.partner = free[rank].at(arm);
             body.acceleration_at(arm).norm()
         } else {
             let [now, previous] = self.wall_velocity(boundary, point);
             meeting.drift -= now;
             meeting.before -= previous;
-            against -= now;
+            meeting.partner = now;
             (now - previous).norm() / self.step
         };
-        meeting.acceleration = meeting.acceleration.max(own);
-        meeting.closing = n.dot(&(free[a].linear + against));
+        meeting.acceleration = meeting.acceleration.max(acceleration);
         meeting
     }
 
@@ -464,16 +508,12 @@ pub fn external_acceleration(
 ) {
     let particles = &scene.particles;
     external.clear();
-    external.extend((0..particles.len()).map(|i| {
-        match kinematics.present[i] {
-            true => Dof6 {
-                linear: particles
-                    .inverse_mass(i)
-                    .component_mul(&(gravity * particles.mass[i])),
-                angular: Vec3::zeros(),
-            },
-            false => Dof6::ZERO,
-        }
+    external.extend((0..particles.len()).map(|i| match kinematics.present[i] {
+        true => Dof6 {
+            linear: particles.free(i)[0].component_mul(&gravity),
+            angular: Vec3::zeros(),
+        },
+        false => Dof6::ZERO,
     }));
     for load in &scene.loads {
         let i = load.sphere;

@@ -210,20 +210,24 @@ impl Stage<'_> {
         let (particles, integrator) = (&scene.particles, scene.settings.integrator);
         let kinetic = |i: usize, v: &Dof6| particles.kinetic_energy(i, &v.linear, &v.angular);
         let (start, end) = (self.inputs.kinematics, &mut state.kinematics);
+        let places = end.position.iter_mut().zip(&mut end.orientation);
+        let velocities = end.velocity.iter_mut().zip(&mut end.spin);
+        let accelerations = state.persisting.iter().zip(persisting);
+        let spheres = places.zip(velocities).zip(accelerations);
+        let spheres = spheres.zip(solution.iter().zip(self.inputs.external));
         let mut residue = 0.0;
-        for (i, v1) in solution[..start.len()].iter().enumerate() {
+        for (i, (sphere, (v1, external))) in spheres.enumerate() {
+            let (((position, orientation), (velocity, spin)), (persisted, persists)) = sphere;
             let before = dof(start, i);
             let after = integrator.finish(&before, v1, &scene.settings);
-            let old = integrator.reported(&before, &state.persisting[i], step);
-            let new = integrator.reported(&after, &persisting[i], step);
-            let external = &self.inputs.external[i];
+            let old = integrator.reported(&before, persisted, step);
+            let new = integrator.reported(&after, persists, step);
             let power = particles.mass[i] * external.linear.dot(&v1.linear)
                 + particles.inertia(i) * external.angular.dot(&v1.angular);
             residue += kinetic(i, &new) - kinetic(i, &old) - step * power;
-            end.position[i] = start.position[i] + v1.linear * step;
-            end.velocity[i] = after.linear;
-            end.spin[i] = after.angular;
-            end.orientation[i] = turned(&start.orientation[i], &v1.angular, step);
+            *position = start.position[i] + v1.linear * step;
+            *orientation = turned(&start.orientation[i], &v1.angular, step);
+            (*velocity, *spin) = (after.linear, after.angular);
         }
         state.work.residue += residue;
     }

@@ -21,7 +21,7 @@ use crate::driven::Ready;
 use crate::linalg::LinearError;
 use crate::motion::{Pose, Twist};
 use crate::particles::Kinematics;
-use crate::problem::assemble::{Inputs, mean_acceleration};
+use crate::problem::assemble::{Inputs, Mover, mean_acceleration};
 use crate::problem::{Dof6, Impulses, Problem};
 use crate::scene::Scene;
 use crate::solver::Report;
@@ -131,7 +131,8 @@ pub fn step_beside(
     }
     start.finish(&stage, state, &stage.solution, dt, &mut kept.accelerations);
     scratch.memory = stage.memory();
-    (kept.kinematics, kept.external) = (start.kinematics, start.external);
+    (kept.kinematics, kept.external, kept.movers) =
+        (start.kinematics, start.external, start.movers);
     scratch.kept = kept;
     if outcome.solver.penalty > 0.0 && outcome.solver.penalty.is_finite() {
         state.penalty = outcome.solver.penalty;
@@ -154,6 +155,7 @@ pub fn problem(scene: &Scene, state: &State, dt: f64, poses: &[Pose]) -> (Proble
 struct Kept {
     kinematics: Kinematics,
     external: Vec<Dof6>,
+    movers: Vec<Mover>,
     accelerations: Vec<Dof6>,
 }
 
@@ -162,6 +164,7 @@ struct Start<'a> {
     kinematics: Kinematics,
     gravity: Vec3,
     external: Vec<Dof6>,
+    movers: Vec<Mover>,
     targets: Vec<Vec3>,
     standing: Vec<Pose>,
     ends: Vec<Pose>,
@@ -199,9 +202,12 @@ impl<'s> Start<'s> {
         let gravity = state.gravity_at(scene, integrator.middle(state.time, dt));
         let mut external = std::mem::take(&mut kept.external);
         external::acceleration(scene, state, &kinematics, (gravity, dt), &mut external);
+        let memory = std::mem::take(&mut kept.movers);
+        let movers = Mover::all(scene, &kinematics, &external, memory);
         Self {
             gravity,
             external,
+            movers,
             kinematics,
             targets: springs
                 .map(|spring| spring.target + spring.motion.pose_at(end_time).translation)
@@ -237,6 +243,7 @@ impl<'s> Start<'s> {
             scene,
             kinematics: &self.kinematics,
             external: &self.external,
+            movers: &self.movers,
             step: dt,
             poses: [&self.standing, &self.ends],
             bodies: &self.bodies,

@@ -7,6 +7,7 @@ use crate::Vec3;
 use crate::contacts::narrow_phase::Placement;
 use crate::driven::Ready;
 use crate::motion::Twist;
+use crate::problem::assemble::Mover;
 use crate::problem::{Dof6, Law, Row};
 use crate::scene::{Method, Scene};
 use crate::state::State;
@@ -92,8 +93,8 @@ pub fn remove_overlaps(
         return Ok(());
     }
     let dt = scene.settings.step;
-    let start = Start::still(state);
-    let starts = each(pairs, Start::still);
+    let start = Start::still(scene, state);
+    let starts = each(pairs, |state| Start::still(scene, state));
     let mut stage = Stage::new(start.inputs(scene, dt), state, scratch);
     let mut twins = twins(&stage, scene, dt, &starts, pairs);
     for side in twins.iter_mut().flat_map(|twin| &mut twin.stages) {
@@ -115,8 +116,10 @@ impl<'s> Start<'s> {
     /// For the forces at the time of `state`.
     fn at_rest(scene: &'s Scene, state: &State, dt: f64) -> Self {
         let gravity = state.gravity_at(scene, state.time);
+        let external = external::at_start(scene, &state.kinematics, gravity);
         Self {
-            external: external::at_start(scene, &state.kinematics, gravity),
+            movers: Mover::all(scene, &state.kinematics, &external, Vec::new()),
+            external,
             kinematics: state.kinematics.clone(),
             gravity,
             targets: scene.springs.iter().map(|spring| spring.target).collect(),
@@ -129,12 +132,14 @@ impl<'s> Start<'s> {
     }
 
     /// For a displacement of spheres without velocities and forces.
-    fn still(state: &State) -> Self {
+    fn still(scene: &Scene, state: &State) -> Self {
         let mut kinematics = state.kinematics.clone();
         kinematics.stop();
         let boundaries = state.poses.len();
+        let external = vec![Dof6::ZERO; kinematics.len()];
         Self {
-            external: vec![Dof6::ZERO; kinematics.len()],
+            movers: Mover::all(scene, &kinematics, &external, Vec::new()),
+            external,
             kinematics,
             gravity: Vec3::zeros(),
             targets: Vec::new(),

@@ -1,36 +1,37 @@
 //! Contacts of spheres in blocks, and how a sweep over them goes.
 
-use super::lanes::{Body, Eight, Real};
+use super::lanes::{Body, Real, Sixteen};
+use crate::scene::Tolerance;
 
-/// A vector of each of eight contacts, by components.
-pub(super) type Vector<T> = [Eight<T>; 3];
+/// A vector of each of sixteen contacts, by components.
+pub(super) type Vector<T> = [Sixteen<T>; 3];
 
-/// Contacts without a common moving body; lanes beyond `count` hold zeros.
+/// [`Block::drift`] where nothing drifts.
+pub(super) const STILL: u32 = u32::MAX;
+
+/// Contacts without a common moving body. What a sweep needs and no more: it lasts as long as memory takes to bring this.
+/// Lanes beyond `count` are contacts of a body that never moves with itself.
 #[derive(Debug, Clone, Copy, Default)]
 #[repr(C, align(64))]
 pub(super) struct Block<T> {
     /// Normals.
     pub(super) normal: Vector<T>,
-    /// Impulses after the last sweep \[N s\].
-    pub(super) impulse: Vector<T>,
-    /// Impulses after the last but one.
-    pub(super) previous: Vector<T>,
-    /// Biases with the ground's velocity \[m/s\].
-    pub(super) bias: Vector<T>,
+    /// Impulses \[N s\] after the last sweep, at [`Sheet::latest`](super::sheet::Sheet::latest), and after the last but one.
+    pub(super) impulse: [Vector<T>; 2],
+    /// Biases along the normal \[m/s\].
+    pub(super) bias: Sixteen<T>,
     /// Friction coefficients.
-    pub(super) friction: Eight<T>,
-    /// `1/w_n` and `1/w_t` \[kg\]; zero where nothing moves.
-    pub(super) mass: [Eight<T>; 2],
-    /// Squared corrections that the tolerances of gap and slip allow \[N^2 s^2\].
-    pub(super) allowed: [Eight<T>; 2],
-    /// Squared scale of the force residual \[N^2 s^2\].
-    pub(super) scale: Eight<T>,
-    /// Bodies A and B.
-    pub(super) bodies: [[u32; 8]; 2],
-    /// The rows.
-    pub(super) rows: [u32; 8],
+    pub(super) friction: Sixteen<T>,
+    /// Squares of the radius over the step \[m^2/s^2\], the scale of gap and slip.
+    pub(super) length: Sixteen<T>,
+    /// Squared scales of the force residual \[N^2 s^2\].
+    pub(super) scale: Sixteen<T>,
+    /// Bodies A and B, counted from the first one of the group.
+    pub(super) bodies: [Sixteen<u32>; 2],
     /// How many contacts there are.
-    pub(super) count: usize,
+    pub(super) count: u32,
+    /// Which of [`Sheet::drifts`](super::sheet::Sheet::drifts) has the velocities of moving ground under these contacts.
+    pub(super) drift: u32,
 }
 
 /// How a sweep goes.
@@ -42,12 +43,12 @@ pub(super) struct Pace {
     pub(super) damping: f64,
     /// Share of the tolerances that counts as settled.
     pub(super) strictness: f64,
-    /// Tolerance of the force residual.
-    pub(super) force: f64,
+    /// The tolerances.
+    pub(super) tolerance: Tolerance,
 }
 
-/// What a block's contacts are off by, each lane: gap and slip residual over their tolerances, force residual, and margin.
-pub(super) type Verdict = [Eight<f64>; 4];
+/// What a block's contacts are off by, each lane: gap, slip and force residual, and margin.
+pub(super) type Verdict = [Sixteen<f64>; 4];
 
 /// What a sweep saw.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -78,41 +79,40 @@ impl Progress {
     }
 }
 
-impl Block<f64> {
-    /// Zeros in the lanes beyond `count`.
-    pub(super) fn clear_rest(&mut self) {
-        let vectors = [
-            &mut self.normal,
-            &mut self.impulse,
-            &mut self.previous,
-            &mut self.bias,
-        ];
-        let others = [&mut self.friction, &mut self.scale];
-        let pairs = [&mut self.mass, &mut self.allowed];
-        let numbers = vectors.into_iter().flatten().chain(others);
-        for lanes in numbers.chain(pairs.into_iter().flatten()) {
-            lanes[self.count..].fill(0.0);
+impl<T: Real> Block<T> {
+    /// Zeros in lane `first` and all beyond.
+    pub(super) fn clear_from(&mut self, first: usize) {
+        let [old, new] = &mut self.impulse;
+        let vectors = [&mut self.normal, old, new].into_iter().flatten();
+        let numbers = [&mut self.bias, &mut self.friction];
+        let squares = [&mut self.length, &mut self.scale];
+        for lanes in vectors.chain(numbers).chain(squares) {
+            lanes[first..].fill(T::default());
         }
     }
+}
 
-    /// Itself in single precision, impulses and masses times `unit`.
+impl Block<f64> {
+    /// Itself in single precision, impulses times `unit`.
     pub(super) fn single(&self, unit: f64) -> Block<f32> {
-        let number = |x: &Eight<f64>, unit: f64| x.map(|x| (x * unit) as f32);
-        let vector = |v: &Vector<f64>, unit: f64| [0, 1, 2].map(|k| number(&v[k], unit));
+        let vector = |v: &Vector<f64>, unit: f64| [0, 1, 2].map(|k| single(&v[k], unit));
         Block {
             normal: vector(&self.normal, 1.0),
-            impulse: vector(&self.impulse, unit),
-            previous: vector(&self.previous, unit),
-            bias: vector(&self.bias, 1.0),
-            friction: number(&self.friction, 1.0),
-            mass: [0, 1].map(|k| number(&self.mass[k], unit)),
-            allowed: [0, 1].map(|k| number(&self.allowed[k], unit * unit)),
-            scale: number(&self.scale, unit * unit),
+            impulse: [0, 1].map(|k| vector(&self.impulse[k], unit)),
+            bias: single(&self.bias, 1.0),
+            friction: single(&self.friction, 1.0),
+            length: single(&self.length, 1.0),
+            scale: single(&self.scale, unit * unit),
             bodies: self.bodies,
-            rows: self.rows,
             count: self.count,
+            drift: self.drift,
         }
     }
+}
+
+/// `x` times `unit`, rounded.
+pub(super) fn single(x: &Sixteen<f64>, unit: f64) -> Sixteen<f32> {
+    x.map(|x| (x * unit) as f32)
 }
 
 /// Moves `bodies` on by `momentum` times their last change, and keeps where they were in `before`.

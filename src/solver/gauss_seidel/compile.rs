@@ -2,8 +2,9 @@
 
 use arrayvec::ArrayVec;
 
-use super::block::Block;
+use super::block::{Block, STILL};
 use super::kernel::{Kernel, NONE, refill};
+use super::lanes::{LANES, Sixteen};
 use super::layout::first_places;
 use super::sheet::Group;
 use crate::Vec3;
@@ -13,6 +14,13 @@ use crate::problem::{GROUND, Law, Problem, Row};
 const OPEN: usize = 16;
 /// Relative rounding within which a contact's arm is its body's radius.
 const SAME: f64 = 1e-12;
+
+/// Bodies of a group: the first, and one that never moves, counted from the first.
+#[derive(Debug, Clone, Copy)]
+struct Bodies {
+    first: u32,
+    still: u32,
+}
 
 impl Kernel {
     /// Puts the rows of sphere contacts in the order of the blocks: by group, within it by the place of A.
@@ -53,6 +61,7 @@ impl Kernel {
     pub(super) fn fill_groups(&mut self, problem: &Problem, impulses: &[Vec3]) {
         let (parts, spheres) = (self.layout.parts(), problem.inverse_mass.len());
         self.used = 0;
+        self.exact.drifts.clear();
         self.turns.iter_mut().for_each(ArrayVec::clear);
         let order = std::mem::take(&mut self.order);
         let mut rest = &order[..];
@@ -62,7 +71,6 @@ impl Kernel {
                 let range = self.layout.part(k, spheres);
                 range.start + k..range.end + k + 1
             };
-            let still = part(low).end as u32 - 1;
             let bodies = match turn {
                 0 => part(low),
                 1 | 2 => part(low).start..part(low + 1).end,
@@ -73,7 +81,11 @@ impl Kernel {
             let (rows, others) = rest.split_at(count);
             rest = others;
             let first = self.used;
-            self.fill_group(problem, rows, still, impulses);
+            let range = Bodies {
+                first: bodies.start as u32,
+                still: (part(low).end - 1 - bodies.start) as u32,
+            };
+            self.fill_group(problem, rows, range, impulses);
             let blocks = first..self.used;
             // Interiors stay in any case: momentum moves their bodies.
             if turn == 0 || !blocks.is_empty() {
@@ -81,119 +93,107 @@ impl Kernel {
             }
         }
         self.exact.blocks.truncate(self.used);
+        self.rows.truncate(self.used);
         self.order = order;
     }
 
     /// Blocks of `rows`: a contact joins the first open block in which its bodies are not yet met; when there is none the
-    /// oldest is closed. Their ground is the body `still`.
-    fn fill_group(&mut self, problem: &Problem, rows: &[u32], still: u32, impulses: &[Vec3]) {
+    /// oldest is closed.
+    fn fill_group(&mut self, problem: &Problem, rows: &[u32], range: Bodies, impulses: &[Vec3]) {
         let mut open = [None; OPEN];
         let mut oldest = 0;
         for &k in rows {
             let row = &problem.rows[k as usize];
-            let held = |body: u32| self.held.get(body as usize).copied().unwrap_or_default();
-            let mut at = (!(held(row.a) | held(row.b))).trailing_zeros() as usize;
+            let place = |body: u32| self.place.get(body as usize).map(|at| at - range.first);
+            let bodies = [row.a, row.b].map(|body| place(body).unwrap_or(range.still));
+            let held = bodies.map(|at| self.held[at as usize]);
+            let mut at = (!(held[0] | held[1])).trailing_zeros() as usize;
             if at >= OPEN {
                 at = oldest;
                 oldest = (oldest + 1) % OPEN;
-                self.close(problem, open[at].take(), at);
+                self.close(open[at].take(), at);
             }
             let block = match open[at] {
                 Some(block) => block,
-                None => self.new_block(),
+                None => self.new_block(range),
             };
             open[at] = Some(block);
-            self.fill(block, (k, row), still, impulses[k as usize], problem);
-            for body in row.bodies() {
-                self.held[body] |= 1 << at;
+            for body in bodies {
+                self.held[body as usize] |= 1 << at;
             }
-            if self.exact.blocks[block].count == 8 {
-                self.close(problem, open[at].take(), at);
+            // Any number of contacts may join the one that never moves.
+            self.held[range.still as usize] = 0;
+            self.fill(block, (k, row), bodies, impulses[k as usize]);
+            if self.exact.blocks[block].count as usize == LANES {
+                self.close(open[at].take(), at);
             }
         }
         for (at, block) in open.into_iter().enumerate() {
-            self.close(problem, block, at);
+            self.close(block, at);
         }
     }
 
     /// An empty block, in the memory of an old one if there is one left.
-    fn new_block(&mut self) -> usize {
+    fn new_block(&mut self, range: Bodies) -> usize {
         let at = self.used;
         self.used += 1;
-        match self.exact.blocks.get_mut(at) {
-            Some(block) => block.count = 0,
-            None => self.exact.blocks.push(Block::default()),
+        if at == self.exact.blocks.len() {
+            self.exact.blocks.push(Block::default());
+            self.rows.push(Sixteen::default());
         }
+        let block = &mut self.exact.blocks[at];
+        (block.count, block.drift) = (0, STILL);
+        block.bodies = [[range.still; LANES]; 2];
         at
     }
 
     /// Lets the bodies of the block that was open at `at` join another.
-    fn close(&mut self, problem: &Problem, block: Option<usize>, at: usize) {
+    fn close(&mut self, block: Option<usize>, at: usize) {
         let Some(block) = block.map(|block| &mut self.exact.blocks[block]) else {
             return;
         };
-        block.clear_rest();
-        for &k in &block.rows[..block.count] {
-            for body in problem.rows[k as usize].bodies() {
-                self.held[body] &= !(1 << at);
-            }
+        for &body in block.bodies.as_flattened() {
+            self.held[body as usize] &= !(1 << at);
         }
+        block.clear_from(block.count as usize);
     }
 
     /// Adds a contact of spheres to a block.
-    fn fill(
-        &mut self,
-        block: usize,
-        (k, row): (u32, &Row),
-        still: u32,
-        impulse: Vec3,
-        problem: &Problem,
-    ) {
-        let mobility = |body: u32| match problem.inverse_mass.get(body as usize) {
-            None => [0.0; 2],
-            Some(w) => {
-                let radius = self.radius[body as usize];
-                [w.linear.x, w.angular.x * radius * radius]
-            }
+    fn fill(&mut self, index: usize, (k, row): (u32, &Row), bodies: [u32; 2], impulse: Vec3) {
+        let Law::Contact { mu } = row.law else {
+            return;
         };
-        let (a, b) = (mobility(row.a), mobility(row.b));
-        let mu = match row.law {
-            Law::Contact { mu } => mu,
-            _ => 0.0,
-        };
-        let at = |body: u32| self.place.get(body as usize).copied().unwrap_or(still);
-        let bodies = [at(row.a), at(row.b)];
-        let block = &mut self.exact.blocks[block];
-        let lane = block.count;
+        let block = &mut self.exact.blocks[index];
+        let lane = block.count as usize % LANES;
         block.count += 1;
+        self.rows[index][lane] = k;
+        let bias = row.bias.dot(&row.normal);
+        let across = row.bias - row.normal * bias;
+        let length = row.radius / self.step;
         for (lanes, body) in block.bodies.iter_mut().zip(bodies) {
             lanes[lane] = body;
-            if lane == 0 {
-                // Lanes that stay empty must name some body of the part as well.
-                *lanes = [body; 8];
-            }
         }
-        block.rows[lane] = k;
-        let bias = row.bias + row.drift;
         for axis in 0..3 {
             block.normal[axis][lane] = row.normal[axis];
-            block.impulse[axis][lane] = impulse[axis];
-            block.previous[axis][lane] = impulse[axis];
-            block.bias[axis][lane] = bias[axis];
+            block.impulse[0][axis][lane] = impulse[axis];
+            block.impulse[1][axis][lane] = impulse[axis];
         }
+        block.bias[lane] = bias;
         block.friction[lane] = mu;
-        let w_n = a[0] + b[0];
-        let w_t = w_n + (a[1] + b[1]);
-        let inverse = |w: f64| if w > 0.0 { 1.0 / w } else { 0.0 };
-        let length = row.radius / self.step;
-        // Where nothing moves, anything is allowed.
-        let gap = (self.tolerance.gap * length / w_n).min(f64::INFINITY);
-        let slip = (self.tolerance.slip * length / w_t).min(f64::INFINITY);
-        block.mass[0][lane] = inverse(w_n);
-        block.mass[1][lane] = inverse(w_t);
-        block.allowed[0][lane] = gap * gap;
-        block.allowed[1][lane] = slip * slip;
+        block.length[lane] = length * length;
         block.scale[lane] = row.impulse_scale * row.impulse_scale;
+        if row.drift == Vec3::zeros() && across.norm_squared() <= (SAME * bias).powi(2) {
+            return;
+        }
+        let drifts = &mut self.exact.drifts;
+        if block.drift == STILL {
+            block.drift = drifts.len() as u32;
+            drifts.push(Default::default());
+        }
+        let drift = row.drift + across;
+        for (lanes, x) in drifts[block.drift as usize].iter_mut().zip(drift.iter()) {
+            lanes[lane] = *x;
+        }
     }
 
     /// `row` as a contact of spheres: those have the same mobility in all directions and are touched at `R normal`.

@@ -1,7 +1,7 @@
 //! A problem compiled for sweeps: contacts of spheres in blocks, every other row as it is.
 
 use super::block::{Pace, Progress, Verdict};
-use super::lanes::Body;
+use super::lanes::{Body, Sixteen};
 use super::layout::Layout;
 use super::sheet::{Sheet, Turns};
 use crate::Vec3;
@@ -26,6 +26,8 @@ pub(super) struct Other {
 #[derive(Debug, Default)]
 pub struct Kernel {
     pub(super) exact: Sheet<f64>,
+    /// The rows of the blocks.
+    pub(super) rows: Vec<Sixteen<u32>>,
     /// The same in single precision, while that is good enough.
     pub(super) quick: Sheet<f32>,
     /// Factor on the impulses of `quick`: the largest inverse mass.
@@ -52,7 +54,7 @@ pub struct Kernel {
     pub(super) used: usize,
     /// What [`Sheet::judge`] finds.
     pub(super) verdicts: Vec<Verdict>,
-    /// For each body the filling blocks that hold it, as bits.
+    /// For each body of the group that fills, by its place in it, the filling blocks that hold it, as bits.
     pub(super) held: Vec<u16>,
     pub(super) tolerance: Tolerance,
     pub(super) step: f64,
@@ -65,7 +67,6 @@ impl Kernel {
         self.tolerance = *tolerance;
         self.step = problem.step;
         refill(&mut self.radius, problem.free.len(), 0.0);
-        refill(&mut self.held, problem.free.len(), 0);
         refill(&mut self.velocity, problem.free.len(), Dof6::ZERO);
         refill(&mut self.resisted, problem.rows.len(), false);
         for row in &problem.rows {
@@ -75,6 +76,7 @@ impl Kernel {
         }
         self.layout.fit(spheres);
         let (layout, parts) = (&self.layout, self.layout.parts());
+        refill(&mut self.held, problem.free.len() + parts, 0);
         self.place.clear();
         self.place.extend((0..spheres).map(|i| {
             let (place, part) = layout.place(i);
@@ -155,6 +157,22 @@ impl Kernel {
         self.exact.before.clone_from(&self.exact.bodies);
     }
 
+    /// Writes the velocities of all bodies \[m/s\], \[rad/s\], `[N + D]`: those of the impulses that were judged last.
+    pub fn velocities_into(&self, velocities: &mut Vec<Dof6>) {
+        velocities.clear();
+        let bodies = self.place.iter().enumerate();
+        velocities.extend(bodies.map(|(i, &at)| self.velocity_of(i, at)));
+    }
+
+    /// Velocity of body `i` at place `at`.
+    fn velocity_of(&self, i: usize, at: u32) -> Dof6 {
+        let [a, b, c, _, d, e, f, _] = self.exact.bodies[at as usize].0;
+        Dof6 {
+            linear: Vec3::new(a, b, c),
+            angular: Vec3::new(d, e, f) / scale(&self.radius, i),
+        }
+    }
+
     /// The residual of the impulses, with velocities taken anew from them, always in double precision.
     pub(super) fn judge(&mut self, problem: &Problem) -> Residual {
         if self.single {
@@ -167,12 +185,11 @@ impl Kernel {
         let mut residual = Residual::default();
         let (turns, pool) = (&self.turns, &mut self.pool);
         self.exact.judge(turns, pool, &mut self.verdicts);
-        let Tolerance { gap, slip, .. } = self.tolerance;
-        for (block, [gaps, slips, forces, margins]) in self.exact.blocks.iter().zip(&self.verdicts)
-        {
-            for lane in 0..block.count {
-                let values = [gap * gaps[lane], slip * slips[lane], forces[lane]];
-                residual.include(block.rows[lane] as usize, values, margins[lane]);
+        let blocks = self.exact.blocks.iter().zip(&self.rows);
+        for ((block, rows), [gaps, slips, forces, margins]) in blocks.zip(&self.verdicts) {
+            for (lane, &row) in rows[..block.count as usize].iter().enumerate() {
+                let values = [gaps[lane], slips[lane], forces[lane]];
+                residual.include(row as usize, values, margins[lane]);
             }
         }
         for at in 0..self.others.len() {
@@ -192,11 +209,7 @@ impl Kernel {
     /// Velocities of the bodies of `row`.
     fn see(&mut self, row: &Row) {
         for i in row.bodies() {
-            let [a, b, c, _, d, e, f, _] = self.exact.bodies[self.place[i] as usize].0;
-            self.velocity[i] = Dof6 {
-                linear: Vec3::new(a, b, c),
-                angular: Vec3::new(d, e, f) / scale(&self.radius, i),
-            };
+            self.velocity[i] = self.velocity_of(i, self.place[i]);
         }
     }
 
@@ -270,9 +283,9 @@ impl Kernel {
 
     /// Writes the impulses of all rows \[N s\], `[C]`: those that were judged last.
     pub(super) fn store(&self, impulses: &mut [Vec3]) {
-        for block in &self.exact.blocks {
-            for (lane, &row) in block.rows[..block.count].iter().enumerate() {
-                let [x, y, z] = &block.impulse;
+        for (block, rows) in self.exact.blocks.iter().zip(&self.rows) {
+            let [x, y, z] = &block.impulse[self.exact.latest];
+            for (lane, &row) in rows[..block.count as usize].iter().enumerate() {
                 impulses[row as usize] = Vec3::new(x[lane], y[lane], z[lane]);
             }
         }
@@ -370,13 +383,14 @@ mod tests {
             momentum: 0.0,
             damping: 0.8,
             strictness: 1.0,
-            force: 1e-6,
+            tolerance: Tolerance::default(),
         };
         let mut kernel = Kernel::default();
         kernel.compile(&problem, &Tolerance::default(), &start);
         assert_eq!(kernel.others.len(), 2, "one springy sphere's rows");
-        let blocks = kernel.exact.blocks.iter();
-        let mut order: Vec<u32> = blocks.flat_map(|b| b.rows[..b.count].to_vec()).collect();
+        let blocks = kernel.exact.blocks.iter().zip(&kernel.rows);
+        let rows = blocks.flat_map(|(block, rows)| &rows[..block.count as usize]);
+        let mut order: Vec<u32> = rows.copied().collect();
         order.extend(kernel.others.iter().map(|other| other.row));
         let mut sorted = order.clone();
         sorted.sort_unstable();
@@ -420,7 +434,7 @@ mod tests {
                 momentum,
                 damping: 1.0,
                 strictness: 1.0,
-                force: 1e-6,
+                tolerance: Tolerance::default(),
             };
             kernel.sweep(&problem, pace);
         }

@@ -1,4 +1,4 @@
-//! Eight contacts: the update of Gauss-Seidel in lanes.
+//! Contacts in lanes: the update of Gauss-Seidel.
 //!
 //! With `s = R w`, a contact of two spheres (or of a sphere and the ground) at normal `n` has
 //!
@@ -8,20 +8,40 @@
 //! s_A -= k_A (n x dp),  s_B -= k_B (n x dp)         k = R^2/I [1/kg]
 //! ```
 //!
-//! so that no radius and no arm is needed, and a body is eight numbers. No two contacts of a block share a moving body: the
+//! so that no radius and no arm is needed, and a body is eight numbers. Its operator is diagonal, `w_n = m_A + m_B` along the
+//! normal and `w_t = w_n + k_A + k_B` across it; dividing by them anew costs less than to fetch their reciprocals. No two contacts of a block share a moving body: the
 //! lanes give the bits that one contact after the other gives. No multiplication is fused with an addition, so that
 //! processors with and without wide registers agree in every bit.
 
-use super::block::{Block, Vector, Verdict};
+use super::block::{Block, Pace, STILL, Vector, Verdict};
 use super::lanes::{Body, Lanes, Pack, Real};
 
-/// [`Pace`] in lanes, squared where squares are compared.
+/// [`Pace`](super::block::Pace) in lanes.
 pub(super) struct Constants<P> {
-    pub(super) momentum: P,
-    pub(super) damping: P,
-    pub(super) strict: P,
-    pub(super) strict_force: P,
-    pub(super) zero: P,
+    momentum: P,
+    damping: P,
+    /// Squares of what gap, slip and force residual may be.
+    gap: P,
+    slip: P,
+    force: P,
+    zero: P,
+    one: P,
+}
+
+impl<P: Pack> Constants<P> {
+    pub(super) fn of<T: Real, L: Lanes<T, Pack = P>>(l: L, pace: &Pace) -> Self {
+        let number = |x: f64| l.splat(T::of(x));
+        let allowed = |tolerance: f64| number((pace.strictness * tolerance).powi(2));
+        Self {
+            momentum: number(pace.momentum),
+            damping: number(pace.damping),
+            gap: allowed(pace.tolerance.gap),
+            slip: allowed(pace.tolerance.slip),
+            force: allowed(pace.tolerance.force),
+            zero: number(0.0),
+            one: number(1.0),
+        }
+    }
 }
 
 /// The bodies of some contacts, by components.
@@ -48,7 +68,8 @@ fn each<P>(f: impl Fn(usize) -> P) -> [P; 3] {
 
 /// What the law makes of some contacts' impulses.
 struct Solved<P> {
-    /// Normal impulse.
+    /// Normal impulse, before and after it is cut at zero.
+    free: P,
     normal: P,
     /// Square of the tangential impulse before it is brought onto the disc, and the share that stays.
     squared: P,
@@ -66,6 +87,18 @@ impl<P: Pack> Solved<P> {
     }
 }
 
+/// What contacts see of their bodies.
+struct Seen<P> {
+    /// Normals.
+    n: [P; 3],
+    /// Relative velocity along the normal with the bias, and the one across it.
+    u_n: P,
+    u_t: [P; 3],
+    /// `w_n`, `w_t`.
+    w_n: P,
+    w_t: P,
+}
+
 impl<T: Real> Block<T> {
     #[inline(always)]
     fn vector<L: Lanes<T>>(l: L, x: &Vector<T>, pass: usize) -> [L::Pack; 3] {
@@ -76,50 +109,57 @@ impl<T: Real> Block<T> {
         ]
     }
 
-    /// Bodies A and B, counted from `offset`.
+    /// What the contacts see of bodies `a` and `b`.
     #[inline(always)]
-    fn at(&self, offset: u32) -> [[u32; 8]; 2] {
-        let mut at = self.bodies;
-        for index in at.as_flattened_mut() {
-            *index = index.wrapping_sub(offset);
-        }
-        at
-    }
-
-    /// Relative velocity with the bias.
-    #[inline(always)]
-    fn approach<L: Lanes<T>>(
+    fn see<L: Lanes<T>>(
         &self,
         l: L,
         pass: usize,
-        n: [L::Pack; 3],
         [a, b]: [&Bodies<L::Pack>; 2],
-    ) -> [L::Pack; 3] {
-        let bias = Self::vector(l, &self.bias, pass);
+        drifts: &[Vector<T>],
+    ) -> Seen<L::Pack> {
+        let n = Self::vector(l, &self.normal, pass);
         let turn = cross([a[4] + b[4], a[5] + b[5], a[6] + b[6]], n);
-        each(|k| (a[k] - b[k]) - turn[k] + bias[k])
+        let mut u = each(|k| (a[k] - b[k]) - turn[k]);
+        if self.drift != STILL {
+            let drift = Self::vector(l, &drifts[self.drift as usize], pass);
+            u = each(|k| u[k] + drift[k]);
+        }
+        let along = dot(u, n);
+        let w_n = a[3] + b[3];
+        Seen {
+            n,
+            u_n: along + l.load(&self.bias, pass),
+            u_t: each(|k| u[k] - n[k] * along),
+            w_n,
+            w_t: w_n + (a[7] + b[7]),
+        }
     }
 
-    /// The law at impulse `p` and relative velocity `u`.
+    /// The law at impulse `p`.
     #[inline(always)]
     fn solve<L: Lanes<T>>(
         &self,
         l: L,
         pass: usize,
-        n: [L::Pack; 3],
         p: [L::Pack; 3],
-        u: [L::Pack; 3],
+        seen: &Seen<L::Pack>,
+        (zero, one): (L::Pack, L::Pack),
     ) -> Solved<L::Pack> {
-        let (u_n, p_n) = (dot(u, n), dot(p, n));
-        let [mass_n, mass_t] = [l.load(&self.mass[0], pass), l.load(&self.mass[1], pass)];
-        let normal = (p_n - u_n * mass_n).or_larger(l.splat(T::of(0.0)));
+        let (n, u_t) = (seen.n, seen.u_t);
+        // Where nothing moves the impulse stays.
+        let mass = |w: L::Pack| w.within(zero, zero, one.over(w));
+        let (mass_n, mass_t) = (mass(seen.w_n), mass(seen.w_t));
+        let p_n = dot(p, n);
+        let free = p_n - seen.u_n * mass_n;
+        let normal = free.or_larger(zero);
         // Tangential part of p - u/w_t, on the disc. All as differences: what is solved stays to the last bit.
         let p_t = each(|k| p[k] - n[k] * p_n);
-        let t = each(|k| p_t[k] - (u[k] - n[k] * u_n) * mass_t);
+        let t = each(|k| p_t[k] - u_t[k] * mass_t);
         let (squared, limit) = (dot(t, t), l.load(&self.friction, pass) * normal);
-        let one = l.splat(T::of(1.0));
         let share = squared.within(limit * limit, one, limit.over(squared.root()));
         Solved {
+            free,
             normal,
             squared,
             share,
@@ -137,7 +177,6 @@ impl<T: Real> Block<T> {
         (n, d): ([L::Pack; 3], [L::Pack; 3]),
         [mut a, mut b]: [Bodies<L::Pack>; 2],
         bodies: &mut [Body<T>],
-        at: &[[u32; 8]; 2],
     ) {
         let c = cross(n, d);
         for k in 0..3 {
@@ -146,52 +185,44 @@ impl<T: Real> Block<T> {
             a[k + 4] = a[k + 4] - a[7] * c[k];
             b[k + 4] = b[k + 4] - b[7] * c[k];
         }
-        l.scatter(a, bodies, &at[0], pass, self.count);
-        l.scatter(b, bodies, &at[1], pass, self.count);
+        l.scatter(a, bodies, &self.bodies[0], pass);
+        l.scatter(b, bodies, &self.bodies[1], pass);
     }
 
-    /// Solves the contacts of a pass: whether all were within the tolerances, and their shares of [`Progress`].
+    /// Solves the contacts of a pass, of which `latest` of the impulses are the last: which were within the tolerances, and
+    /// their shares of [`Progress`](super::block::Progress).
     #[inline(always)]
     pub(super) fn update<L: Lanes<T>>(
         &mut self,
         l: L,
         pass: usize,
         bodies: &mut [Body<T>],
-        offset: u32,
+        drifts: &[Vector<T>],
+        latest: usize,
         pace: &Constants<L::Pack>,
-    ) -> (bool, L::Pack, L::Pack) {
-        let at = self.at(offset);
-        let n = Self::vector(l, &self.normal, pass);
-        let old = Self::vector(l, &self.impulse, pass);
-        let before = Self::vector(l, &self.previous, pass);
-        let a = l.gather(bodies, &at[0], pass);
-        let b = l.gather(bodies, &at[1], pass);
-        let u = self.approach(l, pass, n, [&a, &b]);
+    ) -> (u16, L::Pack, L::Pack) {
+        let old = Self::vector(l, &self.impulse[latest], pass);
+        let before = Self::vector(l, &self.impulse[1 - latest], pass);
+        let a = l.gather(bodies, &self.bodies[0], pass);
+        let b = l.gather(bodies, &self.bodies[1], pass);
+        let seen = self.see(l, pass, [&a, &b], drifts);
         let p = each(|k| old[k] + pace.momentum * (old[k] - before[k]));
-        let solved = self.solve(l, pass, n, p, u);
-        let d = each(|k| n[k] * solved.d_n + solved.d_t[k]);
+        let solved = self.solve(l, pass, p, &seen, (pace.zero, pace.one));
+        let full = each(|k| seen.n[k] * solved.d_n + solved.d_t[k]);
         // Judged before damping.
-        let [gap, slip] = [
-            l.load(&self.allowed[0], pass),
-            l.load(&self.allowed[1], pass),
-        ];
         let (nn, tt) = (solved.d_n * solved.d_n, dot(solved.d_t, solved.d_t));
-        let dd = nn + tt;
+        let (dd, length) = (nn + tt, l.load(&self.length, pass));
         let size = solved.size(l.load(&self.scale, pass));
-        let settled = nn.all_within(pace.strict * gap)
-            & tt.all_within(pace.strict * slip)
-            & dd.all_within(pace.strict_force * size);
-        let d = each(|k| d[k] * pace.damping);
+        let settled = (nn * (seen.w_n * seen.w_n)).bits_within(pace.gap * length)
+            & (tt * (seen.w_t * seen.w_t)).bits_within(pace.slip * length)
+            & dd.bits_within(pace.force * size);
+        let d = each(|k| full[k] * pace.damping);
         let new = each(|k| p[k] + d[k]);
         let along = dot(d, each(|k| new[k] - old[k]));
         for k in 0..3 {
-            l.store(old[k], &mut self.previous[k], pass);
-            l.store(new[k], &mut self.impulse[k], pass);
+            l.store(new[k], &mut self.impulse[1 - latest][k], pass);
         }
-        // Open contacts move nothing.
-        if !dd.all_within(pace.zero) {
-            self.give(l, pass, (n, d), [a, b], bodies, &at);
-        }
+        self.give(l, pass, (seen.n, d), [a, b], bodies);
         (settled, along, dd)
     }
 }
@@ -204,16 +235,13 @@ impl Block<f64> {
         l: L,
         pass: usize,
         bodies: &mut [Body<f64>],
-        offset: u32,
+        latest: usize,
     ) {
         let n = Self::vector(l, &self.normal, pass);
-        let p = Self::vector(l, &self.impulse, pass);
-        if !dot(p, p).all_within(l.splat(0.0)) {
-            let at = self.at(offset);
-            let a = l.gather(bodies, &at[0], pass);
-            let b = l.gather(bodies, &at[1], pass);
-            self.give(l, pass, (n, p), [a, b], bodies, &at);
-        }
+        let p = Self::vector(l, &self.impulse[latest], pass);
+        let a = l.gather(bodies, &self.bodies[0], pass);
+        let b = l.gather(bodies, &self.bodies[1], pass);
+        self.give(l, pass, (n, p), [a, b], bodies);
     }
 
     /// What its contacts are off by.
@@ -223,35 +251,30 @@ impl Block<f64> {
         l: L,
         pass: usize,
         bodies: &[Body<f64>],
-        offset: u32,
+        drifts: &[Vector<f64>],
+        latest: usize,
         verdict: &mut Verdict,
     ) {
-        let n = Self::vector(l, &self.normal, pass);
-        let p = Self::vector(l, &self.impulse, pass);
-        let at = self.at(offset);
-        let a = l.gather(bodies, &at[0], pass);
-        let b = l.gather(bodies, &at[1], pass);
-        let u = self.approach(l, pass, n, [&a, &b]);
-        let solved = self.solve(l, pass, n, p, u);
         let (zero, one, tiny) = (l.splat(0.0), l.splat(1.0), l.splat(f64::MIN_POSITIVE));
+        let p = Self::vector(l, &self.impulse[latest], pass);
+        let a = l.gather(bodies, &self.bodies[0], pass);
+        let b = l.gather(bodies, &self.bodies[1], pass);
+        let seen = self.see(l, pass, [&a, &b], drifts);
+        let solved = self.solve(l, pass, p, &seen, (zero, one));
         let (nn, tt) = (solved.d_n * solved.d_n, dot(solved.d_t, solved.d_t));
         let (dd, scale) = (nn + tt, l.load(&self.scale, pass));
-        let [gap, slip] = [
-            l.load(&self.allowed[0], pass),
-            l.load(&self.allowed[1], pass),
-        ];
+        let length = l.load(&self.length, pass);
         let size = solved.size(scale);
         // Without any scale an impulse that should vanish is off by all of itself.
         let size = size.within(zero, dd.or_larger(tiny), size);
         // Distances to the edges of the state: of opening, and of slip.
-        let (mass, p_n) = (l.load(&self.mass[0], pass), dot(p, n));
         let held = dot(p, p).or_larger(scale).root();
-        let to_opening = p_n - dot(u, n) * mass;
-        let opens = to_opening
-            .or_larger(zero - to_opening)
+        let opens = solved
+            .free
+            .or_larger(zero - solved.free)
             .over(held.or_larger(tiny));
         let opens = held.within(zero, one, opens);
-        let bound = l.load(&self.friction, pass) * p_n.or_larger(zero);
+        let bound = l.load(&self.friction, pass) * dot(p, seen.n).or_larger(zero);
         let to_slip = solved.squared.root() - bound;
         let slips = to_slip
             .or_larger(zero - to_slip)
@@ -259,9 +282,9 @@ impl Block<f64> {
         let slips = bound.within(zero, one, slips);
         let nearest = opens.within(slips, opens, slips);
         let [gaps, slipped, forces, margins] = verdict;
-        l.store(nn.over(gap).root(), gaps, pass);
-        l.store(tt.over(slip).root(), slipped, pass);
+        l.store((nn.over(length)).root() * seen.w_n, gaps, pass);
+        l.store((tt.over(length)).root() * seen.w_t, slipped, pass);
         l.store(dd.over(size).root(), forces, pass);
-        l.store(mass.within(zero, one, nearest), margins, pass);
+        l.store(seen.w_n.within(zero, one, nearest), margins, pass);
     }
 }

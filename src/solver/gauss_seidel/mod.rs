@@ -2,12 +2,16 @@
 //!
 //! Contact by contact: the contact's own law is solved in closed form with all other multipliers held, and the velocities of
 //! its two bodies follow at once (for a sphere contact the local operator is diagonal, so normal and tangent do not couple).
-//! Contacts of spheres go eight at a time (`block`), in single precision first where the tolerances allow; what it finds is
+//! Contacts of spheres go sixteen at a time (`block`), in single precision first where the tolerances allow; what it finds is
 //! judged in double. Every other row goes by the operations of [`Row`](crate::problem::Row) (`kernel`). The order is fixed by
 //! the rows and, in large scenes, by where the bodies are (`layout`): parts of the scene can be swept side by side. From the fourth sweep on Nesterov's momentum moves impulses and
 //! velocities together; it starts anew where the corrections point back or grow: with friction the latter is what counts (a
 //! tenth of the sweeps). Robust with friction.
 
+#[cfg(target_arch = "x86_64")]
+mod avx2;
+#[cfg(target_arch = "x86_64")]
+mod avx512;
 mod block;
 mod compile;
 mod dispatch;
@@ -15,6 +19,8 @@ mod kernel;
 mod lanes;
 mod layout;
 mod local;
+#[cfg(target_arch = "x86_64")]
+mod registers;
 mod sheet;
 
 use super::{Params, Report};
@@ -47,7 +53,7 @@ pub fn solve(
         momentum: 0.0,
         damping: 1.0,
         strictness: 1.0,
-        force: params.tolerance.force,
+        tolerance: params.tolerance,
     };
     kernel.compile(problem, &params.tolerance, impulses);
     let (mut found, mut broken) = (None, 0);
@@ -100,7 +106,7 @@ pub(super) fn smooth(problem: &Problem, sweeps: usize, kernel: &mut Kernel, impu
         momentum: 0.0,
         damping: 1.0,
         strictness: 1.0,
-        force: 1.0,
+        tolerance: Tolerance::default(),
     };
     kernel.compile(problem, &Tolerance::default(), impulses);
     for _ in 0..sweeps {

@@ -4,8 +4,8 @@ use std::ops::Range;
 
 use arrayvec::ArrayVec;
 
-use super::block::{Block, Pace, Progress, Verdict, drift};
-use super::dispatch::{Precision, judge, push};
+use super::block::{Block, Pace, Progress, Vector, Verdict, drift, single};
+use super::dispatch::{Judge, Precision, Push, Sweep};
 use super::lanes::Body;
 use super::layout::PARTS;
 use crate::parallel::Pool;
@@ -24,17 +24,13 @@ pub(super) type Turns = [ArrayVec<Group, PARTS>; 4];
 #[derive(Debug, Default)]
 pub(super) struct Sheet<T> {
     pub(super) blocks: Vec<Block<T>>,
+    /// Which of the blocks' impulses are the last.
+    pub(super) latest: usize,
+    /// Velocities of moving ground under the contacts of blocks \[m/s\], where there is such.
+    pub(super) drifts: Vec<Vector<T>>,
     pub(super) bodies: Vec<Body<T>>,
     /// Bodies before the last sweep.
     pub(super) before: Vec<Body<T>>,
-}
-
-/// A group with what it works on.
-struct Task<'a, T> {
-    blocks: &'a mut [Block<T>],
-    bodies: &'a mut [Body<T>],
-    offset: u32,
-    found: Progress,
 }
 
 /// Blocks of a turn.
@@ -81,20 +77,24 @@ impl<T: Precision> Sheet<T> {
         for turn in turns.iter().filter(|turn| !turn.is_empty()) {
             let blocks = split(&mut self.blocks, turn.iter().map(|g| g.blocks.clone()));
             let bodies = split(&mut self.bodies, turn.iter().map(|g| g.bodies.clone()));
-            let groups = turn.iter().zip(blocks).zip(bodies);
-            let mut tasks: ArrayVec<_, PARTS> = groups
-                .map(|((group, blocks), bodies)| Task {
+            let (drifts, latest) = (&self.drifts[..], self.latest);
+            let mut tasks: ArrayVec<_, PARTS> = blocks
+                .into_iter()
+                .zip(bodies)
+                .map(|task| (task, Progress::NONE))
+                .collect();
+            pool.each(size(turn), &mut tasks, |((blocks, bodies), found)| {
+                *found = T::widest(Sweep {
                     blocks,
                     bodies,
-                    offset: group.bodies.start as u32,
-                    found: Progress::NONE,
-                })
-                .collect();
-            pool.each(size(turn), &mut tasks, |task| {
-                task.found = T::sweep(task.blocks, task.bodies, task.offset, pace);
+                    drifts,
+                    latest,
+                    pace,
+                });
             });
-            total = tasks.iter().fold(total, |sum, task| sum.with(&task.found));
+            total = tasks.iter().fold(total, |sum, (_, found)| sum.with(found));
         }
+        self.latest = 1 - self.latest;
         total
     }
 
@@ -116,26 +116,39 @@ impl<T: Precision> Sheet<T> {
 impl Sheet<f64> {
     /// Gives the bodies the impulses of all blocks.
     pub(super) fn push(&mut self, turns: &Turns, pool: &mut Pool) {
-        let blocks = &self.blocks;
+        let (blocks, latest) = (&self.blocks, self.latest);
         let bodies = |group: &Group| group.bodies.clone();
         by_group(turns, pool, &mut self.bodies, bodies, |group, bodies| {
-            let offset = group.bodies.start as u32;
-            push(&blocks[group.blocks.clone()], bodies, offset);
+            f64::widest(Push {
+                blocks: &blocks[group.blocks.clone()],
+                bodies,
+                latest,
+            });
         });
     }
 
     /// What each block's contacts are off by.
     pub(super) fn judge(&self, turns: &Turns, pool: &mut Pool, verdicts: &mut Vec<Verdict>) {
-        verdicts.clear();
         verdicts.resize(self.blocks.len(), Verdict::default());
         let blocks = |group: &Group| group.blocks.clone();
-        by_group(turns, pool, verdicts, blocks, |group, found| {
-            judge(&self.blocks[group.blocks.clone()], &self.bodies, 0, found);
+        by_group(turns, pool, verdicts, blocks, |group, verdicts| {
+            f64::widest(Judge {
+                blocks: &self.blocks[group.blocks.clone()],
+                bodies: &self.bodies[group.bodies.clone()],
+                drifts: &self.drifts,
+                latest: self.latest,
+                verdicts,
+            });
         });
     }
 
     /// Copies itself into single precision, impulses and masses times `unit`.
     pub(super) fn single(&self, unit: f64, turns: &Turns, pool: &mut Pool, to: &mut Sheet<f32>) {
+        to.latest = self.latest;
+        to.drifts.clear();
+        let drifts = self.drifts.iter();
+        to.drifts
+            .extend(drifts.map(|v| [0, 1, 2].map(|k| single(&v[k], 1.0))));
         to.blocks.resize(self.blocks.len(), Block::default());
         let blocks = |group: &Group| group.blocks.clone();
         by_group(turns, pool, &mut to.blocks, blocks, |group, copies| {
@@ -157,13 +170,15 @@ impl Sheet<f64> {
         to.before.clone_from(&to.bodies);
     }
 
-    /// Takes the impulses back from single precision.
+    /// Takes the impulses back from single precision, as if they had not changed before.
     pub(super) fn take_impulses(&mut self, unit: f64, from: &Sheet<f32>) {
+        self.latest = from.latest;
         for (block, single) in self.blocks.iter_mut().zip(&from.blocks) {
-            for (axis, values) in block.impulse.iter_mut().zip(&single.impulse) {
-                *axis = values.map(|x| f64::from(x) / unit);
+            for (axis, values) in single.impulse[from.latest].iter().enumerate() {
+                let exact = values.map(|x| f64::from(x) / unit);
+                block.impulse[0][axis] = exact;
+                block.impulse[1][axis] = exact;
             }
-            block.previous = block.impulse;
         }
     }
 }
