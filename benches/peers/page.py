@@ -46,7 +46,7 @@ SECTIONS = (
         "funnel",
         "Funnel",
         "1000 spheres of two sizes run out of a funnel of triangles for 1.0 s. *ratio*: to Rapier at 2 ms. *half out*: when half of the mass "
-        "was below the outlet.",
+        "was below the outlet. This project with steps of one length and with chosen ones (*smallest step*).",
     ),
     ("large", "Bed of 10 000 spheres", "As above, twice as deep. *ratio*: to Rapier at 4 ms."),
 )

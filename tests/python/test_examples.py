@@ -100,3 +100,31 @@ def test_feeder_driver(fmus, tmp_path):
     weight = table["mass"][0] * 9.81
     assert np.mean(up[1:]) == pytest.approx(weight + moved / (table["time"][-1] - table["time"][1]), rel=1e-6)
     assert np.mean(up) == pytest.approx(weight, rel=0.1)
+
+
+def test_a_million_spheres_are_read(command):
+    done = subprocess.run([command, "check", scene("million")], check=True, capture_output=True, text=True)
+    assert re.search(r"spheres +1000000,", done.stdout)
+
+
+def test_what_settling_costs_is_told(command, tmp_path):
+    """The table of settle.py has every step, every second and the end of the run; nothing is run twice."""
+    text = scene("million").read_text()
+    for large, small in (("500, 500, 4", "5, 5, 4"), ("6.2375", "0.05"), ("6.25", "0.0625")):
+        assert large in text
+        text = text.replace(large, small)
+    (tmp_path / "few.toml").write_text(text.replace("duration = 1.0", "duration = 0.25"))
+    arguments = ("--command", command, "--scene", tmp_path / "few.toml", "--output", tmp_path / "few")
+    told = python("examples/million/settle.py", *arguments)
+    history = np.genfromtxt(tmp_path / "few" / "history.csv", delimiter=",", names=True)
+    costs = np.genfromtxt(tmp_path / "few" / "costs.csv", delimiter=",", names=True)
+    assert np.array_equal(costs["time_s"], history["time_s"]) and len(costs) == 26
+    rows = [[float(cell) for cell in line.split("|")[1:-1]] for line in told.splitlines() if re.match(r"\| [0-9]", line)]
+    assert [row[0] for row in rows] == [0.1, 0.2, 0.25]
+    assert [row[1] for row in rows] == [history["solverinternalSteps_"][first:last].sum() for first, last in ((1, 11), (11, 21), (21, 26))]
+    assert rows[-1][5] == history["contactCount_"][-1] > 0
+    assert rows[-1][7] == pytest.approx(history["kineticEnergy_J"][-1] / history["mass_kg"][-1], rel=0.06)
+    assert all(row[8] == pytest.approx(peak / 1e9, abs=0.006) for row, peak in zip(rows, costs["peak_memory_B"][[10, 20, 25]], strict=True))
+    assert costs["peak_memory_B"].min() > 1e6
+    again = python("examples/million/settle.py", *arguments)
+    assert again[again.index("|") :] == told[told.index("|") :]

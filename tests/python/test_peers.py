@@ -13,6 +13,7 @@ import pytest
 from conftest import ROOT
 
 sys.path.insert(0, str(ROOT / "benches" / "peers"))
+import goals
 import measures
 import plan
 import scenes
@@ -169,3 +170,32 @@ def test_a_reference_runs_before_and_after_every_case():
     group = next(group for group in plan.groups(quick=True) if group.name == "bed")
     codes = [case.code for case in group.sequence()]
     assert codes == ["rapier", "sphere-dda"] * 3 + ["rapier"]
+
+
+def test_the_funnel_runs_with_steps_of_one_length_and_with_chosen_ones():
+    for quick, tolerances in ((True, {1e-4}), (False, {1e-4, 1e-5, 1e-6})):
+        settings = [case.settings for case in next(g for g in plan.groups(quick) if g.name == "funnel").cases]
+        for chosen in (False, True):
+            assert {s["tolerance"] for s in settings if ("smallest_step" in s) == chosen} == tolerances
+
+
+def test_the_physics_of_every_tolerance_is_judged_by_the_median_of_all_seeds():
+    seeded = {case.seed for group in plan.groups(quick=False) if group.name == "seeds" for case in group.cases if case.settings == plan.OURS["1e-6"]}
+    assert seeded == set(plan.SEEDS)
+    floors, heights, energies = [0.97, 1.02, 1.0, 1.0, 1.0], [0.05, 0.05, 0.05, 0.06, 0.04], [1e-6, 2e-6, 1e-3, 3e-6, 4e-6]
+    rows = [
+        Row(
+            Case("sphere-dda", "bed", 1000, plan.OURS["1e-6"], seed=1 + k),
+            "bed" if k == 0 else "seeds",
+            Outcome("1", 1.0, 1.0, 1000, 1, measures.End(0.0, energies[k], 0, heights[k], None, 1.0), floor=floors[k]),
+        )
+        for k in range(5)
+    ]
+    judged = {goal.what: goal for goal in goals.table(Record({}, rows)) if "median of 5 seeds" in goal.what}
+    assert len(judged) == 9
+    found = {what.split(": ")[1]: goal for what, goal in judged.items() if "1e-6" in what}
+    assert [(goal.found, goal.met) for goal in found.values()] == [("1", True), ("0.05 m", True), ("3e-6 J/kg", True)]
+    assert {goal.met for what, goal in judged.items() if "1e-6" not in what} == {None}
+    shaking = [replace(row, outcome=replace(row.outcome, end=replace(row.outcome.end, energy=2e-5), floor=1.1)) for row in rows]
+    judged = {goal.what: goal.met for goal in goals.table(Record({}, shaking)) if "1e-6, median" in goal.what}
+    assert list(judged.values()) == [False, True, False]
