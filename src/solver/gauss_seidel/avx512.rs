@@ -17,8 +17,7 @@ pack!(V4, avx512f, __m512: _mm512_add_ps, _mm512_sub_ps, _mm512_mul_ps, _mm512_d
     }
     fn bits_within(self, limit: Self) -> u16 {
         let avx = self.0.avx512f;
-        let mask = avx._mm512_cmp_ps_mask::<_CMP_LE_OQ>(self.1, limit.1);
-        mask
+        avx._mm512_cmp_ps_mask::<_CMP_LE_OQ>(self.1, limit.1)
     }
 );
 

@@ -219,8 +219,8 @@ impl<T: Real> Block<T> {
         let d = each(|k| full[k] * pace.damping);
         let new = each(|k| p[k] + d[k]);
         let along = dot(d, each(|k| new[k] - old[k]));
-        for k in 0..3 {
-            l.store(new[k], &mut self.impulse[1 - latest][k], pass);
+        for (new, axis) in new.into_iter().zip(&mut self.impulse[1 - latest]) {
+            l.store(new, axis, pass);
         }
         self.give(l, pass, (seen.n, d), [a, b], bodies);
         (settled, along, dd)
