@@ -267,6 +267,7 @@ impl Simulation {
             account.taken.push(target);
             return Ok(());
         }
+        self.state.pace.halvings = cuts;
         let before = Before::of(scene, &self.state);
         let commands = drive.commands(scene.settings.integrator, start, dt);
         let held = commands.map(|now| std::mem::replace(&mut self.state.commands, now));
@@ -284,7 +285,7 @@ impl Simulation {
             Ok(outcome) => {
                 self.state.time = target;
                 self.state.report.include(&outcome);
-                self.state.pace.learn(&scene.settings, &outcome);
+                self.state.pace.learn(&scene.settings, dt, &outcome);
                 self.check_finite()?;
                 self.book(&before, dt, account);
                 account.taken.push(target);

@@ -1,8 +1,10 @@
 //! How long the next internal step is, and whether there is anything left to step.
 //!
-//! Between `smallest_step` and `step` the internal step follows the sweeps of the steps before: a step costs as much beside its sweeps as
-//! [`EVEN`] of them, and sweeps grow faster than the step, so that simulated time is cheapest where both shares are about even. The
-//! sweeps of a step are part of the state, times are not: the same steps on every machine.
+//! Between `smallest_step` and `step` the internal step goes where simulated time is cheapest: a step costs its sweeps, and beside them as
+//! much as [`BESIDE`] sweeps. How sweeps grow with the step depends on the scene (a bed of a thousand spheres: faster than the step;
+//! a deep bed, whose few hardest contacts decide: hardly), so that it is tried: after [`WINDOW`] steps of one length the next ones
+//! are longer or shorter, and while simulated time gets cheaper that way goes on. What counts are sweeps, which are part of the
+//! state, and not times: the same steps on every machine.
 //!
 //! A scene in which nothing has moved faster than `rest_speed` for [`CALM`] steps comes to rest: velocities are zero and forces
 //! stay until something changes from outside.
@@ -14,14 +16,20 @@ use crate::drive::Drive;
 use crate::gravity::GravityMotion;
 use crate::motion::Twist;
 use crate::problem::Dof6;
-use crate::scene::{Scene, Settings};
+use crate::scene::{Scene, Settings, SolverKind};
 use crate::state::State;
 use crate::step::StepOutcome;
 
 /// Sweeps that cost as much as all else in a step (measured on `examples/dropped`).
-const EVEN: f64 = 32.0;
-/// Largest relative change of the step from one to the next.
-const CHANGE: [f64; 2] = [0.8, 1.15];
+const BESIDE: f64 = 48.0;
+/// Steps of one length.
+const WINDOW: u32 = 8;
+/// Factor from one length to the next.
+const CHANGE: f64 = 1.15;
+/// Sweeps of a single step, over [`BESIDE`], after which it is shortened at once.
+const TOO_MANY: f64 = 4.0;
+/// Most sweeps of a step that can be shortened instead.
+const PATIENCE: usize = 1000;
 /// Steps without motion after which a scene rests.
 const CALM: u32 = 10;
 
@@ -32,6 +40,16 @@ pub struct Pace {
     pub step: f64,
     /// Steps in a row without motion.
     pub calm: u32,
+    /// How often the step under way has been halved.
+    pub(super) halvings: u32,
+    /// Whether the last change made steps shorter.
+    shorter: bool,
+    /// Steps of this length, the time they took \[s\], and their cost in sweeps.
+    taken: u32,
+    time: f64,
+    cost: f64,
+    /// Cost of simulated time with the length before \[sweeps/s\]; 0 at first.
+    rate: f64,
 }
 
 impl Pace {
@@ -39,24 +57,62 @@ impl Pace {
     pub(super) fn of(settings: &Settings) -> Self {
         Self {
             step: settings.step,
-            calm: 0,
+            ..Self::default()
         }
     }
 
-    /// After a step.
-    pub(super) fn learn(&mut self, settings: &Settings, outcome: &StepOutcome) {
-        if let Some(smallest) = settings.smallest_step {
-            let sweeps = outcome.solver.sweeps.max(1) as f64;
-            let change = (EVEN / sweeps).powf(0.25).clamp(CHANGE[0], CHANGE[1]);
-            self.step = (self.step * change).clamp(smallest, settings.step);
+    /// Most sweeps of a step of `dt` \[s\], if it can be shortened instead: chosen steps come before factorizations.
+    pub(crate) fn patience(&self, settings: &Settings, dt: f64) -> Option<usize> {
+        let shorter = settings.smallest_step.is_some_and(|smallest| dt > smallest);
+        let can = shorter && self.halvings < settings.max_cuts;
+        (can && settings.solver != SolverKind::Direct).then_some(PATIENCE)
+    }
+
+    /// After a step of `dt` \[s\].
+    pub(super) fn learn(&mut self, settings: &Settings, dt: f64, outcome: &StepOutcome) {
+        let Some(smallest) = settings.smallest_step else {
+            self.step = settings.step;
+            return;
+        };
+        let sweeps = outcome.solver.sweeps as f64;
+        self.taken += 1;
+        self.time += dt;
+        self.cost += BESIDE + sweeps;
+        let hard = sweeps > TOO_MANY * BESIDE;
+        if self.taken < WINDOW && !hard {
+            return;
         }
+        let rate = self.cost / self.time;
+        if hard {
+            self.shorter = true;
+        } else if self.rate > 0.0 && rate > self.rate {
+            self.shorter = !self.shorter;
+        }
+        let change = match self.shorter {
+            true => 1.0 / CHANGE,
+            false => CHANGE,
+        };
+        self.turn((self.step * change).clamp(smallest, settings.step), rate);
     }
 
     /// After a step that had to be halved.
     pub(super) fn cut(&mut self, settings: &Settings) {
         if let Some(smallest) = settings.smallest_step {
-            self.step = (0.5 * self.step).clamp(smallest, settings.step);
+            self.shorter = true;
+            self.turn((0.5 * self.step).clamp(smallest, settings.step), 0.0);
         }
+    }
+
+    /// Goes on with steps of another length after those that cost `rate`.
+    fn turn(&mut self, step: f64, rate: f64) {
+        *self = Self {
+            step,
+            rate,
+            calm: self.calm,
+            halvings: self.halvings,
+            shorter: self.shorter,
+            ..Self::default()
+        };
     }
 }
 

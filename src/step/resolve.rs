@@ -28,9 +28,12 @@ impl Stage<'_> {
         twins: &mut [Twin<'_>],
     ) -> Result<StepOutcome, StepFailure> {
         let mut total = Report::default();
-        let budget = self.inputs.scene.settings.sweeps.filter(|_| self.moves);
+        let settings = &self.inputs.scene.settings;
+        let budget = settings.sweeps.filter(|_| self.moves);
+        let patience = state.pace.patience(settings, self.inputs.step);
         for _ in 0..PASSES {
             let left = budget.map(|budget| budget - total.sweeps);
+            let left = left.or(patience.filter(|_| self.moves));
             total = total.then(self.solve(state, scratch, left));
             let spent = budget.is_some_and(|budget| total.sweeps >= budget);
             if !total.converged && !spent {

@@ -1,6 +1,6 @@
 //! Contacts of spheres in blocks, and how a sweep over them goes.
 
-use super::lanes::{Body, Real, Sixteen};
+use super::lanes::{Real, Sixteen};
 use crate::scene::Tolerance;
 
 /// A vector of each of sixteen contacts, by components.
@@ -113,17 +113,4 @@ impl Block<f64> {
 /// `x` times `unit`, rounded.
 pub(super) fn single(x: &Sixteen<f64>, unit: f64) -> Sixteen<f32> {
     x.map(|x| (x * unit) as f32)
-}
-
-/// Moves `bodies` on by `momentum` times their last change, and keeps where they were in `before`.
-pub(super) fn drift<T: Real>(bodies: &mut [Body<T>], before: &mut [Body<T>], momentum: f64) {
-    let momentum = T::of(momentum);
-    for (body, before) in bodies.iter_mut().zip(before) {
-        let now = *body;
-        // Masses do not change, so that they stay.
-        for (x, x_before) in body.0.iter_mut().zip(before.0) {
-            *x += momentum * (*x - x_before);
-        }
-        *before = now;
-    }
 }

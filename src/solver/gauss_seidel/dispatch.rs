@@ -123,6 +123,32 @@ impl<T: Real> Work for Sweep<'_, T> {
     }
 }
 
+/// What moves bodies on by `momentum` times their last change, and keeps where they were in `before`.
+#[derive(Debug)]
+pub(super) struct Drift<'a, T> {
+    pub(super) bodies: &'a mut [Body<T>],
+    pub(super) before: &'a mut [Body<T>],
+    pub(super) momentum: f64,
+}
+
+impl<T: Real> Work for Drift<'_, T> {
+    type Real = T;
+    type Output = ();
+
+    #[inline(always)]
+    fn with<L: Lanes<T>>(self, _: L) {
+        let momentum = T::of(self.momentum);
+        for (body, before) in self.bodies.iter_mut().zip(self.before) {
+            let now = *body;
+            // Masses do not change, so that they stay.
+            for (x, x_before) in body.0.iter_mut().zip(before.0) {
+                *x += momentum * (*x - x_before);
+            }
+            *before = now;
+        }
+    }
+}
+
 impl Work for Push<'_> {
     type Real = f64;
     type Output = ();

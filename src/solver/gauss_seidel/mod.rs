@@ -34,7 +34,7 @@ pub use layout::Layout;
 /// Sweeps after which updates are damped and momentum ends: exact Coulomb friction can cycle.
 const DAMP_AFTER: [(usize, f64); 2] = [(300, 0.6), (1200, 0.3)];
 /// Sweeps after which, and promises broken after which single precision is left.
-const SINGLE_SWEEPS: usize = 200;
+const SINGLE_SWEEPS: usize = 400;
 const BROKEN: usize = 2;
 /// The first sweep with momentum: the first ones remove what is local.
 const MOMENTUM_FROM: usize = 4;

@@ -4,8 +4,8 @@ use std::ops::Range;
 
 use arrayvec::ArrayVec;
 
-use super::block::{Block, Pace, Progress, Vector, Verdict, drift, single};
-use super::dispatch::{Judge, Precision, Push, Sweep};
+use super::block::{Block, Pace, Progress, Vector, Verdict, single};
+use super::dispatch::{Drift, Judge, Precision, Push, Sweep};
 use super::lanes::Body;
 use super::layout::PARTS;
 use crate::parallel::Pool;
@@ -103,13 +103,18 @@ impl<T: Precision> Sheet<T> {
         let parts = || turns[0].iter().map(|group| group.bodies.clone());
         // Behind the parts are driven bodies.
         let rest = turns[0].last().map_or(0, |group| group.bodies.end);
-        drift(&mut self.bodies[rest..], &mut self.before[rest..], momentum);
+        let drift = |bodies: &mut [Body<T>], before: &mut [Body<T>]| {
+            T::widest(Drift {
+                bodies,
+                before,
+                momentum,
+            });
+        };
+        drift(&mut self.bodies[rest..], &mut self.before[rest..]);
         let bodies = split(&mut self.bodies, parts()).into_iter();
         let pairs = bodies.zip(split(&mut self.before, parts()));
         let mut pairs: ArrayVec<_, PARTS> = pairs.collect();
-        pool.each(rest, &mut pairs, |(now, before)| {
-            drift(now, before, momentum)
-        });
+        pool.each(rest, &mut pairs, |(now, before)| drift(now, before));
     }
 }
 
