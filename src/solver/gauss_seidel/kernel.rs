@@ -448,5 +448,13 @@ mod tests {
                 assert!((body[k + 4] - spin[k]).abs() < 1e-12);
             }
         }
+        kernel.judge(&problem);
+        let mut judged = Vec::new();
+        kernel.velocities_into(&mut judged);
+        assert_eq!(judged.len(), velocity.len());
+        for (found, expected) in judged.iter().zip(&velocity) {
+            assert!((found.linear - expected.linear).norm() < 1e-12);
+            assert!((found.angular - expected.angular).norm() < 1e-10);
+        }
     }
 }
