@@ -28,7 +28,7 @@ impl Kernel {
         let parts = self.layout.parts();
         self.group.clear();
         for (k, row) in problem.rows.iter().enumerate() {
-            let group = if !self.resisted[k] && self.is_sphere_contact(problem, row) {
+            let group = if !self.resisted[k] && self.is_sphere_contact(row) {
                 let part = |body: u32| self.layout.place(body as usize).1;
                 let a = part(row.a);
                 let b = if row.b == GROUND { a } else { part(row.b) };
@@ -156,6 +156,7 @@ impl Kernel {
             self.held[body as usize] &= !(1 << at);
         }
         block.clear_from(block.count as usize);
+        block.impulse[1] = block.impulse[0];
     }
 
     /// Adds a contact of spheres to a block.
@@ -176,7 +177,6 @@ impl Kernel {
         for axis in 0..3 {
             block.normal[axis][lane] = row.normal[axis];
             block.impulse[0][axis][lane] = impulse[axis];
-            block.impulse[1][axis][lane] = impulse[axis];
         }
         block.bias[lane] = bias;
         block.friction[lane] = mu;
@@ -197,26 +197,21 @@ impl Kernel {
     }
 
     /// `row` as a contact of spheres: those have the same mobility in all directions and are touched at `R normal`.
-    fn is_sphere_contact(&mut self, problem: &Problem, row: &Row) -> bool {
+    fn is_sphere_contact(&mut self, row: &Row) -> bool {
         matches!(row.law, Law::Contact { .. })
             && row.compliance_n == 0.0
             && row.compliance_t == 0.0
-            && self.is_sphere(problem, row.a, -row.arm_a, row.normal)
-            && (row.b == GROUND || self.is_sphere(problem, row.b, row.arm_b, row.normal))
+            && self.is_sphere(row.a, -row.arm_a, row.normal)
+            && (row.b == GROUND || self.is_sphere(row.b, row.arm_b, row.normal))
     }
 
-    fn is_sphere(&mut self, problem: &Problem, body: u32, arm: Vec3, normal: Vec3) -> bool {
-        let Some(w) = problem.inverse_mass.get(body as usize) else {
-            return false;
-        };
-        let same = |v: &Vec3| v.x == v.y && v.y == v.z;
-        let radius = arm.dot(&normal);
+    /// Whether a body is a sphere that is touched at `arm`; the first time that is where it gets its radius.
+    fn is_sphere(&mut self, body: u32, arm: Vec3, normal: Vec3) -> bool {
         let known = &mut self.radius[body as usize];
         if *known == 0.0 {
-            *known = radius;
+            *known = arm.dot(&normal).max(0.0);
         }
-        let off = (arm - normal * radius).norm_squared() + (radius - *known).powi(2);
-        same(&w.linear) && same(&w.angular) && radius > 0.0 && off <= (SAME * radius).powi(2)
+        *known > 0.0 && (arm - normal * *known).norm_squared() <= (SAME * *known).powi(2)
     }
 }
 

@@ -38,7 +38,7 @@ pub struct Kernel {
     pub(super) turns: Turns,
     /// Where each body is, `[N + D]`. Each part ends with a body that never moves, and driven bodies are behind them all.
     pub(super) place: Vec<u32>,
-    /// Length by which each body's spin is scaled \[m\], `[N + D]`; zero until a contact gives it.
+    /// Length by which each body's spin is scaled \[m\], `[N + D]`: its radius; zero until a contact gives it.
     pub(super) radius: Vec<f64>,
     pub(super) others: Vec<Other>,
     /// Velocities of the bodies that other rows move, while such a row is under way, `[N + D]`.
@@ -66,7 +66,15 @@ impl Kernel {
         let spheres = problem.inverse_mass.len();
         self.tolerance = *tolerance;
         self.step = problem.step;
-        refill(&mut self.radius, problem.free.len(), 0.0);
+        let same = |v: &Vec3| v.x == v.y && v.y == v.z;
+        self.radius.clear();
+        self.radius.extend(problem.inverse_mass.iter().map(|w| {
+            match same(&w.linear) && same(&w.angular) {
+                true => 0.0,
+                false => NO_SPHERE,
+            }
+        }));
+        self.radius.resize(problem.free.len(), NO_SPHERE);
         refill(&mut self.velocity, problem.free.len(), Dof6::ZERO);
         refill(&mut self.resisted, problem.rows.len(), false);
         for row in &problem.rows {
@@ -295,14 +303,16 @@ impl Kernel {
     }
 }
 
+/// Radius of a body that does not move alike in all directions.
+const NO_SPHERE: f64 = -1.0;
 /// Group of a row that no block has.
 pub(super) const NONE: u32 = u32::MAX;
 
 /// Length by which the spin of body `i` is scaled \[m\].
 fn scale(radius: &[f64], i: usize) -> f64 {
     match radius[i] {
-        0.0 => 1.0,
-        radius => radius,
+        radius if radius > 0.0 => radius,
+        _ => 1.0,
     }
 }
 
