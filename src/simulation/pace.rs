@@ -184,3 +184,45 @@ impl Simulation {
         persisting_wrenches.clone_from(wrenches);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::solver::Report;
+
+    /// Mean length \[s\] of the last of many steps that take `sweeps` of their length.
+    fn length(sweeps: impl Fn(f64) -> f64) -> f64 {
+        let settings = Settings {
+            step: 1e-2,
+            smallest_step: Some(1e-6),
+            ..Settings::default()
+        };
+        let mut pace = Pace::of(&settings);
+        let mut lengths = Vec::new();
+        for _ in 0..4000 {
+            let outcome = StepOutcome {
+                solver: Report {
+                    sweeps: sweeps(pace.step) as usize,
+                    ..Report::default()
+                },
+                ..StepOutcome::default()
+            };
+            lengths.push(pace.step);
+            pace.learn(&settings, pace.step, &outcome);
+        }
+        lengths[3000..].iter().sum::<f64>() / 1000.0
+    }
+
+    /// `(B + c dt^a)/dt` is least where `c dt^a = B/(a - 1)`; where sweeps hardly grow, at the longest step.
+    #[test]
+    fn steps_end_where_time_is_cheapest() {
+        for (power, best) in [(2.0, 1e-4), (1.5, 3e-4), (3.0, 2e-5)] {
+            let at_best = BESIDE / (power - 1.0);
+            let found = length(|dt: f64| at_best * (dt / best).powf(power));
+            let off: f64 = found / best;
+            assert!((0.7..1.4).contains(&off), "power {power}: {off} of the best");
+        }
+        let found = length(|dt| 20.0 * (dt / 1e-4).powf(0.2));
+        assert!(found > 0.7e-2, "{found} s");
+    }
+}

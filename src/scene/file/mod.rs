@@ -132,7 +132,7 @@ pub struct Simulation {
     #[serde(default = "iterations")]
     #[schemars(extend("minimum" = 1))]
     pub max_iterations: u32,
-    /// With it the internal step is chosen between this and `step` for least total time: longer where a step needs few sweeps \[s\].
+    /// With it the internal step is chosen between this and `step` for least total time: longer or shorter as simulated time gets cheaper \[s\].
     #[schemars(extend("x-default" = "every internal step is as long as `step` allows", "exclusiveMinimum" = 0))]
     pub smallest_step: Option<f64>,
     /// Real-time mode: most Gauss-Seidel sweeps of a step. What they reach is taken; `maxOverlap` and the residuals say how good it is.
