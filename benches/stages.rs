@@ -13,7 +13,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use divan::Bencher;
 use divan::counter::{BytesCount, ItemsCount};
-use sphere_dda::contacts::broad_phase::NeighborList;
+use sphere_dda::contacts::broad_phase::{NeighborList, Reach};
 use sphere_dda::contacts::narrow_phase::{Candidate, Placement};
 use sphere_dda::observe::Observation;
 use sphere_dda::observe::frames::{Surface, frame};
@@ -190,7 +190,11 @@ fn placed(simulation: &Simulation) -> Placement<'_> {
 fn neighbours(simulation: &Simulation, reach: &[f64]) -> NeighborList {
     let mut list = NeighborList::default();
     let largest = reach.iter().copied().fold(0.0, f64::max);
-    list.ensure(&placed(simulation), 2.0 * largest);
+    let widest = Reach {
+        pairs: 2.0 * largest,
+        walls: largest,
+    };
+    list.ensure(&placed(simulation), widest);
     list
 }
 

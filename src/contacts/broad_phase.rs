@@ -16,13 +16,56 @@ use crate::motion::Pose;
 const SKIN: f64 = 0.1;
 /// Skin over the reach asked for: how many steps a list should serve in fast motion.
 const STEPS: f64 = 4.0;
+/// Rounding of gaps over the skin, generously.
+const ROUNDING: f64 = 1e-6;
 /// Most cells along an axis; the grid coarsens beyond.
 const CELLS: f64 = 1e6;
+
+/// How wide gaps may be \[m\].
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Reach {
+    /// Of two spheres.
+    pub pairs: f64,
+    /// Of a sphere and a boundary.
+    pub walls: f64,
+}
+
+impl Reach {
+    /// Both at least `least`.
+    fn at_least(self, least: f64) -> Self {
+        Self {
+            pairs: self.pairs.max(least),
+            walls: self.walls.max(least),
+        }
+    }
+
+    fn plus(self, other: Self, scale: f64) -> Self {
+        Self {
+            pairs: self.pairs + scale * other.pairs,
+            walls: self.walls + scale * other.walls,
+        }
+    }
+
+    fn exceeds(self, other: Self) -> bool {
+        self.pairs > other.pairs || self.walls > other.walls
+    }
+}
+
+/// A sphere near a boundary.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct NearWall {
+    /// The sphere.
+    pub sphere: u32,
+    /// The boundary.
+    pub boundary: u16,
+    /// Their gap when the list was built \[m\].
+    gap: f64,
+}
 
 /// Pairs with a gap below the skin when the list was built.
 #[derive(Debug, Clone, Default)]
 pub struct NeighborList {
-    skin: f64,
+    skin: Reach,
     built_at: Vec<Vec3>,
     built_present: Vec<bool>,
     built_poses: Vec<Pose>,
@@ -30,29 +73,40 @@ pub struct NeighborList {
     pub pairs: Vec<(u32, u32)>,
     /// Sphere pairs `(i, j)`, `i < j`, with an image of `j` in a periodic cell, ascending.
     pub images: Vec<(u32, u32, Image)>,
-    /// Spheres near boundaries `(sphere, boundary)`, ascending.
-    pub walls: Vec<(u32, u16)>,
+    /// Spheres near boundaries, ascending.
+    pub walls: Vec<NearWall>,
+    /// Bound of how much gaps at boundaries have shrunk from when the list was built to where it was ensured last \[m\].
+    shrunk: f64,
 }
 
 impl NeighborList {
-    /// Makes sure that every pair with a gap of at most `reach` \[m\] in `now` is listed.
-    pub fn ensure(&mut self, now: &Placement, reach: f64) {
-        if self.built_present != now.present || self.moved(now) + reach > self.skin {
+    /// Makes sure that every pair with a gap of at most `reach` in `now` is listed.
+    pub fn ensure(&mut self, now: &Placement, reach: Reach) {
+        let same = self.built_present == now.present;
+        let moved = self.moved(now);
+        self.shrunk = moved.walls;
+        if !same || moved.plus(reach, 1.0).exceeds(self.skin) {
             self.build(now, reach);
         }
     }
 
-    /// Bound of how much any gap can have shrunk since the list was built \[m\].
-    fn moved(&self, now: &Placement) -> f64 {
-        let spheres = self
-            .built_at
-            .iter()
-            .zip(now.position)
-            .map(|(then, now)| (now - then).norm_squared())
-            .fold(0.0, f64::max)
-            .sqrt();
+    /// Whether a sphere, where the list was ensured last, may be within `reach` \[m\] of the boundary: false only if it is
+    /// clearly not, so that what follows does not depend on when the list was built.
+    #[must_use]
+    pub fn may_touch(&self, near: &NearWall, reach: f64) -> bool {
+        near.gap - self.shrunk <= reach + ROUNDING * self.skin.walls
+    }
+
+    /// Bound of how much any gap can have shrunk since the list was built.
+    fn moved(&self, now: &Placement) -> Reach {
+        let ways = self.built_at.iter().zip(now.position);
+        let (pairs, spheres) = spread(ways.map(|(then, now)| now - then));
+        let reach = |walls: f64| Reach {
+            pairs,
+            walls: spheres + walls,
+        };
         if self.built_poses == now.poses {
-            return 2.0 * spheres;
+            return reach(0.0);
         }
         // A rigid displacement is largest at a corner of the box around the spheres.
         let corners = corners(now.present_positions());
@@ -68,17 +122,19 @@ impl NeighborList {
                 })
             })
             .fold(0.0, f64::max);
-        spheres + spheres.max(walls)
+        reach(walls)
     }
 
-    fn build(&mut self, now: &Placement, reach: f64) {
+    fn build(&mut self, now: &Placement, reach: Reach) {
         let smallest = now
             .particles
             .radius
             .iter()
             .copied()
             .fold(f64::INFINITY, f64::min);
-        self.skin = (SKIN * smallest).max(STEPS * reach);
+        self.skin = Reach::default()
+            .plus(reach, STEPS)
+            .at_least(SKIN * smallest);
         self.built_at.clear();
         self.built_at.extend_from_slice(now.position);
         self.built_present.clear();
@@ -89,11 +145,13 @@ impl NeighborList {
         self.pairs.clear();
         self.images.clear();
         if now.cell.is_open() {
-            self.pairs = sphere_pairs(now.position, now.present, radius, self.skin);
+            self.pairs = sphere_pairs(now.position, now.present, radius, self.skin.pairs);
         } else {
-            self.images = periodic_pairs(now.cell, now.position, now.present, radius, self.skin);
+            self.images =
+                periodic_pairs(now.cell, now.position, now.present, radius, self.skin.pairs);
         }
         self.walls.clear();
+        self.shrunk = 0.0;
         let mut touches = Vec::new();
         for (i, (&centre, &radius)) in now.position.iter().zip(radius).enumerate() {
             if !now.present[i] {
@@ -104,21 +162,43 @@ impl NeighborList {
                 let centre = boundary.to_frame(pose, boundary.copy_near(now.cell, pose, centre));
                 boundary
                     .geometry
-                    .touches(centre, radius, self.skin, &mut touches);
-                if !touches.is_empty() {
-                    self.walls.push((i as u32, b as u16));
+                    .touches(centre, radius, self.skin.walls, &mut touches);
+                let gaps = touches.iter().map(|touch| touch.gap);
+                if let Some(gap) = gaps.reduce(f64::min) {
+                    self.walls.push(NearWall {
+                        sphere: i as u32,
+                        boundary: b as u16,
+                        gap,
+                    });
                 }
             }
         }
     }
 }
 
-/// The corners of the box around `points`; the origin eight times if there are none.
-fn corners(points: impl Iterator<Item = Vec3>) -> [Vec3; 8] {
-    let (low, high) = points
+/// How far two of `vectors` differ at most, and the length of the longest.
+pub fn spread(vectors: impl Iterator<Item = Vec3> + Clone) -> (f64, f64) {
+    let longest = vectors
+        .clone()
+        .map(|v| v.norm_squared())
+        .fold(0.0, f64::max);
+    let (low, high) = around(vectors);
+    // The box's diagonal; no more than from one to the origin and on to the other.
+    let longest = longest.sqrt();
+    ((high - low).norm().min(2.0 * longest), longest)
+}
+
+/// Lower and upper corner of the box around `points`; the origin if there are none.
+pub fn around(points: impl Iterator<Item = Vec3>) -> (Vec3, Vec3) {
+    points
         .map(|p| (p, p))
         .reduce(|(low, high), (p, _)| (low.inf(&p), high.sup(&p)))
-        .unwrap_or_default();
+        .unwrap_or_default()
+}
+
+/// The corners of the box around `points`; the origin eight times if there are none.
+fn corners(points: impl Iterator<Item = Vec3>) -> [Vec3; 8] {
+    let (low, high) = around(points);
     std::array::from_fn(|k| {
         Vec3::from_fn(|axis, _| {
             if k >> axis & 1 == 0 {

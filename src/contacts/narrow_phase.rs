@@ -1,6 +1,6 @@
 //! Narrow phase: gaps and normals of the pairs within reach, and the true gap after a motion.
 
-use super::broad_phase::NeighborList;
+use super::broad_phase::{NearWall, NeighborList};
 use super::{Contact, Key, Load, Partner};
 use crate::Vec3;
 use crate::boundaries::{Boundary, Touch};
@@ -228,13 +228,17 @@ impl Placement<'_> {
         found.clear();
         // Both lists ascend in the sphere, and a sphere's partners are spheres before boundaries: taken in turns they
         // are in canonical order but for the features of one boundary.
-        let mut walls = list.walls.iter().copied().peekable();
+        let mut walls = list.walls.iter().peekable();
         let mut touches = Vec::new();
-        let mut wall = |(i, b): (u32, u16), found: &mut Vec<Candidate>| {
-            self.touching(i, b, reach_wall(i, b), &mut touches, found);
+        let mut wall = |near: &NearWall, found: &mut Vec<Candidate>| {
+            let (i, b) = (near.sphere, near.boundary);
+            let reach = reach_wall(i, b);
+            if list.may_touch(near, reach) {
+                self.touching(i, b, reach, &mut touches, found);
+            }
         };
         for &(i, j) in &list.pairs {
-            while let Some(earlier) = walls.next_if(|(sphere, _)| *sphere < i) {
+            while let Some(earlier) = walls.next_if(|near| near.sphere < i) {
                 wall(earlier, found);
             }
             let reach = reach_pair(i, j);
@@ -284,10 +288,10 @@ impl Placement<'_> {
             }
         }
         let (mut touches, mut found) = (Vec::new(), Vec::new());
-        for &(i, b) in &list.walls {
-            self.touching(i, b, 0.0, &mut touches, &mut found);
+        for near in list.walls.iter().filter(|near| list.may_touch(near, 0.0)) {
+            self.touching(near.sphere, near.boundary, 0.0, &mut touches, &mut found);
             for touch in found.drain(..) {
-                if include(touch.gap, self.particles.radius[i as usize]) {
+                if include(touch.gap, self.particles.radius[near.sphere as usize]) {
                     deep.push(touch);
                 }
             }

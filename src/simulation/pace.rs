@@ -220,7 +220,10 @@ mod tests {
             let at_best = BESIDE / (power - 1.0);
             let found = length(|dt: f64| at_best * (dt / best).powf(power));
             let off: f64 = found / best;
-            assert!((0.7..1.4).contains(&off), "power {power}: {off} of the best");
+            assert!(
+                (0.7..1.4).contains(&off),
+                "power {power}: {off} of the best"
+            );
         }
         let found = length(|dt| 20.0 * (dt / 1e-4).powf(0.2));
         assert!(found > 0.7e-2, "{found} s");

@@ -16,7 +16,7 @@ pub(crate) use external::release;
 pub use start::{initial_forces, remove_overlaps};
 
 use crate::Vec3;
-use crate::contacts::broad_phase::NeighborList;
+use crate::contacts::broad_phase::{NeighborList, Reach};
 use crate::driven::Ready;
 use crate::linalg::LinearError;
 use crate::motion::{Pose, Twist};
@@ -35,7 +35,7 @@ pub struct Scratch {
     neighbors: NeighborList,
     workspace: Workspace,
     memory: Memory,
-    reach: Vec<f64>,
+    reach: Vec<Reach>,
     kept: Kept,
 }
 

@@ -14,6 +14,7 @@ use super::stage::Stage;
 use super::{Passed, Scratch};
 use crate::Vec3;
 use crate::cell::{HERE, Image};
+use crate::contacts::broad_phase::{Reach, spread};
 use crate::contacts::narrow_phase::{Candidate, Placement};
 use crate::contacts::sweep::{least_distance, meets};
 use crate::contacts::{Key, Partner};
@@ -35,13 +36,14 @@ impl Stage<'_> {
     ) -> Option<Passed> {
         let step = self.inputs.step;
         let spheres = self.inputs.kinematics.len();
-        let longest = solution[..spheres]
-            .iter()
-            .zip(&self.problem.free)
-            .map(|(v, free)| v.linear.norm_squared().max(free.linear.norm_squared()))
-            .fold(0.0, f64::max)
-            .sqrt()
-            * step;
+        let free = &self.problem.free[..spheres];
+        let ways = [&solution[..spheres], free];
+        let [own, freely_moving] = ways.map(|v| spread(v.iter().map(|v| v.linear * step)));
+        let longest = own.1.max(freely_moving.1);
+        let mut range = Reach {
+            pairs: own.0.max(freely_moving.0),
+            walls: longest,
+        };
         let start = &self.start;
         let smallest = start
             .particles
@@ -50,13 +52,12 @@ impl Stage<'_> {
             .copied()
             .fold(f64::INFINITY, f64::min);
         let [_, freely] = self.inputs.poses;
-        let mut range = 2.0 * longest;
         for b in 0..ends.len() {
             for to in [&ends[b], &freely[b]] {
-                range = range.max(longest + start.carried(b, to));
+                range.walls = range.walls.max(longest + start.carried(b, to));
             }
         }
-        if range <= SMALL_MOTION * smallest {
+        if range.pairs.max(range.walls) <= SMALL_MOTION * smallest {
             return None;
         }
         scratch.neighbors.ensure(start, range);
@@ -73,9 +74,18 @@ impl Stage<'_> {
             (i, Partner::Sphere { index, image }, ways)
         };
         let list = &scratch.neighbors;
-        let here = list.pairs.iter().map(|&(i, j)| apart(i, j, HERE));
+        // Most pairs hardly move against each other.
+        let far = |&&(i, j): &&(u32, u32)| {
+            let [a, b] = [i, j].map(|k| k as usize);
+            let limit = SMALL_MOTION * radius[a].min(radius[b]) * (1.0 - 1e-9);
+            let motion = ways.map(|v| (v[a].linear - v[b].linear).norm_squared() * step * step);
+            motion[0].max(motion[1]) > limit * limit
+        };
+        let here = list.pairs.iter().filter(far);
+        let here = here.map(|&(i, j)| apart(i, j, HERE));
         let images = list.images.iter().map(|&(i, j, image)| apart(i, j, image));
-        let walls = list.walls.iter().map(|&(i, boundary)| {
+        let walls = list.walls.iter().map(|near| {
+            let (i, boundary) = (near.sphere, near.boundary);
             let ways = [&end, &free].map(|to| start.way(to, i, boundary));
             let feature = 0;
             (i, Partner::Boundary { boundary, feature }, ways)

@@ -6,6 +6,7 @@ use super::beside::{self, Twin};
 use super::stage::{Stage, follow};
 use super::{Passed, Scratch, StepFailure, StepOutcome};
 use crate::Vec3;
+use crate::contacts::broad_phase::Reach;
 use crate::contacts::narrow_phase::{Candidate, Placement};
 use crate::contacts::{Partner, history};
 use crate::problem::{Dof6, Law};
@@ -86,7 +87,7 @@ impl Stage<'_> {
             poses: &ends,
             ..self.start
         };
-        scratch.neighbors.ensure(&end, 0.0);
+        scratch.neighbors.ensure(&end, Reach::default());
         let limit = self.inputs.scene.settings.tolerance.gap;
         let max_overlap = end.overlaps(&scratch.neighbors, limit, &mut closed);
         // The penalty method lets bodies overlap as they like.

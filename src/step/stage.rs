@@ -4,6 +4,7 @@ use std::mem::take;
 
 use super::Scratch;
 use crate::Vec3;
+use crate::contacts::broad_phase::{Reach, around};
 use crate::contacts::history::{self, Past};
 use crate::contacts::narrow_phase::{Candidate, Placement};
 use crate::driven::Hold;
@@ -68,13 +69,26 @@ impl<'a> Stage<'a> {
         let mut stage = Self::empty(inputs, take(&mut scratch.memory));
         let (scene, start, step) = (inputs.scene, stage.start, inputs.step);
         // What a sphere can move in the step, before contacts change its velocity: the check after the
-        // solve finds what this misses.
+        // solve finds what this misses. Against other spheres what all have in common does not count.
+        let (velocity, free) = (&inputs.kinematics.velocity, &stage.problem.free);
+        let both = || {
+            velocity
+                .iter()
+                .zip(free)
+                .map(|(now, free)| (now, &free.linear))
+        };
+        let (low, high) = around(both().flat_map(|(now, free)| [*now, *free]));
+        let common = (low + high) * 0.5;
+        let radii = scene.particles.radius.iter();
+        let way = |(now, free): (&Vec3, &Vec3), common: &Vec3| {
+            let squared = (now - common).norm_squared();
+            step * squared.max((free - common).norm_squared()).sqrt()
+        };
         let mut reach = take(&mut scratch.reach);
         reach.clear();
-        reach.extend((0..inputs.kinematics.len()).map(|i| {
-            let free = stage.problem.free[i].linear.norm();
-            let now = inputs.kinematics.velocity[i].norm();
-            step * free.max(now) + NEAR * scene.particles.radius[i]
+        reach.extend(both().zip(radii).map(|(v, radius)| Reach {
+            pairs: way(v, &common) + NEAR * radius,
+            walls: way(v, &Vec3::zeros()) + NEAR * radius,
         }));
         let wall_motion = |i: u32, b: u16| {
             let b = usize::from(b);
@@ -84,19 +98,28 @@ impl<'a> Stage<'a> {
                 inputs.kinematics.position[i as usize],
             )
         };
-        let largest = reach.iter().copied().fold(0.0, f64::max);
+        let largest = reach.iter().fold(Reach::default(), |largest, own| Reach {
+            pairs: own.pairs.max(largest.pairs),
+            walls: own.walls.max(largest.walls),
+        });
         let radii = scene.particles.radius.iter().copied();
-        let diameter = 2.0 * (radii.fold(0.0, f64::max) + largest);
+        let diameter = 2.0 * (radii.fold(0.0, f64::max) + largest.pairs);
         let kernel = &mut scratch.workspace.kernel;
         kernel.prepare(scene.settings.threads, start.position, diameter);
         // Of every sphere and boundary: what the list holds already must not decide what it lacks.
         let carried = (0..scene.boundaries.len()).map(|b| start.carried(b, &inputs.poses[1][b]));
-        let widest = carried.fold(largest, |widest, way| widest.max(largest + way));
-        scratch.neighbors.ensure(&start, widest.max(2.0 * largest));
+        let widest = Reach {
+            pairs: 2.0 * largest.pairs.min(largest.walls),
+            walls: largest.walls + carried.fold(0.0, f64::max),
+        };
+        scratch.neighbors.ensure(&start, widest);
         start.candidates(
             &scratch.neighbors,
-            |i, j| reach[i as usize] + reach[j as usize],
-            |i, b| reach[i as usize] + wall_motion(i, b),
+            |i, j| {
+                let [a, b] = [i, j].map(|k| &reach[k as usize]);
+                (a.pairs + b.pairs).min(a.walls + b.walls)
+            },
+            |i, b| reach[i as usize].walls + wall_motion(i, b),
             &mut stage.candidates,
         );
         scratch.reach = reach;

@@ -4,6 +4,7 @@ use super::beside::{self, Twin};
 use super::stage::{Held, Stage};
 use super::{Scratch, Start, StepFailure, external, surfaces};
 use crate::Vec3;
+use crate::contacts::broad_phase::Reach;
 use crate::contacts::narrow_phase::Placement;
 use crate::driven::Ready;
 use crate::motion::Twist;
@@ -84,7 +85,7 @@ pub fn remove_overlaps(
     pairs: &mut [[&mut State; 2]],
 ) -> Result<(), StepFailure> {
     let placement = Placement::of(scene, &state.kinematics, &state.poses);
-    scratch.neighbors.ensure(&placement, 0.0);
+    scratch.neighbors.ensure(&placement, Reach::default());
     let mut closed = Vec::new();
     state.initial_overlap = placement.overlaps(&scratch.neighbors, 0.0, &mut closed);
     if scene.settings.method == Method::Penalty
