@@ -12,8 +12,12 @@ OURS = {
     "1e-5": {"tolerance": 1e-5, "step": 1e-3, "smallest_step": 2e-5},
     "1e-6": {"tolerance": 1e-6, "step": 5e-4, "smallest_step": 1e-5},
 }
-# The same for the funnel with steps of one length.
-FIXED = {gap: {"tolerance": settings["tolerance"], "step": 5e-4} for gap, settings in OURS.items()}
+# The same for the funnel with steps of one length [s].
+FIXED = {
+    "1e-4": {"tolerance": 1e-4, "step": 1e-3},
+    "1e-5": {"tolerance": 1e-5, "step": 5e-4},
+    "1e-6": {"tolerance": 1e-6, "step": 5e-4},
+}
 # Step [s], substeps [-] and contact softness [Hz] from fast to accurate. Contacts are looked for 0.02 mean diameters ahead; with
 # `prediction` [diameters], the way of the fastest spheres in a step, impacts are met earlier: rows of more time and less overlap.
 RAPIER = {
