@@ -27,7 +27,7 @@ friction = 0.5
 name = "bed"
 material = "glass"
 radius = 0.01
-seed = 2
+seed = 3
 lattice = { origin = [0.0, 0.0, 0.011], count = [3, 3, 2], spacing = 0.021, jitter = 0.02 }
 
 [[boundary]]

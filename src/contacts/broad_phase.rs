@@ -2,7 +2,7 @@
 //!
 //! Spheres are sorted by the cell of a uniform grid; five runs of cells hold all forward neighbours of a
 //! sphere, and as cells are visited in order each run is a pair of advancing pointers. The list keeps every
-//! pair whose gap is below a skin, so it serves until something has moved by half of what the skin leaves.
+//! pair whose gap is below a skin, so it serves until two have moved against each other by what the skin leaves.
 //! What is in the list never shows in results: the narrow phase takes from it the pairs within reach, in
 //! canonical order.
 
