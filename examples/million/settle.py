@@ -9,6 +9,7 @@ far, is printed in Markdown. Needs Linux.
 
 import argparse
 import csv
+import resource
 import signal
 import subprocess
 import sys
@@ -50,7 +51,8 @@ def watch(process, folder, limit):
     while not over:
         time.sleep(LOOK)
         over = process.poll() is not None
-        largest = max(largest, peak(process))
+        # One that ended between two looks is told of by its parent alone.
+        largest = max(largest, 1024 * resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss if over else peak(process))
         now = time.monotonic()
         if not asked and now - begun > limit:
             process.send_signal(signal.SIGINT)

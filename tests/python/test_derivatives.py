@@ -303,7 +303,8 @@ def test_directional_derivatives_are_central_differences_of_the_fmu(export, step
         for change in (4e-3, 1e-3):
             expected = differences(slave, blob, MEASURED, inputs, base, (3 * h, h), change)
             scale = by_vector(expected)
-            told = scale > 1e-3 * scale.max()
+            # Not 1e-3: the momentum of a step of 1e-3 s would be at the edge.
+            told = scale > 5e-4 * scale.max()
             errors.append((np.abs(found - expected) / np.where(told, scale, 1.0))[told].max())
             assert told.sum() >= 30
     assert errors[1] < 1e-5, errors
