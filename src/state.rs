@@ -5,7 +5,7 @@ use std::collections::VecDeque;
 use serde::{Deserialize, Serialize};
 
 use crate::Vec3;
-use crate::contacts::Load;
+use crate::contacts::carried::Carried;
 use crate::drive::target;
 use crate::driven::BodyState;
 use crate::motion::{Command, Motion, Pose, Rates, Twist};
@@ -55,7 +55,7 @@ pub struct Reserve {
 }
 
 /// Everything that decides the future of a run.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, PartialEq, Serialize, Deserialize)]
 pub struct State {
     /// Time \[s\].
     pub time: f64,
@@ -74,7 +74,7 @@ pub struct State {
     /// The same averaged over the last communication step \[N\].
     pub mean_body_force: Vec3,
     /// Loaded contacts of the last step, canonical order.
-    pub contacts: Vec<Load>,
+    pub contacts: Carried,
     /// Force of each constrained spring on its sphere \[N\], `[S]`.
     pub springs: Vec<Vec3>,
     /// Boundary poses, `[B]`.
@@ -115,7 +115,39 @@ pub struct State {
     pub pace: Pace,
 }
 
+/// A [`Clone`] of all `fields` that copies into the memory that there is, which the derived one does not.
+macro_rules! clone_in_place {
+    ($($field:ident)*) => {
+        impl Clone for State {
+            fn clone(&self) -> Self {
+                Self {
+                    $($field: self.$field.clone(),)*
+                }
+            }
+
+            fn clone_from(&mut self, other: &Self) {
+                $(self.$field.clone_from(&other.$field);)*
+            }
+        }
+    };
+}
+
+clone_in_place! {
+    time last_step gravity kinematics persisting external body_force mean_body_force contacts springs
+    poses twists bodies commands rates wrenches persisting_wrenches mean_wrenches work reserves
+    emitted removed passed flow initial_overlap penalty report pace
+}
+
 impl State {
+    /// A copy, in the `memory` of another state if there is one.
+    pub(crate) fn copied_into(&self, memory: Option<Self>) -> Self {
+        let Some(mut copy) = memory else {
+            return self.clone();
+        };
+        copy.clone_from(self);
+        copy
+    }
+
     /// Gravity \[m/s^2\] at time `t` \[s\].
     #[must_use]
     pub fn gravity_at(&self, scene: &Scene, t: f64) -> Vec3 {

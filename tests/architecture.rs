@@ -201,7 +201,7 @@ fn sources(folder: &str) -> Vec<(String, String)> {
 /// The lines that are compiled into the library: no comments, nothing from the unit tests on (they come last).
 fn code(text: &str) -> impl Iterator<Item = (usize, &str)> {
     text.lines()
-        .take_while(|line| line.trim() != "#[cfg(test)]")
+        .take_while(|line| !["#[cfg(test)]", "#![cfg(test)]"].contains(&line.trim()))
         .map(|line| line.split("//").next().unwrap_or(""))
         .enumerate()
         .map(|(k, line)| (k + 1, line))

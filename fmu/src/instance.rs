@@ -304,7 +304,14 @@ impl Instance {
     /// Advances the simulation to the time `end` \[s\]; on error it is as before.
     fn advance(&mut self, end: f64) -> Result<(), StepError> {
         let end = end - self.run.start;
-        self.commanded()?.advance_to(end).map(|_| ())
+        // Derivatives can be asked for after a step that fails.
+        let simulation = self.commanded()?;
+        let mut march = simulation.begin(end)?;
+        while !march.is_done() {
+            simulation.internal_step(&mut march)?;
+        }
+        simulation.end(march);
+        Ok(())
     }
 
     /// The simulation with gravity and commands of now.

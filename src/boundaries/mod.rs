@@ -34,6 +34,7 @@ pub use topology::Repair;
 
 use crate::Vec3;
 use crate::cell::Cell;
+use crate::extent::joined;
 use crate::motion::{Command, Motion, Pose};
 use mesh::Mesh;
 
@@ -369,10 +370,7 @@ fn bounds(shapes: &[Shape], mesh: Option<&Mesh>) -> Option<(Vec3, Vec3)> {
         Shape::Revolution(surface) => Some(surface.bounds()),
         Shape::HalfSpace(_) | Shape::Facets(_) => None,
     });
-    vertices
-        .map(|&v| (v, v))
-        .chain(surfaces)
-        .reduce(|(low, high), (min, max)| (low.inf(&min), high.sup(&max)))
+    vertices.map(|&v| (v, v)).chain(surfaces).reduce(joined)
 }
 
 /// Features of a shape besides those of the common mesh.

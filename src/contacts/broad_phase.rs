@@ -10,6 +10,8 @@ use super::narrow_phase::Placement;
 use super::periodic::periodic_pairs;
 use crate::Vec3;
 use crate::cell::Image;
+use crate::counting::counting_sort;
+use crate::extent::{around, spread};
 use crate::motion::Pose;
 
 /// Skin over the smallest radius when nothing moves.
@@ -176,26 +178,6 @@ impl NeighborList {
     }
 }
 
-/// How far two of `vectors` differ at most, and the length of the longest.
-pub fn spread(vectors: impl Iterator<Item = Vec3> + Clone) -> (f64, f64) {
-    let longest = vectors
-        .clone()
-        .map(|v| v.norm_squared())
-        .fold(0.0, f64::max);
-    let (low, high) = around(vectors);
-    // The box's diagonal; no more than from one to the origin and on to the other.
-    let longest = longest.sqrt();
-    ((high - low).norm().min(2.0 * longest), longest)
-}
-
-/// Lower and upper corner of the box around `points`; the origin if there are none.
-pub fn around(points: impl Iterator<Item = Vec3>) -> (Vec3, Vec3) {
-    points
-        .map(|p| (p, p))
-        .reduce(|(low, high), (p, _)| (low.inf(&p), high.sup(&p)))
-        .unwrap_or_default()
-}
-
 /// The corners of the box around `points`; the origin eight times if there are none.
 fn corners(points: impl Iterator<Item = Vec3>) -> [Vec3; 8] {
     let (low, high) = around(points);
@@ -270,27 +252,15 @@ pub fn sphere_pairs(
             }
         }
     }
-    ascending(&pairs, position.len())
+    ascending(&pairs)
 }
 
-/// `pairs` in ascending order; their indices are below `n`.
-fn ascending(pairs: &[(u32, u32)], n: usize) -> Vec<(u32, u32)> {
-    let mut next = vec![0_u32; n + 1];
-    for (i, _) in pairs {
-        next[*i as usize + 1] += 1;
-    }
-    for i in 0..n {
-        next[i + 1] += next[i];
-    }
-    let mut sorted = vec![(0, 0); pairs.len()];
-    for pair in pairs {
-        let place = &mut next[pair.0 as usize];
-        sorted[*place as usize] = *pair;
-        *place += 1;
-    }
-    // Each run now ends where the next one began.
+/// `pairs` in ascending order.
+fn ascending(pairs: &[(u32, u32)]) -> Vec<(u32, u32)> {
+    let (mut ends, mut sorted) = (Vec::new(), Vec::new());
+    counting_sort(pairs.iter().copied(), |pair| pair.0, &mut ends, &mut sorted);
     let mut first = 0;
-    for &end in &next[..n] {
+    for end in ends {
         sorted[first as usize..end as usize].sort_unstable();
         first = end;
     }

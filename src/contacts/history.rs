@@ -2,6 +2,7 @@
 
 use std::cmp::Ordering;
 
+use super::carried::Carried;
 use super::{Key, Load};
 use crate::Vec3;
 
@@ -23,9 +24,8 @@ impl Past {
 
     /// Likewise the couple of its resistance on A \[N m\].
     #[must_use]
-    pub fn torque(self, contacts: &[Load]) -> Vec3 {
-        let load = contacts.get(self.0 as usize);
-        load.map_or_else(Vec3::zeros, |load| load.torque)
+    pub fn torque(self, contacts: &Carried) -> Vec3 {
+        contacts.torque(self.0 as usize)
     }
 }
 
@@ -67,13 +67,11 @@ mod tests {
             key,
             normal: Vec3::z(),
             force: Vec3::z() * f,
-            torque: Vec3::x() * f,
         };
-        let old = [
-            contact(key(0, 1), 1.0),
-            contact(key(0, 3), 2.0),
-            contact(key(2, 4), 3.0),
-        ];
+        let mut old = Carried::default();
+        for (key, f) in [(key(0, 1), 1.0), (key(0, 3), 2.0), (key(2, 4), 3.0)] {
+            old.push(contact(key, f), Some(Vec3::x() * f));
+        }
         let new = [key(0, 2), key(0, 3), key(1, 2), key(2, 4), key(5, 6)];
         let mut past = Vec::new();
         transfer(&old, new.into_iter(), &mut past);

@@ -1,6 +1,7 @@
-//! Contacts: broad phase, narrow phase, history (contact transfer), sweep (ways through a step).
+//! Contacts: broad phase, narrow phase, what they carried, history (contact transfer), sweep (ways through a step).
 
 pub mod broad_phase;
+pub mod carried;
 pub mod history;
 pub mod law;
 pub mod narrow_phase;
@@ -48,7 +49,7 @@ pub enum Partner {
     },
 }
 
-/// What a contact carried in the last step.
+/// What a contact carried in the last step, but for a couple: [`carried::Carried`].
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Load {
     /// Identity.
@@ -57,8 +58,6 @@ pub struct Load {
     pub normal: Vec3,
     /// Force on A \[N\], mean over the step.
     pub force: Vec3,
-    /// Couple of rolling and twisting resistance on A \[N m\], likewise; its opposite acts on B.
-    pub torque: Vec3,
 }
 
 /// A loaded contact, and where it is.

@@ -146,9 +146,9 @@ impl Placement<'_> {
         geometry.follow(feature, normal, centre, radius)
     }
 
-    /// Where the contact of `load` is.
+    /// Where the contact is that carried `load` and `torque` \[N m\].
     #[must_use]
-    pub fn contact(&self, load: &Load) -> Contact {
+    pub fn contact(&self, load: &Load, torque: Vec3) -> Contact {
         let i = load.key.sphere;
         let (point, gap) = match load.key.partner {
             Partner::Sphere { index, image } => {
@@ -170,7 +170,7 @@ impl Placement<'_> {
             normal: load.normal,
             gap,
             force: load.force,
-            torque: load.torque,
+            torque,
         }
     }
 

@@ -19,6 +19,7 @@ use super::{BoundaryState, Observation};
 use crate::Vec3;
 use crate::cell::{HERE, Image};
 use crate::contacts::{Contact, Partner};
+use crate::extent::joined;
 use crate::motion::Twist;
 use crate::scene::Scene;
 use crate::simulation::Wrench;
@@ -336,7 +337,7 @@ fn extent(scene: &Scene) -> (Vec3, Vec3) {
     let boundaries = scene.boundaries.iter().filter_map(|b| b.geometry.bounds());
     let (min, max) = spheres
         .chain(boundaries)
-        .reduce(|(lower, upper), (min, max)| (lower.inf(&min), upper.sup(&max)))
+        .reduce(joined)
         .unwrap_or((Vec3::repeat(-1.0), Vec3::repeat(1.0)));
     // Along periodic axes what is shown is the cell.
     let side = |found: Vec3, side: usize| {

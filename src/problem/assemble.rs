@@ -68,7 +68,7 @@ impl<'a> Inputs<'a> {
         let integrator = self.scene.settings.integrator;
         let spheres = 0..self.kinematics.len();
         problem.step = self.step;
-        problem.rows.clear();
+        problem.rows.restart(&self.scene.particles.radius);
         let free = |i| integrator.free(&self.velocity(i), &self.external[i], self.step);
         problem.free.clear();
         problem.free.extend(spheres.clone().map(free));
@@ -116,7 +116,7 @@ impl<'a> Inputs<'a> {
             let driven = &self.bodies[i - n];
             (driven.mass(), driven.acceleration)
         };
-        mass * acceleration.linear.norm().max(self.gravity.norm())
+        mass * acceleration.linear.norm().max(self.gravity_size)
     }
 
     fn pair(&self, key: Key) -> Pair {
@@ -218,7 +218,7 @@ impl<'a> Inputs<'a> {
         };
         let before = body.velocity.at(hold.arm).dot(&normal);
         let acceleration = body.acceleration_at(hold.arm).norm();
-        let acceleration = acceleration.max(self.gravity.norm());
+        let acceleration = acceleration.max(self.gravity_size);
         let change = if acceleration > 0.0 {
             acceleration * self.step
         } else {

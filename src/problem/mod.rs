@@ -18,8 +18,11 @@
 //! The penalty method is the rigid problem with `k = P` on every contact.
 
 pub mod assemble;
+mod rows;
 
 use nalgebra::Matrix3;
+pub use rows::Rows;
+pub(crate) use rows::{BIAS, Compact, FRICTION, RADIUS, SCALE};
 use serde::{Deserialize, Serialize};
 
 use crate::Vec3;
@@ -166,7 +169,7 @@ pub struct Problem {
     #[serde(default)]
     pub operators: Vec<Operator>,
     /// The rows, `[C]`, in canonical order.
-    pub rows: Vec<Row>,
+    pub rows: Rows,
 }
 
 /// Impulses on body A \[N s\], world axes, `[C]`: what every solver returns and starts from.
@@ -210,14 +213,25 @@ impl Row {
 
     /// Normal impulse \[N s\] of the contact that bounds a resistance; zero for all other rows.
     #[must_use]
-    pub fn load(&self, rows: &[Self], impulses: &[Vec3]) -> f64 {
+    pub fn load(&self, rows: &Rows, impulses: &[Vec3]) -> f64 {
         match self.law {
             Law::Resistance { contact, .. } => {
                 let contact = contact as usize;
-                impulses[contact].dot(&rows[contact].normal).max(0.0)
+                impulses[contact].dot(&rows.normal(contact)).max(0.0)
             }
             _ => 0.0,
         }
+    }
+
+    /// The part of its bias across the normal \[m/s\].
+    pub(crate) fn across(&self) -> Vec3 {
+        self.bias - self.normal * self.bias.dot(&self.normal)
+    }
+
+    /// Whether it is a contact without any spring.
+    pub(crate) fn is_rigid_contact(&self) -> bool {
+        let contact = matches!(self.law, Law::Contact { .. });
+        contact && self.compliance_n == 0.0 && self.compliance_t == 0.0
     }
 
     /// The bodies that it moves.
@@ -272,7 +286,7 @@ impl Problem {
         velocity.clone_from(&self.free);
         for (row, &impulse) in self.rows.iter().zip(impulses) {
             if impulse != Vec3::zeros() {
-                self.apply(row, velocity, impulse);
+                self.apply(&row, velocity, impulse);
             }
         }
     }

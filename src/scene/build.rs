@@ -21,6 +21,7 @@ use super::spheres::{self, Present};
 use super::{Loaded, Measure, Output, PointLoad, Probe, Scene, Sensor, Spring};
 use crate::Vec3;
 use crate::boundaries::Facets;
+use crate::contacts::carried::Carried;
 use crate::materials::Material;
 use crate::motion::Motion;
 use crate::particles::{Kinematics, Particles};
@@ -172,7 +173,7 @@ fn build(
         pairs,
         particles,
         initial,
-        initial_contacts: Vec::new(),
+        initial_contacts: Carried::default(),
         cell: cell(document, &file.cell),
         boundaries: boundaries?,
     };

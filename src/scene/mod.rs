@@ -41,7 +41,7 @@ use serde::{Deserialize, Serialize};
 use crate::Vec3;
 use crate::boundaries::Boundary;
 use crate::cell::Cell;
-use crate::contacts::Load;
+use crate::contacts::carried::Carried;
 use crate::error::SnapshotError;
 use crate::frame::RotatingFrame;
 use crate::gravity::GravityMotion;
@@ -163,7 +163,7 @@ pub struct Settings {
     pub step: f64,
     /// Smallest internal step that is chosen for least total time \[s\]; `None`: all are as long as `step` allows.
     pub smallest_step: Option<f64>,
-    /// Speed below which all points of all spheres must be for the scene to come to rest \[m/s\]; 0: never.
+    /// Speed below which all centres, and surfaces where they touch, must be for the scene to come to rest \[m/s\]; 0: never.
     pub rest_speed: f64,
     /// Most sweeps of a step, which is then as good as it is; `None`: until the tolerances are met.
     pub sweeps: Option<usize>,
@@ -334,7 +334,7 @@ pub struct Scene {
     /// Their placement and velocity at t = 0.
     pub initial: Kinematics,
     /// Contacts whose forces at t = 0 are known, in canonical order: where their solution starts from.
-    pub initial_contacts: Vec<Load>,
+    pub initial_contacts: Carried,
     /// The periodic cell; without periodic axes unless the scene has some.
     pub cell: Cell,
     /// Boundaries.

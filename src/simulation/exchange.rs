@@ -99,12 +99,12 @@ impl Simulation {
         }
         if taken {
             let present = &kinematics.present;
-            self.state.contacts.retain(|contact| {
-                let other = match contact.key.partner {
+            self.state.contacts.retain(|key| {
+                let other = match key.partner {
                     Partner::Sphere { index, .. } => present[index as usize],
                     Partner::Boundary { .. } => true,
                 };
-                present[contact.key.sphere as usize] && other
+                present[key.sphere as usize] && other
             });
         }
     }

@@ -20,6 +20,8 @@ use crate::step::{StepFailure, step};
 #[derive(Debug)]
 pub struct March {
     before: State,
+    /// Where `before` came from, to be given back if the step fails.
+    origin: Option<Box<Origin>>,
     start: f64,
     steps: u64,
     done: u64,
@@ -137,6 +139,12 @@ impl Simulation {
     /// # Errors
     /// [`StepError`] if `end` is not a finite time after the present, or a boundary would jump; nothing has changed.
     pub fn begin(&mut self, end: f64) -> Result<March, StepError> {
+        self.set_out(end, true)
+    }
+
+    /// [`Self::begin`] that keeps the origin of the present state only if it is to come `back` where the step fails; its memory
+    /// is otherwise that of the state kept to go back to, which saves one of three.
+    pub(super) fn set_out(&mut self, end: f64, back: bool) -> Result<March, StepError> {
         let start = self.state.time;
         let h = end - start;
         if !(h > 0.0 && h.is_finite()) {
@@ -147,37 +155,45 @@ impl Simulation {
             });
         }
         let state = &self.state;
-        let march = March {
-            before: state.clone(),
+        let course = Course {
+            from: state.poses.clone(),
+            since: start,
+            end,
+            commands: state.commands.clone(),
+            rates: state.rates.clone(),
+        };
+        // The margin keeps a communication step that is n internal steps but for rounding at n.
+        let steps = pieces(h, state.pace.step);
+        self.check_jump(&course.drive(&self.scene), start, end, steps)?;
+        let origin = self.origin.take();
+        let (origin, memory) = match back {
+            true => (origin, None),
+            false => (None, origin.map(|origin| origin.into_state())),
+        };
+        let before = self.state.copied_into(memory);
+        self.state.report = StepReport::default();
+        Ok(March {
+            before,
+            origin,
             start,
-            // The margin keeps a communication step that is n internal steps but for rounding at n.
-            steps: pieces(h, state.pace.step),
+            steps,
             done: 0,
-            course: Course {
-                from: state.poses.clone(),
-                since: start,
-                end,
-                commands: state.commands.clone(),
-                rates: state.rates.clone(),
-            },
+            course,
             midway: None,
             account: Account::of(self.scene.boundaries.len()),
-        };
-        let drive = march.course.drive(&self.scene);
-        self.check_jump(&drive, start, end, march.steps)?;
-        self.state.report = StepReport::default();
-        Ok(march)
+        })
     }
 
     /// Takes the next internal step of `march`, halved where it fails. Averages are over what has been taken of the
     /// communication step. Commands given since the last internal step hold from here to its end.
     ///
     /// # Errors
-    /// As [`Self::advance_to`]: the state is as before [`Self::begin`].
+    /// As [`Self::advance_to`]: the state is as before [`Self::begin`], and so is its [`Self::origin`].
     pub fn internal_step(&mut self, march: &mut March) -> Result<(), StepError> {
         let result = self.take(march);
         if result.is_err() {
             self.state.clone_from(&march.before);
+            self.origin = march.origin.take();
         }
         result
     }
@@ -194,7 +210,8 @@ impl Simulation {
             course.from.clone_from(&self.state.poses);
             course.commands.clone_from(&self.state.commands);
             course.rates.clone_from(&self.state.rates);
-            march.midway = Some((self.state.clone(), march.account.clone()));
+            let memory = march.midway.take().map(|(state, _)| state);
+            march.midway = Some((self.state.copied_into(memory), march.account.clone()));
         }
         let drive = march.course.drive(&scene);
         let (start, end) = (march.start, march.course.end);
@@ -348,6 +365,13 @@ impl Simulation {
 
     fn check_finite(&self) -> Result<(), StepError> {
         let kinematics = &self.state.kinematics;
+        // Zero times all numbers is zero, unless one of them is none.
+        let moving = kinematics.velocity.iter().zip(&kinematics.spin);
+        let spheres = kinematics.position.iter().zip(moving);
+        let zeros = spheres.map(|(x, (v, w))| (x + v + w).sum() * 0.0);
+        if zeros.sum::<f64>() == 0.0 {
+            return Ok(());
+        }
         for sphere in 0..kinematics.len() {
             let kinds = [
                 ("position", kinematics.position[sphere]),

@@ -278,12 +278,13 @@ impl Simulation {
     }
 
     /// Advances to exactly `end` \[s\] in equal internal steps of at most `simulation.step`. A step that does
-    /// not meet the tolerances is halved, at most `max_cuts` times. On error the state is as before the call.
+    /// not meet the tolerances is halved, at most `max_cuts` times. On error the state is as before the call, but for
+    /// its [`Self::origin`], whose memory a step takes that has begun: [`Self::begin`] keeps it.
     ///
     /// # Errors
     /// [`StepError`] with time, contact and residual.
     pub fn advance_to(&mut self, end: f64) -> Result<StepReport, StepError> {
-        let mut march = self.begin(end)?;
+        let mut march = self.set_out(end, false)?;
         while !march.is_done() {
             self.internal_step(&mut march)?;
         }
@@ -351,6 +352,11 @@ impl Simulation {
                 "it has other numbers of spheres or boundaries than the scene of its hash",
             ));
         }
+        if !state.contacts.fits() {
+            return Err(SnapshotError::Format(
+                "its contacts and their couples differ in number",
+            ));
+        }
         Ok(())
     }
 
@@ -398,8 +404,10 @@ impl Simulation {
     pub fn contacts(&self) -> Vec<Contact> {
         let state = &self.state;
         let placement = Placement::of(&self.scene, &state.kinematics, &state.poses);
-        let loads = state.contacts.iter();
-        loads.map(|load| placement.contact(load)).collect()
+        let loads = state.contacts.iter().enumerate();
+        loads
+            .map(|(k, load)| placement.contact(load, state.contacts.torque(k)))
+            .collect()
     }
 
     /// Pose of boundary `b`.

@@ -12,6 +12,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::Simulation;
+use crate::contacts::{Load, Partner};
 use crate::drive::Drive;
 use crate::gravity::GravityMotion;
 use crate::motion::Twist;
@@ -30,6 +31,8 @@ const CHANGE: f64 = 1.15;
 const TOO_MANY: f64 = 4.0;
 /// Most sweeps of a step that can be shortened instead.
 const PATIENCE: usize = 1000;
+/// Surface speed of a spin that no contact feels, over that of all other motion.
+const SPIN: f64 = 10.0;
 /// Steps without motion after which a scene rests.
 const CALM: u32 = 10;
 
@@ -123,13 +126,35 @@ impl Simulation {
         if limit == 0.0 {
             return;
         }
-        let radius = &self.scene.particles.radius;
-        let moves = (0..radius.len()).any(|i| {
-            let velocity = self.velocity(i);
-            velocity.linear.norm() > limit || velocity.angular.norm() * radius[i] > limit
-        });
+        let calm = self.is_calm(limit);
         let pace = &mut self.state.pace;
-        pace.calm = if moves { 0 } else { CALM.min(pace.calm + 1) };
+        pace.calm = if calm { CALM.min(pace.calm + 1) } else { 0 };
+    }
+
+    /// Whether all centres, and surfaces against each other where contacts carry load, are slower than `limit` \[m/s\]. A spin
+    /// that no contact feels, about the normal of its only one, never ends: it may be [`SPIN`] times as fast.
+    fn is_calm(&self, limit: f64) -> bool {
+        let radius = &self.scene.particles.radius;
+        let surface = |i: usize| {
+            let velocity = self.velocity(i);
+            (velocity.linear, velocity.angular * radius[i])
+        };
+        let slow = |i: usize| {
+            let (centre, spin) = surface(i);
+            centre.norm() <= limit && spin.norm() <= SPIN * limit
+        };
+        let slides = |load: &Load| {
+            let (own, spin) = surface(load.key.sphere as usize);
+            let (apart, turning) = match load.key.partner {
+                Partner::Sphere { index, .. } => {
+                    let (other, turning) = surface(index as usize);
+                    (own - other, spin + turning)
+                }
+                Partner::Boundary { .. } => (own, spin),
+            };
+            (apart - turning.cross(&load.normal)).norm() > limit
+        };
+        (0..radius.len()).all(slow) && !self.state.contacts.iter().any(slides)
     }
 
     /// Takes the step to `target` \[s\] at rest, if the scene rests and nothing from outside moves it until then.
@@ -227,5 +252,33 @@ mod tests {
         }
         let found = length(|dt| 20.0 * (dt / 1e-4).powf(0.2));
         assert!(found > 0.7e-2, "{found} s");
+    }
+
+    /// Sweeps are bounded where a step can be cut instead, and only there: the shortest step gets all it needs.
+    #[test]
+    fn patience_ends_where_steps_cannot_be_cut() {
+        let settings = Settings {
+            smallest_step: Some(1e-5),
+            ..Settings::default()
+        };
+        let pace = Pace::of(&settings);
+        assert_eq!(pace.patience(&settings, 2e-5), Some(PATIENCE));
+        assert_eq!(pace.patience(&settings, 1e-5), None);
+        let halvings = settings.max_cuts;
+        assert_eq!(Pace { halvings, ..pace }.patience(&settings, 2e-5), None);
+        for solver in [
+            SolverKind::Auto,
+            SolverKind::GaussSeidel,
+            SolverKind::Direct,
+        ] {
+            let bounded = solver != SolverKind::Direct;
+            let settings = Settings {
+                solver,
+                ..settings.clone()
+            };
+            assert_eq!(pace.patience(&settings, 2e-5).is_some(), bounded);
+        }
+        let equal = Settings::default();
+        assert_eq!(Pace::of(&equal).patience(&equal, 2e-5), None);
     }
 }

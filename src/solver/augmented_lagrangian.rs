@@ -159,7 +159,7 @@ impl<'a> Inner<'a> {
         for (row, augmented) in self.problem.rows.iter().zip(rows) {
             energy += augmented.energy;
             let p = augmented.impulse;
-            self.masses.scatter(row, -p, &mut gradient);
+            self.masses.scatter(&row, -p, &mut gradient);
         }
         (energy, gradient)
     }
@@ -228,7 +228,7 @@ pub fn stiffness(problem: &Problem, penalty: f64, impulses: &[Vec3]) -> BlockMat
         .zip(impulses)
         .map(|(row, &p)| {
             let u = row.relative_velocity(&velocity);
-            augmented(row, u, p, sigma, bounding(problem, row, p, impulses))
+            augmented(&row, u, p, sigma, bounding(problem, &row, p, impulses))
         })
         .collect();
     let mut matrix = BlockMatrix::zeros(Arc::new(pattern(problem)));
@@ -275,12 +275,15 @@ fn outer_loop(
             .rows
             .iter()
             .zip(&*impulses)
-            .map(|(row, p)| bounding(problem, row, *p, impulses))
+            .map(|(row, p)| bounding(problem, &row, *p, impulses))
             .collect();
         let evaluate_rows = |velocity: &[Dof6], impulses: &[Vec3]| -> Vec<Augmented> {
             let rows = problem.rows.iter().zip(impulses).zip(&loads);
-            rows.map(|((row, &p), &r)| augmented(row, row.relative_velocity(velocity), p, sigma, r))
-                .collect()
+            rows.map(|((row, &p), &r)| {
+                let u = row.relative_velocity(velocity);
+                augmented(&row, u, p, sigma, r)
+            })
+            .collect()
         };
         let mut settled = false;
         let mut rows = evaluate_rows(&velocity, impulses);
@@ -332,7 +335,7 @@ fn outer_loop(
             ceiling = report.penalty;
             continue;
         }
-        for ((p, augmented), row) in impulses.iter_mut().zip(&rows).zip(&problem.rows) {
+        for ((p, augmented), row) in impulses.iter_mut().zip(&rows).zip(problem.rows.iter()) {
             // The lagged friction disc may outlive its contact by one update.
             let contact = matches!(row.law, Law::Contact { .. });
             let open = contact && augmented.impulse.dot(&row.normal) <= 0.0;

@@ -211,7 +211,7 @@ fn finish(
     while !report.converged && report.factorizations < most {
         let velocity = problem.velocities(impulses);
         let unsolved = |&k: &usize| {
-            let row = &problem.rows[k];
+            let row = &problem.rows.get(k);
             let load = row.load(&problem.rows, impulses);
             let u = row.relative_velocity(&velocity);
             let correction = scales[k].correction(row, u, impulses[k], load);

@@ -28,8 +28,8 @@ impl Part {
         hops: usize,
     ) -> Self {
         let bodies = |k: usize| {
-            let row = &problem.rows[k];
-            [row.a, row.b].into_iter().filter(|&body| body != GROUND)
+            let bodies = problem.rows.bodies(k);
+            bodies.into_iter().filter(|&body| body != GROUND)
         };
         let mut inside = vec![false; problem.free.len()];
         seeds
@@ -74,8 +74,8 @@ impl Part {
                 });
             }
         }
-        part.rows = rows.iter().map(|&k| problem.rows[k]).collect();
-        for row in &mut part.rows {
+        let own = |&k: &usize| {
+            let mut row = problem.rows.get(k);
             row.a = rank[&row.a];
             if row.b != GROUND {
                 row.b = rank[&row.b];
@@ -84,7 +84,9 @@ impl Part {
                 // It has its contact's bodies, so both take part.
                 *contact = rows.partition_point(|&k| k < *contact as usize) as u32;
             }
-        }
+            row
+        };
+        part.rows = rows.iter().map(own).collect();
         Self {
             problem: part,
             closed: rows

@@ -23,7 +23,7 @@ use super::{Best, Params, Report};
 use crate::Vec3;
 use crate::contacts::law::{project_disc, project_interval, split};
 use crate::linalg::{GeneralMatrix, LinearError};
-use crate::problem::{Dof6, GROUND, Law, Problem, Row};
+use crate::problem::{Dof6, GROUND, Law, Problem, Row, Rows};
 
 /// First proximal parameter `kappa` \[-\].
 const FIRST: f64 = 30.0;
@@ -128,13 +128,13 @@ fn on_disc(y: Vec3, r: f64, across: &Matrix3<f64>) -> (Vec3, Matrix3<f64>, Vec3)
 /// The contact that bounds row `row`, as it has answered.
 pub(super) fn bound<'a>(
     row: &Row,
-    rows: &[Row],
+    rows: &Rows,
     answers: &'a [Answer],
 ) -> Option<(&'a Answer, Vec3)> {
     match row.law {
         Law::Resistance { contact, .. } => {
             let contact = contact as usize;
-            Some((answers.get(contact)?, rows.get(contact)?.normal))
+            Some((answers.get(contact)?, rows.normal(contact)))
         }
         _ => None,
     }
@@ -164,15 +164,16 @@ impl Proximal<'_> {
         let rows = &self.problem.rows;
         let mut answers: Vec<Answer> = Vec::with_capacity(rows.len());
         for ((row, &p), &s) in rows.iter().zip(self.impulses).zip(&self.stiffness) {
-            let contact = bound(row, rows, &answers);
-            answers.push(answer(row, row.relative_velocity(&velocity), p, s, contact));
+            let contact = bound(&row, rows, &answers);
+            let u = row.relative_velocity(&velocity);
+            answers.push(answer(&row, u, p, s, contact));
         }
         let mut balance = Vec::with_capacity(6 * velocity.len());
         for (i, (v, free)) in velocity.iter().zip(&self.problem.free).enumerate() {
             balance.extend(self.masses.times(i, &v.plus(free, -1.0)));
         }
         for (row, answer) in rows.iter().zip(&answers) {
-            self.masses.scatter(row, -answer.impulse, &mut balance);
+            self.masses.scatter(&row, -answer.impulse, &mut balance);
         }
         let merit = self.masses.inverse_norm_squared(&balance);
         Iterate {
@@ -203,7 +204,7 @@ impl Proximal<'_> {
                 matrix.add(b, a, &(-q.transpose() * tangent * h));
             }
             if let Law::Resistance { contact, .. } = row.law {
-                self.widen(matrix, row, &rows[contact as usize], answer.widening);
+                self.widen(matrix, &row, &rows.get(contact as usize), answer.widening);
             }
         }
     }
@@ -274,11 +275,11 @@ pub(super) fn empty(problem: &Problem) -> Result<GeneralMatrix, LinearError> {
 /// `1/w` of each row \[kg\].
 pub(super) fn stiffness(problem: &Problem, scales: &[Scale]) -> Vec<f64> {
     // Where the rotation about the normal is locked, a resistance still has that across it.
-    let operator = |(scale, row): (&Scale, &Row)| match row.law {
+    let operator = |(scale, row): (&Scale, Row)| match row.law {
         Law::Resistance { .. } => scale.normal.max(scale.tangential),
         _ => scale.normal,
     };
-    let rows = scales.iter().zip(&problem.rows).map(operator);
+    let rows = scales.iter().zip(problem.rows.iter()).map(operator);
     rows.map(|w| if w > 0.0 { 1.0 / w } else { 1.0 }).collect()
 }
 

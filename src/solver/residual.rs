@@ -91,7 +91,7 @@ impl Scale {
     #[must_use]
     pub fn of(problem: &Problem) -> Vec<Self> {
         let rows = problem.rows.iter();
-        rows.map(|row| Self::of_row(problem, row)).collect()
+        rows.map(|row| Self::of_row(problem, &row)).collect()
     }
 
     /// The scales of one row.
@@ -236,9 +236,9 @@ pub fn evaluate(problem: &Problem, scales: &[Scale], impulses: &[Vec3]) -> Resid
     for (index, ((row, scale), &p)) in problem.rows.iter().zip(scales).zip(impulses).enumerate() {
         let load = row.load(&problem.rows, impulses);
         let u = row.relative_velocity(&velocity);
-        let correction = scale.correction(row, u, p, load);
-        let values = scale.residuals(row, problem.step, &correction);
-        residual.include(index, values, scale.margin(row, u, p, load));
+        let correction = scale.correction(&row, u, p, load);
+        let values = scale.residuals(&row, problem.step, &correction);
+        residual.include(index, values, scale.margin(&row, u, p, load));
     }
     residual
 }

@@ -61,11 +61,11 @@ pub fn respond(
     let (mut answers, mut approach) = (Vec::new(), Vec::new());
     for (k, row) in problem.rows.iter().enumerate() {
         let u = row.relative_velocity(&velocity) + row.bias;
-        let contact = bound(row, &problem.rows, &answers);
+        let contact = bound(&row, &problem.rows, &answers);
         let (p, s) = (impulses[k], proximal.stiffness[k]);
         let load = row.load(&problem.rows, impulses);
-        let settled = consistent(row, u, p, s, load) - row.bias;
-        answers.push(answer(row, settled, p, s, contact));
+        let settled = consistent(&row, u, p, s, load) - row.bias;
+        answers.push(answer(&row, settled, p, s, contact));
         approach.push(u);
     }
     let mut matrix = empty(problem)?;
@@ -108,7 +108,7 @@ impl Tangent<'_> {
             .collect();
         let mut held = change.velocity.clone();
         for (row, &p) in rows.iter().zip(&turned) {
-            problem.apply(row, &mut held, p);
+            problem.apply(&row, &mut held, p);
         }
         let mut momentum = Vec::with_capacity(6 * held.len());
         for (i, v) in held.iter().enumerate() {
@@ -125,7 +125,7 @@ impl Tangent<'_> {
                 .collect();
             let mut right = momentum.clone();
             for (k, row) in rows.iter().enumerate() {
-                masses.scatter(row, self.answer(k, &known), &mut right);
+                masses.scatter(&row, self.answer(k, &known), &mut right);
             }
             self.factor.solve(&mut right)?;
             let velocity = moved(&at_rest, &right, 1.0);
@@ -152,12 +152,12 @@ impl Tangent<'_> {
 
     /// What row `k` answers to changes of `u + b - S^-1 p`, `[C]`.
     fn answer(&self, k: usize, seen: &[Vec3]) -> Vec3 {
-        let (row, answer) = (&self.proximal.problem.rows[k], &self.answers[k]);
+        let (row, answer) = (self.proximal.problem.rows.get(k), &self.answers[k]);
         let own = -(answer.tangent * seen[k]);
         match row.law {
             Law::Resistance { contact, .. } => {
                 let contact = contact as usize;
-                let normal = self.proximal.problem.rows[contact].normal;
+                let normal = self.proximal.problem.rows.normal(contact);
                 own - answer.widening * normal.dot(&seen[contact])
             }
             _ => own,
@@ -166,7 +166,7 @@ impl Tangent<'_> {
 
     /// `S^-1 p` of row `k`.
     fn soft(&self, k: usize, p: Vec3) -> Vec3 {
-        let row = &self.proximal.problem.rows[k];
+        let row = &self.proximal.problem.rows.get(k);
         let s = self.proximal.stiffness[k];
         let (along, across) = split(p, row.normal);
         (row.normal * along + across / shear_share(row)) / s

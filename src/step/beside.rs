@@ -54,7 +54,7 @@ pub(super) fn follow(stage: &Stage, twins: &mut [Twin]) -> Result<(), LinearErro
 fn change(stage: &Stage, velocity: &[Dof6], twin: &Twin) -> Change {
     let [below, above] = &twin.stages;
     let [low, high] = [below, above].map(|side| side.problem.velocities(&stage.impulses));
-    let rows = || below.problem.rows.iter().zip(&above.problem.rows);
+    let rows = || below.problem.rows.iter().zip(above.problem.rows.iter());
     let zero = Dof6::ZERO;
     Change {
         velocity: low

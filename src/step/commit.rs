@@ -25,7 +25,7 @@ impl Stage<'_> {
         let step = self.inputs.step;
         let first = self.first_hold();
         for (k, held) in self.holds.iter_mut().enumerate() {
-            let load = self.inputs.weight(self.problem.rows[first + k].a);
+            let load = self.inputs.weight(self.problem.rows.bodies(first + k)[0]);
             let before = held.hold.force.abs();
             let handed_on = self.impulses[first + k].norm() > 2.0 * step * (before + load);
             held.impact |= held.hold.stops() && handed_on;
@@ -37,8 +37,8 @@ impl Stage<'_> {
             if size <= 2.0 * step * before {
                 continue;
             }
-            let row = &self.problem.rows[k];
-            let load = [row.a, row.b].map(|body| self.inputs.weight(body));
+            let bodies = self.problem.rows.bodies(k);
+            let load = bodies.map(|body| self.inputs.weight(body));
             let load = load[0].max(load[1]);
             *impact |= size > 2.0 * step * (before + load);
         }
@@ -50,23 +50,23 @@ impl Stage<'_> {
         let boundaries = &self.inputs.scene.boundaries;
         state.contacts.clear();
         state.wrenches = vec![Wrench::default(); boundaries.len()];
-        state.persisting_wrenches = state.wrenches.clone();
+        state.persisting_wrenches.clone_from(&state.wrenches);
         let couples = self.couples();
         for (k, candidate) in self.candidates.iter().enumerate() {
             let force = self.impulses[k] / step;
-            let couple = couples.get(k).copied().unwrap_or_default();
+            let couple = couples.get(k).copied();
             if force == Vec3::zeros() {
                 continue;
             }
-            state.contacts.push(Load {
+            let load = Load {
                 key: candidate.key,
                 normal: candidate.normal,
                 force,
-                torque: couple,
-            });
+            };
+            state.contacts.push(load, couple);
             if let Partner::Boundary { boundary, .. } = candidate.key.partner {
                 let b = usize::from(boundary);
-                let row = &self.problem.rows[k];
+                let row = self.problem.rows.get(k);
                 let pose = &self.inputs.poses[0][b];
                 let centre = self.inputs.kinematics.position[row.a as usize];
                 let centre = boundaries[b].copy_near(&self.inputs.scene.cell, pose, centre);
@@ -74,7 +74,7 @@ impl Stage<'_> {
                 let pivot = boundaries[b].point_of_action + self.inputs.poses[0][b].translation;
                 let wrench = Wrench {
                     force: -force,
-                    torque: -(point - pivot).cross(&force) - couple,
+                    torque: -(point - pivot).cross(&force) - couple.unwrap_or_default(),
                 };
                 state.wrenches[b].add(&wrench, 1.0);
                 if !self.impact[k] {
@@ -90,8 +90,10 @@ impl Stage<'_> {
             return Vec::new();
         }
         let mut couples = vec![Vec3::zeros(); self.candidates.len()];
-        for (row, impulse) in self.problem.rows.iter().zip(&self.impulses) {
-            if let Law::Resistance { contact, .. } = row.law {
+        for (k, impulse) in self.impulses.iter().enumerate() {
+            if let Some(row) = self.problem.rows.special(k)
+                && let Law::Resistance { contact, .. } = row.law
+            {
                 couples[contact as usize] = impulse * (row.radius / self.inputs.step);
             }
         }
@@ -129,22 +131,21 @@ impl Stage<'_> {
             .map(|(d, body)| {
                 let [mut contacts, mut persisting] = [Dof6::ZERO; 2];
                 let mut holds = [0.0; 3];
-                for (k, row) in self.problem.rows.iter().enumerate() {
-                    let (p, rank) = (self.impulses[k], (spheres + d) as u32);
-                    let push = match [row.a, row.b] {
-                        [a, _] if a == rank => Some(row.grips()[0].momentum(p)),
-                        [_, b] if b == rank => Some(row.grips()[1].momentum(-p)),
-                        _ => None,
+                let rank = (spheres + d) as u32;
+                for (k, &p) in self.impulses.iter().enumerate() {
+                    let bodies = self.problem.rows.bodies(k);
+                    let Some(side) = bodies.iter().position(|&body| body == rank) else {
+                        continue;
                     };
-                    if let Some(Held { hold, .. }) = push.and(self.held(k)) {
+                    let grip = self.problem.rows.get(k).grips()[side];
+                    let push = grip.momentum([p, -p][side]);
+                    if let Some(Held { hold, .. }) = self.held(k) {
                         let force = p.dot(&hold.direction) / self.inputs.step;
                         holds[hold.slot()] = force * hold.lever;
                     }
-                    if let Some(push) = push {
-                        contacts = contacts.plus(&push, 1.0);
-                        if !self.is_impact(k) {
-                            persisting = persisting.plus(&push, 1.0);
-                        }
+                    contacts = contacts.plus(&push, 1.0);
+                    if !self.is_impact(k) {
+                        persisting = persisting.plus(&push, 1.0);
                     }
                 }
                 let settings = &self.inputs.scene.settings;
@@ -173,10 +174,10 @@ impl Stage<'_> {
         acceleration.clear();
         acceleration
             .extend(changes.map(|((v, free), external)| external.plus(&v.plus(free, -1.0), rate)));
-        for (k, row) in self.problem.rows.iter().enumerate() {
-            if self.impulses[k] != Vec3::zeros() && self.is_impact(k) {
-                let force = self.impulses[k] * -rate;
-                self.problem.apply(row, acceleration, force);
+        for (k, impulse) in self.impulses.iter().enumerate() {
+            if *impulse != Vec3::zeros() && self.is_impact(k) {
+                let row = self.problem.rows.get(k);
+                self.problem.apply(&row, acceleration, impulse * -rate);
             }
         }
         acceleration.truncate(self.inputs.kinematics.len());
@@ -237,17 +238,18 @@ impl Stage<'_> {
     /// contacts nothing is lost but by the scheme: that and all else of the change of kinetic energy is the residue.
     fn work(&self, state: &mut State, solution: &[Dof6]) {
         let (scene, step) = (self.inputs.scene, self.inputs.step);
-        let spheres = self.inputs.kinematics.len();
         let work = &mut state.work;
         // Work on the spheres that is accounted for.
         let mut known = 0.0;
-        for (k, row) in self.problem.rows.iter().enumerate() {
-            let p = self.impulses[k];
-            if p == Vec3::zeros() || self.held(k).is_some() {
+        let rows = &self.problem.rows;
+        for (k, p) in self.impulses.iter().enumerate() {
+            if *p == Vec3::zeros() || self.held(k).is_some() {
                 continue;
             }
-            if row.law == Law::Bilateral {
-                let spring = p.dot(&row.relative_velocity(solution));
+            let special = rows.special(k);
+            let law = special.map(|row| row.law);
+            if law == Some(Law::Bilateral) {
+                let spring = p.dot(&rows.relative(k, |i| solution[i]));
                 work.springs += spring;
                 known += spring;
                 continue;
@@ -257,25 +259,27 @@ impl Stage<'_> {
                 true => self.mean(solution, i),
                 false => solution[i],
             };
-            let u = row.relative(velocity);
-            let couple = matches!(row.law, Law::Resistance { .. });
+            let (u, n) = (rows.relative(k, velocity), rows.normal(k));
+            let couple = matches!(law, Some(Law::Resistance { .. }));
             // A couple of resistance is friction as a whole.
-            let p_n = if couple { 0.0 } else { p.dot(&row.normal) };
-            let friction = -(p - row.normal * p_n).dot(&u);
+            let p_n = if couple { 0.0 } else { p.dot(&n) };
+            let friction = -(p - n * p_n).dot(&u);
             work.friction += friction;
             known -= friction;
             if impact {
-                let loss = -p_n * u.dot(&row.normal);
+                let loss = -p_n * u.dot(&n);
                 work.impact += loss;
                 known -= loss;
             }
             // Of a prescribed motion, and of a belt also where its boundary is driven.
-            let boundary = -p.dot(&row.drift);
-            work.boundaries += boundary;
-            known += boundary;
-            if row.b != GROUND && row.b as usize >= spheres {
-                let [_, grip] = row.grips();
-                known += p.dot(&grip.velocity(&velocity(row.b as usize)));
+            if let Some(row) = special {
+                let boundary = -p.dot(&row.drift);
+                work.boundaries += boundary;
+                known += boundary;
+            }
+            if let Some(driven) = self.driven_side(k) {
+                let [_, grip] = rows.get(k).grips();
+                known += p.dot(&grip.velocity(&velocity(driven)));
             }
         }
         work.residue -= known;
@@ -300,23 +304,27 @@ impl Stage<'_> {
         let integrator = scene.settings.integrator;
         let spheres = self.inputs.kinematics.len();
         let work = &mut state.work;
-        for (k, row) in self.problem.rows.iter().enumerate() {
+        for (k, p) in self.impulses.iter().enumerate() {
+            let (held, driven) = (self.held(k), self.driven_side(k));
+            if held.is_none() && driven.is_none() {
+                continue;
+            }
+            let row = self.problem.rows.get(k);
             let impact = self.is_impact(k);
             let velocity = |i: usize| match impact {
                 true => self.mean(solution, i),
                 false => solution[i],
             };
-            let p = self.impulses[k];
-            if let Some(held) = self.held(k) {
+            if let Some(held) = held {
                 let done = p.dot(&row.relative(velocity));
                 work.residue -= done;
                 match held.hold.stops() {
                     true => work.impact -= done,
                     false => work.springs += done,
                 }
-            } else if row.b != GROUND && row.b as usize >= spheres {
+            } else if let Some(driven) = driven {
                 let [_, grip] = row.grips();
-                work.residue += p.dot(&grip.velocity(&velocity(row.b as usize)));
+                work.residue += p.dot(&grip.velocity(&velocity(driven)));
             }
         }
         let bodies = self.inputs.bodies.iter().zip(&state.bodies).zip(finished);
@@ -336,6 +344,12 @@ impl Stage<'_> {
             let weight = body.weight_work(self.inputs.gravity, poses);
             work.residue += new - old - step * power - damped - weight;
         }
+    }
+
+    /// The driven body that row `k` has as its body B.
+    fn driven_side(&self, k: usize) -> Option<usize> {
+        let [_, b] = self.problem.rows.bodies(k);
+        (b != GROUND && b as usize >= self.inputs.kinematics.len()).then_some(b as usize)
     }
 
     /// Mean velocity of a body over the step: what an impact works with.

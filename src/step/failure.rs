@@ -53,7 +53,7 @@ impl Stage<'_> {
         let sphere = self.candidates.get(row)?.key.sphere;
         let walls: Vec<(u16, Vec3)> = (0..self.candidates.len())
             .filter(|&k| self.candidates[k].key.sphere == sphere)
-            .filter(|&k| self.problem.rows[k].compliance_n == 0.0)
+            .filter(|&k| self.problem.rows.compliance(k) == 0.0)
             .filter(|&k| self.impulses[k] != Vec3::zeros())
             .filter_map(|k| match self.candidates[k].key.partner {
                 Partner::Boundary { boundary, .. } => {

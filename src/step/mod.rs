@@ -26,6 +26,7 @@ use crate::problem::{Dof6, Impulses, Problem};
 use crate::scene::Scene;
 use crate::solver::Report;
 use crate::solver::augmented_lagrangian::Workspace;
+use crate::solver::gauss_seidel::SMALL;
 use crate::state::State;
 use stage::{Memory, Stage};
 
@@ -89,7 +90,12 @@ pub fn step(
     dt: f64,
     poses: Vec<Pose>,
 ) -> Result<StepOutcome, StepFailure> {
-    step_beside(scene, state, scratch, (dt, poses), &mut [])
+    let pool = scratch.workspace.kernel.pool(scene.settings.threads);
+    let step = || step_beside(scene, state, scratch, (dt, poses), &mut []);
+    match scene.particles.len() {
+        0..SMALL => step(),
+        _ => pool.within(step),
+    }
 }
 
 /// [`step`] to `(dt, poses)`, and beside it pairs of states to either side of `state`: see `beside`.
@@ -104,10 +110,11 @@ pub fn step_beside(
     pairs: &mut [[Beside<'_>; 2]],
 ) -> Result<StepOutcome, StepFailure> {
     let mut kept = std::mem::take(&mut scratch.kept);
-    let start = Start::of(scene, state, dt, poses, &mut kept);
+    kept.kinematics.swap_places(&mut state.kinematics);
+    let mut start = Start::of(scene, state, dt, poses, &mut kept);
     let beside = |beside: &Beside| {
         let poses = beside.poses.clone();
-        Start::of(scene, beside.state, dt, poses, &mut Kept::default())
+        Start::of(scene, beside.state, dt, poses, &mut Kept::of(beside.state))
     };
     let starts = pairs.iter().map(|pair| [0, 1].map(|k| beside(&pair[k])));
     let starts: Vec<[Start; 2]> = starts.collect();
@@ -120,7 +127,13 @@ pub fn step_beside(
                 .map(|k| Stage::beside(&stage, starts[k].inputs(scene, dt), pair[k].state)),
         })
         .collect();
-    let outcome = stage.resolve(state, scratch, &mut twins)?;
+    let outcome = match stage.resolve(state, scratch, &mut twins) {
+        Ok(outcome) => outcome,
+        Err(failure) => {
+            start.kinematics.swap_places(&mut state.kinematics);
+            return Err(failure);
+        }
+    };
     stage.spread_impacts(state);
     for ((twin, starts), pair) in twins.iter_mut().zip(&starts).zip(pairs) {
         twin.agree(&stage);
@@ -144,7 +157,7 @@ pub fn step_beside(
 /// starts from: candidates within reach, gaps not yet re-linearised.
 #[must_use]
 pub fn problem(scene: &Scene, state: &State, dt: f64, poses: &[Pose]) -> (Problem, Impulses) {
-    let start = Start::of(scene, state, dt, poses.to_vec(), &mut Kept::default());
+    let start = Start::of(scene, state, dt, poses.to_vec(), &mut Kept::of(state));
     let inputs = start.inputs(scene, dt);
     let stage = Stage::new(inputs, state, &mut Scratch::default());
     (stage.problem, stage.impulses)
@@ -153,10 +166,21 @@ pub fn problem(scene: &Scene, state: &State, dt: f64, poses: &[Pose]) -> (Proble
 /// Arrays kept from step to step for their memory alone.
 #[derive(Debug, Default)]
 struct Kept {
+    /// As a step begins, with the places of its state, which gets these for those at the end.
     kinematics: Kinematics,
     external: Vec<Dof6>,
     movers: Vec<Mover>,
     accelerations: Vec<Dof6>,
+}
+
+impl Kept {
+    /// For a step that leaves `state` its places.
+    fn of(state: &State) -> Self {
+        Self {
+            kinematics: state.kinematics.clone(),
+            ..Self::default()
+        }
+    }
 }
 
 /// What a step takes from the state before it moves anything.
@@ -183,6 +207,7 @@ fn surfaces(scene: &Scene, state: &State) -> Vec<Vec3> {
 }
 
 impl<'s> Start<'s> {
+    /// With the places in `kept`, and velocities of `state` for a step of `dt` \[s\].
     fn of(scene: &'s Scene, state: &State, dt: f64, mut ends: Vec<Pose>, kept: &mut Kept) -> Self {
         let bodies = Ready::all(scene, state, dt);
         for body in &bodies {
@@ -191,11 +216,14 @@ impl<'s> Start<'s> {
         }
         let integrator = scene.settings.integrator;
         let mut kinematics = std::mem::take(&mut kept.kinematics);
-        kinematics.clone_from(&state.kinematics);
+        kinematics.present.clone_from(&state.kinematics.present);
+        kinematics.velocity.clear();
+        kinematics.spin.clear();
         for (i, persisting) in state.persisting.iter().enumerate() {
-            let v = integrator.restep(&dof(&kinematics, i), persisting, state.last_step, dt);
-            kinematics.velocity[i] = v.linear;
-            kinematics.spin[i] = v.angular;
+            let v = dof(&state.kinematics, i);
+            let v = integrator.restep(&v, persisting, state.last_step, dt);
+            kinematics.velocity.push(v.linear);
+            kinematics.spin.push(v.angular);
         }
         let end_time = state.time + dt;
         let springs = scene.springs.iter();

@@ -14,10 +14,11 @@ use super::stage::Stage;
 use super::{Passed, Scratch};
 use crate::Vec3;
 use crate::cell::{HERE, Image};
-use crate::contacts::broad_phase::{Reach, spread};
+use crate::contacts::broad_phase::Reach;
 use crate::contacts::narrow_phase::{Candidate, Placement};
 use crate::contacts::sweep::{least_distance, meets};
 use crate::contacts::{Key, Partner};
+use crate::extent::{smaller, spread};
 use crate::motion::Pose;
 use crate::problem::Dof6;
 
@@ -37,8 +38,8 @@ impl Stage<'_> {
         let step = self.inputs.step;
         let spheres = self.inputs.kinematics.len();
         let free = &self.problem.free[..spheres];
-        let ways = [&solution[..spheres], free];
-        let [own, freely_moving] = ways.map(|v| spread(v.iter().map(|v| v.linear * step)));
+        let velocities = [&solution[..spheres], free];
+        let [own, freely_moving] = velocities.map(|v| spread(v.iter().map(|v| v.linear * step)));
         let longest = own.1.max(freely_moving.1);
         let mut range = Reach {
             pairs: own.0.max(freely_moving.0),
@@ -50,7 +51,7 @@ impl Stage<'_> {
             .radius
             .iter()
             .copied()
-            .fold(f64::INFINITY, f64::min);
+            .fold(f64::INFINITY, smaller);
         let [_, freely] = self.inputs.poses;
         for b in 0..ends.len() {
             for to in [&ends[b], &freely[b]] {
@@ -78,7 +79,8 @@ impl Stage<'_> {
         let far = |&&(i, j): &&(u32, u32)| {
             let [a, b] = [i, j].map(|k| k as usize);
             let limit = SMALL_MOTION * radius[a].min(radius[b]) * (1.0 - 1e-9);
-            let motion = ways.map(|v| (v[a].linear - v[b].linear).norm_squared() * step * step);
+            let motion =
+                velocities.map(|v| (v[a].linear - v[b].linear).norm_squared() * step * step);
             motion[0].max(motion[1]) > limit * limit
         };
         let here = list.pairs.iter().filter(far);

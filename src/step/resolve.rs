@@ -9,7 +9,7 @@ use crate::Vec3;
 use crate::contacts::broad_phase::Reach;
 use crate::contacts::narrow_phase::{Candidate, Placement};
 use crate::contacts::{Partner, history};
-use crate::problem::{Dof6, Law};
+use crate::problem::Dof6;
 use crate::scene::Method;
 use crate::solver::Report;
 use crate::state::State;
@@ -32,10 +32,10 @@ impl Stage<'_> {
         let settings = &self.inputs.scene.settings;
         let budget = settings.sweeps.filter(|_| self.moves);
         let patience = state.pace.patience(settings, self.inputs.step);
+        let patience = patience.filter(|_| self.moves);
         for _ in 0..PASSES {
             let left = budget.map(|budget| budget - total.sweeps);
-            let left = left.or(patience.filter(|_| self.moves));
-            total = total.then(self.solve(state, scratch, left));
+            total = total.then(self.solve(state, scratch, left.or(patience)));
             let spent = budget.is_some_and(|budget| total.sweeps >= budget);
             if !total.converged && !spent {
                 return Err(self.failure(&total));
@@ -129,7 +129,7 @@ impl Stage<'_> {
         // Two spheres without load that overlap are among the closed ones below.
         let mut off = (0..self.candidates.len()).any(|k| {
             (loaded(k) || wall(k)) && {
-                let (gap, radius) = (self.true_gap(end, k), self.problem.rows[k].radius);
+                let (gap, radius) = (self.true_gap(end, k), self.problem.rows.radius(k));
                 let opens = loaded(k) && !self.impact[k] && gap > OPENING * radius;
                 gap < -tolerance * radius || opens
             }
@@ -150,7 +150,7 @@ impl Stage<'_> {
         // A rebound yields only to an overlap.
         let yields: Vec<bool> = (0..self.candidates.len())
             .map(|k| {
-                !self.impact[k] || self.true_gap(end, k) < -tolerance * self.problem.rows[k].radius
+                !self.impact[k] || self.true_gap(end, k) < -tolerance * self.problem.rows.radius(k)
             })
             .collect();
         self.relinearise(end, solution, &yields);
@@ -180,24 +180,27 @@ impl Stage<'_> {
         let step = self.inputs.step;
         for k in (0..yields.len()).filter(|&k| yields[k]) {
             let gap = self.true_gap(end, k);
-            let row = &mut self.problem.rows[k];
+            let row = self.problem.rows.get(k);
             let n = row.normal;
             let linear = step * n.dot(&row.relative_velocity(solution));
             let compression = self.impulses[k].dot(&n) * row.compliance_n * step;
             let wanted = (gap - compression - linear) / step;
             let now = row.bias.dot(&n);
-            row.bias += match self.impact[k] {
-                true => n * (wanted.min(now) - now),
-                false => n * (wanted - now),
+            let wanted = match self.impact[k] {
+                true => wanted.min(now),
+                false => wanted,
             };
+            self.problem.rows.shift(k, wanted - now);
         }
     }
 
     /// Gap \[m\] of contact `k` at `end`, without the compression of a contact spring, which is not an overlap.
     fn true_gap(&self, end: &Placement, k: usize) -> f64 {
-        let row = &self.problem.rows[k];
-        let compression = self.impulses[k].dot(&row.normal) * row.compliance_n * self.inputs.step;
-        end.gap(&self.candidates[k]) + compression
+        let gap = end.gap(&self.candidates[k]);
+        match self.problem.rows.compliance(k) {
+            0.0 => gap,
+            c => gap + self.impulses[k].dot(&self.problem.rows.normal(k)) * c * self.inputs.step,
+        }
     }
 
     /// Adds a contact that `solution` closes: its normal is the one it closes with. Returns whether it is an impact, as
@@ -224,11 +227,9 @@ impl Stage<'_> {
         self.impact.insert(at, impact);
         self.past.insert(at, past);
         self.impulses.insert(at, Vec3::zeros());
-        for row in &mut self.problem.rows {
-            if let Law::Resistance { contact, .. } = &mut row.law {
-                *contact += u32::from(*contact as usize >= at);
-            }
-        }
+        self.problem
+            .rows
+            .bind(|contact| *contact += u32::from(*contact as usize >= at));
         self.resist(state, at);
         impact
     }

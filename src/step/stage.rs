@@ -4,10 +4,11 @@ use std::mem::take;
 
 use super::Scratch;
 use crate::Vec3;
-use crate::contacts::broad_phase::{Reach, around};
+use crate::contacts::broad_phase::Reach;
 use crate::contacts::history::{self, Past};
 use crate::contacts::narrow_phase::{Candidate, Placement};
 use crate::driven::Hold;
+use crate::extent::{around, larger};
 use crate::motion::Pose;
 use crate::problem::assemble::Inputs;
 use crate::problem::{Dof6, Law, Problem};
@@ -81,8 +82,8 @@ impl<'a> Stage<'a> {
         let common = (low + high) * 0.5;
         let radii = scene.particles.radius.iter();
         let way = |(now, free): (&Vec3, &Vec3), common: &Vec3| {
-            let squared = (now - common).norm_squared();
-            step * squared.max((free - common).norm_squared()).sqrt()
+            let squared = [now, free].map(|v| (v - common).norm_squared());
+            step * larger(squared[0], squared[1]).sqrt()
         };
         let mut reach = take(&mut scratch.reach);
         reach.clear();
@@ -99,11 +100,11 @@ impl<'a> Stage<'a> {
             )
         };
         let largest = reach.iter().fold(Reach::default(), |largest, own| Reach {
-            pairs: own.pairs.max(largest.pairs),
-            walls: own.walls.max(largest.walls),
+            pairs: larger(own.pairs, largest.pairs),
+            walls: larger(own.walls, largest.walls),
         });
         let radii = scene.particles.radius.iter().copied();
-        let diameter = 2.0 * (radii.fold(0.0, f64::max) + largest.pairs);
+        let diameter = 2.0 * (radii.fold(0.0, larger) + largest.pairs);
         let kernel = &mut scratch.workspace.kernel;
         kernel.prepare(scene.settings.threads, start.position, diameter);
         // Of every sphere and boundary: what the list holds already must not decide what it lacks.
@@ -182,17 +183,13 @@ impl<'a> Stage<'a> {
         let step = self.inputs.step;
         let keys = self.candidates.iter().map(|c| c.key);
         history::transfer(&state.contacts, keys, &mut self.past);
-        let (inputs, free, impact) = (&self.inputs, &self.problem.free, &mut self.impact);
-        let impulses = &mut self.impulses;
-        let contacts = self.candidates.iter().zip(&self.past).enumerate();
-        let rows = contacts.map(|(k, (candidate, past))| {
+        let Problem { free, rows, .. } = &mut self.problem;
+        for (k, (candidate, past)) in self.candidates.iter().zip(&self.past).enumerate() {
             let (force, told) = (past.force(&state.contacts), told.map(|told| told[k]));
-            let (row, is_impact) = inputs.contact(free, candidate, force, told);
-            impact.push(is_impact);
-            impulses.push(force * step);
-            row
-        });
-        self.problem.rows.extend(rows);
+            let impact = (self.inputs).push_contact(free, candidate, force, told, rows);
+            self.impact.push(impact);
+            self.impulses.push(force * step);
+        }
         let springs = 0..self.inputs.targets.len();
         self.problem
             .rows
@@ -216,9 +213,12 @@ impl<'a> Stage<'a> {
 
     /// Adds the resistance of contact `k`, if it has one, with its last couple.
     pub(super) fn resist(&mut self, state: &State, k: usize) {
-        let (row, torque) = (&self.problem.rows[k], self.past[k].torque(&state.contacts));
+        let (row, torque) = (
+            self.problem.rows.get(k),
+            self.past[k].torque(&state.contacts),
+        );
         let key = self.candidates[k].key;
-        if let Some(resistance) = self.inputs.resistance(key, row, k, torque) {
+        if let Some(resistance) = self.inputs.resistance(key, &row, k, torque) {
             let lever = resistance.radius;
             self.problem.rows.push(resistance);
             self.impulses.push(torque * (self.inputs.step / lever));
@@ -227,9 +227,12 @@ impl<'a> Stage<'a> {
 
     /// The contact that row `k` is, or whose resistance it is.
     pub(super) fn contact_of(&self, k: usize) -> Option<usize> {
-        match self.problem.rows.get(k)?.law {
+        if k < self.candidates.len() {
+            return Some(k);
+        }
+        match self.problem.rows.special(k)?.law {
             Law::Resistance { contact, .. } => Some(contact as usize),
-            _ => (k < self.candidates.len()).then_some(k),
+            _ => None,
         }
     }
 

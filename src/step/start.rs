@@ -159,9 +159,8 @@ impl Stage<'_> {
     fn displace(&mut self) {
         self.problem.rows.truncate(self.candidates.len());
         self.impulses.truncate(self.candidates.len());
-        for row in &mut self.problem.rows {
-            row.law = Law::Contact { mu: 0.0 };
-        }
+        let frictionless = |_, row: &mut Row| row.law = Law::Contact { mu: 0.0 };
+        self.problem.rows.update_all(frictionless);
         self.moves = false;
     }
 
@@ -190,7 +189,7 @@ impl Stage<'_> {
         let creep = weight * self.inputs.step;
         let closed = scene.settings.tolerance.gap.max(1e-9);
         let rests = |k: usize| {
-            let row = &self.problem.rows[k];
+            let row = self.problem.rows.get(k);
             self.candidates[k].gap <= closed * row.radius
                 && row.normal.dot(&row.relative_velocity(&velocity)).abs() <= 1e-3 * creep
         };
@@ -201,7 +200,9 @@ impl Stage<'_> {
         (0..self.problem.rows.len())
             .map(|k| match (self.contact_of(k), self.held(k)) {
                 (Some(contact), _) => rests(contact),
-                (None, Some(held)) if held.hold.stops() => stop_rests(held, &self.problem.rows[k]),
+                (None, Some(held)) if held.hold.stops() => {
+                    stop_rests(held, &self.problem.rows.get(k))
+                }
                 _ => true,
             })
             .collect()
@@ -212,41 +213,35 @@ impl Stage<'_> {
     fn keep(&mut self, keep: &[bool]) {
         let velocity = self.before();
         let first = self.first_hold();
-        for (held, row) in self.holds.iter_mut().zip(&mut self.problem.rows[first..]) {
+        for (k, held) in (first..).zip(&mut self.holds) {
             if held.hold.stops() {
-                row.bias = Vec3::zeros();
+                self.problem.rows.update(k, |row| row.bias = Vec3::zeros());
                 held.impact = false;
             }
         }
         retain(&mut self.holds, &keep[first..]);
-        for row in &mut self.problem.rows {
-            if let Law::Resistance { contact, .. } = &mut row.law {
-                let before = &keep[..*contact as usize];
-                *contact = before.iter().filter(|kept| **kept).count() as u32;
-            }
-        }
+        self.problem.rows.bind(|contact| {
+            let before = &keep[..*contact as usize];
+            *contact = before.iter().filter(|kept| **kept).count() as u32;
+        });
         let step = self.inputs.step;
         let position = self.moved(&velocity);
         let slid = Placement {
             position: &position,
             ..self.start
         };
-        for ((row, candidate), impact) in self
-            .problem
-            .rows
-            .iter_mut()
-            .zip(&self.candidates)
-            .zip(&mut self.impact)
-        {
-            if row.compliance_n == 0.0 {
-                let linear = step * row.normal.dot(&row.relative_velocity(&velocity));
-                let curved = slid.follow(candidate).gap - candidate.gap - linear;
-                row.bias = row.normal * (2.0 * curved / step);
+        for (k, candidate) in self.candidates.iter().enumerate() {
+            if self.problem.rows.compliance(k) == 0.0 {
+                self.problem.rows.update(k, |row| {
+                    let linear = step * row.normal.dot(&row.relative_velocity(&velocity));
+                    let curved = slid.follow(candidate).gap - candidate.gap - linear;
+                    row.bias = row.normal * (2.0 * curved / step);
+                });
             }
-            *impact = false;
         }
+        self.impact.fill(false);
         retain(&mut self.impulses, keep);
-        retain(&mut self.problem.rows, keep);
+        self.problem.rows.retain(keep);
         retain(&mut self.candidates, keep);
         self.impact.truncate(self.candidates.len());
     }

@@ -77,7 +77,7 @@ pub(crate) fn scene(n: usize) -> Scene {
         pairs: PairTable::new(1, Pair::default()),
         particles,
         initial,
-        initial_contacts: Vec::new(),
+        initial_contacts: Default::default(),
         cell: Cell::default(),
         boundaries: vec![boundary("floor", floor()), boundary("crate", crate_box())],
         loads: Vec::new(),

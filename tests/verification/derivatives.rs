@@ -6,6 +6,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use sphere_dda::Vec3;
+use sphere_dda::error::StepError;
 use sphere_dda::motion::Command;
 use sphere_dda::observe::Observation;
 use sphere_dda::observe::quantities::{quantities, values};
@@ -724,6 +725,33 @@ fn commands_that_change_within_a_step_count_from_there() {
             column[name]
         );
     }
+}
+
+/// A step that does not begin leaves the derivatives of the last; one that begins and is given up leaves none.
+#[test]
+fn a_step_given_up_has_no_derivatives() {
+    let text = [HEAD, BALL, FLOOR, "input = \"twist\""].concat();
+    let mut simulation = simulation(&[&text]);
+    let directions = [Direction {
+        boundary: 0,
+        change: velocity(1),
+    }];
+    simulation.advance(5e-3).unwrap();
+    let before = simulation.sensitivities(&directions).unwrap();
+    let fast = Command::default().plus(&velocity(1), 1e6);
+    simulation.command(0, fast).unwrap();
+    let jump = simulation.begin(1e-2).unwrap_err();
+    assert!(matches!(jump, StepError::Jump { .. }), "{jump}");
+    assert_eq!(simulation.sensitivities(&directions).unwrap(), before);
+    simulation.command(0, Command::default()).unwrap();
+    drop(simulation.begin(1e-2).unwrap());
+    let by_command = simulation.sensitivities(&directions).map(|_| ());
+    for refused in [by_command, simulation.rates().map(|_| ())] {
+        let error = refused.unwrap_err();
+        assert!(error.to_string().contains("no whole step"), "{error}");
+    }
+    simulation.advance(5e-3).unwrap();
+    simulation.sensitivities(&directions).unwrap();
 }
 
 /// Spheres that come within the step and land take part from there.

@@ -291,6 +291,26 @@ fn an_off_centre_impact_turns_a_plate() {
     }
 }
 
+/// Straight above a free plate's centre of mass the contact lies as on a sphere: the plate is a driven body all the same, and
+/// what the sphere does to it is in the ledger, `loss = (1 - e^2) mu v^2/2` with the reduced mass `mu`, and no residue.
+#[test]
+fn an_impact_above_the_centre_of_a_plate_balances() {
+    let (mass, v, e) = (4.0, 3.0, 0.6);
+    let free = body(mass, -Vec3::z() * 0.2, Vec3::repeat(0.3), Joint::Free);
+    let mut run = Case::new(1e-3, 0.0, e)
+        .tolerance(1e-12, 1e-12, 1e-12)
+        .without_gravity()
+        .driven(plate([-0.5; 2], [0.5; 2], 0.0), free)
+        .sphere(0.1, Vec3::z() * 0.1005, -Vec3::z() * v)
+        .start();
+    run.step();
+    let m = run.mass(0);
+    let energy = 0.5 * m * mass / (m + mass) * v * v;
+    let work = run.simulation.work();
+    close(work.impact, (1.0 - e * e) * energy, 1e-12, energy);
+    close(work.residue, 0.0, 1e-12, energy);
+}
+
 /// A plate that falls on three fixed spheres of different size ends on their common tangent plane, `n.c_i + R_i = h` for
 /// all three, and its contacts carry its weight without torque about its centre.
 #[test]

@@ -67,6 +67,28 @@ fn chosen_steps_are_part_of_the_state() {
     assert!(simulation.snapshot() == other.snapshot());
 }
 
+/// A spin about the vertical that nothing resists never ends: on a sphere that lies it does not keep a scene awake, unless it is fast,
+/// and a sphere that slides or rolls is no sphere that lies.
+#[test]
+fn a_spin_that_no_contact_feels_does_not_keep_a_scene_awake() {
+    let limit = 1e-3;
+    let rests = |velocity: Vec3, spin: Vec3| {
+        let mut case = Case::new(1e-3, 0.5, 0.0).floor();
+        case = case.sphere(RADIUS, Vec3::new(0.0, 0.0, RADIUS), velocity);
+        case.scene.initial.spin[0] = spin / RADIUS;
+        case.scene.settings.rest_speed = limit;
+        let mut simulation = Simulation::new(Arc::new(case.scene)).expect("a start");
+        simulation.advance_to(0.015).expect("a step");
+        simulation.velocity(0).angular == Vec3::zeros()
+    };
+    let zero = Vec3::zeros();
+    assert!(rests(zero, Vec3::z() * 9.0 * limit));
+    assert!(!rests(zero, Vec3::z() * 11.0 * limit));
+    let rolling = Vec3::y() * 2.0 * limit;
+    assert!(!rests(Vec3::x() * 2.0 * limit, rolling));
+    assert!(!rests(zero, rolling * 4.0));
+}
+
 /// A heap comes to rest: no sweeps, no motion, forces that carry its weight; a floor that moves away wakes it, and the spheres
 /// fall with gravity.
 #[test]

@@ -106,7 +106,7 @@ fn stiff_pyramid(mu: f64, rolling: f64, twisting: f64) -> Problem {
                 rolling,
                 twisting,
             },
-            ..problem.rows[k]
+            ..problem.rows.get(k)
         });
     }
     problem
@@ -183,13 +183,13 @@ fn solvers_agree_on_a_pyramid_that_resists_rolling() {
         }
         let contacts = problem.rows.len() / 2;
         for k in contacts..problem.rows.len() {
-            let n = problem.rows[k].normal;
+            let n = problem.rows.normal(k);
             let pressure = impulses[k - contacts].dot(&n);
             let p = impulses[k];
             let across = p - n * p.dot(&n);
             assert!(across.norm() <= rolling * pressure * (1.0 + 1e-9) + 1e-15);
             assert!(p.dot(&n).abs() <= twisting * pressure * (1.0 + 1e-9) + 1e-15);
-            let u = problem.rows[k].relative_velocity(&expected);
+            let u = problem.rows.get(k).relative_velocity(&expected);
             assert!(p.dot(&u) <= 1e-12, "it takes energy");
             if pressure > 0.0 && rolling > 0.0 {
                 let full = across.norm() > rolling * pressure * (1.0 - 1e-6);
@@ -212,19 +212,21 @@ fn a_part_that_resists_rolling_is_finished() {
     both.free.extend(&pushed.free);
     both.inverse_mass.extend(&pushed.inverse_mass);
     let bodies = pushed.free.len() as u32;
-    let moved = |row: &Row| Row {
+    let moved = |row: Row| Row {
         a: row.a + bodies,
         b: if row.b == GROUND {
             GROUND
         } else {
             row.b + bodies
         },
-        ..*row
+        ..row
     };
-    let resistances = both.rows.split_off(contacts);
-    both.rows.extend(pushed.rows[..contacts].iter().map(moved));
-    both.rows.extend(resistances);
-    both.rows.extend(pushed.rows[contacts..].iter().map(|row| {
+    let rows: Vec<Row> = pushed.rows.iter().collect();
+    let (touching, resistances) = rows.split_at(contacts);
+    both.rows.truncate(contacts);
+    both.rows.extend(touching.iter().map(|row| moved(*row)));
+    both.rows.extend(resistances.iter().copied());
+    both.rows.extend(resistances.iter().map(|&row| {
         let Law::Resistance {
             contact,
             rolling,
@@ -367,12 +369,12 @@ fn forces_without_gravity_have_a_scale() {
 fn a_residual_without_scale_is_a_share() {
     let mut problem = pyramid(0.3);
     problem.rows.truncate(1);
-    problem.rows[0].impulse_scale = 0.0;
+    problem.rows.update(0, |row| row.impulse_scale = 0.0);
     for free in &mut problem.free {
         *free = Dof6::ZERO;
     }
     let scales = Scale::of(&problem);
-    let pushed = [problem.rows[0].normal * 1e-60];
+    let pushed = [problem.rows.normal(0) * 1e-60];
     let found = evaluate(&problem, &scales, &pushed);
     assert_eq!(found.force, 1.0, "{found:?}");
     assert_eq!(evaluate(&problem, &scales, &[Vec3::zeros()]).force, 0.0);

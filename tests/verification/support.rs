@@ -58,7 +58,7 @@ impl Case {
                 pairs,
                 particles: Particles::default(),
                 initial: Kinematics::default(),
-                initial_contacts: vec![],
+                initial_contacts: Default::default(),
                 cell: Cell::default(),
                 boundaries: vec![],
                 loads: vec![],

@@ -97,7 +97,7 @@ impl Instance {
 
     fn rates_at(&mut self, ranks: &[usize]) -> Result<Vec<f64>, Refusal> {
         self.look()?;
-        let Some(simulation) = &self.simulation else {
+        let Some(simulation) = self.simulation.as_ref().filter(|s| s.origin().is_some()) else {
             return Err(self.no_derivatives());
         };
         if self.measured.rates.is_none() {

@@ -6,7 +6,7 @@ use crate::contacts::Partner;
 use crate::contacts::law::split;
 use crate::contacts::narrow_phase::Candidate;
 use crate::particles::Kinematics;
-use crate::problem::{Dof6, GROUND, Law, Row};
+use crate::problem::{Dof6, GROUND, Law, Row, Rows};
 use crate::scene::{Integrator, Method, Scene};
 use crate::solver::augmented_lagrangian::SHEAR_RATIO;
 
@@ -93,7 +93,6 @@ impl Inputs<'_> {
 
     /// The row of a candidate, and whether it is an impact: as `told`, or as it finds. `force` \[N\] is the contact's last one.
     #[must_use]
-    #[inline(always)]
     pub fn contact(
         &self,
         free: &[Dof6],
@@ -101,6 +100,37 @@ impl Inputs<'_> {
         force: Vec3,
         told: Option<bool>,
     ) -> (Row, bool) {
+        let (row, impact, _) = self.meet(free, candidate, force, told);
+        (row, impact)
+    }
+
+    /// Adds [`Self::contact`] to the end of `rows`; whether it is an impact.
+    #[inline(always)]
+    pub fn push_contact(
+        &self,
+        free: &[Dof6],
+        candidate: &Candidate,
+        force: Vec3,
+        told: Option<bool>,
+        rows: &mut Rows,
+    ) -> bool {
+        let (row, impact, plain) = self.meet(free, candidate, force, told);
+        match plain {
+            true => rows.push_plain(&row),
+            false => rows.push(row),
+        }
+        impact
+    }
+
+    /// [`Self::contact`], and whether it is rigid and of spheres on each other or on ground at rest.
+    #[inline(always)]
+    fn meet(
+        &self,
+        free: &[Dof6],
+        candidate: &Candidate,
+        force: Vec3,
+        told: Option<bool>,
+    ) -> (Row, bool, bool) {
         let settings = &self.scene.settings;
         let n = candidate.normal;
         let a = candidate.key.sphere as usize;
@@ -156,7 +186,9 @@ impl Inputs<'_> {
             radius: meeting.radius,
             impulse_scale: self.impulse_scale(&meeting, acceleration, turning),
         };
-        (row, impact)
+        let sphere = meeting.b == GROUND || (meeting.b as usize) < self.kinematics.len();
+        let plain = sphere && row.drift == Vec3::zeros() && compliance == [0.0; 2];
+        (row, impact, plain)
     }
 
     /// Scale of the force residual \[N s\] of a contact on which `acceleration` acts, while its normal turns by `turning`

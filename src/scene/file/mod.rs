@@ -138,7 +138,7 @@ pub struct Simulation {
     /// Real-time mode: most Gauss-Seidel sweeps of a step. What they reach is taken; `maxOverlap` and the residuals say how good it is.
     #[schemars(extend("x-default" = "as many as the tolerances need", "minimum" = 1))]
     pub sweeps: Option<u32>,
-    /// Speed \[m/s\]: a scene whose every point is slower for ten steps comes to rest, and costs nothing until something moves it. 0: never.
+    /// Speed \[m/s\]: a scene in which for ten steps all centres, and surfaces where they touch, are slower comes to rest, and costs nothing until something moves it. 0: never.
     #[serde(default)]
     #[schemars(extend("minimum" = 0))]
     pub rest_speed: f64,

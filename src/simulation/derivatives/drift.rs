@@ -9,7 +9,7 @@
 //! ```
 
 use super::{Origin, Simulation};
-use crate::contacts::{Load, history};
+use crate::contacts::history;
 use crate::error::StepError;
 use crate::integrate::turned;
 use crate::observe::Observation;
@@ -38,7 +38,8 @@ impl Simulation {
     /// their units over s; counts and the solver's report have none, which is given as 0.
     ///
     /// # Errors
-    /// [`StepError`] if the last step cannot be taken again: an internal failure.
+    /// [`StepError::Argument`] where there is no [`Self::origin`], another if the last step cannot be taken again: an internal
+    /// failure.
     pub fn rates(&self) -> Result<Vec<f64>, StepError> {
         self.rates_of(|simulation| values(&Observation::of(simulation)))
     }
@@ -61,7 +62,7 @@ impl Simulation {
     }
 
     fn past(&self) -> Result<Option<Past>, StepError> {
-        let Some(Origin::Step(origin)) = self.origin() else {
+        let Origin::Step(origin) = self.came_from()? else {
             return Ok(None);
         };
         let boundaries = self.scene.boundaries.len();
@@ -132,11 +133,14 @@ impl Simulation {
             let keys = state.contacts.iter().map(|contact| contact.key);
             let mut then = Vec::new();
             history::transfer(&before.contacts, keys, &mut then);
-            for (contact, then) in state.contacts.iter_mut().zip(then) {
-                let Load { force, torque, .. } = contact;
+            let mut then = then.into_iter();
+            state.contacts.change(|force, torque| {
+                let Some(then) = then.next() else { return };
                 *force += (*force - then.force(&before.contacts)) * share;
-                *torque += (*torque - then.torque(&before.contacts)) * share;
-            }
+                if let Some(torque) = torque {
+                    *torque += (*torque - then.torque(&before.contacts)) * share;
+                }
+            });
         }
         for (carried, then) in state.bodies.iter_mut().zip(&before.bodies) {
             let holds = carried.holds.iter_mut().zip(&then.holds);

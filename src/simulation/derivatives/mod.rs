@@ -2,7 +2,8 @@
 //! held over that step ([`Simulation::sensitivities`]); at the start of a run by the commands that place its boundaries.
 //!
 //! A step costs nothing for them: it only leaves its start behind, [`Origin`], and is taken again when a derivative is asked
-//! for. Steps are deterministic, so this is the same step, bit for bit.
+//! for. Steps are deterministic, so this is the same step, bit for bit. Within a step there are no
+//! derivatives.
 
 mod drift;
 mod sensitivity;
@@ -53,6 +54,14 @@ impl Origin {
         }
     }
 
+    /// Its state, for the memory.
+    pub(super) fn into_state(self) -> State {
+        match self {
+            Self::Start(state) => state,
+            Self::Step(step) => step.state,
+        }
+    }
+
     fn fits(&self, boundaries: usize) -> bool {
         match self {
             Self::Start(_) => true,
@@ -63,10 +72,19 @@ impl Origin {
 
 impl Simulation {
     /// Where the present state came from: with [`Self::snapshot`] a state that keeps its derivatives. `None` after
-    /// [`Self::restore`].
+    /// [`Self::restore`], within a communication step, and after one that was given up or that [`Self::advance_to`] has failed to take.
     #[must_use]
     pub fn origin(&self) -> Option<&Origin> {
         self.origin.as_deref()
+    }
+
+    /// [`Self::origin`], which derivatives cannot do without.
+    fn came_from(&self) -> Result<&Origin, StepError> {
+        self.origin().ok_or_else(|| StepError::Argument {
+            what: "derivatives",
+            found: "a state that was restored, or that no whole step has led to".to_owned(),
+            expected: "a communication step before them",
+        })
     }
 
     /// [`Self::restore`], with the [`Self::origin`] that the state had.
@@ -209,11 +227,10 @@ impl Companion {
                 *own = *other;
             }
         }
-        let kept = |contact: &Load| {
-            let known = |other: &Load| other.key.cmp(&contact.key);
+        own.contacts.retain(|key| {
+            let known = |other: &Load| other.key.cmp(key);
             other.contacts.binary_search_by(known).is_ok()
-        };
-        own.contacts.retain(kept);
+        });
         own.reserves.clone_from(&other.reserves);
         own.emitted.clone_from(&other.emitted);
         own.removed.clone_from(&other.removed);

@@ -31,8 +31,8 @@ impl Simulation {
     /// given as 0. At a kink, where a contact is at the edge of its state, it is one-sided.
     ///
     /// # Errors
-    /// [`StepError::Argument`] after [`Self::restore`] or if a direction is of no such boundary, [`StepError::NotConverged`]
-    /// if the tangent of the contact solve is singular.
+    /// [`StepError::Argument`] where there is no [`Self::origin`] or if a direction is of no such boundary,
+    /// [`StepError::NotConverged`] if the tangent of the contact solve is singular.
     pub fn sensitivities(&self, directions: &[Direction]) -> Result<Vec<Vec<f64>>, StepError> {
         self.sensitivities_of(directions, |simulation| {
             values(&Observation::of(simulation))
@@ -48,13 +48,7 @@ impl Simulation {
         directions: &[Direction],
         measure: impl Fn(&Self) -> Vec<f64>,
     ) -> Result<Vec<Vec<f64>>, StepError> {
-        let Some(origin) = self.origin() else {
-            return Err(StepError::Argument {
-                what: "derivatives",
-                found: "a restored state".to_owned(),
-                expected: "a communication step before them",
-            });
-        };
+        let origin = self.came_from()?;
         let h = match origin {
             Origin::Start(_) => self.scene.settings.step,
             Origin::Step(step) => step.course.length(),

@@ -6,10 +6,12 @@ use std::ops::{Add, Mul, Sub};
 use pulp::cast;
 use pulp::x86::V3;
 
-use super::lanes::{Body, Lanes, Pack, Sixteen};
-use super::registers::{Register, pack, registers};
+use super::lanes::{Body, Eight, Lanes, Pack, Sixteen};
+use super::registers::{
+    GIVEN, OTHER, Register, Row, bare, by_rows, eight_lanes, pack, registers, signed,
+};
 
-pack!(V3, avx, __m256: _mm256_add_ps, _mm256_sub_ps, _mm256_mul_ps, _mm256_div_ps, _mm256_sqrt_ps, _mm256_max_ps;
+pack!(V3, avx, __m256: _mm256_add_ps, _mm256_sub_ps, _mm256_mul_ps, _mm256_div_ps, _mm256_sqrt_ps, _mm256_max_ps, fma: _mm256_fmadd_ps, _mm256_fnmadd_ps;
     fn within(self, limit: Self, yes: Self, no: Self) -> Self {
         let avx = self.0.avx;
         let mask = avx._mm256_cmp_ps::<_CMP_LE_OQ>(self.1, limit.1);
@@ -21,7 +23,7 @@ pack!(V3, avx, __m256: _mm256_add_ps, _mm256_sub_ps, _mm256_mul_ps, _mm256_div_p
     }
 );
 
-pack!(V3, avx, __m256d: _mm256_add_pd, _mm256_sub_pd, _mm256_mul_pd, _mm256_div_pd, _mm256_sqrt_pd, _mm256_max_pd;
+pack!(V3, avx, __m256d: _mm256_add_pd, _mm256_sub_pd, _mm256_mul_pd, _mm256_div_pd, _mm256_sqrt_pd, _mm256_max_pd, fma: _mm256_fmadd_pd, _mm256_fnmadd_pd;
     fn within(self, limit: Self, yes: Self, no: Self) -> Self {
         let avx = self.0.avx;
         let mask = avx._mm256_cmp_pd::<_CMP_LE_OQ>(self.1, limit.1);
@@ -83,10 +85,10 @@ fn transposed_8(v: V3, r: [__m256; 8]) -> [__m256; 8] {
     ]
 }
 
-/// The two halves of a body.
+/// The two halves of an item.
 #[inline(always)]
-fn halves(bodies: &[Body<f64>], at: u32) -> [__m256d; 2] {
-    cast(bodies[at as usize].0)
+fn halves(items: &[impl Eight<f64>], at: u32) -> [__m256d; 2] {
+    cast(items[at as usize].eight())
 }
 
 impl Lanes<f64> for V3 {
@@ -108,86 +110,63 @@ impl Lanes<f64> for V3 {
         x.as_chunks_mut::<4>().0[pass] = cast(pack.1);
     }
 
+    /// Linear halves, then spins.
     #[inline(always)]
-    fn gather(self, bodies: &[Body<f64>], at: &Sixteen<u32>, pass: usize) -> [Self::Pack; 8] {
+    fn fetch(self, items: &[impl Eight<f64>], at: &Sixteen<u32>, pass: usize) -> [Self::Pack; 8] {
         let at = &at.as_chunks::<4>().0[pass];
-        let [p, q] = [halves(bodies, at[0]), halves(bodies, at[1])];
-        let [r, s] = [halves(bodies, at[2]), halves(bodies, at[3])];
-        let [a, b, c, d] = transposed_4(self, [p[0], q[0], r[0], s[0]]);
-        let [e, f, g, h] = transposed_4(self, [p[1], q[1], r[1], s[1]]);
-        registers(self, [a, b, c, d, e, f, g, h])
+        let [p, q] = [halves(items, at[0]), halves(items, at[1])];
+        let [r, s] = [halves(items, at[2]), halves(items, at[3])];
+        registers(self, [p[0], q[0], r[0], s[0], p[1], q[1], r[1], s[1]])
     }
 
     #[inline(always)]
-    fn scatter(
-        self,
-        [a, b, c, d, e, f, g, h]: [Self::Pack; 8],
-        bodies: &mut [Body<f64>],
-        at: &Sixteen<u32>,
-        pass: usize,
-    ) {
+    fn put(self, rows: [Self::Pack; 8], bodies: &mut [Body<f64>], at: &Sixteen<u32>, pass: usize) {
         let at = &at.as_chunks::<4>().0[pass];
-        let linear = transposed_4(self, [a.1, b.1, c.1, d.1]);
-        let spin = transposed_4(self, [e.1, f.1, g.1, h.1]);
-        bodies[at[0] as usize] = Body(cast([linear[0], spin[0]]));
-        bodies[at[1] as usize] = Body(cast([linear[1], spin[1]]));
-        bodies[at[2] as usize] = Body(cast([linear[2], spin[2]]));
-        bodies[at[3] as usize] = Body(cast([linear[3], spin[3]]));
+        bodies[at[0] as usize] = Body(cast([rows[0].1, rows[4].1]));
+        bodies[at[1] as usize] = Body(cast([rows[1].1, rows[5].1]));
+        bodies[at[2] as usize] = Body(cast([rows[2].1, rows[6].1]));
+        bodies[at[3] as usize] = Body(cast([rows[3].1, rows[7].1]));
+    }
+
+    by_rows!(f64, 4);
+}
+
+impl Row for Register<V3, __m256d> {
+    #[inline(always)]
+    fn masses(self) -> Self {
+        Self(self.0, self.0.avx2._mm256_permute4x64_pd::<0xff>(self.1))
+    }
+
+    #[inline(always)]
+    fn columns(rows: [Self; 8]) -> [Self; 8] {
+        let (v, [a, b, c, d, e, f, g, h]) = (rows[0].0, bare(rows));
+        let [a, b, c, d] = transposed_4(v, [a, b, c, d]);
+        let [e, f, g, h] = transposed_4(v, [e, f, g, h]);
+        registers(v, [a, b, c, d, e, f, g, h])
+    }
+
+    #[inline(always)]
+    fn rows(columns: [Self; 8]) -> [Self; 8] {
+        Self::columns(columns)
     }
 }
 
-impl Lanes<f32> for V3 {
-    type Pack = Register<Self, __m256>;
-    const WIDTH: usize = 8;
-
+impl Row for Register<V3, __m256> {
     #[inline(always)]
-    fn splat(self, x: f32) -> Self::Pack {
-        Register(self, cast([x; 8]))
+    fn masses(self) -> Self {
+        Self(self.0, self.0.avx._mm256_permute_ps::<0xff>(self.1))
     }
 
     #[inline(always)]
-    fn load(self, x: &Sixteen<f32>, pass: usize) -> Self::Pack {
-        Register(self, cast(x.as_chunks::<8>().0[pass]))
+    fn columns(rows: [Self; 8]) -> [Self; 8] {
+        let v = rows[0].0;
+        registers(v, transposed_8(v, bare(rows)))
     }
 
     #[inline(always)]
-    fn store(self, pack: Self::Pack, x: &mut Sixteen<f32>, pass: usize) {
-        x.as_chunks_mut::<8>().0[pass] = cast(pack.1);
-    }
-
-    #[inline(always)]
-    fn gather(self, bodies: &[Body<f32>], at: &Sixteen<u32>, pass: usize) -> [Self::Pack; 8] {
-        let at = &at.as_chunks::<8>().0[pass];
-        let rows = [
-            cast(bodies[at[0] as usize].0),
-            cast(bodies[at[1] as usize].0),
-            cast(bodies[at[2] as usize].0),
-            cast(bodies[at[3] as usize].0),
-            cast(bodies[at[4] as usize].0),
-            cast(bodies[at[5] as usize].0),
-            cast(bodies[at[6] as usize].0),
-            cast(bodies[at[7] as usize].0),
-        ];
-        registers(self, transposed_8(self, rows))
-    }
-
-    #[inline(always)]
-    fn scatter(
-        self,
-        [a, b, c, d, e, f, g, h]: [Self::Pack; 8],
-        bodies: &mut [Body<f32>],
-        at: &Sixteen<u32>,
-        pass: usize,
-    ) {
-        let at = &at.as_chunks::<8>().0[pass];
-        let rows = transposed_8(self, [a.1, b.1, c.1, d.1, e.1, f.1, g.1, h.1]);
-        bodies[at[0] as usize] = Body(cast(rows[0]));
-        bodies[at[1] as usize] = Body(cast(rows[1]));
-        bodies[at[2] as usize] = Body(cast(rows[2]));
-        bodies[at[3] as usize] = Body(cast(rows[3]));
-        bodies[at[4] as usize] = Body(cast(rows[4]));
-        bodies[at[5] as usize] = Body(cast(rows[5]));
-        bodies[at[6] as usize] = Body(cast(rows[6]));
-        bodies[at[7] as usize] = Body(cast(rows[7]));
+    fn rows(columns: [Self; 8]) -> [Self; 8] {
+        Self::columns(columns)
     }
 }
+
+eight_lanes!(V3, __m256, f32);

@@ -1,15 +1,17 @@
 //! AVX-512: sixteen numbers in single precision, eight in double.
 
-use std::arch::x86_64::{__m256, __m512, __m512d, _CMP_LE_OQ};
+use std::arch::x86_64::{__m256d, __m512, __m512d, _CMP_LE_OQ};
 use std::ops::{Add, Mul, Sub};
 
 use pulp::cast;
 use pulp::x86::V4;
 
-use super::lanes::{Body, Lanes, Pack, Sixteen};
-use super::registers::{Register, pack, registers};
+use super::lanes::{Body, Eight, Lanes, Pack, Sixteen};
+use super::registers::{
+    GIVEN, OTHER, Register, Row, bare, by_rows, eight_lanes, pack, registers, signed,
+};
 
-pack!(V4, avx512f, __m512: _mm512_add_ps, _mm512_sub_ps, _mm512_mul_ps, _mm512_div_ps, _mm512_sqrt_ps, _mm512_max_ps;
+pack!(V4, avx512f, __m512: _mm512_add_ps, _mm512_sub_ps, _mm512_mul_ps, _mm512_div_ps, _mm512_sqrt_ps, _mm512_max_ps, avx512f: _mm512_fmadd_ps, _mm512_fnmadd_ps;
     fn within(self, limit: Self, yes: Self, no: Self) -> Self {
         let avx = self.0.avx512f;
         let mask = avx._mm512_cmp_ps_mask::<_CMP_LE_OQ>(self.1, limit.1);
@@ -21,7 +23,7 @@ pack!(V4, avx512f, __m512: _mm512_add_ps, _mm512_sub_ps, _mm512_mul_ps, _mm512_d
     }
 );
 
-pack!(V4, avx512f, __m512d: _mm512_add_pd, _mm512_sub_pd, _mm512_mul_pd, _mm512_div_pd, _mm512_sqrt_pd, _mm512_max_pd;
+pack!(V4, avx512f, __m512d: _mm512_add_pd, _mm512_sub_pd, _mm512_mul_pd, _mm512_div_pd, _mm512_sqrt_pd, _mm512_max_pd, avx512f: _mm512_fmadd_pd, _mm512_fnmadd_pd;
     fn within(self, limit: Self, yes: Self, no: Self) -> Self {
         let avx = self.0.avx512f;
         let mask = avx._mm512_cmp_pd_mask::<_CMP_LE_OQ>(self.1, limit.1);
@@ -86,85 +88,29 @@ fn transposed_8(v: V4, r: [__m512d; 8]) -> [__m512d; 8] {
     ]
 }
 
-impl Lanes<f64> for V4 {
-    type Pack = Register<Self, __m512d>;
-    const WIDTH: usize = 8;
+eight_lanes!(V4, __m512d, f64);
 
-    #[inline(always)]
-    fn splat(self, x: f64) -> Self::Pack {
-        Register(self, cast([x; 8]))
-    }
-
-    #[inline(always)]
-    fn load(self, x: &Sixteen<f64>, pass: usize) -> Self::Pack {
-        Register(self, cast(x.as_chunks::<8>().0[pass]))
-    }
-
-    #[inline(always)]
-    fn store(self, pack: Self::Pack, x: &mut Sixteen<f64>, pass: usize) {
-        x.as_chunks_mut::<8>().0[pass] = cast(pack.1);
-    }
-
-    #[inline(always)]
-    fn gather(self, bodies: &[Body<f64>], at: &Sixteen<u32>, pass: usize) -> [Self::Pack; 8] {
-        let at = &at.as_chunks::<8>().0[pass];
-        let rows = [
-            cast(bodies[at[0] as usize].0),
-            cast(bodies[at[1] as usize].0),
-            cast(bodies[at[2] as usize].0),
-            cast(bodies[at[3] as usize].0),
-            cast(bodies[at[4] as usize].0),
-            cast(bodies[at[5] as usize].0),
-            cast(bodies[at[6] as usize].0),
-            cast(bodies[at[7] as usize].0),
-        ];
-        registers(self, transposed_8(self, rows))
-    }
-
-    #[inline(always)]
-    fn scatter(
-        self,
-        [a, b, c, d, e, f, g, h]: [Self::Pack; 8],
-        bodies: &mut [Body<f64>],
-        at: &Sixteen<u32>,
-        pass: usize,
-    ) {
-        let at = &at.as_chunks::<8>().0[pass];
-        let rows = transposed_8(self, [a.1, b.1, c.1, d.1, e.1, f.1, g.1, h.1]);
-        bodies[at[0] as usize] = Body(cast(rows[0]));
-        bodies[at[1] as usize] = Body(cast(rows[1]));
-        bodies[at[2] as usize] = Body(cast(rows[2]));
-        bodies[at[3] as usize] = Body(cast(rows[3]));
-        bodies[at[4] as usize] = Body(cast(rows[4]));
-        bodies[at[5] as usize] = Body(cast(rows[5]));
-        bodies[at[6] as usize] = Body(cast(rows[6]));
-        bodies[at[7] as usize] = Body(cast(rows[7]));
-    }
-}
-
-/// Two bodies in one register.
+/// Two items in one register: a register of doubles, or shuffles of it are made of its halves anew.
 #[inline(always)]
-fn two(v: V4, bodies: &[Body<f32>], low: u32, high: u32) -> __m512 {
-    let low: __m256 = cast(bodies[low as usize].0);
-    let high: __m256 = cast(bodies[high as usize].0);
-    v.avx512dq
-        ._mm512_insertf32x8::<1>(v.avx512f._mm512_castps256_ps512(low), high)
-}
-
-/// Puts back two bodies whose halves are quarters `Q` and `Q + 1` of `linear` and `spin`.
-#[inline(always)]
-fn put_two(
-    v: V4,
-    (linear, spin): (__m512, __m512),
-    order: [u64; 8],
-    bodies: &mut [Body<f32>],
-    low: u32,
-    high: u32,
-) {
+fn two(v: V4, items: &[impl Eight<f32>], low: u32, high: u32) -> __m512 {
+    let low: __m256d = cast(items[low as usize].eight());
+    let high: __m256d = cast(items[high as usize].eight());
     let avx = v.avx512f;
-    let both: __m512 = cast(avx._mm512_permutex2var_pd(cast(linear), cast(order), cast(spin)));
-    bodies[low as usize] = Body(cast(avx._mm512_castps512_ps256(both)));
+    cast(avx._mm512_insertf64x4::<1>(avx._mm512_castpd256_pd512(low), high))
+}
+
+/// Puts them back.
+#[inline(always)]
+fn put_two(v: V4, both: __m512, bodies: &mut [Body<f32>], low: u32, high: u32) {
+    bodies[low as usize] = Body(cast(v.avx512f._mm512_castps512_ps256(both)));
     bodies[high as usize] = Body(cast(v.avx512dq._mm512_extractf32x8_ps::<1>(both)));
+}
+
+/// Halves of two registers, `order` of their quarters' halves.
+#[inline(always)]
+fn merged(v: V4, linear: __m512, order: [u64; 8], spin: __m512) -> __m512 {
+    let avx = v.avx512f;
+    cast(avx._mm512_permutex2var_pd(cast(linear), cast(order), cast(spin)))
 }
 
 /// Of the first and of the last two quarters of two registers: one of the first register, one of the second, and so on.
@@ -191,24 +137,49 @@ impl Lanes<f32> for V4 {
     }
 
     #[inline(always)]
-    fn gather(self, bodies: &[Body<f32>], at: &Sixteen<u32>, _: usize) -> [Self::Pack; 8] {
+    fn fetch(self, items: &[impl Eight<f32>], at: &Sixteen<u32>, _: usize) -> [Self::Pack; 8] {
+        let rows = [
+            two(self, items, at[0], at[4]),
+            two(self, items, at[1], at[5]),
+            two(self, items, at[2], at[6]),
+            two(self, items, at[3], at[7]),
+            two(self, items, at[8], at[12]),
+            two(self, items, at[9], at[13]),
+            two(self, items, at[10], at[14]),
+            two(self, items, at[11], at[15]),
+        ];
+        registers(self, rows)
+    }
+
+    #[inline(always)]
+    fn put(self, rows: [Self::Pack; 8], bodies: &mut [Body<f32>], at: &Sixteen<u32>, _: usize) {
+        put_two(self, rows[0].1, bodies, at[0], at[4]);
+        put_two(self, rows[1].1, bodies, at[1], at[5]);
+        put_two(self, rows[2].1, bodies, at[2], at[6]);
+        put_two(self, rows[3].1, bodies, at[3], at[7]);
+        put_two(self, rows[4].1, bodies, at[8], at[12]);
+        put_two(self, rows[5].1, bodies, at[9], at[13]);
+        put_two(self, rows[6].1, bodies, at[10], at[14]);
+        put_two(self, rows[7].1, bodies, at[11], at[15]);
+    }
+
+    by_rows!(f32, 16);
+}
+
+impl Row for Register<V4, __m512> {
+    #[inline(always)]
+    fn masses(self) -> Self {
+        Self(self.0, self.0.avx512f._mm512_permute_ps::<0xff>(self.1))
+    }
+
+    #[inline(always)]
+    fn columns(rows: [Self; 8]) -> [Self; 8] {
+        let (v, [a, b, c, d, e, f, g, h]) = (rows[0].0, bare(rows));
         // Of the first eight bodies and of the others: a component of the linear part, and of the spin, in turns of four.
-        let up = [
-            two(self, bodies, at[0], at[4]),
-            two(self, bodies, at[1], at[5]),
-            two(self, bodies, at[2], at[6]),
-            two(self, bodies, at[3], at[7]),
-        ];
-        let down = [
-            two(self, bodies, at[8], at[12]),
-            two(self, bodies, at[9], at[13]),
-            two(self, bodies, at[10], at[14]),
-            two(self, bodies, at[11], at[15]),
-        ];
-        let (up, down) = (transposed_4(self, up), transposed_4(self, down));
-        let avx = self.avx512f;
+        let (up, down) = (transposed_4(v, [a, b, c, d]), transposed_4(v, [e, f, g, h]));
+        let avx = v.avx512f;
         registers(
-            self,
+            v,
             [
                 avx._mm512_shuffle_f32x4::<0x88>(up[0], down[0]),
                 avx._mm512_shuffle_f32x4::<0x88>(up[1], down[1]),
@@ -223,22 +194,39 @@ impl Lanes<f32> for V4 {
     }
 
     #[inline(always)]
-    fn scatter(
-        self,
-        [a, b, c, d, e, f, g, h]: [Self::Pack; 8],
-        bodies: &mut [Body<f32>],
-        at: &Sixteen<u32>,
-        _: usize,
-    ) {
-        let linear = transposed_4(self, [a.1, b.1, c.1, d.1]);
-        let spin = transposed_4(self, [e.1, f.1, g.1, h.1]);
-        put_two(self, (linear[0], spin[0]), FIRST, bodies, at[0], at[4]);
-        put_two(self, (linear[1], spin[1]), FIRST, bodies, at[1], at[5]);
-        put_two(self, (linear[2], spin[2]), FIRST, bodies, at[2], at[6]);
-        put_two(self, (linear[3], spin[3]), FIRST, bodies, at[3], at[7]);
-        put_two(self, (linear[0], spin[0]), LAST, bodies, at[8], at[12]);
-        put_two(self, (linear[1], spin[1]), LAST, bodies, at[9], at[13]);
-        put_two(self, (linear[2], spin[2]), LAST, bodies, at[10], at[14]);
-        put_two(self, (linear[3], spin[3]), LAST, bodies, at[11], at[15]);
+    fn rows(columns: [Self; 8]) -> [Self; 8] {
+        let (v, [a, b, c, d, e, f, g, h]) = (columns[0].0, bare(columns));
+        let (linear, spin) = (transposed_4(v, [a, b, c, d]), transposed_4(v, [e, f, g, h]));
+        registers(
+            v,
+            [
+                merged(v, linear[0], FIRST, spin[0]),
+                merged(v, linear[1], FIRST, spin[1]),
+                merged(v, linear[2], FIRST, spin[2]),
+                merged(v, linear[3], FIRST, spin[3]),
+                merged(v, linear[0], LAST, spin[0]),
+                merged(v, linear[1], LAST, spin[1]),
+                merged(v, linear[2], LAST, spin[2]),
+                merged(v, linear[3], LAST, spin[3]),
+            ],
+        )
+    }
+}
+
+impl Row for Register<V4, __m512d> {
+    #[inline(always)]
+    fn masses(self) -> Self {
+        Self(self.0, self.0.avx512f._mm512_permutex_pd::<0xff>(self.1))
+    }
+
+    #[inline(always)]
+    fn columns(rows: [Self; 8]) -> [Self; 8] {
+        let v = rows[0].0;
+        registers(v, transposed_8(v, bare(rows)))
+    }
+
+    #[inline(always)]
+    fn rows(columns: [Self; 8]) -> [Self; 8] {
+        Self::columns(columns)
     }
 }

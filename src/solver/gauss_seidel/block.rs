@@ -1,6 +1,6 @@
 //! Contacts of spheres in blocks, and how a sweep over them goes.
 
-use super::lanes::{Real, Sixteen};
+use super::lanes::{LANES, Real, Sixteen};
 use crate::scene::Tolerance;
 
 /// A vector of each of sixteen contacts, by components.
@@ -80,37 +80,22 @@ impl Progress {
 }
 
 impl<T: Real> Block<T> {
-    /// Zeros in lane `first` and all beyond.
+    /// Adds a contact of two bodies; its lane.
+    pub(super) fn join(&mut self, bodies: [u32; 2]) -> usize {
+        let lane = self.count as usize % LANES;
+        self.count += 1;
+        for (lanes, body) in self.bodies.iter_mut().zip(bodies) {
+            lanes[lane] = body;
+        }
+        lane
+    }
+
+    /// Zeros in lane `first` and all beyond, but for the impulses.
     pub(super) fn clear_from(&mut self, first: usize) {
-        let [old, new] = &mut self.impulse;
-        let vectors = [&mut self.normal, old, new].into_iter().flatten();
         let numbers = [&mut self.bias, &mut self.friction];
         let squares = [&mut self.length, &mut self.scale];
-        for lanes in vectors.chain(numbers).chain(squares) {
+        for lanes in self.normal.iter_mut().chain(numbers).chain(squares) {
             lanes[first..].fill(T::default());
         }
     }
-}
-
-impl Block<f64> {
-    /// Itself in single precision, impulses times `unit`.
-    pub(super) fn single(&self, unit: f64) -> Block<f32> {
-        let vector = |v: &Vector<f64>, unit: f64| [0, 1, 2].map(|k| single(&v[k], unit));
-        Block {
-            normal: vector(&self.normal, 1.0),
-            impulse: [0, 1].map(|k| vector(&self.impulse[k], unit)),
-            bias: single(&self.bias, 1.0),
-            friction: single(&self.friction, 1.0),
-            length: single(&self.length, 1.0),
-            scale: single(&self.scale, unit * unit),
-            bodies: self.bodies,
-            count: self.count,
-            drift: self.drift,
-        }
-    }
-}
-
-/// `x` times `unit`, rounded.
-pub(super) fn single(x: &Sixteen<f64>, unit: f64) -> Sixteen<f32> {
-    x.map(|x| (x * unit) as f32)
 }

@@ -2,18 +2,15 @@
 
 use arrayvec::ArrayVec;
 
-use super::block::{Block, STILL};
-use super::kernel::{Kernel, NONE, refill};
-use super::lanes::{LANES, Sixteen};
-use super::layout::first_places;
+use super::block::{Block, STILL, Vector};
+use super::kernel::{Kernel, NONE};
+use super::lanes::{LANES, Real, Sixteen};
 use super::sheet::Group;
-use crate::Vec3;
-use crate::problem::{GROUND, Law, Problem, Row};
+use crate::counting::counting_sort;
+use crate::problem::{GROUND, Problem, Row, Rows};
 
 /// Blocks that fill at the same time: a contact joins one in which its bodies are not yet met.
 const OPEN: usize = 16;
-/// Relative rounding within which a contact's arm is its body's radius.
-const SAME: f64 = 1e-12;
 
 /// Bodies of a group: the first, and one that never moves, counted from the first.
 #[derive(Debug, Clone, Copy)]
@@ -25,45 +22,56 @@ struct Bodies {
 impl Kernel {
     /// Puts the rows of sphere contacts in the order of the blocks: by group, within it by the place of A.
     pub(super) fn sort(&mut self, problem: &Problem) {
+        let rows = &problem.rows;
         let parts = self.layout.parts();
+        let moves_alike = |body: u32| self.radius[body as usize] > 0.0;
+        let part = |body: u32| self.layout.place(body as usize).1;
         self.group.clear();
-        for (k, row) in problem.rows.iter().enumerate() {
-            let group = if !self.resisted[k] && self.is_sphere_contact(row) {
-                let part = |body: u32| self.layout.place(body as usize).1;
-                let a = part(row.a);
-                let b = if row.b == GROUND { a } else { part(row.b) };
-                group_of(a, b, parts) as u32
-            } else {
+        self.group.extend((0..rows.len()).map(|k| {
+            let [a, b] = rows.bodies(k);
+            let alike = moves_alike(a) && (b == GROUND || moves_alike(b));
+            if !alike || self.resisted[k] || !rows.is_of_spheres(k) {
                 NONE
-            };
-            self.group.push(group);
-        }
+            } else if parts == 1 {
+                0
+            } else {
+                let a = part(a);
+                group_of(a, if b == GROUND { a } else { part(b) }, parts) as u32
+            }
+        }));
         self.order.clear();
         let ours = |k: &u32| self.group[*k as usize] != NONE;
-        let rows = 0..problem.rows.len() as u32;
+        let all = 0..rows.len() as u32;
         if parts == 1 {
-            self.order.extend(rows.filter(ours));
+            self.order.extend(all.filter(ours));
             return;
         }
-        let place = |k: u32| self.place[problem.rows[k as usize].a as usize];
+        let place = |k: &u32| self.place[rows.bodies(*k as usize)[0] as usize];
         counting_sort(
-            rows.filter(ours),
+            all.filter(ours),
             place,
             &mut self.counts,
             &mut self.by_place,
         );
-        let group = |k: u32| self.group[k as usize];
+        let group = |k: &u32| self.group[*k as usize];
         let rows = self.by_place.iter().copied();
         counting_sort(rows, group, &mut self.counts, &mut self.order);
     }
 
-    /// Blocks of all groups.
-    pub(super) fn fill_groups(&mut self, problem: &Problem, impulses: &[Vec3]) {
+    /// Which rows each of the `blocks` of all groups has.
+    pub(super) fn share_out<T: Real>(&mut self, problem: &Problem, blocks: &mut Vec<Block<T>>) {
         let (parts, spheres) = (self.layout.parts(), problem.inverse_mass.len());
-        self.used = 0;
-        self.exact.drifts.clear();
+        self.rows.clear();
+        self.drifts.clear();
         self.turns.iter_mut().for_each(ArrayVec::clear);
         let order = std::mem::take(&mut self.order);
+        let mut open = Open {
+            used: 0,
+            blocks,
+            rows: &mut self.rows,
+            drifts: &mut self.drifts,
+            held: &mut self.held,
+        };
         let mut rest = &order[..];
         for group in 0..2 * parts {
             let (turn, low) = turn_of(group, parts);
@@ -80,32 +88,44 @@ impl Kernel {
             let count = rest.iter().take_while(own).count();
             let (rows, others) = rest.split_at(count);
             rest = others;
-            let first = self.used;
+            let first = open.used;
             let range = Bodies {
                 first: bodies.start as u32,
                 still: (part(low).end - 1 - bodies.start) as u32,
             };
-            self.fill_group(problem, rows, range, impulses);
-            let blocks = first..self.used;
+            open.take(&problem.rows, rows, &self.place, range);
+            let blocks = first..open.used;
             // Interiors stay in any case: momentum moves their bodies.
             if turn == 0 || !blocks.is_empty() {
                 self.turns[turn].push(Group { blocks, bodies });
             }
         }
-        self.exact.blocks.truncate(self.used);
-        self.rows.truncate(self.used);
+        let used = open.used;
+        blocks.truncate(used);
         self.order = order;
     }
+}
 
-    /// Blocks of `rows`: a contact joins the first open block in which its bodies are not yet met; when there is none the
+/// Blocks that fill.
+struct Open<'a, T> {
+    /// Blocks in use; beyond are old ones, for their memory.
+    used: usize,
+    blocks: &'a mut Vec<Block<T>>,
+    rows: &'a mut Vec<Sixteen<u32>>,
+    drifts: &'a mut Vec<Vector<f64>>,
+    held: &'a mut [u16],
+}
+
+impl<T: Real> Open<'_, T> {
+    /// Blocks of rows `order`: a contact joins the first open block in which its bodies are not yet met; when there is none the
     /// oldest is closed.
-    fn fill_group(&mut self, problem: &Problem, rows: &[u32], range: Bodies, impulses: &[Vec3]) {
+    fn take(&mut self, rows: &Rows, order: &[u32], place: &[u32], range: Bodies) {
         let mut open = [None; OPEN];
         let mut oldest = 0;
-        for &k in rows {
-            let row = &problem.rows[k as usize];
-            let place = |body: u32| self.place.get(body as usize).map(|at| at - range.first);
-            let bodies = [row.a, row.b].map(|body| place(body).unwrap_or(range.still));
+        for &k in order {
+            let place = |body: u32| place.get(body as usize).map(|at| at - range.first);
+            let bodies = rows.bodies(k as usize);
+            let bodies = bodies.map(|body| place(body).unwrap_or(range.still));
             let held = bodies.map(|at| self.held[at as usize]);
             let mut at = (!(held[0] | held[1])).trailing_zeros() as usize;
             if at >= OPEN {
@@ -123,8 +143,12 @@ impl Kernel {
             }
             // Any number of contacts may join the one that never moves.
             self.held[range.still as usize] = 0;
-            self.fill(block, (k, row), bodies, impulses[k as usize]);
-            if self.exact.blocks[block].count as usize == LANES {
+            let lane = self.blocks[block].join(bodies);
+            self.rows[block][lane] = k;
+            if let Some(row) = rows.special(k as usize) {
+                self.move_ground(block, lane, row);
+            }
+            if lane + 1 == LANES {
                 self.close(open[at].take(), at);
             }
         }
@@ -137,11 +161,11 @@ impl Kernel {
     fn new_block(&mut self, range: Bodies) -> usize {
         let at = self.used;
         self.used += 1;
-        if at == self.exact.blocks.len() {
-            self.exact.blocks.push(Block::default());
-            self.rows.push(Sixteen::default());
+        if at == self.blocks.len() {
+            self.blocks.push(Block::default());
         }
-        let block = &mut self.exact.blocks[at];
+        self.rows.push(Sixteen::default());
+        let block = &mut self.blocks[at];
         (block.count, block.drift) = (0, STILL);
         block.bodies = [[range.still; LANES]; 2];
         at
@@ -149,69 +173,25 @@ impl Kernel {
 
     /// Lets the bodies of the block that was open at `at` join another.
     fn close(&mut self, block: Option<usize>, at: usize) {
-        let Some(block) = block.map(|block| &mut self.exact.blocks[block]) else {
+        let Some(block) = block else {
             return;
         };
-        for &body in block.bodies.as_flattened() {
+        for &body in self.blocks[block].bodies.as_flattened() {
             self.held[body as usize] &= !(1 << at);
         }
-        block.clear_from(block.count as usize);
-        block.impulse[1] = block.impulse[0];
     }
 
-    /// Adds a contact of spheres to a block.
-    fn fill(&mut self, index: usize, (k, row): (u32, &Row), bodies: [u32; 2], impulse: Vec3) {
-        let Law::Contact { mu } = row.law else {
-            return;
-        };
-        let block = &mut self.exact.blocks[index];
-        let lane = block.count as usize % LANES;
-        block.count += 1;
-        self.rows[index][lane] = k;
-        let bias = row.bias.dot(&row.normal);
-        let across = row.bias - row.normal * bias;
-        let length = row.radius / self.step;
-        for (lanes, body) in block.bodies.iter_mut().zip(bodies) {
-            lanes[lane] = body;
+    /// Lets a contact of a block have moving ground.
+    fn move_ground(&mut self, block: usize, lane: usize, row: &Row) {
+        let drift = &mut self.blocks[block].drift;
+        if *drift == STILL {
+            *drift = self.drifts.len() as u32;
+            self.drifts.push(Default::default());
         }
-        for axis in 0..3 {
-            block.normal[axis][lane] = row.normal[axis];
-            block.impulse[0][axis][lane] = impulse[axis];
-        }
-        block.bias[lane] = bias;
-        block.friction[lane] = mu;
-        block.length[lane] = length * length;
-        block.scale[lane] = row.impulse_scale * row.impulse_scale;
-        if row.drift == Vec3::zeros() && across.norm_squared() <= (SAME * bias).powi(2) {
-            return;
-        }
-        let drifts = &mut self.exact.drifts;
-        if block.drift == STILL {
-            block.drift = drifts.len() as u32;
-            drifts.push(Default::default());
-        }
-        let drift = row.drift + across;
-        for (lanes, x) in drifts[block.drift as usize].iter_mut().zip(drift.iter()) {
+        let velocity = row.drift + row.across();
+        for (lanes, x) in self.drifts[*drift as usize].iter_mut().zip(&velocity) {
             lanes[lane] = *x;
         }
-    }
-
-    /// `row` as a contact of spheres: those have the same mobility in all directions and are touched at `R normal`.
-    fn is_sphere_contact(&mut self, row: &Row) -> bool {
-        matches!(row.law, Law::Contact { .. })
-            && row.compliance_n == 0.0
-            && row.compliance_t == 0.0
-            && self.is_sphere(row.a, -row.arm_a, row.normal)
-            && (row.b == GROUND || self.is_sphere(row.b, row.arm_b, row.normal))
-    }
-
-    /// Whether a body is a sphere that is touched at `arm`; the first time that is where it gets its radius.
-    fn is_sphere(&mut self, body: u32, arm: Vec3, normal: Vec3) -> bool {
-        let known = &mut self.radius[body as usize];
-        if *known == 0.0 {
-            *known = arm.dot(&normal).max(0.0);
-        }
-        *known > 0.0 && (arm - normal * *known).norm_squared() <= (SAME * *known).powi(2)
     }
 }
 
@@ -236,23 +216,5 @@ fn turn_of(group: usize, parts: usize) -> (usize, usize) {
         (1, 2 * (group - parts))
     } else {
         (2, 2 * (group - parts - parts / 2) + 1)
-    }
-}
-
-/// Into `sorted` the `items` by ascending key; of equal keys in the order they come in.
-fn counting_sort(
-    items: impl Iterator<Item = u32> + Clone,
-    key: impl Fn(u32) -> u32,
-    counts: &mut Vec<u32>,
-    sorted: &mut Vec<u32>,
-) {
-    let keys = items.clone().map(&key);
-    let largest = keys.clone().max().unwrap_or_default() as usize;
-    first_places(keys, largest + 1, counts);
-    refill(sorted, counts.last().map_or(0, |&all| all as usize), 0);
-    for item in items {
-        let next = &mut counts[key(item) as usize];
-        sorted[*next as usize] = item;
-        *next += 1;
     }
 }

@@ -1,13 +1,34 @@
-//! Numbers of a block's contacts, some at a time: in registers where the processor has such, else one after the other, with
-//! the same bits.
+//! Numbers of a block's contacts, some at a time: in registers where the processor has such, else one after the other.
 
 use std::fmt::Debug;
 use std::ops::{Add, Mul, Sub};
+
+use crate::problem::Compact;
 
 /// A body as blocks see it: velocity \[m/s\] and inverse mass \[1/kg\], `R w` \[m/s\] and `R^2/I` \[1/kg\].
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 #[repr(C, align(32))]
 pub(super) struct Body<T>(pub(super) [T; 8]);
+
+/// Eight numbers in a row that lanes read as columns.
+pub(super) trait Eight<T> {
+    /// The numbers.
+    fn eight(&self) -> [T; 8];
+}
+
+impl<T: Copy> Eight<T> for Body<T> {
+    #[inline(always)]
+    fn eight(&self) -> [T; 8] {
+        self.0
+    }
+}
+
+impl Eight<f64> for Compact {
+    #[inline(always)]
+    fn eight(&self) -> [f64; 8] {
+        self.0
+    }
+}
 
 /// Contacts of a block.
 pub(super) const LANES: usize = 16;
@@ -27,6 +48,7 @@ pub(super) trait Real:
     + Sub<Output = Self>
     + Mul<Output = Self>
     + std::ops::Div<Output = Self>
+    + std::ops::Neg<Output = Self>
     + std::ops::AddAssign
 {
     /// The nearest.
@@ -35,6 +57,8 @@ pub(super) trait Real:
     fn exact(self) -> f64;
     /// Square root.
     fn root(self) -> Self;
+    /// `self + a * b`, rounded once.
+    fn fused(self, a: Self, b: Self) -> Self;
 }
 
 impl Real for f64 {
@@ -46,6 +70,9 @@ impl Real for f64 {
     }
     fn root(self) -> Self {
         self.sqrt()
+    }
+    fn fused(self, a: Self, b: Self) -> Self {
+        a.mul_add(b, self)
     }
 }
 
@@ -59,12 +86,19 @@ impl Real for f32 {
     fn root(self) -> Self {
         self.sqrt()
     }
+    fn fused(self, a: Self, b: Self) -> Self {
+        a.mul_add(b, self)
+    }
 }
 
 /// A register's numbers.
 pub(super) trait Pack:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self>
 {
+    /// `self + a * b`.
+    fn plus(self, a: Self, b: Self) -> Self;
+    /// `self - a * b`.
+    fn less(self, a: Self, b: Self) -> Self;
     /// `self / other`.
     fn over(self, other: Self) -> Self;
     /// Square roots.
@@ -94,88 +128,129 @@ pub(super) trait Lanes<T>: Copy {
     fn load(self, x: &Sixteen<T>, pass: usize) -> Self::Pack;
     /// Likewise to memory.
     fn store(self, pack: Self::Pack, x: &mut Sixteen<T>, pass: usize);
-    /// The bodies that the pass's part of `at` names, by components.
-    fn gather(self, bodies: &[Body<T>], at: &Sixteen<u32>, pass: usize) -> [Self::Pack; 8];
-    /// Puts them back.
-    fn scatter(
+    /// The items that the pass's part of `at` names, in whatever order takes the least.
+    fn fetch(self, items: &[impl Eight<T>], at: &Sixteen<u32>, pass: usize) -> [Self::Pack; 8];
+    /// Items as fetched, by components.
+    fn columns(self, rows: [Self::Pack; 8]) -> [Self::Pack; 8];
+    /// Puts bodies back.
+    fn put(self, packs: [Self::Pack; 8], bodies: &mut [Body<T>], at: &Sixteen<u32>, pass: usize);
+    /// Of bodies A and B as fetched, by components: velocity of A less that of B, and sums of all else.
+    fn between(self, ab: [[Self::Pack; 8]; 2]) -> [Self::Pack; 8];
+    /// Bodies A and B as fetched, after the impulses `d` and the turns `c`: `v_A + m_A d`, `v_B - m_B d` and `s - k c`.
+    fn pushed(
         self,
-        packs: [Self::Pack; 8],
-        bodies: &mut [Body<T>],
-        at: &Sixteen<u32>,
-        pass: usize,
-    );
+        ab: [[Self::Pack; 8]; 2],
+        d: [Self::Pack; 3],
+        c: [Self::Pack; 3],
+    ) -> [[Self::Pack; 8]; 2];
 }
 
-/// One after the other, `W` in a pass.
+/// One after the other, `W` in a pass. Rounds as registers do if `FUSED`, else multiplications and additions each on their own:
+/// many times as fast on a processor that cannot fuse them.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Plain<const W: usize>;
+pub(super) struct Plain<const W: usize, const FUSED: bool>;
+
+/// Whether the processor that this is built for can fuse.
+pub(super) const FUSES: bool = cfg!(any(target_arch = "aarch64", target_feature = "fma"));
 
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Many<T, const W: usize>([T; W]);
+pub(super) struct Many<T, const W: usize, const FUSED: bool>([T; W]);
 
-impl<T: Real, const W: usize> Many<T, W> {
+impl<T: Real, const W: usize, const FUSED: bool> Many<T, W, FUSED> {
     #[inline(always)]
     fn with(self, other: Self, f: impl Fn(T, T) -> T) -> Self {
         Self(std::array::from_fn(|k| f(self.0[k], other.0[k])))
     }
 }
 
-impl<T: Real, const W: usize> Lanes<T> for Plain<W> {
-    type Pack = Many<T, W>;
+impl<T: Real, const W: usize, const FUSED: bool> Lanes<T> for Plain<W, FUSED> {
+    type Pack = Many<T, W, FUSED>;
     const WIDTH: usize = W;
 
-    fn splat(self, x: T) -> Many<T, W> {
+    fn splat(self, x: T) -> Many<T, W, FUSED> {
         Many([x; W])
     }
 
-    fn load(self, x: &Sixteen<T>, pass: usize) -> Many<T, W> {
+    fn load(self, x: &Sixteen<T>, pass: usize) -> Many<T, W, FUSED> {
         Many(std::array::from_fn(|k| x[pass * W + k]))
     }
 
-    fn store(self, pack: Many<T, W>, x: &mut Sixteen<T>, pass: usize) {
+    fn store(self, pack: Many<T, W, FUSED>, x: &mut Sixteen<T>, pass: usize) {
         x[pass * W..][..W].copy_from_slice(&pack.0);
     }
 
-    fn gather(self, bodies: &[Body<T>], at: &Sixteen<u32>, pass: usize) -> [Many<T, W>; 8] {
-        let body = |lane: usize| &bodies[at[pass * W + lane] as usize].0;
-        std::array::from_fn(|k| Many(std::array::from_fn(|lane| body(lane)[k])))
+    fn fetch(self, items: &[impl Eight<T>], at: &Sixteen<u32>, pass: usize) -> [Self::Pack; 8] {
+        let item = |lane: usize| items[at[pass * W + lane] as usize].eight();
+        std::array::from_fn(|k| Many(std::array::from_fn(|lane| item(lane)[k])))
     }
 
-    fn scatter(
-        self,
-        packs: [Many<T, W>; 8],
-        bodies: &mut [Body<T>],
-        at: &Sixteen<u32>,
-        pass: usize,
-    ) {
+    fn columns(self, columns: [Self::Pack; 8]) -> [Self::Pack; 8] {
+        columns
+    }
+
+    fn put(self, packs: [Self::Pack; 8], bodies: &mut [Body<T>], at: &Sixteen<u32>, pass: usize) {
         for lane in 0..W {
             bodies[at[pass * W + lane] as usize] = Body(packs.map(|pack| pack.0[lane]));
         }
     }
+
+    fn between(self, [a, b]: [[Self::Pack; 8]; 2]) -> [Self::Pack; 8] {
+        std::array::from_fn(|k| match k {
+            0..3 => a[k] - b[k],
+            _ => a[k] + b[k],
+        })
+    }
+
+    fn pushed(
+        self,
+        [mut a, mut b]: [[Self::Pack; 8]; 2],
+        d: [Self::Pack; 3],
+        c: [Self::Pack; 3],
+    ) -> [[Self::Pack; 8]; 2] {
+        for k in 0..3 {
+            a[k] = a[k].plus(a[3], d[k]);
+            b[k] = b[k].less(b[3], d[k]);
+            a[k + 4] = a[k + 4].less(a[7], c[k]);
+            b[k + 4] = b[k + 4].less(b[7], c[k]);
+        }
+        [a, b]
+    }
 }
 
-impl<T: Real, const W: usize> Add for Many<T, W> {
+impl<T: Real, const W: usize, const FUSED: bool> Add for Many<T, W, FUSED> {
     type Output = Self;
     fn add(self, other: Self) -> Self {
         self.with(other, |a, b| a + b)
     }
 }
 
-impl<T: Real, const W: usize> Sub for Many<T, W> {
+impl<T: Real, const W: usize, const FUSED: bool> Sub for Many<T, W, FUSED> {
     type Output = Self;
     fn sub(self, other: Self) -> Self {
         self.with(other, |a, b| a - b)
     }
 }
 
-impl<T: Real, const W: usize> Mul for Many<T, W> {
+impl<T: Real, const W: usize, const FUSED: bool> Mul for Many<T, W, FUSED> {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
         self.with(other, |a, b| a * b)
     }
 }
 
-impl<T: Real, const W: usize> Pack for Many<T, W> {
+impl<T: Real, const W: usize, const FUSED: bool> Pack for Many<T, W, FUSED> {
+    fn plus(self, a: Self, b: Self) -> Self {
+        let sum = |x: T, a: T, b: T| match FUSED {
+            true => x.fused(a, b),
+            false => x + a * b,
+        };
+        Self(std::array::from_fn(|k| sum(self.0[k], a.0[k], b.0[k])))
+    }
+
+    fn less(self, a: Self, b: Self) -> Self {
+        self.plus(a, Self(b.0.map(|x| -x)))
+    }
+
     fn over(self, other: Self) -> Self {
         self.with(other, |a, b| a / b)
     }

@@ -5,9 +5,11 @@
 //! are the same for any number of threads.
 
 use crate::Vec3;
+use crate::counting::first_places;
+use crate::extent::around;
 
 /// Below this many spheres there is one part, in the order of the scene: a sweep is too short to share.
-const SMALL: usize = 8192;
+pub(crate) const SMALL: usize = 8192;
 /// Spheres of a part.
 const PART: usize = 4096;
 /// Most parts.
@@ -37,11 +39,7 @@ impl Layout {
         if n < SMALL {
             return;
         }
-        let (low, high) = centres
-            .iter()
-            .fold((centres[0], centres[0]), |(low, high), x| {
-                (low.inf(x), high.sup(x))
-            });
+        let (low, high) = around(centres.iter().copied());
         let size = high - low;
         let edge = edge.max(size.max() / CELLS);
         let axes = {
@@ -110,19 +108,6 @@ impl Layout {
                 (place as usize, part)
             }
         }
-    }
-}
-
-/// Into `first` where the items of each key begin when they are sorted by their `keys`, and the end of the last; keys are below
-/// `count`.
-pub(super) fn first_places(keys: impl Iterator<Item = u32>, count: usize, first: &mut Vec<u32>) {
-    first.clear();
-    first.resize(count + 1, 0);
-    for key in keys {
-        first[key as usize + 1] += 1;
-    }
-    for k in 1..first.len() {
-        first[k] += first[k - 1];
     }
 }
 

@@ -30,6 +30,7 @@ use crate::scene::Tolerance;
 use block::Pace;
 pub use kernel::Kernel;
 pub use layout::Layout;
+pub(crate) use layout::SMALL;
 
 /// Sweeps after which updates are damped and momentum ends: exact Coulomb friction can cycle.
 const DAMP_AFTER: [(usize, f64); 2] = [(300, 0.6), (1200, 0.3)];
@@ -85,7 +86,7 @@ pub fn solve(
             momentum = Momentum::default();
             last = f64::INFINITY;
             if tired || (kernel.is_single() && broken == BROKEN) {
-                kernel.refine();
+                kernel.refine(problem, impulses);
                 pace.strictness = 1.0;
             } else {
                 // The sweep promised too much: ask later.
@@ -96,7 +97,7 @@ pub fn solve(
     }
     report.residual = found.unwrap_or_else(|| kernel.judge(problem));
     report.converged = report.residual.within(&params.tolerance);
-    kernel.store(impulses);
+    kernel.store(problem, impulses);
     report
 }
 
@@ -112,7 +113,7 @@ pub(super) fn smooth(problem: &Problem, sweeps: usize, kernel: &mut Kernel, impu
     for _ in 0..sweeps {
         kernel.sweep(problem, pace);
     }
-    kernel.store(impulses);
+    kernel.store(problem, impulses);
 }
 
 /// Nesterov's sequence of momenta.

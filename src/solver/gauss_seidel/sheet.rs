@@ -4,11 +4,14 @@ use std::ops::Range;
 
 use arrayvec::ArrayVec;
 
-use super::block::{Block, Pace, Progress, Vector, Verdict, single};
-use super::dispatch::{Drift, Judge, Precision, Push, Sweep};
-use super::lanes::Body;
+use super::block::{Block, Pace, Progress, Vector, Verdict};
+use super::dispatch::{self, Drift, Fill, Judge, Precision, Push, Sweep};
+use super::lanes::{Body, Real, Sixteen};
 use super::layout::PARTS;
+use super::local::Source;
+use crate::Vec3;
 use crate::parallel::Pool;
+use crate::solver::residual::Residual;
 
 /// Blocks that are swept together, and the bodies they move.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -19,6 +22,9 @@ pub(super) struct Group {
 
 /// Groups in turns: those of a turn share no body, and their blocks and bodies ascend.
 pub(super) type Turns = [ArrayVec<Group, PARTS>; 4];
+
+/// Bodies that take as long to move on as a block to sweep.
+const BODIES: usize = 50;
 
 /// Blocks and bodies in one precision.
 #[derive(Debug, Default)]
@@ -57,7 +63,7 @@ fn split<X>(
 /// Does `work` with every group and its `range` of `items`, those of a turn side by side.
 fn by_group<X: Send>(
     turns: &Turns,
-    pool: &mut Pool,
+    pool: &Pool,
     items: &mut [X],
     range: impl Fn(&Group) -> Range<usize>,
     work: impl Fn(&Group, &mut [X]) + Sync,
@@ -71,7 +77,7 @@ fn by_group<X: Send>(
 
 impl<T: Precision> Sheet<T> {
     /// One sweep.
-    pub(super) fn sweep(&mut self, turns: &Turns, pool: &mut Pool, pace: Pace) -> Progress {
+    pub(super) fn sweep(&mut self, turns: &Turns, pool: &Pool, pace: Pace) -> Progress {
         self.drift(turns, pool, pace.momentum);
         let mut total = Progress::NONE;
         for turn in turns.iter().filter(|turn| !turn.is_empty()) {
@@ -99,7 +105,7 @@ impl<T: Precision> Sheet<T> {
     }
 
     /// Moves all bodies on by `momentum` times their last change.
-    fn drift(&mut self, turns: &Turns, pool: &mut Pool, momentum: f64) {
+    fn drift(&mut self, turns: &Turns, pool: &Pool, momentum: f64) {
         let parts = || turns[0].iter().map(|group| group.bodies.clone());
         // Behind the parts are driven bodies.
         let rest = turns[0].last().map_or(0, |group| group.bodies.end);
@@ -114,76 +120,104 @@ impl<T: Precision> Sheet<T> {
         let bodies = split(&mut self.bodies, parts()).into_iter();
         let pairs = bodies.zip(split(&mut self.before, parts()));
         let mut pairs: ArrayVec<_, PARTS> = pairs.collect();
-        pool.each(rest, &mut pairs, |(now, before)| drift(now, before));
+        pool.each(rest / BODIES, &mut pairs, |(now, before)| {
+            drift(now, before)
+        });
     }
 }
 
-impl Sheet<f64> {
+/// All blocks' contacts in double precision.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Exact<'a> {
+    pub(super) source: Source<'a>,
+    /// Rows of each block.
+    pub(super) rows: &'a [Sixteen<u32>],
+}
+
+impl<'a> Exact<'a> {
+    fn of<B>(self, group: &Group, blocks: B) -> dispatch::Exact<'a, B> {
+        dispatch::Exact {
+            source: self.source,
+            rows: &self.rows[group.blocks.clone()],
+            blocks,
+        }
+    }
+}
+
+impl<T: Real> Sheet<T> {
+    /// Fills the blocks, whose bodies are known, from the contacts and `impulses`, `[C]` \[N s\].
+    pub(super) fn fill(&mut self, exact: Exact, impulses: &[Vec3], turns: &Turns, pool: &Pool) {
+        self.latest = 0;
+        let blocks = |group: &Group| group.blocks.clone();
+        by_group(turns, pool, &mut self.blocks, blocks, |group, blocks| {
+            let of = exact.of(group, blocks);
+            f64::widest(Fill { of, impulses });
+        });
+    }
+
     /// Gives the bodies the impulses of all blocks.
-    pub(super) fn push(&mut self, turns: &Turns, pool: &mut Pool) {
-        let (blocks, latest) = (&self.blocks, self.latest);
-        let bodies = |group: &Group| group.bodies.clone();
-        by_group(turns, pool, &mut self.bodies, bodies, |group, bodies| {
+    pub(super) fn push(&self, exact: Exact, turns: &Turns, pool: &Pool, bodies: &mut [Body<f64>]) {
+        let range = |group: &Group| group.bodies.clone();
+        by_group(turns, pool, bodies, range, |group, bodies| {
             f64::widest(Push {
-                blocks: &blocks[group.blocks.clone()],
+                of: exact.of(group, &self.blocks[group.blocks.clone()]),
                 bodies,
-                latest,
+                latest: self.latest,
             });
         });
     }
 
     /// What each block's contacts are off by.
-    pub(super) fn judge(&self, turns: &Turns, pool: &mut Pool, verdicts: &mut Vec<Verdict>) {
+    pub(super) fn judge(
+        &self,
+        exact: Exact,
+        (bodies, drifts): (&[Body<f64>], &[Vector<f64>]),
+        turns: &Turns,
+        pool: &Pool,
+        verdicts: &mut Vec<Verdict>,
+    ) -> Residual {
         verdicts.resize(self.blocks.len(), Verdict::default());
         let blocks = |group: &Group| group.blocks.clone();
         by_group(turns, pool, verdicts, blocks, |group, verdicts| {
             f64::widest(Judge {
-                blocks: &self.blocks[group.blocks.clone()],
-                bodies: &self.bodies[group.bodies.clone()],
-                drifts: &self.drifts,
+                of: exact.of(group, &self.blocks[group.blocks.clone()]),
+                bodies: &bodies[group.bodies.clone()],
+                drifts,
                 latest: self.latest,
                 verdicts,
             });
         });
-    }
-
-    /// Copies itself into single precision, impulses and masses times `unit`.
-    pub(super) fn single(&self, unit: f64, turns: &Turns, pool: &mut Pool, to: &mut Sheet<f32>) {
-        to.latest = self.latest;
-        to.drifts.clear();
-        let drifts = self.drifts.iter();
-        to.drifts
-            .extend(drifts.map(|v| [0, 1, 2].map(|k| single(&v[k], 1.0))));
-        to.blocks.resize(self.blocks.len(), Block::default());
-        let blocks = |group: &Group| group.blocks.clone();
-        by_group(turns, pool, &mut to.blocks, blocks, |group, copies| {
-            let blocks = &self.blocks[group.blocks.clone()];
-            for (block, copy) in blocks.iter().zip(copies) {
-                *copy = block.single(unit);
-            }
-        });
-        self.single_bodies(unit, to);
-    }
-
-    /// Copies the bodies alone, as if they had not moved before.
-    pub(super) fn single_bodies(&self, unit: f64, to: &mut Sheet<f32>) {
-        to.bodies.clear();
-        to.bodies.extend(self.bodies.iter().map(|Body(x)| {
-            let [a, b, c, m, d, e, f, k] = *x;
-            Body([a, b, c, m / unit, d, e, f, k / unit].map(|x| x as f32))
-        }));
-        to.before.clone_from(&to.bodies);
-    }
-
-    /// Takes the impulses back from single precision, as if they had not changed before.
-    pub(super) fn take_impulses(&mut self, unit: f64, from: &Sheet<f32>) {
-        self.latest = from.latest;
-        for (block, single) in self.blocks.iter_mut().zip(&from.blocks) {
-            for (axis, values) in single.impulse[from.latest].iter().enumerate() {
-                let exact = values.map(|x| f64::from(x) / unit);
-                block.impulse[0][axis] = exact;
-                block.impulse[1][axis] = exact;
+        let mut residual = Residual::default();
+        let blocks = self.blocks.iter().zip(exact.rows);
+        for ((block, rows), [gaps, slips, forces, margins]) in blocks.zip(verdicts) {
+            for (lane, &row) in rows[..block.count as usize].iter().enumerate() {
+                let values = [gaps[lane], slips[lane], forces[lane]];
+                residual.include(row as usize, values, margins[lane]);
             }
         }
+        residual
+    }
+
+    /// Writes the impulses \[N s\] of the blocks' rows.
+    pub(super) fn store(&self, exact: Exact, impulses: &mut [Vec3]) {
+        for (block, rows) in self.blocks.iter().zip(exact.rows) {
+            let [x, y, z] = block.exact(self.latest, exact.source.unit);
+            for (lane, &row) in rows[..block.count as usize].iter().enumerate() {
+                impulses[row as usize] = Vec3::new(x[lane], y[lane], z[lane]);
+            }
+        }
+    }
+
+    /// Takes bodies and drifts from double precision, masses over `unit`, as if bodies had not moved before.
+    pub(super) fn place(&mut self, bodies: &[Body<f64>], drifts: &[Vector<f64>], unit: f64) {
+        self.bodies.clear();
+        self.bodies.extend(bodies.iter().map(|Body(x)| {
+            let [a, b, c, m, d, e, f, k] = *x;
+            Body([a, b, c, m / unit, d, e, f, k / unit].map(T::of))
+        }));
+        self.before.clone_from(&self.bodies);
+        self.drifts.clear();
+        let single = |v: &Vector<f64>| [0, 1, 2].map(|k| v[k].map(T::of));
+        self.drifts.extend(drifts.iter().map(single));
     }
 }

@@ -1,0 +1,34 @@
+//! Counting sort: items whose keys are small whole numbers, in time that grows with both.
+
+/// Into `first` where the items of each key begin when they are sorted by their `keys`, and the end of the last; keys are below
+/// `count`.
+pub(crate) fn first_places(keys: impl Iterator<Item = u32>, count: usize, first: &mut Vec<u32>) {
+    first.clear();
+    first.resize(count + 1, 0);
+    for key in keys {
+        first[key as usize + 1] += 1;
+    }
+    for k in 1..first.len() {
+        first[k] += first[k - 1];
+    }
+}
+
+/// Into `sorted` the `items` by ascending key; of equal keys in the order they come in. `ends` then has where each key's items
+/// end.
+pub(crate) fn counting_sort<T: Copy + Default>(
+    items: impl Iterator<Item = T> + Clone,
+    key: impl Fn(&T) -> u32,
+    ends: &mut Vec<u32>,
+    sorted: &mut Vec<T>,
+) {
+    let keys = items.clone().map(|item| key(&item));
+    let largest = keys.clone().max().unwrap_or_default() as usize;
+    first_places(keys, largest + 1, ends);
+    sorted.clear();
+    sorted.resize(ends.last().map_or(0, |&all| all as usize), T::default());
+    for item in items {
+        let next = &mut ends[key(&item) as usize];
+        sorted[*next as usize] = item;
+        *next += 1;
+    }
+}

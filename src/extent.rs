@@ -1,0 +1,38 @@
+//! Extremes of many numbers and points. What is no number is passed over, or stays where it comes first: comparisons that
+//! look for it would take three times as long, and every step asks for some extreme of all spheres.
+
+use crate::Vec3;
+
+/// The larger one.
+#[inline]
+pub(crate) fn larger(a: f64, b: f64) -> f64 {
+    if b > a { b } else { a }
+}
+
+/// The smaller one.
+#[inline]
+pub(crate) fn smaller(a: f64, b: f64) -> f64 {
+    if b < a { b } else { a }
+}
+
+/// The smallest box around two.
+#[inline]
+pub(crate) fn joined((low, high): (Vec3, Vec3), (min, max): (Vec3, Vec3)) -> (Vec3, Vec3) {
+    (low.zip_map(&min, smaller), high.zip_map(&max, larger))
+}
+
+/// Lower and upper corner of the box around `points`; the origin if there are none.
+pub(crate) fn around(points: impl Iterator<Item = Vec3>) -> (Vec3, Vec3) {
+    points.map(|p| (p, p)).reduce(joined).unwrap_or_default()
+}
+
+/// How far two of `vectors` differ at most, and the length of the longest.
+pub(crate) fn spread(vectors: impl Iterator<Item = Vec3>) -> (f64, f64) {
+    let squared = vectors.map(|v| (v.norm_squared(), (v, v)));
+    let (longest, (low, high)) = squared
+        .reduce(|(longest, all), (length, own)| (larger(longest, length), joined(all, own)))
+        .unwrap_or_default();
+    // The box's diagonal; no more than from one to the origin and on to the other.
+    let longest = longest.sqrt();
+    (smaller((high - low).norm(), 2.0 * longest), longest)
+}

@@ -1,0 +1,477 @@
+//! The rows of a problem in order. Contacts of spheres on each other or on ground at rest, which nearly all rows are, take 72
+//! bytes each; every other row is kept whole as well.
+
+use serde::{Deserialize, Serialize};
+
+use super::{Dof6, GROUND, Law, Row};
+use crate::Vec3;
+
+/// Relative rounding within which a contact's arm is its sphere's radius along the normal.
+const SAME: f64 = 1e-12;
+
+/// Rows, `[C]`.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[serde(from = "Vec<Row>", into = "Vec<Row>")]
+pub struct Rows {
+    bodies: Vec<[u32; 2]>,
+    compact: Vec<Compact>,
+    /// Rows that the above does not tell, by [`Compact::whole`].
+    whole: Vec<Row>,
+    /// Radius at which contacts touch each body \[m\]; zero as long as none has told it.
+    radius: Vec<f64>,
+}
+
+/// What a contact of spheres is beside its bodies: as many numbers as a body has for sweeps, so that both are read alike.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[repr(C, align(64))]
+pub(crate) struct Compact(pub(crate) [f64; 8]);
+
+/// Numbers of [`Compact`] beside the normal, which is first.
+pub(crate) const BIAS: usize = 3;
+pub(crate) const FRICTION: usize = 4;
+pub(crate) const RADIUS: usize = 5;
+pub(crate) const SCALE: usize = 6;
+const WHOLE: usize = 7;
+
+impl Compact {
+    fn of(row: &Row, whole: usize) -> Self {
+        let n = row.normal;
+        let mu = match row.law {
+            Law::Contact { mu } => mu,
+            Law::Bilateral | Law::Resistance { .. } => 0.0,
+        };
+        let bias = row.bias.dot(&n);
+        let (radius, scale) = (row.radius, row.impulse_scale);
+        Self([n.x, n.y, n.z, bias, mu, radius, scale, whole as f64])
+    }
+
+    #[inline]
+    fn normal(&self) -> Vec3 {
+        let [x, y, z, ..] = self.0;
+        Vec3::new(x, y, z)
+    }
+
+    /// Which row is kept whole for it, if one is.
+    #[inline]
+    fn whole(&self) -> Option<usize> {
+        (self.0[WHOLE] as usize).checked_sub(1)
+    }
+}
+
+impl Rows {
+    /// How many there are.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.compact.len()
+    }
+
+    /// Whether there is none.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.compact.is_empty()
+    }
+
+    /// Row `k`.
+    ///
+    /// # Panics
+    /// If there are fewer.
+    #[must_use]
+    #[inline]
+    pub fn get(&self, k: usize) -> Row {
+        let compact = &self.compact[k];
+        if let Some(whole) = compact.whole() {
+            return self.whole[whole];
+        }
+        let [a, b] = self.bodies[k];
+        let n = compact.normal();
+        let [.., bias, mu, radius, impulse_scale, _] = compact.0;
+        Row {
+            a,
+            b,
+            normal: n,
+            arm_a: n * -self.radius[a as usize],
+            arm_b: match b {
+                GROUND => Vec3::zeros(),
+                b => n * self.radius[b as usize],
+            },
+            drift: Vec3::zeros(),
+            bias: n * bias,
+            compliance_n: 0.0,
+            compliance_t: 0.0,
+            law: Law::Contact { mu },
+            radius,
+            impulse_scale,
+        }
+    }
+
+    /// All of them.
+    pub fn iter(&self) -> impl ExactSizeIterator<Item = Row> + Clone {
+        (0..self.len()).map(|k| self.get(k))
+    }
+
+    /// Bodies A and B of row `k`.
+    #[must_use]
+    #[inline]
+    pub fn bodies(&self, k: usize) -> [u32; 2] {
+        self.bodies[k]
+    }
+
+    /// Normal of row `k`.
+    #[must_use]
+    #[inline]
+    pub fn normal(&self, k: usize) -> Vec3 {
+        self.compact[k].normal()
+    }
+
+    /// Smaller radius \[m\] of the pair of row `k`.
+    #[must_use]
+    #[inline]
+    pub fn radius(&self, k: usize) -> f64 {
+        self.compact[k].0[RADIUS]
+    }
+
+    /// Row `k`, if there is one and it is no rigid contact of spheres on each other or on ground at rest.
+    #[must_use]
+    #[inline]
+    pub fn special(&self, k: usize) -> Option<&Row> {
+        let whole = self.compact.get(k)?.whole()?;
+        Some(&self.whole[whole])
+    }
+
+    /// The contacts that have a resistance.
+    pub(crate) fn resisted(&self) -> impl Iterator<Item = usize> {
+        // Mostly there is nothing to look for.
+        let rows = if self.whole.is_empty() { 0 } else { self.len() };
+        (0..rows).filter_map(|k| match self.special(k)?.law {
+            Law::Resistance { contact, .. } => Some(contact as usize),
+            _ => None,
+        })
+    }
+
+    /// Whether row `k` is a rigid contact whose arms are radii of its bodies, be they known or not.
+    #[must_use]
+    #[inline]
+    pub(crate) fn is_of_spheres(&self, k: usize) -> bool {
+        let Some(row) = self.special(k) else {
+            return true;
+        };
+        let touches = |body: u32, arm: Vec3| {
+            let radius = self.radius.get(body as usize).copied().unwrap_or(0.0);
+            radial(arm, row.normal, radius)
+        };
+        row.is_rigid_contact()
+            && touches(row.a, -row.arm_a)
+            && (row.b == GROUND || touches(row.b, row.arm_b))
+    }
+
+    /// Compliance along the normal of row `k` \[m/(s N s)\].
+    #[must_use]
+    #[inline]
+    pub fn compliance(&self, k: usize) -> f64 {
+        self.special(k).map_or(0.0, |row| row.compliance_n)
+    }
+
+    /// Relative velocity \[m/s\] at row `k` where `velocity` tells that of a body.
+    #[must_use]
+    #[inline]
+    pub fn relative(&self, k: usize, velocity: impl Fn(usize) -> Dof6) -> Vec3 {
+        if let Some(row) = self.special(k) {
+            return row.relative(velocity);
+        }
+        let [a, b] = self.bodies[k];
+        let n = self.normal(k);
+        let one = |body: u32| {
+            let v = velocity(body as usize);
+            (v.linear, v.angular * self.radius[body as usize])
+        };
+        let (linear, surface) = one(a);
+        match b {
+            GROUND => linear - surface.cross(&n),
+            b => {
+                let (other, turning) = one(b);
+                linear - other - (surface + turning).cross(&n)
+            }
+        }
+    }
+
+    /// Radius at which contacts touch each body \[m\]: zero where none has told it, and bodies beyond have none.
+    #[must_use]
+    pub(crate) fn radii(&self) -> &[f64] {
+        &self.radius
+    }
+
+    pub(crate) fn compact(&self) -> &[Compact] {
+        &self.compact
+    }
+
+    /// Forgets all rows; spheres of the given radii \[m\], `[N]`, are the next ones' bodies.
+    pub fn restart(&mut self, radii: &[f64]) {
+        self.bodies.clear();
+        self.compact.clear();
+        self.whole.clear();
+        self.radius.clear();
+        self.radius.extend_from_slice(radii);
+    }
+
+    /// Adds a row.
+    pub fn push(&mut self, row: Row) {
+        let at = self.len();
+        self.insert(at, row);
+    }
+
+    /// Adds a rigid contact whose arms are the radii of its spheres, on ground at rest if it is on ground.
+    #[inline]
+    pub(crate) fn push_plain(&mut self, row: &Row) {
+        self.bodies.push([row.a, row.b]);
+        self.compact.push(Compact::of(row, 0));
+    }
+
+    /// Adds a row in place `k`.
+    ///
+    /// # Panics
+    /// If there are fewer.
+    pub fn insert(&mut self, k: usize, row: Row) {
+        let whole = self.place(&row);
+        self.bodies.insert(k, [row.a, row.b]);
+        self.compact.insert(k, Compact::of(&row, whole));
+    }
+
+    /// Changes row `k`.
+    ///
+    /// # Panics
+    /// If there are fewer.
+    pub fn update(&mut self, k: usize, change: impl FnOnce(&mut Row)) {
+        let mut row = self.get(k);
+        change(&mut row);
+        self.bodies[k] = [row.a, row.b];
+        let whole = match self.compact[k].whole() {
+            Some(whole) => {
+                self.whole[whole] = row;
+                whole + 1
+            }
+            None => self.place(&row),
+        };
+        self.compact[k] = Compact::of(&row, whole);
+    }
+
+    /// Changes all rows.
+    pub fn update_all(&mut self, mut change: impl FnMut(usize, &mut Row)) {
+        for k in 0..self.len() {
+            self.update(k, |row| change(k, row));
+        }
+    }
+
+    /// Binds resistances to other contacts.
+    pub fn bind(&mut self, mut change: impl FnMut(&mut u32)) {
+        for row in &mut self.whole {
+            if let Law::Resistance { contact, .. } = &mut row.law {
+                change(contact);
+            }
+        }
+    }
+
+    /// Adds `change` to the bias of row `k` along its normal \[m/s\].
+    pub fn shift(&mut self, k: usize, change: f64) {
+        let compact = &mut self.compact[k];
+        compact.0[BIAS] += change;
+        if let Some(whole) = compact.whole() {
+            self.whole[whole].bias += compact.normal() * change;
+        }
+    }
+
+    /// Keeps the first `count`.
+    pub fn truncate(&mut self, count: usize) {
+        self.bodies.truncate(count);
+        self.compact.truncate(count);
+    }
+
+    /// One more than where `row` is kept whole; zero if it need not be.
+    fn place(&mut self, row: &Row) -> usize {
+        let spheres = row.is_rigid_contact() && self.touches_spheres(row);
+        if spheres && is_still(row) {
+            return 0;
+        }
+        self.whole.push(*row);
+        self.whole.len()
+    }
+
+    /// Whether a row's arms are radii of its bodies along the normal; the first contact of a body is where it gets its radius.
+    fn touches_spheres(&mut self, row: &Row) -> bool {
+        self.is_radius(row.a, -row.arm_a, row.normal)
+            && (row.b == GROUND || self.is_radius(row.b, row.arm_b, row.normal))
+    }
+
+    /// Whether a contact touches `body` at its radius along the normal.
+    fn is_radius(&mut self, body: u32, arm: Vec3, normal: Vec3) -> bool {
+        let body = body as usize;
+        if body >= self.radius.len() {
+            self.radius.resize(body + 1, 0.0);
+        }
+        let known = &mut self.radius[body];
+        if *known == 0.0 {
+            *known = arm.dot(&normal).max(0.0);
+        }
+        *known > 0.0 && radial(arm, normal, *known)
+    }
+
+    /// Keeps the rows whose flag is set; rows beyond the flags stay.
+    pub fn retain(&mut self, keep: &[bool]) {
+        let kept = |k: usize| keep.get(k).copied().unwrap_or(true);
+        let mut k = 0..;
+        self.bodies.retain(|_| k.next().is_some_and(kept));
+        let mut k = 0..;
+        self.compact.retain(|_| k.next().is_some_and(kept));
+    }
+}
+
+/// Whether `arm` leads along the normal as far as `radius`.
+fn radial(arm: Vec3, normal: Vec3, radius: f64) -> bool {
+    (arm - normal * radius).norm_squared() <= (SAME * radius).powi(2)
+}
+
+/// Whether the ground of a row does not move, and its bias is along the normal.
+fn is_still(row: &Row) -> bool {
+    let across = row.across();
+    row.drift == Vec3::zeros()
+        && across.norm_squared() <= (SAME * row.bias.dot(&row.normal)).powi(2)
+}
+
+impl Extend<Row> for Rows {
+    fn extend<I: IntoIterator<Item = Row>>(&mut self, rows: I) {
+        rows.into_iter().for_each(|row| self.push(row));
+    }
+}
+
+impl FromIterator<Row> for Rows {
+    fn from_iter<I: IntoIterator<Item = Row>>(rows: I) -> Self {
+        let mut all = Self::default();
+        all.extend(rows);
+        all
+    }
+}
+
+impl From<Vec<Row>> for Rows {
+    fn from(rows: Vec<Row>) -> Self {
+        rows.into_iter().collect()
+    }
+}
+
+impl From<Rows> for Vec<Row> {
+    fn from(rows: Rows) -> Self {
+        rows.iter().collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn row(b: u32, arm_b: Vec3) -> Row {
+        let normal = Vec3::new(0.6, 0.0, 0.8);
+        Row {
+            a: 1,
+            b,
+            normal,
+            arm_a: normal * -0.3,
+            arm_b,
+            drift: Vec3::zeros(),
+            bias: normal * 0.1,
+            compliance_n: 0.0,
+            compliance_t: 0.0,
+            law: Law::Contact { mu: 0.4 },
+            radius: 0.2,
+            impulse_scale: 1e-3,
+        }
+    }
+
+    /// One of each kind: plain ones, and one for each thing that a plain one has not.
+    fn all() -> Vec<Row> {
+        let n = row(GROUND, Vec3::zeros()).normal;
+        let plain = row(3, n * 0.2);
+        let x = Vec3::x();
+        vec![
+            plain,
+            row(GROUND, Vec3::zeros()),
+            Row { arm_b: x, ..plain },
+            Row {
+                arm_a: n * -0.31,
+                ..plain
+            },
+            Row { drift: x, ..plain },
+            Row { bias: x, ..plain },
+            Row {
+                compliance_n: 1.0,
+                ..plain
+            },
+            Row {
+                compliance_t: 1.0,
+                ..plain
+            },
+            Row {
+                law: Law::Bilateral,
+                ..plain
+            },
+            Row {
+                bias: n * -0.3,
+                ..plain
+            },
+        ]
+    }
+
+    fn close(found: &Row, expected: &Row) -> bool {
+        let vectors = |row: &Row| [row.normal, row.arm_a, row.arm_b, row.drift, row.bias];
+        let apart = vectors(found).into_iter().zip(vectors(expected));
+        let zero = Vec3::zeros();
+        let rest = |row: &Row| Row {
+            normal: zero,
+            arm_a: zero,
+            arm_b: zero,
+            drift: zero,
+            bias: zero,
+            ..*row
+        };
+        apart.into_iter().all(|(a, b)| (a - b).norm() < 1e-15) && rest(found) == rest(expected)
+    }
+
+    #[test]
+    fn rows_come_back_as_they_were_given() {
+        let given = all();
+        let rows: Rows = given.iter().copied().collect();
+        assert_eq!(rows.whole.len(), 7, "three are plain");
+        let velocity = |i: usize| Dof6 {
+            linear: Vec3::new(1.0, i as f64, 0.5),
+            angular: Vec3::new(0.3, -2.0, i as f64),
+        };
+        for (k, expected) in given.iter().enumerate() {
+            assert!(close(&rows.get(k), expected), "row {k}: {:?}", rows.get(k));
+            let u = rows.relative(k, velocity);
+            assert!((u - expected.relative(velocity)).norm() < 1e-15, "row {k}");
+            assert_eq!(rows.compliance(k), expected.compliance_n);
+            assert_eq!(rows.bodies(k), [expected.a, expected.b]);
+        }
+    }
+
+    #[test]
+    fn changes_reach_rows_of_either_kind() {
+        let mut given = all();
+        let mut rows: Rows = given.iter().copied().collect();
+        rows.insert(1, given[4]);
+        given.insert(1, given[4]);
+        for (k, row) in given.iter_mut().enumerate() {
+            rows.shift(k, 0.7);
+            row.bias += row.normal * 0.7;
+        }
+        rows.update_all(|k, row| row.drift.y += (k % 2) as f64);
+        for (k, row) in given.iter_mut().enumerate() {
+            row.drift.y += (k % 2) as f64;
+        }
+        let keep = [true, false, true];
+        rows.retain(&keep);
+        given.remove(1);
+        rows.truncate(9);
+        for (k, expected) in given.iter().take(9).enumerate() {
+            assert!(close(&rows.get(k), expected), "row {k}: {:?}", rows.get(k));
+        }
+        assert_eq!(rows.len(), 9);
+    }
+}

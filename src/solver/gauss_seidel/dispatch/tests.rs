@@ -1,0 +1,308 @@
+//! All kinds of lanes beside each other, and what they cost.
+
+#![cfg(test)]
+
+use super::super::block::STILL;
+use super::*;
+use crate::problem::Compact;
+use crate::scene::Tolerance;
+use proptest::prelude::*;
+
+/// One kind of lanes.
+trait Run: Copy {
+    fn single(self, work: Sweep<f32>) -> Progress;
+    fn double(self, work: Sweep<f64>) -> Progress;
+    fn fill(self, work: Fill<f32>);
+    fn push(self, work: Push<f32>);
+    fn judge(self, work: Judge<f64>);
+}
+
+macro_rules! run {
+    ($lanes:ty, |$l:ident, $work:ident| $run:expr) => {
+        run!($lanes, |$l, $work| $run, single: Sweep<f32> => Progress, double: Sweep<f64> => Progress, fill: Fill<f32> => (), push: Push<f32> => (), judge: Judge<f64> => ());
+    };
+    ($lanes:ty, |$l:ident, $work:ident| $run:expr, $($name:ident: $task:ty => $found:ty),*) => {
+        impl Run for $lanes {
+            $(fn $name(self, $work: $task) -> $found {
+                let $l = self;
+                $run
+            })*
+        }
+    };
+}
+
+run!(Plain<4, false>, |lanes, work| work.with(lanes));
+run!(Plain<4, true>, |lanes, work| work.with(lanes));
+run!(Plain<16, true>, |lanes, work| work.with(lanes));
+#[cfg(target_arch = "x86_64")]
+run!(pulp::x86::V3, |lanes, work| lanes
+    .vectorize(Job { work, lanes }));
+#[cfg(target_arch = "x86_64")]
+run!(pulp::x86::V4, |lanes, work| lanes
+    .vectorize(Job { work, lanes }));
+
+/// Blocks with their bodies.
+#[derive(Debug, Clone)]
+struct Case<T> {
+    numbers: Vec<Compact>,
+    rows: Vec<Sixteen<u32>>,
+    blocks: Vec<Block<T>>,
+    bodies: Vec<Body<T>>,
+    drifts: Vec<Vector<T>>,
+}
+
+impl<T> Case<T> {
+    fn source(&self) -> Source<'_> {
+        Source {
+            numbers: &self.numbers,
+            step: 0.3,
+            unit: 0.7,
+        }
+    }
+
+    fn sweep(&mut self, latest: usize, pace: Pace) -> Sweep<'_, T> {
+        Sweep {
+            blocks: &mut self.blocks,
+            bodies: &mut self.bodies,
+            drifts: &self.drifts,
+            latest,
+            pace,
+        }
+    }
+}
+
+/// Two blocks of 32 bodies from numbers in -1..1; the second is not full, and its ground drifts. The last body never moves.
+fn case<T: Real>(numbers: &[f64]) -> Case<T> {
+    let mut source = numbers.iter().cycle().map(|&x| T::of(x));
+    let mut sixteen =
+        || -> Sixteen<T> { std::array::from_fn(|_| source.next().unwrap_or_default()) };
+    let mut vector = || [sixteen(), sixteen(), sixteen()];
+    let mut full = Block {
+        normal: vector(),
+        impulse: [vector(), vector()],
+        friction: std::array::from_fn(|k| T::of(0.1 * k as f64)),
+        bodies: [0, 16].map(|first| std::array::from_fn(|k| first + k as u32)),
+        count: 16,
+        drift: STILL,
+        ..Block::default()
+    };
+    let mut drift = vector();
+    drift.iter_mut().for_each(|x| x[5..].fill(T::of(0.0)));
+    let drifts = vec![drift];
+    [full.bias, full.length, full.scale] = vector();
+    full.length = full.length.map(|x| x * x);
+    let masses = [0.0, 0.3, 1.0, 2.0].map(T::of);
+    let bodies = (0..32).map(|k| {
+        let numbers = sixteen();
+        let mut body: [T; 8] = std::array::from_fn(|i| numbers[i]);
+        (body[3], body[7]) = (masses[k % 4], masses[k / 4 % 4]);
+        Body(body)
+    });
+    let bodies = bodies.chain([Body::default()]).collect();
+    let compact = (0..21).map(|_| Compact(std::array::from_fn(|k| sixteen()[k].exact())));
+    let numbers = compact.collect();
+    let rows = [0, 16].map(|first| std::array::from_fn(|k| (first + k as u32) % 21));
+    let mut part = Block {
+        count: 5,
+        drift: 0,
+        ..full
+    };
+    part.clear_from(5);
+    let impulses = part.impulse.iter_mut().flatten();
+    impulses.for_each(|lanes| lanes[5..].fill(T::default()));
+    part.bodies.iter_mut().for_each(|at| at[5..].fill(32));
+    Case {
+        numbers,
+        rows: rows.to_vec(),
+        blocks: vec![full, part],
+        bodies,
+        drifts,
+    }
+}
+
+/// All that `run` makes of the cases, to the last bit.
+fn outcome(run: impl Run, single: &Case<f32>, double: &Case<f64>, pace: Pace) -> [String; 3] {
+    let (mut filled, mut moved) = (single.clone(), double.clone());
+    run.fill(Fill {
+        of: Exact {
+            source: double.source(),
+            rows: &double.rows,
+            blocks: &mut filled.blocks,
+        },
+        impulses: &double
+            .numbers
+            .iter()
+            .map(|x| Vec3::from_column_slice(&x.0[..3]))
+            .collect::<Vec<_>>(),
+    });
+    run.push(Push {
+        of: Exact {
+            source: single.source(),
+            rows: &single.rows,
+            blocks: &single.blocks,
+        },
+        bodies: &mut moved.bodies,
+        latest: 1,
+    });
+    let (mut single, mut swept) = (single.clone(), double.clone());
+    let found = [
+        run.single(single.sweep(0, pace)),
+        run.double(swept.sweep(0, pace)),
+    ];
+    let mut verdicts = [Verdict::default(); 2];
+    run.judge(Judge {
+        of: Exact {
+            source: double.source(),
+            rows: &double.rows,
+            blocks: &double.blocks,
+        },
+        bodies: &moved.bodies,
+        drifts: &double.drifts,
+        latest: 1,
+        verdicts: &mut verdicts,
+    });
+    // What empty lanes hold is nobody's.
+    verdicts[1]
+        .iter_mut()
+        .for_each(|lanes| lanes[5..].fill(0.0));
+    [
+        format!("{:?} {single:?}", found[0]),
+        format!("{:?} {swept:?}", found[1]),
+        format!("{verdicts:?} {moved:?} {filled:?}"),
+    ]
+}
+
+proptest! {
+    #[test]
+    fn wide_registers_give_the_same_bits(
+        numbers in prop::collection::vec(-1.0..1.0f64, 16 * 47),
+        momentum in 0.0..1.0f64,
+    ) {
+        let tolerance = Tolerance { gap: 0.5, slip: 0.5, force: 0.5 };
+        let pace = Pace { momentum, damping: 0.9, strictness: 1.0, tolerance };
+        let (single, double) = (case::<f32>(&numbers), case::<f64>(&numbers));
+        let expected = outcome(Plain::<16, true>, &single, &double, pace);
+        prop_assert_eq!(&outcome(Plain::<4, true>, &single, &double, pace), &expected);
+        #[cfg(target_arch = "x86_64")]
+        if let Some(lanes) = pulp::x86::V3::try_new() {
+            prop_assert_eq!(&outcome(lanes, &single, &double, pace), &expected);
+        }
+        #[cfg(target_arch = "x86_64")]
+        if let Some(lanes) = pulp::x86::V4::try_new() {
+            prop_assert_eq!(&outcome(lanes, &single, &double, pace), &expected);
+        }
+    }
+}
+
+proptest! {
+    /// What runs where nothing can be fused.
+    #[test]
+    fn without_fusion_all_is_the_same_but_for_rounding(
+        numbers in prop::collection::vec(-1.0..1.0f64, 16 * 47),
+        momentum in 0.0..1.0f64,
+    ) {
+        let tolerance = Tolerance { gap: 0.5, slip: 0.5, force: 0.5 };
+        let pace = Pace { momentum, damping: 0.9, strictness: 1.0, tolerance };
+        let mut cases = [case::<f64>(&numbers), case::<f64>(&numbers)];
+        Plain::<4, true>.double(cases[0].sweep(0, pace));
+        Plain::<4, false>.double(cases[1].sweep(0, pace));
+        let [a, b] = cases.map(|case| case.bodies);
+        for (a, b) in a.iter().zip(&b).flat_map(|(a, b)| a.0.iter().zip(b.0)) {
+            prop_assert!((a - b).abs() < 1e-10, "{} and {}", a, b);
+        }
+    }
+}
+
+/// Contacts of neighbours in a cubic lattice of `side` spheres along an edge, on the ground.
+fn lattice<T: Real>(side: usize) -> Case<T> {
+    let n = side * side * side;
+    let still = Block {
+        bodies: [[n as u32; 16]; 2],
+        drift: STILL,
+        ..Block::default()
+    };
+    let mut blocks: Vec<Block<T>> = Vec::new();
+    // One of two contacts in a line, so that those of a block share no body; then the others.
+    for (axis, odd) in (0..3).flat_map(|axis| [(axis, 0), (axis, 1)]) {
+        let stride = side.pow(axis);
+        let first = (0..n).filter(|i| {
+            let along = i / stride % side;
+            along % 2 == odd && along + 1 < side
+        });
+        for (k, i) in first.enumerate() {
+            if k % 16 == 0 {
+                blocks.push(still);
+            }
+            let (block, lane) = (blocks.last_mut().expect("one was pushed"), k % 16);
+            block.count += 1;
+            for (at, body) in block.bodies.iter_mut().zip([i, i + stride]) {
+                at[lane] = body as u32;
+            }
+            block.normal[axis as usize][lane] = T::of(-1.0);
+            block.bias[lane] = T::of(0.01 * (i * 7 % 13) as f64 - 0.03);
+            block.friction[lane] = T::of(0.5);
+            block.length[lane] = T::of(100.0);
+            block.scale[lane] = T::of(1e-6);
+        }
+    }
+    let body = [0.1, -0.1, -0.2, 0.9, 0.05, 0.0, 0.02, 2.2].map(T::of);
+    let mut bodies = vec![Body(body); n];
+    bodies.push(Body::default());
+    Case {
+        numbers: Vec::new(),
+        rows: Vec::new(),
+        blocks,
+        bodies,
+        drifts: Vec::new(),
+    }
+}
+
+/// Shortest time of a contact's update by `sweep` \[ns\].
+fn nanoseconds<T: Real>(side: usize, sweep: impl Fn(Sweep<T>) -> Progress) -> f64 {
+    let mut case = lattice::<T>(side);
+    let contacts: u32 = case.blocks.iter().map(|block| block.count).sum();
+    let tolerance = Tolerance {
+        gap: 1e-4,
+        slip: 1e-4,
+        force: 0.1,
+    };
+    let pace = Pace {
+        momentum: 0.1,
+        damping: 1.0,
+        strictness: 1.0,
+        tolerance,
+    };
+    let sweeps = 2 * (200_000 / contacts as usize).max(1);
+    let times = (0..25).map(|_| {
+        let start = std::time::Instant::now();
+        for k in 0..sweeps {
+            std::hint::black_box(sweep(case.sweep(k % 2, pace)));
+        }
+        start.elapsed().as_secs_f64() * 1e9 / (sweeps * contacts as usize) as f64
+    });
+    times.fold(f64::INFINITY, f64::min)
+}
+
+/// Prints what an update costs; docs/solvers.md, "Roofline".
+#[test]
+#[ignore = "a measurement: cargo test --release --lib update_costs -- --ignored --nocapture"]
+fn update_costs() {
+    fn row(name: &str, run: impl Run) {
+        for side in [10, 22, 46] {
+            let single = nanoseconds::<f32>(side, |work| run.single(work));
+            let double = nanoseconds::<f64>(side, |work| run.double(work));
+            let n = side * side * side;
+            println!("| {name} | {n} | {single:.1} | {double:.1} |");
+        }
+    }
+    println!("| lanes | spheres | single ns | double ns |");
+    #[cfg(target_arch = "x86_64")]
+    if let Some(lanes) = pulp::x86::V4::try_new() {
+        row("AVX-512", lanes);
+    }
+    #[cfg(target_arch = "x86_64")]
+    if let Some(lanes) = pulp::x86::V3::try_new() {
+        row("AVX2", lanes);
+    }
+    row("plain", Plain::<4, false>);
+}

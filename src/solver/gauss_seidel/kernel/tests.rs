@@ -1,0 +1,196 @@
+//! Blocks against rows one by one.
+
+#![cfg(test)]
+
+use super::*;
+use crate::problem::GROUND;
+use nalgebra::Vector3;
+
+/// A row of spheres of different sizes on the ground, pushed, with one row that is no contact of spheres.
+fn problem() -> Problem {
+    let mut problem = Problem {
+        step: 1e-3,
+        ..Problem::default()
+    };
+    let radius = |i: usize| 0.01 * (1.0 + 0.1 * (i % 4) as f64);
+    for i in 0..23 {
+        let x = i as f64;
+        let mass = 2e4 * radius(i).powi(3);
+        problem.free.push(Dof6 {
+            linear: Vector3::new(0.3 - 0.05 * x, 0.1 * (x * 1.7).sin(), -0.1),
+            angular: Vector3::new((x * 0.9).cos(), 0.5, (x * 2.3).sin()),
+        });
+        let inverse = 1.0 / (0.4 * mass * radius(i) * radius(i));
+        problem.inverse_mass.push(Dof6 {
+            linear: Vector3::repeat(1.0 / mass),
+            angular: Vector3::repeat(inverse),
+        });
+    }
+    for a in 0..23_u32 {
+        for b in [a + 1, GROUND] {
+            if b == 23 {
+                continue;
+            }
+            let normal = if b == GROUND {
+                Vector3::z()
+            } else {
+                -Vector3::new(1.0, 0.1, 0.05 * f64::from(a % 3)).normalize()
+            };
+            let [ra, rb] = [a, b.min(22)].map(|i| radius(i as usize));
+            problem.rows.push(Row {
+                a,
+                b,
+                normal,
+                arm_a: normal * -ra,
+                arm_b: if b == GROUND {
+                    Vec3::zeros()
+                } else {
+                    normal * rb
+                },
+                drift: Vec3::zeros(),
+                bias: normal * 0.01,
+                compliance_n: if a == 7 { 0.1 } else { 0.0 },
+                compliance_t: 0.0,
+                law: Law::Contact { mu: 0.3 },
+                radius: ra.min(rb),
+                impulse_scale: 1e-4,
+            });
+        }
+    }
+    problem
+}
+
+/// The oracle is the row's own operations, one row after the other in the order of the blocks.
+#[test]
+fn blocks_do_what_rows_do_one_after_the_other() {
+    let problem = problem();
+    let start: Vec<Vec3> = (0..problem.rows.len())
+        .map(|k| problem.rows.normal(k) * (1e-4 * (k % 5) as f64))
+        .collect();
+    let pace = Pace {
+        momentum: 0.0,
+        damping: 0.8,
+        strictness: 1.0,
+        tolerance: Tolerance::default(),
+    };
+    let mut kernel = Kernel::default();
+    kernel.compile(&problem, &Tolerance::default(), &start);
+    assert_eq!(kernel.others.len(), 2, "one springy sphere's rows");
+    assert!(!kernel.single);
+    let blocks = kernel.exact.blocks.iter().zip(&kernel.rows);
+    let rows = blocks.flat_map(|(block, rows)| &rows[..block.count as usize]);
+    let mut order: Vec<u32> = rows.copied().collect();
+    order.extend(kernel.others.iter().map(|other| other.at));
+    let mut sorted = order.clone();
+    sorted.sort_unstable();
+    assert!(sorted.into_iter().eq(0..problem.rows.len() as u32));
+
+    let mut expected = start.clone();
+    let mut velocity = problem.velocities(&start);
+    let mut found = start;
+    for sweep in 0..3 {
+        let progress = kernel.sweep(&problem, pace);
+        kernel.store(&problem, &mut found);
+        let mut change = 0.0;
+        for &k in &order {
+            let row = &problem.rows.get(k as usize);
+            let p = &mut expected[k as usize];
+            let scale = Scale::of_row(&problem, row);
+            let correction = scale.correction(row, row.relative_velocity(&velocity), *p, 0.0);
+            let full = row.normal * correction.normal + correction.tangential;
+            change += full.norm_squared();
+            *p += full * pace.damping;
+            problem.apply(row, &mut velocity, full * pace.damping);
+        }
+        for (k, (p, q)) in found.iter().zip(&expected).enumerate() {
+            assert!((p - q).norm() < 1e-15, "sweep {sweep}, row {k}: {p} {q}");
+        }
+        assert!((progress.change - change).abs() < 1e-9 * change);
+        assert!(!progress.settled);
+    }
+}
+
+/// What two sweeps leave and momentum moves is the same in impulses and velocities.
+#[test]
+fn momentum_moves_impulses_and_velocities_together() {
+    let problem = problem();
+    let mut impulses = vec![Vec3::zeros(); problem.rows.len()];
+    let mut kernel = Kernel::default();
+    kernel.compile(&problem, &Tolerance::default(), &impulses);
+    for k in 0..20 {
+        let momentum = if k < 3 { 0.0 } else { 0.7 };
+        let pace = Pace {
+            momentum,
+            damping: 1.0,
+            strictness: 1.0,
+            tolerance: Tolerance::default(),
+        };
+        kernel.sweep(&problem, pace);
+    }
+    kernel.store(&problem, &mut impulses);
+    let velocity = problem.velocities(&impulses);
+    for (i, v) in velocity.iter().enumerate() {
+        let body = &kernel.exact.bodies[kernel.place[i] as usize].0;
+        let (linear, spin) = (v.linear, v.angular * scale(&kernel.radius, i));
+        for k in 0..3 {
+            assert!((body[k] - linear[k]).abs() < 1e-12);
+            assert!((body[k + 4] - spin[k]).abs() < 1e-12);
+        }
+    }
+    kernel.judge(&problem);
+    let mut judged = Vec::new();
+    kernel.velocities_into(&mut judged);
+    assert_eq!(judged.len(), velocity.len());
+    for (found, expected) in judged.iter().zip(&velocity) {
+        assert!((found.linear - expected.linear).norm() < 1e-12);
+        assert!((found.angular - expected.angular).norm() < 1e-10);
+    }
+}
+
+/// Single precision is left in the middle of a solve: what follows are the sweeps that start in double precision from there.
+#[test]
+fn a_kernel_that_is_refined_goes_on_in_double_precision() {
+    let mut problem = problem();
+    problem.rows.update_all(|k, row| {
+        row.compliance_n = 0.0;
+        if k % 6 == 1 {
+            row.drift = Vec3::new(0.02, -0.01, 0.0);
+        }
+    });
+    let loose = Tolerance {
+        gap: 1e-4,
+        slip: 1e-4,
+        force: 0.1,
+    };
+    let fine = Tolerance {
+        gap: 1e-9,
+        slip: 1e-9,
+        force: 1e-9,
+    };
+    let pace = |momentum| Pace {
+        momentum,
+        damping: 1.0,
+        strictness: 1.0,
+        tolerance: loose,
+    };
+    let mut found = vec![Vec3::zeros(); problem.rows.len()];
+    let mut kernel = Kernel::default();
+    kernel.compile(&problem, &loose, &found);
+    assert!(kernel.single && !kernel.drifts.is_empty());
+    kernel.sweep(&problem, pace(0.0));
+    kernel.judge(&problem);
+    kernel.refine(&problem, &mut found);
+    let mut expected = found.clone();
+    let mut other = Kernel::default();
+    other.compile(&problem, &fine, &found);
+    assert!(!kernel.single && !other.single);
+    for momentum in [0.0, 0.5, 0.7] {
+        let sweeps = [&mut kernel, &mut other].map(|k| k.sweep(&problem, pace(momentum)));
+        assert!((sweeps[0].change - sweeps[1].change).abs() <= 1e-9 * sweeps[1].change);
+    }
+    kernel.store(&problem, &mut found);
+    other.store(&problem, &mut expected);
+    for (p, q) in found.iter().zip(&expected) {
+        assert!((p - q).norm() < 1e-15, "{p} {q}");
+    }
+}
