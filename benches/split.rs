@@ -232,7 +232,7 @@ fn solve(captured: &Captured, brick: &[usize], scheme: Scheme) -> Option<usize> 
         let (mut along, mut change) = (0.0, 0.0);
         let mut visit = |rows: &[usize], v: &mut [Dof6], p: &mut Impulses| {
             for &k in rows {
-                let row = &problem.rows[k];
+                let row = &problem.rows.get(k);
                 let found = believed_scales[k].correction(row, row.relative_velocity(v), p[k], 0.0);
                 let d = (row.normal * found.normal + found.tangential) * damping;
                 if d != Vec3::zeros() {
@@ -278,7 +278,7 @@ fn solve(captured: &Captured, brick: &[usize], scheme: Scheme) -> Option<usize> 
 /// Number of bricks whose rows touch a sphere, at least one.
 fn shares(problem: &Problem, brick: &[usize]) -> Vec<f64> {
     let mut touched = vec![Vec::new(); brick.len()];
-    for row in &problem.rows {
+    for row in problem.rows.iter() {
         let own = brick[row.a as usize];
         for body in [row.a, row.b] {
             if body != GROUND && !touched[body as usize].contains(&own) {
