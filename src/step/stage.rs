@@ -20,7 +20,7 @@ use crate::state::State;
 /// Contacts with a gap below this share of the radius are candidates even at rest.
 const NEAR: f64 = 1e-3;
 /// Share of the gap tolerance left to the linear problem; the rest is for curvature and rounding.
-const LINEAR_SHARE: f64 = 0.5;
+const LINEAR_SHARE: f64 = 0.9;
 
 /// A stop or spring of a driven body.
 #[derive(Debug, Clone, Copy)]
