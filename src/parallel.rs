@@ -13,6 +13,8 @@ use rayon::{ThreadPool, ThreadPoolBuilder};
 
 /// Blocks of contacts from which handing out, which takes as long as a hundred of them, costs less than it gains.
 const WORTH: usize = 256;
+/// Items of a piece where each is little work.
+const PIECE: usize = 4096;
 
 /// Threads, made with the first work for them.
 #[derive(Clone, Default)]
@@ -100,10 +102,27 @@ impl Pool {
         items: &mut [T],
         work: impl Fn(&mut T) + Sync + Send,
     ) {
-        let shared = self.0.count > 1 && rayon::current_thread_index().is_some();
-        if !shared || items.len() < 2 || size < WORTH {
+        if !self.shares() || items.len() < 2 || size < WORTH {
             return items.iter_mut().for_each(work);
         }
         items.par_iter_mut().with_max_len(1).for_each(work);
+    }
+
+    /// Does `work` with pieces of `items`, each with the index of its first, side by side where it may.
+    pub(crate) fn pieces<T: Send>(
+        &self,
+        items: &mut [T],
+        work: impl Fn(usize, &mut [T]) + Sync + Send,
+    ) {
+        let work = |(k, piece): (usize, &mut [T])| work(k * PIECE, piece);
+        match self.shares() {
+            true => items.par_chunks_mut(PIECE).enumerate().for_each(work),
+            false => items.chunks_mut(PIECE).enumerate().for_each(work),
+        }
+    }
+
+    /// Whether there are others to share with, and they are at hand.
+    fn shares(&self) -> bool {
+        self.0.count > 1 && rayon::current_thread_index().is_some()
     }
 }

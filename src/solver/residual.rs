@@ -66,12 +66,25 @@ impl Residual {
 
     /// Takes row `index`'s residuals and its margin into the extremes.
     pub(super) fn include(&mut self, index: usize, values: [f64; 3], margin: f64) {
-        self.kink = self.kink.max(1.0 - margin);
+        let [gap, slip, force] = values;
+        self.join(&Self {
+            gap,
+            slip,
+            force,
+            worst: [index; 3],
+            kink: 1.0 - margin,
+        });
+    }
+
+    /// Takes those of other rows into the extremes.
+    pub(super) fn join(&mut self, other: &Self) {
+        self.kink = self.kink.max(other.kink);
         let maxima = [&mut self.gap, &mut self.slip, &mut self.force];
-        for ((maximum, value), worst) in maxima.into_iter().zip(values).zip(&mut self.worst) {
+        let values = [other.gap, other.slip, other.force];
+        for (k, (maximum, value)) in maxima.into_iter().zip(values).enumerate() {
             if value > *maximum || value.is_nan() {
                 *maximum = value;
-                *worst = index;
+                self.worst[k] = other.worst[k];
             }
         }
     }

@@ -144,29 +144,6 @@ impl Row for Register<V3, __m256d> {
         let [e, f, g, h] = transposed_4(v, [e, f, g, h]);
         registers(v, [a, b, c, d, e, f, g, h])
     }
-
-    #[inline(always)]
-    fn rows(columns: [Self; 8]) -> [Self; 8] {
-        Self::columns(columns)
-    }
 }
 
-impl Row for Register<V3, __m256> {
-    #[inline(always)]
-    fn masses(self) -> Self {
-        Self(self.0, self.0.avx._mm256_permute_ps::<0xff>(self.1))
-    }
-
-    #[inline(always)]
-    fn columns(rows: [Self; 8]) -> [Self; 8] {
-        let v = rows[0].0;
-        registers(v, transposed_8(v, bare(rows)))
-    }
-
-    #[inline(always)]
-    fn rows(columns: [Self; 8]) -> [Self; 8] {
-        Self::columns(columns)
-    }
-}
-
-eight_lanes!(V3, __m256, f32);
+eight_lanes!(V3, __m256, f32, avx: _mm256_permute_ps);

@@ -88,7 +88,7 @@ fn transposed_8(v: V4, r: [__m512d; 8]) -> [__m512d; 8] {
     ]
 }
 
-eight_lanes!(V4, __m512d, f64);
+eight_lanes!(V4, __m512d, f64, avx512f: _mm512_permutex_pd);
 
 /// Two items in one register: a register of doubles, or shuffles of it are made of its halves anew.
 #[inline(always)]
@@ -210,23 +210,5 @@ impl Row for Register<V4, __m512> {
                 merged(v, linear[3], LAST, spin[3]),
             ],
         )
-    }
-}
-
-impl Row for Register<V4, __m512d> {
-    #[inline(always)]
-    fn masses(self) -> Self {
-        Self(self.0, self.0.avx512f._mm512_permutex_pd::<0xff>(self.1))
-    }
-
-    #[inline(always)]
-    fn columns(rows: [Self; 8]) -> [Self; 8] {
-        let v = rows[0].0;
-        registers(v, transposed_8(v, bare(rows)))
-    }
-
-    #[inline(always)]
-    fn rows(columns: [Self; 8]) -> [Self; 8] {
-        Self::columns(columns)
     }
 }

@@ -1,9 +1,12 @@
 //! Sweeps, pushes and judgements with the widest registers that the processor has.
 
-use super::block::{Block, Pace, Progress, Vector, Verdict};
+use std::ops::Range;
+
+use super::block::{Block, Pace, Progress, Vector};
 use super::lanes::{Body, FUSES, Lanes, Plain, Real, Sixteen};
 use super::local::{Constants, Source};
 use crate::Vec3;
+use crate::solver::residual::Residual;
 
 /// What a sweep goes over, in one precision: all of one group.
 #[derive(Debug)]
@@ -16,38 +19,49 @@ pub(super) struct Sweep<'a, T> {
     pub(super) pace: Pace,
 }
 
-/// Blocks of a group in one precision with what they are filled from and judged by in double.
-#[derive(Debug)]
-pub(super) struct Exact<'a, B> {
+/// Blocks' contacts in double precision.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Exact<'a> {
     pub(super) source: Source<'a>,
-    /// Rows of the blocks.
+    /// Rows of each block.
     pub(super) rows: &'a [Sixteen<u32>],
-    pub(super) blocks: B,
+}
+
+impl Exact<'_> {
+    /// Those of some of the blocks.
+    pub(super) fn of(self, blocks: &Range<usize>) -> Self {
+        Self {
+            rows: &self.rows[blocks.clone()],
+            ..self
+        }
+    }
 }
 
 /// What fills blocks from `impulses`, `[C]`, and all else of their rows.
 #[derive(Debug)]
 pub(super) struct Fill<'a, T> {
-    pub(super) of: Exact<'a, &'a mut [Block<T>]>,
+    pub(super) exact: Exact<'a>,
+    pub(super) blocks: &'a mut [Block<T>],
     pub(super) impulses: &'a [Vec3],
 }
 
 /// What gives bodies their impulses.
 #[derive(Debug)]
 pub(super) struct Push<'a, T> {
-    pub(super) of: Exact<'a, &'a [Block<T>]>,
+    pub(super) exact: Exact<'a>,
+    pub(super) blocks: &'a [Block<T>],
     pub(super) bodies: &'a mut [Body<f64>],
     pub(super) latest: usize,
 }
 
-/// What finds out what each block's contacts are off by where the bodies move as the impulses make them.
+/// What finds out what the blocks' contacts are off by where the bodies move as the impulses make them.
 #[derive(Debug)]
 pub(super) struct Judge<'a, T> {
-    pub(super) of: Exact<'a, &'a [Block<T>]>,
+    pub(super) exact: Exact<'a>,
+    pub(super) blocks: &'a [Block<T>],
     pub(super) bodies: &'a [Body<f64>],
     pub(super) drifts: &'a [Vector<f64>],
     pub(super) latest: usize,
-    pub(super) verdicts: &'a mut [Verdict],
 }
 
 /// Work on blocks that goes some numbers at a time.
@@ -164,12 +178,8 @@ impl<T: Real> Work for Fill<'_, T> {
 
     #[inline(always)]
     fn with<L: Lanes<f64>>(self, l: L) {
-        let Exact {
-            source,
-            rows,
-            blocks,
-        } = self.of;
-        for (block, rows) in blocks.iter_mut().zip(rows) {
+        let Exact { source, rows } = self.exact;
+        for (block, rows) in self.blocks.iter_mut().zip(rows) {
             block.fill(l, &source, rows);
             let mut impulse = Vector::<T>::default();
             for (lane, &row) in rows[..block.count as usize].iter().enumerate() {
@@ -189,12 +199,8 @@ impl<T: Real> Work for Push<'_, T> {
 
     #[inline(always)]
     fn with<L: Lanes<f64>>(self, l: L) {
-        let Exact {
-            source,
-            rows,
-            blocks,
-        } = self.of;
-        for (block, rows) in blocks.iter().zip(rows) {
+        let Exact { source, rows } = self.exact;
+        for (block, rows) in self.blocks.iter().zip(rows) {
             block.push(l, &source, rows, self.bodies, self.latest);
         }
     }
@@ -202,19 +208,21 @@ impl<T: Real> Work for Push<'_, T> {
 
 impl<T: Real> Work for Judge<'_, T> {
     type Real = f64;
-    type Output = ();
+    type Output = Residual;
 
     #[inline(always)]
-    fn with<L: Lanes<f64>>(self, l: L) {
-        let Exact {
-            source,
-            rows,
-            blocks,
-        } = self.of;
-        for ((block, rows), verdict) in blocks.iter().zip(rows).zip(self.verdicts) {
+    fn with<L: Lanes<f64>>(self, l: L) -> Residual {
+        let Exact { source, rows } = self.exact;
+        let mut residual = Residual::default();
+        for (block, rows) in self.blocks.iter().zip(rows) {
             let moving = (self.bodies, self.drifts);
-            block.judge(l, &source, rows, moving, self.latest, verdict);
+            let [gaps, slips, forces, margins] = block.judge(l, &source, rows, moving, self.latest);
+            for (lane, &row) in rows[..block.count as usize].iter().enumerate() {
+                let values = [gaps[lane], slips[lane], forces[lane]];
+                residual.include(row as usize, values, margins[lane]);
+            }
         }
+        residual
     }
 }
 

@@ -3,11 +3,14 @@
 use std::iter::repeat;
 use std::mem::take;
 
-use super::block::{Block, Pace, Progress, Vector, Verdict};
+use arrayvec::ArrayVec;
+
+use super::block::{Block, Pace, Progress, Vector};
+use super::dispatch::Exact;
 use super::lanes::{Body, Sixteen};
-use super::layout::Layout;
+use super::layout::{Layout, PARTS};
 use super::local::Source;
-use super::sheet::{Exact, Sheet, Turns};
+use super::sheet::{BODIES, Sheet, Turns, split};
 use crate::Vec3;
 use crate::parallel::Pool;
 use crate::problem::{Dof6, Law, Problem, Row};
@@ -47,7 +50,7 @@ pub struct Kernel {
     /// Length by which each body's spin is scaled \[m\], `[N + D]`: its radius; zero where no contact gives it.
     pub(super) radius: Vec<f64>,
     pub(super) others: Vec<Other>,
-    /// Velocities of the bodies that other rows move, while such a row is under way, `[N + D]`.
+    /// Velocities of the bodies that other rows move, while such a row is under way, `[N + D]`; none without such rows.
     pub(super) velocity: Vec<Dof6>,
     /// Whether a row is a contact with a resistance, `[C]`: both go with the other rows.
     pub(super) resisted: Vec<bool>,
@@ -56,8 +59,6 @@ pub struct Kernel {
     pub(super) group: Vec<u32>,
     pub(super) by_place: Vec<u32>,
     pub(super) counts: Vec<u32>,
-    /// What [`Sheet::judge`] finds.
-    pub(super) verdicts: Vec<Verdict>,
     /// For each body of the group that fills, by its place in it, the filling blocks that hold it, as bits.
     pub(super) held: Vec<u16>,
     pub(super) tolerance: Tolerance,
@@ -79,7 +80,6 @@ impl Kernel {
                 }
             }));
         self.radius.resize(problem.free.len(), NO_SPHERE);
-        self.velocity.resize(problem.free.len(), Dof6::ZERO);
         refill(&mut self.resisted, problem.rows.len(), false);
         for contact in problem.rows.resisted() {
             self.resisted[contact] = true;
@@ -174,6 +174,7 @@ impl Kernel {
     /// Rows that are in no block.
     fn take_others(&mut self, problem: &Problem, impulses: &[Vec3]) {
         self.others.clear();
+        self.velocity.clear();
         for (k, &impulse) in impulses.iter().enumerate() {
             if self.group[k] == NONE {
                 let row = problem.rows.get(k);
@@ -186,22 +187,15 @@ impl Kernel {
                 });
             }
         }
+        if !self.others.is_empty() {
+            self.velocity.resize(problem.free.len(), Dof6::ZERO);
+        }
     }
 
     /// Takes the velocities of the impulses anew, without rounding from many sweeps.
     fn reload(&mut self, problem: &Problem) {
-        let bodies = &mut self.exact.bodies;
-        let parts = self.turns[0].len();
-        refill(bodies, problem.free.len() + parts, Body::default());
-        for (i, v) in problem.free.iter().enumerate() {
-            let scale = scale(&self.radius, i);
-            // Driven bodies move by other rows only, which have their own operator.
-            let w = problem.inverse_mass.get(i).copied().unwrap_or(Dof6::ZERO);
-            let (v, s) = (v.linear, v.angular * scale);
-            let (m, k) = (w.linear.x, w.angular.x * scale * scale);
-            bodies[self.place[i] as usize] = Body([v.x, v.y, v.z, m, s.x, s.y, s.z, k]);
-        }
-        let mut bodies = take(bodies);
+        let mut bodies = take(&mut self.exact.bodies);
+        self.free(problem, &mut bodies);
         let exact = exact(problem, &self.rows, self.unit);
         let (turns, pool) = (&self.turns, &self.pool);
         match self.single {
@@ -217,19 +211,52 @@ impl Kernel {
         match self.single {
             true => self
                 .quick
-                .place(&self.exact.bodies, &self.drifts, self.unit),
+                .place(&self.exact.bodies, &self.drifts, self.unit, &self.pool),
             false => self.start_exact(),
+        }
+    }
+
+    /// Places all bodies as they move without impulses.
+    fn free(&self, problem: &Problem, bodies: &mut Vec<Body<f64>>) {
+        let (layout, spheres) = (&self.layout, problem.inverse_mass.len());
+        let parts = self.turns[0].len();
+        bodies.resize(problem.free.len() + parts, Body::default());
+        let body = |i: usize| {
+            let (v, scale) = (&problem.free[i], scale(&self.radius, i));
+            // Driven bodies move by other rows only, which have their own operator.
+            let w = problem.inverse_mass.get(i).copied().unwrap_or(Dof6::ZERO);
+            let (v, s) = (v.linear, v.angular * scale);
+            let (m, k) = (w.linear.x, w.angular.x * scale * scale);
+            Body([v.x, v.y, v.z, m, s.x, s.y, s.z, k])
+        };
+        let (bodies, driven) = bodies.split_at_mut(spheres + parts);
+        let ranges = self.turns[0].iter().map(|group| group.bodies.clone());
+        let mut own: ArrayVec<_, PARTS> = split(bodies, ranges).into_iter().enumerate().collect();
+        self.pool.each(spheres / BODIES, &mut own, |(part, own)| {
+            let places = layout.part(*part, spheres);
+            // The last never moves.
+            own[places.len()] = Body::default();
+            for (own, place) in own.iter_mut().zip(places) {
+                *own = body(layout.sphere(place));
+            }
+        });
+        for (driven, i) in driven.iter_mut().zip(spheres..) {
+            *driven = body(i);
         }
     }
 
     /// Writes the velocities of all bodies \[m/s\], \[rad/s\], `[N + D]`: those of the impulses that were judged last.
     pub fn velocities_into(&self, velocities: &mut Vec<Dof6>) {
-        velocities.clear();
-        let bodies = self.place.iter().enumerate();
-        velocities.extend(bodies.map(|(i, &at)| self.velocity_of(i, at)));
+        velocities.resize(self.place.len(), Dof6::ZERO);
+        self.pool.pieces(velocities, |first, velocities| {
+            for (i, velocity) in (first..).zip(velocities) {
+                *velocity = self.velocity_of(i, self.place[i]);
+            }
+        });
     }
 
     /// Velocity of body `i` at place `at`.
+    #[inline]
     fn velocity_of(&self, i: usize, at: u32) -> Dof6 {
         let [a, b, c, _, d, e, f, _] = self.exact.bodies[at as usize].0;
         Dof6 {
@@ -244,10 +271,9 @@ impl Kernel {
         let exact = exact(problem, &self.rows, self.unit);
         let (turns, pool) = (&self.turns, &self.pool);
         let moving = (&self.exact.bodies[..], &self.drifts[..]);
-        let verdicts = &mut self.verdicts;
         let mut residual = match self.single {
-            true => self.quick.judge(exact, moving, turns, pool, verdicts),
-            false => self.exact.judge(exact, moving, turns, pool, verdicts),
+            true => self.quick.judge(exact, moving, turns, pool),
+            false => self.exact.judge(exact, moving, turns, pool),
         };
         for at in 0..self.others.len() {
             let other = self.others[at];

@@ -36,6 +36,19 @@ pub(super) const LANES: usize = 16;
 /// A number of each contact of a block, in memory.
 pub(super) type Sixteen<T> = [T; LANES];
 
+/// What `change` makes of each number: unlike `map` it is compiled for the registers of who calls it.
+#[inline(always)]
+pub(super) fn changed<A: Copy, B: Copy + Default>(
+    x: &Sixteen<A>,
+    change: impl Fn(A) -> B,
+) -> Sixteen<B> {
+    let mut found = Sixteen::default();
+    for lane in 0..LANES {
+        found[lane] = change(x[lane]);
+    }
+    found
+}
+
 /// Single or double precision.
 pub(super) trait Real:
     Copy

@@ -22,6 +22,8 @@ const CELLS: f64 = 512.0;
 pub struct Layout {
     /// Place of each sphere, `[N]`; empty where all are in the order of the scene.
     place: Vec<u32>,
+    /// Sphere at each place, `[N]`; likewise.
+    sphere: Vec<u32>,
     /// First place of each part, and the end of the last.
     starts: Vec<u32>,
     /// Cell of each sphere, `[N]`.
@@ -33,8 +35,7 @@ pub struct Layout {
 impl Layout {
     /// Lays out spheres of the given centres \[m\], `[N]`, with cells of `edge` \[m\].
     pub fn arrange(&mut self, centres: &[Vec3], edge: f64) {
-        self.place.clear();
-        self.starts.clear();
+        self.forget();
         let n = centres.len();
         if n < SMALL {
             return;
@@ -71,18 +72,25 @@ impl Layout {
             }
         }
         self.starts.push(n as u32);
-        for &cell in &self.cell {
+        self.sphere.resize(n, 0);
+        for (i, &cell) in self.cell.iter().enumerate() {
             let next = &mut self.first[cell as usize];
             self.place.push(*next);
+            self.sphere[*next as usize] = i as u32;
             *next += 1;
         }
+    }
+
+    fn forget(&mut self) {
+        self.place.clear();
+        self.sphere.clear();
+        self.starts.clear();
     }
 
     /// Forgets an order of another number of spheres.
     pub(super) fn fit(&mut self, spheres: usize) {
         if self.place.len() != spheres {
-            self.place.clear();
-            self.starts.clear();
+            self.forget();
         }
     }
 
@@ -97,6 +105,11 @@ impl Layout {
             0 => 0..n,
             _ => self.starts[k] as usize..self.starts[k + 1] as usize,
         }
+    }
+
+    /// Sphere at `place`.
+    pub(super) fn sphere(&self, place: usize) -> usize {
+        self.sphere.get(place).map_or(place, |&i| i as usize)
     }
 
     /// Place of sphere `i`, and its part.
@@ -132,6 +145,7 @@ mod tests {
             let (place, part) = layout.place(i);
             assert!(layout.part(part, n).contains(&place));
             assert!(!std::mem::replace(&mut seen[place], true));
+            assert_eq!(layout.sphere(place), i);
         }
         assert_eq!(layout.parts(), 3);
         for (i, x) in centres.iter().enumerate() {
@@ -142,5 +156,6 @@ mod tests {
         }
         layout.arrange(&centres[..100], 1.0);
         assert_eq!((layout.parts(), layout.place(7)), (1, (7, 0)));
+        assert_eq!(layout.sphere(7), 7);
     }
 }

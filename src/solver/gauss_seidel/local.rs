@@ -16,7 +16,7 @@
 use std::ops::Range;
 
 use super::block::{Block, Pace, STILL, Vector, Verdict};
-use super::lanes::{Body, Lanes, Pack, Real, Sixteen};
+use super::lanes::{Body, Lanes, Pack, Real, Sixteen, changed};
 use crate::problem::{BIAS, Compact, FRICTION, RADIUS, SCALE};
 
 /// [`Pace`](super::block::Pace) in lanes.
@@ -286,7 +286,7 @@ impl<T: Real> Block<T> {
     #[inline(always)]
     pub(super) fn exact(&self, latest: usize, unit: f64) -> Vector<f64> {
         let share = 1.0 / unit;
-        [0, 1, 2].map(|axis| self.impulse[latest][axis].map(|x| x.exact() * share))
+        each(|axis| changed(&self.impulse[latest][axis], |x| x.exact() * share))
     }
 
     /// Takes all but the impulses from `rows`.
@@ -307,10 +307,10 @@ impl<T: Real> Block<T> {
                 l.store(found, number, pass);
             }
         }
-        let [x, y, z, bias, friction, length, scale] = numbers.map(|number| number.map(T::of));
-        self.normal = [x, y, z];
-        (self.bias, self.friction) = (bias, friction);
-        (self.length, self.scale) = (length, scale);
+        let number = |k: usize| changed(&numbers[k], T::of);
+        self.normal = each(number);
+        (self.bias, self.friction) = (number(3), number(4));
+        (self.length, self.scale) = (number(5), number(6));
         self.clear_from(self.count as usize);
     }
 
@@ -342,8 +342,8 @@ impl<T: Real> Block<T> {
         rows: &Sixteen<u32>,
         (bodies, drifts): (&[Body<f64>], &[Vector<f64>]),
         latest: usize,
-        verdict: &mut Verdict,
-    ) {
+    ) -> Verdict {
+        let mut verdict = Verdict::default();
         let (zero, one, tiny) = (l.splat(0.0), l.splat(1.0), l.splat(f64::MIN_POSITIVE));
         let impulse = self.exact(latest, source.unit);
         for pass in self.passes::<L, f64>() {
@@ -378,12 +378,13 @@ impl<T: Real> Block<T> {
                 .over(bound.or_larger(tiny));
             let slips = bound.within(zero, one, slips);
             let nearest = opens.within(slips, opens, slips);
-            let [gaps, slipped, forces, margins] = &mut *verdict;
+            let [gaps, slipped, forces, margins] = &mut verdict;
             l.store((nn.over(length)).root() * seen.w_n, gaps, pass);
             l.store((tt.over(length)).root() * seen.w_t, slipped, pass);
             l.store(dd.over(size).root(), forces, pass);
             l.store(seen.w_n.within(zero, one, nearest), margins, pass);
         }
+        verdict
     }
 
     /// Passes over the contacts that it holds.

@@ -39,6 +39,8 @@ const SINGLE_SWEEPS: usize = 400;
 const BROKEN: usize = 2;
 /// The first sweep with momentum: the first ones remove what is local.
 const MOMENTUM_FROM: usize = 4;
+/// Growth of the squared corrections from sweep to sweep at which momentum starts anew: a little is no sign of going astray.
+const GROWTH: f64 = 1.1;
 
 /// Solves `problem` from the impulses given; see [`super::solve`].
 pub fn solve(
@@ -71,7 +73,7 @@ pub fn solve(
             momentum.next()
         };
         let progress = kernel.sweep(problem, pace);
-        if progress.along < 0.0 || progress.change > last {
+        if progress.along < 0.0 || progress.change > GROWTH * last {
             momentum = Momentum::default();
         }
         last = progress.change;

@@ -91,8 +91,11 @@ pub(super) trait Row: Sized {
     fn masses(self) -> Self;
     /// The bodies by components.
     fn columns(rows: [Self; 8]) -> [Self; 8];
-    /// And back.
-    fn rows(columns: [Self; 8]) -> [Self; 8];
+    /// And back: the same where eight numbers in eight registers are turned.
+    #[inline(always)]
+    fn rows(columns: [Self; 8]) -> [Self; 8] {
+        Self::columns(columns)
+    }
 }
 
 /// Signs of body B where velocities are subtracted and all else is summed, and of body A where it gets an impulse and a turn.
@@ -146,7 +149,20 @@ macro_rules! by_rows {
 
 /// [`Lanes`] where a register holds all eight numbers of a body, so that eight bodies are turned as a whole.
 macro_rules! eight_lanes {
-    ($v:ty, $register:ty, $real:ty) => {
+    ($v:ty, $register:ty, $real:ty, $set:ident: $permute:ident) => {
+        impl Row for Register<$v, $register> {
+            #[inline(always)]
+            fn masses(self) -> Self {
+                Self(self.0, self.0.$set.$permute::<0xff>(self.1))
+            }
+
+            #[inline(always)]
+            fn columns(rows: [Self; 8]) -> [Self; 8] {
+                let v = rows[0].0;
+                registers(v, transposed_8(v, bare(rows)))
+            }
+        }
+
         impl Lanes<$real> for $v {
             type Pack = Register<Self, $register>;
             const WIDTH: usize = 8;

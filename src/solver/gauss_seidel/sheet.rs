@@ -4,11 +4,10 @@ use std::ops::Range;
 
 use arrayvec::ArrayVec;
 
-use super::block::{Block, Pace, Progress, Vector, Verdict};
-use super::dispatch::{self, Drift, Fill, Judge, Precision, Push, Sweep};
-use super::lanes::{Body, Real, Sixteen};
+use super::block::{Block, Pace, Progress, Vector};
+use super::dispatch::{Drift, Exact, Fill, Judge, Precision, Push, Sweep};
+use super::lanes::{Body, Real};
 use super::layout::PARTS;
-use super::local::Source;
 use crate::Vec3;
 use crate::parallel::Pool;
 use crate::solver::residual::Residual;
@@ -24,7 +23,7 @@ pub(super) struct Group {
 pub(super) type Turns = [ArrayVec<Group, PARTS>; 4];
 
 /// Bodies that take as long to move on as a block to sweep.
-const BODIES: usize = 50;
+pub(super) const BODIES: usize = 50;
 
 /// Blocks and bodies in one precision.
 #[derive(Debug, Default)]
@@ -45,7 +44,7 @@ fn size(turn: &[Group]) -> usize {
 }
 
 /// `ranges` of `items`, which ascend.
-fn split<X>(
+pub(super) fn split<X>(
     mut items: &mut [X],
     ranges: impl Iterator<Item = Range<usize>>,
 ) -> ArrayVec<&mut [X], PARTS> {
@@ -126,32 +125,18 @@ impl<T: Precision> Sheet<T> {
     }
 }
 
-/// All blocks' contacts in double precision.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Exact<'a> {
-    pub(super) source: Source<'a>,
-    /// Rows of each block.
-    pub(super) rows: &'a [Sixteen<u32>],
-}
-
-impl<'a> Exact<'a> {
-    fn of<B>(self, group: &Group, blocks: B) -> dispatch::Exact<'a, B> {
-        dispatch::Exact {
-            source: self.source,
-            rows: &self.rows[group.blocks.clone()],
-            blocks,
-        }
-    }
-}
-
 impl<T: Real> Sheet<T> {
     /// Fills the blocks, whose bodies are known, from the contacts and `impulses`, `[C]` \[N s\].
     pub(super) fn fill(&mut self, exact: Exact, impulses: &[Vec3], turns: &Turns, pool: &Pool) {
         self.latest = 0;
         let blocks = |group: &Group| group.blocks.clone();
         by_group(turns, pool, &mut self.blocks, blocks, |group, blocks| {
-            let of = exact.of(group, blocks);
-            f64::widest(Fill { of, impulses });
+            let exact = exact.of(&group.blocks);
+            f64::widest(Fill {
+                exact,
+                blocks,
+                impulses,
+            });
         });
     }
 
@@ -160,40 +145,36 @@ impl<T: Real> Sheet<T> {
         let range = |group: &Group| group.bodies.clone();
         by_group(turns, pool, bodies, range, |group, bodies| {
             f64::widest(Push {
-                of: exact.of(group, &self.blocks[group.blocks.clone()]),
+                exact: exact.of(&group.blocks),
+                blocks: &self.blocks[group.blocks.clone()],
                 bodies,
                 latest: self.latest,
             });
         });
     }
 
-    /// What each block's contacts are off by.
+    /// What the blocks' contacts are off by.
     pub(super) fn judge(
         &self,
         exact: Exact,
         (bodies, drifts): (&[Body<f64>], &[Vector<f64>]),
         turns: &Turns,
         pool: &Pool,
-        verdicts: &mut Vec<Verdict>,
     ) -> Residual {
-        verdicts.resize(self.blocks.len(), Verdict::default());
-        let blocks = |group: &Group| group.blocks.clone();
-        by_group(turns, pool, verdicts, blocks, |group, verdicts| {
-            f64::widest(Judge {
-                of: exact.of(group, &self.blocks[group.blocks.clone()]),
-                bodies: &bodies[group.bodies.clone()],
-                drifts,
-                latest: self.latest,
-                verdicts,
-            });
-        });
         let mut residual = Residual::default();
-        let blocks = self.blocks.iter().zip(exact.rows);
-        for ((block, rows), [gaps, slips, forces, margins]) in blocks.zip(verdicts) {
-            for (lane, &row) in rows[..block.count as usize].iter().enumerate() {
-                let values = [gaps[lane], slips[lane], forces[lane]];
-                residual.include(row as usize, values, margins[lane]);
-            }
+        for turn in turns {
+            let none = |group| (group, Residual::default());
+            let mut tasks: ArrayVec<_, PARTS> = turn.iter().map(none).collect();
+            pool.each(size(turn), &mut tasks, |(group, found)| {
+                *found = f64::widest(Judge {
+                    exact: exact.of(&group.blocks),
+                    blocks: &self.blocks[group.blocks.clone()],
+                    bodies: &bodies[group.bodies.clone()],
+                    drifts,
+                    latest: self.latest,
+                });
+            });
+            tasks.iter().for_each(|(_, found)| residual.join(found));
         }
         residual
     }
@@ -209,13 +190,26 @@ impl<T: Real> Sheet<T> {
     }
 
     /// Takes bodies and drifts from double precision, masses over `unit`, as if bodies had not moved before.
-    pub(super) fn place(&mut self, bodies: &[Body<f64>], drifts: &[Vector<f64>], unit: f64) {
-        self.bodies.clear();
-        self.bodies.extend(bodies.iter().map(|Body(x)| {
-            let [a, b, c, m, d, e, f, k] = *x;
-            Body([a, b, c, m / unit, d, e, f, k / unit].map(T::of))
-        }));
-        self.before.clone_from(&self.bodies);
+    pub(super) fn place(
+        &mut self,
+        bodies: &[Body<f64>],
+        drifts: &[Vector<f64>],
+        unit: f64,
+        pool: &Pool,
+    ) {
+        let share = 1.0 / unit;
+        let place = |first: usize, own: &mut [Body<T>]| {
+            for (own, Body(x)) in own.iter_mut().zip(&bodies[first..]) {
+                let [a, b, c, m, d, e, f, k] = *x;
+                let (m, k) = (m * share, k * share);
+                let [a, b, c, d] = [T::of(a), T::of(b), T::of(c), T::of(d)];
+                *own = Body([a, b, c, T::of(m), d, T::of(e), T::of(f), T::of(k)]);
+            }
+        };
+        self.bodies.resize(bodies.len(), Body::default());
+        self.before.resize(bodies.len(), Body::default());
+        pool.pieces(&mut self.bodies, place);
+        pool.pieces(&mut self.before, place);
         self.drifts.clear();
         let single = |v: &Vector<f64>| [0, 1, 2].map(|k| v[k].map(T::of));
         self.drifts.extend(drifts.iter().map(single));

@@ -14,12 +14,12 @@ trait Run: Copy {
     fn double(self, work: Sweep<f64>) -> Progress;
     fn fill(self, work: Fill<f32>);
     fn push(self, work: Push<f32>);
-    fn judge(self, work: Judge<f64>);
+    fn judge(self, work: Judge<f64>) -> Residual;
 }
 
 macro_rules! run {
     ($lanes:ty, |$l:ident, $work:ident| $run:expr) => {
-        run!($lanes, |$l, $work| $run, single: Sweep<f32> => Progress, double: Sweep<f64> => Progress, fill: Fill<f32> => (), push: Push<f32> => (), judge: Judge<f64> => ());
+        run!($lanes, |$l, $work| $run, single: Sweep<f32> => Progress, double: Sweep<f64> => Progress, fill: Fill<f32> => (), push: Push<f32> => (), judge: Judge<f64> => Residual);
     };
     ($lanes:ty, |$l:ident, $work:ident| $run:expr, $($name:ident: $task:ty => $found:ty),*) => {
         impl Run for $lanes {
@@ -52,12 +52,14 @@ struct Case<T> {
 }
 
 impl<T> Case<T> {
-    fn source(&self) -> Source<'_> {
-        Source {
+    fn exact(&self) -> Exact<'_> {
+        let source = Source {
             numbers: &self.numbers,
             step: 0.3,
             unit: 0.7,
-        }
+        };
+        let rows = &self.rows;
+        Exact { source, rows }
     }
 
     fn sweep(&mut self, latest: usize, pace: Pace) -> Sweep<'_, T> {
@@ -124,11 +126,8 @@ fn case<T: Real>(numbers: &[f64]) -> Case<T> {
 fn outcome(run: impl Run, single: &Case<f32>, double: &Case<f64>, pace: Pace) -> [String; 3] {
     let (mut filled, mut moved) = (single.clone(), double.clone());
     run.fill(Fill {
-        of: Exact {
-            source: double.source(),
-            rows: &double.rows,
-            blocks: &mut filled.blocks,
-        },
+        exact: double.exact(),
+        blocks: &mut filled.blocks,
         impulses: &double
             .numbers
             .iter()
@@ -136,11 +135,8 @@ fn outcome(run: impl Run, single: &Case<f32>, double: &Case<f64>, pace: Pace) ->
             .collect::<Vec<_>>(),
     });
     run.push(Push {
-        of: Exact {
-            source: single.source(),
-            rows: &single.rows,
-            blocks: &single.blocks,
-        },
+        exact: single.exact(),
+        blocks: &single.blocks,
         bodies: &mut moved.bodies,
         latest: 1,
     });
@@ -149,27 +145,34 @@ fn outcome(run: impl Run, single: &Case<f32>, double: &Case<f64>, pace: Pace) ->
         run.single(single.sweep(0, pace)),
         run.double(swept.sweep(0, pace)),
     ];
-    let mut verdicts = [Verdict::default(); 2];
-    run.judge(Judge {
-        of: Exact {
-            source: double.source(),
-            rows: &double.rows,
-            blocks: &double.blocks,
-        },
-        bodies: &moved.bodies,
-        drifts: &double.drifts,
-        latest: 1,
-        verdicts: &mut verdicts,
+    let judged = [0..1, 1..2, 0..2].map(|blocks| {
+        run.judge(Judge {
+            exact: double.exact().of(&blocks),
+            blocks: &double.blocks[blocks],
+            bodies: &moved.bodies,
+            drifts: &double.drifts,
+            latest: 1,
+        })
     });
-    // What empty lanes hold is nobody's.
-    verdicts[1]
-        .iter_mut()
-        .for_each(|lanes| lanes[5..].fill(0.0));
     [
         format!("{:?} {single:?}", found[0]),
         format!("{:?} {swept:?}", found[1]),
-        format!("{verdicts:?} {moved:?} {filled:?}"),
+        format!("{judged:?} {moved:?} {filled:?}"),
     ]
+}
+
+fn pace(momentum: f64) -> Pace {
+    let tolerance = Tolerance {
+        gap: 0.5,
+        slip: 0.5,
+        force: 0.5,
+    };
+    Pace {
+        momentum,
+        damping: 0.9,
+        strictness: 1.0,
+        tolerance,
+    }
 }
 
 proptest! {
@@ -178,8 +181,7 @@ proptest! {
         numbers in prop::collection::vec(-1.0..1.0f64, 16 * 47),
         momentum in 0.0..1.0f64,
     ) {
-        let tolerance = Tolerance { gap: 0.5, slip: 0.5, force: 0.5 };
-        let pace = Pace { momentum, damping: 0.9, strictness: 1.0, tolerance };
+        let pace = pace(momentum);
         let (single, double) = (case::<f32>(&numbers), case::<f64>(&numbers));
         let expected = outcome(Plain::<16, true>, &single, &double, pace);
         prop_assert_eq!(&outcome(Plain::<4, true>, &single, &double, pace), &expected);
@@ -201,8 +203,7 @@ proptest! {
         numbers in prop::collection::vec(-1.0..1.0f64, 16 * 47),
         momentum in 0.0..1.0f64,
     ) {
-        let tolerance = Tolerance { gap: 0.5, slip: 0.5, force: 0.5 };
-        let pace = Pace { momentum, damping: 0.9, strictness: 1.0, tolerance };
+        let pace = pace(momentum);
         let mut cases = [case::<f64>(&numbers), case::<f64>(&numbers)];
         Plain::<4, true>.double(cases[0].sweep(0, pace));
         Plain::<4, false>.double(cases[1].sweep(0, pace));
