@@ -5,6 +5,7 @@
 //! wake: what is cut many times runs [`Pool::within`] the workers as a whole.
 
 use std::fmt;
+use std::ops::Range;
 use std::sync::{Arc, OnceLock};
 use std::thread::{Builder, JoinHandle};
 
@@ -108,21 +109,111 @@ impl Pool {
         items.par_iter_mut().with_max_len(1).for_each(work);
     }
 
-    /// Does `work` with pieces of `items`, each with the index of its first, side by side where it may.
-    pub(crate) fn pieces<T: Send>(
+    /// Does `work` with pieces of `items`, each with the index of its first, side by side where it may, and joins what it finds:
+    /// in an order that depends on the number of items alone.
+    pub(crate) fn pieces<P: Pieces, R: Send>(
         &self,
-        items: &mut [T],
-        work: impl Fn(usize, &mut [T]) + Sync + Send,
-    ) {
-        let work = |(k, piece): (usize, &mut [T])| work(k * PIECE, piece);
-        match self.shares() {
-            true => items.par_chunks_mut(PIECE).enumerate().for_each(work),
-            false => items.chunks_mut(PIECE).enumerate().for_each(work),
-        }
+        items: P,
+        work: impl Fn(usize, P) -> R + Sync,
+        join: impl Fn(R, R) -> R + Sync,
+    ) -> R {
+        share(self.shares(), 0, items, &work, &join)
     }
 
     /// Whether there are others to share with, and they are at hand.
     fn shares(&self) -> bool {
         self.0.count > 1 && rayon::current_thread_index().is_some()
+    }
+}
+
+/// What can be cut in two: slices of the same length side by side, or indices.
+pub(crate) trait Pieces: Sized + Send {
+    /// How many items there are.
+    fn count(&self) -> usize;
+    /// The first `at`, and the others.
+    fn cut(self, at: usize) -> (Self, Self);
+}
+
+impl Pieces for Range<usize> {
+    fn count(&self) -> usize {
+        self.len()
+    }
+    fn cut(self, at: usize) -> (Self, Self) {
+        let middle = self.start + at;
+        (self.start..middle, middle..self.end)
+    }
+}
+
+impl<T: Send> Pieces for &mut [T] {
+    fn count(&self) -> usize {
+        self.len()
+    }
+    fn cut(self, at: usize) -> (Self, Self) {
+        self.split_at_mut(at)
+    }
+}
+
+impl<A: Pieces, B: Pieces> Pieces for (A, B) {
+    fn count(&self) -> usize {
+        self.0.count()
+    }
+    fn cut(self, at: usize) -> (Self, Self) {
+        let ((a, c), (b, d)) = (self.0.cut(at), self.1.cut(at));
+        ((a, b), (c, d))
+    }
+}
+
+/// [`Pool::pieces`], halved until a piece is left.
+fn share<P: Pieces, R: Send>(
+    shared: bool,
+    first: usize,
+    items: P,
+    work: &(impl Fn(usize, P) -> R + Sync),
+    join: &(impl Fn(R, R) -> R + Sync),
+) -> R {
+    let pieces = items.count().div_ceil(PIECE);
+    if pieces < 2 {
+        return work(first, items);
+    }
+    let half = pieces / 2 * PIECE;
+    let (low, high) = items.cut(half);
+    let low = || share(shared, first, low, work, join);
+    let high = || share(shared, first + half, high, work, join);
+    let (low, high) = match shared {
+        true => rayon::join(low, high),
+        false => (low(), high()),
+    };
+    join(low, high)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pieces_cover_all_and_join_alike_on_any_number_of_threads() {
+        let count = 5 * PIECE + 7;
+        let sums = [1, 2, 3].map(|threads| {
+            let pool = Pool::new(threads);
+            let (mut seen, mut share) = (vec![0_usize; count], vec![0.0; count]);
+            let sum = pool.within(|| {
+                let both = (&mut seen[..], &mut share[..]);
+                let work = |first, (seen, share): (&mut [usize], &mut [f64])| {
+                    assert!(seen.len() <= PIECE);
+                    for (k, (seen, share)) in (first..).zip(seen.iter_mut().zip(&mut *share)) {
+                        (*seen, *share) = (k, 1.0 / (1.0 + k as f64));
+                    }
+                    share.iter().sum::<f64>()
+                };
+                pool.pieces(both, work, |a, b| a + b)
+            });
+            assert!(seen.into_iter().eq(0..count));
+            sum
+        });
+        assert!(sums.iter().all(|sum| *sum == sums[0]));
+        let pool = Pool::default();
+        let found = pool.pieces(3..count, |_, range| vec![range], |a, b| [a, b].concat());
+        assert_eq!((found[0].start, found[found.len() - 1].end), (3, count));
+        assert!(found.windows(2).all(|pair| pair[0].end == pair[1].start));
     }
 }

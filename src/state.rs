@@ -1,6 +1,7 @@
 //! The complete state of a simulation; as bytes: [`crate::snapshot`].
 
 use std::collections::VecDeque;
+use std::ops::Add;
 
 use serde::{Deserialize, Serialize};
 
@@ -40,6 +41,23 @@ impl Work {
     #[must_use]
     pub fn dissipated(&self) -> f64 {
         self.friction + self.impact
+    }
+}
+
+impl Add for Work {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self {
+            friction: self.friction + other.friction,
+            impact: self.impact + other.impact,
+            residue: self.residue + other.residue,
+            boundaries: self.boundaries + other.boundaries,
+            gravity: self.gravity + other.gravity,
+            loads: self.loads + other.loads,
+            dampers: self.dampers + other.dampers,
+            springs: self.springs + other.springs,
+        }
     }
 }
 

@@ -12,7 +12,7 @@ pub struct Past(u32);
 
 impl Past {
     /// A contact that was not there.
-    const NONE: Self = Self(u32::MAX);
+    pub(crate) const NONE: Self = Self(u32::MAX);
 
     /// Its force on A \[N\] in those `contacts`; zero without one.
     #[must_use]
@@ -29,20 +29,24 @@ impl Past {
     }
 }
 
-/// Into `past` which of `contacts` each key of `keys` goes on with. Both are in canonical order.
-pub fn transfer(contacts: &[Load], keys: impl Iterator<Item = Key>, past: &mut Vec<Past>) {
-    let mut at = 0;
-    past.clear();
-    past.extend(keys.map(|key| {
+/// Into each of `past` which of `contacts` its key goes on with. Both are in canonical order.
+pub fn transfer(contacts: &[Load], keys: impl Iterator<Item = Key>, past: &mut [Past]) {
+    let mut keys = keys.zip(past).peekable();
+    let first = keys.peek().map(|(key, _)| *key);
+    let mut at = first.map_or(0, |first| contacts.partition_point(|load| load.key < first));
+    for (key, past) in keys {
+        *past = Past::NONE;
         while let Some(load) = contacts.get(at) {
             match load.key.cmp(&key) {
                 Ordering::Less => at += 1,
-                Ordering::Equal => return Past(at as u32),
+                Ordering::Equal => {
+                    *past = Past(at as u32);
+                    break;
+                }
                 Ordering::Greater => break,
             }
         }
-        Past::NONE
-    }));
+    }
 }
 
 /// Which of `contacts`, which are in canonical order, `key` goes on with.
@@ -73,8 +77,10 @@ mod tests {
             old.push(contact(key, f), Some(Vec3::x() * f));
         }
         let new = [key(0, 2), key(0, 3), key(1, 2), key(2, 4), key(5, 6)];
-        let mut past = Vec::new();
-        transfer(&old, new.into_iter(), &mut past);
+        let mut past = vec![Past::NONE; new.len()];
+        let (low, high) = past.split_at_mut(2);
+        transfer(&old, new.into_iter(), low);
+        transfer(&old, new.into_iter().skip(2), high);
         assert!(new.iter().zip(&past).all(|(key, p)| find(&old, *key) == *p));
         let force: Vec<f64> = past.iter().map(|p| p.force(&old).z).collect();
         let torque: Vec<f64> = past.iter().map(|p| p.torque(&old).x).collect();

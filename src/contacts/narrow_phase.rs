@@ -1,11 +1,15 @@
 //! Narrow phase: gaps and normals of the pairs within reach, and the true gap after a motion.
 
+use std::ops::Range;
+
 use super::broad_phase::{NearWall, NeighborList};
 use super::{Contact, Key, Load, Partner};
 use crate::Vec3;
 use crate::boundaries::{Boundary, Touch};
 use crate::cell::{Cell, HERE, Image};
+use crate::extent::larger;
 use crate::motion::Pose;
+use crate::parallel::Pool;
 use crate::particles::{Kinematics, Particles};
 use crate::scene::Scene;
 
@@ -265,22 +269,25 @@ impl Placement<'_> {
 
     /// The largest overlap of any pair of `list` over the smaller radius \[-\], 0 without any; into `deep` goes what overlaps by
     /// more than `limit` \[-\], in the order of the list.
-    pub fn overlaps(&self, list: &NeighborList, limit: f64, deep: &mut Vec<Candidate>) -> f64 {
+    pub(crate) fn overlaps(
+        &self,
+        list: &NeighborList,
+        limit: f64,
+        pool: &Pool,
+        deep: &mut Vec<Candidate>,
+    ) -> f64 {
         deep.clear();
-        let mut largest: f64 = 0.0;
+        let here = |_, range: Range<usize>| self.deep(&list.pairs[range], limit);
+        let (mut largest, found) = pool.pieces(0..list.pairs.len(), here, |mut a, b| {
+            a.1.extend(b.1);
+            (a.0.max(b.0), a.1)
+        });
+        deep.extend(found);
         let mut include = |gap: f64, scale: f64| {
             let overlap = -gap / scale;
             largest = largest.max(overlap);
             overlap > limit
         };
-        for &(i, j) in &list.pairs {
-            if self.within(i, j, 0.0) {
-                let [ra, rb] = [i, j].map(|k| self.particles.radius[k as usize]);
-                if include(self.apart(i, j) - ra - rb, ra.min(rb)) {
-                    deep.push(self.pair(i, j, HERE));
-                }
-            }
-        }
         for &(i, j, image) in &list.images {
             let pair = self.pair(i, j, image);
             if include(pair.gap, self.scale(pair.key)) {
@@ -297,6 +304,22 @@ impl Placement<'_> {
             }
         }
         largest
+    }
+
+    /// Of `pairs` without images, what [`Self::overlaps`] finds.
+    fn deep(&self, pairs: &[(u32, u32)], limit: f64) -> (f64, Vec<Candidate>) {
+        let (mut largest, mut deep) = (0.0, Vec::new());
+        for &(i, j) in pairs {
+            if self.within(i, j, 0.0) {
+                let [ra, rb] = [i, j].map(|k| self.particles.radius[k as usize]);
+                let overlap = (ra + rb - self.apart(i, j)) / ra.min(rb);
+                largest = larger(overlap, largest);
+                if overlap > limit {
+                    deep.push(self.pair(i, j, HERE));
+                }
+            }
+        }
+        (largest, deep)
     }
 
     /// Distance of the centres of spheres `i` and `j` \[m\].

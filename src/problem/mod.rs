@@ -22,7 +22,7 @@ mod rows;
 
 use nalgebra::Matrix3;
 pub use rows::Rows;
-pub(crate) use rows::{BIAS, Compact, FRICTION, RADIUS, SCALE};
+pub(crate) use rows::{BIAS, Compact, FRICTION, Plain, RADIUS, SCALE, retain};
 use serde::{Deserialize, Serialize};
 
 use crate::Vec3;

@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{Dof6, GROUND, Law, Row};
 use crate::Vec3;
+use crate::parallel::Pieces;
 
 /// Relative rounding within which a contact's arm is its sphere's radius along the normal.
 const SAME: f64 = 1e-12;
@@ -32,6 +33,43 @@ pub(crate) const FRICTION: usize = 4;
 pub(crate) const RADIUS: usize = 5;
 pub(crate) const SCALE: usize = 6;
 const WHOLE: usize = 7;
+/// Of a row that has to be kept whole and is not yet.
+const DUE: f64 = -1.0;
+
+/// Rows to be written, by pieces where there are threads.
+pub(crate) struct Plain<'a> {
+    bodies: &'a mut [[u32; 2]],
+    compact: &'a mut [Compact],
+}
+
+impl Plain<'_> {
+    /// Writes row `k` of these; `plain` says that it is a rigid contact whose arms are the radii of its spheres, on ground at rest
+    /// if it is on ground.
+    #[inline]
+    pub(crate) fn write(&mut self, k: usize, row: &Row, plain: bool) {
+        self.bodies[k] = [row.a, row.b];
+        self.compact[k] = Compact::of(row, 0);
+        if !plain {
+            self.compact[k].0[WHOLE] = DUE;
+        }
+    }
+}
+
+impl Pieces for Plain<'_> {
+    fn count(&self) -> usize {
+        self.bodies.len()
+    }
+
+    fn cut(self, at: usize) -> (Self, Self) {
+        let (bodies, other_bodies) = self.bodies.split_at_mut(at);
+        let (compact, other_compact) = self.compact.split_at_mut(at);
+        let others = Self {
+            bodies: other_bodies,
+            compact: other_compact,
+        };
+        (Self { bodies, compact }, others)
+    }
+}
 
 impl Compact {
     fn of(row: &Row, whole: usize) -> Self {
@@ -219,11 +257,25 @@ impl Rows {
         self.insert(at, row);
     }
 
-    /// Adds a rigid contact whose arms are the radii of its spheres, on ground at rest if it is on ground.
-    #[inline]
-    pub(crate) fn push_plain(&mut self, row: &Row) {
-        self.bodies.push([row.a, row.b]);
-        self.compact.push(Compact::of(row, 0));
+    /// Adds `count` rows to be written; then [`Self::settle`] is due.
+    pub(crate) fn extend_plain(&mut self, count: usize) -> Plain<'_> {
+        let first = self.len();
+        self.bodies.resize(first + count, [GROUND; 2]);
+        self.compact.resize(first + count, Compact([0.0; 8]));
+        Plain {
+            bodies: &mut self.bodies[first..],
+            compact: &mut self.compact[first..],
+        }
+    }
+
+    /// Keeps whole, as `row` tells them, the rows that were written as such.
+    pub(crate) fn settle(&mut self, row: impl Fn(usize) -> Row) {
+        for k in 0..self.len() {
+            if self.compact[k].0[WHOLE] == DUE {
+                let row = row(k);
+                self.compact[k] = Compact::of(&row, self.place(&row));
+            }
+        }
     }
 
     /// Adds a row in place `k`.
@@ -316,12 +368,15 @@ impl Rows {
 
     /// Keeps the rows whose flag is set; rows beyond the flags stay.
     pub fn retain(&mut self, keep: &[bool]) {
-        let kept = |k: usize| keep.get(k).copied().unwrap_or(true);
-        let mut k = 0..;
-        self.bodies.retain(|_| k.next().is_some_and(kept));
-        let mut k = 0..;
-        self.compact.retain(|_| k.next().is_some_and(kept));
+        retain(&mut self.bodies, keep);
+        retain(&mut self.compact, keep);
     }
+}
+
+/// Keeps the entries whose flag is set; entries beyond the flags stay.
+pub(crate) fn retain<T>(items: &mut Vec<T>, keep: &[bool]) {
+    let mut flags = keep.iter();
+    items.retain(|_| flags.next().copied().unwrap_or(true));
 }
 
 /// Whether `arm` leads along the normal as far as `radius`.
@@ -362,116 +417,4 @@ impl From<Rows> for Vec<Row> {
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn row(b: u32, arm_b: Vec3) -> Row {
-        let normal = Vec3::new(0.6, 0.0, 0.8);
-        Row {
-            a: 1,
-            b,
-            normal,
-            arm_a: normal * -0.3,
-            arm_b,
-            drift: Vec3::zeros(),
-            bias: normal * 0.1,
-            compliance_n: 0.0,
-            compliance_t: 0.0,
-            law: Law::Contact { mu: 0.4 },
-            radius: 0.2,
-            impulse_scale: 1e-3,
-        }
-    }
-
-    /// One of each kind: plain ones, and one for each thing that a plain one has not.
-    fn all() -> Vec<Row> {
-        let n = row(GROUND, Vec3::zeros()).normal;
-        let plain = row(3, n * 0.2);
-        let x = Vec3::x();
-        vec![
-            plain,
-            row(GROUND, Vec3::zeros()),
-            Row { arm_b: x, ..plain },
-            Row {
-                arm_a: n * -0.31,
-                ..plain
-            },
-            Row { drift: x, ..plain },
-            Row { bias: x, ..plain },
-            Row {
-                compliance_n: 1.0,
-                ..plain
-            },
-            Row {
-                compliance_t: 1.0,
-                ..plain
-            },
-            Row {
-                law: Law::Bilateral,
-                ..plain
-            },
-            Row {
-                bias: n * -0.3,
-                ..plain
-            },
-        ]
-    }
-
-    fn close(found: &Row, expected: &Row) -> bool {
-        let vectors = |row: &Row| [row.normal, row.arm_a, row.arm_b, row.drift, row.bias];
-        let apart = vectors(found).into_iter().zip(vectors(expected));
-        let zero = Vec3::zeros();
-        let rest = |row: &Row| Row {
-            normal: zero,
-            arm_a: zero,
-            arm_b: zero,
-            drift: zero,
-            bias: zero,
-            ..*row
-        };
-        apart.into_iter().all(|(a, b)| (a - b).norm() < 1e-15) && rest(found) == rest(expected)
-    }
-
-    #[test]
-    fn rows_come_back_as_they_were_given() {
-        let given = all();
-        let rows: Rows = given.iter().copied().collect();
-        assert_eq!(rows.whole.len(), 7, "three are plain");
-        let velocity = |i: usize| Dof6 {
-            linear: Vec3::new(1.0, i as f64, 0.5),
-            angular: Vec3::new(0.3, -2.0, i as f64),
-        };
-        for (k, expected) in given.iter().enumerate() {
-            assert!(close(&rows.get(k), expected), "row {k}: {:?}", rows.get(k));
-            let u = rows.relative(k, velocity);
-            assert!((u - expected.relative(velocity)).norm() < 1e-15, "row {k}");
-            assert_eq!(rows.compliance(k), expected.compliance_n);
-            assert_eq!(rows.bodies(k), [expected.a, expected.b]);
-        }
-    }
-
-    #[test]
-    fn changes_reach_rows_of_either_kind() {
-        let mut given = all();
-        let mut rows: Rows = given.iter().copied().collect();
-        rows.insert(1, given[4]);
-        given.insert(1, given[4]);
-        for (k, row) in given.iter_mut().enumerate() {
-            rows.shift(k, 0.7);
-            row.bias += row.normal * 0.7;
-        }
-        rows.update_all(|k, row| row.drift.y += (k % 2) as f64);
-        for (k, row) in given.iter_mut().enumerate() {
-            row.drift.y += (k % 2) as f64;
-        }
-        let keep = [true, false, true];
-        rows.retain(&keep);
-        given.remove(1);
-        rows.truncate(9);
-        for (k, expected) in given.iter().take(9).enumerate() {
-            assert!(close(&rows.get(k), expected), "row {k}: {:?}", rows.get(k));
-        }
-        assert_eq!(rows.len(), 9);
-    }
-}
+mod tests;

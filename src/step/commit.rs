@@ -1,6 +1,9 @@
 //! From a solution to the next state: motion, contact forces, wrenches, work.
 
 use std::iter::repeat;
+use std::ops::Range;
+
+use nalgebra::UnitQuaternion;
 
 use super::dof;
 use super::stage::{Held, Stage};
@@ -12,7 +15,10 @@ use crate::motion::Pose;
 use crate::problem::{Dof6, GROUND, Law};
 use crate::scene::Integrator;
 use crate::simulation::Wrench;
-use crate::state::State;
+use crate::state::{State, Work};
+
+type Places<'a> = (&'a mut [Vec3], &'a mut [UnitQuaternion<f64>]);
+type Velocities<'a> = (&'a mut [Vec3], &'a mut [Vec3]);
 
 impl Stage<'_> {
     /// Counts as impacts the contacts that an impact has hit through others: their impulses are more than twice what they
@@ -211,25 +217,31 @@ impl Stage<'_> {
         let (particles, integrator) = (&scene.particles, scene.settings.integrator);
         let kinetic = |i: usize, v: &Dof6| particles.kinetic_energy(i, &v.linear, &v.angular);
         let (start, end) = (self.inputs.kinematics, &mut state.kinematics);
-        let places = end.position.iter_mut().zip(&mut end.orientation);
-        let velocities = end.velocity.iter_mut().zip(&mut end.spin);
-        let accelerations = state.persisting.iter().zip(persisting);
-        let spheres = places.zip(velocities).zip(accelerations);
-        let spheres = spheres.zip(solution.iter().zip(self.inputs.external));
-        let mut residue = 0.0;
-        for (i, (sphere, (v1, external))) in spheres.enumerate() {
-            let (((position, orientation), (velocity, spin)), (persisted, persists)) = sphere;
-            let before = dof(start, i);
-            let after = integrator.finish(&before, v1, &scene.settings);
-            let old = integrator.reported(&before, persisted, step);
-            let new = integrator.reported(&after, persists, step);
-            let power = particles.mass[i] * external.linear.dot(&v1.linear)
-                + particles.inertia(i) * external.angular.dot(&v1.angular);
-            residue += kinetic(i, &new) - kinetic(i, &old) - step * power;
-            *position = start.position[i] + v1.linear * step;
-            *orientation = turned(&start.orientation[i], &v1.angular, step);
-            (*velocity, *spin) = (after.linear, after.angular);
-        }
+        let places = (&mut end.position[..], &mut end.orientation[..]);
+        let velocities = (&mut end.velocity[..], &mut end.spin[..]);
+        let carried = &state.persisting[..];
+        let advance = |first: usize, (places, velocities): (Places, Velocities)| {
+            let places = places.0.iter_mut().zip(places.1);
+            let velocities = velocities.0.iter_mut().zip(velocities.1);
+            let mut residue = 0.0;
+            for (i, (place, motion)) in (first..).zip(places.zip(velocities)) {
+                let ((position, orientation), (velocity, spin)) = (place, motion);
+                let (v1, external) = (&solution[i], &self.inputs.external[i]);
+                let before = dof(start, i);
+                let after = integrator.finish(&before, v1, &scene.settings);
+                let old = integrator.reported(&before, &carried[i], step);
+                let new = integrator.reported(&after, &persisting[i], step);
+                let power = particles.mass[i] * external.linear.dot(&v1.linear)
+                    + particles.inertia(i) * external.angular.dot(&v1.angular);
+                residue += kinetic(i, &new) - kinetic(i, &old) - step * power;
+                *position = start.position[i] + v1.linear * step;
+                *orientation = turned(&start.orientation[i], &v1.angular, step);
+                (*velocity, *spin) = (after.linear, after.angular);
+            }
+            residue
+        };
+        let spheres = (places, velocities);
+        let residue = self.pool.pieces(spheres, advance, |a, b| a + b);
         state.work.residue += residue;
     }
 
@@ -238,11 +250,23 @@ impl Stage<'_> {
     /// contacts nothing is lost but by the scheme: that and all else of the change of kinetic energy is the residue.
     fn work(&self, state: &mut State, solution: &[Dof6]) {
         let (scene, step) = (self.inputs.scene, self.inputs.step);
-        let work = &mut state.work;
+        let all = 0..self.impulses.len();
+        let of = |_, rows| self.work_of(rows, solution);
+        state.work = state.work + self.pool.pieces(all, of, |a, b| a + b);
+        for load in &scene.loads {
+            let arm = self.inputs.kinematics.orientation[load.sphere] * load.arm;
+            state.work.loads += step * load.force.dot(&solution[load.sphere].at(arm));
+        }
+    }
+
+    /// What the contacts and springs `range` of the rows do.
+    fn work_of(&self, range: Range<usize>, solution: &[Dof6]) -> Work {
+        let mut work = Work::default();
         // Work on the spheres that is accounted for.
         let mut known = 0.0;
         let rows = &self.problem.rows;
-        for (k, p) in self.impulses.iter().enumerate() {
+        for k in range {
+            let p = &self.impulses[k];
             if *p == Vec3::zeros() || self.held(k).is_some() {
                 continue;
             }
@@ -283,10 +307,7 @@ impl Stage<'_> {
             }
         }
         work.residue -= known;
-        for load in &scene.loads {
-            let arm = self.inputs.kinematics.orientation[load.sphere] * load.arm;
-            work.loads += step * load.force.dot(&solution[load.sphere].at(arm));
-        }
+        work
     }
 
     /// Adds the work on driven bodies, as [`Self::work`] does for spheres. Their weight acts along the way of the centre of mass.

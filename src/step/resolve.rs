@@ -1,6 +1,7 @@
 //! The solve that repeats until the true geometry agrees: gaps are re-linearised, late contacts join.
 
 use std::mem::take;
+use std::ops::Range;
 
 use super::beside::{self, Twin};
 use super::stage::{Stage, follow};
@@ -89,7 +90,7 @@ impl Stage<'_> {
         };
         scratch.neighbors.ensure(&end, Reach::default());
         let limit = self.inputs.scene.settings.tolerance.gap;
-        let max_overlap = end.overlaps(&scratch.neighbors, limit, &mut closed);
+        let max_overlap = end.overlaps(&scratch.neighbors, limit, &self.pool, &mut closed);
         // The penalty method lets bodies overlap as they like.
         let alm = self.inputs.scene.settings.method == Method::Alm;
         let swept = alm && self.moves;
@@ -127,13 +128,16 @@ impl Stage<'_> {
         let loaded = |k: usize| self.impulses[k] != Vec3::zeros();
         let wall = |k: usize| matches!(self.candidates[k].key.partner, Partner::Boundary { .. });
         // Two spheres without load that overlap are among the closed ones below.
-        let mut off = (0..self.candidates.len()).any(|k| {
+        let is_off = |k: usize| {
             (loaded(k) || wall(k)) && {
                 let (gap, radius) = (self.true_gap(end, k), self.problem.rows.radius(k));
                 let opens = loaded(k) && !self.impact[k] && gap > OPENING * radius;
                 gap < -tolerance * radius || opens
             }
-        });
+        };
+        let any = |_, range: Range<usize>| range.into_iter().any(is_off);
+        let all = 0..self.candidates.len();
+        let mut off = self.pool.pieces(all, any, |a, b| a | b);
         let mut late: Vec<Candidate> = Vec::new();
         for found in closed {
             match self

@@ -10,8 +10,9 @@ use crate::contacts::narrow_phase::{Candidate, Placement};
 use crate::driven::Hold;
 use crate::extent::{around, larger};
 use crate::motion::Pose;
+use crate::parallel::Pool;
 use crate::problem::assemble::Inputs;
-use crate::problem::{Dof6, Law, Problem};
+use crate::problem::{Dof6, Law, Plain, Problem};
 use crate::scene::{Method, SolverKind};
 use crate::solver::residual::{Scale, evaluate};
 use crate::solver::{Params, Report, SMOOTHING, solve};
@@ -32,6 +33,7 @@ pub(super) struct Held {
 /// The step under way: its problem and who its rows are.
 pub(super) struct Stage<'a> {
     pub(super) inputs: Inputs<'a>,
+    pub(super) pool: Pool,
     pub(super) start: Placement<'a>,
     pub(super) problem: Problem,
     pub(super) candidates: Vec<Candidate>,
@@ -64,10 +66,14 @@ pub(super) struct Memory {
     position: Vec<Vec3>,
 }
 
+/// Of pieces of the contacts: their past, whether they are impacts, and their impulses.
+type Others<'a> = (&'a mut [Past], (&'a mut [bool], &'a mut [Vec3]));
+
 impl<'a> Stage<'a> {
     /// Candidates within the step's reach, rows, warm start.
     pub(super) fn new(inputs: Inputs<'a>, state: &State, scratch: &mut Scratch) -> Self {
-        let mut stage = Self::empty(inputs, take(&mut scratch.memory));
+        let pool = scratch.workspace.kernel.pool(inputs.scene.settings.threads);
+        let mut stage = Self::empty(inputs, take(&mut scratch.memory), pool);
         let (scene, start, step) = (inputs.scene, stage.start, inputs.step);
         // What a sphere can move in the step, before contacts change its velocity: the check after the
         // solve finds what this misses. Against other spheres what all have in common does not count.
@@ -106,7 +112,7 @@ impl<'a> Stage<'a> {
         let radii = scene.particles.radius.iter().copied();
         let diameter = 2.0 * (radii.fold(0.0, larger) + largest.pairs);
         let kernel = &mut scratch.workspace.kernel;
-        kernel.prepare(scene.settings.threads, start.position, diameter);
+        kernel.prepare(start.position, diameter);
         // Of every sphere and boundary: what the list holds already must not decide what it lacks.
         let carried = (0..scene.boundaries.len()).map(|b| start.carried(b, &inputs.poses[1][b]));
         let widest = Reach {
@@ -130,7 +136,7 @@ impl<'a> Stage<'a> {
 
     /// The step beside `other`, from slightly other data: the same contacts, each an impact if it is one there.
     pub(super) fn beside(other: &Stage, inputs: Inputs<'a>, state: &State) -> Self {
-        let mut stage = Self::empty(inputs, Memory::default());
+        let mut stage = Self::empty(inputs, Memory::default(), Pool::default());
         let candidates = other.candidates.iter();
         stage.candidates = candidates.map(|c| follow(&stage.start, c)).collect();
         stage.moves = other.moves;
@@ -139,7 +145,7 @@ impl<'a> Stage<'a> {
     }
 
     /// Bodies, and nothing between them.
-    fn empty(inputs: Inputs<'a>, mut memory: Memory) -> Self {
+    fn empty(inputs: Inputs<'a>, mut memory: Memory, pool: Pool) -> Self {
         inputs.bodies(&mut memory.problem);
         memory.candidates.clear();
         memory.closed.clear();
@@ -148,6 +154,7 @@ impl<'a> Stage<'a> {
         memory.impulses.clear();
         Self {
             inputs,
+            pool,
             start: Placement::of(inputs.scene, inputs.kinematics, inputs.poses[0]),
             problem: memory.problem,
             candidates: memory.candidates,
@@ -181,14 +188,35 @@ impl<'a> Stage<'a> {
     /// the contacts' resistances, in this order.
     fn write_rows(&mut self, state: &State, told: Option<&[bool]>) {
         let step = self.inputs.step;
-        let keys = self.candidates.iter().map(|c| c.key);
-        history::transfer(&state.contacts, keys, &mut self.past);
+        let (inputs, candidates, contacts) = (&self.inputs, &self.candidates[..], &*state.contacts);
         let Problem { free, rows, .. } = &mut self.problem;
-        for (k, (candidate, past)) in self.candidates.iter().zip(&self.past).enumerate() {
-            let (force, told) = (past.force(&state.contacts), told.map(|told| told[k]));
-            let impact = (self.inputs).push_contact(free, candidate, force, told, rows);
-            self.impact.push(impact);
-            self.impulses.push(force * step);
+        let count = candidates.len();
+        self.past.resize(count, Past::NONE);
+        self.impact.resize(count, false);
+        self.impulses.resize(count, Vec3::zeros());
+        let told = |k: usize| told.map(|told| told[k]);
+        let write = |first: usize, (mut rows, others): (Plain, Others)| {
+            let (past, (impact, impulses)) = others;
+            let keys = candidates[first..].iter().map(|candidate| candidate.key);
+            history::transfer(contacts, keys, past);
+            let mut whole = false;
+            for (k, past) in past.iter().enumerate() {
+                let (candidate, force) = (&candidates[first + k], past.force(contacts));
+                let (row, hits, plain) = inputs.meet(free, candidate, force, told(first + k));
+                rows.write(k, &row, plain);
+                impact[k] = hits;
+                impulses[k] = force * step;
+                whole |= !plain;
+            }
+            whole
+        };
+        let others = (&mut self.impact[..], &mut self.impulses[..]);
+        let all = (rows.extend_plain(count), (&mut self.past[..], others));
+        if self.pool.pieces(all, write, |a, b| a | b) {
+            rows.settle(|k| {
+                let force = self.past[k].force(contacts);
+                inputs.contact(free, &candidates[k], force, told(k)).0
+            });
         }
         let springs = 0..self.inputs.targets.len();
         self.problem

@@ -8,8 +8,9 @@ use crate::contacts::broad_phase::Reach;
 use crate::contacts::narrow_phase::Placement;
 use crate::driven::Ready;
 use crate::motion::Twist;
+use crate::parallel::Pool;
 use crate::problem::assemble::Mover;
-use crate::problem::{Dof6, Law, Row};
+use crate::problem::{Dof6, Law, Row, retain};
 use crate::scene::{Method, Scene};
 use crate::state::State;
 
@@ -87,7 +88,8 @@ pub fn remove_overlaps(
     let placement = Placement::of(scene, &state.kinematics, &state.poses);
     scratch.neighbors.ensure(&placement, Reach::default());
     let mut closed = Vec::new();
-    state.initial_overlap = placement.overlaps(&scratch.neighbors, 0.0, &mut closed);
+    state.initial_overlap =
+        placement.overlaps(&scratch.neighbors, 0.0, &Pool::default(), &mut closed);
     if scene.settings.method == Method::Penalty
         || state.initial_overlap <= scene.settings.tolerance.gap
     {
@@ -245,10 +247,4 @@ impl Stage<'_> {
         retain(&mut self.candidates, keep);
         self.impact.truncate(self.candidates.len());
     }
-}
-
-/// Keeps the entries whose flag is set; entries beyond the flags stay.
-fn retain<T>(items: &mut Vec<T>, keep: &[bool]) {
-    let mut flags = keep.iter();
-    items.retain(|_| flags.next().copied().unwrap_or(true));
 }

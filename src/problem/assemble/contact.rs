@@ -6,7 +6,7 @@ use crate::contacts::Partner;
 use crate::contacts::law::split;
 use crate::contacts::narrow_phase::Candidate;
 use crate::particles::Kinematics;
-use crate::problem::{Dof6, GROUND, Law, Row, Rows};
+use crate::problem::{Dof6, GROUND, Law, Row};
 use crate::scene::{Integrator, Method, Scene};
 use crate::solver::augmented_lagrangian::SHEAR_RATIO;
 
@@ -104,27 +104,9 @@ impl Inputs<'_> {
         (row, impact)
     }
 
-    /// Adds [`Self::contact`] to the end of `rows`; whether it is an impact.
-    #[inline(always)]
-    pub fn push_contact(
-        &self,
-        free: &[Dof6],
-        candidate: &Candidate,
-        force: Vec3,
-        told: Option<bool>,
-        rows: &mut Rows,
-    ) -> bool {
-        let (row, impact, plain) = self.meet(free, candidate, force, told);
-        match plain {
-            true => rows.push_plain(&row),
-            false => rows.push(row),
-        }
-        impact
-    }
-
     /// [`Self::contact`], and whether it is rigid and of spheres on each other or on ground at rest.
     #[inline(always)]
-    fn meet(
+    pub(crate) fn meet(
         &self,
         free: &[Dof6],
         candidate: &Candidate,

@@ -126,10 +126,8 @@ impl Kernel {
         self.reload(problem);
     }
 
-    /// Says how many threads to use and where the spheres are, `[N]` \[m\]; `diameter` \[m\] is the largest. Forgotten by a
-    /// problem of another size.
-    pub fn prepare(&mut self, threads: usize, centres: &[Vec3], diameter: f64) {
-        self.pool(threads);
+    /// Says where the spheres are, `[N]` \[m\]; `diameter` \[m\] is the largest. Forgotten by a problem of another size.
+    pub fn prepare(&mut self, centres: &[Vec3], diameter: f64) {
         self.layout.arrange(centres, diameter);
     }
 
@@ -248,11 +246,12 @@ impl Kernel {
     /// Writes the velocities of all bodies \[m/s\], \[rad/s\], `[N + D]`: those of the impulses that were judged last.
     pub fn velocities_into(&self, velocities: &mut Vec<Dof6>) {
         velocities.resize(self.place.len(), Dof6::ZERO);
-        self.pool.pieces(velocities, |first, velocities| {
+        let read = |first, velocities: &mut [Dof6]| {
             for (i, velocity) in (first..).zip(velocities) {
                 *velocity = self.velocity_of(i, self.place[i]);
             }
-        });
+        };
+        self.pool.pieces(&mut velocities[..], read, |(), ()| ());
     }
 
     /// Velocity of body `i` at place `at`.

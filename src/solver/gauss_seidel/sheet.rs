@@ -208,8 +208,12 @@ impl<T: Real> Sheet<T> {
         };
         self.bodies.resize(bodies.len(), Body::default());
         self.before.resize(bodies.len(), Body::default());
-        pool.pieces(&mut self.bodies, place);
-        pool.pieces(&mut self.before, place);
+        let both = (&mut self.bodies[..], &mut self.before[..]);
+        let work = |first, (bodies, before): (&mut [Body<T>], &mut [Body<T>])| {
+            place(first, bodies);
+            before.copy_from_slice(bodies);
+        };
+        pool.pieces(both, work, |(), ()| ());
         self.drifts.clear();
         let single = |v: &Vector<f64>| [0, 1, 2].map(|k| v[k].map(T::of));
         self.drifts.extend(drifts.iter().map(single));

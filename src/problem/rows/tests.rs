@@ -1,0 +1,114 @@
+//! Rows as they were given, and as they are changed.
+
+#![cfg(test)]
+
+use super::*;
+
+fn row(b: u32, arm_b: Vec3) -> Row {
+    let normal = Vec3::new(0.6, 0.0, 0.8);
+    Row {
+        a: 1,
+        b,
+        normal,
+        arm_a: normal * -0.3,
+        arm_b,
+        drift: Vec3::zeros(),
+        bias: normal * 0.1,
+        compliance_n: 0.0,
+        compliance_t: 0.0,
+        law: Law::Contact { mu: 0.4 },
+        radius: 0.2,
+        impulse_scale: 1e-3,
+    }
+}
+
+/// One of each kind: plain ones, and one for each thing that a plain one has not.
+fn all() -> Vec<Row> {
+    let n = row(GROUND, Vec3::zeros()).normal;
+    let plain = row(3, n * 0.2);
+    let x = Vec3::x();
+    vec![
+        plain,
+        row(GROUND, Vec3::zeros()),
+        Row { arm_b: x, ..plain },
+        Row {
+            arm_a: n * -0.31,
+            ..plain
+        },
+        Row { drift: x, ..plain },
+        Row { bias: x, ..plain },
+        Row {
+            compliance_n: 1.0,
+            ..plain
+        },
+        Row {
+            compliance_t: 1.0,
+            ..plain
+        },
+        Row {
+            law: Law::Bilateral,
+            ..plain
+        },
+        Row {
+            bias: n * -0.3,
+            ..plain
+        },
+    ]
+}
+
+fn close(found: &Row, expected: &Row) -> bool {
+    let vectors = |row: &Row| [row.normal, row.arm_a, row.arm_b, row.drift, row.bias];
+    let apart = vectors(found).into_iter().zip(vectors(expected));
+    let zero = Vec3::zeros();
+    let rest = |row: &Row| Row {
+        normal: zero,
+        arm_a: zero,
+        arm_b: zero,
+        drift: zero,
+        bias: zero,
+        ..*row
+    };
+    apart.into_iter().all(|(a, b)| (a - b).norm() < 1e-15) && rest(found) == rest(expected)
+}
+
+#[test]
+fn rows_come_back_as_they_were_given() {
+    let given = all();
+    let rows: Rows = given.iter().copied().collect();
+    assert_eq!(rows.whole.len(), 7, "three are plain");
+    let velocity = |i: usize| Dof6 {
+        linear: Vec3::new(1.0, i as f64, 0.5),
+        angular: Vec3::new(0.3, -2.0, i as f64),
+    };
+    for (k, expected) in given.iter().enumerate() {
+        assert!(close(&rows.get(k), expected), "row {k}: {:?}", rows.get(k));
+        let u = rows.relative(k, velocity);
+        assert!((u - expected.relative(velocity)).norm() < 1e-15, "row {k}");
+        assert_eq!(rows.compliance(k), expected.compliance_n);
+        assert_eq!(rows.bodies(k), [expected.a, expected.b]);
+    }
+}
+
+#[test]
+fn changes_reach_rows_of_either_kind() {
+    let mut given = all();
+    let mut rows: Rows = given.iter().copied().collect();
+    rows.insert(1, given[4]);
+    given.insert(1, given[4]);
+    for (k, row) in given.iter_mut().enumerate() {
+        rows.shift(k, 0.7);
+        row.bias += row.normal * 0.7;
+    }
+    rows.update_all(|k, row| row.drift.y += (k % 2) as f64);
+    for (k, row) in given.iter_mut().enumerate() {
+        row.drift.y += (k % 2) as f64;
+    }
+    let keep = [true, false, true];
+    rows.retain(&keep);
+    given.remove(1);
+    rows.truncate(9);
+    for (k, expected) in given.iter().take(9).enumerate() {
+        assert!(close(&rows.get(k), expected), "row {k}: {:?}", rows.get(k));
+    }
+    assert_eq!(rows.len(), 9);
+}
