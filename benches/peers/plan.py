@@ -39,7 +39,7 @@ PEER_LIMIT = 100_000  # spheres, above which peers are not run
 REST = 3.0  # of the bed that comes to rest [s]
 REST_SPEED = 1e-2  # below which it does [m/s]
 # A real-time mode: every step has so many sweeps and is as good as it is then.
-BOUNDED = {"tolerance": 1e-4, "step": 4e-3, "sweeps": 12}
+BOUNDED = {"tolerance": 1e-4, "step": 4e-3, "sweeps": 20}
 
 
 @dataclass(frozen=True)

@@ -306,12 +306,8 @@ impl Instance {
         let end = end - self.run.start;
         // Derivatives can be asked for after a step that fails.
         let simulation = self.commanded()?;
-        let mut march = simulation.begin(end)?;
-        while !march.is_done() {
-            simulation.internal_step(&mut march)?;
-        }
-        simulation.end(march);
-        Ok(())
+        let march = simulation.begin(end)?;
+        simulation.finish(march)
     }
 
     /// The simulation with gravity and commands of now.

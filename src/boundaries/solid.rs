@@ -19,6 +19,7 @@ use super::facets::Facets;
 use super::mesh::Mesh;
 use super::{Touch, topology};
 use crate::Vec3;
+use crate::extent::around;
 use crate::random::unit;
 
 /// Random points tried to find room for a sphere.
@@ -70,10 +71,7 @@ impl Solid {
                 edge: first.ends.map(|v| mesh.vertices()[v as usize]),
             });
         }
-        let bounds = mesh.vertices().iter().fold(
-            (Vec3::repeat(f64::INFINITY), Vec3::repeat(f64::NEG_INFINITY)),
-            |(min, max), v| (min.inf(v), max.sup(v)),
-        );
+        let bounds = around(mesh.vertices().iter().copied());
         let mut solid = Self {
             facets,
             mesh,

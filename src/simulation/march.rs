@@ -237,6 +237,18 @@ impl Simulation {
         Ok(())
     }
 
+    /// All that is left of a communication step, and its end.
+    ///
+    /// # Errors
+    /// As [`Self::internal_step`].
+    pub fn finish(&mut self, mut march: March) -> Result<(), StepError> {
+        while !march.is_done() {
+            self.internal_step(&mut march)?;
+        }
+        self.end(march);
+        Ok(())
+    }
+
     /// Ends a communication step where its last internal step has ended. Derivatives of commands end with it, and
     /// [`Self::sensitivities`] are those of this step.
     pub fn end(&mut self, march: March) {

@@ -284,11 +284,8 @@ impl Simulation {
     /// # Errors
     /// [`StepError`] with time, contact and residual.
     pub fn advance_to(&mut self, end: f64) -> Result<StepReport, StepError> {
-        let mut march = self.set_out(end, false)?;
-        while !march.is_done() {
-            self.internal_step(&mut march)?;
-        }
-        self.end(march);
+        let march = self.set_out(end, false)?;
+        self.finish(march)?;
         Ok(self.state.report)
     }
 

@@ -20,6 +20,7 @@ use robust::{Coord3D, orient3d};
 
 use crate::Vec3;
 use crate::cell::{Cell, Image};
+use crate::extent::around;
 
 /// What a mass flow passes through.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -52,9 +53,7 @@ impl Gate<'_> {
                 .along(across)
                 .copies(before, (self.point, self.point), reach);
         }
-        let corners = self.outline.iter().map(|&x| (x, x));
-        let bounds = corners.reduce(|(low, high), (x, _)| (low.inf(&x), high.sup(&x)));
-        cell.copies(before, bounds.unwrap_or_default(), reach)
+        cell.copies(before, around(self.outline.iter().copied()), reach)
     }
 
     /// Whether the path from a centre that is not beyond to one that is passes inside the outline.
