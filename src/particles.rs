@@ -78,6 +78,14 @@ impl Particles {
         self.locks.push(locks);
     }
 
+    /// Gives memory back that more spheres would have needed.
+    pub(crate) fn shrink_to_fit(&mut self) {
+        self.radius.shrink_to_fit();
+        self.mass.shrink_to_fit();
+        self.material.shrink_to_fit();
+        self.locks.shrink_to_fit();
+    }
+
     /// Moment of inertia `2/5 m R^2` \[kg m^2\] of sphere `i`.
     #[must_use]
     pub fn inertia(&self, i: usize) -> f64 {
@@ -153,6 +161,15 @@ impl Kinematics {
         if let Some(present) = self.present.last_mut() {
             *present = false;
         }
+    }
+
+    /// Gives memory back that more spheres would have needed.
+    pub(crate) fn shrink_to_fit(&mut self) {
+        self.position.shrink_to_fit();
+        self.orientation.shrink_to_fit();
+        self.velocity.shrink_to_fit();
+        self.spin.shrink_to_fit();
+        self.present.shrink_to_fit();
     }
 
     /// Sets every velocity to zero.

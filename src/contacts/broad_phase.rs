@@ -144,8 +144,8 @@ impl NeighborList {
         self.built_poses.clear();
         self.built_poses.extend_from_slice(now.poses);
         let radius = &now.particles.radius;
-        self.pairs.clear();
-        self.images.clear();
+        // The old lists give their memory back before there are new ones.
+        (self.pairs, self.images) = (Vec::new(), Vec::new());
         if now.cell.is_open() {
             self.pairs = sphere_pairs(now.position, now.present, radius, self.skin.pairs);
         } else {
@@ -252,6 +252,7 @@ pub fn sphere_pairs(
             }
         }
     }
+    drop((cells, places));
     ascending(&pairs)
 }
 

@@ -1,7 +1,5 @@
 //! Contact transfer: what the last step's contacts hand to the next step's candidates.
 
-use std::cmp::Ordering;
-
 use super::carried::Carried;
 use super::{Key, Load};
 use crate::Vec3;
@@ -29,24 +27,17 @@ impl Past {
     }
 }
 
-/// Into each of `past` which of `contacts` its key goes on with. Both are in canonical order.
-pub fn transfer(contacts: &[Load], keys: impl Iterator<Item = Key>, past: &mut [Past]) {
-    let mut keys = keys.zip(past).peekable();
-    let first = keys.peek().map(|(key, _)| *key);
-    let mut at = first.map_or(0, |first| contacts.partition_point(|load| load.key < first));
-    for (key, past) in keys {
-        *past = Past::NONE;
-        while let Some(load) = contacts.get(at) {
-            match load.key.cmp(&key) {
-                Ordering::Less => at += 1,
-                Ordering::Equal => {
-                    *past = Past(at as u32);
-                    break;
-                }
-                Ordering::Greater => break,
-            }
-        }
-    }
+/// Which of `contacts` each of `keys` goes on with. Both are in canonical order.
+pub fn transfer(contacts: &[Load], keys: impl Iterator<Item = Key>) -> impl Iterator<Item = Past> {
+    let mut at = None;
+    keys.map(move |key| {
+        let from = at.unwrap_or_else(|| contacts.partition_point(|load| load.key < key));
+        let older = contacts[from..].iter().take_while(|load| load.key < key);
+        let place = from + older.count();
+        at = Some(place);
+        let same = contacts.get(place).is_some_and(|load| load.key == key);
+        if same { Past(place as u32) } else { Past::NONE }
+    })
 }
 
 /// Which of `contacts`, which are in canonical order, `key` goes on with.
@@ -77,10 +68,8 @@ mod tests {
             old.push(contact(key, f), Some(Vec3::x() * f));
         }
         let new = [key(0, 2), key(0, 3), key(1, 2), key(2, 4), key(5, 6)];
-        let mut past = vec![Past::NONE; new.len()];
-        let (low, high) = past.split_at_mut(2);
-        transfer(&old, new.into_iter(), low);
-        transfer(&old, new.into_iter().skip(2), high);
+        let past: Vec<Past> = transfer(&old, new.into_iter()).collect();
+        assert!(transfer(&old, new.into_iter().skip(2)).eq(past[2..].iter().copied()));
         assert!(new.iter().zip(&past).all(|(key, p)| find(&old, *key) == *p));
         let force: Vec<f64> = past.iter().map(|p| p.force(&old).z).collect();
         let torque: Vec<f64> = past.iter().map(|p| p.torque(&old).x).collect();

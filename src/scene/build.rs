@@ -148,6 +148,8 @@ fn build(
             .push(source.as_ref().map(|source| source.spheres.clone()));
         sources.extend(source);
     }
+    particles.shrink_to_fit();
+    initial.shrink_to_fit();
     if file.spheres.is_empty() && file.sources.is_empty() {
         document.error(
             "spheres",

@@ -219,6 +219,9 @@ impl<'s> Start<'s> {
         kinematics.present.clone_from(&state.kinematics.present);
         kinematics.velocity.clear();
         kinematics.spin.clear();
+        let count = state.kinematics.len();
+        kinematics.velocity.reserve_exact(count);
+        kinematics.spin.reserve_exact(count);
         for (i, persisting) in state.persisting.iter().enumerate() {
             let v = dof(&state.kinematics, i);
             let v = integrator.restep(&v, persisting, state.last_step, dt);
@@ -231,7 +234,7 @@ impl<'s> Start<'s> {
         let mut external = std::mem::take(&mut kept.external);
         external::acceleration(scene, state, &kinematics, (gravity, dt), &mut external);
         let memory = std::mem::take(&mut kept.movers);
-        let movers = Mover::all(scene, &kinematics, &external, memory);
+        let movers = Mover::all(scene, &kinematics, memory);
         Self {
             gravity,
             external,

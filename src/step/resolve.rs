@@ -78,7 +78,7 @@ impl Stage<'_> {
         twins: &mut [Twin<'_>],
         spent: bool,
     ) -> Result<Option<f64>, Passed> {
-        let solution = take(&mut scratch.workspace.velocity);
+        let solution = take(&mut self.solution);
         let mut position = take(&mut self.position);
         let mut closed = take(&mut self.closed);
         self.lead(&solution, &mut position);
@@ -108,8 +108,7 @@ impl Stage<'_> {
         } else {
             Ok(Some(max_overlap))
         };
-        scratch.workspace.velocity = std::mem::replace(&mut self.solution, solution);
-        (self.position, self.closed) = (position, closed);
+        (self.solution, self.position, self.closed) = (solution, position, closed);
         verdict
     }
 

@@ -198,9 +198,10 @@ impl<'a> Stage<'a> {
         let write = |first: usize, (mut rows, others): (Plain, Others)| {
             let (past, (impact, impulses)) = others;
             let keys = candidates[first..].iter().map(|candidate| candidate.key);
-            history::transfer(contacts, keys, past);
+            let transferred = history::transfer(contacts, keys);
             let mut whole = false;
-            for (k, past) in past.iter().enumerate() {
+            for (k, (past, transferred)) in past.iter_mut().zip(transferred).enumerate() {
+                *past = transferred;
                 let (candidate, force) = (&candidates[first + k], past.force(contacts));
                 let (row, hits, plain) = inputs.meet(free, candidate, force, told(first + k));
                 rows.write(k, &row, plain);
@@ -295,7 +296,10 @@ impl<'a> Stage<'a> {
             params.max_sweeps = sweeps;
         }
         let workspace = &mut scratch.workspace;
-        solve(&self.problem, &params, workspace, &mut self.impulses)
+        workspace.velocity = take(&mut self.solution);
+        let report = solve(&self.problem, &params, workspace, &mut self.impulses);
+        self.solution = take(&mut workspace.velocity);
+        report
     }
 
     /// Brings forces that are solved already to the residual `force` as far as Gauss-Seidel gets.

@@ -121,7 +121,7 @@ impl<'s> Start<'s> {
         let gravity = state.gravity_at(scene, state.time);
         let external = external::at_start(scene, &state.kinematics, gravity);
         Self {
-            movers: Mover::all(scene, &state.kinematics, &external, Vec::new()),
+            movers: Mover::all(scene, &state.kinematics, Vec::new()),
             external,
             kinematics: state.kinematics.clone(),
             gravity,
@@ -141,7 +141,7 @@ impl<'s> Start<'s> {
         let boundaries = state.poses.len();
         let external = vec![Dof6::ZERO; kinematics.len()];
         Self {
-            movers: Mover::all(scene, &kinematics, &external, Vec::new()),
+            movers: Mover::all(scene, &kinematics, Vec::new()),
             external,
             kinematics,
             gravity: Vec3::zeros(),

@@ -15,15 +15,12 @@ const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// A sphere as its contacts see it before the step.
 #[derive(Debug, Clone, Copy)]
+#[repr(C, align(64))]
 pub struct Mover {
     /// Velocity \[m/s\].
     velocity: Vec3,
     /// Angular velocity times radius \[m/s\].
     rolling: Vec3,
-    /// Square of its speed \[m^2/s^2\].
-    speed: f64,
-    /// Square of its external acceleration \[m^2/s^4\].
-    pull: f64,
     /// Radius \[m\].
     radius: f64,
     /// Mass \[kg\].
@@ -33,26 +30,26 @@ pub struct Mover {
 impl Mover {
     /// All spheres, `[N]`, in the given memory.
     #[must_use]
-    pub fn all(
-        scene: &Scene,
-        kinematics: &Kinematics,
-        external: &[Dof6],
-        mut memory: Vec<Self>,
-    ) -> Vec<Self> {
+    pub fn all(scene: &Scene, kinematics: &Kinematics, mut memory: Vec<Self>) -> Vec<Self> {
         let sizes = scene.particles.radius.iter().zip(&scene.particles.mass);
         let ways = kinematics.velocity.iter().zip(&kinematics.spin);
         memory.clear();
-        memory.extend(sizes.zip(ways).zip(external).map(
-            |(((&radius, &mass), (velocity, spin)), external)| Self {
-                velocity: *velocity,
-                rolling: spin * radius,
-                speed: velocity.norm_squared(),
-                pull: external.linear.norm_squared(),
-                radius,
-                mass,
-            },
-        ));
+        memory.extend(
+            sizes
+                .zip(ways)
+                .map(|((&radius, &mass), (velocity, spin))| Self {
+                    velocity: *velocity,
+                    rolling: spin * radius,
+                    radius,
+                    mass,
+                }),
+        );
         memory
+    }
+
+    /// Square of its speed \[m^2/s^2\].
+    fn speed(&self) -> f64 {
+        self.velocity.norm_squared()
     }
 }
 
@@ -77,6 +74,11 @@ struct Meeting {
 }
 
 impl Inputs<'_> {
+    /// Square of the external acceleration of a sphere \[m^2/s^4\].
+    fn pull(&self, sphere: usize) -> f64 {
+        self.external[sphere].linear.norm_squared()
+    }
+
     /// Velocity of a boundary's material point at `x` \[m\], over this step and over the previous one.
     fn wall_velocity(&self, boundary: usize, x: Vec3) -> [Vec3; 2] {
         let wall = &self.scene.boundaries[boundary];
@@ -118,7 +120,7 @@ impl Inputs<'_> {
         let a = candidate.key.sphere as usize;
         let own = &self.movers[a];
         let meeting = match candidate.key.partner {
-            Partner::Sphere { index, .. } => self.meeting_of_spheres(free, n, own, index),
+            Partner::Sphere { index, .. } => self.meeting_of_spheres(free, n, (a, own), index),
             Partner::Boundary { boundary, .. } => {
                 self.meeting_with_boundary(free, n, (a, own), usize::from(boundary))
             }
@@ -192,7 +194,13 @@ impl Inputs<'_> {
     }
 
     #[inline(always)]
-    fn meeting_of_spheres(&self, free: &[Dof6], n: Vec3, own: &Mover, index: u32) -> Meeting {
+    fn meeting_of_spheres(
+        &self,
+        free: &[Dof6],
+        n: Vec3,
+        (a, own): (usize, &Mover),
+        index: u32,
+    ) -> Meeting {
         let other = &self.movers[index as usize];
         Meeting {
             b: index,
@@ -202,9 +210,9 @@ impl Inputs<'_> {
             before: own.velocity - other.velocity - (own.rolling + other.rolling).cross(&n),
             partner: free[index as usize].linear,
             acceleration: self.gravity_size,
-            pull: own.pull.max(other.pull),
+            pull: self.pull(a).max(self.pull(index as usize)),
             lightest: own.mass.min(other.mass),
-            speed: own.speed.max(other.speed),
+            speed: own.speed().max(other.speed()),
             stiffness: None,
         }
     }
@@ -228,9 +236,9 @@ impl Inputs<'_> {
             before: own.velocity - own.rolling.cross(&n),
             partner: Vec3::zeros(),
             acceleration: self.gravity_size,
-            pull: own.pull,
+            pull: self.pull(a),
             lightest: own.mass,
-            speed: own.speed,
+            speed: own.speed(),
             stiffness: wall.stiffness,
         };
         let acceleration = if let Some((rank, body)) = self.body(boundary) {

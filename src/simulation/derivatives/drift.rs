@@ -131,8 +131,7 @@ impl Simulation {
         }
         if !past.struck.contains(&true) {
             let keys = state.contacts.iter().map(|contact| contact.key);
-            let mut then = vec![history::Past::NONE; state.contacts.len()];
-            history::transfer(&before.contacts, keys, &mut then);
+            let then: Vec<_> = history::transfer(&before.contacts, keys).collect();
             let mut then = then.into_iter();
             state.contacts.change(|force, torque| {
                 let Some(then) = then.next() else { return };

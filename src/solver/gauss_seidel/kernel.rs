@@ -110,6 +110,8 @@ impl Kernel {
                 let mut blocks = take(&mut self.quick.blocks);
                 self.share_out(problem, &mut blocks);
                 self.quick.blocks = blocks;
+                // Few problems need double precision: what the last such one left is not kept for the next.
+                (self.exact.blocks, self.exact.before) = (Vec::new(), Vec::new());
             }
             false => {
                 let mut blocks = take(&mut self.exact.blocks);
