@@ -8,9 +8,9 @@ from runs import Case
 
 # Own rows: gap tolerance [-], and the range [s] in which each step is chosen for least time.
 OURS = {
-    "1e-4": {"tolerance": 1e-4, "step": 2e-3, "smallest_step": 1e-4},
-    "1e-5": {"tolerance": 1e-5, "step": 1e-3, "smallest_step": 2e-5},
-    "1e-6": {"tolerance": 1e-6, "step": 5e-4, "smallest_step": 1e-5},
+    "1e-4": {"tolerance": 1e-4, "step": 4e-3, "smallest_step": 1e-4},
+    "1e-5": {"tolerance": 1e-5, "step": 2e-3, "smallest_step": 2e-5},
+    "1e-6": {"tolerance": 1e-6, "step": 1e-3, "smallest_step": 1e-5},
 }
 # The same for the funnel with steps of one length [s].
 FIXED = {
