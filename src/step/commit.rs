@@ -17,7 +17,9 @@ use crate::scene::Integrator;
 use crate::simulation::Wrench;
 use crate::state::{State, Work};
 
+/// Of pieces of the spheres: centres and orientations.
 type Places<'a> = (&'a mut [Vec3], &'a mut [UnitQuaternion<f64>]);
+/// Likewise velocities and spins.
 type Velocities<'a> = (&'a mut [Vec3], &'a mut [Vec3]);
 
 impl Stage<'_> {
