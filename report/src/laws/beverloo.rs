@@ -13,7 +13,7 @@ use std::fmt::Write as _;
 use sphere_dda::particles::Kinematics;
 
 use super::bed::{self, Friction, G, GRAIN, Run};
-use super::fit::Line;
+use super::fit::{self, Line};
 use crate::error::ReportError;
 use crate::{Watch, parallel};
 
@@ -27,6 +27,8 @@ const BIN: f64 = 0.18;
 const FRICTION: Friction = Friction::sliding(0.5);
 /// Number of grains.
 const COUNT: usize = 4500;
+/// Packings, each of which flows through every orifice: rates of few grains fluctuate.
+pub(super) const PACKINGS: u64 = 3;
 /// Filling, then the longest outflow \[s\].
 const TIMES: [f64; 2] = [0.7, 2.0];
 /// When the flow counts as established \[s\], and the share of the grains at which the measurement ends.
@@ -35,17 +37,24 @@ const SHARE: f64 = 0.45;
 /// Corners of the orifice.
 const CORNERS: usize = 48;
 
-/// Outflow through one orifice.
+/// Outflow of one bin.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Outflow {
-    /// Diameter over the mean grain.
-    pub orifice: f64,
+pub struct Flow {
     /// Rate \[kg/s\].
     pub rate: f64,
     /// Rates of the first and of the second half of the measurement \[kg/s\].
     pub halves: [f64; 2],
     /// Time \[s\] and mass that has left \[kg\].
     pub history: Vec<(f64, f64)>,
+}
+
+/// Outflow through one orifice.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Outflow {
+    /// Diameter over the mean grain.
+    pub orifice: f64,
+    /// By packing.
+    pub flows: Vec<Flow>,
 }
 
 /// What was measured.
@@ -67,33 +76,55 @@ impl Outflow {
     pub fn effective(&self) -> f64 {
         (self.orifice - SHAPE) * GRAIN
     }
+
+    /// Mean rate and its standard error \[kg/s\].
+    #[must_use]
+    pub fn rate(&self) -> [f64; 2] {
+        fit::mean(self.flows.iter().map(|flow| flow.rate))
+    }
+
+    /// Mean rates of the first and of the second half of the measurement \[kg/s\].
+    #[must_use]
+    pub fn halves(&self) -> [f64; 2] {
+        [0, 1].map(|half| fit::mean(self.flows.iter().map(|flow| flow.halves[half]))[0])
+    }
 }
 
-/// Fills the bin, then opens one orifice after the other.
+/// Fills bins, then opens every orifice in each.
 ///
 /// # Errors
 /// What a run says.
 pub fn run(share: f64, threads: usize, watch: &dyn Watch) -> Result<Beverloo, ReportError> {
     let count = (share * COUNT as f64) as usize;
-    let filling = Run {
-        name: "Beverloo, filling",
-        watch,
-    };
-    let mut bin = filling.begin(bed::scene("beverloo.toml", &text(count, None))?)?;
-    filling.wait(&mut bin, TIMES[0])?;
-    let bulk_density = density(bed::places(&bin));
-    let full = bed::at_rest(&bin);
+    let fillings: Vec<_> = (1..=PACKINGS)
+        .map(|packing| move || filled(count, packing, watch))
+        .collect();
+    let bins: Result<Vec<(f64, Kinematics)>, ReportError> =
+        parallel::run(threads, fillings).into_iter().collect();
+    let bins = bins?;
+    let bulk_density = fit::mean(bins.iter().map(|bin| bin.0))[0];
     let jobs: Vec<_> = ORIFICES
         .iter()
-        .map(|&orifice| {
-            let full = &full;
-            move || outflow(count, orifice, full, watch)
+        .flat_map(|&orifice| {
+            let full = (1..=PACKINGS).zip(&bins);
+            full.map(move |(packing, (_, full))| {
+                move || outflow((count, packing), orifice, full, watch)
+            })
         })
         .collect();
-    let outflows: Result<Vec<Outflow>, ReportError> =
-        parallel::run(threads, jobs).into_iter().collect();
+    let mut flows = parallel::run(threads, jobs).into_iter();
+    let outflows: Result<Vec<Outflow>, ReportError> = ORIFICES
+        .iter()
+        .map(|&orifice| {
+            let flows: Result<Vec<Flow>, ReportError> =
+                flows.by_ref().take(PACKINGS as usize).collect();
+            let flows = flows?;
+            Ok(Outflow { orifice, flows })
+        })
+        .collect();
     let outflows = outflows?;
-    let points: Vec<(f64, f64)> = outflows.iter().map(|o| (o.effective(), o.rate)).collect();
+    let points = outflows.iter().map(|o| (o.effective(), o.rate()[0]));
+    let points: Vec<(f64, f64)> = points.collect();
     let scale = |x: f64| bulk_density * G.sqrt() * x.powf(2.5);
     let coefficient = points.iter().map(|p| p.1 / scale(p.0)).sum::<f64>() / points.len() as f64;
     Ok(Beverloo {
@@ -104,8 +135,18 @@ pub fn run(share: f64, threads: usize, watch: &dyn Watch) -> Result<Beverloo, Re
     })
 }
 
+/// A bin at rest: bulk density \[kg/m^3\], and where its grains are.
+fn filled(count: usize, packing: u64, watch: &dyn Watch) -> Result<(f64, Kinematics), ReportError> {
+    let name = format!("Beverloo, filling, packing {packing}");
+    let run = Run { name: &name, watch };
+    let scene = bed::scene("beverloo.toml", &text((count, packing), None))?;
+    let mut bin = run.begin(scene)?;
+    run.wait(&mut bin, TIMES[0])?;
+    Ok((density(bed::places(&bin)), bed::at_rest(&bin)))
+}
+
 /// The bin, closed or with an orifice of diameter `open` \[m\].
-fn text(count: usize, open: Option<f64>) -> String {
+fn text((count, packing): (usize, u64), open: Option<f64>) -> String {
     let radius = 0.5 * BIN;
     let floor = match open {
         None => "{ rectangle = { corner = [-0.12, -0.12, 0.0], u = [0.24, 0.0, 0.0], v = [0.0, 0.24, 0.0] } }".to_owned(),
@@ -117,7 +158,7 @@ fn text(count: usize, open: Option<f64>) -> String {
                 "{{ cylinder = {{ base = [0.0, 0.0, 0.0], radius = {radius}, height = 0.27 }} }}"
             ),
             count,
-            1,
+            packing,
         )
         + &bed::boundary(
             "bin",
@@ -154,14 +195,17 @@ fn ring(open: f64, outer: f64) -> String {
 }
 
 fn outflow(
-    count: usize,
+    grains: (usize, u64),
     orifice: f64,
     full: &Kinematics,
     watch: &dyn Watch,
-) -> Result<Outflow, ReportError> {
-    let name = format!("Beverloo, orifice of {orifice} grains");
+) -> Result<Flow, ReportError> {
+    let name = format!(
+        "Beverloo, orifice of {orifice} grains, packing {}",
+        grains.1
+    );
     let run = Run { name: &name, watch };
-    let mut scene = bed::scene("beverloo.toml", &text(count, Some(orifice * GRAIN)))?;
+    let mut scene = bed::scene("beverloo.toml", &text(grains, Some(orifice * GRAIN)))?;
     scene.initial = full.clone();
     let mut bin = run.begin(scene)?;
     let mass = |bin: &_| {
@@ -181,8 +225,7 @@ fn outflow(
     let rate = |points: &[(f64, f64)]| Line::through(points).slope;
     let (first, second) = established.split_at(established.len() / 2);
     watch.note(&format!("{name}: {:.3} kg/s", rate(&established)));
-    Ok(Outflow {
-        orifice,
+    Ok(Flow {
         rate: rate(&established),
         halves: [rate(first), rate(second)],
         history,

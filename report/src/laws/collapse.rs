@@ -12,7 +12,7 @@
 use sphere_dda::simulation::Simulation;
 
 use super::bed::{self, Friction, GRAIN, Run};
-use super::fit::Line;
+use super::fit::{self, Line};
 use crate::error::ReportError;
 use crate::{Watch, parallel};
 
@@ -37,6 +37,8 @@ const FLOOR: Friction = Friction {
     sliding: 0.5,
     rolling: 0.2,
 };
+/// Packings of every aspect ratio: the front of one deposit scatters by some percent.
+pub(super) const PACKINGS: u64 = 2;
 /// Filling, then the longest collapse \[s\].
 const TIMES: [f64; 2] = [0.8, 2.0];
 /// Kinetic energy \[J/kg\] at which the deposit has come to rest.
@@ -48,17 +50,38 @@ const COVER: f64 = 0.82;
 /// Cover at the front.
 const FRONT: f64 = COVER / 20.0;
 
-/// One column.
+/// What is left of one column.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Column {
+pub struct Deposit {
     /// `h_0/r_0` as it stood.
     pub aspect: f64,
     /// `(r_inf - r_0)/r_0`.
     pub runout: f64,
-    /// Number of grains.
-    pub grains: usize,
     /// When it had come to rest \[s\].
     pub rest: f64,
+}
+
+/// Columns of one aspect ratio.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Column {
+    /// Number of grains.
+    pub grains: usize,
+    /// By packing.
+    pub deposits: Vec<Deposit>,
+}
+
+impl Column {
+    /// Mean `h_0/r_0`.
+    #[must_use]
+    pub fn aspect(&self) -> f64 {
+        fit::mean(self.deposits.iter().map(|deposit| deposit.aspect))[0]
+    }
+
+    /// Mean run-out `(r_inf - r_0)/r_0` and its standard error.
+    #[must_use]
+    pub fn runout(&self) -> [f64; 2] {
+        fit::mean(self.deposits.iter().map(|deposit| deposit.runout))
+    }
 }
 
 /// What was measured.
@@ -75,16 +98,29 @@ pub struct Collapse {
 /// # Errors
 /// What a run says.
 pub fn run(share: f64, threads: usize, watch: &dyn Watch) -> Result<Collapse, ReportError> {
-    let jobs: Vec<_> = COLUMNS
+    let columns = COLUMNS.map(|(aspect, radius)| (aspect, radius * share.cbrt()));
+    let jobs: Vec<_> = columns
         .iter()
-        .map(|&(aspect, radius)| move || column(aspect, radius * share.cbrt(), watch))
+        .flat_map(|&(aspect, radius)| {
+            (1..=PACKINGS).map(move |packing| move || collapsed(aspect, radius, packing, watch))
+        })
         .collect();
-    let columns: Result<Vec<Column>, ReportError> =
-        parallel::run(threads, jobs).into_iter().collect();
+    let mut deposits = parallel::run(threads, jobs).into_iter();
+    let columns: Result<Vec<Column>, ReportError> = columns
+        .iter()
+        .map(|&(aspect, radius)| {
+            let deposits: Result<Vec<Deposit>, ReportError> =
+                deposits.by_ref().take(PACKINGS as usize).collect();
+            Ok(Column {
+                grains: count(aspect, radius),
+                deposits: deposits?,
+            })
+        })
+        .collect();
     let columns = columns?;
     let law = |low: bool| {
-        let points = columns.iter().filter(|c| (c.aspect < CHANGE) == low);
-        let points: Vec<(f64, f64)> = points.map(|c| (c.aspect, c.runout)).collect();
+        let points = columns.iter().map(|c| (c.aspect(), c.runout()[0]));
+        let points: Vec<(f64, f64)> = points.filter(|(a, _)| (*a < CHANGE) == low).collect();
         let line = Line::power(&points);
         (line.slope, line.intercept.exp())
     };
@@ -94,14 +130,19 @@ pub fn run(share: f64, threads: usize, watch: &dyn Watch) -> Result<Collapse, Re
     })
 }
 
-/// The scene of a column of `radius` \[m\], with or without its wall.
-fn text(radius: f64, height: f64, grains: usize, wall: bool) -> String {
+/// Grains of a column whose radius is so many of them.
+fn count(aspect: f64, radius: f64) -> usize {
+    (6.0 * PACKED * aspect * radius.powi(3)) as usize
+}
+
+/// The scene of a column of `radius` and `height` \[m\], with or without its wall.
+fn text([radius, height]: [f64; 2], (grains, packing): (usize, u64), wall: bool) -> String {
     let region = format!(
         "{{ cylinder = {{ base = [0.0, 0.0, 0.0], radius = {radius}, height = {} }} }}",
         1.7 * height
     );
     let mut text = bed::head("Column collapse", bed::G, GRAINS, FLOOR)
-        + &bed::grains(&region, grains, 1)
+        + &bed::grains(&region, grains, packing)
         + &bed::boundary(
             "floor",
             "{ plane = { point = [0.0, 0.0, 0.0], normal = [0.0, 0.0, 1.0] } }",
@@ -117,33 +158,35 @@ fn text(radius: f64, height: f64, grains: usize, wall: bool) -> String {
     text
 }
 
-fn column(aspect: f64, radius: f64, watch: &dyn Watch) -> Result<Column, ReportError> {
-    let name = format!("column of aspect {aspect}");
+fn collapsed(
+    aspect: f64,
+    radius: f64,
+    packing: u64,
+    watch: &dyn Watch,
+) -> Result<Deposit, ReportError> {
+    let name = format!("column of aspect {aspect}, packing {packing}");
     let run = Run { name: &name, watch };
-    let grains = (6.0 * PACKED * aspect * radius.powi(3)) as usize;
-    let (radius, height) = (radius * GRAIN, aspect * radius * GRAIN);
-    let mut standing = run.begin(bed::scene(
-        "collapse.toml",
-        &text(radius, height, grains, true),
-    )?)?;
+    let grains = count(aspect, radius);
+    let size @ [radius, height] = [radius * GRAIN, aspect * radius * GRAIN];
+    let scene = |wall| bed::scene("collapse.toml", &text(size, (grains, packing), wall));
+    let mut standing = run.begin(scene(true)?)?;
     run.wait(&mut standing, TIMES[0])?;
     let mean = bed::places(&standing).map(|(x, _)| x.z).sum::<f64>() / grains as f64;
-    let mut scene = bed::scene("collapse.toml", &text(radius, height, grains, false))?;
-    scene.initial = bed::at_rest(&standing);
-    let mut heap = run.begin(scene)?;
+    let mut open = scene(false)?;
+    open.initial = bed::at_rest(&standing);
+    let mut heap = run.begin(open)?;
     // The time of a fall from the column's top: before it nothing has ended.
     let least = (2.0 * height / bed::G).sqrt() + 0.2;
     run.advance(&mut heap, TIMES[1], |heap| {
         Ok(heap.time() < least || bed::agitation(heap) > REST)
     })?;
-    let column = Column {
+    let deposit = Deposit {
         aspect: 2.0 * mean / radius,
         runout: front(&heap) / radius - 1.0,
-        grains,
         rest: heap.time(),
     };
-    watch.note(&format!("{name}: runs {:.3} of its radius", column.runout));
-    Ok(column)
+    watch.note(&format!("{name}: runs {:.3} of its radius", deposit.runout));
+    Ok(deposit)
 }
 
 /// Where the cover falls to [`FRONT`] \[m\].

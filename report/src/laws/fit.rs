@@ -46,6 +46,15 @@ impl Line {
     }
 }
 
+/// Mean and its standard error, which takes two values at least.
+#[must_use]
+pub fn mean(values: impl Iterator<Item = f64> + Clone) -> [f64; 2] {
+    let n = values.clone().count() as f64;
+    let mean = values.clone().sum::<f64>() / n;
+    let squares: f64 = values.map(|x| (x - mean).powi(2)).sum();
+    [mean, (squares / (n * (n - 1.0))).sqrt()]
+}
+
 /// Coefficient of determination `1 - sum (y - f)^2 / sum (y - mean)^2`.
 #[must_use]
 pub fn determination(points: &[(f64, f64)], model: impl Fn(f64) -> f64) -> f64 {
@@ -98,6 +107,13 @@ mod tests {
             .collect();
         let found = parameter(&curve, [0.01, 10.0], |p, x| 1.0 - (-p * x).exp());
         assert!((found - 0.7).abs() < 1e-6, "{found}");
+    }
+
+    /// Of 1, 2, 6: squares from the mean 3 are 4 + 1 + 9, over 3 values and 2 degrees of freedom.
+    #[test]
+    fn means_have_their_standard_errors() {
+        let [mean, error] = mean([1.0, 2.0, 6.0].into_iter());
+        assert!((mean - 3.0).abs() < 1e-15 && (error - (14.0 / 6.0_f64).sqrt()).abs() < 1e-15);
     }
 
     /// y = x with one point off by d: R^2 = 1 - residual over spread, by hand for (0,0), (1,2), (2,2).

@@ -10,14 +10,14 @@ use std::fmt::Write as _;
 use sphere_dda::simulation::Simulation;
 
 use super::bed::{self, Friction, GRAIN, Run};
-use super::fit::Line;
+use super::fit::{self, Line};
 use crate::error::ReportError;
 use crate::{Watch, parallel};
 
 /// Friction coefficients.
 const FRICTIONS: [f64; 5] = [0.2, 0.3, 0.4, 0.5, 0.6];
-/// Packings of every friction coefficient: one heap alone scatters by half a degree, which is the rise between two coefficients.
-const SEEDS: [u64; 4] = [1, 2, 3, 4];
+/// Packings of every friction coefficient: one heap alone scatters by a degree, which is more than the rise between the largest two.
+pub(super) const PACKINGS: u64 = 8;
 /// Length, width and filling height of the box over the mean grain.
 const BOX: [f64; 3] = [30.0, 6.0, 15.0];
 /// Filling, then the longest outflow \[s\].
@@ -50,18 +50,10 @@ pub struct Slope {
 }
 
 impl Slope {
-    /// Mean angle \[degrees\].
+    /// Mean angle and its standard error \[degrees\].
     #[must_use]
-    pub fn angle(&self) -> f64 {
-        self.heaps.iter().map(|heap| heap.angle).sum::<f64>() / self.heaps.len() as f64
-    }
-
-    /// Standard error of the mean angle \[degrees\].
-    #[must_use]
-    pub fn scatter(&self) -> f64 {
-        let (n, mean) = (self.heaps.len() as f64, self.angle());
-        let squares: f64 = self.heaps.iter().map(|h| (h.angle - mean).powi(2)).sum();
-        (squares / (n * (n - 1.0))).sqrt()
+    pub fn angle(&self) -> [f64; 2] {
+        fit::mean(self.heaps.iter().map(|heap| heap.angle))
     }
 }
 
@@ -72,13 +64,16 @@ impl Slope {
 pub fn run(share: f64, threads: usize, watch: &dyn Watch) -> Result<Vec<Slope>, ReportError> {
     let jobs: Vec<_> = FRICTIONS
         .iter()
-        .flat_map(|&friction| SEEDS.map(|seed| move || heap(friction, seed, share, watch)))
+        .flat_map(|&friction| {
+            (1..=PACKINGS).map(move |packing| move || heap(friction, packing, share, watch))
+        })
         .collect();
     let mut heaps = parallel::run(threads, jobs).into_iter();
     FRICTIONS
         .iter()
         .map(|&friction| {
-            let heaps: Result<Vec<Heap>, ReportError> = heaps.by_ref().take(SEEDS.len()).collect();
+            let heaps: Result<Vec<Heap>, ReportError> =
+                heaps.by_ref().take(PACKINGS as usize).collect();
             Ok(Slope {
                 friction,
                 heaps: heaps?,

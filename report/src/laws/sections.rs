@@ -1,8 +1,8 @@
 //! The report's sections: a table of all laws, then each with its plot.
 
-use super::Study;
+use super::beverloo::Outflow;
 use super::collapse::CHANGE;
-use super::repose::Slope;
+use super::{Study, beverloo, collapse, repose};
 use crate::error::ReportError;
 use crate::folder::Folder;
 use crate::plot::{Axis, Plot, Style};
@@ -63,13 +63,14 @@ pub(super) fn write(study: &Study) -> Result<Folder, ReportError> {
 fn checks(study: &Study) -> Vec<Check> {
     let janssen = &study.janssen;
     let beverloo = &study.beverloo;
-    let heads = beverloo.outflows.iter().map(|o| o.halves[1] / o.halves[0]);
+    let halves = beverloo.outflows.iter().map(Outflow::halves);
+    let heads = halves.map(|[first, second]| second / first);
     // Fluctuations of a rate of few grains say nothing of the head: the mean over all orifices.
     let head = heads.sum::<f64>() / beverloo.outflows.len() as f64 - 1.0;
     let [low, high] = study.collapse.laws;
     let lube = "Lube et al. 2004";
-    let angles = study.repose.iter().map(Slope::angle);
-    let rise = study.repose.windows(2).map(|s| s[1].angle() - s[0].angle());
+    let angles: Vec<f64> = study.repose.iter().map(|s| s.angle()[0]).collect();
+    let rise = angles.windows(2).map(|pair| pair[1] - pair[0]);
     let zhou = "Zhou et al. 2002";
     let peaks: Vec<f64> = study.triaxial.iter().map(|t| t.peak).collect();
     let peak_rise = peaks.windows(2).map(|p| p[1] - p[0]);
@@ -153,7 +154,7 @@ fn checks(study: &Study) -> Vec<Check> {
             "smallest angle [deg]",
             "≥ 15",
             zhou,
-            angles.clone().fold(f64::INFINITY, f64::min),
+            angles.iter().copied().fold(f64::INFINITY, f64::min),
             [15.0, 25.0],
         ),
         check(
@@ -161,7 +162,7 @@ fn checks(study: &Study) -> Vec<Check> {
             "largest angle [deg]",
             "≤ 25",
             zhou,
-            angles.fold(f64::NEG_INFINITY, f64::max),
+            angles.iter().copied().fold(f64::NEG_INFINITY, f64::max),
             [15.0, 25.0],
         ),
         check(
@@ -281,19 +282,21 @@ fn beverloo(report: &mut Report, study: &Study) -> Result<(), ReportError> {
     report.document.heading(2, "Beverloo's outflow");
     report.document.text(&format!(
         "A flat-bottomed bin eighteen grains wide, friction 0.5, with orifices of 4 to 10 grains. The rate is the slope of the mass that has left, from 0.2 s until 45 % have. \
-         Fitted exponent of *D* - 1.4 *d*: {}; *C* = {} with the exponent 5/2 (Beverloo: 0.55 to 0.65).",
-        number(law.exponent), number(law.coefficient)
+         Means over {} packings, the first one's history is drawn. Fitted exponent of *D* - 1.4 *d*: {}; *C* = {} with the exponent 5/2 (Beverloo: 0.55 to 0.65).",
+        beverloo::PACKINGS, number(law.exponent), number(law.coefficient)
     ));
     let mut table = Table::new(&[
         "D/d",
         "rate [kg/s]",
+        "standard error",
         "first half [kg/s]",
         "second half [kg/s]",
         "C",
     ]);
     for o in &law.outflows {
-        let c = o.rate / (law.bulk_density * super::bed::G.sqrt() * o.effective().powf(2.5));
-        table.row([o.orifice, o.rate, o.halves[0], o.halves[1], c].map(number));
+        let ([rate, scatter], [first, second]) = (o.rate(), o.halves());
+        let c = rate / (law.bulk_density * super::bed::G.sqrt() * o.effective().powf(2.5));
+        table.row([o.orifice, rate, scatter, first, second, c].map(number));
     }
     report.table("beverloo", &table)?;
     let mut plot = Plot::new(
@@ -304,7 +307,7 @@ fn beverloo(report: &mut Report, study: &Study) -> Result<(), ReportError> {
     let points: Vec<(f64, f64)> = law
         .outflows
         .iter()
-        .map(|o| (o.effective(), o.rate))
+        .map(|o| (o.effective(), o.rate()[0]))
         .collect();
     let scale = law.coefficient * law.bulk_density * super::bed::G.sqrt();
     let line = points
@@ -323,7 +326,7 @@ fn beverloo(report: &mut Report, study: &Study) -> Result<(), ReportError> {
         plot.add(
             &format!("D = {} d", o.orifice),
             Style::Line,
-            o.history.clone(),
+            o.flows.first().map_or_else(Vec::new, |f| f.history.clone()),
         );
     }
     report.plot(
@@ -336,18 +339,29 @@ fn beverloo(report: &mut Report, study: &Study) -> Result<(), ReportError> {
 fn collapse(report: &mut Report, study: &Study) -> Result<(), ReportError> {
     let study = &study.collapse;
     report.document.heading(2, "Collapse of a column");
-    report.document.text(
-        "A cylinder of grains (friction 0.5, rolling resistance 0.05 and on the floor 0.2) whose wall vanishes. *a*: height over radius as it stood; the front is where the deposit covers a twentieth of what a dense single layer does.",
-    );
-    let mut table = Table::new(&["a", "grains", "run-out (r∞ - r₀)/r₀", "Lube", "at rest [s]"]);
+    report.document.text(&format!(
+        "A cylinder of grains (friction 0.5, rolling resistance 0.05 and on the floor 0.2) whose wall vanishes. *a*: height over radius as it stood; the front is where the deposit covers a twentieth of what a dense single layer does. Means over {} packings.",
+        collapse::PACKINGS
+    ));
+    let mut table = Table::new(&[
+        "a",
+        "grains",
+        "run-out (r∞ - r₀)/r₀",
+        "standard error",
+        "Lube",
+        "all at rest [s]",
+    ]);
     let lube = |a: f64| if a < CHANGE { 1.24 * a } else { 1.6 * a.sqrt() };
     for c in &study.columns {
+        let (aspect, [runout, scatter]) = (c.aspect(), c.runout());
+        let rest = c.deposits.iter().map(|d| d.rest).fold(0.0, f64::max);
         table.row([
-            number(c.aspect),
+            number(aspect),
             c.grains.to_string(),
-            number(c.runout),
-            number(lube(c.aspect)),
-            number(c.rest),
+            number(runout),
+            number(scatter),
+            number(lube(aspect)),
+            number(rest),
         ]);
     }
     report.table("collapse", &table)?;
@@ -356,7 +370,8 @@ fn collapse(report: &mut Report, study: &Study) -> Result<(), ReportError> {
         Axis::logarithmic("a"),
         Axis::logarithmic("(r - r0)/r0"),
     );
-    let points: Vec<(f64, f64)> = study.columns.iter().map(|c| (c.aspect, c.runout)).collect();
+    let points = study.columns.iter().map(|c| (c.aspect(), c.runout()[0]));
+    let points: Vec<(f64, f64)> = points.collect();
     plot.add(
         "Lube et al.",
         Style::Line,
@@ -368,9 +383,10 @@ fn collapse(report: &mut Report, study: &Study) -> Result<(), ReportError> {
 
 fn repose(report: &mut Report, study: &Study) -> Result<(), ReportError> {
     report.document.heading(2, "Angle of repose");
-    report.document.text(
-        "A box of grains on a floor of held grains, front and back without friction: its right wall vanishes, what stays has a slope. No rolling resistance. Means and standard errors over four packings; the slopes drawn are those of the first.",
-    );
+    report.document.text(&format!(
+        "A box of grains on a floor of held grains, front and back without friction: its right wall vanishes, what stays has a slope. No rolling resistance. Means and standard errors over {} packings; the slopes drawn are those of the first.",
+        repose::PACKINGS
+    ));
     let mut table = Table::new(&[
         "friction",
         "angle [deg]",
@@ -381,7 +397,8 @@ fn repose(report: &mut Report, study: &Study) -> Result<(), ReportError> {
     for s in &study.repose {
         let r2 = s.heaps.iter().map(|h| h.r2).fold(1.0, f64::min);
         let rest = s.heaps.iter().map(|h| h.rest).fold(0.0, f64::max);
-        table.row([s.friction, s.angle(), s.scatter(), r2, rest].map(number));
+        let [angle, scatter] = s.angle();
+        table.row([s.friction, angle, scatter, r2, rest].map(number));
     }
     report.table("repose", &table)?;
     let mut plot = Plot::new(
@@ -395,7 +412,7 @@ fn repose(report: &mut Report, study: &Study) -> Result<(), ReportError> {
         study
             .repose
             .iter()
-            .map(|s| (s.friction, s.angle()))
+            .map(|s| (s.friction, s.angle()[0]))
             .collect(),
     );
     report.plot("repose", &plot, "Angle of repose against friction")?;
