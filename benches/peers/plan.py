@@ -12,6 +12,8 @@ OURS = {
     "1e-5": {"tolerance": 1e-5, "step": 2e-3, "smallest_step": 2e-5},
     "1e-6": {"tolerance": 1e-6, "step": 1e-3, "smallest_step": 1e-5},
 }
+# The same for beds of all sizes: within the reach of longer steps more pairs are, which takes more memory.
+SIZED = {"tolerance": 1e-4, "step": 2e-3, "smallest_step": 1e-4}
 # The same for the funnel with steps of one length [s].
 FIXED = {
     "1e-4": {"tolerance": 1e-4, "step": 1e-3},
@@ -94,7 +96,8 @@ def groups(quick: bool) -> list[Group]:
         bigs = (big, big_rapier, big_soft)
         threads = (*threads, *(replace(c, threads=t, watch=False) for c in bigs for t in (1, 2)))
 
-    coded = (ours["1e-4"],) if quick else (ours["1e-4"], rapier, soft)
+    sized = replace(ours["1e-4"], settings=SIZED)
+    coded = (sized,) if quick else (sized, rapier, soft)
     scaling = tuple(
         replace(case, n=n, duration=_duration(n, quick), watch=False, trace=True)
         for n in (SIZES[:-1] if quick else SIZES)
