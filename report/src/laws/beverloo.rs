@@ -4,7 +4,8 @@
 //! rate = C rho_b sqrt(g) (D - k d)^(5/2)
 //! ```
 //!
-//! `D` orifice, `d` grain \[m\]; `C` about 0.58, `k` about 1.4 for spheres. Source: W. A. Beverloo, H. A. Leniger, J. van de
+//! for what flows: below five grains orifices jam now and then (I. Zuriguel, A. Garcimartin, D. Maza, L. A. Pugnaloni, J. M.
+//! Pastor, *Jamming during the discharge of granular matter from a silo*, Physical Review E 71 (2005)). `D` orifice, `d` grain \[m\]; `C` about 0.58, `k` about 1.4 for spheres. Source: W. A. Beverloo, H. A. Leniger, J. van de
 //! Velde, *The flow of granular solids through orifices*, Chemical Engineering Science 15 (1961); `k` for spheres: R. M.
 //! Nedderman, *Statics and Kinematics of Granular Materials* (1992).
 
@@ -34,6 +35,8 @@ const TIMES: [f64; 2] = [0.7, 2.0];
 /// When the flow counts as established \[s\], and the share of the grains at which the measurement ends.
 const BEGUN: f64 = 0.2;
 const SHARE: f64 = 0.45;
+/// Time without a grain after which an orifice has jammed \[s\]: the smallest lets 20 grains out in it.
+const JAM: f64 = 0.1;
 /// Corners of the orifice.
 const CORNERS: usize = 48;
 
@@ -46,6 +49,8 @@ pub struct Flow {
     pub halves: [f64; 2],
     /// Time \[s\] and mass that has left \[kg\].
     pub history: Vec<(f64, f64)>,
+    /// Whether an arch stopped it.
+    pub jammed: bool,
 }
 
 /// Outflow through one orifice.
@@ -77,16 +82,27 @@ impl Outflow {
         (self.orifice - SHAPE) * GRAIN
     }
 
-    /// Mean rate and its standard error \[kg/s\].
+    /// How many jammed.
     #[must_use]
-    pub fn rate(&self) -> [f64; 2] {
-        fit::mean(self.flows.iter().map(|flow| flow.rate))
+    pub fn jams(&self) -> usize {
+        self.flows.iter().filter(|flow| flow.jammed).count()
     }
 
-    /// Mean rates of the first and of the second half of the measurement \[kg/s\].
+    /// Those that did not.
+    fn flowing(&self) -> impl Iterator<Item = &Flow> + Clone {
+        self.flows.iter().filter(|flow| !flow.jammed)
+    }
+
+    /// Mean rate of what did not jam, and its standard error \[kg/s\].
+    #[must_use]
+    pub fn rate(&self) -> [f64; 2] {
+        fit::mean(self.flowing().map(|flow| flow.rate))
+    }
+
+    /// Likewise of the first and of the second half of the measurement \[kg/s\].
     #[must_use]
     pub fn halves(&self) -> [f64; 2] {
-        [0, 1].map(|half| fit::mean(self.flows.iter().map(|flow| flow.halves[half]))[0])
+        [0, 1].map(|half| fit::mean(self.flowing().map(|flow| flow.halves[half]))[0])
     }
 }
 
@@ -215,20 +231,27 @@ fn outflow(
             .sum::<f64>()
     };
     let all = mass(&bin);
-    let mut history = Vec::new();
+    let mut history: Vec<(f64, f64)> = Vec::new();
+    let (mut last, mut jammed) = (0.0, false);
     run.advance(&mut bin, TIMES[1], |bin| {
-        let left = all - mass(bin);
-        history.push((bin.time(), left));
-        Ok(left < SHARE * all)
+        let (time, left) = (bin.time(), all - mass(bin));
+        if history.last().is_none_or(|point| left > point.1) {
+            last = time;
+        }
+        jammed = time - last > JAM;
+        history.push((time, left));
+        Ok(left < SHARE * all && !jammed)
     })?;
     let established: Vec<(f64, f64)> = history.iter().copied().filter(|p| p.0 >= BEGUN).collect();
     let rate = |points: &[(f64, f64)]| Line::through(points).slope;
     let (first, second) = established.split_at(established.len() / 2);
-    watch.note(&format!("{name}: {:.3} kg/s", rate(&established)));
+    let end = if jammed { ", then jammed" } else { "" };
+    watch.note(&format!("{name}: {:.3} kg/s{end}", rate(&established)));
     Ok(Flow {
         rate: rate(&established),
         halves: [rate(first), rate(second)],
         history,
+        jammed,
     })
 }
 
