@@ -15,8 +15,8 @@ Examples:
   sphere-dda verify -o verification-report
 
 Measured: the stress in a silo (Janssen), the rate through orifices (Beverloo), the run-out of collapsing columns (Lube), the angle
-of repose, the friction angle in triaxial compression. Written to DIR: verification.md, and in verification/ its plots (SVG) and tables (CSV). Takes about half an hour of
-CPU time; what it writes does not depend on the machine's speed or load. Ctrl-C ends it without writing anything.")]
+of repose, the friction angle in triaxial compression. Written to DIR: verification.md, and in verification/ its plots (SVG) and tables (CSV). Takes about three
+quarters of an hour of CPU time; what it writes does not depend on the machine's speed or load. Ctrl-C ends it without writing anything.")]
 pub(crate) struct Verify {
     #[command(flatten)]
     destination: Destination,

@@ -15,7 +15,7 @@ use super::pairs::pairs;
 use super::problem::SceneError;
 use super::regions::measured;
 use super::resources::{Resources, hash};
-use super::settings::{materials, settings};
+use super::settings::{choose_steps, materials, settings};
 use super::sources::{sinks, source};
 use super::spheres::{self, Present};
 use super::{Loaded, Measure, Output, PointLoad, Probe, Scene, Sensor, Spring};
@@ -156,6 +156,11 @@ fn build(
             "found no spheres, expected at least one",
             "add a group `[[spheres]]` or a `[[source]]`",
         );
+    }
+    let mut settings = settings;
+    if let (Some(settings), Some(typed)) = (&mut settings, &file.simulation) {
+        let radii = particles.radius.iter().copied();
+        choose_steps(settings, typed, radii.fold(f64::INFINITY, f64::min));
     }
     // Their names are declared, and judged, among the groups.
     let source_names = Names::of("source", file.sources.iter().map(Element::declaration));

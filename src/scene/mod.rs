@@ -3,6 +3,7 @@
 //! Everything wrong with a scene is reported at once as a [`SceneError`]: line, key path, value found, value
 //! allowed. Files that a scene names (meshes, CSV) lie beside or below it and are returned with it.
 
+mod accuracy;
 mod bodies;
 mod build;
 mod cell;
@@ -29,6 +30,7 @@ mod values;
 
 use std::path::Path;
 
+pub use accuracy::Accuracy;
 pub use overlap::{Overlap, Overlaps};
 pub use problem::{Problem, SceneError};
 pub use resources::Attachment;
@@ -129,6 +131,7 @@ impl Default for Settings {
             duration: 1.0,
             step: 1e-3,
             smallest_step: None,
+            accuracy: Accuracy::default(),
             rest_speed: 0.0,
             sweeps: None,
             communication_step: 1e-3,
@@ -138,6 +141,8 @@ impl Default for Settings {
             penalty: None,
             adapt_penalty: true,
             tolerance: Tolerance::default(),
+            opening: 0.0,
+            strict: true,
             max_initial_overlap: 0.05,
             threshold_velocity: 0.0,
             dynamic_coefficient: 1.0,
@@ -161,8 +166,11 @@ pub struct Settings {
     pub duration: f64,
     /// Largest internal time step \[s\].
     pub step: f64,
-    /// Smallest internal step that is chosen for least total time \[s\]; `None`: all are as long as `step` allows.
+    /// Smallest internal step that is chosen for least total time \[s\]; what fails is cut below. `None`: all steps are as long
+    /// as `step` allows.
     pub smallest_step: Option<f64>,
+    /// What the scene asks for: `step`, `smallest_step`, `tolerance` and `opening` follow from it unless they are given.
+    pub accuracy: Accuracy,
     /// Speed below which all centres, and surfaces where they touch, must be for the scene to come to rest \[m/s\]; 0: never.
     pub rest_speed: f64,
     /// Most sweeps of a step, which is then as good as it is; `None`: until the tolerances are met.
@@ -182,6 +190,11 @@ pub struct Settings {
     pub adapt_penalty: bool,
     /// Tolerances of every step.
     pub tolerance: Tolerance,
+    /// Gap over the smaller radius up to which a contact may carry load \[-\]: one that is between zero and this neither opens
+    /// nor closes.
+    pub opening: f64,
+    /// Whether a step that does not meet the tolerances ends the run; otherwise its best iterate is taken and counted.
+    pub strict: bool,
     /// Initial overlap over the smaller radius that is removed by displacement before t = 0 \[-\].
     pub max_initial_overlap: f64,
     /// Approach speed below which an impact does not rebound \[m/s\]; the scheme's own bound is added.
@@ -194,6 +207,16 @@ pub struct Settings {
     pub max_cuts: u32,
     /// Threads; results are the same for any number.
     pub threads: usize,
+}
+
+impl Settings {
+    /// Gap \[m\] at which a contact carries load that a step finds at `gap` \[m\], `radius` \[m\] being the smaller one: its own
+    /// between touching and the largest opening, so that what rests keeps its place and its forces.
+    #[must_use]
+    #[inline]
+    pub fn carried(&self, gap: f64, radius: f64) -> f64 {
+        gap.max(0.0).min(self.opening * radius)
+    }
 }
 
 /// A force on a sphere at a point that moves with it.

@@ -1,5 +1,6 @@
 //! Settings of the run, and materials.
 
+use super::accuracy::round_time;
 use super::decode::SceneFile;
 use super::document::Document;
 use super::frame::{gravity, rotating_frame};
@@ -20,22 +21,27 @@ pub(super) fn settings(
         s.duration,
         "a time > 0 [s]",
     );
-    document.demand(s.step > 0.0, at("step"), s.step, "a time > 0 [s]");
-    let communication_step = s.communication_step.unwrap_or(s.step);
-    if s.communication_step.is_some() {
-        document.demand(
-            communication_step > 0.0,
-            at("communication_step"),
-            communication_step,
-            "a time > 0 [s]",
-        );
+    for (key, value) in [
+        ("step", s.step),
+        ("communication_step", s.communication_step),
+    ] {
+        if let Some(value) = value {
+            document.demand(value > 0.0, at(key), value, "a time > 0 [s]");
+        }
     }
     if let Some(smallest) = s.smallest_step {
         document.demand(
-            smallest > 0.0 && smallest <= s.step,
+            smallest > 0.0 && s.step.is_none_or(|step| smallest <= step),
             at("smallest_step"),
             smallest,
             "0 < smallest_step <= step [s]",
+        );
+    }
+    if s.fixed_step && s.step.is_none() {
+        document.error(
+            "simulation",
+            "missing key `step`, which fixed_step = true needs",
+            "add `step = ...` in s, or remove `fixed_step`",
         );
     }
     document.demand(
@@ -109,10 +115,11 @@ pub(super) fn settings(
         s.threads,
         "1 <= threads <= 256",
     );
+    let own = s.accuracy.tolerance();
     let tolerance = Tolerance {
-        gap: s.tolerance.gap,
-        slip: s.tolerance.slip,
-        force: s.tolerance.force,
+        gap: s.tolerance.gap.unwrap_or(own.gap),
+        slip: s.tolerance.slip.unwrap_or(own.slip),
+        force: s.tolerance.force.unwrap_or(own.force),
     };
     for (key, value) in [
         ("gap", tolerance.gap),
@@ -127,6 +134,14 @@ pub(super) fn settings(
             "1e-12 to 1e-1 [-]",
         );
     }
+    let opening = s.tolerance.opening;
+    let opening = opening.unwrap_or_else(|| (s.accuracy.opening() * tolerance.gap).min(0.1));
+    document.demand(
+        (0.0..=1e-1).contains(&opening),
+        at("tolerance.opening"),
+        format!("{opening:e}"),
+        "0 to 1e-1 [-]",
+    );
     let gravity = gravity(document, resources, s);
     let frame = s
         .rotating_frame
@@ -140,17 +155,21 @@ pub(super) fn settings(
             None => None,
         },
         duration: s.duration,
-        step: s.step,
+        // Where the file gives none, they follow from the spheres: `choose_steps`.
+        step: s.step.unwrap_or(f64::INFINITY),
         smallest_step: s.smallest_step,
+        accuracy: s.accuracy,
         rest_speed: s.rest_speed,
         sweeps: s.sweeps.map(|n| n as usize),
-        communication_step,
+        communication_step: s.communication_step.unwrap_or(f64::INFINITY),
         method: s.method,
         integrator: s.integrator,
         solver: s.solver,
         penalty: s.penalty,
         adapt_penalty: s.adapt_penalty,
         tolerance,
+        opening,
+        strict: s.strict,
         max_initial_overlap: overlap,
         threshold_velocity: threshold,
         dynamic_coefficient: kept,
@@ -158,6 +177,37 @@ pub(super) fn settings(
         max_cuts: s.max_cuts,
         threads: s.threads as usize,
     })
+}
+
+/// Steps that the file leaves open, once the spheres are known: `radius` \[m\] is the smallest.
+pub(super) fn choose_steps(settings: &mut Settings, file: &file::Simulation, radius: f64) {
+    let gravity = settings.gravity.norm();
+    let (longest, shortest) = settings
+        .accuracy
+        .step_range(radius, gravity, settings.duration);
+    let scheme_of_its_own =
+        settings.integrator == Integrator::Shi || settings.method == Method::Penalty;
+    let fixed = file.fixed_step || (scheme_of_its_own && file.step.is_some());
+    match (fixed, file.step) {
+        (true, Some(step)) => {
+            settings.step = step;
+            settings.smallest_step = file.smallest_step;
+        }
+        (_, step) => {
+            // Whoever names a smallest step means the range that is named.
+            let step = match (step, file.smallest_step) {
+                (Some(step), Some(_)) => step,
+                (Some(step), None) => step.min(longest),
+                (None, smallest) => smallest.map_or(longest, |least| least.max(longest)),
+            };
+            settings.step = step;
+            settings.smallest_step = Some(file.smallest_step.unwrap_or(shortest.min(step)));
+        }
+    }
+    if file.communication_step.is_none() {
+        let natural = file.step.unwrap_or_else(|| round_time(settings.step));
+        settings.communication_step = natural.min(settings.duration);
+    }
 }
 
 /// `[[material]]`, checked.

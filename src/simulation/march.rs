@@ -5,6 +5,7 @@ use std::sync::Arc;
 use serde::{Deserialize, Serialize};
 
 use super::derivatives::{Origin, Step};
+use super::pace::{Pace, Remedy};
 use super::{Simulation, StepReport, Wrench};
 use crate::Vec3;
 use crate::contacts::{Key, Partner};
@@ -14,7 +15,7 @@ use crate::motion::{Command, Motion, Pose, Rates};
 use crate::observe::sensors::flow::{Gate, crossings};
 use crate::scene::{Measure, Scene};
 use crate::state::State;
-use crate::step::{StepFailure, step};
+use crate::step::{Effort, StepFailure, step};
 
 /// A communication step under way: see [`Simulation::begin`].
 #[derive(Debug)]
@@ -23,6 +24,9 @@ pub struct March {
     /// Where `before` came from, to be given back if the step fails.
     origin: Option<Box<Origin>>,
     start: f64,
+    /// Length \[s\] of the communication step, of which the internal steps are parts, and how much of it has been taken.
+    length: f64,
+    passed: f64,
     steps: u64,
     done: u64,
     course: Course,
@@ -49,8 +53,8 @@ pub(super) struct Account {
     impulse: Vec<Wrench>,
     /// Impulse of the body forces \[N s\].
     body_force: Vec3,
-    /// Ends of the internal steps taken \[s\].
-    pub(super) taken: Vec<f64>,
+    /// Ends and lengths of the internal steps taken \[s\].
+    pub(super) taken: Vec<(f64, f64)>,
 }
 
 /// What an internal step began with.
@@ -131,6 +135,15 @@ fn pieces(h: f64, step: f64) -> u64 {
     (h / step * (1.0 - 1e-9)).ceil().max(1.0) as u64
 }
 
+/// `h` \[s\] without the rounding of whoever subtracted two times: the number of six digits, or the whole multiple of `step`
+/// \[s\], that is within 1e-9 of it, so that masters whose times differ by rounding get the same bits.
+fn unrounded(h: f64, step: f64) -> f64 {
+    let near = |value: f64| ((value - h).abs() <= 1e-9 * h).then_some(value);
+    let decimal = format!("{h:.5e}").parse().ok().and_then(near);
+    let whole = near((h / step).round() * step);
+    decimal.or(whole).unwrap_or(h)
+}
+
 impl Simulation {
     /// Begins a step to exactly `end` \[s\] in equal internal steps, which [`Self::internal_step`] takes one by one:
     /// between them the state can be read and boundaries can be commanded anew. Without that the result is that of
@@ -163,6 +176,7 @@ impl Simulation {
             rates: state.rates.clone(),
         };
         // The margin keeps a communication step that is n internal steps but for rounding at n.
+        let h = unrounded(h, self.scene.settings.step);
         let steps = pieces(h, state.pace.step);
         self.check_jump(&course.drive(&self.scene), start, end, steps)?;
         let origin = self.origin.take();
@@ -176,6 +190,8 @@ impl Simulation {
             before,
             origin,
             start,
+            length: h,
+            passed: 0.0,
             steps,
             done: 0,
             course,
@@ -219,17 +235,20 @@ impl Simulation {
             self.check_jump(&drive, march.course.since, end, march.steps - march.done)?;
         }
         march.done += 1;
+        let mut dt = march.length / march.steps as f64;
         let mut target = start + (end - start) * (march.done as f64 / march.steps as f64);
         if scene.settings.smallest_step.is_some() {
-            let (now, rest) = (self.state.time, end - self.state.time);
+            let rest = march.length - march.passed;
             let left = pieces(rest, self.state.pace.step);
             march.steps = march.done - 1 + left;
-            target = now + rest / left as f64;
+            dt = rest / left as f64;
+            target = self.state.time + dt;
         }
         if march.is_done() {
             target = end;
         }
-        self.step_to(&scene, &drive, target, 0, &mut march.account)?;
+        march.passed += dt;
+        self.step_to(&scene, &drive, (target, dt), 0, &mut march.account)?;
         self.average(march.start, &march.account);
         let h = self.state.time - march.start;
         let totals = self.state.passed.iter().zip(&march.before.passed);
@@ -277,60 +296,86 @@ impl Simulation {
         self.state.mean_body_force = account.body_force / h;
     }
 
-    /// One internal step to `target`, or two half steps if it fails.
+    /// One internal step of `dt` to `target` \[s\], or two of half its length if it fails.
     fn step_to(
         &mut self,
         scene: &Scene,
         drive: &Drive,
-        target: f64,
+        (target, dt): (f64, f64),
         cuts: u32,
         account: &mut Account,
     ) -> Result<(), StepError> {
         let start = self.state.time;
-        let dt = target - start;
         if self.rest_to(scene, drive, target) {
             for (sum, wrench) in account.impulse.iter_mut().zip(&self.state.wrenches) {
                 sum.add(wrench, dt);
             }
             account.body_force += self.state.body_force * dt;
-            account.taken.push(target);
+            account.taken.push((target, dt));
             return Ok(());
         }
-        self.state.pace.halvings = cuts;
+        let settings = &scene.settings;
+        let effort = self.state.pace.effort(settings, dt, cuts);
+        let Err(failure) = self.try_step(scene, drive, (target, dt), effort, account)? else {
+            return Ok(());
+        };
+        match Pace::remedy(settings, &failure, cuts) {
+            Remedy::GiveUp => Err(self.explain(failure, dt, cuts)),
+            Remedy::Cut => {
+                self.state.report.cuts += 1;
+                self.state.pace.cut(settings, dt);
+                let half = 0.5 * dt;
+                self.step_to(scene, drive, (start + half, half), cuts + 1, account)?;
+                self.step_to(scene, drive, (target, half), cuts + 1, account)
+            }
+            Remedy::Accept => {
+                let effort = Effort {
+                    sweeps: None,
+                    accept: true,
+                    pass: true,
+                };
+                self.try_step(scene, drive, (target, dt), effort, account)?
+                    .map_err(|failure| self.explain(failure, dt, cuts))
+            }
+        }
+    }
+
+    /// One internal step of `dt` to `target` \[s\]; one that fails changes nothing.
+    fn try_step(
+        &mut self,
+        scene: &Scene,
+        drive: &Drive,
+        (target, dt): (f64, f64),
+        effort: Effort,
+        account: &mut Account,
+    ) -> Result<Result<(), StepFailure>, StepError> {
         let before = Before::of(scene, &self.state);
-        let commands = drive.commands(scene.settings.integrator, start, dt);
+        let commands = drive.commands(scene.settings.integrator, self.state.time, dt);
         let held = commands.map(|now| std::mem::replace(&mut self.state.commands, now));
+        let poses = drive.poses(target);
         let taken = step(
             scene,
             &mut self.state,
             &mut self.scratch,
-            dt,
-            drive.poses(target),
+            (dt, poses),
+            effort,
         );
         if let Some(held) = held {
             self.state.commands = held;
         }
-        match taken {
-            Ok(outcome) => {
-                self.state.time = target;
-                self.state.report.include(&outcome);
-                self.state.pace.learn(&scene.settings, dt, &outcome);
-                self.check_finite()?;
-                self.book(&before, dt, account);
-                account.taken.push(target);
-                self.exchange();
-                self.count_calm();
-                Ok(())
-            }
-            Err(failure) if cuts >= scene.settings.max_cuts => Err(self.explain(failure, dt, cuts)),
-            Err(_) => {
-                self.state.report.cuts += 1;
-                self.state.pace.cut(&scene.settings);
-                let half = start + 0.5 * dt;
-                self.step_to(scene, drive, half, cuts + 1, account)?;
-                self.step_to(scene, drive, target, cuts + 1, account)
-            }
-        }
+        let outcome = match taken {
+            Ok(outcome) => outcome,
+            Err(failure) => return Ok(Err(failure)),
+        };
+        self.state.time = target;
+        self.state.report.include(&outcome);
+        self.state.pace.learn(&scene.settings, dt, &outcome);
+        self.check_finite()?;
+        self.book(&before, dt, account);
+        account.taken.push((target, dt));
+        self.exchange();
+        self.count_calm();
+        Ok(Ok(()))
     }
 
     /// Sums up what an internal step of `dt` \[s\] has done.

@@ -19,18 +19,28 @@ use crate::motion::Twist;
 use crate::problem::Dof6;
 use crate::scene::{Scene, Settings, SolverKind};
 use crate::state::State;
-use crate::step::StepOutcome;
+use crate::step::{Effort, StepFailure, StepOutcome};
 
 /// Sweeps that cost as much as all else in a step (measured on `examples/dropped`).
 const BESIDE: f64 = 48.0;
 /// Steps of one length.
-const WINDOW: u32 = 8;
+const WINDOW: u32 = 12;
 /// Factor from one length to the next.
-const CHANGE: f64 = 1.15;
-/// Sweeps of a single step, over [`BESIDE`], after which it is shortened at once.
-const TOO_MANY: f64 = 4.0;
-/// Most sweeps of a step that can be shortened instead.
+const CHANGE: f64 = 1.25;
+/// By how much simulated time must get cheaper for steps to get shorter still.
+const CHEAPER: f64 = 0.95;
+/// Sweeps of a single step after which it is shortened at once.
+const TOO_MANY: f64 = 600.0;
+/// Most sweeps of a step that can be cut instead.
 const PATIENCE: usize = 1000;
+/// Steps without failure after which those that had to be cut below the shortest get twice as long.
+const RECOVERY: u32 = 4;
+/// How often a step that does not converge is cut before its best iterate is taken.
+const CUTS: u32 = 3;
+/// Steps after such a one in which another is taken without being cut.
+const ACCEPTING: u32 = 20;
+/// How often a step of bounded sweeps is cut at most: its work is bounded too.
+const BOUNDED_CUTS: u32 = 2;
 /// Surface speed of a spin that no contact feels, over that of all other motion.
 const SPIN: f64 = 10.0;
 /// Steps without motion after which a scene rests.
@@ -43,8 +53,8 @@ pub struct Pace {
     pub step: f64,
     /// Steps in a row without motion.
     pub calm: u32,
-    /// How often the step under way has been halved.
-    pub(super) halvings: u32,
+    /// Steps that are still taken as they are if they do not converge.
+    accepting: u32,
     /// Whether the last change made steps shorter.
     shorter: bool,
     /// Steps of this length, the time they took \[s\], and their cost in sweeps.
@@ -53,6 +63,17 @@ pub struct Pace {
     cost: f64,
     /// Cost of simulated time with the length before \[sweeps/s\]; 0 at first.
     rate: f64,
+}
+
+/// What becomes of a step that failed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Remedy {
+    /// Two steps of half its length.
+    Cut,
+    /// It is taken as it is.
+    Accept,
+    /// The run ends.
+    GiveUp,
 }
 
 impl Pace {
@@ -64,15 +85,44 @@ impl Pace {
         }
     }
 
-    /// Most sweeps of a step of `dt` \[s\], if it can be shortened instead: chosen steps come before factorizations.
-    pub(crate) fn patience(&self, settings: &Settings, dt: f64) -> Option<usize> {
-        let shorter = settings.smallest_step.is_some_and(|smallest| dt > smallest);
-        let can = shorter && self.halvings < settings.max_cuts;
-        (can && settings.solver != SolverKind::Direct).then_some(PATIENCE)
+    /// How far a step of `dt` \[s\] goes that has been cut `cuts` times.
+    pub(super) fn effort(&self, settings: &Settings, dt: f64, cuts: u32) -> Effort {
+        // Shorter steps come before factorizations; a strict scene ends where there are none.
+        let can_cut = settings
+            .smallest_step
+            .is_some_and(|smallest| match settings.strict {
+                true => dt > smallest && cuts < settings.max_cuts,
+                false => cuts < settings.max_cuts.min(CUTS),
+            });
+        let patient = can_cut && settings.solver != SolverKind::Direct;
+        Effort {
+            sweeps: patient.then_some(PATIENCE),
+            accept: !settings.strict && self.accepting > 0,
+            pass: false,
+        }
+    }
+
+    /// What becomes of a step that has been cut `cuts` times and failed.
+    pub(super) fn remedy(settings: &Settings, failure: &StepFailure, cuts: u32) -> Remedy {
+        let most = match (settings.sweeps, settings.strict, failure.passed) {
+            (Some(_), ..) => BOUNDED_CUTS,
+            (None, false, None) if failure.pinched.is_some() => 0,
+            (None, false, None) => CUTS,
+            _ => u32::MAX,
+        };
+        match (cuts < most.min(settings.max_cuts), settings.strict) {
+            (true, _) => Remedy::Cut,
+            (false, true) => Remedy::GiveUp,
+            (false, false) => Remedy::Accept,
+        }
     }
 
     /// After a step of `dt` \[s\].
     pub(super) fn learn(&mut self, settings: &Settings, dt: f64, outcome: &StepOutcome) {
+        self.accepting = match outcome.unconverged && settings.sweeps.is_none() {
+            true => ACCEPTING,
+            false => self.accepting.saturating_sub(1),
+        };
         let Some(smallest) = settings.smallest_step else {
             self.step = settings.step;
             return;
@@ -81,14 +131,24 @@ impl Pace {
         self.taken += 1;
         self.time += dt;
         self.cost += BESIDE + sweeps;
-        let hard = sweeps > TOO_MANY * BESIDE;
+        if self.step < smallest {
+            if self.taken >= RECOVERY {
+                self.turn((2.0 * self.step).min(smallest), 0.0);
+            }
+            return;
+        }
+        let hard = sweeps > TOO_MANY;
         if self.taken < WINDOW && !hard {
             return;
         }
         let rate = self.cost / self.time;
+        let worse = match self.shorter {
+            true => rate > CHEAPER * self.rate,
+            false => rate > self.rate,
+        };
         if hard {
             self.shorter = true;
-        } else if self.rate > 0.0 && rate > self.rate {
+        } else if self.rate > 0.0 && worse {
             self.shorter = !self.shorter;
         }
         let change = match self.shorter {
@@ -98,11 +158,11 @@ impl Pace {
         self.turn((self.step * change).clamp(smallest, settings.step), rate);
     }
 
-    /// After a step that had to be halved.
-    pub(super) fn cut(&mut self, settings: &Settings) {
-        if let Some(smallest) = settings.smallest_step {
+    /// After a step of `dt` \[s\] that had to be halved.
+    pub(super) fn cut(&mut self, settings: &Settings, dt: f64) {
+        if settings.smallest_step.is_some() {
             self.shorter = true;
-            self.turn((0.5 * self.step).clamp(smallest, settings.step), 0.0);
+            self.turn(0.5 * dt, 0.0);
         }
     }
 
@@ -112,7 +172,7 @@ impl Pace {
             step,
             rate,
             calm: self.calm,
-            halvings: self.halvings,
+            accepting: self.accepting,
             shorter: self.shorter,
             ..Self::default()
         };
@@ -254,31 +314,81 @@ mod tests {
         assert!(found > 0.7e-2, "{found} s");
     }
 
-    /// Sweeps are bounded where a step can be cut instead, and only there: the shortest step gets all it needs.
+    /// Sweeps are bounded where a step can be cut instead, and only there.
     #[test]
-    fn patience_ends_where_steps_cannot_be_cut() {
+    fn sweeps_are_bounded_where_steps_can_be_cut() {
         let settings = Settings {
             smallest_step: Some(1e-5),
             ..Settings::default()
         };
         let pace = Pace::of(&settings);
-        assert_eq!(pace.patience(&settings, 2e-5), Some(PATIENCE));
-        assert_eq!(pace.patience(&settings, 1e-5), None);
-        let halvings = settings.max_cuts;
-        assert_eq!(Pace { halvings, ..pace }.patience(&settings, 2e-5), None);
-        for solver in [
-            SolverKind::Auto,
-            SolverKind::GaussSeidel,
-            SolverKind::Direct,
-        ] {
-            let bounded = solver != SolverKind::Direct;
+        let sweeps = |settings: &Settings, dt, cuts| pace.effort(settings, dt, cuts).sweeps;
+        assert_eq!(sweeps(&settings, 2e-5, 0), Some(PATIENCE));
+        assert_eq!(sweeps(&settings, 1e-5, 0), None);
+        assert_eq!(sweeps(&settings, 2e-5, settings.max_cuts), None);
+        let loose = Settings {
+            strict: false,
+            ..settings.clone()
+        };
+        assert_eq!(sweeps(&loose, 1e-5, 0), Some(PATIENCE));
+        assert_eq!(sweeps(&loose, 2e-5, CUTS), None);
+        let direct = Settings {
+            solver: SolverKind::Direct,
+            ..settings
+        };
+        assert_eq!(sweeps(&direct, 2e-5, 0), None);
+        assert_eq!(sweeps(&Settings::default(), 2e-5, 0), None);
+    }
+
+    /// A step that fails is cut at first; in the end it is taken as it is, unless the scene is strict.
+    #[test]
+    fn every_failure_ends() {
+        let failure = StepFailure {
+            what: "force",
+            residual: 1.0,
+            tolerance: 0.1,
+            contact: None,
+            pinched: None,
+            passed: None,
+            broken: None,
+        };
+        for strict in [true, false] {
             let settings = Settings {
-                solver,
-                ..settings.clone()
+                strict,
+                ..Settings::default()
             };
-            assert_eq!(pace.patience(&settings, 2e-5).is_some(), bounded);
+            let remedy = |cuts| Pace::remedy(&settings, &failure, cuts);
+            assert_eq!(remedy(0), Remedy::Cut);
+            let last = match strict {
+                true => Remedy::GiveUp,
+                false => Remedy::Accept,
+            };
+            assert_eq!(remedy(settings.max_cuts), last);
         }
-        let equal = Settings::default();
-        assert_eq!(Pace::of(&equal).patience(&equal, 2e-5), None);
+    }
+
+    /// Steps cut below the shortest one get longer again, whatever they cost.
+    #[test]
+    fn steps_recover_from_cuts() {
+        let settings = Settings {
+            step: 1e-2,
+            smallest_step: Some(1e-3),
+            strict: false,
+            ..Settings::default()
+        };
+        let mut pace = Pace::of(&settings);
+        pace.cut(&settings, 1e-4);
+        assert_eq!(pace.step, 5e-5);
+        let hard = StepOutcome {
+            solver: Report {
+                sweeps: 5000,
+                ..Report::default()
+            },
+            ..StepOutcome::default()
+        };
+        for _ in 0..40 {
+            pace.learn(&settings, pace.step, &hard);
+        }
+        assert!(pace.step >= 1e-3);
     }
 }

@@ -11,6 +11,8 @@ pub struct StepReport {
     pub internal_steps: u64,
     /// How often a step was halved.
     pub cuts: u64,
+    /// Internal steps that did not meet the tolerances and whose best iterate was taken.
+    pub unconverged_steps: u64,
     /// Gauss-Seidel sweeps.
     pub sweeps: u64,
     /// Multiplier updates of the augmented-Lagrangian loop.
@@ -35,6 +37,7 @@ impl StepReport {
     pub fn add(&mut self, later: &Self) {
         self.internal_steps += later.internal_steps;
         self.cuts += later.cuts;
+        self.unconverged_steps += later.unconverged_steps;
         self.sweeps += later.sweeps;
         self.augmentations += later.augmentations;
         self.factorizations += later.factorizations;
@@ -48,6 +51,7 @@ impl StepReport {
     pub(super) fn include(&mut self, outcome: &StepOutcome) {
         let solver = &outcome.solver;
         self.internal_steps += 1;
+        self.unconverged_steps += u64::from(outcome.unconverged);
         self.sweeps += solver.sweeps as u64;
         self.augmentations += solver.augmentations as u64;
         self.factorizations += solver.factorizations as u64;

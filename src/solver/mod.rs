@@ -32,6 +32,12 @@ const ATTEMPTS: usize = 8;
 /// Gauss-Seidel sweeps over the whole after each part.
 const BETWEEN: usize = 100;
 
+/// Most sweeps and factorizations of a solve whose best iterate is taken, and the sweeps after which it is looked at once more.
+const ACCEPT_SWEEPS: usize = 2000;
+const ACCEPT_FACTORIZATIONS: usize = 60;
+const CHUNK: usize = 50;
+const CHUNKS: usize = 10;
+
 /// Gauss-Seidel sweeps that `auto` spends before it turns to Newton.
 const AUTO_SWEEPS: usize = 1000;
 
@@ -46,6 +52,8 @@ pub struct Params {
     pub kind: SolverKind,
     /// Residuals to reach \[-\].
     pub tolerance: Tolerance,
+    /// Whether the best iterate is taken where the tolerances are not met: then less is tried.
+    pub accept: bool,
     /// Most Gauss-Seidel sweeps.
     pub max_sweeps: usize,
     /// Most factorizations of a solver, and again of Newton where it finishes.
@@ -120,13 +128,36 @@ impl Report {
 }
 
 /// Solves `problem` from the impulses given and leaves the solution in them, `[C]` \[N s\], and its velocities in the workspace.
+/// With [`Params::accept`] they are the best that were found.
 pub fn solve(
     problem: &Problem,
     params: &Params,
     workspace: &mut Workspace,
     impulses: &mut [Vec3],
 ) -> Report {
-    let (report, last) = match params.kind {
+    let (mut report, mut last) = match params.accept {
+        true => attempt(problem, &params.brief(), workspace, impulses),
+        false => attempt(problem, params, workspace, impulses),
+    };
+    if params.accept && !report.converged {
+        report = best(problem, params, workspace, (impulses, report));
+        last = Last::Factor;
+    }
+    let velocity = &mut workspace.velocity;
+    match last {
+        Last::Sweeps => workspace.kernel.velocities_into(velocity),
+        Last::Factor => problem.velocities_into(impulses, velocity),
+    }
+    report
+}
+
+fn attempt(
+    problem: &Problem,
+    params: &Params,
+    workspace: &mut Workspace,
+    impulses: &mut [Vec3],
+) -> (Report, Last) {
+    match params.kind {
         SolverKind::GaussSeidel => {
             let kernel = &mut workspace.kernel;
             let report = gauss_seidel::solve(problem, params, kernel, impulses);
@@ -134,12 +165,48 @@ pub fn solve(
         }
         SolverKind::Direct => (direct(problem, params, workspace, impulses), Last::Factor),
         SolverKind::Auto => auto(problem, params, workspace, impulses),
-    };
-    let velocity = &mut workspace.velocity;
-    match last {
-        Last::Sweeps => workspace.kernel.velocities_into(velocity),
-        Last::Factor => problem.velocities_into(impulses, velocity),
     }
+}
+
+impl Params {
+    /// For a solve whose best iterate is taken.
+    fn brief(&self) -> Self {
+        Self {
+            max_sweeps: self.max_sweeps.min(ACCEPT_SWEEPS),
+            max_factorizations: self.max_factorizations.min(ACCEPT_FACTORIZATIONS),
+            ..*self
+        }
+    }
+}
+
+/// Goes on from impulses that do not satisfy the tolerances, and leaves the best of some.
+fn best(
+    problem: &Problem,
+    params: &Params,
+    workspace: &mut Workspace,
+    (impulses, mut report): (&mut [Vec3], Report),
+) -> Report {
+    let tolerance = &params.tolerance;
+    let mut best = Best::new(&report.residual, tolerance, impulses);
+    let mut residual = report.residual;
+    let few = Params {
+        max_sweeps: CHUNK,
+        ..*params
+    };
+    for _ in 0..CHUNKS {
+        let more = gauss_seidel::solve(problem, &few, &mut workspace.kernel, impulses);
+        if more.residual.excess(tolerance) < best.excess {
+            residual = more.residual;
+        }
+        best.offer(&more.residual, tolerance, impulses);
+        report = report.then(more);
+        if more.converged {
+            break;
+        }
+    }
+    impulses.copy_from_slice(&best.impulses);
+    report.residual = residual;
+    report.converged = residual.within(tolerance);
     report
 }
 

@@ -49,6 +49,30 @@ pub struct StepOutcome {
     pub max_overlap: f64,
     /// How near a contact is to the edge of its state \[-\]: [`crate::simulation::StepReport::kink`].
     pub kink: f64,
+    /// Whether the tolerances were not met and the best iterate was taken.
+    pub unconverged: bool,
+}
+
+impl StepOutcome {
+    fn of(solver: Report, max_overlap: f64) -> Self {
+        Self {
+            solver,
+            max_overlap,
+            kink: solver.residual.kink,
+            unconverged: false,
+        }
+    }
+}
+
+/// How far a step goes before it fails.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Effort {
+    /// Most Gauss-Seidel sweeps of a solve, where the step can be cut instead; `None`: every solver as long as it may.
+    pub sweeps: Option<usize>,
+    /// Whether the best iterate of a solve that does not converge is taken.
+    pub accept: bool,
+    /// Whether bodies may move so far against each other that they could pass.
+    pub pass: bool,
 }
 
 /// Why an internal step failed; the caller may cut it.
@@ -87,18 +111,18 @@ pub fn step(
     scene: &Scene,
     state: &mut State,
     scratch: &mut Scratch,
-    dt: f64,
-    poses: Vec<Pose>,
+    (dt, poses): (f64, Vec<Pose>),
+    effort: Effort,
 ) -> Result<StepOutcome, StepFailure> {
     let pool = scratch.workspace.kernel.pool(scene.settings.threads);
-    let step = || step_beside(scene, state, scratch, (dt, poses), &mut []);
+    let step = || step_beside(scene, state, scratch, (dt, poses, effort), &mut []);
     match scene.particles.len() {
         0..SMALL => step(),
         _ => pool.within(step),
     }
 }
 
-/// [`step`] to `(dt, poses)`, and beside it pairs of states to either side of `state`: see `beside`.
+/// [`step`] to `(dt, poses)` with an effort, and beside it pairs of states to either side of `state`: see `beside`.
 ///
 /// # Errors
 /// As [`step`], and if the tangent of the solution is singular.
@@ -106,7 +130,7 @@ pub fn step_beside(
     scene: &Scene,
     state: &mut State,
     scratch: &mut Scratch,
-    (dt, poses): (f64, Vec<Pose>),
+    (dt, poses, effort): (f64, Vec<Pose>, Effort),
     pairs: &mut [[Beside<'_>; 2]],
 ) -> Result<StepOutcome, StepFailure> {
     let mut kept = std::mem::take(&mut scratch.kept);
@@ -127,7 +151,7 @@ pub fn step_beside(
                 .map(|k| Stage::beside(&stage, starts[k].inputs(scene, dt), pair[k].state)),
         })
         .collect();
-    let outcome = match stage.resolve(state, scratch, &mut twins) {
+    let outcome = match stage.resolve((state, effort), scratch, &mut twins) {
         Ok(outcome) => outcome,
         Err(failure) => {
             start.kinematics.swap_places(&mut state.kinematics);

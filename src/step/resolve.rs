@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use super::beside::{self, Twin};
 use super::stage::{Stage, follow};
-use super::{Passed, Scratch, StepFailure, StepOutcome};
+use super::{Effort, Passed, Scratch, StepFailure, StepOutcome};
 use crate::Vec3;
 use crate::contacts::broad_phase::Reach;
 use crate::contacts::narrow_phase::{Candidate, Placement};
@@ -20,39 +20,51 @@ const PASSES: usize = 30;
 /// A loaded contact may leave its linearised surface by this share of the radius before its gap is
 /// re-linearised; overlaps are held to the tolerance whatever this is.
 const OPENING: f64 = 1e-3;
+/// Weights that press a squeezed sphere into a boundary by its radius: a thousand by a hundredth of it.
+const WEIGHTS: f64 = 1e5;
 
 impl Stage<'_> {
     /// Solves until the true geometry agrees: gaps are re-linearised, late contacts join.
     pub(super) fn resolve(
         &mut self,
-        state: &State,
+        (state, effort): (&State, Effort),
         scratch: &mut Scratch,
         twins: &mut [Twin<'_>],
     ) -> Result<StepOutcome, StepFailure> {
         let mut total = Report::default();
-        let settings = &self.inputs.scene.settings;
-        let budget = settings.sweeps.filter(|_| self.moves);
-        let patience = state.pace.patience(settings, self.inputs.step);
-        let patience = patience.filter(|_| self.moves);
+        let budget = self.inputs.scene.settings.sweeps.filter(|_| self.moves);
+        let patience = effort.sweeps.filter(|_| self.moves);
+        if effort.accept {
+            self.soften_pinched();
+        }
+        let mut reached = 0.0;
         for _ in 0..PASSES {
             let left = budget.map(|budget| budget - total.sweeps);
-            total = total.then(self.solve(state, scratch, left.or(patience)));
+            total = total.then(self.solve((state, effort), scratch, left.or(patience)));
+            if !total.converged && effort.accept && self.soften_pinched() {
+                total = total.then(self.solve((state, effort), scratch, left.or(patience)));
+            }
             let spent = budget.is_some_and(|budget| total.sweeps >= budget);
-            if !total.converged && !spent {
+            let as_it_is = spent || (effort.accept && !total.converged);
+            if !total.converged && !as_it_is {
                 return Err(self.failure(&total));
             }
             beside::follow(self, twins).map_err(|broken| self.broken(&total, broken))?;
-            let checked = self.check(state, scratch, twins, spent);
-            match checked.map_err(|passed| self.too_fast(&total, passed))? {
-                None => {}
-                Some(max_overlap) => {
-                    return Ok(StepOutcome {
-                        solver: total,
-                        max_overlap,
-                        kink: total.residual.kink,
-                    });
-                }
+            let checked = self.check(state, scratch, twins, (as_it_is, effort.pass));
+            let (overlap, agrees) = checked.map_err(|passed| self.too_fast(&total, passed))?;
+            if agrees {
+                return Ok(StepOutcome {
+                    unconverged: !total.converged,
+                    ..StepOutcome::of(total, overlap)
+                });
             }
+            reached = overlap;
+        }
+        if effort.accept {
+            return Ok(StepOutcome {
+                unconverged: true,
+                ..StepOutcome::of(total, reached)
+            });
         }
         Err(StepFailure {
             what: "gap",
@@ -66,8 +78,33 @@ impl Stage<'_> {
         })
     }
 
-    /// Holds the impulses against the true geometry at the end of the step: the largest overlap over radius there; `None` if
-    /// the problem had to be changed. If all sweeps are `spent` the impulses stay as they are.
+    /// Lets the contacts with boundaries of spheres that two rigid ones squeeze give way, so that there is an answer: `k` such
+    /// that [`WEIGHTS`] weights press a sphere in by a radius. Returns whether there are new ones.
+    fn soften_pinched(&mut self) -> bool {
+        let mut squeezed: Vec<u32> = (0..self.candidates.len())
+            .filter_map(|row| self.pinch(row))
+            .map(|(sphere, _)| sphere as u32)
+            .collect();
+        squeezed.dedup();
+        let scene = self.inputs.scene;
+        for k in 0..self.candidates.len() {
+            let key = self.candidates[k].key;
+            let wall = matches!(key.partner, Partner::Boundary { .. });
+            if wall && squeezed.contains(&key.sphere) {
+                let i = key.sphere as usize;
+                let weight = scene.particles.mass[i] * self.inputs.gravity_size.max(1.0);
+                let stiffness = WEIGHTS * weight / scene.particles.radius[i];
+                let compliance = 1.0 / (stiffness * self.inputs.step * self.inputs.step);
+                self.problem
+                    .rows
+                    .update(k, |row| row.compliance_n = compliance);
+            }
+        }
+        !squeezed.is_empty()
+    }
+
+    /// Holds the impulses against the true geometry at the end of the step: the largest overlap over radius there, and whether
+    /// the problem could stay as it is. If they are to be taken `as_it_is` it does, and bodies may `pass` if they may.
     ///
     /// # Errors
     /// Bodies that pass through each other.
@@ -76,8 +113,8 @@ impl Stage<'_> {
         state: &State,
         scratch: &mut Scratch,
         twins: &mut [Twin<'_>],
-        spent: bool,
-    ) -> Result<Option<f64>, Passed> {
+        (as_it_is, pass): (bool, bool),
+    ) -> Result<(f64, bool), Passed> {
         let solution = take(&mut self.solution);
         let mut position = take(&mut self.position);
         let mut closed = take(&mut self.closed);
@@ -93,7 +130,7 @@ impl Stage<'_> {
         let max_overlap = end.overlaps(&scratch.neighbors, limit, &self.pool, &mut closed);
         // The penalty method lets bodies overlap as they like.
         let alm = self.inputs.scene.settings.method == Method::Alm;
-        let swept = alm && self.moves;
+        let swept = alm && self.moves && !pass;
         let struck = if swept {
             self.struck(&end, &closed)
         } else {
@@ -101,12 +138,12 @@ impl Stage<'_> {
         };
         let verdict = if let Some(passed) = struck {
             Err(passed)
-        } else if alm && !spent && self.correct(&end, &closed, (&solution, state), twins) {
-            Ok(None)
+        } else if alm && !as_it_is && self.correct(&end, &closed, (&solution, state), twins) {
+            Ok((max_overlap, false))
         } else if swept && let Some(passed) = self.passed(&solution, &ends, scratch) {
             Err(passed)
         } else {
-            Ok(Some(max_overlap))
+            Ok((max_overlap, true))
         };
         (self.solution, self.position, self.closed) = (solution, position, closed);
         verdict
@@ -124,13 +161,14 @@ impl Stage<'_> {
     ) -> bool {
         let settings = &self.inputs.scene.settings;
         let tolerance = settings.tolerance.gap;
+        let opening = OPENING.max(3.0 * settings.opening);
         let loaded = |k: usize| self.impulses[k] != Vec3::zeros();
         let wall = |k: usize| matches!(self.candidates[k].key.partner, Partner::Boundary { .. });
         // Two spheres without load that overlap are among the closed ones below.
         let is_off = |k: usize| {
             (loaded(k) || wall(k)) && {
                 let (gap, radius) = (self.true_gap(end, k), self.problem.rows.radius(k));
-                let opens = loaded(k) && !self.impact[k] && gap > OPENING * radius;
+                let opens = loaded(k) && !self.impact[k] && gap > opening * radius;
                 gap < -tolerance * radius || opens
             }
         };
@@ -180,14 +218,15 @@ impl Stage<'_> {
 
     /// Lets the gaps of the contacts that yield be the true ones at `end`, where `solution` leads.
     fn relinearise(&mut self, end: &Placement, solution: &[Dof6], yields: &[bool]) {
-        let step = self.inputs.step;
+        let (step, settings) = (self.inputs.step, &self.inputs.scene.settings);
         for k in (0..yields.len()).filter(|&k| yields[k]) {
             let gap = self.true_gap(end, k);
             let row = self.problem.rows.get(k);
             let n = row.normal;
             let linear = step * n.dot(&row.relative_velocity(solution));
             let compression = self.impulses[k].dot(&n) * row.compliance_n * step;
-            let wanted = (gap - compression - linear) / step;
+            let carried = settings.carried(self.candidates[k].gap, row.radius);
+            let wanted = (gap - carried - compression - linear) / step;
             let now = row.bias.dot(&n);
             let wanted = match self.impact[k] {
                 true => wanted.min(now),
@@ -222,8 +261,9 @@ impl Stage<'_> {
             told,
         );
         let linear = self.inputs.step * found.normal.dot(&row.relative_velocity(solution));
-        row.bias +=
-            row.normal * ((found.gap - linear) / self.inputs.step - row.bias.dot(&row.normal));
+        let carried = self.inputs.scene.settings.opening * row.radius;
+        row.bias += row.normal
+            * ((found.gap - carried - linear) / self.inputs.step - row.bias.dot(&row.normal));
         let at = self.candidates.partition_point(|c| c.key < found.key);
         self.candidates.insert(at, found);
         self.problem.rows.insert(at, row);

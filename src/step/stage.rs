@@ -2,7 +2,7 @@
 
 use std::mem::take;
 
-use super::Scratch;
+use super::{Effort, Scratch};
 use crate::Vec3;
 use crate::contacts::broad_phase::Reach;
 use crate::contacts::history::{self, Past};
@@ -286,11 +286,12 @@ impl<'a> Stage<'a> {
     /// Solves the problem as it stands; by `sweeps` at most, if so many are given.
     pub(super) fn solve(
         &mut self,
-        state: &State,
+        (state, effort): (&State, Effort),
         scratch: &mut Scratch,
         sweeps: Option<usize>,
     ) -> Report {
         let mut params = self.params(state);
+        params.accept = effort.accept;
         if let Some(sweeps) = sweeps {
             params.kind = SolverKind::GaussSeidel;
             params.max_sweeps = sweeps;
@@ -325,6 +326,7 @@ impl<'a> Stage<'a> {
         Params {
             kind: settings.solver,
             tolerance,
+            accept: false,
             max_sweeps: settings.max_iterations,
             max_factorizations: settings.max_iterations.div_ceil(20),
             // Contact springs carry the penalty themselves: nothing is left to augment.

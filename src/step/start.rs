@@ -2,7 +2,7 @@
 
 use super::beside::{self, Twin};
 use super::stage::{Held, Stage};
-use super::{Scratch, Start, StepFailure, external, surfaces};
+use super::{Effort, Scratch, Start, StepFailure, external, surfaces};
 use crate::Vec3;
 use crate::contacts::broad_phase::Reach;
 use crate::contacts::narrow_phase::Placement;
@@ -38,7 +38,7 @@ pub fn initial_forces(
         side.keep(&resting);
     }
     stage.keep(&resting);
-    let report = stage.solve(state, scratch, None);
+    let report = stage.solve((state, Effort::default()), scratch, None);
     if scene.settings.method == Method::Alm && !report.converged {
         return Err(stage.failure(&report));
     }
@@ -104,7 +104,7 @@ pub fn remove_overlaps(
         side.displace();
     }
     stage.displace();
-    stage.resolve(state, scratch, &mut twins)?;
+    stage.resolve((state, Effort::default()), scratch, &mut twins)?;
     for (twin, pair) in twins.iter().zip(pairs) {
         for (side, state) in twin.stages.iter().zip(pair) {
             let solution = side.problem.velocities(&side.impulses);
@@ -189,7 +189,8 @@ impl Stage<'_> {
             weight = external.fold(weight, f64::max);
         }
         let creep = weight * self.inputs.step;
-        let closed = scene.settings.tolerance.gap.max(1e-9);
+        let settings = &scene.settings;
+        let closed = settings.tolerance.gap.max(settings.opening).max(1e-9);
         let rests = |k: usize| {
             let row = self.problem.rows.get(k);
             self.candidates[k].gap <= closed * row.radius

@@ -128,6 +128,7 @@ fn params(kind: SolverKind) -> Params {
             slip: 1e-11,
             force: 1e-9,
         },
+        accept: false,
         max_sweeps: 100_000,
         max_factorizations: 2000,
         penalty: 1e5,
@@ -246,6 +247,7 @@ fn a_part_that_resists_rolling_is_finished() {
     }));
     let mut impulses = vec![Vec3::zeros(); both.rows.len()];
     let brief = Params {
+        accept: false,
         max_sweeps: 2,
         ..params(SolverKind::Auto)
     };

@@ -8,8 +8,8 @@ use sphere_dda::particles::Kinematics;
 use sphere_dda::scene::Scene;
 use sphere_dda::simulation::Simulation;
 
-use crate::Watch;
 use crate::error::ReportError;
+use crate::{Watch, parallel};
 
 /// Gravity \[m/s^2\].
 pub(super) const G: f64 = 9.81;
@@ -83,6 +83,27 @@ pub(super) fn boundary(name: &str, faces: &str, rest: &str) -> String {
 /// [`ReportError::Scene`] if the text is wrong.
 pub(super) fn scene(name: &str, text: &str) -> Result<Scene, ReportError> {
     Ok(Scene::from_toml(name, text, Path::new(""))?.scene)
+}
+
+/// Runs every case with every packing, 1 to `packings`, on at most `threads` threads; what is found, by case.
+///
+/// # Errors
+/// What the first run that fails says.
+pub(super) fn by_packing<C: Copy + Send, T: Send>(
+    threads: usize,
+    cases: &[C],
+    packings: u64,
+    run: impl Fn(C, u64) -> Result<T, ReportError> + Sync,
+) -> Result<Vec<Vec<T>>, ReportError> {
+    let run = &run;
+    let jobs = cases
+        .iter()
+        .flat_map(|&case| (1..=packings).map(move |packing| move || run(case, packing)));
+    let mut found = parallel::run(threads, jobs.collect()).into_iter();
+    cases
+        .iter()
+        .map(|_| found.by_ref().take(packings as usize).collect())
+        .collect()
 }
 
 /// A case of the study: its name in messages, and who watches.

@@ -4,10 +4,11 @@
 //! rate = C rho_b sqrt(g) (D - k d)^(5/2)
 //! ```
 //!
-//! for what flows: below five grains orifices jam now and then (I. Zuriguel, A. Garcimartin, D. Maza, L. A. Pugnaloni, J. M.
-//! Pastor, *Jamming during the discharge of granular matter from a silo*, Physical Review E 71 (2005)). `D` orifice, `d` grain \[m\]; `C` about 0.58, `k` about 1.4 for spheres. Source: W. A. Beverloo, H. A. Leniger, J. van de
-//! Velde, *The flow of granular solids through orifices*, Chemical Engineering Science 15 (1961); `k` for spheres: R. M.
-//! Nedderman, *Statics and Kinematics of Granular Materials* (1992).
+//! for what flows: below five grains orifices jam now and then. `D` orifice, `d` grain \[m\]; `C` about 0.58, `k` about 1.4 for
+//! spheres. Sources: W. A. Beverloo, H. A. Leniger, J. van de Velde, *The flow of granular solids through orifices*, Chemical
+//! Engineering Science 15 (1961); `k` for spheres: R. M. Nedderman, *Statics and Kinematics of Granular Materials* (1992); jams:
+//! I. Zuriguel, A. Garcimartin, D. Maza, L. A. Pugnaloni, J. M. Pastor, *Jamming during the discharge of granular matter from a
+//! silo*, Physical Review E 71 (2005).
 
 use std::fmt::Write as _;
 
@@ -15,8 +16,8 @@ use sphere_dda::particles::Kinematics;
 
 use super::bed::{self, Friction, G, GRAIN, Run};
 use super::fit::{self, Line};
+use crate::Watch;
 use crate::error::ReportError;
-use crate::{Watch, parallel};
 
 /// `k` for spheres.
 const SHAPE: f64 = 1.4;
@@ -112,33 +113,17 @@ impl Outflow {
 /// What a run says.
 pub fn run(share: f64, threads: usize, watch: &dyn Watch) -> Result<Beverloo, ReportError> {
     let count = (share * COUNT as f64) as usize;
-    let fillings: Vec<_> = (1..=PACKINGS)
-        .map(|packing| move || filled(count, packing, watch))
-        .collect();
-    let bins: Result<Vec<(f64, Kinematics)>, ReportError> =
-        parallel::run(threads, fillings).into_iter().collect();
-    let bins = bins?;
+    let fill = |(), packing| filled(count, packing, watch);
+    let bins = bed::by_packing(threads, &[()], PACKINGS, fill)?.concat();
     let bulk_density = fit::mean(bins.iter().map(|bin| bin.0))[0];
-    let jobs: Vec<_> = ORIFICES
-        .iter()
-        .flat_map(|&orifice| {
-            let full = (1..=PACKINGS).zip(&bins);
-            full.map(move |(packing, (_, full))| {
-                move || outflow((count, packing), orifice, full, watch)
-            })
-        })
+    let flows = bed::by_packing(threads, &ORIFICES, PACKINGS, |orifice, packing| {
+        let (_, full) = &bins[packing as usize - 1];
+        outflow((count, packing), orifice, full, watch)
+    })?;
+    let outflows = ORIFICES.into_iter().zip(flows);
+    let outflows: Vec<Outflow> = outflows
+        .map(|(orifice, flows)| Outflow { orifice, flows })
         .collect();
-    let mut flows = parallel::run(threads, jobs).into_iter();
-    let outflows: Result<Vec<Outflow>, ReportError> = ORIFICES
-        .iter()
-        .map(|&orifice| {
-            let flows: Result<Vec<Flow>, ReportError> =
-                flows.by_ref().take(PACKINGS as usize).collect();
-            let flows = flows?;
-            Ok(Outflow { orifice, flows })
-        })
-        .collect();
-    let outflows = outflows?;
     let points = outflows.iter().map(|o| (o.effective(), o.rate()[0]));
     let points: Vec<(f64, f64)> = points.collect();
     let scale = |x: f64| bulk_density * G.sqrt() * x.powf(2.5);
@@ -231,17 +216,13 @@ fn outflow(
             .sum::<f64>()
     };
     let all = mass(&bin);
-    let mut history: Vec<(f64, f64)> = Vec::new();
-    let (mut last, mut jammed) = (0.0, false);
+    let mut history = Vec::new();
     run.advance(&mut bin, TIMES[1], |bin| {
-        let (time, left) = (bin.time(), all - mass(bin));
-        if history.last().is_none_or(|point| left > point.1) {
-            last = time;
-        }
-        jammed = time - last > JAM;
-        history.push((time, left));
-        Ok(left < SHARE * all && !jammed)
+        let left = all - mass(bin);
+        history.push((bin.time(), left));
+        Ok(left < SHARE * all && !jammed(&history))
     })?;
+    let jammed = jammed(&history);
     let established: Vec<(f64, f64)> = history.iter().copied().filter(|p| p.0 >= BEGUN).collect();
     let rate = |points: &[(f64, f64)]| Line::through(points).slope;
     let (first, second) = established.split_at(established.len() / 2);
@@ -255,6 +236,16 @@ fn outflow(
     })
 }
 
+/// Whether no mass has left for [`JAM`] at the end of a history.
+fn jammed(history: &[(f64, f64)]) -> bool {
+    history.last().is_some_and(|&(now, left)| {
+        let mut before = history.iter().rev();
+        before
+            .find(|point| now - point.0 > JAM)
+            .is_some_and(|point| point.1 >= left)
+    })
+}
+
 /// Bulk density \[kg/m^3\] of the middle half of the bed.
 fn density(places: impl Iterator<Item = (sphere_dda::Vec3, f64)>) -> f64 {
     let mut places: Vec<(f64, f64)> = places.map(|(x, m)| (x.z, m)).collect();
@@ -263,4 +254,24 @@ fn density(places: impl Iterator<Item = (sphere_dda::Vec3, f64)>) -> f64 {
     let mass: f64 = middle.iter().map(|p| p.1).sum();
     let height = middle.last().map_or(0.0, |p| p.0) - middle.first().map_or(0.0, |p| p.0);
     mass / (height * 0.25 * std::f64::consts::PI * BIN * BIN)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A grain every 10 ms until `end`: a jam is told once the last one is more than [`JAM`] old, and not before.
+    #[test]
+    fn a_jam_is_a_time_without_a_grain() {
+        let until = |now: usize, end: usize| -> Vec<(f64, f64)> {
+            let point = |k: usize| (0.01 * k as f64, 0.1 * k.min(end) as f64);
+            (1..=now).map(point).collect()
+        };
+        assert!(!jammed(&[]));
+        assert!(!jammed(&until(3, 0)));
+        assert!(!jammed(&until(40, 40)));
+        assert!(!jammed(&until(49, 40)));
+        assert!(jammed(&until(52, 40)));
+        assert!(jammed(&until(13, 0)));
+    }
 }

@@ -13,8 +13,8 @@ use sphere_dda::simulation::Simulation;
 
 use super::bed::{self, Friction, GRAIN, Run};
 use super::fit::{self, Line};
+use crate::Watch;
 use crate::error::ReportError;
-use crate::{Watch, parallel};
 
 /// Aspect ratio at which the law changes.
 pub const CHANGE: f64 = 1.7;
@@ -99,25 +99,16 @@ pub struct Collapse {
 /// What a run says.
 pub fn run(share: f64, threads: usize, watch: &dyn Watch) -> Result<Collapse, ReportError> {
     let columns = COLUMNS.map(|(aspect, radius)| (aspect, radius * share.cbrt()));
-    let jobs: Vec<_> = columns
-        .iter()
-        .flat_map(|&(aspect, radius)| {
-            (1..=PACKINGS).map(move |packing| move || collapsed(aspect, radius, packing, watch))
+    let deposits = bed::by_packing(threads, &columns, PACKINGS, |(aspect, radius), packing| {
+        collapsed(aspect, radius, packing, watch)
+    })?;
+    let columns = columns.into_iter().zip(deposits);
+    let columns: Vec<Column> = columns
+        .map(|((aspect, radius), deposits)| Column {
+            grains: count(aspect, radius),
+            deposits,
         })
         .collect();
-    let mut deposits = parallel::run(threads, jobs).into_iter();
-    let columns: Result<Vec<Column>, ReportError> = columns
-        .iter()
-        .map(|&(aspect, radius)| {
-            let deposits: Result<Vec<Deposit>, ReportError> =
-                deposits.by_ref().take(PACKINGS as usize).collect();
-            Ok(Column {
-                grains: count(aspect, radius),
-                deposits: deposits?,
-            })
-        })
-        .collect();
-    let columns = columns?;
     let law = |low: bool| {
         let points = columns.iter().map(|c| (c.aspect(), c.runout()[0]));
         let points: Vec<(f64, f64)> = points.filter(|(a, _)| (*a < CHANGE) == low).collect();

@@ -11,8 +11,8 @@ use sphere_dda::simulation::Simulation;
 
 use super::bed::{self, Friction, GRAIN, Run};
 use super::fit::{self, Line};
+use crate::Watch;
 use crate::error::ReportError;
-use crate::{Watch, parallel};
 
 /// Friction coefficients.
 const FRICTIONS: [f64; 5] = [0.2, 0.3, 0.4, 0.5, 0.6];
@@ -62,24 +62,13 @@ impl Slope {
 /// # Errors
 /// What a run says.
 pub fn run(share: f64, threads: usize, watch: &dyn Watch) -> Result<Vec<Slope>, ReportError> {
-    let jobs: Vec<_> = FRICTIONS
-        .iter()
-        .flat_map(|&friction| {
-            (1..=PACKINGS).map(move |packing| move || heap(friction, packing, share, watch))
-        })
-        .collect();
-    let mut heaps = parallel::run(threads, jobs).into_iter();
-    FRICTIONS
-        .iter()
-        .map(|&friction| {
-            let heaps: Result<Vec<Heap>, ReportError> =
-                heaps.by_ref().take(PACKINGS as usize).collect();
-            Ok(Slope {
-                friction,
-                heaps: heaps?,
-            })
-        })
-        .collect()
+    let heaps = bed::by_packing(threads, &FRICTIONS, PACKINGS, |friction, packing| {
+        heap(friction, packing, share, watch)
+    })?;
+    let slopes = FRICTIONS.into_iter().zip(heaps);
+    Ok(slopes
+        .map(|(friction, heaps)| Slope { friction, heaps })
+        .collect())
 }
 
 fn text(friction: f64, seed: u64, [length, width, height]: [f64; 3], wall: bool) -> String {

@@ -150,6 +150,7 @@ impl Column {
         let held = Params {
             kind: SolverKind::Direct,
             tolerance: Tolerance::default(),
+            accept: false,
             max_sweeps: 0,
             max_factorizations: usize::MAX,
             penalty: p,
@@ -187,6 +188,7 @@ impl Column {
         let params = Params {
             kind: SolverKind::Direct,
             tolerance: Tolerance::default(),
+            accept: false,
             max_sweeps: 0,
             max_factorizations: 1000,
             penalty: p,

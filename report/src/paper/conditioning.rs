@@ -35,6 +35,7 @@ pub fn condition(problem: &Problem, penalty: f64) -> Option<f64> {
     let params = Params {
         kind: SolverKind::Direct,
         tolerance: Tolerance::default(),
+        accept: false,
         max_sweeps: 10_000,
         max_factorizations: 1000,
         penalty,

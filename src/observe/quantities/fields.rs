@@ -173,7 +173,7 @@ pub(super) const SINK: [Field<f64>; 1] =
     [real("mass", "kg", "Mass removed since the start", |m| *m)];
 
 #[rustfmt::skip]
-pub(super) const WHOLE: [Field<Whole>; 28] = [
+pub(super) const WHOLE: [Field<Whole>; 29] = [
     real("mass", "kg", "Mass of all spheres in the scene", |w| w.totals.mass),
     count("sphereCount", "Number of spheres in the scene", |w| w.totals.spheres),
     vector("momentum", "kg.m/s", "Momentum of the spheres, half-step velocities: averaged wrench x time + weight = its change", |w| w.totals.momentum.linear),
@@ -194,6 +194,7 @@ pub(super) const WHOLE: [Field<Whole>; 28] = [
     number("maxOverlap", "Largest true overlap over radius in the communication step", |w| w.max_overlap),
     count("solver.internalSteps", "Internal steps of the communication step", |w| w.report.internal_steps),
     count("solver.cuts", "How many of them came from halving", |w| w.report.cuts),
+    count("solver.unconvergedSteps", "How many of them did not meet the tolerances: their best iterate was taken", |w| w.report.unconverged_steps),
     count("solver.sweeps", "Gauss-Seidel sweeps of the communication step", |w| w.report.sweeps),
     count("solver.augmentations", "Augmented-Lagrangian iterations of the communication step", |w| w.report.augmentations),
     count("solver.factorizations", "Factorizations of the communication step", |w| w.report.factorizations),

@@ -136,13 +136,14 @@ impl Inputs<'_> {
         let threshold = settings
             .threshold_velocity
             .max(2.0 * self.step * acceleration.max(turning));
+        let excess = candidate.gap - settings.carried(candidate.gap, meeting.radius);
         let impact = told.unwrap_or_else(|| {
             let freely = || n.dot(&(free[a].linear - meeting.partner));
-            approach < -threshold && candidate.gap + self.step * freely() < 0.0
+            approach < -threshold && excess + self.step * freely() < 0.0
         });
         let rebounds =
             impact && pair.restitution > 0.0 && settings.integrator == Integrator::Moreau;
-        let gap_bias = candidate.gap / self.step;
+        let gap_bias = excess / self.step;
         let mut bias = n * match rebounds {
             true => pair.restitution * approach,
             false => gap_bias,

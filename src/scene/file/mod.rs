@@ -13,7 +13,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 pub use super::values::{OneOrMany, Triple, Vector};
-use super::{Integrator, Method, SolverKind};
+use super::{Accuracy, Integrator, Method, SolverKind};
 pub use boundaries::{
     Boundary, Cone, Constant, Cuboid, Cylinder, Face, Input, Motion, Plane, Rectangle, Sinusoid,
     Stl, Table, Terrain,
@@ -84,11 +84,22 @@ pub struct Simulation {
     /// End time of a run \[s\].
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub duration: f64,
-    /// Largest internal time step \[s\].
-    #[schemars(extend("exclusiveMinimum" = 0))]
-    pub step: f64,
+    /// How accurate the run is: `"fast"`, `"standard"` or `"reference"`. It sets tolerances and steps ([what each gives](accuracy.md)).
+    #[serde(default)]
+    pub accuracy: Accuracy,
+    /// Largest internal time step \[s\]. Steps are chosen at most so long; a larger value than the accuracy allows changes nothing.
+    #[schemars(extend("x-default" = "chosen from the accuracy, the smallest radius and gravity", "exclusiveMinimum" = 0))]
+    pub step: Option<f64>,
+    /// Whether every internal step is as long as `step`, which is then required. The integrator `shi` and the penalty method do so
+    /// whenever `step` is given.
+    #[serde(default)]
+    pub fixed_step: bool,
+    /// Whether a step that does not meet the tolerances ends the run. Otherwise its best iterate is taken, counted in
+    /// `solver.unconvergedSteps` and reported.
+    #[serde(default)]
+    pub strict: bool,
     /// Communication step of `run` and of the FMU's default experiment \[s\].
-    #[schemars(extend("x-default" = "`step`", "exclusiveMinimum" = 0))]
+    #[schemars(extend("x-default" = "`step`, or a round number near the chosen one", "exclusiveMinimum" = 0))]
     pub communication_step: Option<f64>,
     /// How contact constraints are enforced: `"alm"` keeps the overlap within the tolerance, `"penalty"` puts contact
     /// springs of stiffness `penalty`.
@@ -132,8 +143,8 @@ pub struct Simulation {
     #[serde(default = "iterations")]
     #[schemars(extend("minimum" = 1))]
     pub max_iterations: u32,
-    /// With it the internal step is chosen between this and `step` for least total time: longer or shorter as simulated time gets cheaper \[s\].
-    #[schemars(extend("x-default" = "every internal step is as long as `step` allows", "exclusiveMinimum" = 0))]
+    /// Smallest internal step that is chosen \[s\]; steps that fail are cut below it.
+    #[schemars(extend("x-default" = "a part of the largest step that the accuracy sets", "exclusiveMinimum" = 0))]
     pub smallest_step: Option<f64>,
     /// Real-time mode: most Gauss-Seidel sweeps of a step. What they reach is taken; `maxOverlap` and the residuals say how good it is.
     #[schemars(extend("x-default" = "as many as the tolerances need", "minimum" = 1))]
@@ -155,26 +166,23 @@ pub struct Simulation {
     pub tolerance: Tolerance,
 }
 
-/// `[simulation.tolerance]`: dimensionless tolerances of every step.
-#[derive(Debug, Clone, Copy, Serialize, Deserialize, JsonSchema)]
+/// `[simulation.tolerance]`: dimensionless tolerances of every step, instead of those of the `accuracy`.
+#[derive(Debug, Clone, Copy, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Tolerance {
     /// True overlap over the smaller radius of the pair \[-\].
-    #[schemars(extend("minimum" = 1e-12, "maximum" = 1e-1))]
-    pub gap: f64,
+    #[schemars(extend("x-default" = "that of the accuracy", "minimum" = 1e-12, "maximum" = 1e-1))]
+    pub gap: Option<f64>,
     /// Slip of a sticking contact over the smaller radius \[-\].
-    #[schemars(extend("minimum" = 1e-12, "maximum" = 1e-1))]
-    pub slip: f64,
+    #[schemars(extend("x-default" = "that of the accuracy", "minimum" = 1e-12, "maximum" = 1e-1))]
+    pub slip: Option<f64>,
     /// Force residual over the contact's force scale \[-\].
-    #[schemars(extend("minimum" = 1e-12, "maximum" = 1e-1))]
-    pub force: f64,
-}
-
-impl Default for Tolerance {
-    fn default() -> Self {
-        let super::Tolerance { gap, slip, force } = super::Tolerance::default();
-        Self { gap, slip, force }
-    }
+    #[schemars(extend("x-default" = "that of the accuracy", "minimum" = 1e-12, "maximum" = 1e-1))]
+    pub force: Option<f64>,
+    /// Gap over the smaller radius up to which a contact may carry load \[-\]: what rests within it keeps its place and its
+    /// forces. 0: contacts carry at zero gap only.
+    #[schemars(extend("x-default" = "1, 3 or 9 times `gap`, by the accuracy", "minimum" = 0, "maximum" = 1e-1))]
+    pub opening: Option<f64>,
 }
 
 fn yes() -> bool {
@@ -206,7 +214,7 @@ fn one_thread() -> u32 {
 }
 
 fn cuts() -> u32 {
-    6
+    10
 }
 
 /// `[[material]]`. Of coefficients that both materials of a contact give, the smaller one counts; `[[pair]]` goes before

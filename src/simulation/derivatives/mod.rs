@@ -21,7 +21,7 @@ use crate::contacts::Load;
 use crate::error::{SnapshotError, StepError};
 use crate::motion::Pose;
 use crate::state::State;
-use crate::step::{Beside, Scratch, step_beside};
+use crate::step::{Beside, Effort, Scratch, step_beside};
 
 /// Where a state came from.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -43,7 +43,7 @@ pub struct Step {
     /// What had been summed up before `state`.
     pub(super) before: Account,
     /// Ends of the internal steps from `state` on \[s\].
-    pub(super) taken: Vec<f64>,
+    pub(super) taken: Vec<(f64, f64)>,
 }
 
 impl Origin {
@@ -125,9 +125,14 @@ impl Simulation {
     ) -> Result<Self, StepError> {
         let scene = &self.scene;
         let mut again = Companion::of(self, origin, origin.course.clone());
-        for &target in &origin.taken {
+        let effort = Effort {
+            sweeps: None,
+            accept: !scene.settings.strict,
+            pass: !scene.settings.strict,
+        };
+        for &(target, dt) in &origin.taken {
             let earlier = again.simulation.state.clone();
-            let (start, dt) = (earlier.time, target - earlier.time);
+            let start = earlier.time;
             let before = Before::of(scene, &earlier);
             let befores: Vec<[Before; 2]> = pairs
                 .iter()
@@ -144,7 +149,7 @@ impl Simulation {
                 })
                 .collect();
             let Simulation { state, scratch, .. } = &mut again.simulation;
-            step_beside(scene, state, scratch, (dt, poses), &mut beside)
+            step_beside(scene, state, scratch, (dt, poses, effort), &mut beside)
                 .map_err(|failure| self.explain(failure, dt, 0))?;
             again.book(&before, target, dt);
             let position = again.simulation.state.kinematics.position.clone();

@@ -1,0 +1,140 @@
+//! What stands behind `accuracy`: tolerances, and the lengths between which internal steps are chosen.
+//!
+//! With the smallest radius `R` and gravity `g`, a step is at most a share `c` of the time in which a sphere falls by half its
+//! radius, `c sqrt(R/g)`, and at least a part of that; only what fails is cut below. Between them it goes where simulated time
+//! costs least ([`crate::simulation`]).
+//!
+//! | | overlap `gap` | `opening` | `slip` | `force` | longest step |
+//! |---|---|---|---|---|---|
+//! | fast | 1e-3 | 1e-3 | 3.5e-3 | 0.1 | 0.15 sqrt(R/g) |
+//! | standard | 1e-4 | 3e-4 | 3.5e-4 | 0.1 | 0.1 sqrt(R/g) |
+//! | reference | 1e-6 | 9e-6 | 3.5e-6 | 1e-2 | 0.03 sqrt(R/g) |
+//!
+//! `slip` is 3.5 times `gap`, for an error of an impulse moves a sphere so much farther across a contact than along it
+//! (`w_t = 3.5 w_n`). Their cost and errors on scenes nobody tuned: `docs/newcomers.md`.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::Tolerance;
+
+/// How accurate a run is, and so how dear.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Accuracy {
+    /// For drives and controllers: resultants.
+    Fast,
+    /// For forces and flows that are compared.
+    #[default]
+    Standard,
+    /// To judge the others by.
+    Reference,
+}
+
+impl Accuracy {
+    /// All of them, from the cheapest.
+    pub const ALL: [Self; 3] = [Self::Fast, Self::Standard, Self::Reference];
+
+    /// Its name in scene files.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Fast => "fast",
+            Self::Standard => "standard",
+            Self::Reference => "reference",
+        }
+    }
+
+    /// Tolerances of every step \[-\].
+    #[must_use]
+    pub fn tolerance(self) -> Tolerance {
+        let (gap, force) = match self {
+            Self::Fast => (1e-3, 1e-1),
+            Self::Standard => (1e-4, 1e-1),
+            Self::Reference => (1e-6, 1e-2),
+        };
+        Tolerance {
+            gap,
+            slip: 3.5 * gap,
+            force,
+        }
+    }
+
+    /// Largest opening of a loaded contact over the gap tolerance \[-\].
+    #[must_use]
+    pub fn opening(self) -> f64 {
+        match self {
+            Self::Fast => 1.0,
+            Self::Standard => 3.0,
+            Self::Reference => 9.0,
+        }
+    }
+
+    /// Longest internal step over `sqrt(R/g)`, and the longest over the shortest that is chosen \[-\].
+    fn steps(self) -> (f64, f64) {
+        match self {
+            Self::Fast => (0.15, 4.0),
+            Self::Standard => (0.1, 4.0),
+            Self::Reference => (0.03, 10.0),
+        }
+    }
+
+    /// Longest and shortest internal step \[s\] where the smallest sphere has `radius` \[m\] under `acceleration` \[m/s^2\];
+    /// without either, a hundredth of `duration` \[s\] and its parts.
+    #[must_use]
+    pub fn step_range(self, radius: f64, acceleration: f64, duration: f64) -> (f64, f64) {
+        let (share, range) = self.steps();
+        let fall = (radius / acceleration).sqrt();
+        let longest = match fall.is_finite() && fall > 0.0 {
+            true => (share * fall).min(duration),
+            false => 0.01 * duration,
+        };
+        (longest, longest / range)
+    }
+}
+
+/// The largest of 1, 2 and 5 times a power of ten that is not above `time` \[s\].
+#[must_use]
+pub(super) fn round_time(time: f64) -> f64 {
+    let exponent = time.log10().floor() as i32;
+    let candidates = (exponent - 1..=exponent + 1).flat_map(|e| [1, 2, 5].map(|m| (m, e)));
+    let values = candidates.filter_map(|(m, e)| format!("{m}e{e}").parse::<f64>().ok());
+    values
+        .filter(|value| *value <= time * (1.0 + 1e-9))
+        .fold(f64::MIN_POSITIVE, f64::max)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn times_are_rounded_down_to_round_numbers() {
+        for (time, rounded) in [(3.2e-3, 2e-3), (1e-3, 1e-3), (9.9e-4, 5e-4), (0.5, 0.5)] {
+            assert_eq!(round_time(time), rounded);
+        }
+    }
+
+    #[test]
+    fn finer_accuracy_has_finer_tolerances_and_no_longer_steps() {
+        for pair in Accuracy::ALL.windows(2) {
+            let [coarse, fine] = [pair[0], pair[1]].map(|a| (a.tolerance(), a.opening()));
+            assert!(fine.0.gap < coarse.0.gap && fine.0.slip < coarse.0.slip);
+            assert!(fine.0.force <= coarse.0.force);
+            assert!(fine.1 * fine.0.gap < coarse.1 * coarse.0.gap);
+            let [coarse, fine] = [pair[0], pair[1]].map(|a| a.step_range(0.01, 9.81, 1.0));
+            assert!(fine.0 <= coarse.0 && fine.1 <= coarse.1);
+        }
+    }
+
+    /// Without gravity, or without spheres at first, there is a step all the same.
+    #[test]
+    fn every_scene_has_a_step() {
+        for (radius, gravity) in [(0.01, 0.0), (f64::INFINITY, 9.81), (0.01, 9.81)] {
+            for accuracy in Accuracy::ALL {
+                let (longest, shortest) = accuracy.step_range(radius, gravity, 2.0);
+                assert!(longest.is_finite() && 0.0 < shortest && shortest < longest);
+            }
+        }
+    }
+}
