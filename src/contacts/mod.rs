@@ -5,6 +5,7 @@ pub mod carried;
 pub mod history;
 pub mod law;
 pub mod narrow_phase;
+pub mod near_walls;
 pub mod periodic;
 pub mod sweep;
 
