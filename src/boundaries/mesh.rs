@@ -32,11 +32,27 @@ pub(super) struct Mesh {
     /// Lengths that rounding may produce \[m\], far below the tolerance.
     slack: f64,
     tree: RTree<GeomWithData<Rectangle<[f64; 3]>, u32>>,
-    /// Bounding boxes of the triangles, as in the tree.
-    boxes: Vec<AABB<[f64; 3]>>,
+    sheets: Vec<Sheet>,
+    /// How far features of a triangle lie from its plane at most \[m\].
+    bulge: f64,
     /// The triangles by face, those of one face in ascending order; where each face's end.
     by_face: Vec<u32>,
     ends: Vec<u32>,
+}
+
+/// Where a triangle may be: its bounding box, as in the tree, and the plane `normal . x = offset` of its face.
+#[derive(Debug, Clone, Copy)]
+struct Sheet {
+    bounds: AABB<[f64; 3]>,
+    normal: Vec3,
+    offset: f64,
+}
+
+impl Sheet {
+    /// Distance of a point from the plane \[m\].
+    fn height(&self, x: Vec3) -> f64 {
+        (self.normal.dot(&x) - self.offset).abs()
+    }
 }
 
 impl Mesh {
@@ -44,15 +60,29 @@ impl Mesh {
         let topology = topology::build(shapes)?;
         let mut largest: f64 = 0.0;
         let triangles = 0..topology.triangles.len() as u32;
-        let boxes = triangles.clone().map(|t| {
+        let sheets = triangles.clone().map(|t| {
             let [a, b, c] = topology.corners(t);
             let (min, max) = (a.inf(&b).inf(&c), a.sup(&b).sup(&c));
             largest = largest.max(min.amax()).max(max.amax());
-            AABB::from_corners(min.into(), max.into())
+            let (normal, offset) = topology.plane(t);
+            let bounds = AABB::from_corners(min.into(), max.into());
+            Sheet {
+                bounds,
+                normal,
+                offset,
+            }
         });
-        let boxes: Vec<_> = boxes.collect();
-        let leaves = boxes.iter().zip(triangles.clone());
-        let leaves = leaves.map(|(bounds, t)| GeomWithData::new(Rectangle::from(*bounds), t));
+        let sheets: Vec<_> = sheets.collect();
+        let leaves = sheets.iter().zip(triangles.clone());
+        let leaves = leaves.map(|(sheet, t)| GeomWithData::new(Rectangle::from(sheet.bounds), t));
+        let bulges = sheets
+            .iter()
+            .zip(&topology.parts)
+            .flat_map(|(sheet, parts)| {
+                let ends = parts[1..].iter().map(|&part| topology.ends(part));
+                ends.flatten().map(|x| sheet.height(x))
+            });
+        let bulge = bulges.fold(0.0, f64::max);
         let (mut ends, mut by_face) = (Vec::new(), Vec::new());
         let face = |t: u32| topology.parts[t as usize][0];
         counting_sort(triangles, |&t| face(t), &mut ends, &mut by_face);
@@ -60,7 +90,8 @@ impl Mesh {
             slack: (1e-3 * topology.tolerance).max(16.0 * f64::EPSILON * largest),
             tree: RTree::bulk_load(leaves.collect()),
             topology,
-            boxes,
+            sheets,
+            bulge,
             by_face,
             ends,
         })
@@ -126,8 +157,12 @@ impl Mesh {
         out: &mut Vec<Touch>,
     ) {
         let start = out.len();
-        let cube = Cube::around(centre, radius + reach + self.topology.tolerance);
+        let range = radius + reach + self.topology.tolerance;
+        let cube = Cube::around(centre, range);
         let _: ControlFlow<()> = self.near(&cube, known, |t| {
+            if self.sheets[t as usize].height(centre) > range + self.bulge {
+                return ControlFlow::Continue(());
+            }
             let (closest, feature) = self.closest_in(t, centre);
             let seen = out[start..].iter().any(|touch| touch.feature == feature);
             if seen || (closest.is_none() && self.topology.is_face(feature)) {
@@ -143,6 +178,24 @@ impl Mesh {
             ControlFlow::Continue(())
         });
         keep_distinct(out, start, self.topology.tolerance);
+    }
+
+    /// A bound below the distances \[m\] of the places that [`Self::touches`] finds up to `range` \[m\] from `centre`, without
+    /// looking for them; infinite if there are clearly none.
+    pub(super) fn clearance(&self, known: Option<&Vicinity>, centre: Vec3, range: f64) -> f64 {
+        let tolerance = self.topology.tolerance;
+        let cube = Cube::around(centre, range + tolerance);
+        let (mut least, place) = (f64::INFINITY, centre.into());
+        let _: ControlFlow<()> = self.near(&cube, known, |t| {
+            let sheet = &self.sheets[t as usize];
+            let height = sheet.height(centre) - self.bulge;
+            if height < least {
+                least = least.min(height.max(sheet.bounds.distance_2(&place).sqrt()));
+            }
+            ControlFlow::Continue(())
+        });
+        // Welded vertices and joined edges lie off the triangles by so much.
+        least - 4.0 * tolerance
     }
 
     pub(super) fn follow(
@@ -291,7 +344,7 @@ impl Mesh {
 
     /// Whether the bounding box of triangle `t` meets `cube`.
     fn meets(&self, t: u32, cube: &Cube) -> bool {
-        self.boxes[t as usize].intersects(&cube.0)
+        self.sheets[t as usize].bounds.intersects(&cube.0)
     }
 
     /// Visits the triangles whose bounding box meets `cube`, in the order of the tree.

@@ -317,11 +317,32 @@ impl Geometry {
         reach: f64,
         out: &mut Vec<Touch>,
     ) {
-        let mut first = 0;
         if let Some(mesh) = &self.mesh {
             mesh.touches(known, (centre, radius), reach, out);
-            first = mesh.features();
         }
+        self.touches_beside(centre, radius, reach, out);
+    }
+
+    /// A bound below the gaps up to `reach` \[m\] of a sphere \[m\], infinite if there are clearly none; `spare` is used for
+    /// its memory.
+    pub fn least_gap(
+        &self,
+        known: &Vicinity,
+        (centre, radius): (Vec3, f64),
+        reach: f64,
+        spare: &mut Vec<Touch>,
+    ) -> f64 {
+        spare.clear();
+        self.touches_beside(centre, radius, reach, spare);
+        let clearance = |mesh: &Mesh| mesh.clearance(Some(known), centre, radius + reach);
+        let mesh = self.mesh.as_ref().map_or(f64::INFINITY, clearance);
+        let gaps = spare.iter().map(|touch| touch.gap);
+        gaps.fold(mesh - radius, f64::min)
+    }
+
+    /// The touches on what is no facet.
+    fn touches_beside(&self, centre: Vec3, radius: f64, reach: f64, out: &mut Vec<Touch>) {
+        let mut first = self.mesh.as_ref().map_or(0, Mesh::features);
         for shape in &self.shapes {
             let start = out.len();
             match shape {

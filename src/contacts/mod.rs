@@ -1,4 +1,4 @@
-//! Contacts: broad phase, narrow phase, what they carried, history (contact transfer), sweep (ways through a step).
+//! Contacts: broad phase, spheres near walls, narrow phase, what they carried, history (contact transfer), sweep (ways through a step).
 
 pub mod broad_phase;
 pub mod carried;

@@ -15,14 +15,14 @@ pub struct NearWall {
     pub sphere: u32,
     /// The boundary.
     pub boundary: u16,
-    /// Their gap when the list was built \[m\].
+    /// A bound below their gap when the list was built \[m\].
     pub(super) gap: f64,
     /// The part of the boundary's frame whose facets are known, and where they are in the list.
     cube: Cube,
     facets: [u32; 2],
 }
 
-/// Spheres and boundaries with a gap below a skin, ascending.
+/// Spheres and boundaries whose gap may be below a skin, ascending.
 #[derive(Debug, Clone, Default)]
 pub struct NearWalls {
     near: Vec<NearWall>,
@@ -42,7 +42,7 @@ impl NearWalls {
         Vicinity::new(near.cube, &self.facets[first..end])
     }
 
-    /// Finds all with a gap of at most `skin` \[m\] in `now`.
+    /// Finds all that may have a gap of at most `skin` \[m\] in `now`.
     pub(super) fn build(&mut self, now: &Placement, skin: f64) {
         self.near.clear();
         self.facets.clear();
@@ -64,12 +64,10 @@ impl NearWalls {
                 let first = self.facets.len();
                 let cube = geometry.facets_near(centre, radius + skin, &mut self.facets);
                 let known = Vicinity::new(cube, &self.facets[first..]);
-                touches.clear();
-                geometry.touches_near(&known, (centre, radius), skin, &mut touches);
-                let gaps = touches.iter().map(|touch| touch.gap);
-                match gaps.reduce(f64::min) {
-                    None => self.facets.truncate(first),
-                    Some(gap) => self.near.push(NearWall {
+                let gap = geometry.least_gap(&known, (centre, radius), skin, &mut touches);
+                match gap <= skin {
+                    false => self.facets.truncate(first),
+                    true => self.near.push(NearWall {
                         sphere,
                         boundary,
                         gap,
