@@ -80,6 +80,16 @@ impl Topology {
         })
     }
 
+    /// The points \[m\] between which an edge or corner lies; none for a face.
+    pub(super) fn ends(&self, number: u32) -> impl Iterator<Item = Vec3> {
+        let ends = match self.feature(number) {
+            Some(Feature::Edge { ends, .. }) => ends.map(Some),
+            Some(Feature::Vertex { point, .. }) => [Some(point), None],
+            Some(Feature::Face { .. }) | None => [None; 2],
+        };
+        ends.into_iter().flatten()
+    }
+
     /// Whether the feature of this number is a face.
     pub(super) fn is_face(&self, number: u32) -> bool {
         (number as usize) < self.faces.len()

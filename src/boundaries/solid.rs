@@ -100,7 +100,7 @@ impl Solid {
 
     /// Appends the places of the surface within `reach` \[m\] of gap, as [`super::Geometry::touches`] does.
     pub fn touches(&self, centre: Vec3, radius: f64, reach: f64, out: &mut Vec<Touch>) {
-        self.mesh.touches(centre, radius, reach, out);
+        self.mesh.touches(None, (centre, radius), reach, out);
     }
 
     /// Centre \[m\], uniform in space, of a sphere of `radius` \[m\] that lies wholly inside; `None` if many random

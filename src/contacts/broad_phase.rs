@@ -7,6 +7,7 @@
 //! canonical order.
 
 use super::narrow_phase::Placement;
+use super::near_walls::{NearWall, NearWalls, ROUNDING, corners};
 use super::periodic::periodic_pairs;
 use crate::Vec3;
 use crate::cell::Image;
@@ -18,8 +19,6 @@ use crate::motion::Pose;
 const SKIN: f64 = 0.1;
 /// Skin over the reach asked for: how many steps a list should serve in fast motion.
 const STEPS: f64 = 4.0;
-/// Rounding of gaps over the skin, generously.
-const ROUNDING: f64 = 1e-6;
 /// Most cells along an axis; the grid coarsens beyond.
 const CELLS: f64 = 1e6;
 
@@ -53,17 +52,6 @@ impl Reach {
     }
 }
 
-/// A sphere near a boundary.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct NearWall {
-    /// The sphere.
-    pub sphere: u32,
-    /// The boundary.
-    pub boundary: u16,
-    /// Their gap when the list was built \[m\].
-    gap: f64,
-}
-
 /// Pairs with a gap below the skin when the list was built.
 #[derive(Debug, Clone, Default)]
 pub struct NeighborList {
@@ -76,15 +64,18 @@ pub struct NeighborList {
     /// Sphere pairs `(i, j)`, `i < j`, with an image of `j` in a periodic cell, ascending.
     pub images: Vec<(u32, u32, Image)>,
     /// Spheres near boundaries, ascending.
-    pub walls: Vec<NearWall>,
-    /// Bound of how much gaps at boundaries have shrunk from when the list was built to where it was ensured last \[m\].
+    pub walls: NearWalls,
+    /// Bounds of how much gaps at boundaries have shrunk from when the list was built to where it was ensured last \[m\]: of
+    /// any sphere and boundary, and by the motion of each boundary, `[B]`.
     shrunk: f64,
+    carried: Vec<f64>,
 }
 
 impl NeighborList {
     /// Makes sure that every pair with a gap of at most `reach` in `now` is listed.
     pub fn ensure(&mut self, now: &Placement, reach: Reach) {
         let same = self.built_present == now.present;
+        self.carry(now);
         let moved = self.moved(now);
         self.shrunk = moved.walls;
         if !same || moved.plus(reach, 1.0).exceeds(self.skin) {
@@ -92,39 +83,52 @@ impl NeighborList {
         }
     }
 
-    /// Whether a sphere, where the list was ensured last, may be within `reach` \[m\] of the boundary: false only if it is
-    /// clearly not, so that what follows does not depend on when the list was built.
+    /// Whether a sphere, in the placement where the list was ensured last, may be within `reach` \[m\] of the boundary: false
+    /// only if it is clearly not, so that what follows does not depend on when the list was built.
     #[must_use]
-    pub fn may_touch(&self, near: &NearWall, reach: f64) -> bool {
-        near.gap - self.shrunk <= reach + ROUNDING * self.skin.walls
+    pub fn may_touch(&self, now: &Placement, near: &NearWall, reach: f64) -> bool {
+        // In a periodic cell another copy of the sphere may be the nearest by now.
+        let shrunk = if now.cell.is_open() {
+            let i = near.sphere as usize;
+            (now.position[i] - self.built_at[i]).norm() + self.carried[usize::from(near.boundary)]
+        } else {
+            self.shrunk
+        };
+        near.gap - shrunk <= reach + ROUNDING * self.skin.walls
     }
 
     /// Bound of how much any gap can have shrunk since the list was built.
     fn moved(&self, now: &Placement) -> Reach {
         let ways = self.built_at.iter().zip(now.position);
         let (pairs, spheres) = spread(ways.map(|(then, now)| now - then));
-        let reach = |walls: f64| Reach {
+        Reach {
             pairs,
-            walls: spheres + walls,
-        };
+            walls: spheres + self.carried.iter().copied().fold(0.0, f64::max),
+        }
+    }
+
+    /// Notes how far each boundary has moved since the list was built, where spheres are.
+    fn carry(&mut self, now: &Placement) {
+        self.carried.clear();
+        self.carried.resize(now.poses.len(), 0.0);
         if self.built_poses == now.poses {
-            return reach(0.0);
+            return;
         }
         // A rigid displacement is largest at a corner of the box around the spheres.
-        let corners = corners(now.present_positions());
-        let walls = now
-            .boundaries
-            .iter()
-            .zip(self.built_poses.iter().zip(now.poses))
-            .filter(|(_, (then, now))| then != now)
-            .flat_map(|(boundary, (then, pose))| {
-                corners.map(|corner| {
+        let (low, high) = around(now.present_positions());
+        let corners = corners(low, high);
+        let poses = self.built_poses.iter().zip(now.poses);
+        for ((carried, boundary), (then, pose)) in
+            self.carried.iter_mut().zip(now.boundaries).zip(poses)
+        {
+            if then != pose {
+                let way = |corner: Vec3| {
                     let x = boundary.to_frame(pose, corner);
                     (boundary.from_frame(then, x) - corner).norm()
-                })
-            })
-            .fold(0.0, f64::max);
-        reach(walls)
+                };
+                *carried = corners.map(way).into_iter().fold(0.0, f64::max);
+            }
+        }
     }
 
     fn build(&mut self, now: &Placement, reach: Reach) {
@@ -152,44 +156,10 @@ impl NeighborList {
             self.images =
                 periodic_pairs(now.cell, now.position, now.present, radius, self.skin.pairs);
         }
-        self.walls.clear();
+        self.walls.build(now, self.skin.walls);
         self.shrunk = 0.0;
-        let mut touches = Vec::new();
-        for (i, (&centre, &radius)) in now.position.iter().zip(radius).enumerate() {
-            if !now.present[i] {
-                continue;
-            }
-            for (b, (boundary, pose)) in now.boundaries.iter().zip(now.poses).enumerate() {
-                touches.clear();
-                let centre = boundary.to_frame(pose, boundary.copy_near(now.cell, pose, centre));
-                boundary
-                    .geometry
-                    .touches(centre, radius, self.skin.walls, &mut touches);
-                let gaps = touches.iter().map(|touch| touch.gap);
-                if let Some(gap) = gaps.reduce(f64::min) {
-                    self.walls.push(NearWall {
-                        sphere: i as u32,
-                        boundary: b as u16,
-                        gap,
-                    });
-                }
-            }
-        }
+        self.carried.fill(0.0);
     }
-}
-
-/// The corners of the box around `points`; the origin eight times if there are none.
-fn corners(points: impl Iterator<Item = Vec3>) -> [Vec3; 8] {
-    let (low, high) = around(points);
-    std::array::from_fn(|k| {
-        Vec3::from_fn(|axis, _| {
-            if k >> axis & 1 == 0 {
-                low[axis]
-            } else {
-                high[axis]
-            }
-        })
-    })
 }
 
 /// All pairs `i < j` of present spheres whose gap is below `skin` \[m\], ascending.
@@ -205,7 +175,7 @@ pub fn sphere_pairs(
             .zip(position)
             .filter(|(i, _)| present[*i as usize])
     };
-    let [low, .., high] = corners(spheres().map(|(_, p)| *p));
+    let (low, high) = around(spheres().map(|(_, p)| *p));
     let largest = radius.iter().copied().fold(0.0, f64::max);
     let cell = (2.0 * largest + skin).max((high - low).max() / CELLS);
     // One empty layer on either side keeps the runs of cells from wrapping around.

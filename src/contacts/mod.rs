@@ -1,10 +1,11 @@
-//! Contacts: broad phase, narrow phase, what they carried, history (contact transfer), sweep (ways through a step).
+//! Contacts: broad phase, spheres near walls, narrow phase, what they carried, history (contact transfer), sweep (ways through a step).
 
 pub mod broad_phase;
 pub mod carried;
 pub mod history;
 pub mod law;
 pub mod narrow_phase;
+pub mod near_walls;
 pub mod periodic;
 pub mod sweep;
 

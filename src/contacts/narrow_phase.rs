@@ -2,7 +2,8 @@
 
 use std::ops::Range;
 
-use super::broad_phase::{NearWall, NeighborList};
+use super::broad_phase::NeighborList;
+use super::near_walls::NearWall;
 use super::{Contact, Key, Load, Partner};
 use crate::Vec3;
 use crate::boundaries::{Boundary, Touch};
@@ -118,7 +119,7 @@ impl Placement<'_> {
     }
 
     /// The centre of sphere `i` in the frame of a boundary \[m\], by the copy that is nearest to it.
-    fn seen_by(&self, boundary: u16, i: u32) -> Vec3 {
+    pub(super) fn seen_by(&self, boundary: u16, i: u32) -> Vec3 {
         let b = usize::from(boundary);
         let (wall, pose) = (&self.boundaries[b], &self.poses[b]);
         wall.to_frame(
@@ -184,9 +185,12 @@ impl Placement<'_> {
         if &self.poses[b] == to {
             return 0.0;
         }
-        self.present_positions()
-            .map(|x| self.way_at(b, to, x))
-            .fold(0.0, f64::max)
+        let mut ways = self.present_positions().map(|x| self.way_at(b, to, x));
+        if self.poses[b].rotation == to.rotation {
+            // A translation carries all alike, but for rounding.
+            return ways.next().map_or(0.0, |way| way * (1.0 + 1e-9));
+        }
+        ways.fold(0.0, f64::max)
     }
 
     /// Way \[m\] of the point fixed to boundary `b` that is at `x` while it moves to `to`.
@@ -235,11 +239,8 @@ impl Placement<'_> {
         let mut walls = list.walls.iter().peekable();
         let mut touches = Vec::new();
         let mut wall = |near: &NearWall, found: &mut Vec<Candidate>| {
-            let (i, b) = (near.sphere, near.boundary);
-            let reach = reach_wall(i, b);
-            if list.may_touch(near, reach) {
-                self.touching(i, b, reach, &mut touches, found);
-            }
+            let reach = reach_wall(near.sphere, near.boundary);
+            self.touching(list, near, reach, &mut touches, found);
         };
         for &(i, j) in &list.pairs {
             while let Some(earlier) = walls.next_if(|near| near.sphere < i) {
@@ -295,8 +296,8 @@ impl Placement<'_> {
             }
         }
         let (mut touches, mut found) = (Vec::new(), Vec::new());
-        for near in list.walls.iter().filter(|near| list.may_touch(near, 0.0)) {
-            self.touching(near.sphere, near.boundary, 0.0, &mut touches, &mut found);
+        for near in list.walls.iter() {
+            self.touching(list, near, 0.0, &mut touches, &mut found);
             for touch in found.drain(..) {
                 if include(touch.gap, self.particles.radius[near.sphere as usize]) {
                     deep.push(touch);
@@ -336,20 +337,23 @@ impl Placement<'_> {
         (self.position[a] - self.position[b]).norm_squared() <= limit * limit
     }
 
-    /// Appends sphere `i`'s contacts with boundary `b` of a gap of at most `reach` \[m\], by feature.
+    /// Appends the contacts of a sphere with a boundary of a gap of at most `reach` \[m\], by feature.
     fn touching(
         &self,
-        i: u32,
-        b: u16,
+        list: &NeighborList,
+        near: &NearWall,
         reach: f64,
         touches: &mut Vec<Touch>,
         found: &mut Vec<Candidate>,
     ) {
-        let wall = &self.boundaries[usize::from(b)];
-        let centre = self.seen_by(b, i);
-        let radius = self.particles.radius[i as usize];
+        if !list.may_touch(self, near, reach) {
+            return;
+        }
+        let (i, b) = (near.sphere, near.boundary);
+        let geometry = &self.boundaries[usize::from(b)].geometry;
+        let sphere = (self.seen_by(b, i), self.particles.radius[i as usize]);
         touches.clear();
-        wall.geometry.touches(centre, radius, reach, touches);
+        geometry.touches_near(&list.walls.vicinity(near), sphere, reach, touches);
         touches.sort_unstable_by_key(|touch| touch.feature);
         found.extend(touches.iter().map(|touch| self.wall(i, b, touch)));
     }
