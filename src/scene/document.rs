@@ -6,6 +6,7 @@ use miette::Severity;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
+use super::advice::Advice;
 use super::problem::Problem;
 
 /// Largest magnitude of a number in a scene: beyond it products of a few of them stop being finite.
@@ -118,6 +119,18 @@ impl<'t> Document<'t> {
         let path = path.into();
         let span = self.locate(&path);
         self.report(Severity::Warning, path, span, message.into(), help.into());
+    }
+
+    /// Adds a piece of advice to the warnings.
+    pub(super) fn advise(&mut self, advice: Advice) {
+        let span = self.locate(&advice.path);
+        self.report(
+            advice.severity,
+            advice.path,
+            span,
+            advice.message,
+            advice.help,
+        );
     }
 
     /// Refuses a number outside its range: `found 0, expected > 0 [m]`. Returns whether it was in range.

@@ -3,6 +3,7 @@
 //! Everything wrong with a scene is reported at once as a [`SceneError`]: line, key path, value found, value
 //! allowed. Files that a scene names (meshes, CSV) lie beside or below it and are returned with it.
 
+mod advice;
 mod bodies;
 mod build;
 mod cell;
