@@ -148,7 +148,7 @@ fn speed(factor: f64) -> String {
 }
 
 /// `1 row`, `2 rows`: a number with its noun.
-pub(crate) fn count(n: usize, noun: &str) -> String {
+pub(crate) fn count(n: u64, noun: &str) -> String {
     match n {
         1 => format!("1 {noun}"),
         n => format!("{n} {noun}s"),
@@ -175,7 +175,10 @@ mod tests {
 
     #[test]
     fn speed_is_told_in_words() {
-        assert_eq!(wall_time(2.0, 7.6), "2.00 s, 3.8 times faster than real time");
+        assert_eq!(
+            wall_time(2.0, 7.6),
+            "2.00 s, 3.8 times faster than real time"
+        );
         assert_eq!(speed(1.0 / 12.0), "12 times slower than real time");
         assert_eq!(speed(0.25), "4.0 times slower than real time");
         assert_eq!(speed(f64::NAN), "no time simulated");
@@ -183,6 +186,9 @@ mod tests {
 
     #[test]
     fn one_has_no_plural() {
-        assert_eq!((count(1, "row"), count(0, "row")), ("1 row".into(), "0 rows".into()));
+        assert_eq!(
+            (count(1, "row"), count(0, "row")),
+            ("1 row".into(), "0 rows".into())
+        );
     }
 }

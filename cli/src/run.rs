@@ -169,7 +169,9 @@ fn resume(
         note(format_args!("passed over {damaged}"));
     }
     match (resumed.time, start) {
-        (None, _) => note(format_args!("no checkpoint in `{place}`: the run starts at 0 s")),
+        (None, _) => note(format_args!(
+            "no checkpoint in `{place}`: the run starts at 0 s"
+        )),
         (Some(time), Some(k)) if k == clock.count() => {
             note(format_args!("the run in `{place}` is finished at {time} s"));
         }
@@ -329,7 +331,7 @@ impl std::fmt::Display for Total {
             write!(f, "(resumed at {begin} s) ")?;
         }
         let (steps, cuts) = (report.internal_steps, report.cuts);
-        let (steps, cuts) = (count(steps as usize, "step"), count(cuts as usize, "cut"));
+        let (steps, cuts) = (count(steps as u64, "step"), count(cuts as u64, "cut"));
         writeln!(f, "in {steps}, {cuts}")?;
         writeln!(
             f,

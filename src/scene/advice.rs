@@ -15,7 +15,10 @@ use super::decode::SceneFile;
 use super::{Scene, Summary};
 
 /// Internal steps longer than this many times the suggested one are warned of.
-const LONG_STEP: f64 = 100.0;
+const LONG_STEP: f64 = 20.0;
+/// The suggested step is that for a gap tolerance of at least this \[-\]: a tighter one asks for shorter steps to be cheap,
+/// not to be right.
+const COARSE_GAP: f64 = 1e-4;
 
 /// One piece of advice.
 #[derive(Debug, Clone, PartialEq)]
@@ -60,10 +63,9 @@ pub(super) fn advise(
     ranges: &[Option<Range<usize>>],
 ) -> Vec<Advice> {
     let mut advice = unused::advise(scene, file);
-    advice.extend(long_step(
-        scene.settings.step,
-        Summary::suggested_step(scene),
-    ));
+    let gap = scene.settings.tolerance.gap.max(COARSE_GAP);
+    let suggested = Summary::step_for(scene, gap);
+    advice.extend(long_step(scene.settings.step, suggested));
     advice.extend(lengths::advise(scene));
     advice.extend(placement::advise(scene, file, ranges));
     advice
@@ -79,7 +81,7 @@ fn long_step(step: f64, suggested: f64) -> Option<Advice> {
                 "step = {step} s is {times:.0} times longer than the suggested {suggested:.1e} s: spheres may move \
                  more than their radius in one step"
             ),
-            format!("use step = {suggested:.1e}, or up to {LONG_STEP} times that"),
+            format!("use step = {suggested:.1e}, or a few times that"),
         )
     })
 }
@@ -93,6 +95,10 @@ mod tests {
         assert!(long_step(LONG_STEP * 1e-4, 1e-4).is_none());
         let advice = long_step(0.2, 7.1e-5).unwrap();
         assert_eq!(advice.path, "simulation.step");
-        assert!(advice.message.contains("2817 times longer than the suggested 7.1e-5 s"));
+        assert!(
+            advice
+                .message
+                .contains("2817 times longer than the suggested 7.1e-5 s")
+        );
     }
 }

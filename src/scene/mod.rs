@@ -27,6 +27,7 @@ mod sources;
 mod spheres;
 mod summary;
 mod values;
+mod wording;
 
 use std::path::Path;
 

@@ -9,15 +9,17 @@ use crate::extent::joined;
 use crate::motion::Motion;
 
 /// CPU time of one sphere in one step beside its sweeps \[s\]: neighbours, closest points, rows, motion.
-/// This and the next two: `sphere-dda run` of `examples/hopper`, `examples/landslide` and `examples/conveyor`, one thread of a
-/// two-core 2.6 GHz x86-64 server, CPU time over spheres and internal steps.
+///
+/// Measured, as the next two, by `time sphere-dda run examples/hopper/hopper.toml -o results --stop 0.3` and likewise for
+/// the funnel, slopes, feeder, landslide, conveyor, dropped and study/bin: user time over spheres and internal steps, on one
+/// thread of a two-core 2.6 GHz x86-64 server. All are met within a factor of two.
 const SPHERE_COST: f64 = 1e-6;
 /// CPU time of the sweeps of one sphere in one step as long as the suggested one \[s\].
-const SWEEPS_COST: f64 = 1e-6;
+const SWEEPS_COST: f64 = 0.2e-6;
 /// How many times more sweeps cost with rolling or twisting resistance \[-\].
 const RESISTANCE_FACTOR: f64 = 5.0;
 /// Longer steps are not taken to cost more than this many times the sweeps: they are cut instead \[-\].
-const MOST_LONGER: f64 = 30.0;
+const MOST_LONGER: f64 = 50.0;
 /// Boundaries that a summary lists.
 const MOST_BOUNDARIES: usize = 20;
 
@@ -100,7 +102,7 @@ impl Summary {
     }
 
     /// `T = N / dt (a + b max(1, dt/dt_s))` \[s/s\], an estimate of the CPU time of one simulated second, good to a factor of
-    /// about three: `N` spheres, those of sources included, `dt` the step, `dt_s` the suggested one. What every sphere costs
+    /// about three: `N` spheres, those that wait in sources included, `dt` the step, `dt_s` the suggested one. What every sphere costs
     /// in every step is `a`; sweeps cost `b`, and more of them are needed in longer steps. Rolling and twisting resistance
     /// multiply `b`.
     #[must_use]
@@ -119,6 +121,11 @@ impl Summary {
     /// a sphere or wall in the scene plus that of a fall through the spheres' extent along gravity.
     #[must_use]
     pub fn suggested_step(scene: &Scene) -> f64 {
+        Self::step_for(scene, scene.settings.tolerance.gap)
+    }
+
+    /// [`suggested_step`](Self::suggested_step) for another gap tolerance \[-\].
+    pub(super) fn step_for(scene: &Scene, gap: f64) -> f64 {
         let radius = scene
             .particles
             .radius
@@ -131,7 +138,7 @@ impl Summary {
         let heights = || scene.initial.position.iter().map(|c| c.dot(&g));
         let fall = heights().fold(f64::MIN, f64::max) - heights().fold(f64::MAX, f64::min);
         let speed = spheres.chain(walls).fold(0.0, f64::max) + (2.0 * fall.max(0.0)).sqrt();
-        let accurate = (scene.settings.tolerance.gap * radius / (0.2 * g.norm())).sqrt();
+        let accurate = (gap * radius / (0.2 * g.norm())).sqrt();
         accurate
             .min(0.15 * radius / speed)
             .min(scene.settings.duration)
@@ -248,7 +255,13 @@ impl fmt::Display for Extent {
         let (low, high) = self.0;
         let size = high - low;
         let size = [size.x, size.y, size.z].map(|x| format!("{}", rounded(x, 3)));
-        write!(f, "{} to {} m, {} m", corner(low), corner(high), size.join(" x "))
+        write!(
+            f,
+            "{} to {} m, {} m",
+            corner(low),
+            corner(high),
+            size.join(" x ")
+        )
     }
 }
 

@@ -95,7 +95,11 @@ fn a_finished_run_can_be_made_longer_and_is_otherwise_left_alone() {
         ["checkpoint_000062.state"]
     );
     let told = complete(folder, "out", "0.62", more);
-    assert!(told.error.contains("is finished at 0.62 s"), "{}", told.error);
+    assert!(
+        told.error.contains("is finished at 0.62 s"),
+        "{}",
+        told.error
+    );
     assert!(told.out.contains("7 frames, 63 rows"), "{}", told.out);
     same(folder, "out", "whole");
 }

@@ -210,7 +210,13 @@ impl<'a> Surroundings<'a> {
         let shadow = |wall: &Wall<'_>| {
             let (low, high) = wall.boundary.geometry.finite_bounds()?;
             let corners = (0..8).map(|k| {
-                let pick = |axis: usize| if k >> axis & 1 == 0 { low[axis] } else { high[axis] };
+                let pick = |axis: usize| {
+                    if k >> axis & 1 == 0 {
+                        low[axis]
+                    } else {
+                        high[axis]
+                    }
+                };
                 let corner = Vec3::new(pick(0), pick(1), pick(2));
                 wall.boundary.from_frame(&wall.pose, corner)
             });
