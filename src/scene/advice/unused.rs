@@ -3,7 +3,9 @@
 use super::Advice;
 use crate::scene::decode::SceneFile;
 use crate::scene::{Integrator, Method, Scene, SolverKind};
-use crate::solver::gauss_seidel::SMALL;
+
+/// Threads share the work of scenes of so many spheres and more: below, sweeps are too short to share.
+const SHARED_FROM: usize = 8192;
 
 pub(super) fn advise(scene: &Scene, file: &SceneFile) -> Vec<Advice> {
     let mut advice = numerics(scene);
@@ -63,12 +65,12 @@ fn numerics(scene: &Scene) -> Vec<Advice> {
         }));
     }
     let spheres = scene.particles.len();
-    if settings.threads > 1 && spheres < SMALL {
+    if settings.threads > 1 && spheres < SHARED_FROM {
         advice.push(
             Advice::warning(
                 at("threads"),
                 format!(
-                    "has no effect with {spheres} spheres: threads share the work of scenes of {SMALL} and more"
+                    "has no effect with {spheres} spheres: threads share the work of scenes of {SHARED_FROM} and more"
                 ),
                 "it does no harm; several runs at once use several cores",
             )
