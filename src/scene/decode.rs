@@ -200,15 +200,11 @@ fn element<T: DeserializeOwned>(
             if !follows {
                 let span = span_of(value, &place);
                 let (mut message, help) = reword(message, missing);
+                let mut shown = place.clone();
                 if missing.is_none() && help.is_empty() {
-                    let (depth, found) = deepest(value, &place);
-                    message = clean(
-                        &message,
-                        &[split(path), place[..depth].to_vec()].concat(),
-                        found,
-                    );
+                    (message, shown) = clean(&message, path, value, shown);
                 }
-                document.report(Severity::Error, join(path, &place), span, message, help);
+                document.report(Severity::Error, join(path, &shown), span, message, help);
             }
             cut.push(place);
         }
@@ -241,16 +237,32 @@ fn reword(message: &str, missing: Option<&str>) -> (String, String) {
     }
 }
 
-/// A message without names of types: what was found and what the key takes.
-fn clean(message: &str, steps: &[Step], found: &DeValue<'_>) -> String {
-    // Lists of a fixed length, and types of our own, say themselves what they are.
-    if let Some((n, expected)) = message
-        .strip_prefix("invalid length ")
-        .and_then(|rest| rest.split_once(", expected "))
+/// A message without names of types, what was found and what the key takes, and the steps to the value it is about.
+fn clean(
+    message: &str,
+    path: &str,
+    value: &Spanned<DeValue<'_>>,
+    mut steps: Vec<Step>,
+) -> (String, Vec<Step>) {
+    // Lists of a fixed length say themselves what they are.
+    let length = message.strip_prefix("invalid length ");
+    if let Some((n, expected)) = length.and_then(|rest| rest.split_once(", expected "))
+        && !expected.starts_with("struct ")
     {
-        return format!("found {n} of them, expected {expected}");
+        return (format!("found {n} of them, expected {expected}"), steps);
     }
-    mismatch(steps, found).unwrap_or_else(|| message.to_owned())
+    // The named option of a choice may be no key of the file, or of the schema.
+    loop {
+        let (depth, found) = deepest(value, &steps);
+        steps.truncate(depth);
+        let whole = [split(path), steps.clone()].concat();
+        if let Some(message) = mismatch(&whole, found) {
+            return (message, steps);
+        }
+        if steps.pop().is_none() {
+            return (message.to_owned(), steps);
+        }
+    }
 }
 
 /// How many of `steps` lead to a value that exists, and that value.

@@ -2,7 +2,7 @@
 
 use sphere_dda::scene::Scene;
 
-use crate::{edited, folder, load};
+use crate::{GOOD, edited, folder, load};
 
 /// Scenes that run but are not meant so: the place and a part of the warning.
 #[test]
