@@ -48,7 +48,7 @@ impl Failure {
 /// A report of an error whose message may already contain those of its causes: these are then not repeated.
 fn told_once(error: impl Error + Send + Sync + 'static) -> Report {
     let text = error.to_string();
-    let mut causes = std::iter::successors(error.source(), |cause| cause.source());
+    let mut causes = std::iter::successors(error.source(), |&cause| cause.source());
     if causes.all(|cause| text.contains(&cause.to_string())) {
         return Report::msg(text);
     }
