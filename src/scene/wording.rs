@@ -157,6 +157,9 @@ impl<'s> Place<'s> {
             "string" if self.node.get("enum").or(self.node.get("const")).is_some() => String::new(),
             "string" => "a string in quotes".to_owned(),
             "array" => match self.node["minItems"] == 3 && self.node["maxItems"] == 3 {
+                true if self.node["items"]["type"] == "integer" => {
+                    "three whole numbers [x, y, z]".to_owned()
+                }
                 true => format!("three numbers [x, y, z]{unit}"),
                 false => format!("a list `[{}, ...]`{unit}", self.entry()),
             },
