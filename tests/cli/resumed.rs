@@ -159,7 +159,7 @@ fn a_damaged_checkpoint_is_passed_over() {
         "no checkpoint in `out` can be used",
         newest,
         second,
-        "start anew",
+        "start a new run",
     ] {
         assert!(told.error.contains(part), "{part} is not in {}", told.error);
     }

@@ -103,7 +103,7 @@ fn materials(scene: &Scene, file: &SceneFile) -> Vec<Advice> {
 fn pairs(scene: &Scene, file: &SceneFile) -> Vec<Advice> {
     let of_spheres = |name: &String| {
         let is = |m: &u16| scene.materials[usize::from(*m)].name == *name;
-        scene.particles.material.iter().any(|m| is(m))
+        scene.particles.material.iter().any(is)
     };
     let advice = file.pairs.iter().filter_map(|element| {
         let names = &element.value.as_ref()?.materials;
