@@ -331,7 +331,7 @@ impl std::fmt::Display for Total {
             write!(f, "(resumed at {begin} s) ")?;
         }
         let (steps, cuts) = (report.internal_steps, report.cuts);
-        let (steps, cuts) = (count(steps as u64, "step"), count(cuts as u64, "cut"));
+        let (steps, cuts) = (count(steps, "step"), count(cuts, "cut"));
         writeln!(f, "in {steps}, {cuts}")?;
         writeln!(
             f,
