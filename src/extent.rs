@@ -26,6 +26,25 @@ pub(crate) fn around(points: impl Iterator<Item = Vec3>) -> (Vec3, Vec3) {
     points.map(|p| (p, p)).reduce(joined).unwrap_or_default()
 }
 
+/// Whether the ray from `x` along `direction` (any length) passes a box: the slab method.
+pub(crate) fn passed((low, high): (Vec3, Vec3), x: Vec3, direction: Vec3) -> bool {
+    let (mut from, mut to) = (0.0, f64::INFINITY);
+    for axis in 0..3 {
+        let (x, d) = (x[axis], direction[axis]);
+        let (low, high) = (low[axis], high[axis]);
+        if d == 0.0 {
+            if x < low || x > high {
+                return false;
+            }
+        } else {
+            let (p, q) = ((low - x) / d, (high - x) / d);
+            from = larger(from, smaller(p, q));
+            to = smaller(to, larger(p, q));
+        }
+    }
+    from <= to
+}
+
 /// How far two of `vectors` differ at most, and the length of the longest.
 pub(crate) fn spread(vectors: impl Iterator<Item = Vec3>) -> (f64, f64) {
     let squared = vectors.map(|v| (v.norm_squared(), (v, v)));

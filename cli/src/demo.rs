@@ -11,7 +11,7 @@ use sphere_dda_fmu::import::{Fmu, Options, System, Table};
 
 use crate::export::pack;
 use crate::failure::Failure;
-use crate::progress::{Interrupt, print};
+use crate::progress::{Interrupt, print, wall_time};
 use crate::run::positive;
 use crate::simulate::{csv, drive};
 
@@ -130,17 +130,13 @@ fn summary(out: &mut dyn io::Write, table: &Table, wall: f64) -> io::Result<()> 
         out,
         "worst overlap   {overlap:.2e} of the radius, over all steps"
     )?;
-    writeln!(
-        out,
-        "wall time       {wall:.2} s, {:.2} x real time",
-        time / wall
-    )
+    writeln!(out, "wall time       {}", wall_time(wall, time))
 }
 
 fn how_to_look(results: &Path) -> String {
     let place = results.display();
     format!(
-        "look at them    paraview --script={place}/view.py\n\
+        "To view:        paraview --script={place}/view.py\n\
          \x20               or open {place}/spheres.pvd in ParaView\n\
          \x20               or python -c \"import meshio; print(meshio.read('{place}/spheres_000000.vtu'))\"\n"
     )

@@ -126,7 +126,7 @@ pub(crate) fn run(arguments: &Export, interrupt: &Interrupt) -> Result<(), Failu
 }
 
 /// The file if it can be written: an ending that importers want also keeps a slip of the hand from replacing the scene.
-fn free<'p>(
+pub(crate) fn free<'p>(
     option: &str,
     path: &'p Path,
     ending: &str,
@@ -140,7 +140,7 @@ fn free<'p>(
     }
     if path.exists() && !overwrite {
         return Err(Failure::Input(miette!(
-            "`{}` exists already; choose another name or allow --overwrite",
+            "`{}` exists already: choose another name, or use --overwrite",
             path.display()
         )));
     }

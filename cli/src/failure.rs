@@ -27,12 +27,12 @@ pub(crate) enum Failure {
 impl Failure {
     /// Bad input, for the reason `error`.
     pub(crate) fn input(error: impl Error + Send + Sync + 'static) -> Self {
-        Self::Input(Report::from_err(error))
+        Self::Input(told_once(error))
     }
 
     /// A failed run, for the reason `error`.
     pub(crate) fn run(error: impl Error + Send + Sync + 'static) -> Self {
-        Self::Run(Report::from_err(error))
+        Self::Run(told_once(error))
     }
 
     /// What the shell is told.
@@ -43,6 +43,16 @@ impl Failure {
             Self::Interrupted => 130,
         })
     }
+}
+
+/// A report of an error whose message may already contain those of its causes: these are then not repeated.
+fn told_once(error: impl Error + Send + Sync + 'static) -> Report {
+    let text = error.to_string();
+    let mut causes = std::iter::successors(error.source(), |&cause| cause.source());
+    if causes.all(|cause| text.contains(&cause.to_string())) {
+        return Report::msg(text);
+    }
+    Report::from_err(error)
 }
 
 impl From<SceneError> for Failure {

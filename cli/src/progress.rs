@@ -91,7 +91,7 @@ impl Progress {
         if !detail.is_empty() {
             text += &format!(", {detail}");
         }
-        text += &format!(", {factor:.2} x real time");
+        text += &format!(", {}", speed(factor));
         if remaining.is_finite() {
             text += &format!(", ETA {remaining:.0} s");
         }
@@ -126,6 +126,35 @@ impl Drop for Progress {
     }
 }
 
+/// How long a run took and how that compares with the time it simulated, both in seconds:
+/// `2.26 s, 3.8 times faster than real time`.
+pub(crate) fn wall_time(wall: f64, simulated: f64) -> String {
+    format!("{wall:.2} s, {}", speed(simulated / wall))
+}
+
+/// Simulated over wall time, in words.
+fn speed(factor: f64) -> String {
+    let times = |x: f64| match x {
+        x if x < 9.95 => format!("{x:.1}"),
+        x => format!("{x:.0}"),
+    };
+    if !factor.is_finite() || factor <= 0.0 {
+        "no time simulated".to_owned()
+    } else if factor >= 1.0 {
+        format!("{} times faster than real time", times(factor))
+    } else {
+        format!("{} times slower than real time", times(1.0 / factor))
+    }
+}
+
+/// `1 row`, `2 rows`: a number with its noun.
+pub(crate) fn count(n: u64, noun: &str) -> String {
+    match n {
+        1 => format!("1 {noun}"),
+        n => format!("{n} {noun}s"),
+    }
+}
+
 /// Writes a line to standard error; if nobody reads that, there is nobody to tell.
 pub(crate) fn note(text: impl fmt::Display) {
     let _ = writeln!(io::stderr().lock(), "{text}");
@@ -137,5 +166,29 @@ pub(crate) fn print(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Res
     match write(&mut out).and_then(|()| out.flush()) {
         Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(Failure::run(error)),
         _ => Ok(()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{count, speed, wall_time};
+
+    #[test]
+    fn speed_is_told_in_words() {
+        assert_eq!(
+            wall_time(2.0, 7.6),
+            "2.00 s, 3.8 times faster than real time"
+        );
+        assert_eq!(speed(1.0 / 12.0), "12 times slower than real time");
+        assert_eq!(speed(0.25), "4.0 times slower than real time");
+        assert_eq!(speed(f64::NAN), "no time simulated");
+    }
+
+    #[test]
+    fn one_has_no_plural() {
+        assert_eq!(
+            (count(1, "row"), count(0, "row")),
+            ("1 row".into(), "0 rows".into())
+        );
     }
 }

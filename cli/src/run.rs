@@ -16,7 +16,7 @@ use sphere_dda::simulation::{Simulation, StepReport};
 
 use crate::check;
 use crate::failure::Failure;
-use crate::progress::{Interrupt, Progress, note, print};
+use crate::progress::{Interrupt, Progress, count, note, print, wall_time};
 
 /// Wall time after which a checkpoint is written whatever the simulated time: what a killed run loses at most.
 const LONGEST_WORK: Duration = Duration::from_mins(5);
@@ -139,10 +139,11 @@ pub(crate) fn run(arguments: &Run, interrupt: &Interrupt) -> Result<(), Failure>
         let place = arguments.output.display();
         writeln!(
             out,
-            "results         {place}: {} frames, {} rows",
-            status.frames, status.rows
+            "results         {place}: {}, {}",
+            count(status.frames, "frame"),
+            count(status.rows, "row")
         )?;
-        writeln!(out, "look at them    paraview --script={place}/view.py")
+        writeln!(out, "To view:        paraview --script={place}/view.py")
     });
     end?;
     complete(&status)?;
@@ -168,11 +169,13 @@ fn resume(
         note(format_args!("passed over {damaged}"));
     }
     match (resumed.time, start) {
-        (None, _) => note(format_args!("no checkpoint in `{place}`: starts at 0 s")),
+        (None, _) => note(format_args!(
+            "no checkpoint in `{place}`: the run starts at 0 s"
+        )),
         (Some(time), Some(k)) if k == clock.count() => {
-            note(format_args!("the run in `{place}` is finished: {time} s"));
+            note(format_args!("the run in `{place}` is finished at {time} s"));
         }
-        (Some(time), _) => note(format_args!("goes on at {time} s")),
+        (Some(time), _) => note(format_args!("resumes at {time} s")),
     }
     Ok((results, resumed.time.and(start)))
 }
@@ -323,15 +326,13 @@ impl std::fmt::Display for Total {
             wall,
             report,
         } = self;
-        write!(f, "simulated       {time} s ")?;
+        write!(f, "simulated to    {time} s ")?;
         if *begin > 0.0 {
-            write!(f, "from {begin} s on ")?;
+            write!(f, "(resumed at {begin} s) ")?;
         }
-        writeln!(
-            f,
-            "in {} steps, {} cuts",
-            report.internal_steps, report.cuts
-        )?;
+        let (steps, cuts) = (report.internal_steps, report.cuts);
+        let (steps, cuts) = (count(steps, "step"), count(cuts, "cut"));
+        writeln!(f, "in {steps}, {cuts}")?;
         writeln!(
             f,
             "solver          {} sweeps, {} augmentations, {} factorizations",
@@ -342,10 +343,6 @@ impl std::fmt::Display for Total {
             "worst overlap   {:.2e} of the radius",
             report.max_overlap
         )?;
-        writeln!(
-            f,
-            "wall time       {wall:.2} s, {:.2} x real time",
-            (time - begin) / wall
-        )
+        writeln!(f, "wall time       {}", wall_time(*wall, time - begin))
     }
 }

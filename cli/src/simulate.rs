@@ -12,7 +12,7 @@ use sphere_dda_fmu::import::{
 };
 
 use crate::failure::Failure;
-use crate::progress::{Interrupt, Progress, note, print};
+use crate::progress::{Interrupt, Progress, count, note, print};
 
 /// Arguments of `simulate`.
 #[derive(Debug, Args)]
@@ -197,10 +197,13 @@ pub(crate) fn run(arguments: &Simulate, interrupt: &Interrupt) -> Result<(), Fai
         (None, None) => {}
     }
     if let Some(table) = &driven.table {
-        let last = table.time.last().copied().unwrap_or(f64::NAN);
+        let reached = match table.time.last() {
+            Some(last) => format!(" up to {last} s"),
+            None => String::new(),
+        };
         note(format_args!(
-            "{} rows up to {last} s{}, wall time {:.2} s",
-            table.time.len(),
+            "{}{reached}{}, wall time {:.2} s",
+            count(table.time.len() as u64, "row"),
             tries(table),
             driven.wall
         ));

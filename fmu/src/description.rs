@@ -17,6 +17,9 @@ use sphere_dda_model_description::units::{BaseUnit, Unit};
 
 use crate::variables::{Arrays, Choices, Table, Value, Variable};
 
+/// Name of the model in what the guid is a fingerprint of.
+const UNTITLED: &str = "scene";
+
 /// Version of this crate: part of the guid, so that a library and a description of another version part ways.
 pub const VERSION: &str = env!("CARGO_PKG_VERSION");
 
@@ -36,8 +39,12 @@ pub fn describe(scene: &Scene, table: &Table, identifier: &str, guid: &str) -> M
 /// # Errors
 /// If a name or description of the scene has a character that XML cannot carry.
 pub fn guid(scene: &Scene, table: &Table, arrays: &Arrays) -> Result<String, Error> {
-    let text = unsigned(scene, table, "").to_xml()?;
-    let text3 = version3::describe(scene, arrays, "", "").to_xml()?;
+    let mut text = unsigned(scene, table, "");
+    let mut text3 = version3::describe(scene, arrays, "", "");
+    // A scene without a title is called after its file, which has another name inside the FMU.
+    text.model_name = UNTITLED.to_owned();
+    text3.model_name = UNTITLED.to_owned();
+    let (text, text3) = (text.to_xml()?, text3.to_xml()?);
     Ok(archive::guid(&[VERSION, &scene.hash, &text, &text3]))
 }
 

@@ -61,6 +61,10 @@ const SOURCES: [&str; 3] = [
 pub fn page(model: &Model, version: Version, picture: bool) -> String {
     let scene = &model.scene;
     let title = &scene.title;
+    let boundaries = match scene.boundaries.len() {
+        1 => " boundary",
+        _ => " boundaries",
+    };
     let contact = match scene.settings.method {
         Method::Alm => RIGID,
         Method::Penalty => SPRINGS,
@@ -77,7 +81,7 @@ pub fn page(model: &Model, version: Version, picture: bool) -> String {
             body {
                 h1 { (title) }
                 p {
-                    (scene.particles.len()) " rigid spheres and " (scene.boundaries.len()) " boundaries, solved by \
+                    (scene.particles.len()) " rigid spheres and " (scene.boundaries.len()) (boundaries) ", solved by \
                     sphere-based three-dimensional discontinuous deformation analysis; sphere-dda " (VERSION) ", guid "
                     (model.guid) "."
                 }

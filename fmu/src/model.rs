@@ -74,6 +74,7 @@ impl Model {
             warnings: loaded
                 .warnings
                 .iter()
+                .filter(|problem| problem.is_warning())
                 .map(|problem| problem.plain(&loaded.name))
                 .collect(),
             scene: Arc::new(loaded.scene),

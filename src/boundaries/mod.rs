@@ -14,6 +14,7 @@ mod facets;
 mod features;
 mod mesh;
 mod plane;
+pub(crate) mod rays;
 mod revolution;
 mod solid;
 mod stl;

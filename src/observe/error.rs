@@ -34,7 +34,7 @@ pub enum OutputError {
     },
     /// The directory holds a run that the present one cannot go on with.
     #[error(
-        "`{}` holds another run: {differences}; resume it with its own scene and settings, or start anew in another directory or overwriting", path.display()
+        "`{}` holds another run: {differences}; resume it with its own scene and settings, start a new run in another directory, or use --overwrite", path.display()
     )]
     OtherRun {
         /// The directory.
@@ -43,7 +43,7 @@ pub enum OutputError {
         differences: String,
     },
     /// None of the checkpoints can be read.
-    #[error("no checkpoint in `{}` can be used: {reasons}; start anew in another directory or overwriting", path.display())]
+    #[error("no checkpoint in `{}` can be used: {reasons}; start a new run in another directory, or use --overwrite", path.display())]
     Unusable {
         /// The directory.
         path: PathBuf,
@@ -52,7 +52,7 @@ pub enum OutputError {
     },
     /// A file is not as the run left it.
     #[error(
-        "`{}`: found {found}, expected {expected}; the file was changed since the run wrote it: restore it or start anew", path.display()
+        "`{}`: found {found}, expected {expected}; the file was changed since the run wrote it: restore it, or start a new run in another directory", path.display()
     )]
     Changed {
         /// The file.

@@ -4,6 +4,7 @@ use std::path::Path;
 
 use miette::NamedSource;
 
+use super::advice::advise;
 use super::bodies::{accept, boundary, motion};
 use super::cell::cell;
 use super::decode::{Element, SceneFile};
@@ -43,6 +44,9 @@ pub(super) fn load(name: &str, text: &str, folder: &Path) -> Result<Loaded, Scen
         Some(mut scene) if !refused => {
             let attachments = resources.into_attachments();
             scene.hash = hash(text, &attachments);
+            if scene.title.is_empty() {
+                scene.title = stem(name);
+            }
             Ok(Loaded {
                 scene,
                 name: name.to_owned(),
@@ -55,6 +59,15 @@ pub(super) fn load(name: &str, text: &str, folder: &Path) -> Result<Loaded, Scen
             source_code: NamedSource::new(name, text.to_owned()),
             problems: errors,
         }),
+    }
+}
+
+/// The name of a scene file without folder and ending: the title of a scene that gives none.
+fn stem(name: &str) -> String {
+    let stem = Path::new(name).file_stem().unwrap_or_default();
+    match stem.to_string_lossy() {
+        stem if stem.is_empty() => "scene".to_owned(),
+        stem => stem.into_owned(),
     }
 }
 
@@ -189,6 +202,11 @@ fn build(
         super::cell::judge(document, &scene, &file.boundaries, &file.sensors);
         let groups = &context.ranges[..file.spheres.len()];
         Overlaps::of(&scene).judge(document, &scene, groups, &file.spheres);
+        if !document.refused() {
+            for advice in advise(&scene, file, &context.ranges) {
+                document.advise(advice);
+            }
+        }
     }
     Some(scene)
 }

@@ -9,9 +9,10 @@ use serde_path_to_error::Segment;
 use toml::Spanned;
 use toml::de::{DeArray, DeValue, ValueDeserializer};
 
-use super::document::{Document, LARGEST, Step, child, did_you_mean, join};
+use super::document::{Document, LARGEST, Step, child, did_you_mean, join, split};
 use super::file;
 use super::keys::keys_of;
+use super::wording::mismatch;
 
 /// Most problems reported for one element: a mistyped list of a million numbers stays readable.
 const PROBLEMS_PER_ELEMENT: usize = 20;
@@ -139,7 +140,7 @@ fn list<T: DeserializeOwned>(
         let help = format!("write `[[{key}]]` with double brackets, once per {key}");
         document.error(
             key,
-            format!("found {found}, expected an array of tables"),
+            format!("found {found}, expected a table with double brackets"),
             help,
         );
         return Vec::new();
@@ -198,8 +199,12 @@ fn element<T: DeserializeOwned>(
             });
             if !follows {
                 let span = span_of(value, &place);
-                let (message, help) = reword(message, missing);
-                document.report(Severity::Error, join(path, &place), span, message, help);
+                let (mut message, help) = reword(message, missing);
+                let mut shown = place.clone();
+                if missing.is_none() && help.is_empty() {
+                    (message, shown) = clean(&message, path, value, shown);
+                }
+                document.report(Severity::Error, join(path, &shown), span, message, help);
             }
             cut.push(place);
         }
@@ -230,6 +235,46 @@ fn reword(message: &str, missing: Option<&str>) -> (String, String) {
             help,
         ),
     }
+}
+
+/// A message without names of types, what was found and what the key takes, and the steps to the value it is about.
+fn clean(
+    message: &str,
+    path: &str,
+    value: &Spanned<DeValue<'_>>,
+    mut steps: Vec<Step>,
+) -> (String, Vec<Step>) {
+    // Lists of a fixed length say themselves what they are.
+    let length = message.strip_prefix("invalid length ");
+    if let Some((n, expected)) = length.and_then(|rest| rest.split_once(", expected "))
+        && !expected.starts_with("struct ")
+    {
+        return (format!("found {n} of them, expected {expected}"), steps);
+    }
+    // The named option of a choice may be no key of the file, or of the schema.
+    loop {
+        let (depth, found) = deepest(value, &steps);
+        steps.truncate(depth);
+        let whole = [split(path), steps.clone()].concat();
+        if let Some(message) = mismatch(&whole, found) {
+            return (message, steps);
+        }
+        if steps.pop().is_none() {
+            return (message.to_owned(), steps);
+        }
+    }
+}
+
+/// How many of `steps` lead to a value that exists, and that value.
+fn deepest<'v, 't>(value: &'v Spanned<DeValue<'t>>, steps: &[Step]) -> (usize, &'v DeValue<'t>) {
+    let mut place = value;
+    for (depth, step) in steps.iter().enumerate() {
+        match child(place, step) {
+            Some(next) => place = next,
+            None => return (depth, place.get_ref()),
+        }
+    }
+    (steps.len(), place.get_ref())
 }
 
 /// The names serde lists after `expected`, with a suggestion first.

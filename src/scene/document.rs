@@ -6,6 +6,7 @@ use miette::Severity;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
+use super::advice::Advice;
 use super::problem::Problem;
 
 /// Largest magnitude of a number in a scene: beyond it products of a few of them stop being finite.
@@ -36,7 +37,8 @@ pub(super) fn join(path: &str, steps: &[Step]) -> String {
     joined
 }
 
-fn split(path: &str) -> Vec<Step> {
+/// The steps of a path.
+pub(super) fn split(path: &str) -> Vec<Step> {
     let mut steps = Vec::new();
     for part in path.split('.').filter(|part| !part.is_empty()) {
         let (key, indices) = part.split_at(part.find('[').unwrap_or(part.len()));
@@ -66,16 +68,45 @@ impl<'t> Document<'t> {
         };
         for error in errors {
             let span = error.span().unwrap_or(0..0);
-            let help = "this is not TOML: see https://toml.io for its syntax";
-            document.report(
-                Severity::Error,
-                String::new(),
-                span,
-                error.message().to_owned(),
-                help.into(),
+            let (message, help) = document.syntax(error.message(), span.start);
+            document.report(Severity::Error, String::new(), span, message, help);
+        }
+        // One slip of the pen may be reported twice.
+        document
+            .problems
+            .dedup_by(|a, b| (a.line, &a.message) == (b.line, &b.message));
+        document
+    }
+
+    /// What is wrong with the syntax at byte `at`, and how to mend it.
+    fn syntax(&self, message: &str, at: usize) -> (String, String) {
+        let at = self.text.floor_char_boundary(at);
+        let start = self.text[..at].rfind('\n').map_or(0, |n| n + 1);
+        let line = self.text[start..].lines().next().unwrap_or_default();
+        let (key, value) = line.split_once('=').unwrap_or((line, ""));
+        let (key, value) = (
+            key.trim(),
+            value.split('#').next().unwrap_or_default().trim(),
+        );
+        if line.contains('=') && value.is_empty() {
+            return (
+                format!("found nothing after `{key} =`, expected a value"),
+                format!(
+                    "write `{key} = ...`: a number, a string in quotes, a list `[...]` or a table `{{ ... }}`"
+                ),
             );
         }
-        document
+        if message.contains("must be quoted") {
+            return (
+                format!("found `{value}` without quotes, expected a value"),
+                format!("a string stands in quotes: `{key} = \"{value}\"`"),
+            );
+        }
+        let help = "this is not TOML: see https://toml.io for its syntax";
+        (
+            message.replace("literal string", "a value"),
+            help.to_owned(),
+        )
     }
 
     /// Whether an error (not only warnings) was reported.
@@ -118,6 +149,18 @@ impl<'t> Document<'t> {
         let path = path.into();
         let span = self.locate(&path);
         self.report(Severity::Warning, path, span, message.into(), help.into());
+    }
+
+    /// Adds a piece of advice to the warnings.
+    pub(super) fn advise(&mut self, advice: Advice) {
+        let span = self.locate(&advice.path);
+        self.report(
+            advice.severity,
+            advice.path,
+            span,
+            advice.message,
+            advice.help,
+        );
     }
 
     /// Refuses a number outside its range: `found 0, expected > 0 [m]`. Returns whether it was in range.

@@ -4,6 +4,7 @@
 //! allowed. Files that a scene names (meshes, CSV) lie beside or below it and are returned with it.
 
 mod accuracy;
+mod advice;
 mod bodies;
 mod build;
 mod cell;
@@ -27,6 +28,7 @@ mod sources;
 mod spheres;
 mod summary;
 mod values;
+mod wording;
 
 use std::path::Path;
 

@@ -132,8 +132,8 @@ impl Overlaps {
                      help: &str| {
             let refused = list.iter().filter(|o| o.ratio > allowed).count();
             let measure = format!(
-                "overlaps {what} by {:.3e} of the smaller radius",
-                worst.ratio
+                "overlaps {what} by {} of the smaller radius",
+                told_apart(worst.ratio, allowed)
             );
             let subject = call(worst.sphere);
             if refused > 0 {
@@ -160,5 +160,28 @@ impl Overlaps {
                 "move the spheres or the boundary; a plane is solid on the side its normal leaves";
             judge(document, &self.walls, worst, what, help);
         }
+    }
+}
+
+/// A number with three digits, or as many as it takes to differ from `bound`.
+fn told_apart(x: f64, bound: f64) -> String {
+    let rounded = |digits: usize| format!("{x:.digits$e}").parse().unwrap_or(x);
+    let shown = (2..16).map(rounded).find(|shown| *shown != bound);
+    let shown = shown.unwrap_or(x);
+    match shown < 1e-3 {
+        true => format!("{shown:e}"),
+        false => format!("{shown}"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::told_apart;
+
+    #[test]
+    fn a_ratio_is_shown_apart_from_its_bound() {
+        assert_eq!(told_apart(0.050_000_1, 0.05), "0.0500001");
+        assert_eq!(told_apart(0.123_456, 0.05), "0.123");
+        assert_eq!(told_apart(1.234_5e-5, 0.05), "1.23e-5");
     }
 }

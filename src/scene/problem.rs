@@ -19,7 +19,8 @@ pub struct Problem {
     pub message: String,
     /// How to mend it.
     pub help: Option<String>,
-    /// `Error`: the scene is refused. `Warning`: it runs, but probably not as meant.
+    /// `Error`: the scene is refused. `Warning`: it runs, but probably not as meant. `Advice`: it runs as meant, and could be
+    /// simpler.
     pub severity: Severity,
 }
 
@@ -76,6 +77,12 @@ impl SceneError {
 }
 
 impl Problem {
+    /// Whether the scene runs, but probably not as meant.
+    #[must_use]
+    pub fn is_warning(&self) -> bool {
+        self.severity == Severity::Warning
+    }
+
     /// Plain text for logs, with the name of the scene file.
     #[must_use]
     pub fn plain(&self, name: &str) -> String {

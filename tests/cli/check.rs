@@ -30,6 +30,62 @@ fn good_scenes_are_summarised() {
 }
 
 #[test]
+fn a_picture_shows_what_was_typed() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = example("hopper");
+    let draw = |more: &[&str]| {
+        let mut arguments = vec!["check", scene.to_str().unwrap(), "--picture"];
+        arguments.extend(more);
+        command(folder.path(), &arguments).output().unwrap()
+    };
+    let refused = |output: Output, part: &str| {
+        let text = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(2), "{text}");
+        assert!(text.contains(part), "{part} is not in\n{text}");
+    };
+    refused(
+        draw(&["hopper.jpg"]),
+        "found `hopper.jpg`, expected a name that ends with .png",
+    );
+    refused(
+        draw(&["no/such/hopper.png"]),
+        "cannot write `no/such/hopper.png`",
+    );
+    assert!(draw(&["hopper.png"]).status.success());
+    let png = std::fs::read(folder.path().join("hopper.png")).unwrap();
+    assert!(png.starts_with(b"\x89PNG"));
+    refused(draw(&["hopper.png"]), "exists already");
+    assert!(draw(&["hopper.png", "--overwrite"]).status.success());
+}
+
+#[test]
+fn a_scene_without_title_makes_an_fmu_of_the_name_of_its_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let readme = include_str!("../../README.md");
+    let (_, rest) = readme.split_once("## A scene\n\n```toml\n").unwrap();
+    let (scene, _) = rest.split_once("```").unwrap();
+    assert!(!scene.contains("title"));
+    std::fs::write(folder.path().join("hopper.toml"), scene).unwrap();
+    for arguments in [
+        &["export", "hopper.toml"][..],
+        &["inspect", "hopper.fmu"],
+        // Its instance reads the scene from a file of another name.
+        &[
+            "simulate",
+            "hopper.fmu",
+            "--stop",
+            "0.002",
+            "-o",
+            "outputs.csv",
+        ],
+    ] {
+        let output = command(folder.path(), arguments).output().unwrap();
+        let text = String::from_utf8(output.stderr).unwrap();
+        assert!(output.status.success(), "{arguments:?}: {text}");
+    }
+}
+
+#[test]
 fn bad_scenes_exit_with_2_and_every_problem() {
     let text = std::fs::read_to_string(example("funnel")).unwrap();
     let bad = text

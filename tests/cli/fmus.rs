@@ -136,7 +136,7 @@ fn the_demo_runs_anywhere_and_replaces_only_its_own_output() {
             "discharged",
             "worst overlap",
             "wall time",
-            "x real time",
+            "than real time",
             "view.py",
             "meshio",
         ] {

@@ -79,10 +79,10 @@ fn a_finished_run_can_be_made_longer_and_is_otherwise_left_alone() {
     ] {
         let told = complete(folder, "out", stop, more);
         if let Some(time) = goes_on {
-            let text = format!("goes on at {time} s");
+            let text = format!("resumes at {time} s");
             assert!(told.error.contains(&text), "{}", told.error);
             assert!(
-                told.out.contains(&format!("s from {time} s on in")),
+                told.out.contains(&format!("s (resumed at {time} s) in")),
                 "{}",
                 told.out
             );
@@ -95,7 +95,11 @@ fn a_finished_run_can_be_made_longer_and_is_otherwise_left_alone() {
         ["checkpoint_000062.state"]
     );
     let told = complete(folder, "out", "0.62", more);
-    assert!(told.error.contains("is finished: 0.62 s"), "{}", told.error);
+    assert!(
+        told.error.contains("is finished at 0.62 s"),
+        "{}",
+        told.error
+    );
     assert!(told.out.contains("7 frames, 63 rows"), "{}", told.out);
     same(folder, "out", "whole");
 }
@@ -137,7 +141,7 @@ fn a_damaged_checkpoint_is_passed_over() {
     for part in [
         &format!("passed over {newest}"),
         "checksum",
-        "goes on at 0.3 s",
+        "resumes at 0.3 s",
     ] {
         assert!(told.error.contains(part), "{part} is not in {}", told.error);
     }
@@ -155,7 +159,7 @@ fn a_damaged_checkpoint_is_passed_over() {
         "no checkpoint in `out` can be used",
         newest,
         second,
-        "start anew",
+        "start a new run",
     ] {
         assert!(told.error.contains(part), "{part} is not in {}", told.error);
     }
@@ -272,7 +276,7 @@ fn an_interrupted_run_goes_on_and_two_runs_do_not_share_a_directory() {
     let time = time.split(" s").next().unwrap();
     let told = complete(folder, "out", "1.1", &["--resume"]);
     assert!(
-        told.error.contains(&format!("goes on at {time} s")),
+        told.error.contains(&format!("resumes at {time} s")),
         "{}",
         told.error
     );

@@ -148,8 +148,11 @@ impl Instance {
         }
         let expected = match (variable.min, variable.max) {
             (None, None) => "a finite number".to_owned(),
-            (Some(min), None) => format!("a finite number of at least {min:e}"),
-            (_, Some(_)) => format!("a number in {min:e}..={max:e}"),
+            // The least positive number is how a model description says "not 0".
+            (Some(min), None) if min == f64::MIN_POSITIVE => "a number > 0".to_owned(),
+            (Some(min), None) => format!("a number >= {min}"),
+            (None, Some(_)) => format!("a number <= {max}"),
+            (Some(_), Some(_)) => format!("a number from {min} to {max}"),
         };
         Err(Refusal::Range {
             name: variable.name.clone(),

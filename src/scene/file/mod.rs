@@ -33,6 +33,7 @@ pub use spheres::{
 pub struct TopLevel {
     /// Title of results and FMUs.
     #[serde(default)]
+    #[schemars(extend("x-default" = "the name of the scene file without its ending"))]
     pub title: String,
     /// The run and its numerics.
     pub simulation: Simulation,
