@@ -21,6 +21,8 @@ mod terrain;
 mod tessellate;
 mod topology;
 
+use std::sync::Arc;
+
 use serde::{Deserialize, Serialize};
 
 pub use error::GeometryError;
@@ -209,13 +211,13 @@ impl From<Revolution> for Shape {
 
 /// The faces of a boundary in its own frame (the scene's at t = 0).
 ///
-/// Serialized as its shapes; what the queries need beside them is built anew.
+/// Serialized as its shapes; what the queries need beside them is built anew. Clones share everything.
 #[derive(Debug, Clone, Default, Serialize, Deserialize)]
 #[serde(try_from = "Vec<Shape>", into = "Vec<Shape>")]
 pub struct Geometry {
-    shapes: Vec<Shape>,
+    shapes: Arc<[Shape]>,
     /// All facets together; their features have the lowest numbers.
-    mesh: Option<Mesh>,
+    mesh: Option<Arc<Mesh>>,
     /// Box around everything but half-spaces \[m\].
     bounds: Option<(Vec3, Vec3)>,
 }
@@ -236,7 +238,7 @@ impl TryFrom<Vec<Shape>> for Geometry {
 
 impl From<Geometry> for Vec<Shape> {
     fn from(geometry: Geometry) -> Self {
-        geometry.shapes
+        geometry.shapes.to_vec()
     }
 }
 
@@ -257,11 +259,11 @@ impl Geometry {
             .collect();
         let mesh = match facets[..] {
             [] => None,
-            _ => Some(Mesh::new(&facets)?),
+            _ => Some(Arc::new(Mesh::new(&facets)?)),
         };
-        let bounds = bounds(&shapes, mesh.as_ref());
+        let bounds = bounds(&shapes, mesh.as_deref());
         Ok(Self {
-            shapes,
+            shapes: shapes.into(),
             mesh,
             bounds,
         })
@@ -276,7 +278,7 @@ impl Geometry {
     /// What was mended in its facets; `None` without facets.
     #[must_use]
     pub fn repair(&self) -> Option<&Repair> {
-        self.mesh.as_ref().map(Mesh::repair)
+        self.mesh.as_deref().map(Mesh::repair)
     }
 
     /// Appends every distinct place where a sphere of `radius` \[m\] around `centre` \[m\] comes within
@@ -290,7 +292,7 @@ impl Geometry {
             mesh.touches(centre, radius, reach, out);
             first = mesh.features();
         }
-        for shape in &self.shapes {
+        for shape in self.shapes.iter() {
             let start = out.len();
             match shape {
                 Shape::Facets(_) => {}
@@ -333,7 +335,7 @@ impl Geometry {
                 return mesh.follow(feature, normal, centre, radius);
             }
         }
-        for shape in &self.shapes {
+        for shape in self.shapes.iter() {
             let local = feature - first;
             let count = own_features(shape);
             if local < count {
