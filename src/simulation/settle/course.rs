@@ -61,17 +61,24 @@ impl<W: FnMut(&SettleProgress<'_>) -> ControlFlow<()>> Course<W> {
         self.limit - self.time <= 1e-9 * self.limit
     }
 
-    /// The start of the next pass, in `scene`.
+    /// The start of the next pass, in `scene`, with overlaps up to `overlap` \[radii\] that its steps take out.
     pub(super) fn begin(
         &mut self,
-        scene: Scene,
+        mut scene: Scene,
         kind: PassKind,
+        overlap: f64,
     ) -> Result<Simulation, SettleError> {
         self.pass = Pass {
             number: self.pass.number + 1,
             kind,
         };
-        Simulation::new(Arc::new(scene)).map_err(|error| self.failed(error))
+        let gap = scene.settings.tolerance.gap;
+        scene.settings.tolerance.gap = gap.max(overlap);
+        let mut began = Simulation::new(Arc::new(scene)).map_err(|error| self.failed(error))?;
+        if overlap > gap {
+            Arc::make_mut(&mut began.scene).settings.tolerance.gap = gap;
+        }
+        Ok(began)
     }
 
     /// Runs the pass for `length` \[s\] or the time that is left, or until rest.

@@ -134,7 +134,7 @@ impl Settled {
         }
         let still = still(scene);
         let mut course = Course::new(scene, settle.time, watch);
-        let began = course.begin(held(&still, COARSE), PassKind::Coarse)?;
+        let began = course.begin(held(&still, COARSE), PassKind::Coarse, 0.0)?;
         let load = Load::of(&began);
         let length = (LAST * load.patience).max(scene.settings.communication_step);
         let way_down = settle.time - (FINE_PASSES * length).min(FINE_SHARE * settle.time);
@@ -157,10 +157,15 @@ impl Settled {
         };
         let mut last = coarse.simulation;
         let mut kind = PassKind::Fine;
+        // A start moves spheres out of overlaps but no walls: between a floor and a body that presses there is no way out.
+        let mut overlap = match still.driven().next() {
+            Some(_) => COARSE.gap,
+            None => 0.0,
+        };
         for _ in 0..STRETCHES {
             last.stopped(&mut near);
             let stretch = course
-                .begin(near.clone(), kind)
+                .begin(near.clone(), kind, overlap)
                 .and_then(|began| course.run(began, &load, length, false));
             let fine = match stretch {
                 Ok(fine) => fine,
@@ -183,6 +188,7 @@ impl Settled {
             near.settings.tolerance.slip = LOOSE.slip;
             near.settings.tolerance.force = LOOSE.force;
             kind = PassKind::Balance;
+            overlap = 0.0;
         }
         // Bodies that were held are free from t = 0.
         if scene.driven().any(|(_, body)| body.hold_while_settling) {
