@@ -7,6 +7,7 @@ use crate::command::{done, said};
 
 /// Grains above a floor between walls.
 const BIN: &str = r#"
+title = "Bin"
 [simulation]
 duration = 0.02
 step = 0.002
