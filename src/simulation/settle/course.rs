@@ -125,8 +125,12 @@ impl<W: FnMut(&SettleProgress<'_>) -> ControlFlow<()>> Course<W> {
                 });
             }
             k += 1;
-            let end = (f64::from(k) * step).min(length);
-            let taken = end - simulation.time();
+            let end = f64::from(k) * step;
+            // Of a whole step its own length: rounding would change the paths.
+            let (end, taken) = match end <= length {
+                true => (end, step),
+                false => (length, length - simulation.time()),
+            };
             simulation
                 .advance_to(end)
                 .map_err(|error| self.failed(error.later(before)))?;
