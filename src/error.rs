@@ -96,6 +96,20 @@ pub enum StepError {
     },
 }
 
+impl StepError {
+    /// The same with its times counted from `by` \[s\] earlier.
+    pub(crate) fn later(mut self, by: f64) -> Self {
+        match &mut self {
+            Self::NotConverged { time, .. }
+            | Self::Pinched { time, .. }
+            | Self::TooFast { time, .. }
+            | Self::NotFinite { time, .. } => *time += by,
+            Self::Jump { .. } | Self::Argument { .. } => {}
+        }
+        self
+    }
+}
+
 /// A snapshot that cannot be restored.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[non_exhaustive]

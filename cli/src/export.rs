@@ -26,6 +26,7 @@ Examples:
   sphere-dda export examples/feeder/feeder.toml
   sphere-dda export scene.toml -o build/scene.fmu --overwrite
   sphere-dda export hopper.toml --until-rest
+  sphere-dda export hopper.toml --until-rest --start hopper.start     settles once, later exports read the start
   sphere-dda export scene.toml --fmi 3
   sphere-dda export scene.toml --platform linux64,win64
   sphere-dda export bed.toml --ssp coupled.ssp --with shaker.fmu --set shaker.amplitude=0.001 \\

@@ -6,7 +6,9 @@ use std::process::ExitCode;
 use miette::Report;
 use sphere_dda::error::StepError;
 use sphere_dda::observe::error::OutputError;
+use sphere_dda::observe::start_file::StartFileError;
 use sphere_dda::scene::SceneError;
+use sphere_dda::simulation::SettleError;
 use sphere_dda_fmu::export::ExportError;
 use sphere_dda_fmu::import::{
     ImportError, PackageError, SignalsError, SimulateError, SspError, SystemError,
@@ -74,6 +76,18 @@ impl From<ExportError> for Failure {
 impl From<StepError> for Failure {
     fn from(error: StepError) -> Self {
         Self::run(error)
+    }
+}
+
+impl From<SettleError> for Failure {
+    fn from(error: SettleError) -> Self {
+        Self::run(error)
+    }
+}
+
+impl From<StartFileError> for Failure {
+    fn from(error: StartFileError) -> Self {
+        Self::input(error)
     }
 }
 

@@ -47,8 +47,8 @@ impl Interrupt {
 /// How a run gets on, up to its stop time.
 pub(crate) struct Progress {
     bar: Option<ProgressBar>,
-    /// Start and stop of the simulated time \[s\].
-    span: (f64, f64),
+    /// Start and stop of the simulated time \[s\]; of a search for rest none is known.
+    span: Option<(f64, f64)>,
     began: Instant,
     shown: Instant,
 }
@@ -56,16 +56,25 @@ pub(crate) struct Progress {
 impl Progress {
     /// A run from `start` to `stop` \[s\] that begins now.
     pub(crate) fn new(start: f64, stop: f64) -> Self {
+        Self::begin("{bar:30} {msg}", Some((start, stop)))
+    }
+
+    /// Work whose end is not known.
+    pub(crate) fn open() -> Self {
+        Self::begin("{spinner} {msg}", None)
+    }
+
+    fn begin(template: &str, span: Option<(f64, f64)>) -> Self {
         let now = Instant::now();
         let bar = io::stderr().is_terminal().then(|| {
-            let style = ProgressStyle::with_template("{bar:30} {msg}");
+            let style = ProgressStyle::with_template(template);
             let bar = ProgressBar::new(BAR_LENGTH);
             bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
             bar
         });
         Self {
             bar,
-            span: (start, stop),
+            span,
             began: now,
             shown: now,
         }
@@ -73,6 +82,30 @@ impl Progress {
 
     /// The run has come to `time` \[s\]; `detail` is asked for only if it is shown.
     pub(crate) fn show(&mut self, time: f64, detail: impl FnOnce() -> String) {
+        let (start, stop) = self.span.unwrap_or((0.0, f64::INFINITY));
+        let done = (time - start) / (stop - start);
+        let wall = self.began.elapsed().as_secs_f64();
+        let factor = (time - start) / wall;
+        let remaining = wall * (1.0 - done) / done;
+        if let Some(bar) = &self.bar {
+            bar.set_position((done * BAR_LENGTH as f64) as u64);
+        }
+        self.say(|| {
+            let mut text = format!("{time:.3} of {stop} s");
+            let detail = detail();
+            if !detail.is_empty() {
+                text += &format!(", {detail}");
+            }
+            text += &format!(", {}", speed(factor));
+            if remaining.is_finite() {
+                text += &format!(", ETA {remaining:.0} s");
+            }
+            text
+        });
+    }
+
+    /// Shows `text` if it is time to; only then is it asked for.
+    pub(crate) fn say(&mut self, text: impl FnOnce() -> String) {
         let interval = match &self.bar {
             Some(_) => BAR_INTERVAL,
             None => LINE_INTERVAL,
@@ -81,26 +114,9 @@ impl Progress {
             return;
         }
         self.shown = Instant::now();
-        let (start, stop) = self.span;
-        let done = (time - start) / (stop - start);
-        let wall = self.began.elapsed().as_secs_f64();
-        let factor = (time - start) / wall;
-        let remaining = wall * (1.0 - done) / done;
-        let mut text = format!("{time:.3} of {stop} s");
-        let detail = detail();
-        if !detail.is_empty() {
-            text += &format!(", {detail}");
-        }
-        text += &format!(", {}", speed(factor));
-        if remaining.is_finite() {
-            text += &format!(", ETA {remaining:.0} s");
-        }
         match &self.bar {
-            Some(bar) => {
-                bar.set_position((done * BAR_LENGTH as f64) as u64);
-                bar.set_message(text);
-            }
-            None => note(&text),
+            Some(bar) => bar.set_message(text()),
+            None => note(text()),
         }
     }
 

@@ -1,6 +1,6 @@
 //! `sphere-dda run SCENE -o DIR`: the solver without an FMU.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
@@ -10,6 +10,7 @@ use miette::miette;
 use sphere_dda::clock::{Clock, due};
 use sphere_dda::observe::Observation;
 use sphere_dda::observe::checkpoint::{Checkpoint, KEPT};
+use sphere_dda::observe::error::OutputError;
 use sphere_dda::observe::writer::{Options, Results, Status};
 use sphere_dda::scene::{Method, Scene, SolverKind};
 use sphere_dda::simulation::{Simulation, StepReport};
@@ -17,6 +18,7 @@ use sphere_dda::simulation::{Simulation, StepReport};
 use crate::check;
 use crate::failure::Failure;
 use crate::progress::{Interrupt, Progress, count, note, print, wall_time};
+use crate::settle::Settling;
 
 /// Wall time after which a checkpoint is written whatever the simulated time: what a killed run loses at most.
 const LONGEST_WORK: Duration = Duration::from_mins(5);
@@ -29,6 +31,7 @@ Examples:
   sphere-dda run scene.toml -o results --stop 0.5 --overwrite
   sphere-dda run scene.toml -o results --resume               begins, goes on, or has nothing left to do
   sphere-dda run scene.toml -o results --resume --stop 2      makes a run longer
+  sphere-dda run hopper.toml -o results --until-rest --start hopper.start     settles once, later runs read the start
 
 Written to DIR: spheres.pvd, contacts.pvd and boundaries.pvd with their frames (ParaView, meshio), history.csv, run.json,
 view.py for ParaView, and checkpoints to go on from: every five minutes, every --checkpoint-interval, at the end. Ctrl-C
@@ -58,6 +61,8 @@ pub(crate) struct Run {
     /// Solver, instead of the scene's.
     #[arg(long, value_parser = solver())]
     solver: Option<SolverKind>,
+    #[command(flatten)]
+    settling: Settling,
 }
 
 /// A time in seconds that a run can end at.
@@ -118,7 +123,15 @@ impl Run {
 pub(crate) fn run(arguments: &Run, interrupt: &Interrupt) -> Result<(), Failure> {
     let loaded = Scene::from_file(&arguments.scene)?;
     check::warn(&loaded);
-    let scene = Arc::new(arguments.adjust(loaded.scene)?);
+    let mut scene = arguments.adjust(loaded.scene)?;
+    if !arguments.overwrite && !arguments.resume {
+        // What would stop the run shows before the spheres settle.
+        free(&arguments.output)?;
+    }
+    if let Some(start) = arguments.settling.start(&scene, interrupt)? {
+        scene.start_from(&start).map_err(Failure::input)?;
+    }
+    let scene = Arc::new(scene);
     let mut options = Options::new(&arguments.output, &scene);
     options.overwrite = arguments.overwrite;
 
@@ -148,6 +161,18 @@ pub(crate) fn run(arguments: &Run, interrupt: &Interrupt) -> Result<(), Failure>
     end?;
     complete(&status)?;
     printed
+}
+
+/// Whether no run lies in `directory`.
+fn free(directory: &Path) -> Result<(), Failure> {
+    let found = "run.json";
+    match directory.join(found).exists() {
+        false => Ok(()),
+        true => Err(Failure::input(OutputError::Exists {
+            path: directory.to_path_buf(),
+            found: found.to_owned(),
+        })),
+    }
 }
 
 /// Puts the simulation back to the last checkpoint that lies on the way to the stop time, and says where that is.

@@ -23,6 +23,8 @@ mod tessellate;
 mod topology;
 mod vicinity;
 
+use std::sync::Arc;
+
 use serde::{Deserialize, Serialize};
 
 pub use error::GeometryError;
@@ -212,13 +214,13 @@ impl From<Revolution> for Shape {
 
 /// The faces of a boundary in its own frame (the scene's at t = 0).
 ///
-/// Serialized as its shapes; what the queries need beside them is built anew.
+/// Serialized as its shapes; what the queries need beside them is built anew. Clones share everything.
 #[derive(Debug, Clone, Default, Serialize, Deserialize)]
 #[serde(try_from = "Vec<Shape>", into = "Vec<Shape>")]
 pub struct Geometry {
-    shapes: Vec<Shape>,
+    shapes: Arc<[Shape]>,
     /// All facets together; their features have the lowest numbers.
-    mesh: Option<Mesh>,
+    mesh: Option<Arc<Mesh>>,
     /// Box around everything but half-spaces \[m\].
     bounds: Option<(Vec3, Vec3)>,
 }
@@ -239,7 +241,7 @@ impl TryFrom<Vec<Shape>> for Geometry {
 
 impl From<Geometry> for Vec<Shape> {
     fn from(geometry: Geometry) -> Self {
-        geometry.shapes
+        geometry.shapes.to_vec()
     }
 }
 
@@ -260,11 +262,11 @@ impl Geometry {
             .collect();
         let mesh = match facets[..] {
             [] => None,
-            _ => Some(Mesh::new(&facets)?),
+            _ => Some(Arc::new(Mesh::new(&facets)?)),
         };
-        let bounds = bounds(&shapes, mesh.as_ref());
+        let bounds = bounds(&shapes, mesh.as_deref());
         Ok(Self {
-            shapes,
+            shapes: shapes.into(),
             mesh,
             bounds,
         })
@@ -279,7 +281,7 @@ impl Geometry {
     /// What was mended in its facets; `None` without facets.
     #[must_use]
     pub fn repair(&self) -> Option<&Repair> {
-        self.mesh.as_ref().map(Mesh::repair)
+        self.mesh.as_deref().map(Mesh::repair)
     }
 
     /// Appends every distinct place where a sphere of `radius` \[m\] around `centre` \[m\] comes within
@@ -336,15 +338,15 @@ impl Geometry {
         spare.clear();
         self.touches_beside(centre, radius, reach, spare);
         let clearance = |mesh: &Mesh| mesh.clearance(Some(known), centre, radius + reach);
-        let mesh = self.mesh.as_ref().map_or(f64::INFINITY, clearance);
+        let mesh = self.mesh.as_deref().map_or(f64::INFINITY, clearance);
         let gaps = spare.iter().map(|touch| touch.gap);
         gaps.fold(mesh - radius, f64::min)
     }
 
     /// The touches on what is no facet.
     fn touches_beside(&self, centre: Vec3, radius: f64, reach: f64, out: &mut Vec<Touch>) {
-        let mut first = self.mesh.as_ref().map_or(0, Mesh::features);
-        for shape in &self.shapes {
+        let mut first = self.mesh.as_deref().map_or(0, Mesh::features);
+        for shape in self.shapes.iter() {
             let start = out.len();
             match shape {
                 Shape::Facets(_) => {}
@@ -387,7 +389,7 @@ impl Geometry {
                 return mesh.follow(feature, normal, centre, radius);
             }
         }
-        for shape in &self.shapes {
+        for shape in self.shapes.iter() {
             let local = feature - first;
             let count = own_features(shape);
             if local < count {

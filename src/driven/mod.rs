@@ -104,6 +104,8 @@ pub struct Body {
     pub damping: [f64; 2],
     /// Whether gravity acts on it.
     pub gravity: bool,
+    /// Whether it stays in its place while the spheres settle before t = 0.
+    pub hold_while_settling: bool,
     /// Pose at t = 0.
     pub pose: Pose,
     /// Velocity of the point of action at t = 0.

@@ -18,6 +18,7 @@ pub mod loads;
 pub mod pvd;
 pub mod quantities;
 pub mod sensors;
+pub mod start_file;
 pub mod table;
 pub mod vtu;
 pub mod writer;

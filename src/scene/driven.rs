@@ -73,6 +73,7 @@ pub(super) fn body(
         spring: spring?,
         damping: [given.damping, given.angular_damping],
         gravity: given.gravity,
+        hold_while_settling: given.hold_while_settling,
         pose: Pose::default(),
         twist: Twist {
             linear: given.velocity.into(),

@@ -36,6 +36,7 @@ pub use accuracy::Accuracy;
 pub use overlap::{Overlap, Overlaps};
 pub use problem::{Problem, SceneError};
 pub use resources::Attachment;
+pub(crate) use resources::digest;
 pub use schema::json_schema;
 pub use summary::Summary;
 
@@ -412,7 +413,7 @@ impl Scene {
             }
         }
         self.initial_contacts = state.contacts;
-        self.hash = resources::digest([self.hash.as_bytes(), blob]);
+        self.hash = digest([self.hash.as_bytes(), blob]);
         Ok(())
     }
 

@@ -106,7 +106,7 @@ pub(super) fn hash(text: &str, attachments: &[Attachment]) -> String {
 
 /// SHA-256 of the parts, 64 hexadecimal digits: each is preceded by its length, so that no two lists of parts share
 /// their bytes.
-pub(super) fn digest<'a>(parts: impl IntoIterator<Item = &'a [u8]>) -> String {
+pub(crate) fn digest<'a>(parts: impl IntoIterator<Item = &'a [u8]>) -> String {
     let mut digest = Sha256::new();
     for part in parts {
         digest.update((part.len() as u64).to_le_bytes());

@@ -31,7 +31,7 @@ pub use derivatives::{Direction, Origin};
 pub use march::March;
 pub use pace::Pace;
 pub use report::StepReport;
-pub use settle::{Settle, Settled};
+pub use settle::{Pass, PassKind, Settle, SettleError, SettleProgress, Settled};
 
 /// Force and torque on a boundary.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]

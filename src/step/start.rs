@@ -38,8 +38,8 @@ pub fn initial_forces(
         side.keep(&resting);
     }
     stage.keep(&resting);
-    let report = stage.solve((state, Effort::default()), scratch, None);
-    if scene.settings.method == Method::Alm && !report.converged {
+    let report = stage.solve((state, effort(scene)), scratch, None);
+    if scene.settings.method == Method::Alm && scene.settings.strict && !report.converged {
         return Err(stage.failure(&report));
     }
     if scene.settings.method == Method::Alm {
@@ -53,6 +53,14 @@ pub fn initial_forces(
     }
     stage.store_start(state, &start.external);
     Ok(())
+}
+
+/// There is no shorter step at the start: the best iterate is taken, unless the scene is strict.
+fn effort(scene: &Scene) -> Effort {
+    Effort {
+        accept: !scene.settings.strict,
+        ..Effort::default()
+    }
 }
 
 /// One of something for each state.
@@ -104,7 +112,7 @@ pub fn remove_overlaps(
         side.displace();
     }
     stage.displace();
-    stage.resolve((state, Effort::default()), scratch, &mut twins)?;
+    stage.resolve((state, effort(scene)), scratch, &mut twins)?;
     for (twin, pair) in twins.iter().zip(pairs) {
         for (side, state) in twin.stages.iter().zip(pair) {
             let solution = side.problem.velocities(&side.impulses);

@@ -14,3 +14,4 @@ mod refused;
 mod resumed;
 mod runs;
 mod schema;
+mod settled;

@@ -1,7 +1,9 @@
 //! Sources, sinks and settling: mass that comes and goes is counted exactly, and a settled scene starts in equilibrium.
+//! Start files keep that start.
 
 mod settling;
 mod sources;
+mod start_file;
 
 use std::path::Path;
 use std::sync::Arc;

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use sphere_dda::Vec3;
 use sphere_dda::scene::Scene;
-use sphere_dda::simulation::{Settle, Settled, Simulation};
+use sphere_dda::simulation::{Pass, PassKind, Settle, SettleError, Settled, Simulation};
 
 use crate::scene;
 
@@ -106,4 +106,167 @@ fn a_start_of_another_scene_is_refused() {
     let error = other.start_from(&settled.start).unwrap_err();
     assert!(error.to_string().contains("scene"), "{error}");
     assert_eq!(other, before);
+}
+
+/// All passes together take the time that was given, however short, and progress never goes back.
+#[test]
+fn settling_takes_no_more_than_its_time() {
+    let scene = scene(&hopper(1));
+    for (time, until_rest) in [(0.005, false), (0.4, false), (0.05, true)] {
+        let mut seen: Vec<(Pass, f64)> = Vec::new();
+        let settled = Settled::new(&scene, Settle { time, until_rest }, |reached| {
+            assert!(reached.speed >= 0.0 && reached.rest_speed > 0.0);
+            seen.push((reached.pass, reached.time));
+            ControlFlow::Continue(())
+        })
+        .unwrap();
+        assert!(settled.time <= time * (1.0 + 1e-9), "{} s", settled.time);
+        assert!(settled.time >= time * (1.0 - 1e-6), "{} s", settled.time);
+        let forward = |w: &[(Pass, f64)]| w[0].1 <= w[1].1 && w[0].0.number <= w[1].0.number;
+        assert!(seen.windows(2).all(forward), "{seen:?}");
+        let kinds: Vec<PassKind> = seen.iter().map(|(pass, _)| pass.kind).collect();
+        assert_eq!(kinds.first(), Some(&PassKind::Coarse));
+        assert!(kinds.contains(&PassKind::Fine));
+        assert!(settled.passes >= 2);
+        assert_eq!(seen[0].0.to_string(), "pass 1 (coarse)");
+    }
+}
+
+/// Grains in a tube on a flap that nothing but its hinge carries.
+const FLAP: &str = r#"
+[simulation]
+duration = 1.0
+step = 0.002
+[pair_default]
+friction = 0.4
+[[material]]
+name = "grain"
+density = 2500
+[[spheres]]
+name = "fill"
+material = "grain"
+radius = 0.02
+lattice = { origin = [-0.045, -0.045, 0.05], count = [3, 3, 3], spacing = 0.045, jitter = 0.05 }
+[[boundary]]
+name = "tube"
+material = "grain"
+faces = [{ cylinder = { base = [0, 0, 0], radius = 0.1, height = 1.0 } }]
+[[boundary]]
+name = "flap"
+material = "grain"
+faces = [{ rectangle = { corner = [-0.12, -0.12, -0.001], u = [0.24, 0, 0], v = [0, 0.24, 0] } }]
+point_of_action = [-0.12, 0.0, -0.001]
+body = { mass = 1.0, centre = [0.0, 0.0, -0.001], joint = { hinge = [0, 1, 0] }, hold_while_settling = true }
+"#;
+
+/// A flap that falls open empties the tube before t = 0; one that is held opens from t = 0 on.
+#[test]
+fn a_held_flap_stays_shut_while_grains_settle() {
+    let mut held = scene(FLAP);
+    let settled = settle(&held, 10.0, true);
+    assert!(settled.at_rest);
+    assert!(settled.unbalanced < 1e-7, "{:e}", settled.unbalanced);
+    held.start_from(&settled.start).unwrap();
+    let mut simulation = Simulation::new(Arc::new(held)).unwrap();
+    assert_eq!(simulation.boundary_pose(1).rotation_vector(), Vec3::zeros());
+    assert_eq!(simulation.boundary_twist(1).angular, Vec3::zeros());
+    assert!(simulation.kinematics().position.iter().all(|x| x.z > 0.0));
+    simulation.advance_to(0.1).unwrap();
+    let angle = simulation.boundary_pose(1).rotation_vector().y;
+    assert!(angle > 0.01, "{angle} rad");
+
+    let mut free = scene(&FLAP.replace(", hold_while_settling = true", ""));
+    let settled = settle(&free, 0.2, false);
+    free.start_from(&settled.start).unwrap();
+    let simulation = Simulation::new(Arc::new(free)).unwrap();
+    let angle = simulation.boundary_pose(1).rotation_vector().y;
+    assert!(angle > 0.01, "{angle} rad");
+}
+
+/// Symptom: without gravity the unbalanced forces over the weight were infinite, and all 12 passes ran. Loads are the scale.
+#[test]
+fn a_press_without_gravity_settles_and_balances() {
+    let mut pressed = scene(
+        r#"
+[simulation]
+duration = 1.0
+step = 0.002
+gravity = [0, 0, 0]
+[pair_default]
+friction = 0.4
+[[material]]
+name = "grain"
+density = 2500
+[[spheres]]
+name = "fill"
+material = "grain"
+radius = 0.02
+lattice = { origin = [-0.045, -0.045, 0.02], count = [3, 3, 1], spacing = 0.045 }
+[[boundary]]
+name = "floor"
+material = "grain"
+faces = [{ plane = { point = [0, 0, 0], normal = [0, 0, 1] } }]
+[[boundary]]
+name = "press"
+material = "grain"
+faces = [{ plane = { point = [0, 0, 0.06], normal = [0, 0, -1] } }]
+body = { mass = 1.0, joint = { slide = [0, 0, -1] }, force = [0, 0, -10], gravity = false }
+"#,
+    );
+    let settled = settle(&pressed, 10.0, true);
+    assert!(settled.at_rest);
+    assert!(settled.unbalanced < 1e-7, "{:e}", settled.unbalanced);
+    assert!(settled.passes <= 4, "{} passes", settled.passes);
+    pressed.start_from(&settled.start).unwrap();
+    let simulation = Simulation::new(Arc::new(pressed)).unwrap();
+    let floor = simulation.wrench(0).force.z;
+    assert!((floor + 10.0).abs() < 1e-5, "{floor} N");
+}
+
+/// Without any load there is nothing to settle.
+#[test]
+fn a_scene_without_loads_is_balanced_at_once() {
+    let weightless = hopper(1).replace("step = 0.002", "step = 0.002\ngravity = [0, 0, 0]");
+    let settled = settle(&scene(&weightless), 1.0, true);
+    assert!(settled.at_rest);
+    assert_eq!((settled.unbalanced, settled.passes), (0.0, 2));
+}
+
+/// Symptom: an error blamed a tolerance that the user cannot set, as if a run had failed.
+#[test]
+fn a_failure_says_that_the_scene_was_settling() {
+    let squeezed = scene(
+        r#"
+[simulation]
+duration = 1.0
+step = 0.002
+[[material]]
+name = "grain"
+density = 2500
+[[spheres]]
+name = "ball"
+material = "grain"
+radius = [0.02]
+positions = [[0, 0, 0.01998]]
+[[boundary]]
+name = "floor"
+material = "grain"
+faces = [{ plane = { point = [0, 0, 0], normal = [0, 0, 1] } }]
+[[boundary]]
+name = "ceiling"
+material = "grain"
+faces = [{ plane = { point = [0, 0, 0.03992], normal = [0, 0, -1] } }]
+"#,
+    );
+    let settle = Settle {
+        time: 1.0,
+        until_rest: true,
+    };
+    let error = Settled::new(&squeezed, settle, |_| ControlFlow::Continue(())).unwrap_err();
+    assert!(matches!(error, SettleError::Step { .. }), "{error:?}");
+    let text = error.to_string();
+    assert!(
+        text.starts_with("settling, pass 1 (coarse), 0.0000 s simulated: "),
+        "{text}"
+    );
 }

@@ -18,7 +18,7 @@ def hopper(command, tmp_path_factory):
     """The FMU with the settled spheres."""
     path = tmp_path_factory.mktemp("hopper") / "hopper.fmu"
     scene = ROOT / "examples" / "hopper" / "hopper.toml"
-    subprocess.run([command, "export", scene, "--settle", "2", "--until-rest", "-o", path], check=True)
+    subprocess.run([command, "export", scene, "--settle", "4", "--until-rest", "-o", path], check=True)
     return path
 
 

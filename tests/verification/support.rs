@@ -200,6 +200,7 @@ pub fn body(mass: f64, centre: Vec3, moments: Vec3, joint: Joint) -> Body {
         spring: None,
         damping: [0.0; 2],
         gravity: true,
+        hold_while_settling: false,
         pose: Pose::default(),
         twist: Twist::default(),
         input: false,

@@ -48,6 +48,9 @@ pub struct Body {
     /// Whether gravity acts on it.
     #[serde(default = "yes")]
     pub gravity: bool,
+    /// Whether it stays in its place while the spheres settle before t = 0; then it starts at rest.
+    #[serde(default)]
+    pub hold_while_settling: bool,
     /// Velocity of the point of action at t = 0 \[m/s\].
     #[serde(default)]
     pub velocity: Vector,

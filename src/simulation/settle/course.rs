@@ -1,0 +1,205 @@
+//! The course of settling, pass after pass.
+
+use std::ops::ControlFlow;
+use std::sync::Arc;
+
+use super::load::Load;
+use super::{Pass, PassKind, SettleError, SettleProgress};
+use crate::drive::displacement;
+use crate::error::StepError;
+use crate::motion::{Motion, Twist};
+use crate::particles::Kinematics;
+use crate::problem::Dof6;
+use crate::scene::{Scene, Tolerance};
+use crate::simulation::Simulation;
+
+/// A time \[s\] in which no body turns: over it a displacement is a speed.
+const INSTANT: f64 = 1e-9;
+/// Time in which velocities fall to 1/e on the way down and in the other passes, over the time that counts as rest.
+const COARSE_DAMPING: f64 = 20.0;
+const FINE_DAMPING: f64 = 2.0;
+
+/// Where settling stands.
+pub(super) struct Course<W> {
+    watch: W,
+    /// The pass under way.
+    pub(super) pass: Pass,
+    /// Time simulated in all passes \[s\].
+    pub(super) time: f64,
+    limit: f64,
+    /// As the scene has them.
+    tolerance: Tolerance,
+}
+
+/// What a pass has come to.
+pub(super) struct Reached {
+    pub(super) simulation: Simulation,
+    /// Largest speed at its end \[m/s\].
+    pub(super) speed: f64,
+    pub(super) rest_speed: f64,
+    /// Whether who watches has ended it.
+    pub(super) ended: bool,
+}
+
+impl<W: FnMut(&SettleProgress<'_>) -> ControlFlow<()>> Course<W> {
+    /// Before the first pass over `scene`, all of which take at most `limit` \[s\].
+    pub(super) fn new(scene: &Scene, limit: f64, watch: W) -> Self {
+        Self {
+            watch,
+            pass: Pass {
+                number: 0,
+                kind: PassKind::Coarse,
+            },
+            time: 0.0,
+            limit,
+            tolerance: scene.settings.tolerance,
+        }
+    }
+
+    /// Whether no time is left but rounding.
+    pub(super) fn is_over(&self) -> bool {
+        self.limit - self.time <= 1e-9 * self.limit
+    }
+
+    /// The start of the next pass, in `scene`, with overlaps up to `overlap` \[radii\] that its steps take out.
+    pub(super) fn begin(
+        &mut self,
+        mut scene: Scene,
+        kind: PassKind,
+        overlap: f64,
+    ) -> Result<Simulation, SettleError> {
+        self.pass = Pass {
+            number: self.pass.number + 1,
+            kind,
+        };
+        let gap = scene.settings.tolerance.gap;
+        scene.settings.tolerance.gap = gap.max(overlap);
+        let mut began = Simulation::new(Arc::new(scene)).map_err(|error| self.failed(error))?;
+        if overlap > gap {
+            Arc::make_mut(&mut began.scene).settings.tolerance.gap = gap;
+        }
+        Ok(began)
+    }
+
+    /// Runs the pass for `length` \[s\] or the time that is left, or until rest.
+    pub(super) fn run(
+        &mut self,
+        mut simulation: Simulation,
+        load: &Load,
+        length: f64,
+        until_rest: bool,
+    ) -> Result<Reached, SettleError> {
+        let before = self.time;
+        let length = length.min(self.limit - before);
+        let rest_speed = load.rest_speed(&simulation.scene);
+        let damping = match self.pass.kind {
+            PassKind::Coarse => COARSE_DAMPING,
+            PassKind::Fine | PassKind::Balance => FINE_DAMPING,
+        };
+        let step = simulation.scene.settings.communication_step;
+        let mut moved_at = 0.0;
+        let mut k = 0_u32;
+        loop {
+            self.time = before + simulation.time();
+            let speed = simulation.fastest();
+            if speed > rest_speed {
+                moved_at = simulation.time();
+            }
+            let at_rest = simulation.time() - moved_at >= load.patience;
+            let over = simulation.time() >= length || (until_rest && at_rest);
+            let ended = !over
+                && (self.watch)(&SettleProgress {
+                    pass: self.pass,
+                    time: self.time,
+                    speed,
+                    rest_speed,
+                    simulation: &simulation,
+                })
+                .is_break();
+            if over || ended {
+                return Ok(Reached {
+                    simulation,
+                    speed,
+                    rest_speed,
+                    ended,
+                });
+            }
+            k += 1;
+            let end = f64::from(k) * step;
+            // Of a whole step its own length: rounding would change the paths.
+            let (end, taken) = match end <= length {
+                true => (end, step),
+                false => (length, length - simulation.time()),
+            };
+            simulation
+                .advance_to(end)
+                .map_err(|error| self.failed(error.later(before)))?;
+            simulation.slow((-taken / (damping * load.patience)).exp());
+        }
+    }
+
+    /// `scene` from where `reached` is, without velocities: its forces at rest.
+    pub(super) fn stop(
+        &self,
+        reached: &Simulation,
+        scene: &Scene,
+    ) -> Result<Simulation, SettleError> {
+        let mut start = scene.clone();
+        reached.stopped(&mut start);
+        Simulation::new(Arc::new(start)).map_err(|error| self.failed(error))
+    }
+
+    fn failed(&self, source: StepError) -> SettleError {
+        SettleError::Step {
+            pass: self.pass,
+            time: self.time,
+            tolerance: self.tolerance,
+            source: Box::new(source),
+        }
+    }
+}
+
+impl Simulation {
+    /// Lets `scene` start with the spheres and driven bodies where they are, without velocities, and with their contacts.
+    pub(super) fn stopped(&self, scene: &mut Scene) {
+        scene.initial.clone_from(&self.state.kinematics);
+        scene.initial.stop();
+        scene.initial_contacts.clone_from(&self.state.contacts);
+        for (boundary, pose) in scene.boundaries.iter_mut().zip(&self.state.poses) {
+            if let Motion::Driven(body) = &mut boundary.motion {
+                body.pose = *pose;
+                body.twist = Twist::default();
+            }
+        }
+    }
+
+    /// Multiplies every velocity by `share`.
+    fn slow(&mut self, share: f64) {
+        let Kinematics { velocity, spin, .. } = &mut self.state.kinematics;
+        for v in velocity.iter_mut().chain(spin) {
+            *v *= share;
+        }
+        for body in &mut self.state.bodies {
+            body.momentum = Dof6::ZERO.plus(&body.momentum, share);
+            body.velocity = Dof6::ZERO.plus(&body.velocity, share);
+        }
+    }
+
+    /// Largest speed \[m/s\] of a centre or of a surface about its centre, or of a driven body.
+    fn fastest(&self) -> f64 {
+        let radius = &self.scene.particles.radius;
+        let driven = self.scene.driven().map(|(b, _)| {
+            let (pose, twist) = (&self.state.poses[b], self.boundary_twist(b));
+            displacement(
+                &self.scene.boundaries[b],
+                pose,
+                &pose.advanced(&twist, INSTANT),
+            ) / INSTANT
+        });
+        let spheres = (0..radius.len()).map(|i| {
+            let twist = self.velocity(i);
+            twist.linear.norm().max(radius[i] * twist.angular.norm())
+        });
+        spheres.chain(driven).fold(0.0, f64::max)
+    }
+}
