@@ -63,13 +63,14 @@ def timed(words: list[object], limit: float) -> float:
         raise Failed(f"not done after {limit:g} s") from error
     after = os.times()
     if done.returncode != 0:
-        raise Failed(_last_words(done.stderr) or f"exit status {done.returncode}")
+        raise Failed(_reason(done.stderr) or f"exit status {done.returncode}")
     return after.children_user + after.children_system - before.children_user - before.children_system
 
 
-def _last_words(text: str) -> str:
-    """The first line of an error."""
-    return next((line.strip() for line in text.splitlines() if line.strip()), "")
+def _reason(text: str) -> str:
+    """The sentence that the command marks as its error, after lines of progress."""
+    marked = text.rpartition("\u00d7")[2].splitlines()
+    return marked[0].strip() if marked else ""
 
 
 @dataclass(frozen=True)
