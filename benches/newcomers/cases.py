@@ -42,10 +42,10 @@ def _lift(boundary: str) -> str:
 
 
 OPENING = ((0.1, 0.0), (0.6, 0.06))
-# The bucket tilts while it comes down, digs forwards, and comes up again.
+# The bucket tilts while it comes down, cuts forwards and slowly deeper, and comes up again.
 BUCKET = {
     "boundary.bucket.translation[1]": ((1.0, 0.0), (3.0, 0.2)),
-    "boundary.bucket.translation[3]": ((0.0, 0.0), (1.0, -0.15), (3.0, -0.15), (4.5, 0.0)),
+    "boundary.bucket.translation[3]": ((0.0, 0.0), (1.0, -0.11), (3.0, -0.14), (4.5, 0.0)),
     "boundary.bucket.rotation[2]": ((0.0, 0.0), (1.0, 0.5), (3.0, 0.5), (4.5, -0.3)),
 }
 CASES = {
