@@ -1,0 +1,124 @@
+"""Packings at rest stay at rest: five are exported with --until-rest and stand for 10 s.
+
+Prints, at every accuracy, the largest deviation of the force on each boundary from its mean, over the mean, and the
+kinetic energy in the first and in the last second; plots both over time into docs/newcomers/standing-ACCURACY.svg.
+"""
+
+import argparse
+import re
+import tempfile
+from dataclasses import dataclass
+from pathlib import Path
+
+import matplotlib
+
+matplotlib.use("svg")
+import matplotlib.pyplot as plt
+import numpy as np
+
+from cases import ACCURACIES, FOLDER, ROOT
+from measure import Failed, Slave, export, written
+
+EXAMPLES = ROOT / "examples"
+STEP = 0.01  # communication step [s]
+
+
+@dataclass(frozen=True)
+class Packing:
+    """A scene, the text that is left out of it, the boundaries whose force is watched."""
+
+    source: Path
+    boundaries: tuple[str, ...]
+    without: tuple[str, ...] = ()
+
+
+# Keys that choose step and tolerances in the examples; here `accuracy` does.
+NUMERICS = (r"^step = .*\n", r"^communication_step = .*\n", r"^tolerance = .*\n")
+MOTION = (r"^motion = .*\n",)
+PACKINGS = {
+    "hopper": Packing(EXAMPLES / "hopper" / "hopper.toml", ("bin", "gate"), NUMERICS),
+    "bed": Packing(FOLDER / "box.toml", ("box",)),
+    "heap": Packing(FOLDER / "terrain.toml", ("ground",), (NUMERICS[1],)),
+    "drum": Packing(FOLDER / "drum.toml", ("drum",), (NUMERICS[1], *MOTION)),
+    "triaxial": Packing(EXAMPLES / "triaxial" / "triaxial.toml", ("bottom", "top", "west", "east", "south", "north"), (*NUMERICS, *MOTION)),
+}
+
+
+def main() -> None:
+    """The command."""
+    parser = argparse.ArgumentParser(prog="benches/newcomers/run standing", description=__doc__)
+    parser.add_argument("--packings", type=lambda text: text.split(","), default=[*PACKINGS], metavar="A,B")
+    parser.add_argument("--accuracies", type=lambda text: text.split(","), default=[*ACCURACIES], metavar="A,B")
+    parser.add_argument("--duration", type=float, default=10.0, metavar="S", help="time that the packings stand (10)")
+    parser.add_argument("--limit", type=float, default=1800.0, metavar="S", help="clock time of an export")
+    parser.add_argument("--out", type=Path, default=ROOT / "docs" / "newcomers", help="folder of the plots (docs/newcomers)")
+    arguments = parser.parse_args()
+    print("| packing | accuracy | boundary | mean force N | largest deviation | kinetic energy J, first s | last s |")
+    print("|---|---|---|---|---|---|---|")
+    for accuracy in arguments.accuracies:
+        courses = {}
+        for name in arguments.packings:
+            try:
+                courses[name] = stood(PACKINGS[name], accuracy, arguments.duration, arguments.limit)
+            except Failed as error:
+                print(f"| {name} | {accuracy} | failed: {error} | | | | |", flush=True)
+                continue
+            for line in _lines(name, accuracy, *courses[name]):
+                print(line, flush=True)
+        if courses:
+            _plot(courses, arguments.out / f"standing-{accuracy}.svg")
+
+
+def stood(packing: Packing, accuracy: str, duration: float, limit: float) -> tuple[dict[str, np.ndarray], np.ndarray]:
+    """Boundary -> force [N] after every communication step, (steps, 3); kinetic energy [J]."""
+    text = packing.source.read_text()
+    for pattern in packing.without:
+        text, count = re.subn(pattern, "", text, flags=re.MULTILINE)
+        if count != 1:
+            raise ValueError(f"{packing.source}: {pattern!r} is there {count} times")
+    with tempfile.TemporaryDirectory(prefix="newcomers-") as name:
+        folder = Path(name)
+        scene = written(text, packing.source, folder, f'accuracy = "{accuracy}"\ncommunication_step = {STEP}')
+        fmu = folder / "standing.fmu"
+        export(scene, fmu, True, limit)
+        rows = []
+        with Slave(fmu, stop=1e6) as slave:
+            wanted = [f"boundary.{boundary}.averageForce[{k}]" for boundary in packing.boundaries for k in (1, 2, 3)]
+            for k in range(round(duration / STEP)):
+                slave.step(k * STEP, STEP)
+                rows.append(slave.get("kineticEnergy", *wanted))
+    table = np.array(rows)
+    forces = table[:, 1:].reshape(len(table), -1, 3)
+    return {boundary: forces[:, k] for k, boundary in enumerate(packing.boundaries)}, table[:, 0]
+
+
+def _lines(name: str, accuracy: str, forces: dict[str, np.ndarray], energy: np.ndarray) -> list[str]:
+    second = round(1.0 / STEP)
+    first, last = energy[:second].max(), energy[-second:].max()
+    lines = []
+    for boundary, force in forces.items():
+        mean = np.linalg.norm(force.mean(axis=0))
+        deviation = np.linalg.norm(force - force.mean(axis=0), axis=1).max() / mean
+        lines.append(f"| {name} | {accuracy} | {boundary} | {mean:.4g} | {deviation:.2%} | {first:.1e} | {last:.1e} |")
+    return lines
+
+
+def _plot(courses: dict[str, tuple[dict[str, np.ndarray], np.ndarray]], path: Path) -> None:
+    figure, axes = plt.subplots(len(courses), 2, figsize=(9, 2.2 * len(courses)), squeeze=False, sharex=True, layout="constrained")
+    for row, (name, (forces, energy)) in zip(axes, courses.items(), strict=True):
+        time = STEP * np.arange(1, len(energy) + 1)
+        for boundary, force in forces.items():
+            row[0].plot(time, np.linalg.norm(force, axis=1), linewidth=1, label=boundary)
+        row[0].set(title=name, ylabel="force [N]")
+        row[0].legend(fontsize=7)
+        row[1].plot(time, np.maximum(energy, 1e-30), linewidth=1, color="C3")
+        row[1].set(title=name, ylabel="kinetic energy [J]", yscale="log")
+    for axis in axes[-1]:
+        axis.set_xlabel("time [s]")
+    path.parent.mkdir(parents=True, exist_ok=True)
+    figure.savefig(path, metadata={"Date": None})
+    plt.close(figure)
+
+
+if __name__ == "__main__":
+    main()

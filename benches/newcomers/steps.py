@@ -1,0 +1,55 @@
+"""Cost of the box of 500 grains against its bound `step`, at every accuracy, as a Markdown table.
+
+A larger bound must not cost more: a row that takes over 10 % more CPU time than the bound before is marked.
+"""
+
+import argparse
+import tempfile
+from pathlib import Path
+from statistics import median
+
+from cases import ACCURACIES
+from measure import Failed, at_accuracy, run
+
+SCENE = "box"
+BOUNDS = (1e-5, 3e-5, 1e-4, 3e-4, 1e-3, 3e-3, 1e-2)
+SHORT = {1e-5: 0.05}  # simulated time [s] where that of the scene takes too long
+RISE = 1.1
+
+
+def main() -> None:
+    """The command."""
+    parser = argparse.ArgumentParser(prog="benches/newcomers/run steps", description=__doc__)
+    parser.add_argument("--accuracies", type=lambda text: text.split(","), default=[*ACCURACIES], metavar="A,B")
+    parser.add_argument("--bounds", type=lambda text: [float(word) for word in text.split(",")], default=[*BOUNDS], metavar="S,S")
+    parser.add_argument("--repeat", type=int, default=3, metavar="N", help="runs of each row, of which the median counts (3)")
+    parser.add_argument("--limit", type=float, default=600.0, metavar="S", help="clock time after which a run counts as failed")
+    arguments = parser.parse_args()
+    print("| accuracy | step s | simulated s | CPU s | of the bound before | steps | unconverged | status |")
+    print("|---|---|---|---|---|---|---|---|")
+    for accuracy in arguments.accuracies:
+        before = None
+        for bound in sorted(arguments.bounds):
+            cells, cost = _row(accuracy, bound, arguments)
+            ratio = "" if before is None or cost is None or bound in SHORT else f"{cost / before:.2f}"
+            mark = " **rises**" if ratio and cost > RISE * before else ""
+            print(f"| {accuracy} | {bound:g} | {cells[0]} | {cells[1]} | {ratio}{mark} | " + " | ".join(cells[2:]) + " |", flush=True)
+            before = None if bound in SHORT else cost
+
+
+def _row(accuracy: str, bound: float, arguments: argparse.Namespace) -> tuple[list[str], float | None]:
+    """Cells of a row, and the CPU time [s]."""
+    with tempfile.TemporaryDirectory(prefix="newcomers-") as name:
+        folder = Path(name)
+        scene = at_accuracy(SCENE, accuracy, folder, f"step = {bound:g}")
+        try:
+            runs = [run(scene, folder / "results", arguments.limit, SHORT.get(bound)) for _ in range(arguments.repeat)]
+        except Failed as error:
+            return ["", "", "", "", str(error)], None
+    last, cost = runs[-1], median(run.cpu for run in runs)
+    steps = last.history["solver.internalSteps [-]"].sum()
+    return [f"{last.simulated:g}", f"{cost:.3g}", f"{steps:.0f}", str(last.unconverged), "done"], cost
+
+
+if __name__ == "__main__":
+    main()
