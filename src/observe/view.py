@@ -28,7 +28,7 @@ DARK = [0.2, 0.2, 0.2]
 # From slow or weak to fast or strong: bright enough at its lower end for grains at rest.
 COLOURS = [(0.25, 0.55, 0.80), (0.47, 0.79, 0.65), (0.98, 0.94, 0.60), (0.96, 0.50, 0.27), (0.72, 0.09, 0.22)]
 # From the focus to the camera, and its distance in diagonals of what is to be seen.
-DIRECTION, DISTANCE = numpy.array([0.52, -0.78, 0.35]), 1.75
+DIRECTION, DISTANCE = numpy.array([0.52, -0.78, 0.35]), 1.9
 
 
 def read(series):
@@ -145,8 +145,10 @@ def show_boundaries(view, boundaries):
     plain(display, [0.55, 0.68, 0.8])
     display.Opacity = 0.25
     surface = simple.ExtractSurface(registrationName="boundary surface", Input=boundaries)
-    edges = simple.FeatureEdges(registrationName="boundary edges", Input=surface)
-    edges.FeatureAngle, edges.NonManifoldEdges, edges.Coloring = 40.0, 0, 0
+    # Triangles side by side may have points of their own.
+    joined = simple.Clean(registrationName="joined boundaries", Input=surface)
+    edges = simple.FeatureEdges(registrationName="boundary edges", Input=joined)
+    edges.FeatureAngle, edges.Coloring = 40.0, 0
     display = simple.Show(edges, view)
     plain(display, [0.35, 0.44, 0.51])
     display.LineWidth = 2.0
@@ -154,7 +156,9 @@ def show_boundaries(view, boundaries):
 
 def aim(view, box):
     low, high = box
-    centre = (low + high) / 2
+    # The bars take the right edge: the scene is moved to the left.
+    right = numpy.cross([0.0, 0.0, 1.0], DIRECTION)
+    centre = (low + high) / 2 + 0.06 * numpy.linalg.norm(high - low) * right
     view.CameraFocalPoint = list(centre)
     view.CenterOfRotation = list(centre)
     view.CameraPosition = list(centre + DISTANCE * numpy.linalg.norm(high - low) * DIRECTION)
@@ -177,7 +181,12 @@ def main(picture, time, forces):
         time = min((listed for listed, _ in frames()), key=lambda listed: abs(listed - time))
     scene.AnimationTime = time
     box = bounds(around, time)
-    _, radii, speeds = grains(spheres, time, box)
+    centres, radii, speeds = grains(spheres, time, box)
+    if picture and len(radii):
+        # A speck between boundaries is looked at from nearer.
+        low, high = centres.min(axis=0) - 4 * radii.max(), centres.max(axis=0) + 4 * radii.max()
+        if numpy.linalg.norm(high - low) < 0.2 * numpy.linalg.norm(box[1] - box[0]):
+            box = low, high
 
     view.UseColorPaletteForBackground, view.BackgroundColorMode = 0, "Single Color"
     view.Background = [1.0, 1.0, 1.0]
@@ -195,7 +204,7 @@ def main(picture, time, forces):
     if boundaries:
         show_boundaries(view, boundaries)
     clock = simple.AnnotateTimeFilter(registrationName="time", Input=spheres)
-    clock.Format = "{time:.3f} s"
+    clock.Format = "t = {time:.3f} s"
     display = simple.Show(clock, view)
     display.Color, display.FontSize = DARK, 16
     # The first rendering moves the camera.
