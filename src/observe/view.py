@@ -3,7 +3,7 @@
     paraview --script=DIR/view.py                           in the window: press play
     pvbatch DIR/view.py picture.png [TIME] [--forces]       a picture, of the frame at TIME [s]
 
-In an open ParaView: View > Python Shell > Run Script. Without a display: `xvfb-run -a pvbatch ...`.
+Without a display: `xvfb-run -a pvbatch ...`. If ParaView does not find the files: `cd DIR`, `paraview --script=view.py`.
 
 Grains have their true size and are coloured by speed; boundaries are translucent. The contact forces are the hidden
 entry "force tubes": show it by its eye and lower the opacity of the grains; `--forces` does so in a picture. Without
@@ -21,14 +21,29 @@ import numpy
 from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-# ParaView runs a script without `__file__`; the code object still knows where it came from.
-HERE = os.path.dirname(os.path.abspath(inspect.getsourcefile(lambda: None) or ""))
 SIZE = [1280, 960]
 DARK = [0.2, 0.2, 0.2]
 # From slow or weak to fast or strong: bright enough at its lower end for grains at rest.
 COLOURS = [(0.25, 0.55, 0.80), (0.47, 0.79, 0.65), (0.98, 0.94, 0.60), (0.96, 0.50, 0.27), (0.72, 0.09, 0.22)]
 # From the focus to the camera, and its distance in diagonals of what is to be seen.
 DIRECTION, DISTANCE = numpy.array([0.52, -0.78, 0.35]), 1.9
+
+
+def folder():
+    """The folder of this script. Some ParaViews say it in `__file__`, pvbatch in the code, the window of 5.11 nowhere."""
+    paths = [globals().get("__file__"), inspect.getsourcefile(folder)]
+    if os.path.exists("/proc/self/cmdline"):
+        with open("/proc/self/cmdline") as file:
+            words = file.read().split("\0")
+        paths += [word.replace("--script=", "") for word in words if word.endswith("view.py")]
+    for path in filter(None, [*paths, "view.py"]):
+        place = os.path.dirname(os.path.abspath(path))
+        if os.path.exists(os.path.join(place, "spheres.pvd")):
+            return place
+    raise FileNotFoundError("no spheres.pvd beside view.py, or start ParaView in the folder of both")
+
+
+HERE = folder()
 
 
 def read(series):
@@ -170,8 +185,6 @@ def aim(view, box):
 def main(picture, time, forces):
     view = simple.GetActiveViewOrCreate("RenderView")
     spheres, contacts, boundaries = read("spheres"), read("contacts"), read("boundaries")
-    if spheres is None:
-        raise FileNotFoundError("no spheres.pvd in " + HERE)
     around = boundaries or spheres
     scene = simple.GetAnimationScene()
     scene.UpdateAnimationUsingDataTimeSteps()
