@@ -3,7 +3,8 @@
     paraview --script=DIR/view.py                           in the window: press play
     pvbatch DIR/view.py picture.png [TIME] [--forces]       a picture, of the frame at TIME [s]
 
-Without a display: `xvfb-run -a pvbatch ...`. If ParaView does not find the files: `cd DIR`, `paraview --script=view.py`.
+Without a display: `xvfb-run -a pvbatch ...`. If ParaView does not find the files: `cd DIR`, then
+`paraview --script=view.py`.
 
 Grains have their true size and are coloured by speed; boundaries are translucent. The contact forces are the hidden
 entry "force tubes": show it by its eye and lower the opacity of the grains; `--forces` does so in a picture. Without
@@ -30,7 +31,7 @@ DIRECTION, DISTANCE = numpy.array([0.52, -0.78, 0.35]), 1.9
 
 
 def folder():
-    """The folder of this script. Some ParaViews say it in `__file__`, pvbatch in the code, the window of 5.11 nowhere."""
+    """The folder of this script: in `__file__` or in the code, or for the window of 5.11 in the command line alone."""
     paths = [globals().get("__file__"), inspect.getsourcefile(folder)]
     if os.path.exists("/proc/self/cmdline"):
         with open("/proc/self/cmdline") as file:
@@ -134,14 +135,14 @@ def show_spheres(view, spheres, limit):
 
 
 def show_forces(view, contacts, radius):
-    # A frame without contacts has a vertex of kind -1 in their place.
+    # A frame without contacts has one vertex of kind -1 and points without cells, to which 5.11 would give any force.
     loaded = simple.Threshold(registrationName="contacts alone", Input=contacts)
     loaded.Scalars = ["CELLS", "kind"]
     loaded.LowerThreshold, loaded.UpperThreshold = 0, 1
     # Tubes take lines with data over points; the files have it over the cells of a grid.
-    points = simple.CellDatatoPointData(registrationName="forces over points", Input=loaded)
-    lines = simple.ExtractSurface(registrationName="contact lines", Input=points)
-    tubes = simple.Tube(registrationName="force tubes", Input=lines)
+    lines = simple.ExtractSurface(registrationName="contact lines", Input=loaded)
+    points = simple.CellDatatoPointData(registrationName="forces over points", Input=lines)
+    tubes = simple.Tube(registrationName="force tubes", Input=points)
     tubes.Scalars = ["POINTS", "normal_force"]
     tubes.VaryRadius = "By Scalar"
     tubes.Radius = 0.05 * radius

@@ -12,7 +12,7 @@ from matplotlib.image import imread
 
 PVBATCH = shutil.which("pvbatch")
 pytestmark = pytest.mark.skipif(
-    PVBATCH is None, reason="no `pvbatch` on the PATH: view.py NOT TESTED; install ParaView (Debian: python3-paraview, xvfb)"
+    PVBATCH is None, reason="no `pvbatch`: view.py NOT TESTED; install ParaView (Debian: paraview, python3-paraview, xvfb)"
 )
 # Runs view.py with the arguments that follow its path, then counts the cells of what it made.
 COUNT = """
@@ -24,8 +24,11 @@ for name in ("spheres", "boundaries", "boundary edges", "force tubes"):
     source = simple.FindSource(name)
     source.UpdatePipeline(simple.GetAnimationScene().AnimationTime)
     print(name + ":", source.GetDataInformation().GetNumberOfCells())
-tubes = simple.FindSource("force tubes").PointData.GetArray("normal_force")
-print("largest force:", tubes.GetRange()[1] if tubes else 0)
+force = simple.FindSource("forces over points").PointData.GetArray("normal_force")
+print("largest force:", force.GetRange()[1] if force else 0)
+view = simple.GetActiveView()
+away = [a - b for a, b in zip(view.CameraPosition, view.CameraFocalPoint)]
+print("camera height:", away[2] / sum(x * x for x in away) ** 0.5)
 print("time:", simple.GetAnimationScene().AnimationTime)
 """
 # Simulated seconds [s] of a run.
@@ -42,16 +45,33 @@ def results(command, tmp_path_factory):
     return folders
 
 
-def pvbatch(*arguments):
-    """What pvbatch prints; where there is no display, on a virtual one if that is installed."""
-    virtual = ["xvfb-run", "-a"] if "DISPLAY" not in os.environ and shutil.which("xvfb-run") else []
-    done = subprocess.run([*virtual, PVBATCH, *map(str, arguments)], capture_output=True, text=True, timeout=120)
-    told = done.stdout + done.stderr
-    assert done.returncode == 0 and "Traceback" not in told and "ERR|" not in told, told
-    return told
+@pytest.fixture(scope="module")
+def pvbatch():
+    """Runs pvbatch and returns what it prints; where there is no display, on a virtual one if that is installed."""
+    server, environment = None, dict(os.environ)
+    if "DISPLAY" not in environment and shutil.which("Xvfb"):
+        told, tells = os.pipe()
+        # Without -noreset it starts anew after each client, and may refuse the next.
+        screen = ["-noreset", "-screen", "0", "1280x1024x24"]
+        server = subprocess.Popen(["Xvfb", "-displayfd", str(tells), *screen], pass_fds=[tells], stderr=subprocess.DEVNULL)
+        os.close(tells)
+        with os.fdopen(told) as numbers:
+            environment["DISPLAY"] = ":" + numbers.readline().strip()
+
+    def run(*arguments):
+        command = [PVBATCH, *map(str, arguments)]
+        done = subprocess.run(command, capture_output=True, text=True, timeout=120, env=environment)
+        printed = done.stdout + done.stderr
+        assert done.returncode == 0 and "Traceback" not in printed and "ERR|" not in printed, printed
+        return printed
+
+    yield run
+    if server:
+        server.terminate()
+        server.wait()
 
 
-def counted(tmp_path, *arguments):
+def counted(pvbatch, tmp_path, *arguments):
     (tmp_path / "count.py").write_text(COUNT)
     told = pvbatch(tmp_path / "count.py", *arguments)
     return {name: float(value) for name, value in re.findall(r"^([a-z ]+): (\S+)$", told, re.MULTILINE)}
@@ -71,15 +91,17 @@ def check_picture(path, coloured):
 
 
 @pytest.mark.parametrize("name", STOP)
-def test_picture(results, tmp_path, name):
-    found = counted(tmp_path, results[name] / "view.py", tmp_path / "picture.png")
+def test_picture(pvbatch, results, tmp_path, name):
+    found = counted(pvbatch, tmp_path, results[name] / "view.py", tmp_path / "picture.png")
     assert found["time"] == pytest.approx(STOP[name])
     assert all(found[part] > 0 for part in ("spheres", "boundaries", "boundary edges", "force tubes"))
     assert found["largest force"] > 0
+    # From the side, a little from above.
+    assert 0.2 < found["camera height"] < 0.5
     check_picture(tmp_path / "picture.png", 0.02)
 
 
-def test_forces(results, tmp_path):
+def test_forces(pvbatch, results, tmp_path):
     """The documented line, with a time and force tubes in glassy grains."""
     pvbatch(results["funnel"] / "view.py", tmp_path / "speeds.png", "0.8")
     pvbatch(results["funnel"] / "view.py", tmp_path / "forces.png", "0.8", "--forces")
@@ -88,8 +110,8 @@ def test_forces(results, tmp_path):
     assert np.abs(imread(tmp_path / "speeds.png") - imread(tmp_path / "forces.png")).mean() > 0.01
 
 
-def test_frame_without_contacts(results, tmp_path):
+def test_frame_without_contacts(pvbatch, results, tmp_path):
     """What stands for contacts in such a frame is no force."""
-    found = counted(tmp_path, results["bucket"] / "view.py", tmp_path / "picture.png", "0")
+    found = counted(pvbatch, tmp_path, results["bucket"] / "view.py", tmp_path / "picture.png", "0")
     assert found["time"] == 0 and found["force tubes"] == 0 and found["largest force"] == 0
     check_picture(tmp_path / "picture.png", 0.02)
