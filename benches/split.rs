@@ -51,8 +51,8 @@ fn bed() -> Scene {
 
 /// 4000 spheres, half as wide and eight times as deep as `bed`, so that a brick has neighbours above and below it too.
 fn deep() -> Scene {
-    let text = "[simulation]\nduration = 0.6\nstep = 5e-4\n\
-        tolerance = { gap = 1e-4, slip = 1e-4, force = 1e-1 }\n\
+    let text = "[simulation]\nduration = 0.6\nstep = 5e-4\nfixed_step = true\nstrict = true\n\
+        tolerance = { gap = 1e-4, slip = 1e-4, force = 1e-1, opening = 0 }\n\
         [[material]]\nname = 'glass'\ndensity = 2500.0\n[pair_default]\nfriction = 0.5\n\
         [[spheres]]\nname = 'bed'\nmaterial = 'glass'\nradius = 0.01\nradius_jitter = 0.1\nseed = 1\n\
         lattice = { origin = [-0.108, -0.108, 0.012], count = [10, 10, 40], spacing = 0.024, jitter = 0.05 }\n\

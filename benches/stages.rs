@@ -91,7 +91,7 @@ impl Bed {
         let [bx, by] = [nx, ny].map(|n| 0.5 * PITCH * n as f64);
         let [x, y] = [bx, by].map(|b| 0.5 * PITCH - b);
         let text = format!(
-            "[simulation]\nduration = 1.0\nstep = {STEP}\ntolerance = {{ gap = 1e-4, slip = 1e-4, force = 1e-1 }}\n\
+            "[simulation]\nduration = 1.0\nstep = {STEP}\nfixed_step = true\nstrict = true\ntolerance = {{ gap = 1e-4, slip = 1e-4, force = 1e-1, opening = 0 }}\n\
              [[material]]\nname = 'glass'\ndensity = 2500.0\n[pair_default]\nfriction = 0.5\n\
              [[spheres]]\nname = 'bed'\nmaterial = 'glass'\nradius = 0.01\nradius_jitter = 0.1\nseed = 1\n\
              lattice = {{ origin = [{x}, {y}, 0.0125], count = {:?}, spacing = {PITCH}, jitter = 0.056 }}\n\

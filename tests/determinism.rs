@@ -92,6 +92,9 @@ fn a_periodic_rotating_scene_is_restored_bit_for_bit() {
 [simulation]
 duration = 1.0
 step = 2e-3
+fixed_step = true
+strict = true
+tolerance = { gap = 1e-6, slip = 1e-6, force = 1e-6, opening = 0 }
 communication_step = 1e-2
 gravity_motion = { rotation = { axis = [1, 0, 0], speed = -0.5 } }
 rotating_frame = { axis = [1, 0, 0], speed = 0.5, point = [0, 0, 1] }

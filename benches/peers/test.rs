@@ -13,8 +13,10 @@ const SCENE: &str = r#"
 [simulation]
 duration = 0.12
 step = 1e-3
+fixed_step = true
+strict = true
 communication_step = 0.02
-tolerance = { gap = 1e-4, slip = 1e-4, force = 0.1 }
+tolerance = { gap = 1e-4, slip = 1e-4, force = 0.1, opening = 0 }
 
 [[material]]
 name = "glass"

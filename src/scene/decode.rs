@@ -112,7 +112,7 @@ fn simulation(
     root: &Spanned<DeValue<'_>>,
 ) -> Option<file::Simulation> {
     if child(root, &Step::Key("simulation".into())).is_none() {
-        let help = "add `[simulation]` with `duration` and `step` in seconds";
+        let help = "add `[simulation]` with `duration` in seconds";
         document.error("simulation", "missing table `[simulation]`", help);
     }
     optional(document, root, "simulation")

@@ -48,6 +48,9 @@ const SCENE: &str = r#"
 [simulation]
 duration = 0.085
 step = 0.01
+fixed_step = true
+strict = true
+tolerance = { gap = 1e-6, slip = 1e-6, force = 1e-6, opening = 0 }
 
 [[material]]
 name = "glass"

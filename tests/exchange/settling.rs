@@ -16,6 +16,9 @@ fn hopper(layers: u32) -> String {
 [simulation]
 duration = 1.0
 step = 0.002
+fixed_step = true
+strict = true
+tolerance = {{ gap = 1e-6, slip = 1e-6, force = 1e-6, opening = 0 }}
 [pair_default]
 friction = 0.4
 [[material]]
@@ -137,6 +140,9 @@ const FLAP: &str = r#"
 [simulation]
 duration = 1.0
 step = 0.002
+fixed_step = true
+strict = true
+tolerance = {{ gap = 1e-6, slip = 1e-6, force = 1e-6, opening = 0 }}
 [pair_default]
 friction = 0.4
 [[material]]
@@ -191,6 +197,9 @@ fn a_press_without_gravity_settles_and_balances() {
 [simulation]
 duration = 1.0
 step = 0.002
+fixed_step = true
+strict = true
+tolerance = {{ gap = 1e-6, slip = 1e-6, force = 1e-6, opening = 0 }}
 gravity = [0, 0, 0]
 [pair_default]
 friction = 0.4
@@ -240,6 +249,9 @@ fn a_failure_says_that_the_scene_was_settling() {
 [simulation]
 duration = 1.0
 step = 0.002
+fixed_step = true
+strict = true
+tolerance = {{ gap = 1e-6, slip = 1e-6, force = 1e-6, opening = 0 }}
 [[material]]
 name = "grain"
 density = 2500

@@ -14,6 +14,9 @@ fn rain(source: &str) -> Simulation {
 [simulation]
 duration = 4.0
 step = 0.01
+fixed_step = true
+strict = true
+tolerance = {{ gap = 1e-6, slip = 1e-6, force = 1e-6, opening = 0 }}
 [[material]]
 name = "steel"
 density = 1909.859317102744 # 1 kg at radius 0.05 m
@@ -104,6 +107,9 @@ fn a_full_region_waits_and_never_overlaps() {
 [simulation]
 duration = 2.0
 step = 0.005
+fixed_step = true
+strict = true
+tolerance = {{ gap = 1e-6, slip = 1e-6, force = 1e-6, opening = 0 }}
 [pair_default]
 friction = 0.5
 [[material]]
@@ -138,6 +144,9 @@ fn a_sink_recycles_spheres_of_any_group() {
 [simulation]
 duration = 2.0
 step = 0.01
+fixed_step = true
+strict = true
+tolerance = {{ gap = 1e-6, slip = 1e-6, force = 1e-6, opening = 0 }}
 [[material]]
 name = "steel"
 density = 2500

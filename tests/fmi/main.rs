@@ -26,6 +26,9 @@ title = "Box"
 [simulation]
 duration = 0.2
 step = 1e-3
+fixed_step = true
+strict = true
+tolerance = { gap = 1e-6, slip = 1e-6, force = 1e-6, opening = 0 }
 communication_step = 1e-2
 [[material]]
 name = "stone"

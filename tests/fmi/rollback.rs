@@ -22,8 +22,10 @@ title = "Everything"
 [simulation]
 duration = 10.0
 step = 2e-3
+fixed_step = true
+strict = true
 communication_step = 4e-3
-tolerance = { gap = 1e-4, slip = 1e-4, force = 1e-2 }
+tolerance = { gap = 1e-4, slip = 1e-4, force = 1e-2, opening = 0 }
 [[material]]
 name = "stone"
 density = 2500.0

@@ -14,6 +14,9 @@ title = "A sled on a belt"
 [simulation]
 duration = 1.0
 step = {STEP}
+fixed_step = true
+strict = true
+tolerance = {{ gap = 1e-6, slip = 1e-6, force = 1e-6, opening = 0 }}
 
 [[material]]
 name = "glass"

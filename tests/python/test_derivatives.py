@@ -21,10 +21,13 @@ title = "one sphere"
 [simulation]
 duration = 1.0
 step = {STEP}
+fixed_step = true
+strict = true
 [simulation.tolerance]
 gap = {tolerance}
 slip = {tolerance}
 force = {tolerance}
+opening = 0
 [[material]]
 name = "glass"
 density = {DENSITY}

@@ -15,8 +15,13 @@ title = "piston"
 [simulation]
 duration = 1.0
 step = {STEP}
+fixed_step = true
+strict = true
 [simulation.tolerance]
 force = 1e-8
+gap = 1e-6
+slip = 1e-6
+opening = 0
 [[material]]
 name = "glass"
 density = 2500.0

@@ -15,6 +15,9 @@ title = "Hopeless"
 [simulation]
 duration = 1.0
 step = 1e-3
+fixed_step = true
+strict = true
+tolerance = { gap = 1e-6, slip = 1e-6, force = 1e-6, opening = 0 }
 communication_step = 1e-2
 max_iterations = 1
 max_cuts = 0

@@ -19,10 +19,13 @@ const HEAD: &str = r#"
 [simulation]
 duration = 1.0
 step = 1e-3
+fixed_step = true
+strict = true
 [simulation.tolerance]
 gap = 1e-12
 slip = 1e-12
 force = 1e-12
+opening = 0
 [[material]]
 name = "glass"
 density = 2500.0

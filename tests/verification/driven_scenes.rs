@@ -16,6 +16,9 @@ const PISTON: &str = r#"
 [simulation]
 duration = 1.0
 step = 1e-3
+fixed_step = true
+strict = true
+tolerance = { gap = 1e-6, slip = 1e-6, force = 1e-6, opening = 0 }
 [[material]]
 name = "glass"
 density = 2500.0

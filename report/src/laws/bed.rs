@@ -52,8 +52,8 @@ pub(super) fn head(title: &str, gravity: f64, grains: Friction, walls: Friction)
     };
     format!(
         "title = \"{title}\"\n\
-         [simulation]\nduration = 10.0\nstep = {STEP}\ncommunication_step = {LOOK}\ngravity = [0.0, 0.0, -{gravity:?}]\n\
-         tolerance = {{ gap = 1e-3, slip = 1e-3, force = 1e-1 }}\n\
+         [simulation]\nduration = 10.0\nstep = {STEP}\nfixed_step = true\nstrict = true\ncommunication_step = {LOOK}\ngravity = [0.0, 0.0, -{gravity:?}]\n\
+         tolerance = {{ gap = 1e-3, slip = 1e-3, force = 1e-1, opening = 0 }}\n\
          [[material]]\nname = \"grain\"\ndensity = {DENSITY}\n\
          [[material]]\nname = \"wall\"\n"
     ) + &pair("grain", grains)

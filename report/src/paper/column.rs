@@ -241,7 +241,7 @@ impl Column {
             .map(|k| format!("[0.0, 0.0, {:?}]", radius * (2 * k + 1) as f64))
             .collect();
         let text = format!(
-            "title = \"Stack\"\n[simulation]\nduration = {step:?}\nstep = {step:?}\nintegrator = \"shi\"\n\
+            "title = \"Stack\"\n[simulation]\nduration = {step:?}\nstep = {step:?}\nfixed_step = true\nstrict = true\ntolerance = {{ gap = 1e-6, slip = 1e-6, force = 1e-6, opening = 0 }}\nintegrator = \"shi\"\n\
              solver = \"direct\"\npenalty = {p:?}\ndynamic_coefficient = {kept:?}\n\
              [[material]]\nname = \"rock\"\ndensity = {density:?}\n\
              [[spheres]]\nname = \"stack\"\nmaterial = \"rock\"\nradius = {radius:?}\npositions = [{}]\n\

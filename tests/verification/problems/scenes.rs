@@ -139,6 +139,9 @@ fn silo() -> Hunt {
 [simulation]
 duration = 2.0
 step = 1e-3
+fixed_step = true
+strict = true
+tolerance = { gap = 1e-6, slip = 1e-6, force = 1e-6, opening = 0 }
 [[material]]
 name = "grain"
 density = 2500.0
