@@ -9,7 +9,7 @@ pub enum StepError {
     /// The tolerances were not met, also after the step had been cut as often as allowed.
     #[error(
         "step from t = {time} s, dt = {step:e} s: {what} {residual:e} stays above {tolerance:e} at {contact} after {cuts} cuts{broken}; \
-         loosen tolerance.{what}, reduce simulation.step or raise simulation.max_iterations"
+         loosen tolerance.{what}, or remove `strict = true` to take the best iterate and go on"
     )]
     NotConverged {
         /// Start of the step \[s\].

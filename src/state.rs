@@ -111,6 +111,9 @@ pub struct State {
     pub persisting_wrenches: Vec<Wrench>,
     /// Wrench on each boundary averaged over the last communication step, `[B]`.
     pub mean_wrenches: Vec<Wrench>,
+    /// Impulse on each boundary that the mean of the next communication step takes over from one that was too short for a mean
+    /// of its own, `[B]`.
+    pub owed: Vec<Wrench>,
     /// Work since t = 0.
     pub work: Work,
     /// Spheres of each source that wait outside the scene, `[sources]`.
@@ -152,7 +155,7 @@ macro_rules! clone_in_place {
 
 clone_in_place! {
     time last_step gravity kinematics persisting external body_force mean_body_force contacts springs
-    poses twists bodies commands rates wrenches persisting_wrenches mean_wrenches work reserves
+    poses twists bodies commands rates wrenches persisting_wrenches mean_wrenches owed work reserves
     emitted removed passed flow initial_overlap penalty report pace
 }
 

@@ -363,6 +363,16 @@ impl std::fmt::Display for Total {
             "solver          {} sweeps, {} augmentations, {} factorizations",
             report.sweeps, report.augmentations, report.factorizations
         )?;
+        if report.unconverged_steps > 0 {
+            writeln!(
+                f,
+                "unconverged     {} steps did not meet the tolerances: gap {:.1e}, slip {:.1e}, force {:.1e} reached",
+                report.unconverged_steps,
+                report.gap_residual,
+                report.slip_residual,
+                report.force_residual
+            )?;
+        }
         writeln!(
             f,
             "worst overlap   {:.2e} of the radius",

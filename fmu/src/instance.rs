@@ -232,6 +232,28 @@ impl Instance {
         outcome
     }
 
+    /// Whether the last communication step holds internal steps that did not meet the tolerances and were taken as they are,
+    /// which is logged for `function`. In real-time mode all are so by choice.
+    pub fn unconverged(&self, function: &str) -> bool {
+        let Some(simulation) = &self.simulation else {
+            return false;
+        };
+        let report = &simulation.state().report;
+        let steps = report.unconverged_steps;
+        if steps == 0 || simulation.scene().settings.sweeps.is_some() {
+            return false;
+        }
+        self.log.write(
+            Level::Warning,
+            format_args!(
+                "{function}: {steps} of {} internal steps up to t = {} s did not meet solver.tolerance: their best iterate was \
+                 taken, maxOverlap is {:.1e}, solver.forceResidual {:.1e}",
+                report.internal_steps, self.run.time, report.max_overlap, report.force_residual
+            ),
+        );
+        true
+    }
+
     /// Where an attempt at a step of length `h` to `end` \[s\] leaves the instance.
     fn concluded(
         &mut self,

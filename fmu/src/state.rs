@@ -21,7 +21,7 @@ use crate::instance::Stage;
 use crate::variables::Parameters;
 
 const MAGIC: [u8; 8] = *b"SDDAFMU\0";
-const FORMAT: u32 = 5;
+const FORMAT: u32 = 6;
 const HEADER: usize = 24;
 
 /// Everything an instance holds beside the simulation.

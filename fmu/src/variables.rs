@@ -89,6 +89,8 @@ pub enum Parameter {
     ToleranceSlip,
     /// Tolerance of the force \[-\].
     ToleranceForce,
+    /// Most sweeps of an internal step; 0: as many as the tolerances need.
+    Sweeps,
     /// Largest internal time step \[s\].
     Step,
     /// Which solver takes the step's problem: an item of [`Choices::SOLVER`].

@@ -130,6 +130,9 @@ fn flows(scene: &Scene) -> bool {
     sensors.any(|sensor| matches!(sensor.measure, Measure::MassFlow { .. }))
 }
 
+/// A communication step below this share of the last internal step has no forces of its own.
+const REMAINDER: f64 = 0.05;
+
 /// In how many equal steps of at most `step` \[s\] a time `h` \[s\] goes; a margin keeps what is a whole number but for rounding.
 fn pieces(h: f64, step: f64) -> u64 {
     (h / step * (1.0 - 1e-9)).ceil().max(1.0) as u64
@@ -272,6 +275,7 @@ impl Simulation {
     /// [`Self::sensitivities`] are those of this step.
     pub fn end(&mut self, march: March) {
         self.state.rates.clear();
+        self.carry_over(&march);
         let none = Account::of(self.scene.boundaries.len());
         let (state, before) = march.midway.unwrap_or((march.before, none));
         let mut account = march.account;
@@ -285,13 +289,31 @@ impl Simulation {
         })));
     }
 
+    /// The remainder of a step is no shock: where a communication step is shorter than [`REMAINDER`] of the internal step before
+    /// it, what is left of velocities would come out as a force without bound. The forces before it stand, and what they miss
+    /// of the impulse goes into the means of the next step.
+    fn carry_over(&mut self, march: &March) {
+        let (state, before) = (&mut self.state, &march.before);
+        if march.length >= REMAINDER * before.last_step {
+            state.owed.fill(Wrench::default());
+            return;
+        }
+        state.wrenches.clone_from(&before.wrenches);
+        state.mean_wrenches.clone_from(&before.mean_wrenches);
+        state.contacts.clone_from(&before.contacts);
+        for (b, owed) in state.owed.iter_mut().enumerate() {
+            owed.add(&march.account.impulse[b], 1.0);
+            owed.add(&before.mean_wrenches[b], -march.length);
+        }
+    }
+
     /// Means over what has been taken of the communication step from `start` \[s\].
     pub(super) fn average(&mut self, start: f64, account: &Account) {
         let h = self.state.time - start;
         let means = self.state.mean_wrenches.iter_mut();
-        for (mean, impulse) in means.zip(&account.impulse) {
-            mean.force = impulse.force / h;
-            mean.torque = impulse.torque / h;
+        for (mean, (impulse, owed)) in means.zip(account.impulse.iter().zip(&self.state.owed)) {
+            mean.force = (impulse.force + owed.force) / h;
+            mean.torque = (impulse.torque + owed.torque) / h;
         }
         self.state.mean_body_force = account.body_force / h;
     }

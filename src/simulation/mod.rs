@@ -107,6 +107,7 @@ impl Simulation {
             wrenches: vec![Wrench::default(); boundaries],
             persisting_wrenches: vec![Wrench::default(); boundaries],
             mean_wrenches: vec![Wrench::default(); boundaries],
+            owed: vec![Wrench::default(); boundaries],
             work: Work::default(),
             reserves: exchange::reserves(&scene),
             emitted: vec![0.0; scene.sources.len()],

@@ -142,7 +142,7 @@ duration = 1.0
 step = 0.002
 fixed_step = true
 strict = true
-tolerance = {{ gap = 1e-6, slip = 1e-6, force = 1e-6, opening = 0 }}
+tolerance = { gap = 1e-6, slip = 1e-6, force = 1e-6, opening = 0 }
 [pair_default]
 friction = 0.4
 [[material]]
@@ -199,7 +199,7 @@ duration = 1.0
 step = 0.002
 fixed_step = true
 strict = true
-tolerance = {{ gap = 1e-6, slip = 1e-6, force = 1e-6, opening = 0 }}
+tolerance = { gap = 1e-6, slip = 1e-6, force = 1e-6, opening = 0 }
 gravity = [0, 0, 0]
 [pair_default]
 friction = 0.4
@@ -251,7 +251,7 @@ duration = 1.0
 step = 0.002
 fixed_step = true
 strict = true
-tolerance = {{ gap = 1e-6, slip = 1e-6, force = 1e-6, opening = 0 }}
+tolerance = { gap = 1e-6, slip = 1e-6, force = 1e-6, opening = 0 }
 [[material]]
 name = "grain"
 density = 2500

@@ -6,6 +6,7 @@
 mod belts;
 mod contact_statics;
 mod convergence;
+mod defaults;
 mod derivatives;
 mod driven;
 mod driven_scenes;

@@ -18,7 +18,7 @@ use sphere_dda_fmi_interface::abi2::*;
 use sphere_dda_fmi_interface::log::{Level, Log};
 use sphere_dda_fmi_interface::pointers::{array, panic_text, sink, str_from, value_mut};
 
-use fmi2Status::{fmi2Discard, fmi2OK};
+use fmi2Status::{fmi2Discard, fmi2OK, fmi2Warning};
 
 const INSTANTIATED: Stages = &[Stage::Instantiated];
 const INITIALIZATION: Stages = &[Stage::Initialization];
@@ -202,7 +202,10 @@ extern "C" fn fmi2DoStep(
         let final_past = noSetFMUStatePriorToCurrentPoint != FMI2_FALSE;
         let instance = &mut component.instance;
         match instance.do_step(currentCommunicationPoint, communicationStepSize, final_past)? {
-            Step::Complete => Ok(fmi2OK),
+            Step::Complete => Ok(match instance.unconverged("fmi2DoStep") {
+                true => fmi2Warning,
+                false => fmi2OK,
+            }),
             Step::Discarded(why) => {
                 instance
                     .log()

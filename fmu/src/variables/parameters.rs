@@ -44,6 +44,12 @@ impl Choices {
     }
 }
 
+/// Most sweeps of an internal step of a scene, 0 if they are not bounded.
+fn sweeps(scene: &Scene) -> i32 {
+    let most = scene.settings.sweeps.unwrap_or(0);
+    i32::try_from(most).unwrap_or(i32::MAX)
+}
+
 /// What an importer can set before the first step, with the scene's values as start.
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Parameters {
@@ -59,6 +65,8 @@ pub struct Parameters {
     pub tolerance: Tolerance,
     /// Largest internal time step \[s\].
     pub step: f64,
+    /// Most sweeps of an internal step; 0: as many as the tolerances need.
+    pub sweeps: i32,
     /// Which solver takes the step's problem.
     pub solver: SolverKind,
 }
@@ -74,6 +82,7 @@ impl Parameters {
             output_interval: scene.output.vtu_interval,
             tolerance: scene.settings.tolerance,
             step: scene.settings.step,
+            sweeps: sweeps(scene),
             solver: scene.settings.solver,
         }
     }
@@ -84,7 +93,10 @@ impl Parameters {
     pub fn apply(&self, scene: &Scene) -> Scene {
         let mut scene = scene.clone();
         scene.settings.tolerance = self.tolerance;
-        scene.settings.step = self.step;
+        let settings = &mut scene.settings;
+        settings.step = self.step;
+        settings.smallest_step = settings.smallest_step.map(|least| least.min(self.step));
+        settings.sweeps = usize::try_from(self.sweeps).ok().filter(|n| *n > 0);
         scene.settings.solver = self.solver;
         scene
     }
@@ -93,8 +105,13 @@ impl Parameters {
     #[must_use]
     pub fn fit(&self, scene: &Scene) -> bool {
         let settings = &scene.settings;
-        (self.tolerance, self.step, self.solver)
-            == (settings.tolerance, settings.step, settings.solver)
+        (self.tolerance, self.step, self.solver, self.sweeps)
+            == (
+                settings.tolerance,
+                settings.step,
+                settings.solver,
+                sweeps(scene),
+            )
     }
 
     /// Value of a parameter.
@@ -109,6 +126,7 @@ impl Parameters {
             Parameter::ToleranceSlip => Value::Real(self.tolerance.slip),
             Parameter::ToleranceForce => Value::Real(self.tolerance.force),
             Parameter::Step => Value::Real(self.step),
+            Parameter::Sweeps => Value::Integer(self.sweeps),
             Parameter::Solver => Value::Integer(
                 (1..)
                     .zip(SOLVERS)
@@ -129,6 +147,7 @@ impl Parameters {
             (Parameter::ToleranceSlip, Value::Real(v)) => self.tolerance.slip = v,
             (Parameter::ToleranceForce, Value::Real(v)) => self.tolerance.force = v,
             (Parameter::Step, Value::Real(v)) => self.step = v,
+            (Parameter::Sweeps, Value::Integer(v)) => self.sweeps = v,
             (Parameter::Solver, Value::Integer(v)) => {
                 let chosen = (1..).zip(SOLVERS).find(|(value, _)| *value == v);
                 self.solver = chosen.map_or(self.solver, |(_, solver)| solver);

@@ -205,6 +205,8 @@ impl Rows {
             Row::real("solver.step", Some("s"), text).min(f64::MIN_POSITIVE),
             Parameter::Step,
         );
+        let text = "Real-time mode: most Gauss-Seidel sweeps of an internal step, whose result is taken as it is; 0: as many as the tolerances need";
+        add(Row::count("solver.maxSweeps", text), Parameter::Sweeps);
         let row = Row::real("solver.kind", None, "Solver of every step");
         add(row.choices(&Choices::SOLVER), Parameter::Solver);
     }

@@ -8,7 +8,7 @@ use super::super::guard::{ANY, Stages, Updates, call};
 use super::STEPPING;
 use crate::instance::{Progress, Stage, Step};
 
-use fmi3Status::{fmi3Discard, fmi3OK};
+use fmi3Status::{fmi3Discard, fmi3OK, fmi3Warning};
 
 const WITHIN: Stages = &[Stage::StepComplete, Stage::StepFailed, Stage::Intermediate];
 const FUNCTION: &str = "fmi3DoStep";
@@ -41,7 +41,10 @@ extern "C" fn fmi3DoStep(
             return Ok(fmi3OK);
         }
         match component.instance.do_step(step.0, step.1, final_past)? {
-            Step::Complete => Ok(fmi3OK),
+            Step::Complete => Ok(match component.instance.unconverged(FUNCTION) {
+                true => fmi3Warning,
+                false => fmi3OK,
+            }),
             Step::Discarded(why) => {
                 let log = component.instance.log();
                 log.write(Level::Discard, format_args!("{FUNCTION}: {why}"));
