@@ -262,6 +262,7 @@ fn gauss_seidel<const EXPONENT: i32>(bencher: Bencher, bed: &Bed) {
     let params = Params {
         kind: SolverKind::GaussSeidel,
         tolerance,
+        accept: false,
         max_sweeps: MOST_SWEEPS,
         max_factorizations: 0,
         penalty: 0.0,

@@ -107,6 +107,6 @@ fn the_schema_is_complete() {
     );
     assert_eq!(
         definitions["Simulation"]["properties"]["max_cuts"]["default"],
-        6
+        10
     );
 }

@@ -165,6 +165,10 @@ fn variable_type(variable: &Variable) -> VariableType {
         BaseType::Integer => VariableType::Integer(IntegerVariable {
             // Bounds of counts: the only integers of the table.
             min: variable.min.map(|_| 0),
+            start: match variable.start {
+                Some(Value::Integer(start)) => Some(start),
+                _ => None,
+            },
             ..IntegerVariable::new()
         }),
         BaseType::Boolean => VariableType::Boolean(match variable.start {

@@ -65,7 +65,10 @@ pub(super) fn advise(
     let mut advice = unused::advise(scene, file);
     let gap = scene.settings.tolerance.gap.max(COARSE_GAP);
     let suggested = Summary::step_for(scene, gap);
-    advice.extend(long_step(scene.settings.step, suggested));
+    // Steps that are chosen are never long.
+    if scene.settings.smallest_step.is_none() {
+        advice.extend(long_step(scene.settings.step, suggested));
+    }
     advice.extend(lengths::advise(scene));
     advice.extend(placement::advise(scene, file, ranges));
     advice

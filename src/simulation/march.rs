@@ -8,7 +8,6 @@ use super::derivatives::{Origin, Step};
 use super::pace::{Pace, Remedy};
 use super::{Simulation, StepReport, Wrench};
 use crate::Vec3;
-use crate::contacts::{Key, Partner};
 use crate::drive::{Drive, displacement};
 use crate::error::StepError;
 use crate::motion::{Command, Motion, Pose, Rates};
@@ -16,7 +15,6 @@ use crate::observe::sensors::flow::{Gate, crossings};
 use crate::scene::{Measure, Scene};
 use crate::state::State;
 use crate::step::{Effort, StepFailure, step};
-
 /// A communication step under way: see [`Simulation::begin`].
 #[derive(Debug)]
 pub struct March {
@@ -51,6 +49,8 @@ pub(super) struct Course {
 pub(super) struct Account {
     /// Impulse on each boundary, `[B]`.
     impulse: Vec<Wrench>,
+    /// Sum of the internal steps \[s\].
+    length: f64,
     /// Impulse of the body forces \[N s\].
     body_force: Vec3,
     /// Ends and lengths of the internal steps taken \[s\].
@@ -91,6 +91,7 @@ impl Account {
     fn of(boundaries: usize) -> Self {
         Self {
             impulse: vec![Wrench::default(); boundaries],
+            length: 0.0,
             body_force: Vec3::zeros(),
             taken: Vec::new(),
         }
@@ -252,7 +253,7 @@ impl Simulation {
         }
         march.passed += dt;
         self.step_to(&scene, &drive, (target, dt), 0, &mut march.account)?;
-        self.average(march.start, &march.account);
+        self.average(&march.account);
         let h = self.state.time - march.start;
         let totals = self.state.passed.iter().zip(&march.before.passed);
         self.state.flow = totals.map(|(now, then)| (now - then) / h).collect();
@@ -307,9 +308,9 @@ impl Simulation {
         }
     }
 
-    /// Means over what has been taken of the communication step from `start` \[s\].
-    pub(super) fn average(&mut self, start: f64, account: &Account) {
-        let h = self.state.time - start;
+    /// Means over what has been taken of the communication step.
+    pub(super) fn average(&mut self, account: &Account) {
+        let h = account.length;
         let means = self.state.mean_wrenches.iter_mut();
         for (mean, (impulse, owed)) in means.zip(account.impulse.iter().zip(&self.state.owed)) {
             mean.force = (impulse.force + owed.force) / h;
@@ -332,6 +333,7 @@ impl Simulation {
             for (sum, wrench) in account.impulse.iter_mut().zip(&self.state.wrenches) {
                 sum.add(wrench, dt);
             }
+            account.length += dt;
             account.body_force += self.state.body_force * dt;
             account.taken.push((target, dt));
             return Ok(());
@@ -402,6 +404,7 @@ impl Simulation {
 
     /// Sums up what an internal step of `dt` \[s\] has done.
     pub(super) fn book(&mut self, before: &Before, dt: f64, account: &mut Account) {
+        account.length += dt;
         let settings = &self.scene.settings;
         let shift = settings.integrator.shift(dt, settings.step);
         for (b, sum) in account.impulse.iter_mut().enumerate() {
@@ -501,57 +504,5 @@ impl Simulation {
             before = poses;
         }
         Ok(())
-    }
-
-    /// A failure in the scene's words.
-    pub(super) fn explain(&self, failure: StepFailure, step: f64, cuts: u32) -> StepError {
-        let time = self.state.time;
-        if let Some((sphere, between)) = failure.pinched {
-            let [a, b] = between.map(|b| &self.scene.boundaries[usize::from(b)].name);
-            let boundaries = format!("`{a}` and `{b}`");
-            return StepError::Pinched {
-                time,
-                sphere,
-                boundaries,
-            };
-        }
-        if let Some(passed) = failure.passed {
-            return StepError::TooFast {
-                time,
-                step,
-                contact: self.name(passed.contact),
-                motion: passed.motion,
-                advised: 0.5 * step / passed.motion,
-                cuts,
-            };
-        }
-        let contact = failure
-            .contact
-            .map_or_else(|| "the re-linearised gaps".to_owned(), |key| self.name(key));
-        StepError::NotConverged {
-            time,
-            step,
-            what: failure.what,
-            residual: failure.residual,
-            tolerance: failure.tolerance,
-            contact,
-            cuts,
-            broken: failure
-                .broken
-                .map_or_else(String::new, |why| format!(" ({why})"))
-                .into(),
-        }
-    }
-
-    /// A pair in the scene's words.
-    fn name(&self, key: Key) -> String {
-        match key.partner {
-            Partner::Sphere { index, .. } => format!("spheres {} and {index}", key.sphere),
-            Partner::Boundary { boundary, .. } => format!(
-                "sphere {} on boundary `{}`",
-                key.sphere,
-                self.scene.boundaries[usize::from(boundary)].name
-            ),
-        }
     }
 }

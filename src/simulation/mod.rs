@@ -2,6 +2,7 @@
 
 mod derivatives;
 mod exchange;
+mod explain;
 mod march;
 mod pace;
 mod report;

@@ -303,12 +303,10 @@ mod tests {
     fn steps_end_where_time_is_cheapest() {
         for (power, best) in [(2.0, 1e-4), (1.5, 3e-4), (3.0, 2e-5)] {
             let at_best = BESIDE / (power - 1.0);
-            let found = length(|dt: f64| at_best * (dt / best).powf(power));
-            let off: f64 = found / best;
-            assert!(
-                (0.7..1.4).contains(&off),
-                "power {power}: {off} of the best"
-            );
+            let sweeps = |dt: f64| at_best * (dt / best).powf(power);
+            let cost = |dt: f64| (BESIDE + sweeps(dt)) / dt;
+            let dearer = cost(length(sweeps)) / cost(best);
+            assert!(dearer < 1.1, "power {power}: {dearer} times the least cost");
         }
         let found = length(|dt| 20.0 * (dt / 1e-4).powf(0.2));
         assert!(found > 0.7e-2, "{found} s");

@@ -109,7 +109,7 @@ duration = 2.0
 step = 0.005
 fixed_step = true
 strict = true
-tolerance = {{ gap = 1e-6, slip = 1e-6, force = 1e-6, opening = 0 }}
+tolerance = { gap = 1e-6, slip = 1e-6, force = 1e-6, opening = 0 }
 [pair_default]
 friction = 0.5
 [[material]]
@@ -146,7 +146,7 @@ duration = 2.0
 step = 0.01
 fixed_step = true
 strict = true
-tolerance = {{ gap = 1e-6, slip = 1e-6, force = 1e-6, opening = 0 }}
+tolerance = { gap = 1e-6, slip = 1e-6, force = 1e-6, opening = 0 }
 [[material]]
 name = "steel"
 density = 2500

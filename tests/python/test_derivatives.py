@@ -389,7 +389,7 @@ def test_the_feeder_has_derivatives_where_its_contacts_last(export):
     name, h = "boundary.trough.displacement", 2e-3
     outputs = components("boundary.trough.averageForce", "boundary.trough.averageTorque", "momentum")
     text = feeder("feeder").read_text()
-    tight = "[simulation]\ntolerance = { gap = 1e-11, slip = 1e-11, force = 1e-10 }"
+    tight = "[simulation]\nstep = 5e-4\nfixed_step = true\nstrict = true\ntolerance = { gap = 1e-11, slip = 1e-11, force = 1e-10, opening = 0 }"
     errors = []
     with Slave(export(text.replace("[simulation]", tight))) as slave:
         for k in range(50):

@@ -88,7 +88,8 @@ const CASES: &[Case] = cases! {
     // Syntax, keys, types.
     "step = 1e-3" => "step = = 1e-3", "scene", "step = =", "TOML";
     "step = 1e-3" => "stepp = 1e-3", "simulation.stepp", "stepp", "did you mean `step`";
-    "step = 1e-3\n" => "", "simulation", "[simulation]", "missing key `step`";
+    "step = 1e-3\n" => "fixed_step = true\n", "simulation", "[simulation]", "missing key `step`";
+    "step = 1e-3" => "step = 1e-3\naccuracy = \"high\"", "simulation.accuracy", "high", "standard";
     "[simulation]\nduration = 1.0\nstep = 1e-3\n[simulation.tolerance]\ngap = 1e-6\n" => "", "simulation", "title", "missing table `[simulation]`";
     "step = 1e-3" => "step = \"1 ms\"", "simulation.step", "\"1 ms\"", "found \"1 ms\", expected a number > 0 (in s)";
     "step = 1e-3" => "step = ", "scene", "step =", "found nothing after `step =`, expected a value";

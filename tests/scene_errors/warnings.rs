@@ -14,7 +14,7 @@ fn what_will_hurt_is_warned_of() {
     let cases = [
         (
             "step = 1e-3",
-            "step = 0.5",
+            "step = 0.5\nfixed_step = true",
             "simulation.step",
             "times longer than the suggested",
         ),

@@ -489,7 +489,7 @@ fn cases() -> Vec<Case> {
         change,
     };
     let feeder = include_str!("../../examples/feeder/feeder.toml");
-    let tight = "[simulation]\ntolerance = { gap = 1e-11, slip = 1e-11, force = 1e-10 }";
+    let tight = "[simulation]\nstep = 5e-4\nfixed_step = true\nstrict = true\ntolerance = { gap = 1e-11, slip = 1e-11, force = 1e-10, opening = 0 }";
     let feeder = feeder.replace("[simulation]", tight);
     vec![
         case("slip", &[&twist], slipping, 3, 5e-3, all, 1e-4),

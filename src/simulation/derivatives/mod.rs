@@ -163,11 +163,9 @@ impl Simulation {
             see(&earlier, &again.simulation);
         }
         for companion in pairs.iter_mut().flatten() {
-            companion
-                .simulation
-                .average(origin.start, &companion.account);
+            companion.simulation.average(&companion.account);
         }
-        again.simulation.average(origin.start, &again.account);
+        again.simulation.average(&again.account);
         Ok(again.simulation)
     }
 }
