@@ -127,8 +127,8 @@ fn a_step_that_fails_leaves_what_was_reached_and_exits_with_1() {
 fn a_full_disk_is_told_at_once_and_fails_the_run() {
     let folder = tempfile::tempdir().unwrap();
     let scene = funnel(folder.path(), &[]);
-    // Files may have 16 blocks of 512 or 1024 bytes: rows fit, frames do not, and writing on is an error, no signal.
-    let limited = "trap '' XFSZ; ulimit -f 16; exec \"$@\"";
+    // Files may have 24 blocks of 512 or 1024 bytes: rows fit, frames do not, and writing on is an error, no signal.
+    let limited = "trap '' XFSZ; ulimit -f 24; exec \"$@\"";
     let told = Command::new("sh")
         .args(["-c", limited, "sh", env!("CARGO_BIN_EXE_sphere-dda"), "run"])
         // Long enough for the writer to fail before the run ends.

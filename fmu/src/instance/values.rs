@@ -152,7 +152,7 @@ impl Instance {
             (Some(min), None) if min == f64::MIN_POSITIVE => "a number > 0".to_owned(),
             (Some(min), None) => format!("a number >= {min}"),
             (None, Some(_)) => format!("a number <= {max}"),
-            (Some(_), Some(_)) => format!("a number from {min} to {max}"),
+            (Some(_), Some(_)) => format!("a number from {} to {}", short(min), short(max)),
         };
         Err(Refusal::Range {
             name: variable.name.clone(),
@@ -171,5 +171,13 @@ impl Instance {
                     .map(|variable| format!("`{}` of type {:?}", variable.name, variable.base)),
                 expected: base,
             })
+    }
+}
+
+/// A bound as a person writes it.
+fn short(bound: f64) -> String {
+    match (1e-3..1e6).contains(&bound.abs()) || bound == 0.0 {
+        true => bound.to_string(),
+        false => format!("{bound:e}"),
     }
 }
