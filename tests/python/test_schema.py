@@ -15,7 +15,7 @@ FUNNEL = scene("funnel").read_text()
 # What is written instead of what in the funnel.
 BAD = [
     ("step = 0.01", "stepp = 0.01"),
-    ("step = 0.01\n", ""),
+    ("duration = 8.6\n", ""),
     ('step = 0.01', 'step = "fast"'),
     ("step = 0.01", "step = 0"),
     ("duration = 8.6", "duration = -1.0"),
@@ -24,7 +24,7 @@ BAD = [
     ("penalty = 1e5", "max_iterations = 0"),
     ("penalty = 1e5", "max_iterations = 1.5"),
     ("penalty = 1e5", "max_cuts = 21"),
-    ("penalty = 1e5", "tolerance = { gap = 1e-20 }"),
+    ("gap = 1e-6", "gap = 1e-20"),
     ("penalty = 1e5", "gravity = [0.0, -9.81]"),
     ("penalty = 1e5", "gravity = [0.0, 0.0, 0.0, 0.0]"),
     ("[[material]]", "[[materials]]"),
