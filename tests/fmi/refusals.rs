@@ -173,7 +173,10 @@ fn bad_values_are_refused() {
         i.set(scene.reference("solver.tolerance.gap"), 0.5),
         "expected a number from 1e-12 to 0.1",
     );
-    refused(i.set(scene.reference("solver.step"), 0.0), "expected a number > 0");
+    refused(
+        i.set(scene.reference("solver.step"), 0.0),
+        "expected a number > 0",
+    );
     refused(i.set_up(f64::NAN, None), "startTime");
     refused(i.set_up(0.0, Some(-1.0)), "stopTime");
     i.initialize();
