@@ -263,6 +263,7 @@ fn gauss_seidel<const EXPONENT: i32>(bencher: Bencher, bed: &Bed) {
         kind: SolverKind::GaussSeidel,
         tolerance,
         accept: false,
+        min_sweeps: 1,
         max_sweeps: MOST_SWEEPS,
         max_factorizations: 0,
         penalty: 0.0,

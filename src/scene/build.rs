@@ -16,7 +16,7 @@ use super::pairs::pairs;
 use super::problem::SceneError;
 use super::regions::measured;
 use super::resources::{Resources, hash};
-use super::settings::{choose_steps, materials, settings};
+use super::settings::{choose_steps, fall, materials, settings};
 use super::sources::{sinks, source};
 use super::spheres::{self, Present};
 use super::{Loaded, Measure, Output, PointLoad, Probe, Scene, Sensor, Spring};
@@ -172,8 +172,9 @@ fn build(
     }
     let mut settings = settings;
     if let (Some(settings), Some(typed)) = (&mut settings, &file.simulation) {
-        let radii = particles.radius.iter().copied();
-        choose_steps(settings, typed, radii.fold(f64::INFINITY, f64::min));
+        let boundaries = boundaries.as_deref().unwrap_or_default();
+        let fall = fall(settings, (&particles, &initial), boundaries);
+        choose_steps(settings, typed, fall);
     }
     // Their names are declared, and judged, among the groups.
     let source_names = Names::of("source", file.sources.iter().map(Element::declaration));

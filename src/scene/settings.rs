@@ -1,12 +1,17 @@
 //! Settings of the run, and materials.
 
+use std::f64::consts::PI;
+
 use super::accuracy::round_time;
 use super::decode::SceneFile;
 use super::document::Document;
 use super::frame::{gravity, rotating_frame};
 use super::resources::Resources;
 use super::{Integrator, Method, Settings, Tolerance, file};
+use crate::boundaries::Boundary;
 use crate::materials::Material;
+use crate::motion::Motion;
+use crate::particles::{Kinematics, Particles};
 
 /// `[simulation]`, checked.
 pub(super) fn settings(
@@ -179,12 +184,33 @@ pub(super) fn settings(
     })
 }
 
-/// Steps that the file leaves open, once the spheres are known: `radius` \[m\] is the smallest.
-pub(super) fn choose_steps(settings: &mut Settings, file: &file::Simulation, radius: f64) {
-    let gravity = settings.gravity.norm();
-    let (longest, shortest) = settings
-        .accuracy
-        .step_range(radius, gravity, settings.duration);
+/// Shortest time \[s\] in which gravity, the centrifugal force or the pressure of a servo wall moves a sphere by half its radius.
+pub(super) fn fall(
+    settings: &Settings,
+    (particles, initial): (&Particles, &Kinematics),
+    boundaries: &[Boundary],
+) -> f64 {
+    let pressure = boundaries
+        .iter()
+        .filter_map(|boundary| match &boundary.motion {
+            Motion::Driven(body) => body.servo.as_ref(),
+            _ => None,
+        })
+        .fold(0.0, |most: f64, servo| most.max(servo.pressure.abs()));
+    let acceleration = |i: usize| {
+        let frame = settings.rotating_frame.as_ref();
+        let centrifugal = frame.map_or(0.0, |frame| frame.centrifugal(initial.position[i]).norm());
+        let radius = particles.radius[i];
+        let pressed = pressure * PI * radius * radius / particles.mass[i];
+        (settings.gravity.norm() + centrifugal).max(pressed)
+    };
+    let times = (0..particles.radius.len()).map(|i| (particles.radius[i] / acceleration(i)).sqrt());
+    times.fold(f64::INFINITY, f64::min)
+}
+
+/// Steps that the file leaves open, once it is known how fast spheres [`fall`].
+pub(super) fn choose_steps(settings: &mut Settings, file: &file::Simulation, fall: f64) {
+    let (longest, shortest) = settings.accuracy.step_range(fall, settings.duration);
     let scheme_of_its_own =
         settings.integrator == Integrator::Shi || settings.method == Method::Penalty;
     let fixed = file.fixed_step || (scheme_of_its_own && file.step.is_some());

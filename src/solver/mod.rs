@@ -54,6 +54,8 @@ pub struct Params {
     pub tolerance: Tolerance,
     /// Whether the best iterate is taken where the tolerances are not met: then less is tried.
     pub accept: bool,
+    /// Fewest Gauss-Seidel sweeps, unless [`Self::max_sweeps`] are fewer.
+    pub min_sweeps: usize,
     /// Most Gauss-Seidel sweeps.
     pub max_sweeps: usize,
     /// Most factorizations of a solver, and again of Newton where it finishes.

@@ -198,7 +198,8 @@ impl Stage<'_> {
         }
         let creep = weight * self.inputs.step;
         let settings = &scene.settings;
-        let closed = settings.tolerance.gap.max(settings.opening).max(1e-9);
+        // A step leaves a loaded contact open by what it may carry, and its own error.
+        let closed = (settings.tolerance.gap + settings.opening).max(1e-9);
         let rests = |k: usize| {
             let row = self.problem.rows.get(k);
             self.candidates[k].gap <= closed * row.radius

@@ -7,9 +7,9 @@ from fmpy.fmi2 import FMU2Slave
 
 
 class Slave:
-    """A co-simulation instance, ready to step. A context manager: frees the instance and its files."""
+    """A co-simulation instance with parameters, ready to step. A context manager: frees the instance and its files."""
 
-    def __init__(self, fmu, stop=10.0, folder=None):
+    def __init__(self, fmu, stop=10.0, folder=None, reals=None, integers=None):
         self.description = fmpy.read_model_description(str(fmu))
         self.reference = {v.name: v.valueReference for v in self.description.modelVariables}
         self.own = folder is None
@@ -21,6 +21,9 @@ class Slave:
             instanceName="test",
         )
         self.fmi.instantiate()
+        for values, call in ((reals, self.fmi.setReal), (integers, self.fmi.setInteger)):
+            for name, value in (values or {}).items():
+                call([self.reference[name]], [value])
         self.fmi.setupExperiment(startTime=0.0, stopTime=stop)
         self.fmi.enterInitializationMode()
         self.fmi.exitInitializationMode()

@@ -129,6 +129,7 @@ fn params(kind: SolverKind) -> Params {
             force: 1e-9,
         },
         accept: false,
+        min_sweeps: 1,
         max_sweeps: 100_000,
         max_factorizations: 2000,
         penalty: 1e5,
@@ -248,6 +249,7 @@ fn a_part_that_resists_rolling_is_finished() {
     let mut impulses = vec![Vec3::zeros(); both.rows.len()];
     let brief = Params {
         accept: false,
+        min_sweeps: 1,
         max_sweeps: 2,
         ..params(SolverKind::Auto)
     };

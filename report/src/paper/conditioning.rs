@@ -36,6 +36,7 @@ pub fn condition(problem: &Problem, penalty: f64) -> Option<f64> {
         kind: SolverKind::Direct,
         tolerance: Tolerance::default(),
         accept: false,
+        min_sweeps: 1,
         max_sweeps: 10_000,
         max_factorizations: 1000,
         penalty,

@@ -133,9 +133,14 @@ impl Inputs<'_> {
             true => 0.0,
             false => sliding.norm_squared() * candidate.curvature,
         };
+        // Where nothing acts itself, loads elsewhere press the contact.
+        let acting = match acceleration {
+            0.0 => self.mean_acceleration,
+            acceleration => acceleration,
+        };
         let threshold = settings
             .threshold_velocity
-            .max(2.0 * self.step * acceleration.max(turning));
+            .max(2.0 * self.step * acting.max(turning));
         let excess = candidate.gap - settings.carried(candidate.gap, meeting.radius);
         let impact = told.unwrap_or_else(|| {
             let freely = || n.dot(&(free[a].linear - meeting.partner));

@@ -4,9 +4,9 @@
 //! its two bodies follow at once (for a sphere contact the local operator is diagonal, so normal and tangent do not couple).
 //! Contacts of spheres go sixteen at a time (`block`), in single precision first where the tolerances allow; what it finds is
 //! judged in double. Every other row goes by the operations of [`Row`](crate::problem::Row) (`kernel`). The order is fixed by
-//! the rows and, in large scenes, by where the bodies are (`layout`): parts of the scene can be swept side by side. From the fourth sweep on Nesterov's momentum moves impulses and
-//! velocities together; it starts anew where the corrections point back or grow: with friction the latter is what counts (a
-//! tenth of the sweeps). Robust with friction.
+//! the rows and, in large scenes, by where the bodies are (`layout`): parts of the scene can be swept side by side. From the
+//! fourth sweep on Nesterov's momentum moves impulses and velocities together; it starts anew where the corrections point back
+//! or grow: with friction the latter is what counts (a tenth of the sweeps). Robust with friction.
 
 #[cfg(target_arch = "x86_64")]
 mod avx2;
@@ -82,7 +82,7 @@ pub fn solve(
         }
         last = progress.change;
         let tired = kernel.is_single() && report.sweeps >= SINGLE_SWEEPS;
-        if progress.settled || tired {
+        if (progress.settled && report.sweeps >= params.min_sweeps) || tired {
             let residual = kernel.judge(problem);
             if residual.within(&params.tolerance) {
                 found = Some(residual);

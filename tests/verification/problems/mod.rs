@@ -65,6 +65,7 @@ fn params(problem: &Problem, kind: SolverKind, max_sweeps: usize, penalty: Optio
         kind,
         tolerance: Tolerance::default(),
         accept: false,
+        min_sweeps: 1,
         max_sweeps,
         max_factorizations: 1000,
         penalty,
