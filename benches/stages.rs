@@ -189,12 +189,11 @@ fn placed(simulation: &Simulation) -> Placement<'_> {
 
 fn neighbours(simulation: &Simulation, reach: &[f64]) -> NeighborList {
     let mut list = NeighborList::default();
-    let largest = reach.iter().copied().fold(0.0, f64::max);
-    let widest = Reach {
-        pairs: 2.0 * largest,
-        walls: largest,
-    };
-    list.ensure(&placed(simulation), widest);
+    let reach = reach.iter().map(|&reach| Reach {
+        pairs: reach,
+        walls: reach,
+    });
+    list.ensure(&placed(simulation), &reach.collect::<Vec<_>>(), 0.0);
     list
 }
 

@@ -44,14 +44,3 @@ pub(crate) fn passed((low, high): (Vec3, Vec3), x: Vec3, direction: Vec3) -> boo
     }
     from <= to
 }
-
-/// How far two of `vectors` differ at most, and the length of the longest.
-pub(crate) fn spread(vectors: impl Iterator<Item = Vec3>) -> (f64, f64) {
-    let squared = vectors.map(|v| (v.norm_squared(), (v, v)));
-    let (longest, (low, high)) = squared
-        .reduce(|(longest, all), (length, own)| (larger(longest, length), joined(all, own)))
-        .unwrap_or_default();
-    // The box's diagonal; no more than from one to the origin and on to the other.
-    let longest = longest.sqrt();
-    (smaller((high - low).norm(), 2.0 * longest), longest)
-}

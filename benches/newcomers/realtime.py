@@ -20,8 +20,9 @@ GATE = "boundary.gate.averageForce[3]"
 OVERLAP = "maxOverlap"
 FORCE = "solver.forceResidual"
 STEP = 0.005  # communication step [s]
+AGAIN = "reference, half the gap"
 BOUNDS = (5, 10, 20, 40, 80, 0)  # 0: as many as it takes
-TOLERANCES = {"fast": (1e-3, 0.1), "standard": (1e-4, 0.1), REFERENCE: (1e-6, 1e-2)}  # gap, force
+TOLERANCES = {"fast": (1e-3, 0.1), "standard": (1e-4, 0.1), REFERENCE: (1e-6, 1e-2), AGAIN: (5e-7, 1e-2)}  # gap, force
 HEAD = """\
 <!-- Written by `benches/newcomers/run realtime`. -->
 
@@ -31,7 +32,8 @@ HEAD = """\
 core. Its parameters `solver.tolerance.*` are those of the accuracy, `solver.maxSweeps` bounds the sweeps of an internal step. *of real time*: CPU time over simulated time. *longest*: longest `fmi2DoStep` over the
 communication step of 5 ms. *gate force*: root mean square of the difference of running means (window: 5 % of the run)
 from `reference`, over that of the reference. *outflow*: difference of the mass
-that has left. *force residual*: the median over the steps of the worst contact's.
+that has left. *force residual*: the median over the steps of the worst contact's. A flow of
+grains is chaotic: the last row, whose gaps are held to half as much, shows how far two exact runs part.
 
 | accuracy | sweeps | of real time | longest | gate force | outflow | worst overlap | force residual |
 |---|---|---|---|---|---|---|---|"""
@@ -64,8 +66,9 @@ def main() -> None:
         for accuracy, bound in [(accuracy, bound) for accuracy in arguments.accuracies for bound in BOUNDS]:
             lines.append(_line(accuracy, bound, ran(fmu, accuracy, bound, arguments.duration), reference))
             print(lines[-1], flush=True)
-        lines.append(_line(REFERENCE, 0, reference, reference))
-        print(lines[-1])
+        for accuracy, run in ((REFERENCE, reference), (AGAIN, ran(fmu, AGAIN, 0, arguments.duration))):
+            lines.append(_line(accuracy, 0, run, reference))
+            print(lines[-1], flush=True)
     arguments.out.mkdir(parents=True, exist_ok=True)
     (arguments.out / "realtime.md").write_text("\n".join(lines) + "\n")
 

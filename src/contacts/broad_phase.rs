@@ -1,61 +1,69 @@
 //! Broad phase: the pairs that may touch before the next rebuild.
 //!
-//! Spheres are sorted by the cell of a uniform grid; five runs of cells hold all forward neighbours of a
-//! sphere, and as cells are visited in order each run is a pair of advancing pointers. The list keeps every
-//! pair whose gap is below a skin, so it serves until two have moved against each other by what the skin leaves.
-//! What is in the list never shows in results: the narrow phase takes from it the pairs within reach, in
-//! canonical order.
+//! Each sphere has a skin of its own. The list keeps every pair whose gap is below the sum of its skins, so it serves until
+//! the way of a sphere since, and what it may still move, exceed its skin: one fast sphere costs the others nothing. What is
+//! in the list never shows in results: the narrow phase takes from it the pairs within reach, in canonical order.
 
+use super::grid::sphere_pairs;
 use super::narrow_phase::Placement;
 use super::near_walls::{NearWall, NearWalls, ROUNDING, corners};
 use super::periodic::periodic_pairs;
 use crate::Vec3;
 use crate::cell::Image;
-use crate::counting::counting_sort;
-use crate::extent::{around, spread};
+use crate::extent::{around, larger};
 use crate::motion::Pose;
 
-/// Skin over the smallest radius when nothing moves.
+/// Skin of a pair, and of a sphere to boundaries, over the smallest radius when nothing moves.
 const SKIN: f64 = 0.1;
 /// Skin over the reach asked for: how many steps a list should serve in fast motion.
 const STEPS: f64 = 4.0;
-/// Most cells along an axis; the grid coarsens beyond.
-const CELLS: f64 = 1e6;
 
-/// How wide gaps may be \[m\].
+/// How far a sphere may move \[m\].
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Reach {
-    /// Of two spheres.
+    /// Against a motion that all spheres have in common.
     pub pairs: f64,
-    /// Of a sphere and a boundary.
+    /// In all.
     pub walls: f64,
 }
 
 impl Reach {
-    /// Both at least `least`.
-    fn at_least(self, least: f64) -> Self {
-        Self {
-            pairs: self.pairs.max(least),
-            walls: self.walls.max(least),
-        }
+    /// Of every sphere that has one of two `velocities` \[m/s\] for a `step` \[s\], `[N]`, and `more(i)` \[m\]; what all have in
+    /// common is the middle of all velocities.
+    pub fn of(
+        velocities: impl Iterator<Item = [Vec3; 2]> + Clone,
+        step: f64,
+        more: impl Fn(usize) -> f64,
+        reach: &mut Vec<Self>,
+    ) {
+        let (low, high) = around(velocities.clone().flatten());
+        let common = (low + high) * 0.5;
+        let length = |velocities: [Vec3; 2]| {
+            let squared = velocities.map(|v| v.norm_squared());
+            step * larger(squared[0], squared[1]).sqrt()
+        };
+        reach.clear();
+        reach.extend(velocities.enumerate().map(|(i, velocities)| Self {
+            pairs: length(velocities.map(|v| v - common)) + more(i),
+            walls: length(velocities) + more(i),
+        }));
     }
 
-    fn plus(self, other: Self, scale: f64) -> Self {
-        Self {
-            pairs: self.pairs + scale * other.pairs,
-            walls: self.walls + scale * other.walls,
-        }
-    }
-
-    fn exceeds(self, other: Self) -> bool {
-        self.pairs > other.pairs || self.walls > other.walls
+    /// The largest of each.
+    #[must_use]
+    pub fn largest(reach: &[Self]) -> Self {
+        reach.iter().fold(Self::default(), |largest, own| Self {
+            pairs: larger(own.pairs, largest.pairs),
+            walls: larger(own.walls, largest.walls),
+        })
     }
 }
 
-/// Pairs with a gap below the skin when the list was built.
+/// Pairs with a gap below their skins when the list was built.
 #[derive(Debug, Clone, Default)]
 pub struct NeighborList {
-    skin: Reach,
+    /// Skin of each sphere, of a pair the sum of two \[m\], `[N]`.
+    skin: Vec<Reach>,
     built_at: Vec<Vec3>,
     built_present: Vec<bool>,
     built_poses: Vec<Pose>,
@@ -72,14 +80,12 @@ pub struct NeighborList {
 }
 
 impl NeighborList {
-    /// Makes sure that every pair with a gap of at most `reach` in `now` is listed.
-    pub fn ensure(&mut self, now: &Placement, reach: Reach) {
-        let same = self.built_present == now.present;
+    /// Makes sure that every pair is listed whose gap in `now` is at most what its spheres `reach`, `[N]` or none, and for a
+    /// boundary `carried` \[m\] more.
+    pub fn ensure(&mut self, now: &Placement, reach: &[Reach], carried: f64) {
         self.carry(now);
-        let moved = self.moved(now);
-        self.shrunk = moved.walls;
-        if !same || moved.plus(reach, 1.0).exceeds(self.skin) {
-            self.build(now, reach);
+        if self.built_present != now.present || !self.serves(now, reach, carried) {
+            self.build(now, reach, carried);
         }
     }
 
@@ -94,17 +100,28 @@ impl NeighborList {
         } else {
             self.shrunk
         };
-        near.gap - shrunk <= reach + ROUNDING * self.skin.walls
+        near.gap - shrunk <= reach + ROUNDING * self.skin[near.sphere as usize].walls
     }
 
-    /// Bound of how much any gap can have shrunk since the list was built.
-    fn moved(&self, now: &Placement) -> Reach {
-        let ways = self.built_at.iter().zip(now.position);
-        let (pairs, spheres) = spread(ways.map(|(then, now)| now - then));
-        Reach {
-            pairs,
-            walls: spheres + self.carried.iter().copied().fold(0.0, f64::max),
+    /// Whether no sphere leaves its skin: pairs against what all have moved in common, or against nothing.
+    fn serves(&mut self, now: &Placement, reach: &[Reach], carried: f64) -> bool {
+        let present = || (0..now.position.len()).filter(|&i| now.present[i]);
+        let way = |i: usize| now.position[i] - self.built_at[i];
+        let count = present().count().max(1) as f64;
+        let common = present().map(way).sum::<Vec3>() / count;
+        let carried_so_far = self.carried.iter().copied().fold(0.0, f64::max);
+        let (mut longest, mut leaves) = (0.0, [false; 3]);
+        for i in present() {
+            let (way, skin) = (way(i), self.skin[i]);
+            let reach = reach.get(i).copied().unwrap_or_default();
+            let length = way.norm();
+            longest = larger(longest, length);
+            leaves[0] |= length + reach.walls > skin.pairs;
+            leaves[1] |= (way - common).norm() + reach.pairs > skin.pairs;
+            leaves[2] |= length + carried_so_far + reach.walls + carried > skin.walls;
         }
+        self.shrunk = longest + carried_so_far;
+        !(leaves[0] && leaves[1] || leaves[2])
     }
 
     /// Notes how far each boundary has moved since the list was built, where spheres are.
@@ -131,137 +148,89 @@ impl NeighborList {
         }
     }
 
-    fn build(&mut self, now: &Placement, reach: Reach) {
-        let smallest = now
-            .particles
-            .radius
-            .iter()
-            .copied()
-            .fold(f64::INFINITY, f64::min);
-        self.skin = Reach::default()
-            .plus(reach, STEPS)
-            .at_least(SKIN * smallest);
+    fn build(&mut self, now: &Placement, reach: &[Reach], carried: f64) {
+        let radius = &now.particles.radius;
+        let smallest = radius.iter().copied().fold(f64::INFINITY, f64::min);
+        // Pairs by the smaller reaches: all move alike, or most stand still.
+        let [alike, still] = [|own: &Reach| own.pairs, |own: &Reach| own.walls]
+            .map(|of| reach.iter().map(of).sum::<f64>());
+        let skin = |i: usize| {
+            let own = reach.get(i).copied().unwrap_or_default();
+            let pairs = if alike < still { own.pairs } else { own.walls };
+            Reach {
+                pairs: (STEPS * pairs).max(0.5 * SKIN * smallest),
+                walls: (STEPS * (own.walls + carried)).max(SKIN * smallest),
+            }
+        };
+        self.skin.clear();
+        self.skin.extend((0..radius.len()).map(skin));
         self.built_at.clear();
         self.built_at.extend_from_slice(now.position);
         self.built_present.clear();
         self.built_present.extend_from_slice(now.present);
         self.built_poses.clear();
         self.built_poses.extend_from_slice(now.poses);
-        let radius = &now.particles.radius;
+        let sizes = radius.iter().zip(&self.skin);
+        let sizes: Vec<f64> = sizes.map(|(radius, skin)| radius + skin.pairs).collect();
         // The old lists give their memory back before there are new ones.
         (self.pairs, self.images) = (Vec::new(), Vec::new());
         if now.cell.is_open() {
-            self.pairs = sphere_pairs(now.position, now.present, radius, self.skin.pairs);
+            self.pairs = sphere_pairs(now.position, now.present, &sizes);
         } else {
-            self.images =
-                periodic_pairs(now.cell, now.position, now.present, radius, self.skin.pairs);
+            self.images = periodic_pairs(now.cell, now.position, now.present, &sizes);
         }
-        self.walls.build(now, self.skin.walls);
+        self.walls.build(now, &self.skin);
         self.shrunk = 0.0;
         self.carried.fill(0.0);
     }
 }
 
-/// All pairs `i < j` of present spheres whose gap is below `skin` \[m\], ascending.
-#[must_use]
-pub fn sphere_pairs(
-    position: &[Vec3],
-    present: &[bool],
-    radius: &[f64],
-    skin: f64,
-) -> Vec<(u32, u32)> {
-    let spheres = || {
-        (0_u32..)
-            .zip(position)
-            .filter(|(i, _)| present[*i as usize])
-    };
-    let (low, high) = around(spheres().map(|(_, p)| *p));
-    let largest = radius.iter().copied().fold(0.0, f64::max);
-    let cell = (2.0 * largest + skin).max((high - low).max() / CELLS);
-    // One empty layer on either side keeps the runs of cells from wrapping around.
-    let index = |x: f64, low: f64| ((x - low) / cell) as i64 + 1;
-    let [nx, ny] = [0, 1].map(|k| index(high[k], low[k]) + 2);
-    let mut cells: Vec<(i64, u32)> = spheres()
-        .map(|(i, p)| {
-            let [x, y, z] = std::array::from_fn(|k| index(p[k], low[k]));
-            ((z * ny + y) * nx + x, i)
-        })
-        .collect();
-    cells.sort_unstable();
-    // In the order of the cells, so that neighbours are near in memory too.
-    let places = cells.iter().map(|&(_, i)| {
-        let i = i as usize;
-        (position[i], radius[i])
-    });
-    let places: Vec<(Vec3, f64)> = places.collect();
-
-    let mut pairs = Vec::new();
-    let mut test = |own: usize, other: usize| {
-        let [(x, r), (y, s)] = [places[own], places[other]];
-        let reach = r + s + skin;
-        if (x - y).norm_squared() < reach * reach {
-            let [i, j] = [own, other].map(|rank| cells[rank].1);
-            pairs.push((i.min(j), i.max(j)));
-        }
-    };
-    // Rows of three cells ahead of the own one, as offsets of their middle.
-    let rows = [nx, nx * ny - nx, nx * ny, nx * ny + nx];
-    let mut starts = [0; 4];
-    for (rank, &(key, _)) in cells.iter().enumerate() {
-        let beside = cells[rank + 1..].iter();
-        for (k, _) in (rank + 1..).zip(beside.take_while(|(other, _)| *other <= key + 1)) {
-            test(rank, k);
-        }
-        for (start, offset) in starts.iter_mut().zip(rows) {
-            while *start < cells.len() && cells[*start].0 < key + offset - 1 {
-                *start += 1;
-            }
-            let row = cells[*start..].iter();
-            for (k, _) in (*start..).zip(row.take_while(|(other, _)| *other <= key + offset + 1)) {
-                test(rank, k);
-            }
-        }
-    }
-    drop((cells, places));
-    ascending(&pairs)
-}
-
-/// `pairs` in ascending order.
-fn ascending(pairs: &[(u32, u32)]) -> Vec<(u32, u32)> {
-    let (mut ends, mut sorted) = (Vec::new(), Vec::new());
-    counting_sort(pairs.iter().copied(), |pair| pair.0, &mut ends, &mut sorted);
-    let mut first = 0;
-    for end in ends {
-        sorted[first as usize..end as usize].sort_unstable();
-        first = end;
-    }
-    sorted
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use proptest::prelude::*;
+    use crate::cell::Cell;
+    use crate::particles::Particles;
 
-    proptest! {
-        #[test]
-        fn the_grid_finds_what_all_pairs_find(
-            spheres in prop::collection::vec((prop::array::uniform3(-3.0..3.0f64), 0.05..0.6f64), 0..60),
-            skin in 0.0..0.3f64,
-        ) {
-            let position: Vec<Vec3> = spheres.iter().map(|(p, _)| Vec3::from(*p)).collect();
-            let radius: Vec<f64> = spheres.iter().map(|(_, r)| *r).collect();
-            let present: Vec<bool> = (0..position.len()).map(|i| i % 7 != 3).collect();
-            let mut expected = Vec::new();
-            for i in 0..position.len() {
-                for j in i + 1..position.len() {
-                    let both = present[i] && present[j];
-                    if both && (position[i] - position[j]).norm() < radius[i] + radius[j] + skin {
-                        expected.push((i as u32, j as u32));
-                    }
-                }
-            }
-            prop_assert_eq!(sphere_pairs(&position, &present, &radius, skin), expected);
-        }
+    /// A lattice at rest in which one sphere flies: its own pairs are listed, and of the others those of a lattice at rest.
+    #[test]
+    fn a_fast_sphere_costs_the_others_nothing() {
+        let side = 10_u32;
+        let at = |k: u32| Vec3::from([k % side, k / side % side, k / side / side].map(f64::from));
+        let position: Vec<Vec3> = (0..side.pow(3)).map(at).collect();
+        let count = position.len();
+        let particles = Particles {
+            radius: vec![0.48; count],
+            ..Particles::default()
+        };
+        let (present, cell) = (vec![true; count], Cell::default());
+        let now = Placement {
+            particles: &particles,
+            position: &position,
+            present: &present,
+            boundaries: &[],
+            poses: &[],
+            cell: &cell,
+        };
+        let mut reach = vec![Reach::default(); count];
+        let pairs = |reach: &[Reach]| {
+            let mut list = NeighborList::default();
+            list.ensure(&now, reach, 0.0);
+            list.pairs
+        };
+        let resting = pairs(&reach);
+        assert_eq!(resting.len() as u32, 3 * side * side * (side - 1));
+        let fast = 555;
+        reach[fast as usize] = Reach {
+            pairs: 0.5,
+            walls: 0.5,
+        };
+        let moving = pairs(&reach);
+        let own = moving.iter().filter(|(i, j)| *i == fast || *j == fast);
+        assert!(own.count() > 26);
+        let others = |pairs: &[(u32, u32)]| {
+            let of_others = |(i, j): &&(u32, u32)| *i != fast && *j != fast;
+            pairs.iter().filter(of_others).copied().collect::<Vec<_>>()
+        };
+        assert_eq!(others(&moving), others(&resting));
     }
 }

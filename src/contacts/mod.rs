@@ -1,7 +1,8 @@
-//! Contacts: broad phase, spheres near walls, narrow phase, what they carried, history (contact transfer), sweep (ways through a step).
+//! Contacts: broad phase over a grid, spheres near walls, narrow phase, what they carried, history (contact transfer), sweep (ways through a step).
 
 pub mod broad_phase;
 pub mod carried;
+pub mod grid;
 pub mod history;
 pub mod law;
 pub mod narrow_phase;

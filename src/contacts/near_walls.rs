@@ -1,5 +1,6 @@
 //! Spheres near boundaries, each with the facets around it.
 
+use super::broad_phase::Reach;
 use super::narrow_phase::Placement;
 use crate::Vec3;
 use crate::boundaries::{Cube, Vicinity};
@@ -42,17 +43,19 @@ impl NearWalls {
         Vicinity::new(near.cube, &self.facets[first..end])
     }
 
-    /// Finds all that may have a gap of at most `skin` \[m\] in `now`.
-    pub(super) fn build(&mut self, now: &Placement, skin: f64) {
+    /// Finds all that may have a gap of at most the sphere's `skin`, `[N]`, in `now`.
+    pub(super) fn build(&mut self, now: &Placement, skin: &[Reach]) {
         self.near.clear();
         self.facets.clear();
-        let boxes = boxes(now, skin);
+        let boxes = boxes(now);
         let mut touches = Vec::new();
         let spheres = now.position.iter().zip(&now.particles.radius);
         for (i, (&x, &radius)) in spheres.enumerate().filter(|(i, _)| now.present[*i]) {
+            let skin = skin[i].walls;
+            let near = radius + skin * (1.0 + ROUNDING);
             for (b, bounds) in boxes.iter().enumerate() {
                 let misses = |(low, high): &(Vec3, Vec3)| {
-                    let outside = |k: usize| x[k] + radius < low[k] || x[k] - radius > high[k];
+                    let outside = |k: usize| x[k] + near < low[k] || x[k] - near > high[k];
                     outside(0) || outside(1) || outside(2)
                 };
                 if bounds.as_ref().is_some_and(misses) {
@@ -80,15 +83,13 @@ impl NearWalls {
     }
 }
 
-/// Boxes \[m\] that the spheres near each boundary reach into, `[B]`: `None` where that may be any sphere.
-fn boxes(now: &Placement, skin: f64) -> Vec<Option<(Vec3, Vec3)>> {
+/// Boxes \[m\] around the boundaries, `[B]`: `None` where any sphere may be near.
+fn boxes(now: &Placement) -> Vec<Option<(Vec3, Vec3)>> {
     let boundaries = now.boundaries.iter().zip(now.poses);
     let boxes = boundaries.map(|(boundary, pose)| {
         let (min, max) = boundary.geometry.bounds().filter(|_| now.cell.is_open())?;
         let corners = corners(min, max).map(|corner| boundary.from_frame(pose, corner));
-        let (low, high) = around(corners.into_iter());
-        let room = skin * (1.0 + ROUNDING);
-        Some((low.add_scalar(-room), high.add_scalar(room)))
+        Some(around(corners.into_iter()))
     });
     boxes.collect()
 }
@@ -114,7 +115,7 @@ mod tests {
     use crate::boundaries::{Boundary, Facets, Geometry, HalfSpace, Revolution, Shape};
     use crate::cell::Cell;
     use crate::contacts::Partner;
-    use crate::contacts::broad_phase::{NeighborList, Reach};
+    use crate::contacts::broad_phase::NeighborList;
     use crate::contacts::narrow_phase::Candidate;
     use crate::motion::{Motion, Pose};
     use crate::particles::Particles;
@@ -232,7 +233,7 @@ mod tests {
                     cell: &cell,
                 };
                 let reach = |i: u32| length * f64::from(i % 4) / 3.0;
-                list.ensure(&now, Reach { pairs: 0.0, walls: length });
+                list.ensure(&now, &[Reach { pairs: 0.0, walls: length }; 12], 0.0);
                 let mut found = Vec::new();
                 now.candidates(&list, |_, _| 0.0, |i, _| reach(i), &mut found);
                 prop_assert_eq!(at_walls(&found), direct(&now, reach));

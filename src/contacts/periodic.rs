@@ -1,34 +1,34 @@
 //! Pairs of spheres in a periodic cell: the grid of the broad phase over the cell and a rim of copies around it.
 
-use super::broad_phase::sphere_pairs;
+use super::grid::sphere_pairs;
 use crate::Vec3;
 use crate::cell::{Cell, HERE, Image};
 
-/// All pairs `i < j` of present spheres and the image `k` of `j` (copy `x_j + k L`) whose gap is below `skin` \[m\], ascending.
+/// All pairs `i < j` of present spheres and the image `k` of `j` (copy `x_j + k L`) whose distance is below the sum
+/// of their `size` \[m\], `[N]`, ascending.
 /// A sphere and its own copies are no pair: they never move against each other.
 #[must_use]
 pub fn periodic_pairs(
     cell: &Cell,
     position: &[Vec3],
     present: &[bool],
-    radius: &[f64],
-    skin: f64,
+    size: &[f64],
 ) -> Vec<(u32, u32, Image)> {
-    let largest = radius.iter().copied().fold(0.0, f64::max);
+    let largest = size.iter().copied().fold(0.0, f64::max);
     let face = |side: usize| Vec3::from_fn(|k, _| cell.faces(k).map_or(0.0, |faces| faces[side]));
     let inside = (face(0), face(1));
     // The spheres, put back into the cell, then their copies in reach of it.
-    let (mut place, mut size) = (Vec::with_capacity(position.len()), radius.to_vec());
+    let (mut place, mut size_of) = (Vec::with_capacity(position.len()), size.to_vec());
     let (mut copies, mut owner) = (Vec::new(), Vec::new());
     for (i, &x) in position.iter().enumerate() {
         let back = cell.wrapped(x);
         place.push(back);
         if present[i] {
-            let images = cell.copies(back, inside, radius[i] + largest + skin);
+            let images = cell.copies(back, inside, size[i] + largest);
             for image in images.filter(|image| *image != HERE) {
                 copies.push(back + cell.shift(image));
                 owner.push((i as u32, image));
-                size.push(radius[i]);
+                size_of.push(size[i]);
             }
         }
     }
@@ -38,7 +38,7 @@ pub fn periodic_pairs(
 
     let home: Vec<Image> = position.iter().map(|&x| cell.image(x)).collect();
     let mut pairs = Vec::new();
-    for (i, j) in sphere_pairs(&place, &there, &size, skin) {
+    for (i, j) in sphere_pairs(&place, &there, &size_of) {
         let (j, rim) = match (j as usize).checked_sub(position.len()) {
             Some(copy) => owner[copy],
             None => (j, HERE),
@@ -76,13 +76,14 @@ mod tests {
             let position: Vec<Vec3> = spheres.iter().map(|(p, _)| Vec3::from(*p)).collect();
             let radius: Vec<f64> = spheres.iter().map(|(_, r)| *r).collect();
             let present: Vec<bool> = (0..position.len()).map(|i| i % 7 != 3).collect();
+            let size: Vec<f64> = radius.iter().map(|r| r + 0.5 * skin).collect();
             let mut expected = Vec::new();
             for i in 0..position.len() {
                 for j in i + 1..position.len() {
                     if !(present[i] && present[j]) {
                         continue;
                     }
-                    let reach = radius[i] + radius[j] + skin;
+                    let reach = size[i] + size[j];
                     let around = (position[i], position[i]);
                     for image in cell.copies(position[j], around, reach) {
                         let arm = position[i] - position[j] - cell.shift(image);
@@ -93,7 +94,7 @@ mod tests {
                 }
             }
             expected.sort_unstable();
-            prop_assert_eq!(periodic_pairs(&cell, &position, &present, &radius, skin), expected);
+            prop_assert_eq!(periodic_pairs(&cell, &position, &present, &size), expected);
         }
     }
 }

@@ -41,7 +41,7 @@ impl Overlaps {
         let position = &scene.initial.position;
         let present = |i: &usize| scene.initial.present[*i];
         let mut found = Self::default();
-        let pairs = periodic_pairs(&scene.cell, position, &scene.initial.present, radius, 0.0);
+        let pairs = periodic_pairs(&scene.cell, position, &scene.initial.present, radius);
         for (i, j, image) in pairs {
             let [sphere, other] = [i, j].map(|i| i as usize);
             let distance = position[sphere] - position[other] - scene.cell.shift(image);

@@ -10,6 +10,8 @@
 //! ```
 //! Each fails the step, which is then cut until motions are small or the ways are free.
 
+use std::mem::take;
+
 use super::stage::Stage;
 use super::{Passed, Scratch};
 use crate::Vec3;
@@ -18,7 +20,7 @@ use crate::contacts::broad_phase::Reach;
 use crate::contacts::narrow_phase::{Candidate, Placement};
 use crate::contacts::sweep::{least_distance, meets};
 use crate::contacts::{Key, Partner};
-use crate::extent::{smaller, spread};
+use crate::extent::smaller;
 use crate::motion::Pose;
 use crate::problem::Dof6;
 
@@ -39,29 +41,31 @@ impl Stage<'_> {
         let spheres = self.inputs.kinematics.len();
         let free = &self.problem.free[..spheres];
         let velocities = [&solution[..spheres], free];
-        let [own, freely_moving] = velocities.map(|v| spread(v.iter().map(|v| v.linear * step)));
-        let longest = own.1.max(freely_moving.1);
-        let mut range = Reach {
-            pairs: own.0.max(freely_moving.0),
-            walls: longest,
-        };
+        let both = velocities[0].iter().zip(velocities[1]);
+        let mut reach = take(&mut scratch.reach);
+        Reach::of(
+            both.map(|(own, free)| [own.linear, free.linear]),
+            step,
+            |_| 0.0,
+            &mut reach,
+        );
         let start = &self.start;
-        let smallest = start
-            .particles
-            .radius
-            .iter()
-            .copied()
-            .fold(f64::INFINITY, smaller);
+        let radii = start.particles.radius.iter().copied();
+        let smallest = radii.fold(f64::INFINITY, smaller);
         let [_, freely] = self.inputs.poses;
-        for b in 0..ends.len() {
-            for to in [&ends[b], &freely[b]] {
-                range.walls = range.walls.max(longest + start.carried(b, to));
-            }
+        let carried =
+            (0..ends.len()).flat_map(|b| [&ends[b], &freely[b]].map(|to| start.carried(b, to)));
+        let carried = carried.fold(0.0, f64::max);
+        let largest = Reach::largest(&reach);
+        let pairs = 2.0 * largest.pairs.min(largest.walls);
+        let small = pairs.max(largest.walls + carried) <= SMALL_MOTION * smallest;
+        if !small {
+            scratch.neighbors.ensure(start, &reach, carried);
         }
-        if range.pairs.max(range.walls) <= SMALL_MOTION * smallest {
+        scratch.reach = reach;
+        if small {
             return None;
         }
-        scratch.neighbors.ensure(start, range);
         let [position, unhindered] = [solution, &self.problem.free].map(|v| self.moved(v));
         let [end, free] =
             [(&position, ends), (&unhindered, freely)].map(|(position, poses)| Placement {

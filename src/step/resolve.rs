@@ -7,7 +7,6 @@ use super::beside::{self, Twin};
 use super::stage::{Stage, follow};
 use super::{Effort, Passed, Scratch, StepFailure, StepOutcome};
 use crate::Vec3;
-use crate::contacts::broad_phase::Reach;
 use crate::contacts::narrow_phase::{Candidate, Placement};
 use crate::contacts::{Partner, history};
 use crate::problem::Dof6;
@@ -125,7 +124,7 @@ impl Stage<'_> {
             poses: &ends,
             ..self.start
         };
-        scratch.neighbors.ensure(&end, Reach::default());
+        scratch.neighbors.ensure(&end, &[], 0.0);
         let limit = self.inputs.scene.settings.tolerance.gap;
         let max_overlap = end.overlaps(&scratch.neighbors, limit, &self.pool, &mut closed);
         // The penalty method lets bodies overlap as they like.

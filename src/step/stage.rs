@@ -8,7 +8,7 @@ use crate::contacts::broad_phase::Reach;
 use crate::contacts::history::{self, Past};
 use crate::contacts::narrow_phase::{Candidate, Placement};
 use crate::driven::Hold;
-use crate::extent::{around, larger};
+use crate::extent::larger;
 use crate::motion::Pose;
 use crate::parallel::Pool;
 use crate::problem::assemble::Inputs;
@@ -80,26 +80,11 @@ impl<'a> Stage<'a> {
         let (scene, start, step) = (inputs.scene, stage.start, inputs.step);
         // What a sphere can move in the step, before contacts change its velocity: the check after the
         // solve finds what this misses. Against other spheres what all have in common does not count.
-        let (velocity, free) = (&inputs.kinematics.velocity, &stage.problem.free);
-        let both = || {
-            velocity
-                .iter()
-                .zip(free)
-                .map(|(now, free)| (now, &free.linear))
-        };
-        let (low, high) = around(both().flat_map(|(now, free)| [*now, *free]));
-        let common = (low + high) * 0.5;
-        let radii = scene.particles.radius.iter();
-        let way = |(now, free): (&Vec3, &Vec3), common: &Vec3| {
-            let squared = [now, free].map(|v| (v - common).norm_squared());
-            step * larger(squared[0], squared[1]).sqrt()
-        };
+        let both = inputs.kinematics.velocity.iter().zip(&stage.problem.free);
+        let both = both.map(|(now, free)| [*now, free.linear]);
+        let radii = &scene.particles.radius;
         let mut reach = take(&mut scratch.reach);
-        reach.clear();
-        reach.extend(both().zip(radii).map(|(v, radius)| Reach {
-            pairs: way(v, &common) + NEAR * radius,
-            walls: way(v, &Vec3::zeros()) + NEAR * radius,
-        }));
+        Reach::of(both, step, |i| NEAR * radii[i], &mut reach);
         let wall_motion = |i: u32, b: u16| {
             let b = usize::from(b);
             start.way_at(
@@ -108,21 +93,14 @@ impl<'a> Stage<'a> {
                 inputs.kinematics.position[i as usize],
             )
         };
-        let largest = reach.iter().fold(Reach::default(), |largest, own| Reach {
-            pairs: larger(own.pairs, largest.pairs),
-            walls: larger(own.walls, largest.walls),
-        });
-        let radii = scene.particles.radius.iter().copied();
-        let diameter = 2.0 * (radii.fold(0.0, larger) + largest.pairs);
+        let largest = radii.iter().copied().fold(0.0, larger);
+        let diameter = 2.0 * (largest + Reach::largest(&reach).pairs);
         let kernel = &mut scratch.workspace.kernel;
         kernel.prepare(start.position, diameter);
         // Of every sphere and boundary: what the list holds already must not decide what it lacks.
         let carried = (0..scene.boundaries.len()).map(|b| start.carried(b, &inputs.poses[1][b]));
-        let widest = Reach {
-            pairs: 2.0 * largest.pairs.min(largest.walls),
-            walls: largest.walls + carried.fold(0.0, f64::max),
-        };
-        scratch.neighbors.ensure(&start, widest);
+        let carried = carried.fold(0.0, f64::max);
+        scratch.neighbors.ensure(&start, &reach, carried);
         start.candidates(
             &scratch.neighbors,
             |i, j| {

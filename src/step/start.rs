@@ -4,7 +4,6 @@ use super::beside::{self, Twin};
 use super::stage::{Held, Stage};
 use super::{Effort, Scratch, Start, StepFailure, external, surfaces};
 use crate::Vec3;
-use crate::contacts::broad_phase::Reach;
 use crate::contacts::narrow_phase::Placement;
 use crate::driven::Ready;
 use crate::motion::Twist;
@@ -94,7 +93,7 @@ pub fn remove_overlaps(
     pairs: &mut [[&mut State; 2]],
 ) -> Result<(), StepFailure> {
     let placement = Placement::of(scene, &state.kinematics, &state.poses);
-    scratch.neighbors.ensure(&placement, Reach::default());
+    scratch.neighbors.ensure(&placement, &[], 0.0);
     let mut closed = Vec::new();
     state.initial_overlap =
         placement.overlaps(&scratch.neighbors, 0.0, &Pool::default(), &mut closed);

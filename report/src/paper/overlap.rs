@@ -5,7 +5,7 @@
 //! max = max o      rms = sqrt(sum o^2 / number of pairs that overlap)
 //! ```
 
-use sphere_dda::contacts::broad_phase::{NeighborList, Reach};
+use sphere_dda::contacts::broad_phase::NeighborList;
 use sphere_dda::contacts::narrow_phase::Placement;
 
 /// Overlaps over radius of some pairs.
@@ -21,7 +21,7 @@ pub struct Overlaps {
 impl Overlaps {
     /// All overlapping pairs of `placement`; `neighbors` is kept between calls for speed.
     pub fn of(placement: &Placement, neighbors: &mut NeighborList) -> Self {
-        neighbors.ensure(placement, Reach::default());
+        neighbors.ensure(placement, &[], 0.0);
         let mut closed = Vec::new();
         placement.candidates(neighbors, |_, _| 0.0, |_, _| 0.0, &mut closed);
         let mut overlaps = Self::default();

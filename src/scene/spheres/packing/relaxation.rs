@@ -14,7 +14,7 @@ use rand_chacha::ChaCha8Rng;
 use super::room::Room;
 use crate::Vec3;
 use crate::boundaries::Touch;
-use crate::contacts::broad_phase::sphere_pairs;
+use crate::contacts::grid::sphere_pairs;
 
 /// Places tried before a sphere takes the least bad one.
 const TRIES: usize = 30;
@@ -157,7 +157,8 @@ impl Bed {
     /// Pairs with a gap below `skin` \[m\].
     fn pairs(&self, skin: f64) -> Vec<(u32, u32)> {
         let all = vec![true; self.centre.len()];
-        sphere_pairs(&self.centre, &all, &self.radius, skin)
+        let sizes: Vec<f64> = self.radius.iter().map(|r| r + 0.5 * skin).collect();
+        sphere_pairs(&self.centre, &all, &sizes)
     }
 
     /// Moves overlapping pairs apart, one after the other; returns how many overlapped.
