@@ -29,11 +29,12 @@ HEAD = """\
 # Real time
 
 1500 grains in a hopper from CAD whose gate opens between 0.1 and 0.6 s, as one FMU, settled at `standard`, on one
-core. Its parameters `solver.tolerance.*` are those of the accuracy, `solver.maxSweeps` bounds the sweeps of an internal step. *of real time*: CPU time over simulated time. *longest*: longest `fmi2DoStep` over the
-communication step of 5 ms. *gate force*: root mean square of the difference of running means (window: 5 % of the run)
-from `reference`, over that of the reference. *outflow*: difference of the mass
-that has left. *force residual*: the median over the steps of the worst contact's. A flow of
-grains is chaotic: the last row, whose gaps are held to half as much, shows how far two exact runs part.
+core. Its parameters `solver.tolerance.*` are those of the accuracy, `solver.maxSweeps` bounds the sweeps of an
+internal step. *of real time*: CPU time over simulated time. *longest*: longest `fmi2DoStep` over the communication
+step of 5 ms. *gate force*: root mean square of the difference of running means (window: 5 % of the run) from
+`reference`, over that of the reference. *outflow*: difference of the mass that has left. *force residual*: the median
+over the steps of the worst contact's. A flow of grains is chaotic: the last row, whose gaps are held to half as much,
+shows how far two exact runs part.
 
 | accuracy | sweeps | of real time | longest | gate force | outflow | worst overlap | force residual |
 |---|---|---|---|---|---|---|---|"""

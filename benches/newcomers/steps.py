@@ -1,4 +1,4 @@
-"""Cost of the box of 500 grains against its bound `step`, at every accuracy, as a Markdown table.
+"""Cost of the box of 500 grains against its bound `step`, at every accuracy: printed, and docs/newcomers/steps.md.
 
 A larger bound must not cost more: a row that takes over 10 % more CPU time than the bound before is marked.
 """
@@ -8,13 +8,23 @@ import tempfile
 from pathlib import Path
 from statistics import median
 
-from cases import ACCURACIES
+from cases import ACCURACIES, ROOT
 from measure import Failed, at_accuracy, run
 
 SCENE = "box"
 BOUNDS = (1e-5, 3e-5, 1e-4, 3e-4, 1e-3, 3e-3, 1e-2)
 SHORT = {1e-5: 0.05}  # simulated time [s] where that of the scene takes too long
 RISE = 1.1
+HEAD = """\
+<!-- Written by `benches/newcomers/run steps`. -->
+
+# Cost over the bound of the step
+
+The box of 500 grains ([scene](../../tests/newcomers/box.toml)) with `step` as given, at every accuracy. *of the bound
+before*: CPU time over that of the row above. It must not rise by more than a tenth.
+
+| accuracy | step s | simulated s | CPU s | of the bound before | steps | unconverged | status |
+|---|---|---|---|---|---|---|---|"""
 
 
 def main() -> None:
@@ -24,17 +34,19 @@ def main() -> None:
     parser.add_argument("--bounds", type=lambda text: [float(word) for word in text.split(",")], default=[*BOUNDS], metavar="S,S")
     parser.add_argument("--repeat", type=int, default=3, metavar="N", help="runs of each row, of which the median counts (3)")
     parser.add_argument("--limit", type=float, default=600.0, metavar="S", help="clock time after which a run counts as failed")
+    parser.add_argument("--out", type=Path, default=ROOT / "docs" / "newcomers", help="folder of the page (docs/newcomers)")
     arguments = parser.parse_args()
-    print("| accuracy | step s | simulated s | CPU s | of the bound before | steps | unconverged | status |")
-    print("|---|---|---|---|---|---|---|---|")
+    lines = HEAD.splitlines()
     for accuracy in arguments.accuracies:
         before = None
         for bound in sorted(arguments.bounds):
             cells, cost = _row(accuracy, bound, arguments)
             ratio = "" if before is None or cost is None or bound in SHORT else f"{cost / before:.2f}"
             mark = " **rises**" if ratio and cost > RISE * before else ""
-            print(f"| {accuracy} | {bound:g} | {cells[0]} | {cells[1]} | {ratio}{mark} | " + " | ".join(cells[2:]) + " |", flush=True)
+            lines.append(f"| {accuracy} | {bound:g} | {cells[0]} | {cells[1]} | {ratio}{mark} | " + " | ".join(cells[2:]) + " |")
+            print(lines[-1], flush=True)
             before = None if bound in SHORT else cost
+    (arguments.out / "steps.md").write_text("\n".join(lines) + "\n")
 
 
 def _row(accuracy: str, bound: float, arguments: argparse.Namespace) -> tuple[list[str], float | None]:

@@ -27,7 +27,7 @@ what this project reports of all its internal steps, which peers do not tell. CP
 reading scenes; the peers' without writing positions. Force on the floor: mean of the last {MEAN * 1e3:g} ms. Height: mean
 of the highest twentieth of the centres. Force residual: worst of any step, over the contact's force scale, of which a sphere's weight
 is a part ([theory.md](theory.md)). Peers run with several settings, from fast to accurate; with their defaults Rapier keeps 0.2 r at
-rest. *prediction*: how far ahead, in mean diameters, Rapier looks for contacts; 0.02 where nothing is said.
+rest. *fast*, *standard*, *reference*: this project with `accuracy` alone, as users run it ([accuracy.md](accuracy.md)). *prediction*: how far ahead, in mean diameters, Rapier looks for contacts; 0.02 where nothing is said.
 """
 SECTIONS = (
     (

@@ -12,13 +12,15 @@ OURS = {
     "1e-5": {"tolerance": 1e-5, "step": 2e-3, "smallest_step": 2e-5},
     "1e-6": {"tolerance": 1e-6, "step": 1e-3, "smallest_step": 1e-5},
 }
+# What users get: no other key of the solver.
+USERS = {name: {"accuracy": name} for name in ("fast", "standard", "reference")}
 # The same for beds of all sizes: within the reach of longer steps more pairs are, which takes more memory.
 SIZED = {"tolerance": 1e-4, "step": 2e-3, "smallest_step": 1e-4}
 # The same for the funnel with steps of one length [s].
 FIXED = {
-    "1e-4": {"tolerance": 1e-4, "step": 1e-3},
-    "1e-5": {"tolerance": 1e-5, "step": 5e-4},
-    "1e-6": {"tolerance": 1e-6, "step": 5e-4},
+    "1e-4": {"tolerance": 1e-4, "step": 1e-3, "fixed_step": True},
+    "1e-5": {"tolerance": 1e-5, "step": 5e-4, "fixed_step": True},
+    "1e-6": {"tolerance": 1e-6, "step": 5e-4, "fixed_step": True},
 }
 # Step [s], substeps [-] and contact softness [Hz] from fast to accurate. Contacts are looked for 0.02 mean diameters ahead; with
 # `prediction` [diameters], the way of the fastest spheres in a step, impacts are met earlier: rows of more time and less overlap.
@@ -41,7 +43,7 @@ PEER_LIMIT = 100_000  # spheres, above which peers are not run
 REST = 3.0  # of the bed that comes to rest [s]
 REST_SPEED = 1e-2  # below which it does [m/s]
 # A real-time mode: every step has so many sweeps and is as good as it is then.
-BOUNDED = {"tolerance": 1e-4, "step": 4e-3, "sweeps": 20}
+BOUNDED = {"tolerance": 1e-4, "step": 4e-3, "fixed_step": True, "sweeps": 20}
 
 
 @dataclass(frozen=True)
@@ -105,21 +107,25 @@ def groups(quick: bool) -> list[Group]:
         if case.code == "sphere-dda" or n <= PEER_LIMIT
     )
     gaps = (1e-6,) if quick else (1e-4, 1e-5, 1e-6)
-    slope = tuple(Case("sphere-dda", "slope", 180, {"tolerance": gap, "step": 2e-3}) for gap in gaps)
+    slope = tuple(Case("sphere-dda", "slope", 180, {"tolerance": gap, "step": 2e-3, "fixed_step": True}) for gap in gaps)
     slope_rapier = Case("rapier", "slope", 180, RAPIER["2 ms"])
     names = ("1e-4",) if quick else tuple(OURS)
     funnel = tuple(Case("sphere-dda", "funnel", 1000, steps[gap]) for gap in names for steps in (FIXED, OURS))
     funnel_rapier = Case("rapier", "funnel", 1000, RAPIER["2 ms"])
+
+    def users(name: str, n: int) -> tuple[Case, ...]:
+        return tuple(Case("sphere-dda", name, n, settings) for settings in USERS.values())
+
     return [
-        Group("bed", tuple(ours.values()), rapier, repeat),
+        Group("bed", (*ours.values(), *users("bed", 1000)), rapier, repeat),
         Group("bed-peers", _peers("bed", 1000, ("2 ms", "1 ms", "0.5 ms", *AHEAD), hard)),
         Group("seeds", seeds),
-        Group("slope", slope, slope_rapier, repeat),
+        Group("slope", (*slope, *users("slope", 180)), slope_rapier, repeat),
         Group("slope-peers", _peers("slope", 180, ("4 ms", "1 ms", "0.5 ms"), hard)),
-        Group("funnel", funnel, funnel_rapier, repeat),
+        Group("funnel", (*funnel, *users("funnel", 1000)), funnel_rapier, repeat),
         Group("funnel-peers", _peers("funnel", 1000, ("4 ms", "1 ms", "0.5 ms", *AHEAD), hard[:2])),
         Group("real-time", (Case("sphere-dda", "bed", 1000, BOUNDED),), rapier, repeat),
-        Group("rest", (replace(ours["1e-4"], settings={"tolerance": 1e-4, "step": 5e-4, "rest_speed": REST_SPEED}, duration=REST, watch=False, trace=True),)),
+        Group("rest", (replace(ours["1e-4"], settings={"tolerance": 1e-4, "step": 5e-4, "fixed_step": True, "rest_speed": REST_SPEED}, duration=REST, watch=False, trace=True),)),
         Group("large", (big,), big_rapier),
         Group("large-peers", (big_soft,)),
         Group("threads", threads),

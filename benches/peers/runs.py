@@ -23,7 +23,7 @@ class Case:
     code: Code
     scene: str
     n: int
-    settings: dict[str, float]
+    settings: dict[str, float | bool | str]
     seed: int = 1
     threads: int = 1
     duration: float = DURATION
@@ -49,8 +49,8 @@ def tidy(x: float) -> str:
     return f"{mantissa.rstrip('0').rstrip('.')}e{int(exponent)}"
 
 
-def _ours(s: dict[str, float]) -> str:
-    words = {"tolerance": tidy, "step": lambda x: f"{x * 1e3:g} ms"}
+def _ours(s: dict[str, float | bool | str]) -> str:
+    words = {"tolerance": tidy, "step": lambda x: f"{x * 1e3:g} ms", "fixed_step": lambda _: "fixed", "accuracy": str}
     return ", ".join(words.get(name, lambda x, name=name: f"{name.replace('_', ' ')} {tidy(x)}")(value) for name, value in s.items())
 
 

@@ -63,10 +63,10 @@ def write(scene: Scene, case: Case, folder: Path) -> Path:
     return path
 
 
-def _setting(name: str, value: float) -> str:
+def _setting(name: str, value: float | bool | str) -> str:
     if name == "tolerance":
         return f"tolerance = {{ gap = {value}, slip = {value}, force = {FORCE} }}"
-    return f"{name} = {value}"
+    return f"{name} = {json.dumps(value)}"
 
 
 def _boundary(name: str, faces: list[str]) -> list[str]:

@@ -6,7 +6,7 @@ use sphere_dda_fmi_interface::pointers::value_mut;
 
 use super::super::guard::{ANY, Stages, Updates, call};
 use super::STEPPING;
-use crate::instance::{Progress, Stage, Step};
+use crate::instance::{Instance, Progress, Stage, Step};
 
 use fmi3Status::{fmi3Discard, fmi3OK, fmi3Warning};
 
@@ -41,10 +41,7 @@ extern "C" fn fmi3DoStep(
             return Ok(fmi3OK);
         }
         match component.instance.do_step(step.0, step.1, final_past)? {
-            Step::Complete => Ok(match component.instance.unconverged(FUNCTION) {
-                true => fmi3Warning,
-                false => fmi3OK,
-            }),
+            Step::Complete => Ok(complete(&component.instance)),
             Step::Discarded(why) => {
                 let log = component.instance.log();
                 log.write(Level::Discard, format_args!("{FUNCTION}: {why}"));
@@ -66,6 +63,15 @@ extern "C" fn fmi3DoStep(
         );
     }
     status
+}
+
+/// Status of a step that was taken: a warning if some of it missed the tolerances.
+fn complete(instance: &Instance) -> fmi3Status {
+    if instance.unconverged(FUNCTION) {
+        fmi3Warning
+    } else {
+        fmi3OK
+    }
 }
 
 /// The internal steps of a step that has begun. No reference to the instance lives while the importer is called: it
@@ -98,7 +104,7 @@ fn walk(
         if last || *early {
             return call(instance, FUNCTION, WITHIN, |component| {
                 component.instance.end_step(final_past)?;
-                Ok(fmi3OK)
+                Ok(complete(&component.instance))
             });
         }
     }
