@@ -120,11 +120,10 @@ def error(case: Case, run: Run, reference: Run) -> float:
     return float(np.linalg.norm(found - wanted) / np.linalg.norm(wanted))
 
 
-def export(scene: Path, fmu: Path, settle: bool | float, limit: float) -> float:
-    """Exports a scene, settled until rest or for a time [s]; CPU time [s]."""
+def export(scene: Path, fmu: Path, until_rest: bool, limit: float) -> float:
+    """Exports a scene; CPU time [s]."""
     words: list[object] = [command(), "export", scene, "-o", fmu, "--overwrite"]
-    ways: dict[bool | float, list[object]] = {True: ["--until-rest"], False: []}
-    return timed([*words, *ways.get(settle, ["--settle", settle])], limit)
+    return timed([*words, "--until-rest"] if until_rest else words, limit)
 
 
 def driven(name: str, fmu: Path, count: int, limit: float) -> Record:

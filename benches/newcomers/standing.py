@@ -37,12 +37,11 @@ THIN = 10  # of the communication steps, one is plotted
 
 @dataclass(frozen=True)
 class Packing:
-    """A scene, the boundaries whose force is watched, the text that is left out, how long it settles."""
+    """A scene, the boundaries whose force is watched, the text that is left out."""
 
     source: Path
     boundaries: tuple[str, ...]
     without: tuple[str, ...] = ()
-    settle: float | None = None  # [s]; else until rest
 
 
 # Keys that choose step and tolerances in the examples; here `accuracy` does.
@@ -53,7 +52,7 @@ PACKINGS = {
     "bed": Packing(FOLDER / "box.toml", ("box",)),
     "heap": Packing(FOLDER / "terrain.toml", ("ground",), (NUMERICS[1],)),
     "drum": Packing(FOLDER / "drum.toml", ("drum",), (NUMERICS[1], *MOTION)),
-    "triaxial": Packing(EXAMPLES / "triaxial" / "triaxial.toml", ("bottom", "top", "west", "east", "south", "north"), (*NUMERICS, *MOTION), 0.1),
+    "triaxial": Packing(EXAMPLES / "triaxial" / "triaxial.toml", ("bottom", "top", "west", "east", "south", "north"), (*NUMERICS, *MOTION)),
 }
 
 
@@ -103,7 +102,7 @@ def stood(packing: Packing, accuracy: str, duration: float, limit: float) -> Sta
         folder = Path(name)
         scene = written(text, packing.source, folder, f'accuracy = "{accuracy}"\ncommunication_step = {STEP}')
         fmu = folder / "standing.fmu"
-        export(scene, fmu, packing.settle or True, limit)
+        export(scene, fmu, True, limit)
         rows = []
         with Slave(fmu, stop=1e6) as slave:
             wanted = [f"boundary.{boundary}.averageForce[{k}]" for boundary in packing.boundaries for k in (1, 2, 3)]

@@ -6,8 +6,9 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use miette::miette;
-use sphere_dda_fmu::export::{Version, find_libraries};
+use sphere_dda_fmu::export::find_libraries;
 use sphere_dda_fmu::import::{Fmu, Options, System, Table};
+use sphere_dda_fmu::version::Version;
 
 use crate::export::pack;
 use crate::failure::Failure;

@@ -4,9 +4,9 @@ use maud::{DOCTYPE, Markup, html};
 use sphere_dda::scene::{Integrator, Method};
 
 use crate::description::VERSION;
-use crate::export::Version;
 use crate::model::Model;
 use crate::variables::{Array, Choices, Parameter, Parameters, Value, Variable};
+use crate::version::Version;
 
 /// License of the library in the FMU.
 pub const LICENSE: &str = "\

@@ -28,6 +28,7 @@ use crate::description::{describe, version3};
 use crate::documentation;
 use crate::model::{Model, ModelError, SCENE_FILE, START_FILE};
 use crate::terminals::terminals;
+use crate::version::Version;
 
 pub use error::ExportError;
 pub use library::{Library, check_library, find_libraries, find_library};
@@ -44,25 +45,6 @@ const TERMINALS_FILE: &str = "terminalsAndIcons/terminalsAndIcons.xml";
 
 /// Above this number of scalar variables some importers take very long to open the FMU.
 const MANY_VARIABLES: usize = 5000;
-
-/// Version of the standard that an FMU keeps to. The library in it is the same.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Version {
-    /// FMI 2.0: scalars.
-    #[default]
-    Two,
-    /// FMI 3.0: arrays.
-    Three,
-}
-
-impl Version {
-    fn library_path(self, platform: &Platform, identifier: &str) -> String {
-        match self {
-            Self::Two => platform.path_2(identifier),
-            Self::Three => platform.path_3(identifier),
-        }
-    }
-}
 
 /// Pictures of a scene, PNG; whoever exports draws them, so that the library needs no drawing code.
 #[derive(Debug, Clone)]

@@ -14,7 +14,6 @@ mod values;
 mod walk;
 
 use std::collections::BTreeMap;
-use std::fmt;
 use std::path::Path;
 
 use sphere_dda::boundaries::Boundary;
@@ -22,6 +21,7 @@ use sphere_dda::error::StepError;
 use sphere_dda::motion::{Command, Rates};
 use sphere_dda::simulation::Simulation;
 
+use crate::life_cycle::LifeCycle;
 use crate::model::Model;
 use crate::recorder::Recorder;
 use crate::refusal::{InstantiationError, Refusal};
@@ -38,39 +38,6 @@ pub use walk::Progress;
 /// Share of the step by which a communication point may miss the end of the last one: masters add up or round their
 /// times, and a mistake of the master is far larger.
 const POINT_TOLERANCE: f64 = 1e-4;
-
-/// Place in the life cycle.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
-pub enum Stage {
-    /// Made, nothing set up.
-    Instantiated,
-    /// Initialization mode.
-    Initialization,
-    /// Ready for a step.
-    StepComplete,
-    /// The last step was discarded; the state is that before it.
-    StepFailed,
-    /// Only reading, reset and restoring are left.
-    Error,
-    /// The end.
-    Terminated,
-    /// Between two internal steps of a step, while the importer is called; never saved.
-    Intermediate,
-}
-
-impl fmt::Display for Stage {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Instantiated => "instantiated",
-            Self::Initialization => "initialization mode",
-            Self::StepComplete => "step complete",
-            Self::StepFailed => "step failed",
-            Self::Error => "error",
-            Self::Terminated => "terminated",
-            Self::Intermediate => "intermediate update mode",
-        })
-    }
-}
 
 /// What became of a step.
 #[derive(Debug, Clone, PartialEq)]
@@ -151,7 +118,7 @@ impl Instance {
 
     /// Place in the life cycle.
     #[must_use]
-    pub fn stage(&self) -> Stage {
+    pub fn stage(&self) -> LifeCycle {
         self.run.stage
     }
 
@@ -193,7 +160,7 @@ impl Instance {
 
     /// Enters initialization mode: outputs are known from here on.
     pub fn enter_initialization(&mut self) {
-        self.run.stage = Stage::Initialization;
+        self.run.stage = LifeCycle::Initialization;
         self.run.pending = true;
     }
 
@@ -207,7 +174,7 @@ impl Instance {
             self.recorder
                 .open(&self.name, &self.run.parameters, simulation, &self.log)?;
         }
-        self.run.stage = Stage::StepComplete;
+        self.run.stage = LifeCycle::StepComplete;
         let spheres = self.model.scene.particles.len();
         self.log.write(
             Level::Ok,
@@ -266,7 +233,7 @@ impl Instance {
                 self.run.time = end;
                 self.run.failed = None;
                 self.run.pending = false;
-                self.run.stage = Stage::StepComplete;
+                self.run.stage = LifeCycle::StepComplete;
                 self.run.rates.fill(Rates::default());
                 self.measured = Measured::default();
                 if let Some(simulation) = &self.simulation {
@@ -278,12 +245,12 @@ impl Instance {
                 Err(Refusal::Step(error))
             }
             Err(error) if self.run.failed.is_some_and(|failed| h >= failed) => {
-                self.run.stage = Stage::Error;
+                self.run.stage = LifeCycle::Error;
                 Err(Refusal::Repeated(error))
             }
             Err(error) => {
                 self.run.failed = Some(h);
-                self.run.stage = Stage::StepFailed;
+                self.run.stage = LifeCycle::StepFailed;
                 Ok(Step::Discarded(error))
             }
         }
@@ -350,7 +317,7 @@ impl Instance {
     /// Ends the run; values stay readable, result files are complete.
     pub fn terminate(&mut self) {
         self.recorder.close(&self.log);
-        self.run.stage = Stage::Terminated;
+        self.run.stage = LifeCycle::Terminated;
     }
 
     /// Back to the state after instantiation.
@@ -365,7 +332,7 @@ impl Instance {
 
     /// After a panic: nothing of the simulation can be trusted any more.
     pub fn fail(&mut self, what: &str) {
-        self.run.stage = Stage::Error;
+        self.run.stage = LifeCycle::Error;
         self.simulation = None;
         self.walk = None;
         self.measured = Measured::default();
@@ -378,7 +345,7 @@ impl Instance {
     /// Whether the instance wants the simulation to end: its last step was impossible.
     #[must_use]
     pub fn wants_to_terminate(&self) -> bool {
-        matches!(self.run.stage, Stage::StepFailed | Stage::Error)
+        matches!(self.run.stage, LifeCycle::StepFailed | LifeCycle::Error)
     }
 
     /// The complete state as bytes: see [`crate::state`].
@@ -435,11 +402,11 @@ impl Instance {
         self.run = saved.run;
         self.measured = Measured::default();
         match &self.simulation {
-            Some(simulation) if self.run.stage == Stage::StepComplete => {
+            Some(simulation) if self.run.stage == LifeCycle::StepComplete => {
                 self.recorder
                     .follow(&self.name, &self.run.parameters, simulation, &self.log);
             }
-            Some(_) if self.run.stage == Stage::StepFailed => {}
+            Some(_) if self.run.stage == LifeCycle::StepFailed => {}
             _ => self.recorder.close(&self.log),
         }
         self.log.write(
@@ -475,7 +442,7 @@ impl Instance {
 /// The state after instantiation: everything as in the scene.
 fn initial(model: &Model) -> Run {
     Run {
-        stage: Stage::Instantiated,
+        stage: LifeCycle::Instantiated,
         start: 0.0,
         stop: None,
         time: 0.0,

@@ -7,7 +7,7 @@ use sphere_dda_model_description::fmi2::BaseType;
 use sphere_dda_model_description::fmi3::Kind;
 use thiserror::Error;
 
-use crate::instance::Stage;
+use crate::life_cycle::LifeCycle;
 use crate::model::ModelError;
 use crate::resource::ResourceError;
 use crate::state::StateError;
@@ -20,7 +20,7 @@ pub enum Refusal {
     #[error("not allowed in state {found}, expected {expected}")]
     Stage {
         /// Present state.
-        found: Stage,
+        found: LifeCycle,
         /// States in which it is allowed.
         expected: String,
     },
@@ -55,7 +55,7 @@ pub enum Refusal {
         /// Causality and variability.
         kind: String,
         /// Present state.
-        stage: Stage,
+        stage: LifeCycle,
         /// When it may be set.
         allowed: &'static str,
     },
@@ -71,7 +71,7 @@ pub enum Refusal {
     #[error("no derivatives in state {stage}: {why}")]
     NoStep {
         /// Present state.
-        stage: Stage,
+        stage: LifeCycle,
         /// What is missing.
         why: &'static str,
     },
@@ -103,7 +103,7 @@ pub enum Refusal {
         /// Name of the variable.
         name: String,
         /// Present state.
-        stage: Stage,
+        stage: LifeCycle,
     },
     /// The communication point is not where the instance stands.
     #[error(

@@ -17,7 +17,7 @@ use sphere_dda::motion::{Command, Rates};
 use sphere_dda::simulation::Origin;
 use thiserror::Error;
 
-use crate::instance::Stage;
+use crate::life_cycle::LifeCycle;
 use crate::variables::Parameters;
 
 const MAGIC: [u8; 8] = *b"SDDAFMU\0";
@@ -28,7 +28,7 @@ const HEADER: usize = 24;
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Run {
     /// Place in the life cycle.
-    pub stage: Stage,
+    pub stage: LifeCycle,
     /// Time of the experiment's start \[s\]: the scene's t = 0.
     pub start: f64,
     /// Time at which the experiment ends \[s\], if it was told.
@@ -96,7 +96,10 @@ impl Saved {
         ] {
             expect(what, found as u64, boundaries as u64)?;
         }
-        let running = matches!(self.run.stage, Stage::StepComplete | Stage::StepFailed);
+        let running = matches!(
+            self.run.stage,
+            LifeCycle::StepComplete | LifeCycle::StepFailed
+        );
         if running && self.snapshot.is_none() {
             return Err(broken("simulation", "none".to_owned(), "one"));
         }

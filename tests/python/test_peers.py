@@ -169,14 +169,20 @@ def test_numbers_are_short():
 def test_a_reference_runs_before_and_after_every_case():
     group = next(group for group in plan.groups(quick=True) if group.name == "bed")
     codes = [case.code for case in group.sequence()]
-    assert codes == ["rapier", "sphere-dda"] * 3 + ["rapier"]
+    assert codes == ["rapier", "sphere-dda"] * (len(plan.OURS) + len(plan.USERS)) + ["rapier"]
+
+
+@pytest.mark.parametrize("name", ["bed", "slope", "funnel"])
+def test_scenes_run_at_the_accuracies_that_users_get(name):
+    cases = next(group for group in plan.groups(quick=True) if group.name == name).cases
+    assert [case.label for case in cases if "accuracy" in case.settings] == ["fast", "standard", "reference"]
 
 
 def test_the_funnel_runs_with_steps_of_one_length_and_with_chosen_ones():
     for quick, tolerances in ((True, {1e-4}), (False, {1e-4, 1e-5, 1e-6})):
         settings = [case.settings for case in next(g for g in plan.groups(quick) if g.name == "funnel").cases]
-        for chosen in (False, True):
-            assert {s["tolerance"] for s in settings if ("smallest_step" in s) == chosen} == tolerances
+        for steps in ("fixed_step", "smallest_step"):
+            assert {s["tolerance"] for s in settings if steps in s} == tolerances
 
 
 def test_the_physics_of_every_tolerance_is_judged_by_the_median_of_all_seeds():

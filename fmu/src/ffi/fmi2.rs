@@ -11,7 +11,8 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use super::guard::{ANY, Component, Stages, call};
 use super::logging;
-use crate::instance::{Instance, Stage, Step};
+use crate::instance::{Instance, Step};
+use crate::life_cycle::LifeCycle;
 use crate::refusal::{InstantiationError, Refusal};
 use crate::resource;
 use sphere_dda_fmi_interface::abi2::*;
@@ -20,14 +21,14 @@ use sphere_dda_fmi_interface::pointers::{array, panic_text, sink, str_from, valu
 
 use fmi2Status::{fmi2Discard, fmi2OK, fmi2Warning};
 
-const INSTANTIATED: Stages = &[Stage::Instantiated];
-const INITIALIZATION: Stages = &[Stage::Initialization];
-const STEPPING: Stages = &[Stage::StepComplete, Stage::StepFailed];
+const INSTANTIATED: Stages = &[LifeCycle::Instantiated];
+const INITIALIZATION: Stages = &[LifeCycle::Initialization];
+const STEPPING: Stages = &[LifeCycle::StepComplete, LifeCycle::StepFailed];
 const STEPPED: Stages = &[
-    Stage::StepComplete,
-    Stage::StepFailed,
-    Stage::Error,
-    Stage::Terminated,
+    LifeCycle::StepComplete,
+    LifeCycle::StepFailed,
+    LifeCycle::Error,
+    LifeCycle::Terminated,
 ];
 
 /// Platform of the types: "default".

@@ -14,7 +14,8 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use super::guard::{ANY, Component, Stages, Updates, call};
 use super::logging;
-use crate::instance::{Instance, Stage};
+use crate::instance::Instance;
+use crate::life_cycle::LifeCycle;
 use crate::refusal::InstantiationError;
 use crate::resource;
 use sphere_dda_fmi_interface::abi3::*;
@@ -23,9 +24,9 @@ use sphere_dda_fmi_interface::pointers::{array, message_sink, panic_text, str_fr
 
 use fmi3Status::fmi3OK;
 
-const INSTANTIATED: Stages = &[Stage::Instantiated];
-const INITIALIZATION: Stages = &[Stage::Initialization];
-const STEPPING: Stages = &[Stage::StepComplete, Stage::StepFailed];
+const INSTANTIATED: Stages = &[LifeCycle::Instantiated];
+const INITIALIZATION: Stages = &[LifeCycle::Initialization];
+const STEPPING: Stages = &[LifeCycle::StepComplete, LifeCycle::StepFailed];
 
 /// Version of the standard: "3.0".
 #[unsafe(no_mangle)]

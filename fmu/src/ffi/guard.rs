@@ -3,7 +3,8 @@
 use std::ffi::CString;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use crate::instance::{Instance, Stage};
+use crate::instance::Instance;
+use crate::life_cycle::LifeCycle;
 use crate::refusal::Refusal;
 use sphere_dda_fmi_interface::abi2::{fmi2Component, fmi2Status};
 use sphere_dda_fmi_interface::abi3::{
@@ -62,16 +63,16 @@ impl Status for fmi3Status {
 }
 
 /// States of the life cycle in which a function may be called.
-pub(super) type Stages = &'static [Stage];
+pub(super) type Stages = &'static [LifeCycle];
 
 /// Any state but within a step.
 pub(super) const ANY: Stages = &[
-    Stage::Instantiated,
-    Stage::Initialization,
-    Stage::StepComplete,
-    Stage::StepFailed,
-    Stage::Error,
-    Stage::Terminated,
+    LifeCycle::Instantiated,
+    LifeCycle::Initialization,
+    LifeCycle::StepComplete,
+    LifeCycle::StepFailed,
+    LifeCycle::Error,
+    LifeCycle::Terminated,
 ];
 
 /// Runs `body` on the instance behind `component`; whatever happens ends as a status, with a log line if it is bad.
@@ -112,11 +113,11 @@ pub(super) fn call<S: Status>(
     }
 }
 
-fn require(found: Stage, allowed: Stages) -> Result<(), Refusal> {
+fn require(found: LifeCycle, allowed: Stages) -> Result<(), Refusal> {
     if allowed.contains(&found) {
         return Ok(());
     }
-    let names: Vec<String> = allowed.iter().map(Stage::to_string).collect();
+    let names: Vec<String> = allowed.iter().map(LifeCycle::to_string).collect();
     Err(Refusal::Stage {
         found,
         expected: names.join(" or "),
@@ -153,7 +154,7 @@ mod tests {
         assert_eq!(call(c, "fmi2DoStep", ANY, panics), fmi2Status::fmi2Error);
         assert!(lines.borrow()[0].contains("internal error: fmi2DoStep: out of luck"));
         let idle = |_: &mut Component| Ok(fmi2Status::fmi2OK);
-        let stepping: Stages = &[Stage::Instantiated, Stage::StepComplete];
+        let stepping: Stages = &[LifeCycle::Instantiated, LifeCycle::StepComplete];
         assert_eq!(call(c, "fmi2DoStep", stepping, idle), fmi2Status::fmi2Error);
         assert!(lines.borrow()[1].contains("not allowed in state error"));
         component.instance.reset();

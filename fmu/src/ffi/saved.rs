@@ -6,16 +6,16 @@ use std::ffi::c_void;
 use sphere_dda_fmi_interface::pointers::{BadArgument, array, array_mut, value_mut};
 
 use super::guard::{Stages, Status, call};
-use crate::instance::Stage;
+use crate::life_cycle::LifeCycle;
 use crate::refusal::Refusal;
 
 /// The states in which there is something to save.
 pub(super) const SAVEABLE: Stages = &[
-    Stage::Instantiated,
-    Stage::Initialization,
-    Stage::StepComplete,
-    Stage::StepFailed,
-    Stage::Terminated,
+    LifeCycle::Instantiated,
+    LifeCycle::Initialization,
+    LifeCycle::StepComplete,
+    LifeCycle::StepFailed,
+    LifeCycle::Terminated,
 ];
 
 /// Where a call comes from: instance, function, and the states in which it is allowed.

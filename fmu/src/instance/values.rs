@@ -4,7 +4,8 @@ use sphere_dda::observe::Observation;
 use sphere_dda::observe::quantities::values;
 use sphere_dda_model_description::fmi2::{BaseType, Causality, Variability};
 
-use super::{Instance, Stage};
+use super::Instance;
+use crate::life_cycle::LifeCycle;
 use crate::refusal::Refusal;
 use crate::variables::{Meaning, Value, Variable, component};
 use sphere_dda_fmi_interface::log::Level;
@@ -59,8 +60,8 @@ impl Instance {
     /// Before outputs are read: brings the start up to date in initialization mode, warns of a read that is too early.
     pub(super) fn look(&mut self) -> Result<(), Refusal> {
         match self.run.stage {
-            Stage::Initialization if self.run.pending => self.prepare()?,
-            Stage::StepComplete if self.run.pending && !self.read_ahead => {
+            LifeCycle::Initialization if self.run.pending => self.prepare()?,
+            LifeCycle::StepComplete if self.run.pending && !self.read_ahead => {
                 self.read_ahead = true;
                 let text = "outputs read after a set without a step: they are those of the last step (told once)";
                 self.log.write(Level::Warning, text);
@@ -103,11 +104,14 @@ impl Instance {
 
     fn check(&self, reference: u32, value: &Value) -> Result<(), Refusal> {
         let variable = self.variable(value.base(), reference)?;
-        let before = matches!(self.run.stage, Stage::Instantiated | Stage::Initialization);
+        let before = matches!(
+            self.run.stage,
+            LifeCycle::Instantiated | LifeCycle::Initialization
+        );
         let allowed = match (variable.causality, variable.variability) {
             (Causality::Input, _) => true,
             // What a step began with holds to its end, but for inputs.
-            (_, Variability::Tunable) => self.run.stage != Stage::Intermediate,
+            (_, Variability::Tunable) => self.run.stage != LifeCycle::Intermediate,
             (Causality::Parameter, _) => before,
             _ => false,
         };

@@ -4,7 +4,8 @@ use sphere_dda::error::StepError;
 use sphere_dda::motion::Command;
 use sphere_dda::simulation::March;
 
-use super::{Instance, Measured, Stage, Step, command};
+use super::{Instance, Measured, Step, command};
+use crate::life_cycle::LifeCycle;
 use crate::refusal::Refusal;
 
 /// A communication step under way.
@@ -68,12 +69,12 @@ impl Instance {
                 } else {
                     self.run.start + simulation.time()
                 };
-                self.run.stage = Stage::Intermediate;
+                self.run.stage = LifeCycle::Intermediate;
                 self.walk = Some(walk);
                 Ok(Progress::Taken { last })
             }
             Err(error) => {
-                self.run.stage = Stage::StepComplete;
+                self.run.stage = LifeCycle::StepComplete;
                 self.run.time = walk.point;
                 self.run.commands = walk.commands;
                 match self.concluded(Err(error), walk.h, walk.end)? {

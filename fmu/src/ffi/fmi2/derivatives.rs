@@ -5,24 +5,24 @@ use sphere_dda_fmi_interface::pointers::{array, array_mut};
 
 use super::super::guard::{Stages, call};
 use super::STEPPED;
-use crate::instance::Stage;
+use crate::life_cycle::LifeCycle;
 
 use fmi2Status::fmi2OK;
 
 /// Before a step: what is set holds for that step.
 const AHEAD: Stages = &[
-    Stage::Instantiated,
-    Stage::Initialization,
-    Stage::StepComplete,
-    Stage::StepFailed,
+    LifeCycle::Instantiated,
+    LifeCycle::Initialization,
+    LifeCycle::StepComplete,
+    LifeCycle::StepFailed,
 ];
 
 /// Where outputs have derivatives by inputs.
 const KNOWN: Stages = &[
-    Stage::Initialization,
-    Stage::StepComplete,
-    Stage::StepFailed,
-    Stage::Terminated,
+    LifeCycle::Initialization,
+    LifeCycle::StepComplete,
+    LifeCycle::StepFailed,
+    LifeCycle::Terminated,
 ];
 
 /// Sets derivatives of inputs, of order 1 and 2, for the next step.

@@ -4,24 +4,25 @@ use sphere_dda_fmi_interface::abi3::*;
 use sphere_dda_fmi_interface::pointers::{array, array_mut};
 
 use super::super::guard::{Stages, call};
-use crate::instance::{Instance, Stage, counted};
+use crate::instance::{Instance, counted};
+use crate::life_cycle::LifeCycle;
 use crate::refusal::Refusal;
 
 use fmi3Status::fmi3OK;
 
 const STEPPED: Stages = &[
-    Stage::StepComplete,
-    Stage::StepFailed,
-    Stage::Error,
-    Stage::Terminated,
+    LifeCycle::StepComplete,
+    LifeCycle::StepFailed,
+    LifeCycle::Error,
+    LifeCycle::Terminated,
 ];
 
 /// Where outputs have derivatives by inputs.
 const KNOWN: Stages = &[
-    Stage::Initialization,
-    Stage::StepComplete,
-    Stage::StepFailed,
-    Stage::Terminated,
+    LifeCycle::Initialization,
+    LifeCycle::StepComplete,
+    LifeCycle::StepFailed,
+    LifeCycle::Terminated,
 ];
 
 /// References to variables, and how many.

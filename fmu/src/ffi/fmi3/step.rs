@@ -6,11 +6,16 @@ use sphere_dda_fmi_interface::pointers::value_mut;
 
 use super::super::guard::{ANY, Stages, Updates, call};
 use super::STEPPING;
-use crate::instance::{Instance, Progress, Stage, Step};
+use crate::instance::{Instance, Progress, Step};
+use crate::life_cycle::LifeCycle;
 
 use fmi3Status::{fmi3Discard, fmi3OK, fmi3Warning};
 
-const WITHIN: Stages = &[Stage::StepComplete, Stage::StepFailed, Stage::Intermediate];
+const WITHIN: Stages = &[
+    LifeCycle::StepComplete,
+    LifeCycle::StepFailed,
+    LifeCycle::Intermediate,
+];
 const FUNCTION: &str = "fmi3DoStep";
 
 /// Takes a step; a discarded one leaves the instance at its beginning, a step that returns early at the end of an

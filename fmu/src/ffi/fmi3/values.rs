@@ -7,27 +7,28 @@ use sphere_dda_fmi_interface::pointers::{BadArgument, array, array_mut, c_string
 use sphere_dda_model_description::fmi3::Kind;
 
 use super::super::guard::{Component, Stages, call};
-use crate::instance::{Element, Stage, counted};
+use crate::instance::{Element, counted};
+use crate::life_cycle::LifeCycle;
 use crate::refusal::Refusal;
 use crate::variables::Value;
 
 use fmi3Status::fmi3OK;
 
 const READABLE: Stages = &[
-    Stage::Instantiated,
-    Stage::Initialization,
-    Stage::StepComplete,
-    Stage::StepFailed,
-    Stage::Error,
-    Stage::Terminated,
-    Stage::Intermediate,
+    LifeCycle::Instantiated,
+    LifeCycle::Initialization,
+    LifeCycle::StepComplete,
+    LifeCycle::StepFailed,
+    LifeCycle::Error,
+    LifeCycle::Terminated,
+    LifeCycle::Intermediate,
 ];
 const SETTABLE: Stages = &[
-    Stage::Instantiated,
-    Stage::Initialization,
-    Stage::StepComplete,
-    Stage::StepFailed,
-    Stage::Intermediate,
+    LifeCycle::Instantiated,
+    LifeCycle::Initialization,
+    LifeCycle::StepComplete,
+    LifeCycle::StepFailed,
+    LifeCycle::Intermediate,
 ];
 
 /// References and values as they come from C.

@@ -3,6 +3,8 @@
 //! Every rule is a function from source text to findings, and is shown to find a breach before it is asked
 //! about the project.
 
+mod modules;
+
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -263,8 +265,8 @@ fn path_of(text: &str) -> String {
     text[..end].trim().trim_end_matches("::").to_owned()
 }
 
-fn breaches_of_separation(file: &str, text: &str) -> Vec<String> {
-    // `use` items that rustfmt has broken over several lines count as one line.
+/// Its lines of code; `use` items that rustfmt has broken over several lines count as one line.
+fn items(text: &str) -> Vec<(usize, String)> {
     let mut joined: Vec<(usize, String)> = Vec::new();
     let mut open = false;
     for (k, line) in code(text) {
@@ -275,6 +277,11 @@ fn breaches_of_separation(file: &str, text: &str) -> Vec<String> {
         let item = joined.last().map_or("", |(_, item)| item);
         open = item.contains("use crate::") && !item.contains(';');
     }
+    joined
+}
+
+fn breaches_of_separation(file: &str, text: &str) -> Vec<String> {
+    let joined = items(text);
     let module = file.trim_start_matches("src/");
     let mut found = Vec::new();
     for (place, others, why) in SEPARATE {
