@@ -115,7 +115,12 @@ def error(case: Case, run: Run, reference: Run) -> float:
     if case.steady:
         late = times > (1.0 - SHARE) * times[-1]
         return float(abs(found[late].mean() / wanted[late].mean() - 1.0))
-    width = max(1, round(WINDOW * len(times)))
+    return apart(found, wanted)
+
+
+def apart(found: np.ndarray, wanted: np.ndarray) -> float:
+    """Root mean square of the difference of the running means of two signals over that of the second."""
+    width = max(1, round(WINDOW * len(wanted)))
     found, wanted = (np.convolve(values, np.full(width, 1.0 / width), "valid") for values in (found, wanted))
     return float(np.linalg.norm(found - wanted) / np.linalg.norm(wanted))
 

@@ -1,7 +1,8 @@
 """The hopper of 1500 grains from CAD as an FMU, its gate opening, with the sweeps of an internal step bounded.
 
-One FMU, settled at `standard`; its parameters set the tolerances of each accuracy and the bound. Prints, and writes into docs/newcomers/realtime.md, the CPU time over the simulated
-time, the longest communication step over its length, and the error of the gate's force against `reference`.
+One FMU, settled at `standard`; its parameters set the tolerances of each accuracy and the bound. Prints, and writes
+into docs/newcomers/realtime.md, the CPU time over the simulated time, the longest communication step over its length,
+and the error of the gate's force against `reference`.
 """
 
 import argparse
@@ -13,7 +14,7 @@ from pathlib import Path
 import numpy as np
 
 from cases import CASES, REFERENCE, ROOT
-from measure import WINDOW, Slave, at_accuracy, export
+from measure import Slave, apart, at_accuracy, export
 
 SCENE = "hopper"
 GATE = "boundary.gate.averageForce[3]"
@@ -22,7 +23,7 @@ FORCE = "solver.forceResidual"
 STEP = 0.005  # communication step [s]
 AGAIN = "reference, half the gap"
 BOUNDS = (5, 10, 20, 40, 80, 0)  # 0: as many as it takes
-TOLERANCES = {"fast": (1e-3, 0.1), "standard": (1e-4, 0.1), REFERENCE: (1e-6, 1e-2), AGAIN: (5e-7, 1e-2)}  # gap, force
+TOLERANCES = {"fast": (5e-4, 0.1), "standard": (1e-4, 0.1), REFERENCE: (1e-6, 1e-2), AGAIN: (5e-7, 1e-2)}  # gap, force
 HEAD = """\
 <!-- Written by `benches/newcomers/run realtime`. -->
 
@@ -93,9 +94,7 @@ def ran(fmu: Path, accuracy: str, bound: int, duration: float) -> Run:
 
 
 def _line(accuracy: str, bound: int, run: Run, reference: Run) -> str:
-    width = max(1, round(WINDOW * len(run.gate)))
-    found, wanted = (np.convolve(values.gate, np.full(width, 1.0 / width), "valid") for values in (run, reference))
-    error = np.linalg.norm(found - wanted) / np.linalg.norm(wanted)
+    error = apart(run.gate, reference.gate)
     flow = abs(run.mass / reference.mass - 1.0)
     real, longest = run.cpu.mean() / STEP, run.cpu.max() / STEP
     cells = [accuracy, bound or "-", f"{real:.2g}", f"{longest:.2g}", f"{error:.1%}", f"{flow:.1%}"]

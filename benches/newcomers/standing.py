@@ -1,7 +1,8 @@
-"""Packings at rest stay at rest: five are exported settled and stand for 10 s.
+"""Packings at rest stay at rest: five are exported with --until-rest and stand for 10 s.
 
-Prints, and writes into docs/newcomers/standing.md, at every accuracy, the largest deviation of the force on each boundary from its mean, over the mean, and the
-kinetic energy in the first and in the last second; plots both over time into docs/newcomers/standing-ACCURACY.svg.
+Writes into docs/newcomers/standing.md, at every accuracy, the largest deviation of the force on each boundary from its
+mean, over the mean, the kinetic energy in the first and in the last second, and the CPU time; plots force and energy
+over time into docs/newcomers/standing-ACCURACY.svg.
 """
 
 import argparse

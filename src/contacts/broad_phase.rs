@@ -1,6 +1,6 @@
 //! Broad phase: the pairs that may touch before the next rebuild.
 //!
-//! Each sphere has a skin of its own. The list keeps every pair whose gap is below the sum of its skins, so it serves until
+//! Each sphere has a skin of its own. The list keeps every pair whose gap is below the sum of their two, so it serves until
 //! the way of a sphere since, and what it may still move, exceed its skin: one fast sphere costs the others nothing. What is
 //! in the list never shows in results: the narrow phase takes from it the pairs within reach, in canonical order.
 
@@ -110,18 +110,19 @@ impl NeighborList {
         let count = present().count().max(1) as f64;
         let common = present().map(way).sum::<Vec3>() / count;
         let carried_so_far = self.carried.iter().copied().fold(0.0, f64::max);
-        let (mut longest, mut leaves) = (0.0, [false; 3]);
+        let mut longest = 0.0;
+        let (mut against_none, mut against_all, mut at_walls) = (false, false, false);
         for i in present() {
             let (way, skin) = (way(i), self.skin[i]);
             let reach = reach.get(i).copied().unwrap_or_default();
             let length = way.norm();
             longest = larger(longest, length);
-            leaves[0] |= length + reach.walls > skin.pairs;
-            leaves[1] |= (way - common).norm() + reach.pairs > skin.pairs;
-            leaves[2] |= length + carried_so_far + reach.walls + carried > skin.walls;
+            against_none |= length + reach.walls > skin.pairs;
+            against_all |= (way - common).norm() + reach.pairs > skin.pairs;
+            at_walls |= length + carried_so_far + reach.walls + carried > skin.walls;
         }
         self.shrunk = longest + carried_so_far;
-        !(leaves[0] && leaves[1] || leaves[2])
+        !(against_none && against_all || at_walls)
     }
 
     /// Notes how far each boundary has moved since the list was built, where spheres are.

@@ -7,7 +7,7 @@
 //!
 //! | | overlap `gap` | `opening` | `slip` | `force` | longest step |
 //! |---|---|---|---|---|---|
-//! | fast | 1e-3 | 1e-3 | 3.5e-3 | 0.1 | 0.15 sqrt(R/g) |
+//! | fast | 5e-4 | 1e-3 | 1.75e-3 | 0.1 | 0.15 sqrt(R/g) |
 //! | standard | 1e-4 | 3e-4 | 3.5e-4 | 0.1 | 0.1 sqrt(R/g) |
 //! | reference | 1e-6 | 9e-6 | 3.5e-6 | 1e-2 | 0.03 sqrt(R/g) |
 //!
@@ -50,7 +50,7 @@ impl Accuracy {
     #[must_use]
     pub fn tolerance(self) -> Tolerance {
         let (gap, force) = match self {
-            Self::Fast => (1e-3, 1e-1),
+            Self::Fast => (5e-4, 1e-1),
             Self::Standard => (1e-4, 1e-1),
             Self::Reference => (1e-6, 1e-2),
         };
@@ -65,7 +65,7 @@ impl Accuracy {
     #[must_use]
     pub fn opening(self) -> f64 {
         match self {
-            Self::Fast => 1.0,
+            Self::Fast => 2.0,
             Self::Standard => 3.0,
             Self::Reference => 9.0,
         }

@@ -15,6 +15,7 @@ use crate::observe::sensors::flow::{Gate, crossings};
 use crate::scene::{Measure, Scene};
 use crate::state::State;
 use crate::step::{Effort, StepFailure, step};
+
 /// A communication step under way: see [`Simulation::begin`].
 #[derive(Debug)]
 pub struct March {

@@ -248,8 +248,6 @@ fn a_part_that_resists_rolling_is_finished() {
     }));
     let mut impulses = vec![Vec3::zeros(); both.rows.len()];
     let brief = Params {
-        accept: false,
-        min_sweeps: 1,
         max_sweeps: 2,
         ..params(SolverKind::Auto)
     };

@@ -9,7 +9,7 @@ mod values;
 use std::ffi::{c_char, c_int};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use super::guard::{ANY, Component, Stages, call};
+use super::guard::{ANY, Component, INITIALIZATION, INSTANTIATED, STEPPED, STEPPING, Stages, call};
 use super::logging;
 use crate::instance::{Instance, Step};
 use crate::life_cycle::LifeCycle;
@@ -21,14 +21,12 @@ use sphere_dda_fmi_interface::pointers::{array, panic_text, sink, str_from, valu
 
 use fmi2Status::{fmi2Discard, fmi2OK, fmi2Warning};
 
-const INSTANTIATED: Stages = &[LifeCycle::Instantiated];
-const INITIALIZATION: Stages = &[LifeCycle::Initialization];
-const STEPPING: Stages = &[LifeCycle::StepComplete, LifeCycle::StepFailed];
-const STEPPED: Stages = &[
+/// Where a variable that is not fixed may be set: what is set holds for the next step.
+const SETTABLE: Stages = &[
+    LifeCycle::Instantiated,
+    LifeCycle::Initialization,
     LifeCycle::StepComplete,
     LifeCycle::StepFailed,
-    LifeCycle::Error,
-    LifeCycle::Terminated,
 ];
 
 /// Platform of the types: "default".

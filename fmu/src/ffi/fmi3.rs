@@ -12,10 +12,9 @@ mod values;
 use std::ffi::c_void;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use super::guard::{ANY, Component, Stages, Updates, call};
+use super::guard::{ANY, Component, INITIALIZATION, INSTANTIATED, STEPPING, Updates, call};
 use super::logging;
 use crate::instance::Instance;
-use crate::life_cycle::LifeCycle;
 use crate::refusal::InstantiationError;
 use crate::resource;
 use sphere_dda_fmi_interface::abi3::*;
@@ -23,10 +22,6 @@ use sphere_dda_fmi_interface::log::{Level, Log};
 use sphere_dda_fmi_interface::pointers::{array, message_sink, panic_text, str_from};
 
 use fmi3Status::fmi3OK;
-
-const INSTANTIATED: Stages = &[LifeCycle::Instantiated];
-const INITIALIZATION: Stages = &[LifeCycle::Initialization];
-const STEPPING: Stages = &[LifeCycle::StepComplete, LifeCycle::StepFailed];
 
 /// Version of the standard: "3.0".
 #[unsafe(no_mangle)]

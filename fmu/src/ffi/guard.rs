@@ -75,6 +75,29 @@ pub(super) const ANY: Stages = &[
     LifeCycle::Terminated,
 ];
 
+/// Nothing is set up.
+pub(super) const INSTANTIATED: Stages = &[LifeCycle::Instantiated];
+/// Initialization mode.
+pub(super) const INITIALIZATION: Stages = &[LifeCycle::Initialization];
+/// Between two steps.
+pub(super) const STEPPING: Stages = &[LifeCycle::StepComplete, LifeCycle::StepFailed];
+
+/// After the first step, and when only reading is left.
+pub(super) const STEPPED: Stages = &[
+    LifeCycle::StepComplete,
+    LifeCycle::StepFailed,
+    LifeCycle::Error,
+    LifeCycle::Terminated,
+];
+
+/// Where outputs have derivatives by inputs.
+pub(super) const KNOWN: Stages = &[
+    LifeCycle::Initialization,
+    LifeCycle::StepComplete,
+    LifeCycle::StepFailed,
+    LifeCycle::Terminated,
+];
+
 /// Runs `body` on the instance behind `component`; whatever happens ends as a status, with a log line if it is bad.
 pub(super) fn call<S: Status>(
     component: fmi2Component,

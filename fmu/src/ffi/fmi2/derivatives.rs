@@ -3,27 +3,10 @@
 use sphere_dda_fmi_interface::abi2::*;
 use sphere_dda_fmi_interface::pointers::{array, array_mut};
 
-use super::super::guard::{Stages, call};
-use super::STEPPED;
-use crate::life_cycle::LifeCycle;
+use super::super::guard::{KNOWN, STEPPED, call};
+use super::SETTABLE;
 
 use fmi2Status::fmi2OK;
-
-/// Before a step: what is set holds for that step.
-const AHEAD: Stages = &[
-    LifeCycle::Instantiated,
-    LifeCycle::Initialization,
-    LifeCycle::StepComplete,
-    LifeCycle::StepFailed,
-];
-
-/// Where outputs have derivatives by inputs.
-const KNOWN: Stages = &[
-    LifeCycle::Initialization,
-    LifeCycle::StepComplete,
-    LifeCycle::StepFailed,
-    LifeCycle::Terminated,
-];
 
 /// Sets derivatives of inputs, of order 1 and 2, for the next step.
 #[unsafe(no_mangle)]
@@ -34,7 +17,7 @@ extern "C" fn fmi2SetRealInputDerivatives(
     order: *const fmi2Integer,
     value: *const fmi2Real,
 ) -> fmi2Status {
-    call(c, "fmi2SetRealInputDerivatives", AHEAD, |component| {
+    call(c, "fmi2SetRealInputDerivatives", SETTABLE, |component| {
         let references = array(vr, nvr, "vr")?.iter().copied();
         let orders = array(order, nvr, "order")?.iter().copied();
         let values = array(value, nvr, "value")?.iter().copied();

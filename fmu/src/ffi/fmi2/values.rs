@@ -4,19 +4,12 @@ use sphere_dda_fmi_interface::abi2::*;
 use sphere_dda_fmi_interface::pointers::{array, array_mut, c_string, str_from};
 use sphere_dda_model_description::fmi2::BaseType;
 
-use super::super::guard::{ANY, Stages, call};
-use crate::life_cycle::LifeCycle;
+use super::super::guard::{ANY, call};
+use super::SETTABLE;
 use crate::refusal::Refusal;
 use crate::variables::Value;
 
 use fmi2Status::fmi2OK;
-
-const SETTABLE: Stages = &[
-    LifeCycle::Instantiated,
-    LifeCycle::Initialization,
-    LifeCycle::StepComplete,
-    LifeCycle::StepFailed,
-];
 
 /// Reads values of one type; `convert` takes them out of their envelope.
 fn get<T>(

@@ -3,27 +3,11 @@
 use sphere_dda_fmi_interface::abi3::*;
 use sphere_dda_fmi_interface::pointers::{array, array_mut};
 
-use super::super::guard::{Stages, call};
+use super::super::guard::{KNOWN, STEPPED, call};
 use crate::instance::{Instance, counted};
-use crate::life_cycle::LifeCycle;
 use crate::refusal::Refusal;
 
 use fmi3Status::fmi3OK;
-
-const STEPPED: Stages = &[
-    LifeCycle::StepComplete,
-    LifeCycle::StepFailed,
-    LifeCycle::Error,
-    LifeCycle::Terminated,
-];
-
-/// Where outputs have derivatives by inputs.
-const KNOWN: Stages = &[
-    LifeCycle::Initialization,
-    LifeCycle::StepComplete,
-    LifeCycle::StepFailed,
-    LifeCycle::Terminated,
-];
 
 /// References to variables, and how many.
 type References = (*const fmi3ValueReference, usize);

@@ -4,8 +4,7 @@ use sphere_dda_fmi_interface::abi3::*;
 use sphere_dda_fmi_interface::log::Level;
 use sphere_dda_fmi_interface::pointers::value_mut;
 
-use super::super::guard::{ANY, Stages, Updates, call};
-use super::STEPPING;
+use super::super::guard::{ANY, STEPPING, Stages, Updates, call};
 use crate::instance::{Instance, Progress, Step};
 use crate::life_cycle::LifeCycle;
 
