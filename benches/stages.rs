@@ -13,8 +13,9 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use divan::Bencher;
 use divan::counter::{BytesCount, ItemsCount};
-use sphere_dda::detection::broad_phase::{NeighborList, Reach};
-use sphere_dda::detection::narrow_phase::{Candidate, Placement};
+use sphere_dda::detection::broad_phase::NeighborList;
+use sphere_dda::detection::placement::{Candidate, Placement};
+use sphere_dda::detection::reach::Reach;
 use sphere_dda::formats::vtu::{Precision, encode};
 use sphere_dda::observe::Observation;
 use sphere_dda::results::frames::{Surface, frame};

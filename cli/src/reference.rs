@@ -6,7 +6,7 @@ use serde_json::Value;
 
 const TEMPLATE: &str = include_str!("../../docs/scene.in.md");
 
-const GENERATED: &str = "<!-- Printed by `sphere-dda schema --markdown` from docs/scene.in.md and the types in src/scene/file: edit those. -->\n\n";
+const GENERATED: &str = "<!-- Printed by `sphere-dda schema --markdown` from docs/scene.in.md and the types in src/scene_file/file: edit those. -->\n\n";
 
 /// Fills the tables of `schema` into the template.
 pub(crate) fn markdown(schema: &Value) -> String {

@@ -4,7 +4,8 @@ use std::path::{Path, PathBuf};
 
 use sphere_dda::formats::error::OutputError;
 use sphere_dda::observe::Observation;
-use sphere_dda::results::writer::{Options, Results};
+use sphere_dda::results::Options;
+use sphere_dda::results::writer::Results;
 use sphere_dda::simulation::Simulation;
 
 use crate::variables::Parameters;

@@ -5,4 +5,6 @@ pub mod grid;
 pub mod narrow_phase;
 pub mod near_walls;
 pub mod periodic;
+pub mod placement;
+pub mod reach;
 pub mod sweep;

@@ -1,7 +1,7 @@
 //! Spheres near boundaries, each with the facets around it.
 
-use super::broad_phase::Reach;
-use super::narrow_phase::Placement;
+use super::placement::Placement;
+use super::reach::Reach;
 use crate::Vec3;
 use crate::geometry::{Cube, Vicinity};
 use crate::spatial::extent::around;
@@ -114,7 +114,7 @@ mod tests {
     use super::*;
     use crate::contact::Partner;
     use crate::detection::broad_phase::NeighborList;
-    use crate::detection::narrow_phase::Candidate;
+    use crate::detection::placement::Candidate;
     use crate::geometry::{Facets, Geometry, HalfSpace, Revolution, Shape};
     use crate::scene::Boundary;
     use crate::scene::Motion;

@@ -1,6 +1,6 @@
 //! Swept contact: whether two bodies meet on straight ways through a step, wherever they are at its ends.
 
-use super::narrow_phase::Placement;
+use super::placement::Placement;
 use crate::Vec3;
 use crate::geometry::{Geometry, Touch};
 use crate::spatial::cell::Image;

@@ -4,8 +4,10 @@ use nalgebra::UnitQuaternion;
 use serde::{Deserialize, Serialize};
 
 use super::error::{GeometryError, finite};
-use super::topology::RELATIVE_TOLERANCE;
 use crate::Vec3;
+
+/// Welding and flatness tolerance over the diagonal of the bounding box \[-\]: seven typed digits.
+pub(super) const RELATIVE_TOLERANCE: f64 = 4e-7;
 
 /// Triangles over shared vertices. Two-sided: the side of the sphere's centre decides the normal, so the
 /// order of a triangle's vertices does not matter.

@@ -1,7 +1,15 @@
 //! A welded mesh and its named features: faces, straight edges, corners.
 
-use super::topology::Repair;
 use crate::Vec3;
+
+/// What was mended when a mesh was built.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Repair {
+    /// Vertices that coincided with an earlier one within the tolerance.
+    pub welded_vertices: usize,
+    /// Facets without area that were left out: name of the shape, number of the facet.
+    pub dropped_facets: Vec<(String, usize)>,
+}
 
 /// A named part of the mesh surface.
 #[derive(Debug, Clone, Copy)]

@@ -13,10 +13,10 @@ use rstar::{AABB, Envelope, RTree};
 use super::closest::{on_segment, on_triangle};
 use super::error::GeometryError;
 use super::facets::Facets;
-use super::features::{Feature, Topology};
-use super::topology::{self, Repair};
+use super::features::{Feature, Repair, Topology};
+use super::topology;
+use super::touch::{Touch, keep_distinct};
 use super::vicinity::{Cube, Vicinity};
-use super::{Touch, keep_distinct};
 use crate::Vec3;
 use crate::sorting::counting_sort;
 

@@ -17,7 +17,7 @@ use serde::{Deserialize, Serialize};
 
 use super::closest::on_segment;
 use super::error::{GeometryError, finite, unit};
-use super::{Touch, keep_distinct};
+use super::touch::{Touch, keep_distinct};
 use crate::Vec3;
 
 /// Number of ribs.

@@ -10,22 +10,13 @@ use super::error::{GeometryError, finite};
 use super::facets::Facets;
 use super::features::{Face, Topology};
 use crate::Vec3;
+use crate::geometry::Repair;
+use crate::geometry::facets::RELATIVE_TOLERANCE;
 
-/// Welding and flatness tolerance over the diagonal of the bounding box \[-\]: seven typed digits.
-pub(super) const RELATIVE_TOLERANCE: f64 = 4e-7;
 /// The same for computed vertices: a smooth surface of many facets is then not cut into flats with steps between.
 const COMPUTED_TOLERANCE: f64 = 1e-11;
 /// Coplanar neighbours may differ by at most this cosine (0.01 rad) besides lying in the plane.
 const FLAT_COSINE: f64 = 1.0 - 5e-5;
-
-/// What was mended when a mesh was built.
-#[derive(Debug, Clone, PartialEq, Eq, Default)]
-pub struct Repair {
-    /// Vertices that coincided with an earlier one within the tolerance.
-    pub welded_vertices: usize,
-    /// Facets without area that were left out: name of the shape, number of the facet.
-    pub dropped_facets: Vec<(String, usize)>,
-}
 
 /// An edge of the welded mesh.
 pub(super) struct Edge {

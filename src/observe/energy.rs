@@ -48,7 +48,8 @@ impl Energy {
         let (scene, energy) = (state.scene, self);
         for (b, body) in scene.driven() {
             let (boundary, now) = (&scene.boundaries[b], &state.boundaries[b]);
-            let [linear, angular] = body.kinetic_energy(boundary, &now.pose, &now.twist);
+            let [linear, angular] =
+                body.kinetic_energy(boundary.point_of_action, &now.pose, &now.twist);
             energy.translational += linear;
             energy.rotational += angular;
             if body.gravity {
@@ -164,4 +165,24 @@ impl Totals {
 /// Where a point of a sphere is now \[m\]; `arm` \[m\] from the centre in the sphere's initial orientation.
 fn material_point(state: &Observation, sphere: usize, arm: Vec3) -> Vec3 {
     state.kinematics.position[sphere] + state.kinematics.orientation[sphere] * arm
+}
+
+impl Observation<'_> {
+    /// Internal step \[s\] at which the gap tolerance also makes forces mean something:
+    /// `min(sqrt(tol R / (0.2 g)), 0.15 R / v)` with the smallest radius and the largest speed, at most the scene's.
+    #[must_use]
+    pub fn recommended_step(&self, totals: &Totals) -> f64 {
+        let (scene, radius) = (self.scene, totals.smallest_radius);
+        let of_boundaries = self.boundaries.iter().map(|b| b.twist.linear.norm());
+        let speed = of_boundaries.fold(totals.largest_speed, f64::max);
+        let gravity = self.gravity.norm();
+        let mut step = scene.settings.step;
+        if gravity > 0.0 {
+            step = step.min((scene.settings.tolerance.gap * radius / (0.2 * gravity)).sqrt());
+        }
+        if speed > 0.0 {
+            step = step.min(0.15 * radius / speed);
+        }
+        step
+    }
 }

@@ -20,7 +20,6 @@ use crate::scene::particles::Kinematics;
 use crate::simulation::Simulation;
 use crate::spatial::{Pose, Twist, Wrench};
 use crate::state::{JointState, StepReport, Velocities, Work};
-use energy::Totals;
 
 /// A boundary at the end of a communication step.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -126,23 +125,5 @@ impl<'a> Observation<'a> {
             Partner::Sphere { index, image } => [centre[index as usize] + cell.shift(image), own],
             Partner::Boundary { .. } => [contact.point, cell.nearest(own, contact.point)],
         }
-    }
-
-    /// Internal step \[s\] at which the gap tolerance also makes forces mean something:
-    /// `min(sqrt(tol R / (0.2 g)), 0.15 R / v)` with the smallest radius and the largest speed, at most the scene's.
-    #[must_use]
-    pub fn recommended_step(&self, totals: &Totals) -> f64 {
-        let (scene, radius) = (self.scene, totals.smallest_radius);
-        let of_boundaries = self.boundaries.iter().map(|b| b.twist.linear.norm());
-        let speed = of_boundaries.fold(totals.largest_speed, f64::max);
-        let gravity = self.gravity.norm();
-        let mut step = scene.settings.step;
-        if gravity > 0.0 {
-            step = step.min((scene.settings.tolerance.gap * radius / (0.2 * gravity)).sqrt());
-        }
-        if speed > 0.0 {
-            step = step.min(0.15 * radius / speed);
-        }
-        step
     }
 }

@@ -18,10 +18,12 @@
 //! The penalty method is the rigid problem with `k = P` on every contact.
 
 pub mod law;
+mod row;
 mod rows;
 
 pub use law::Law;
 use nalgebra::Matrix3;
+pub use row::{GROUND, Grip, Row};
 pub use rows::Rows;
 pub(crate) use rows::{BIAS, Compact, FRICTION, Plain, RADIUS, SCALE, retain};
 use serde::{Deserialize, Serialize};
@@ -29,75 +31,8 @@ use serde::{Deserialize, Serialize};
 use crate::Vec3;
 use crate::spatial::{Dof6, Operator};
 
-/// Body B of a row that touches no second sphere.
-pub const GROUND: u32 = u32::MAX;
-
 /// Coupling of normal and tangent over `sqrt(w_n w_t)` that is rounding.
 const UNCOUPLED: f64 = 1e-12;
-
-/// How a row holds a body.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Grip {
-    /// At the point that lies there from the centre \[m\].
-    Point(Vec3),
-    /// By its rotation alone, with this lever \[m\].
-    Couple(f64),
-}
-
-impl Grip {
-    /// What the row sees of a body's velocity \[m/s\].
-    #[must_use]
-    pub fn velocity(self, body: &Dof6) -> Vec3 {
-        match self {
-            Self::Point(arm) => body.at(arm),
-            Self::Couple(lever) => body.angular * lever,
-        }
-    }
-
-    /// Momentum \[N s\], \[N m s\] that the row's impulse \[N s\] gives a body.
-    #[must_use]
-    pub fn momentum(self, impulse: Vec3) -> Dof6 {
-        match self {
-            Self::Point(arm) => Dof6 {
-                linear: impulse,
-                angular: arm.cross(&impulse),
-            },
-            Self::Couple(lever) => Dof6 {
-                linear: Vec3::zeros(),
-                angular: impulse * lever,
-            },
-        }
-    }
-}
-
-/// One contact, constrained point or resistance.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct Row {
-    /// Body A.
-    pub a: u32,
-    /// Body B, or [`GROUND`]: a sphere, or driven body `d` as `N + d`.
-    pub b: u32,
-    /// Unit normal, from B to A.
-    pub normal: Vec3,
-    /// Contact point from the centre of A \[m\].
-    pub arm_a: Vec3,
-    /// Contact point from the centre of B, or the reference point of a driven body \[m\]; zero for the ground.
-    pub arm_b: Vec3,
-    /// `u_0`, minus the velocity of the ground or of a belt as the row sees it \[m/s\]; zero between spheres.
-    pub drift: Vec3,
-    /// `b`: along the normal the gap or rebound term, across it the spring history \[m/s\].
-    pub bias: Vec3,
-    /// `c_n` \[m/(s N s)\]: normal compliance over dt^2; 0 is rigid.
-    pub compliance_n: f64,
-    /// `c_t`: tangential compliance over dt^2; 0 is rigid.
-    pub compliance_t: f64,
-    /// The law.
-    pub law: Law,
-    /// Smaller radius of the pair \[m\]: scale of gap and slip.
-    pub radius: f64,
-    /// Scale of the force residual \[N s\]: `m_min |a_f| dt`.
-    pub impulse_scale: f64,
-}
 
 /// The problem of one step: frozen once assembled.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
@@ -117,66 +52,6 @@ pub struct Problem {
 
 /// Impulses on body A \[N s\], world axes, `[C]`: what every solver returns and starts from.
 pub type Impulses = Vec<Vec3>;
-
-impl Row {
-    /// How it holds A and B.
-    #[must_use]
-    pub fn grips(&self) -> [Grip; 2] {
-        match self.law {
-            Law::Resistance { .. } => [Grip::Couple(self.radius); 2],
-            _ => [self.arm_a, self.arm_b].map(Grip::Point),
-        }
-    }
-
-    /// Normal impulse \[N s\] of the contact that bounds a resistance; zero for all other rows.
-    #[must_use]
-    pub fn load(&self, rows: &Rows, impulses: &[Vec3]) -> f64 {
-        match self.law {
-            Law::Resistance { contact, .. } => {
-                let contact = contact as usize;
-                impulses[contact].dot(&rows.normal(contact)).max(0.0)
-            }
-            _ => 0.0,
-        }
-    }
-
-    /// The part of its bias across the normal \[m/s\].
-    pub(crate) fn across(&self) -> Vec3 {
-        self.bias - self.normal * self.bias.dot(&self.normal)
-    }
-
-    /// Whether it is a contact without any spring.
-    pub(crate) fn is_rigid_contact(&self) -> bool {
-        let contact = matches!(self.law, Law::Contact { .. });
-        contact && self.compliance_n == 0.0 && self.compliance_t == 0.0
-    }
-
-    /// The bodies that it moves.
-    pub fn bodies(&self) -> impl Iterator<Item = usize> + use<> {
-        let bodies = [self.a, self.b].into_iter();
-        bodies.filter(|&body| body != GROUND).map(|b| b as usize)
-    }
-
-    /// Relative velocity `u` \[m/s\] of A against B for the given body velocities.
-    #[must_use]
-    #[inline]
-    pub fn relative_velocity(&self, velocity: &[Dof6]) -> Vec3 {
-        self.relative(|body| velocity[body])
-    }
-
-    /// [`Self::relative_velocity`] where `velocity` tells that of a body.
-    #[must_use]
-    #[inline]
-    pub fn relative(&self, velocity: impl Fn(usize) -> Dof6) -> Vec3 {
-        let [a, b] = self.grips();
-        let u = a.velocity(&velocity(self.a as usize)) + self.drift;
-        if self.b == GROUND {
-            u
-        } else {
-            u - b.velocity(&velocity(self.b as usize))
-        }
-    }
-}
 
 /// Two unit vectors that complete the unit vector `n` to an orthonormal frame.
 fn tangents(n: Vec3) -> [Vec3; 2] {

@@ -7,6 +7,7 @@
 use super::directory::Directory;
 use crate::formats::durable::replace_durably;
 use crate::formats::error::OutputError;
+use crate::results::names::{name, number};
 
 /// How many are kept while a run goes on, so that a damaged one can be passed over.
 pub const KEPT: usize = 3;
@@ -49,15 +50,4 @@ pub(super) fn list(directory: &Directory) -> Result<Vec<String>, OutputError> {
     names.retain(|name| number(name).is_some());
     names.sort_by_key(|name| std::cmp::Reverse(number(name)));
     Ok(names)
-}
-
-/// The number in a checkpoint's name; `None` if it is the name of something else.
-pub(super) fn number(name: &str) -> Option<u64> {
-    let digits = name.strip_prefix("checkpoint_")?.strip_suffix(".state")?;
-    let plain = digits.bytes().all(|byte| byte.is_ascii_digit());
-    digits.parse().ok().filter(|_| plain)
-}
-
-fn name(number: u64) -> String {
-    format!("checkpoint_{number:06}.state")
 }

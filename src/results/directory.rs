@@ -7,9 +7,9 @@ use std::time::{Duration, Instant};
 
 use serde_json::{Value, json};
 
-use super::checkpoint;
+use super::Options;
 use super::frames::Series;
-use super::writer::Options;
+use super::names::number;
 use crate::formats::durable::{DRAFT, replace, sync};
 use crate::formats::error::OutputError;
 use crate::formats::vtu::Precision;
@@ -134,7 +134,7 @@ impl Directory {
         let (checkpoints, others): (Vec<String>, _) = self
             .names()?
             .into_iter()
-            .partition(|name| checkpoint::number(name).is_some());
+            .partition(|name| number(name).is_some());
         let (collections, others): (Vec<String>, Vec<String>) = others
             .into_iter()
             .filter(|name| !name.starts_with(ABOUT))
@@ -220,9 +220,7 @@ fn is_result(name: &str) -> bool {
             })
         })
     };
-    matches!(name, ABOUT | "history.csv" | "view.py")
-        || checkpoint::number(name).is_some()
-        || of_series(name)
+    matches!(name, ABOUT | "history.csv" | "view.py") || number(name).is_some() || of_series(name)
 }
 
 /// What `run.json` says about a run.

@@ -5,5 +5,9 @@ pub mod directory;
 mod disk;
 pub mod frames;
 pub mod history;
+mod names;
+mod options;
 pub mod start_file;
 pub mod writer;
+
+pub use options::Options;

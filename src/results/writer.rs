@@ -13,7 +13,7 @@
 //! does not stop the simulation: it is counted and told in [`Status`].
 
 use std::collections::VecDeque;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
 use std::sync::{Arc, Mutex};
 use std::thread::JoinHandle;
@@ -27,8 +27,8 @@ use crate::clock::{due, tick};
 use crate::error::SnapshotError;
 use crate::formats::durable::replace;
 use crate::formats::error::OutputError;
-use crate::formats::vtu::Precision;
 use crate::observe::Observation;
+use crate::results::Options;
 use crate::scene::Scene;
 
 pub use super::disk::Status;
@@ -41,43 +41,6 @@ const FRAMES: usize = 2;
 const HELD_FRAMES: usize = 16;
 /// Rows that may be held back, likewise.
 const HELD_ROWS: usize = 4096;
-
-/// What is written where, and when.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Options {
-    /// The directory; created with its parents.
-    pub directory: PathBuf,
-    /// Replace the files of an earlier run in it.
-    pub overwrite: bool,
-    /// Seconds between VTU frames \[s\]; 0: none.
-    pub frame_interval: f64,
-    /// Seconds between rows of the history \[s\]; 0: every communication step.
-    pub row_interval: f64,
-    /// Precision of the frames.
-    pub precision: Precision,
-    /// Hold frames and rows back until [`Results::commit`] says that they cannot be rolled back any more.
-    pub hold: bool,
-}
-
-impl Options {
-    /// What the scene's `[output]` asks for, into `directory`.
-    #[must_use]
-    pub fn new(directory: impl Into<PathBuf>, scene: &Scene) -> Self {
-        let output = &scene.output;
-        Self {
-            directory: directory.into(),
-            overwrite: false,
-            frame_interval: output.vtu_interval,
-            row_interval: output.csv_interval,
-            precision: if output.float64 {
-                Precision::Double
-            } else {
-                Precision::Single
-            },
-            hold: false,
-        }
-    }
-}
 
 /// Where a run that was resumed goes on.
 #[derive(Debug, Clone, PartialEq, Default)]

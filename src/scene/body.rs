@@ -31,7 +31,7 @@ use nalgebra::{Matrix3, UnitQuaternion};
 use serde::{Deserialize, Serialize};
 
 use crate::Vec3;
-use crate::scene::{Boundary, InputKind};
+use crate::scene::InputKind;
 use crate::spatial::{Dof6, Operator, Pose, Twist};
 
 /// What a driven body can do.
@@ -137,9 +137,9 @@ impl Body {
     }
 
     /// The reference point of its equations \[m\], scene coordinates.
-    pub(crate) fn reference(&self, boundary: &Boundary) -> Vec3 {
+    pub(crate) fn reference(&self, pivot: Vec3) -> Vec3 {
         match self.joint {
-            Joint::Hinge { .. } => boundary.point_of_action,
+            Joint::Hinge { .. } => pivot,
             Joint::Free | Joint::Slide { .. } => self.centre,
         }
     }
@@ -158,7 +158,7 @@ impl Body {
     }
 
     /// Linear and angular modes when turned by `rotation`.
-    pub(crate) fn modes(&self, boundary: &Boundary, rotation: UnitQuaternion<f64>) -> [Modes; 2] {
+    pub(crate) fn modes(&self, pivot: Vec3, rotation: UnitQuaternion<f64>) -> [Modes; 2] {
         match self.joint {
             Joint::Free => {
                 let axes = (rotation * self.axes).to_rotation_matrix();
@@ -170,7 +170,7 @@ impl Body {
             }
             Joint::Slide { axis } => [vec![(axis, self.mass)], Modes::new()],
             Joint::Hinge { axis } => {
-                let inertia = self.moment_about(axis, boundary.point_of_action);
+                let inertia = self.moment_about(axis, pivot);
                 [Modes::new(), vec![(axis, inertia)]]
             }
         }
@@ -179,11 +179,11 @@ impl Body {
     /// Mass (`f(J) = J`), mobility (`f(J) = 1/J`) or another function of the inertias when turned by `rotation`.
     pub(crate) fn operator(
         &self,
-        boundary: &Boundary,
+        pivot: Vec3,
         rotation: UnitQuaternion<f64>,
         f: impl Fn(f64) -> f64,
     ) -> Operator {
-        let [linear, angular] = self.modes(boundary, rotation);
+        let [linear, angular] = self.modes(pivot, rotation);
         Operator {
             linear: along(&linear, &f),
             angular: along(&angular, &f),
@@ -191,38 +191,38 @@ impl Body {
     }
 
     /// Point of action from the reference point \[m\], world.
-    pub(crate) fn action(&self, boundary: &Boundary, pose: &Pose) -> Vec3 {
-        pose.rotation * (boundary.point_of_action - self.reference(boundary))
+    pub(crate) fn action(&self, pivot: Vec3, pose: &Pose) -> Vec3 {
+        pose.rotation * (pivot - self.reference(pivot))
     }
 
     /// Velocity of the point of action when the body has `momentum`, about the reference point.
     #[must_use]
-    pub fn twist_of(&self, boundary: &Boundary, pose: &Pose, momentum: &Dof6) -> Twist {
-        let mobility = self.operator(boundary, pose.rotation, f64::recip);
+    pub fn twist_of(&self, pivot: Vec3, pose: &Pose, momentum: &Dof6) -> Twist {
+        let mobility = self.operator(pivot, pose.rotation, f64::recip);
         let velocity = mobility.times(momentum);
         Twist {
-            linear: velocity.at(self.action(boundary, pose)),
+            linear: velocity.at(self.action(pivot, pose)),
             angular: velocity.angular,
         }
     }
 
     /// Momentum \[N s\] and angular momentum about the reference point \[N m s\] when the point of action has `twist`.
     #[must_use]
-    pub fn momentum_of(&self, boundary: &Boundary, pose: &Pose, twist: &Twist) -> Dof6 {
-        let arm = self.action(boundary, pose);
+    pub fn momentum_of(&self, pivot: Vec3, pose: &Pose, twist: &Twist) -> Dof6 {
+        let arm = self.action(pivot, pose);
         let velocity = Dof6 {
             linear: twist.linear - twist.angular.cross(&arm),
             angular: twist.angular,
         };
-        self.operator(boundary, pose.rotation, |inertia| inertia)
+        self.operator(pivot, pose.rotation, |inertia| inertia)
             .times(&velocity)
     }
 
     /// Linear and angular kinetic energy \[J\] when the point of action has `twist`; of a hinge all is angular.
     #[must_use]
-    pub fn kinetic_energy(&self, boundary: &Boundary, pose: &Pose, twist: &Twist) -> [f64; 2] {
-        let momentum = self.momentum_of(boundary, pose, twist);
-        let mobility = self.operator(boundary, pose.rotation, f64::recip);
+    pub fn kinetic_energy(&self, pivot: Vec3, pose: &Pose, twist: &Twist) -> [f64; 2] {
+        let momentum = self.momentum_of(pivot, pose, twist);
+        let mobility = self.operator(pivot, pose.rotation, f64::recip);
         let velocity = mobility.times(&momentum);
         [
             0.5 * momentum.linear.dot(&velocity.linear),

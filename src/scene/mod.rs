@@ -14,8 +14,8 @@ pub mod rotating_frame;
 
 pub use accuracy::Accuracy;
 pub use boundary::{Belt, Boundary};
-pub use command::{Command, Rates};
-pub use motion::{InputKind, Motion};
+pub use command::{Command, InputKind, Rates};
+pub use motion::Motion;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

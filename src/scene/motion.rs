@@ -9,51 +9,9 @@ use std::f64::consts::TAU;
 use serde::{Deserialize, Serialize};
 
 use crate::Vec3;
+use crate::scene::InputKind;
 use crate::scene::body::Body;
 use crate::spatial::{Pose, Twist};
-
-/// Which quantity an FMU input (or a caller of the library) drives.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub enum InputKind {
-    /// Total translation \[m\] and rotation vector \[rad\], reached at the end of the communication step.
-    Pose,
-    /// Pose and twist together: reaches `pose + twist * h`, no lag.
-    Motion,
-    /// Velocity \[m/s\] and angular velocity \[rad/s\], held over the step and integrated inside.
-    Twist,
-    /// Displacement \[m\] along a unit axis.
-    Slide {
-        /// Unit axis, world.
-        axis: Vec3,
-    },
-    /// Speed \[m/s\] along a unit axis.
-    SlideSpeed {
-        /// Unit axis, world.
-        axis: Vec3,
-    },
-    /// Angle \[rad\] about a unit axis through the point of action.
-    Hinge {
-        /// Unit axis, world.
-        axis: Vec3,
-    },
-    /// Angular speed \[rad/s\] about a unit axis through the point of action.
-    HingeSpeed {
-        /// Unit axis, world.
-        axis: Vec3,
-    },
-    /// Force \[N\] and torque \[N m\] on a free body, held over the step.
-    Load,
-    /// Force \[N\] along the slide of a body, held over the step.
-    SlideForce {
-        /// Unit axis, world.
-        axis: Vec3,
-    },
-    /// Torque \[N m\] about the hinge of a body, held over the step.
-    HingeTorque {
-        /// Unit axis, world.
-        axis: Vec3,
-    },
-}
 
 /// How a boundary moves.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

@@ -4,6 +4,7 @@ use nalgebra::{UnitQuaternion, Vector3};
 use serde::{Deserialize, Serialize};
 
 use crate::Vec3;
+use crate::spatial::Dof6;
 
 /// Degrees of freedom of a sphere that are held at zero velocity, in world axes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
@@ -136,6 +137,16 @@ impl Clone for Kinematics {
 }
 
 impl Kinematics {
+    /// Velocity \[m/s\] and angular velocity \[rad/s\] of sphere `i`, the integrator's own.
+    #[must_use]
+    #[inline]
+    pub fn spatial_velocity(&self, i: usize) -> Dof6 {
+        Dof6 {
+            linear: self.velocity[i],
+            angular: self.spin[i],
+        }
+    }
+
     /// Exchanges positions and orientations with `other`; where there are none here, those of `other` stay there too.
     pub(crate) fn swap_places(&mut self, other: &mut Self) {
         if self.position.len() != other.position.len() {

@@ -2,7 +2,7 @@
 
 use nalgebra::UnitQuaternion;
 
-use super::build::direction;
+use super::checks::{accept, direction, increasing};
 use super::columns::Columns;
 use super::document::Document;
 use super::driven::body;
@@ -210,21 +210,6 @@ fn read_table(
     })
 }
 
-pub(super) fn increasing(document: &mut Document<'_>, path: &str, time: &[f64]) -> bool {
-    if time.is_empty() {
-        return document.demand(false, path, "no times", "at least one [s]");
-    }
-    match time.windows(2).find(|pair| pair[0] >= pair[1]) {
-        Some(pair) => document.demand(
-            false,
-            path,
-            format!("{} after {}", pair[1], pair[0]),
-            "strictly increasing times [s]",
-        ),
-        None => true,
-    }
-}
-
 /// Builds every face, so that each faulty one is reported, then joins them.
 fn geometry(
     document: &mut Document<'_>,
@@ -405,21 +390,6 @@ fn terrain(
             for problem in problems {
                 document.error(&key, format!("`{}` {problem}", grid.file), "");
             }
-            None
-        }
-    }
-}
-
-/// Reports a refused geometry at its key.
-pub(super) fn accept<T>(
-    document: &mut Document<'_>,
-    path: &str,
-    built: Result<T, GeometryError>,
-) -> Option<T> {
-    match built {
-        Ok(built) => Some(built),
-        Err(error) => {
-            document.error(path, error.to_string(), "");
             None
         }
     }

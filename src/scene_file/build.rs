@@ -5,8 +5,9 @@ use std::path::Path;
 use miette::NamedSource;
 
 use super::advice::advise;
-use super::bodies::{accept, boundary, motion};
+use super::bodies::{boundary, motion};
 use super::cell::cell;
+use super::checks::{accept, direction};
 use super::decode::{Element, SceneFile};
 use super::document::Document;
 use super::names::{Context, Names};
@@ -420,20 +421,4 @@ fn output(document: &mut Document<'_>, output: &file::Output) -> Output {
         float64: output.float64,
         checkpoint_interval: output.checkpoint_interval,
     }
-}
-
-/// The unit vector along a direction of any length.
-pub(super) fn direction(
-    document: &mut Document<'_>,
-    path: &str,
-    given: file::Vector,
-) -> Option<Vec3> {
-    let unit = Vec3::from(given).try_normalize(0.0);
-    document.demand(
-        unit.is_some(),
-        path,
-        format!("{:?}", given.0),
-        "a direction of length > 0",
-    );
-    unit
 }

@@ -6,8 +6,7 @@ use miette::Severity;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use super::advice::Advice;
-use super::problem::Problem;
+use super::problem::{Advice, Problem};
 
 /// Largest magnitude of a number in a scene: beyond it products of a few of them stop being finite.
 pub(super) const LARGEST: f64 = 1e30;

@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion};
 
-use super::build::direction;
+use super::checks::direction;
 use super::document::Document;
 use super::file;
 use super::names::Names;

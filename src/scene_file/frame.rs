@@ -1,7 +1,6 @@
 //! Gravity as a function of time, and the frame of reference, checked.
 
-use super::bodies::increasing;
-use super::build::direction;
+use super::checks::{direction, increasing};
 use super::columns::Columns;
 use super::decode::Element;
 use super::document::Document;

@@ -7,6 +7,7 @@ mod advice;
 mod bodies;
 mod build;
 mod cell;
+mod checks;
 mod columns;
 mod decode;
 mod document;
@@ -14,6 +15,7 @@ mod driven;
 pub mod file;
 mod frame;
 mod keys;
+mod loaded;
 mod names;
 mod overlap;
 mod pairs;
@@ -31,6 +33,7 @@ mod wording;
 
 use std::path::Path;
 
+pub use loaded::Loaded;
 pub use overlap::{Overlap, Overlaps};
 pub use problem::{Problem, SceneError};
 pub use resources::Attachment;
@@ -39,21 +42,6 @@ pub use schema::json_schema;
 pub use summary::Summary;
 
 use crate::scene::Scene;
-
-/// A scene with what a package needs to carry it elsewhere.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Loaded {
-    /// The scene.
-    pub scene: Scene,
-    /// Name of the scene file, as problems call it.
-    pub name: String,
-    /// Text of the scene file.
-    pub text: String,
-    /// Files it refers to, sorted by path, each once.
-    pub attachments: Vec<Attachment>,
-    /// What runs, but probably not as meant.
-    pub warnings: Vec<Problem>,
-}
 
 impl Scene {
     /// Reads a scene file; the files it names are looked for in its folder.

@@ -110,3 +110,39 @@ fn count(n: usize) -> String {
         n => format!("{n} problems"),
     }
 }
+
+/// One piece of advice.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Advice {
+    /// Key path.
+    pub(super) path: String,
+    /// What was found.
+    pub(super) message: String,
+    /// How to mend it.
+    pub(super) help: String,
+    /// `Warning`, or `Advice` for what is harmless.
+    pub(super) severity: Severity,
+}
+
+impl Advice {
+    pub(super) fn warning(
+        path: impl Into<String>,
+        message: impl Into<String>,
+        help: impl Into<String>,
+    ) -> Self {
+        Self {
+            path: path.into(),
+            message: message.into(),
+            help: help.into(),
+            severity: Severity::Warning,
+        }
+    }
+
+    /// What only costs the reader time.
+    pub(super) fn harmless(self) -> Self {
+        Self {
+            severity: Severity::Advice,
+            ..self
+        }
+    }
+}

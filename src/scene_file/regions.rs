@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use super::bodies::{accept, facets};
-use super::build::direction;
+use super::bodies::facets;
+use super::checks::{accept, direction};
 use super::document::Document;
 use super::file;
 use super::resources::Resources;

@@ -14,32 +14,15 @@ use super::Simulation;
 use crate::Vec3;
 use crate::contact::Partner;
 use crate::geometry::Touch;
-use crate::scene::{Scene, Source, Supply};
+use crate::scene::{Source, Supply};
 use crate::spatial::Dof6;
 use crate::spatial::cell::Cell;
-use crate::state::Reserve;
 use crate::step::release;
 
 /// Places tried for one sphere before its source waits for the next step.
 const TRIES: u32 = 200;
 /// Share of a sphere by which what is due may fall short of it, for rounding.
 const EARLY: f64 = 1e-9;
-
-/// All sources before the start.
-pub(super) fn reserves(scene: &Scene) -> Vec<Reserve> {
-    let sources = scene.sources.iter();
-    sources
-        .map(|source| Reserve {
-            waiting: source
-                .spheres
-                .clone()
-                .filter(|&i| !scene.initial.present[i])
-                .map(|i| i as u32)
-                .collect(),
-            ..Reserve::default()
-        })
-        .collect()
-}
 
 impl Source {
     /// What is due since its start, at time `t` \[s\]: spheres, or mass \[kg\].

@@ -2,17 +2,16 @@
 
 use std::sync::Arc;
 
-use serde::{Deserialize, Serialize};
-
-use super::Simulation;
-use super::derivatives::{Origin, Step};
 use super::pace::Remedy;
+use super::replay_record::Step;
+use super::{Origin, Simulation};
 use crate::Vec3;
 use crate::error::StepError;
-use crate::scene::{Command, Measure, Motion, Rates, Scene};
-use crate::simulation::drive::{Drive, displacement};
+use crate::scene::{Measure, Motion, Scene};
 use crate::simulation::flow::{Gate, crossings};
-use crate::spatial::{Pose, Wrench};
+use crate::simulation::impulse_totals::{Account, Before};
+use crate::simulation::trajectory::{Course, Drive, displacement};
+use crate::spatial::Wrench;
 use crate::state::{Pace, State, StepReport};
 use crate::step::{Effort, StepFailure, step};
 
@@ -34,102 +33,12 @@ pub struct March {
     account: Account,
 }
 
-/// Where the boundaries go until the end of a communication step.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub(super) struct Course {
-    /// Where they stood, and when, as their commands last changed.
-    from: Vec<Pose>,
-    since: f64,
-    end: f64,
-    pub(super) commands: Vec<Command>,
-    rates: Vec<Rates>,
-}
-
-/// What is summed up over a communication step.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub(super) struct Account {
-    /// Impulse on each boundary, `[B]`.
-    impulse: Vec<Wrench>,
-    /// Sum of the internal steps \[s\].
-    length: f64,
-    /// Impulse of the body forces \[N s\].
-    body_force: Vec3,
-    /// Ends and lengths of the internal steps taken \[s\].
-    pub(super) taken: Vec<(f64, f64)>,
-}
-
-/// What an internal step began with.
-#[derive(Debug)]
-pub(super) struct Before {
-    /// Empty where no sensor asks.
-    position: Vec<Vec3>,
-    persisting: Vec<Wrench>,
-    body_force: Vec3,
-}
-
-impl Before {
-    pub(super) fn of(scene: &Scene, state: &State) -> Self {
-        Self {
-            position: match flows(scene) {
-                true => state.kinematics.position.clone(),
-                false => Vec::new(),
-            },
-            persisting: state.persisting_wrenches.clone(),
-            body_force: state.body_force,
-        }
-    }
-}
-
 impl March {
     /// Whether the end is reached.
     #[must_use]
     pub fn is_done(&self) -> bool {
         self.done == self.steps
     }
-}
-
-impl Account {
-    fn of(boundaries: usize) -> Self {
-        Self {
-            impulse: vec![Wrench::default(); boundaries],
-            length: 0.0,
-            body_force: Vec3::zeros(),
-            taken: Vec::new(),
-        }
-    }
-
-    pub(super) fn fits(&self, boundaries: usize) -> bool {
-        self.impulse.len() == boundaries
-    }
-}
-
-impl Course {
-    pub(super) fn fits(&self, boundaries: usize) -> bool {
-        let rates = self.rates.is_empty() || self.rates.len() == boundaries;
-        rates && [self.from.len(), self.commands.len()] == [boundaries; 2]
-    }
-
-    /// Its length \[s\].
-    pub(super) fn length(&self) -> f64 {
-        self.end - self.since
-    }
-
-    pub(super) fn drive<'a>(&'a self, scene: &'a Scene) -> Drive<'a> {
-        let commands = (&self.commands[..], &self.rates[..]);
-        Drive::new(
-            &scene.boundaries,
-            commands,
-            &self.from,
-            self.since,
-            self.end,
-        )
-    }
-}
-
-/// Whether there are sensors that must know where spheres were.
-fn flows(scene: &Scene) -> bool {
-    let mut sensors = scene.sensors.iter();
-    sensors.any(|sensor| matches!(sensor.measure, Measure::MassFlow { .. }))
 }
 
 /// A communication step below this share of the last internal step has no forces of its own.

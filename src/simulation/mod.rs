@@ -1,43 +1,35 @@
 //! The simulation: owns the state, advances it (`march`), takes and restores snapshots.
 
 mod derivatives;
-pub mod drive;
 mod exchange;
 mod explain;
 pub mod flow;
+mod impulse_totals;
 mod march;
 mod pace;
+mod replay_record;
+mod running_scene;
 mod settle;
 mod start;
+pub mod trajectory;
 
 use std::sync::Arc;
 
 use crate::Vec3;
-use crate::contact::Contact;
-use crate::detection::narrow_phase::Placement;
 use crate::error::{SnapshotError, StepError};
 use crate::formats::snapshot;
 use crate::problem::{Impulses, Problem};
 use crate::scene::gravity::GravityMotion;
-use crate::scene::particles::Kinematics;
 use crate::scene::{Boundary, Command, Rates, Scene};
-use crate::simulation::drive::Drive;
-use crate::spatial::{Dof6, Pose, Twist, Wrench};
-use crate::state::{BodyState, JointState, Pace, State, StepReport, Velocities, Work};
+use crate::simulation::trajectory::Drive;
+use crate::spatial::{Dof6, Pose, Wrench};
+use crate::state::{BodyState, Pace, Reserve, State, StepReport, Work};
 use crate::step::{Scratch, initial_forces, remove_overlaps};
-pub use derivatives::{Direction, Origin};
+pub use derivatives::Direction;
 pub use march::March;
+pub use replay_record::Origin;
+pub use running_scene::Simulation;
 pub use settle::{Pass, PassKind, Settle, SettleError, SettleProgress, Settled};
-
-/// A running scene. `Send`, without global state; threads of its own only if the scene asks for them, joined when it goes.
-#[derive(Debug)]
-pub struct Simulation {
-    scene: Arc<Scene>,
-    state: State,
-    scratch: Scratch,
-    /// Where the last communication step came from.
-    origin: Option<Box<Origin>>,
-}
 
 impl Simulation {
     /// Removes small initial overlaps and solves the contact forces at t = 0.
@@ -88,7 +80,7 @@ impl Simulation {
             mean_wrenches: vec![Wrench::default(); boundaries],
             owed: vec![Wrench::default(); boundaries],
             work: Work::default(),
-            reserves: exchange::reserves(&scene),
+            reserves: reserves(&scene),
             emitted: vec![0.0; scene.sources.len()],
             removed: vec![0.0; scene.sinks.len()],
             passed: vec![0.0; scene.sensors.len()],
@@ -130,24 +122,6 @@ impl Simulation {
             state.mean_wrenches.clone_from(&state.wrenches);
         }
         Ok(())
-    }
-
-    /// The scene.
-    #[must_use]
-    pub fn scene(&self) -> &Arc<Scene> {
-        &self.scene
-    }
-
-    /// Time \[s\].
-    #[must_use]
-    pub fn time(&self) -> f64 {
-        self.state.time
-    }
-
-    /// Gravity \[m/s^2\] at [`Self::time`].
-    #[must_use]
-    pub fn gravity(&self) -> Vec3 {
-        self.state.gravity_at(&self.scene, self.state.time)
     }
 
     /// Sets gravity \[m/s^2\] from now on; one that rotates goes on to do so from this vector at t = 0. A step that begins
@@ -290,20 +264,6 @@ impl Simulation {
         Ok(crate::step::problem(&self.scene, state, dt, &poses))
     }
 
-    /// Complete state as bytes that work in a new process: [`crate::formats::snapshot`].
-    #[must_use]
-    pub fn snapshot(&self) -> Vec<u8> {
-        let velocities = (0..self.state.kinematics.len()).map(|i| self.velocity(i));
-        let (velocity, spin) = velocities.map(|v| (v.linear, v.angular)).unzip();
-        let reported = Kinematics {
-            velocity,
-            spin,
-            ..self.state.kinematics.clone()
-        };
-        let radius = &self.scene.particles.radius;
-        snapshot::take(&self.scene.hash, radius, &reported, &self.state)
-    }
-
     /// Restores a [`Self::snapshot`] of the same scene.
     ///
     /// # Errors
@@ -314,144 +274,6 @@ impl Simulation {
         self.state = state;
         self.origin = None;
         Ok(())
-    }
-
-    fn check_counts(&self, state: &State) -> Result<(), SnapshotError> {
-        let counts = [
-            state.kinematics.len(),
-            state.poses.len(),
-            state.bodies.len(),
-        ];
-        let scene = &self.scene;
-        let driven = scene.driven().count();
-        if counts != [scene.particles.len(), scene.boundaries.len(), driven] {
-            return Err(SnapshotError::Format(
-                "it has other numbers of spheres or boundaries than the scene of its hash",
-            ));
-        }
-        if !state.contacts.fits() {
-            return Err(SnapshotError::Format(
-                "its contacts and their couples differ in number",
-            ));
-        }
-        Ok(())
-    }
-
-    /// The whole state, read-only.
-    #[must_use]
-    pub fn state(&self) -> &State {
-        &self.state
-    }
-
-    /// Positions, orientations and the integrator's own (half-step) velocities.
-    #[must_use]
-    pub fn kinematics(&self) -> &Kinematics {
-        &self.state.kinematics
-    }
-
-    /// Velocity \[m/s\] and angular velocity \[rad/s\] of sphere `i` at [`Self::time`].
-    #[must_use]
-    pub fn velocity(&self, i: usize) -> Twist {
-        self.velocities().reported(i)
-    }
-
-    /// Velocity \[m/s\] and angular velocity \[rad/s\] of sphere `i` half a `simulation.step` before [`Self::time`]
-    /// (integrator `shi`: at that time): between two communication points the momentum of these velocities changes by
-    /// weight and loads x time less the [`Self::mean_wrench`]es x time, also where steps were cut.
-    #[must_use]
-    pub fn half_step_velocity(&self, i: usize) -> Twist {
-        self.velocities().half_step(i)
-    }
-
-    /// Both, for whichever sphere.
-    #[must_use]
-    pub fn velocities(&self) -> Velocities<'_> {
-        let settings = &self.scene.settings;
-        Velocities {
-            kinematics: &self.state.kinematics,
-            persisting: &self.state.persisting,
-            integrator: settings.integrator,
-            last: self.state.last_step,
-            step: settings.step,
-        }
-    }
-
-    /// Loaded contacts in canonical order: gap and point at [`Self::time`], mean force of the last internal step.
-    #[must_use]
-    pub fn contacts(&self) -> Vec<Contact> {
-        let state = &self.state;
-        let placement = Placement::of(&self.scene, &state.kinematics, &state.poses);
-        let loads = state.contacts.iter().enumerate();
-        loads
-            .map(|(k, load)| placement.contact(load, state.contacts.torque(k)))
-            .collect()
-    }
-
-    /// Pose of boundary `b`.
-    #[must_use]
-    pub fn boundary_pose(&self, b: usize) -> Pose {
-        self.state.poses[b]
-    }
-
-    /// Twist of boundary `b`: over the last internal step, that of a driven body at [`Self::time`].
-    #[must_use]
-    pub fn boundary_twist(&self, b: usize) -> Twist {
-        let mut bodies = self.scene.driven().zip(&self.state.bodies);
-        let driven = bodies.find(|((boundary, _), _)| *boundary == b);
-        driven.map_or(self.state.twists[b], |((_, body), carried)| {
-            let integrator = self.scene.settings.integrator;
-            let (last, persisting) = (self.state.last_step, &carried.persisting);
-            let momentum = integrator.reported(&carried.momentum, persisting, last);
-            body.twist_of(&self.scene.boundaries[b], &self.state.poses[b], &momentum)
-        })
-    }
-
-    /// Travel of boundary `b`'s joint and the force of its stops and spring; zero unless it is a driven body.
-    #[must_use]
-    pub fn joint(&self, b: usize) -> JointState {
-        let mut bodies = self.scene.driven().zip(&self.state.bodies);
-        let driven = bodies.find(|((boundary, _), _)| *boundary == b);
-        driven.map_or_else(JointState::default, |(_, carried)| JointState {
-            travel: carried.travel,
-            force: carried.holds.iter().sum(),
-        })
-    }
-
-    /// Velocity \[m/s\] of boundary `b`'s surface against its shape, world axes.
-    #[must_use]
-    pub fn surface_velocity(&self, b: usize) -> Vec3 {
-        let state = &self.state;
-        self.scene.boundaries[b].surface_velocity(&state.poses[b], &state.commands[b])
-    }
-
-    /// Wrench on boundary `b` over the last internal step.
-    #[must_use]
-    pub fn wrench(&self, b: usize) -> Wrench {
-        self.state.wrenches[b]
-    }
-
-    /// Wrench on boundary `b` averaged over the last communication step: impulse / h.
-    #[must_use]
-    pub fn mean_wrench(&self, b: usize) -> Wrench {
-        self.state.mean_wrenches[b]
-    }
-
-    /// Weight, inertial forces and point loads on all spheres \[N\], averaged over the last communication step: impulse / h.
-    #[must_use]
-    pub fn mean_body_force(&self) -> Vec3 {
-        self.state.mean_body_force
-    }
-
-    /// Report of the last communication step.
-    #[must_use]
-    pub fn report(&self) -> &StepReport {
-        &self.state.report
-    }
-
-    /// Work done since t = 0.
-    #[must_use]
-    pub fn work(&self) -> &Work {
-        &self.state.work
     }
 }
 
@@ -466,4 +288,20 @@ fn finite<'a>(what: &'static str, values: impl Iterator<Item = &'a f64>) -> Resu
         }
     }
     Ok(())
+}
+
+/// All sources before the start.
+fn reserves(scene: &Scene) -> Vec<Reserve> {
+    let sources = scene.sources.iter();
+    sources
+        .map(|source| Reserve {
+            waiting: source
+                .spheres
+                .clone()
+                .filter(|&i| !scene.initial.present[i])
+                .map(|i| i as u32)
+                .collect(),
+            ..Reserve::default()
+        })
+        .collect()
 }

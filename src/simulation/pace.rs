@@ -13,7 +13,7 @@ use super::Simulation;
 use crate::contact::{Load, Partner};
 use crate::scene::gravity::GravityMotion;
 use crate::scene::{Scene, Settings};
-use crate::simulation::drive::Drive;
+use crate::simulation::trajectory::Drive;
 use crate::solver::SolverKind;
 use crate::spatial::{Dof6, Twist};
 use crate::state::{Pace, State, StepReport};

@@ -21,8 +21,9 @@ use nalgebra::Matrix3;
 
 use super::bodies::{Masses, component, moved};
 use super::gauss_seidel::{Kernel, smooth};
+use super::report::Best;
 use super::residual::{Scale, evaluate};
-use super::{Best, Params, Report};
+use super::{Params, Report};
 use crate::Vec3;
 use crate::linalg::{BlockMatrix, BlockPattern, Factor, LinearError, Symbolic};
 use crate::problem::law::{SHEAR_RATIO, project_disc, project_interval, split};

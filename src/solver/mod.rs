@@ -11,33 +11,21 @@ mod bodies;
 pub mod gauss_seidel;
 mod neighbourhood;
 pub mod newton;
+mod params;
+mod report;
 pub mod residual;
 pub mod tangent;
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
 use crate::Vec3;
-use crate::linalg::LinearError;
 use crate::problem::Problem;
+use crate::solver::report::Best;
 use augmented_lagrangian::Workspace;
 use neighbourhood::Part;
-use residual::{Residual, Scale, evaluate};
+use residual::{Scale, evaluate};
 
+pub use params::{Params, SolverKind};
+pub use report::Report;
 pub use residual::Tolerance;
-
-/// Which solver takes the step's problem.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum SolverKind {
-    /// Gauss-Seidel first, Newton on the neighbourhoods of what it leaves.
-    #[default]
-    Auto,
-    /// Sparse Cholesky of `K D = F`, open-close iterations, augmented-Lagrangian outer loop.
-    Direct,
-    /// Block Gauss-Seidel on the multipliers.
-    GaussSeidel,
-}
 
 /// Contacts that lead from an unsolved row to the border of the first part that Newton solves.
 const HOPS: usize = 2;
@@ -61,90 +49,6 @@ const AUTO_SWEEPS: usize = 1000;
 /// Sweeps after each multiplier update of the augmented-Lagrangian loop: they bring friction onto the true cone, where
 /// the lagged discs alone converge slowly (five times fewer factorizations on the funnel).
 pub const SMOOTHING: usize = 60;
-
-/// What a solver is asked for.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Params {
-    /// Which solver.
-    pub kind: SolverKind,
-    /// Residuals to reach \[-\].
-    pub tolerance: Tolerance,
-    /// Whether the best iterate is taken where the tolerances are not met: then less is tried.
-    pub accept: bool,
-    /// Fewest Gauss-Seidel sweeps, unless [`Self::max_sweeps`] are fewer.
-    pub min_sweeps: usize,
-    /// Most Gauss-Seidel sweeps.
-    pub max_sweeps: usize,
-    /// Most factorizations of a solver, and again of Newton where it finishes.
-    pub max_factorizations: usize,
-    /// Penalty number `P_n` \[N/m\] at the start of the augmented-Lagrangian loop.
-    pub penalty: f64,
-    /// Whether that loop may change it.
-    pub adapt_penalty: bool,
-    /// Gauss-Seidel sweeps after each of its multiplier updates; 0: none, and no finish by Newton, as in the paper.
-    pub smoothing: usize,
-}
-
-/// What a solver did.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Report {
-    /// Whether every residual is within its tolerance.
-    pub converged: bool,
-    /// Residual reached.
-    pub residual: Residual,
-    /// Gauss-Seidel sweeps.
-    pub sweeps: usize,
-    /// Multiplier updates of the augmented-Lagrangian loop.
-    pub augmentations: usize,
-    /// Linear solves: open-close iterations over all augmentations. An unchanged matrix keeps its factor.
-    pub factorizations: usize,
-    /// Penalty number at the end \[N/m\]; zero if the augmented-Lagrangian loop did not run.
-    pub penalty: f64,
-    /// Why the last solve ended early, if a factorization failed.
-    pub broken: Option<LinearError>,
-}
-
-/// The best impulses of a loop that may lead away from the solution.
-struct Best {
-    excess: f64,
-    impulses: Vec<Vec3>,
-}
-
-impl Best {
-    fn new(residual: &Residual, tolerance: &Tolerance, impulses: &[Vec3]) -> Self {
-        Self {
-            excess: residual.excess(tolerance),
-            impulses: impulses.to_vec(),
-        }
-    }
-
-    /// Keeps `impulses` if they are better.
-    fn offer(&mut self, residual: &Residual, tolerance: &Tolerance, impulses: &[Vec3]) {
-        let excess = residual.excess(tolerance);
-        if excess < self.excess {
-            self.excess = excess;
-            self.impulses.copy_from_slice(impulses);
-        }
-    }
-}
-
-impl Report {
-    /// Adds the work of a second solve; residual, verdict and what broke are those of the second, the penalty the last.
-    #[must_use]
-    pub fn then(self, next: Self) -> Self {
-        Self {
-            sweeps: self.sweeps + next.sweeps,
-            augmentations: self.augmentations + next.augmentations,
-            factorizations: self.factorizations + next.factorizations,
-            penalty: if next.penalty > 0.0 {
-                next.penalty
-            } else {
-                self.penalty
-            },
-            ..next
-        }
-    }
-}
 
 /// Solves `problem` from the impulses given and leaves the solution in them, `[C]` \[N s\], and its velocities in the workspace.
 /// With [`Params::accept`] they are the best that were found.

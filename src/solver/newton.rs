@@ -17,8 +17,9 @@
 use nalgebra::Matrix3;
 
 use super::bodies::{Masses, moved};
+use super::report::Best;
 use super::residual::{Scale, evaluate};
-use super::{Best, Params, Report};
+use super::{Params, Report};
 use crate::Vec3;
 use crate::linalg::{GeneralMatrix, LinearError};
 use crate::problem::law::{SHEAR_RATIO, project_disc, project_interval, split};

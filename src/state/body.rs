@@ -36,12 +36,12 @@ impl BodyState {
     #[must_use]
     pub fn initial(scene: &Scene) -> Vec<Self> {
         let start = |(b, body): (usize, &Body)| {
-            let boundary = &scene.boundaries[b];
-            let momentum = body.momentum_of(boundary, &body.pose, &body.twist);
+            let pivot = scene.boundaries[b].point_of_action;
+            let momentum = body.momentum_of(pivot, &body.pose, &body.twist);
             Self {
                 momentum,
                 velocity: body
-                    .operator(boundary, body.pose.rotation, f64::recip)
+                    .operator(pivot, body.pose.rotation, f64::recip)
                     .times(&momentum),
                 persisting: Dof6::ZERO,
                 travel: body.travel(&body.pose, 0.0),

@@ -5,14 +5,17 @@ use std::ops::Range;
 
 use nalgebra::UnitQuaternion;
 
-use super::dof;
-use super::stage::{Held, Stage};
+use super::assemble::joint::Held;
+use super::external;
+use super::stage::Stage;
 use crate::Vec3;
 use crate::contact::{Load, Partner};
 use crate::integrator::Integrator;
 use crate::problem::{GROUND, Law};
+use crate::scene::Scene;
 use crate::spatial::{Dof6, Pose, Wrench, turned};
 use crate::state::{BodyState, State, Work};
+use crate::step::prediction::Start;
 
 /// Of pieces of the spheres: centres and orientations.
 type Places<'a> = (&'a mut [Vec3], &'a mut [UnitQuaternion<f64>]);
@@ -123,7 +126,7 @@ impl Stage<'_> {
     fn before_of(&self, i: usize) -> Dof6 {
         let kinematics = self.inputs.kinematics;
         match i.checked_sub(kinematics.len()) {
-            None => dof(kinematics, i),
+            None => kinematics.spatial_velocity(i),
             Some(rank) => self.inputs.bodies[rank].velocity,
         }
     }
@@ -226,7 +229,7 @@ impl Stage<'_> {
             for (i, (place, motion)) in (first..).zip(places.zip(velocities)) {
                 let ((position, orientation), (velocity, spin)) = (place, motion);
                 let (v1, external) = (&solution[i], &self.inputs.external[i]);
-                let before = dof(start, i);
+                let before = start.spatial_velocity(i);
                 let after = integrator.finish(&before, v1, scene.settings.dynamic_coefficient);
                 let old = integrator.reported(&before, &carried[i], step);
                 let new = integrator.reported(&after, &persisting[i], step);
@@ -379,6 +382,29 @@ impl Stage<'_> {
                 .plus(&self.before_of(i), 0.5)
                 .plus(&solution[i], 0.5),
             Integrator::Shi => solution[i],
+        }
+    }
+}
+
+impl Start<'_> {
+    /// External forces, and the work of a gravity that changes, into the `state` after a step of `dt` \[s\].
+    pub(super) fn book(&self, scene: &Scene, state: &mut State, dt: f64) {
+        external::keep(scene, state, &self.external);
+        let [from, to] = [0.0, dt].map(|after| state.gravity_at(scene, state.time + after));
+        if from != to {
+            let ends = self
+                .kinematics
+                .position
+                .iter()
+                .zip(&state.kinematics.position);
+            let middle: Vec<Vec3> = ends.map(|(a, b)| (a + b) * 0.5).collect();
+            state.lift(scene, &middle, to - from);
+            let heavy = self.bodies.iter().filter_map(|body| {
+                let poses = [&self.standing[body.boundary], &state.poses[body.boundary]];
+                body.weight_moment(poses)
+            });
+            let moment: Vec3 = heavy.sum();
+            state.work.gravity -= moment.dot(&(to - from));
         }
     }
 }

@@ -2,7 +2,6 @@
 
 use nalgebra::UnitQuaternion;
 
-use super::assemble::joint::Hold;
 use crate::Vec3;
 use crate::integrator::Integrator;
 use crate::scene::body::{Area, Body, Joint, Modes, along};
@@ -32,10 +31,10 @@ pub struct Ready<'a> {
     /// Acceleration by `external`.
     pub acceleration: Dof6,
     /// What its boundary's joint carried in the last step: [`BodyState::travel`], [`BodyState::holds`].
-    travel: f64,
-    held: [f64; 3],
-    body: &'a Body,
-    wall: &'a Boundary,
+    pub(super) travel: f64,
+    pub(super) held: [f64; 3],
+    pub(super) body: &'a Body,
+    pub(super) wall: &'a Boundary,
     momentum: Dof6,
     mass: Operator,
 }
@@ -59,10 +58,11 @@ impl<'a> Ready<'a> {
         dt: f64,
     ) -> Self {
         let boundary = &scene.boundaries[b];
+        let pivot = boundary.point_of_action;
         let integrator = scene.settings.integrator;
         let pose = &state.poses[b];
-        let reference = boundary.from_frame(pose, body.reference(boundary));
-        let action = body.action(boundary, pose);
+        let reference = boundary.from_frame(pose, body.reference(pivot));
+        let action = body.action(pivot, pose);
         // Shi's acceleration is constant over the step: that of the middle keeps its second order where torques turn along.
         let ahead = match integrator {
             Integrator::Moreau => Vec3::zeros(),
@@ -80,14 +80,14 @@ impl<'a> Ready<'a> {
             linear: load.linear + weight,
             angular: load.angular + lever.cross(&load.linear) + centre.cross(&weight),
         };
-        let here = body.operator(boundary, pose.rotation, f64::recip);
+        let here = body.operator(pivot, pose.rotation, f64::recip);
         let (last, persisting) = (state.last_step, &carried.persisting);
         let momentum = integrator.restep(&carried.momentum, persisting, last, dt);
         let velocity = integrator.restep(&carried.velocity, &here.times(persisting), last, dt);
         let ahead = integrator.free(&momentum, &external, dt);
         let turn = here.times(&ahead).angular * (0.5 * dt);
         let middle = UnitQuaternion::from_scaled_axis(turn) * pose.rotation;
-        let [linear, angular] = body.modes(boundary, middle);
+        let [linear, angular] = body.modes(pivot, middle);
         let damped = |modes: &Modes, c: f64, momentum: Vec3, force: Vec3| {
             let kept = along(modes, |inertia| damping(integrator, c, inertia, dt)[0]);
             let moved = along(modes, |inertia| damping(integrator, c, inertia, dt)[1]);
@@ -121,7 +121,7 @@ impl<'a> Ready<'a> {
             body,
             wall: boundary,
             momentum,
-            mass: body.operator(boundary, middle, |inertia| inertia),
+            mass: body.operator(pivot, middle, |inertia| inertia),
         }
     }
 
@@ -138,12 +138,6 @@ impl<'a> Ready<'a> {
         self.body.mass
     }
 
-    /// Its stops and its spring.
-    #[must_use]
-    pub fn holds(&self) -> Vec<Hold> {
-        self.body.holds(self.wall, self.travel, &self.held)
-    }
-
     /// The pose to which `velocity` leads from `pose` within `dt` \[s\].
     #[must_use]
     pub fn moved(&self, pose: &Pose, velocity: &Dof6, dt: f64) -> Pose {
@@ -157,7 +151,9 @@ impl<'a> Ready<'a> {
     /// Kinetic energy \[J\] at `pose` with `momentum` about the reference point.
     #[must_use]
     pub fn kinetic_energy(&self, pose: &Pose, momentum: &Dof6) -> f64 {
-        let mobility = self.body.operator(self.wall, pose.rotation, f64::recip);
+        let mobility = self
+            .body
+            .operator(self.wall.point_of_action, pose.rotation, f64::recip);
         0.5 * momentum.dot(&mobility.times(momentum))
     }
 
@@ -217,7 +213,9 @@ impl<'a> Ready<'a> {
         let velocity = match settings.integrator {
             Integrator::Moreau => *v1,
             Integrator::Shi => {
-                let mobility = self.body.operator(self.wall, end.rotation, f64::recip);
+                let mobility =
+                    self.body
+                        .operator(self.wall.point_of_action, end.rotation, f64::recip);
                 mobility.times(&momentum)
             }
         };

@@ -1,14 +1,14 @@
 //! Accelerations by external forces: gravity, point loads, and the inertial forces of a rotating frame.
 
-use super::{Start, dof};
 use crate::Vec3;
 use crate::integrator::Integrator;
+use crate::problem::Grip;
 use crate::scene::Scene;
 use crate::scene::particles::Kinematics;
 use crate::scene::rotating_frame::gyroscopic;
 use crate::spatial::Dof6;
 use crate::state::State;
-use crate::step::assemble::external_acceleration;
+use crate::step::driven::Ready;
 
 /// Into `external` the acceleration in a step of `dt` \[s\] that begins with `kinematics`, `[N]`.
 pub(super) fn acceleration(
@@ -33,7 +33,7 @@ pub(super) fn acceleration(
             continue;
         }
         let [shifts, turns] = scene.particles.free(i);
-        let before = dof(kinematics, i);
+        let before = kinematics.spatial_velocity(i);
         let middle = kinematics.position[i] + before.linear * ahead;
         external.linear += frame.centrifugal(middle).component_mul(&shifts);
         let contacts = state.persisting[i].plus(&state.external[i], -1.0);
@@ -60,7 +60,7 @@ fn inertial(scene: &Scene, kinematics: &Kinematics, i: usize) -> Dof6 {
     let Some(frame) = scene.settings.rotating_frame else {
         return Dof6::ZERO;
     };
-    let (rate, velocity) = (frame.angular_velocity, dof(kinematics, i));
+    let (rate, velocity) = (frame.angular_velocity, kinematics.spatial_velocity(i));
     let [shifts, turns] = scene.particles.free(i);
     let centre = frame.centrifugal(kinematics.position[i]) - 2.0 * rate.cross(&velocity.linear);
     Dof6 {
@@ -91,31 +91,53 @@ pub(crate) fn release(scene: &Scene, state: &mut State, i: usize) {
     }
     // The integrator carries the velocity half a step before.
     if scene.settings.integrator == Integrator::Moreau {
-        let before = dof(&state.kinematics, i).plus(&external, -0.5 * state.last_step);
+        let before = state
+            .kinematics
+            .spatial_velocity(i)
+            .plus(&external, -0.5 * state.last_step);
         state.kinematics.velocity[i] = before.linear;
         state.kinematics.spin[i] = before.angular;
     }
 }
 
-impl Start<'_> {
-    /// External forces, and the work of a gravity that changes, into the `state` after a step of `dt` \[s\].
-    pub(super) fn book(&self, scene: &Scene, state: &mut State, dt: f64) {
-        keep(scene, state, &self.external);
-        let [from, to] = [0.0, dt].map(|after| state.gravity_at(scene, state.time + after));
-        if from != to {
-            let ends = self
-                .kinematics
-                .position
-                .iter()
-                .zip(&state.kinematics.position);
-            let middle: Vec<Vec3> = ends.map(|(a, b)| (a + b) * 0.5).collect();
-            state.lift(scene, &middle, to - from);
-            let heavy = self.bodies.iter().filter_map(|body| {
-                let poses = [&self.standing[body.boundary], &state.poses[body.boundary]];
-                body.weight_moment(poses)
-            });
-            let moment: Vec3 = heavy.sum();
-            state.work.gravity -= moment.dot(&(to - from));
-        }
+/// Acceleration \[m/s^2\] by which all loads would change the speed of all bodies together: `sum |f| / sum m` over spheres
+/// with their `external` accelerations, `[N]`, and driven `bodies`. What a body on which nothing acts itself is pressed with.
+#[must_use]
+pub fn mean_acceleration(scene: &Scene, external: &[Dof6], bodies: &[Ready]) -> f64 {
+    let masses = &scene.particles.mass;
+    let spheres = external.iter().zip(masses);
+    let force: f64 = spheres.map(|(a, m)| m * a.linear.norm()).sum::<f64>()
+        + bodies
+            .iter()
+            .map(|body| body.external.linear.norm())
+            .sum::<f64>();
+    let mass = masses.iter().sum::<f64>() + bodies.iter().map(Ready::mass).sum::<f64>();
+    if mass > 0.0 { force / mass } else { 0.0 }
+}
+
+/// Into `external` the acceleration of every sphere by gravity and point loads, `[N]`; zero where locked or absent.
+pub fn external_acceleration(
+    scene: &Scene,
+    kinematics: &Kinematics,
+    gravity: Vec3,
+    external: &mut Vec<Dof6>,
+) {
+    let particles = &scene.particles;
+    external.clear();
+    external.extend((0..particles.len()).map(|i| match kinematics.present[i] {
+        true => Dof6 {
+            linear: particles.free(i)[0].component_mul(&gravity),
+            angular: Vec3::zeros(),
+        },
+        false => Dof6::ZERO,
+    }));
+    for load in &scene.loads {
+        let i = load.sphere;
+        let w = Dof6 {
+            linear: particles.inverse_mass(i),
+            angular: particles.inverse_inertia(i),
+        };
+        let arm = kinematics.orientation[i] * load.arm;
+        external[i].kick(&w, &Grip::Point(arm).momentum(load.force));
     }
 }

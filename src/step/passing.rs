@@ -12,12 +12,13 @@
 
 use std::mem::take;
 
+use super::Passed;
 use super::stage::Stage;
-use super::{Passed, Scratch};
+use super::workspace::Scratch;
 use crate::Vec3;
 use crate::contact::{Key, Partner};
-use crate::detection::broad_phase::Reach;
-use crate::detection::narrow_phase::{Candidate, Placement};
+use crate::detection::placement::{Candidate, Placement};
+use crate::detection::reach::Reach;
 use crate::detection::sweep::{least_distance, meets};
 use crate::spatial::cell::{HERE, Image};
 use crate::spatial::extent::smaller;

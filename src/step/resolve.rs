@@ -5,10 +5,11 @@ use std::ops::Range;
 
 use super::beside::{self, Twin};
 use super::stage::{Stage, follow};
-use super::{Effort, Passed, Scratch, StepFailure, StepOutcome};
+use super::workspace::Scratch;
+use super::{Effort, Passed, StepFailure, StepOutcome};
 use crate::Vec3;
 use crate::contact::{Partner, history};
-use crate::detection::narrow_phase::{Candidate, Placement};
+use crate::detection::placement::{Candidate, Placement};
 use crate::scene::Method;
 use crate::solver::Report;
 use crate::spatial::Dof6;

@@ -2,12 +2,13 @@
 
 use std::mem::take;
 
-use super::{Effort, Scratch};
+use super::Effort;
+use super::workspace::Scratch;
 use crate::Vec3;
 use crate::contact::history;
 use crate::contact::history::Past;
-use crate::detection::broad_phase::Reach;
-use crate::detection::narrow_phase::{Candidate, Placement};
+use crate::detection::placement::{Candidate, Placement};
+use crate::detection::reach::Reach;
 use crate::parallel::Pool;
 use crate::problem::{Law, Plain, Problem};
 use crate::scene::Method;
@@ -17,7 +18,8 @@ use crate::spatial::extent::larger;
 use crate::spatial::{Dof6, Pose};
 use crate::state::State;
 use crate::step::assemble::Inputs;
-use crate::step::assemble::joint::Hold;
+use crate::step::assemble::joint::Held;
+use crate::step::workspace::Memory;
 
 /// Contacts with a gap below this share of the radius are candidates even at rest.
 const NEAR: f64 = 1e-3;
@@ -26,13 +28,6 @@ const NEAR: f64 = 1e-3;
 const STANDING_SWEEPS: usize = 3;
 /// Share of the gap tolerance left to the linear problem; the rest is for curvature and rounding.
 const LINEAR_SHARE: f64 = 0.9;
-
-/// A stop or spring of a driven body.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Held {
-    pub(super) hold: Hold,
-    pub(super) impact: bool,
-}
 
 /// The step under way: its problem and who its rows are.
 pub(super) struct Stage<'a> {
@@ -54,20 +49,6 @@ pub(super) struct Stage<'a> {
     pub(super) closed: Vec<Candidate>,
     /// Whether bodies move through the step: a displacement that removes overlaps is no way.
     pub(super) moves: bool,
-}
-
-/// The arrays of a stage, kept from step to step for their memory alone.
-#[derive(Debug, Default)]
-pub(super) struct Memory {
-    problem: Problem,
-    candidates: Vec<Candidate>,
-    closed: Vec<Candidate>,
-    impact: Vec<bool>,
-    holds: Vec<Held>,
-    impulses: Vec<Vec3>,
-    past: Vec<Past>,
-    solution: Vec<Dof6>,
-    position: Vec<Vec3>,
 }
 
 /// Of pieces of the contacts: their past, whether they are impacts, and their impulses.

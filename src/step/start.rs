@@ -1,10 +1,13 @@
 //! The start of a run: overlaps out by displacement, contact forces at rest.
 
+use super::assemble::joint::Held;
 use super::beside::{self, Twin};
-use super::stage::{Held, Stage};
-use super::{Effort, Scratch, Start, StepFailure, external, surfaces};
+use super::prediction::{Start, surfaces};
+use super::stage::Stage;
+use super::workspace::Scratch;
+use super::{Effort, StepFailure, external};
 use crate::Vec3;
-use crate::detection::narrow_phase::Placement;
+use crate::detection::placement::Placement;
 use crate::parallel::Pool;
 use crate::problem::{Law, Row, retain};
 use crate::scene::{Method, Scene};

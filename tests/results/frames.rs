@@ -5,8 +5,9 @@ use std::fs;
 use sphere_dda::Vec3;
 use sphere_dda::formats::vtu::{Array, Cell, Grid, Precision, Values, encode};
 use sphere_dda::observe::loads::{Load, Loads};
+use sphere_dda::results::Options;
 use sphere_dda::results::frames::{Series, Surface, contacts, frame};
-use sphere_dda::results::writer::{Options, Results};
+use sphere_dda::results::writer::Results;
 use sphere_dda::scene::Scene;
 use sphere_dda::scene::materials::Pair;
 

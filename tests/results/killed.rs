@@ -2,8 +2,9 @@
 
 use std::fs;
 
+use sphere_dda::results::Options;
 use sphere_dda::results::frames::Series;
-use sphere_dda::results::writer::{Options, Results};
+use sphere_dda::results::writer::Results;
 
 use crate::made::{listed_or_none, place, record, scene};
 use crate::vtu::check_blocks;

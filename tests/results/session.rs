@@ -10,7 +10,8 @@ use std::{
 };
 
 use sphere_dda::formats::error::OutputError;
-use sphere_dda::results::writer::{Options, Results};
+use sphere_dda::results::Options;
+use sphere_dda::results::writer::Results;
 
 use crate::made::{Made, listed, listed_or_none, place, record, scene};
 

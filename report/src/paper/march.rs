@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use sphere_dda::Vec3;
 use sphere_dda::detection::broad_phase::NeighborList;
-use sphere_dda::detection::narrow_phase::Placement;
+use sphere_dda::detection::placement::Placement;
 use sphere_dda::error::StepError;
 use sphere_dda::integrator::Integrator;
 use sphere_dda::problem::Problem;

@@ -6,7 +6,7 @@
 //! ```
 
 use sphere_dda::detection::broad_phase::NeighborList;
-use sphere_dda::detection::narrow_phase::Placement;
+use sphere_dda::detection::placement::Placement;
 
 /// Overlaps over radius of some pairs.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

@@ -11,9 +11,7 @@ use crate::Vec3;
 use crate::geometry::{Solid, Touch};
 use crate::spatial::cell::Cell;
 pub use primitive::Primitive;
-
-/// Relative length by which a confined sphere keeps clear of curved borders, above rounding \[-\].
-const SLACK: f64 = 1e-9;
+use primitive::SLACK;
 
 /// A region, closed below and open above along its own axes, so that adjacent regions share no point.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

@@ -3,9 +3,11 @@
 use rand_chacha::ChaCha8Rng;
 use serde::{Deserialize, Serialize};
 
-use super::SLACK;
 use crate::Vec3;
 use crate::random::{symmetric, unit};
+
+/// Relative length by which a confined sphere keeps clear of curved borders, above rounding \[-\].
+pub(super) const SLACK: f64 = 1e-9;
 
 /// A box or a cylinder, closed below and open above along its own axes.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]

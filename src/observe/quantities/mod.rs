@@ -10,6 +10,7 @@
 //! ```
 
 mod fields;
+mod kind;
 mod readings;
 
 use super::Observation;
@@ -18,16 +19,8 @@ use super::sensors::region;
 use crate::scene::body::Joint;
 use crate::scene::{Measure, Motion, Scene};
 use fields::{BODY, DRIVEN, FLOW, Field, HINGE, PROBE, REGION, SINK, SLIDE, SOURCE, WHOLE, WRENCH};
+pub use kind::Kind;
 use readings::{Body, Flow, Sphere, Whole};
-
-/// What kind of number a quantity is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
-    /// Any number.
-    Real,
-    /// A count, 0 or more.
-    Count,
-}
 
 /// One scalar.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,9 +1,9 @@
 //! Lengths that look like millimetres.
 
-use super::Advice;
 use crate::Vec3;
 use crate::geometry::{Facets, Shape};
 use crate::scene::{Boundary, Scene};
+use crate::scene_file::problem::Advice;
 use crate::scene_file::summary::{metres, spheres_extent};
 use crate::spatial::extent::joined;
 

@@ -2,7 +2,6 @@
 
 use std::ops::Range;
 
-use super::Advice;
 use crate::Vec3;
 use crate::geometry::rays::Rays;
 use crate::geometry::region::Region;
@@ -11,6 +10,7 @@ use crate::scene::gravity::GravityMotion;
 use crate::scene::{Boundary, Scene};
 use crate::scene_file::decode::SceneFile;
 use crate::scene_file::file;
+use crate::scene_file::problem::Advice;
 use crate::spatial::Pose;
 use crate::spatial::extent::passed;
 

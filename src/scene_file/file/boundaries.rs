@@ -103,7 +103,7 @@ pub struct Cone {
     /// Centre of the first end \[m\].
     pub base: Vector,
     /// Direction from the first end to the second, any length > 0.
-    #[serde(default = "super::up")]
+    #[serde(default = "super::defaults::up")]
     pub axis: Vector,
     /// Radius at the first end \[m\].
     #[schemars(extend("minimum" = 0))]
@@ -123,7 +123,7 @@ pub struct Cylinder {
     /// Centre of the first end \[m\].
     pub base: Vector,
     /// Direction from the first end to the second, any length > 0.
-    #[serde(default = "super::up")]
+    #[serde(default = "super::defaults::up")]
     pub axis: Vector,
     /// Radius \[m\].
     #[schemars(extend("exclusiveMinimum" = 0))]
@@ -143,7 +143,7 @@ pub struct Stl {
     /// File beside or below the scene file.
     pub file: String,
     /// Factor on the file's coordinates: 0.001 for millimetres.
-    #[serde(default = "super::one")]
+    #[serde(default = "super::defaults::one")]
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub scale: f64,
     /// Translation after scaling \[m\].
@@ -159,7 +159,7 @@ pub struct Terrain {
     /// File beside or below the scene file.
     pub file: String,
     /// Factor on the file's coordinates and heights: one, or three for x, y and height.
-    #[serde(default = "super::one_for_all")]
+    #[serde(default = "super::defaults::one_for_all")]
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub scale: OneOrMany<f64>,
     /// Translation after scaling \[m\]; map coordinates are large, so bring them near zero.

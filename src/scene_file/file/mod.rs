@@ -3,6 +3,7 @@
 
 mod boundaries;
 mod cell;
+mod defaults;
 mod driven;
 mod frame;
 mod regions;
@@ -139,7 +140,7 @@ pub struct Simulation {
     #[schemars(extend("minimum" = 0))]
     pub threshold_velocity: f64,
     /// Share of the velocity that the next step keeps (integrator `shi`) \[-\].
-    #[serde(default = "one")]
+    #[serde(default = "defaults::one")]
     #[schemars(extend("minimum" = 0, "maximum" = 1))]
     pub dynamic_coefficient: f64,
     /// Most solver iterations in one step \[-\].
@@ -190,18 +191,6 @@ pub struct Tolerance {
 
 fn yes() -> bool {
     true
-}
-
-fn one() -> f64 {
-    1.0
-}
-
-fn one_for_all() -> OneOrMany<f64> {
-    OneOrMany::One(1.0)
-}
-
-fn up() -> Vector {
-    Triple([0.0, 0.0, 1.0])
 }
 
 fn five_percent() -> f64 {

@@ -26,7 +26,7 @@ pub struct Tube {
     /// Centre of the first end \[m\].
     pub base: Vector,
     /// Direction from the first end to the second, any length > 0.
-    #[serde(default = "super::up")]
+    #[serde(default = "super::defaults::up")]
     pub axis: Vector,
     /// Radius \[m\].
     #[schemars(extend("exclusiveMinimum" = 0))]

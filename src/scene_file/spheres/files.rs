@@ -2,7 +2,7 @@
 
 use nalgebra::{Quaternion, UnitQuaternion};
 
-use super::Start;
+use super::start::Start;
 use crate::Vec3;
 use crate::formats::vtu::{Cloud, VtuError};
 use crate::formats::{snapshot, vtu};

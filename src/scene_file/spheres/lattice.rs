@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 use rand_chacha::ChaCha8Rng;
 
-use super::{MOST_SPHERES, Start};
+use super::start::{MOST_SPHERES, Start};
 use crate::Vec3;
 use crate::random::symmetric;
 use crate::scene_file::document::Document;

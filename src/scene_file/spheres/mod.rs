@@ -3,10 +3,10 @@
 mod files;
 mod lattice;
 mod packing;
+mod start;
 
 use std::ops::Range;
 
-use nalgebra::UnitQuaternion;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 
@@ -16,41 +16,10 @@ use super::resources::Resources;
 use super::sizes::Sizes;
 use crate::Vec3;
 use crate::random::symmetric;
-use crate::scene::Boundary;
 use crate::scene::materials::Material;
-use crate::scene::particles::{Kinematics, Locks, Particles};
-
-/// Most spheres of a scene: a bound that catches a mistyped count before it eats the memory.
-pub(super) const MOST_SPHERES: usize = 10_000_000;
-
-/// How a sphere starts.
-struct Start {
-    position: Vec3,
-    orientation: UnitQuaternion<f64>,
-    velocity: Vec3,
-    spin: Vec3,
-}
-
-impl Start {
-    fn at(position: Vec3) -> Self {
-        Self {
-            position,
-            orientation: UnitQuaternion::identity(),
-            velocity: Vec3::zeros(),
-            spin: Vec3::zeros(),
-        }
-    }
-}
-
-/// What a group is added to.
-pub(super) struct Present<'a> {
-    /// The spheres so far.
-    pub(super) particles: &'a mut Particles,
-    /// How they start.
-    pub(super) initial: &'a mut Kinematics,
-    /// The boundaries; `None` if one of them was refused.
-    pub(super) boundaries: Option<&'a [Boundary]>,
-}
+use crate::scene::particles::Locks;
+use start::Start;
+pub(crate) use start::{MOST_SPHERES, Present};
 
 /// Adds the spheres of one group; returns their indices.
 pub(super) fn add(

@@ -8,9 +8,10 @@
 //! flow          the mass flow of the last communication step; its own rate 0
 //! ```
 
-use super::{Origin, Simulation};
+use super::Simulation;
 use crate::contact::history;
 use crate::error::StepError;
+use crate::simulation::Origin;
 use crate::spatial::{Wrench, turned};
 use crate::state::{State, Work};
 

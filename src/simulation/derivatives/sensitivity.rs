@@ -5,10 +5,12 @@
 //! compared. The step is chained with its internal steps: positions, velocities, orientations, persisting forces, driven
 //! bodies and mean wrenches of one go into the next.
 
-use super::{Companion, Origin, Simulation};
+use super::Simulation;
+use super::replay::Companion;
 use crate::Vec3;
 use crate::error::StepError;
 use crate::scene::{Command, InputKind, Motion};
+use crate::simulation::Origin;
 use crate::state::State;
 
 /// Displacement of the companions over the smallest radius \[-\]: between rounding and curvature, both below 1e-9.

@@ -9,7 +9,7 @@ use crate::error::StepError;
 use crate::scene::particles::Kinematics;
 use crate::scene::{Motion, Scene};
 use crate::simulation::Simulation;
-use crate::simulation::drive::displacement;
+use crate::simulation::trajectory::displacement;
 use crate::solver::Tolerance;
 use crate::spatial::{Dof6, Twist};
 

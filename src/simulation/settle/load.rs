@@ -2,8 +2,8 @@
 
 use crate::scene::Scene;
 use crate::simulation::Simulation;
-use crate::step::assemble::external_acceleration;
 use crate::step::driven::Ready;
+use crate::step::external::external_acceleration;
 
 /// Share of `sqrt(a R)` that counts as rest.
 const STILL: f64 = 1e-3;

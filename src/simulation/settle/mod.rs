@@ -25,17 +25,17 @@
 mod course;
 mod error;
 mod load;
+mod pass;
 mod scenes;
 
-use std::fmt;
 use std::ops::ControlFlow;
 
-use super::Simulation;
 use crate::error::StepError;
 use crate::scene::Scene;
 use course::Course;
 pub use error::SettleError;
 use load::Load;
+pub use pass::{Pass, PassKind, SettleProgress};
 use scenes::{COARSE, FINE, LOOSE, held, still};
 
 /// How long a scene settles.
@@ -45,52 +45,6 @@ pub struct Settle {
     pub time: f64,
     /// Whether the first pass ends as soon as the spheres are at rest; else it takes its share of the time.
     pub until_rest: bool,
-}
-
-/// A pass of settling.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Pass {
-    /// Its number, from 1.
-    pub number: u32,
-    /// What it is for.
-    pub kind: PassKind,
-}
-
-/// What a pass of settling is for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum PassKind {
-    /// The way down, to coarse tolerances.
-    Coarse,
-    /// To the scene's gaps.
-    Fine,
-    /// To balanced forces.
-    Balance,
-}
-
-impl fmt::Display for Pass {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let kind = match self.kind {
-            PassKind::Coarse => "coarse",
-            PassKind::Fine => "fine",
-            PassKind::Balance => "balance",
-        };
-        write!(f, "pass {} ({kind})", self.number)
-    }
-}
-
-/// How far settling has come.
-#[derive(Debug, Clone, Copy)]
-pub struct SettleProgress<'a> {
-    /// The pass under way.
-    pub pass: Pass,
-    /// Time simulated in all passes so far \[s\]; it never decreases.
-    pub time: f64,
-    /// Largest speed \[m/s\] of a centre or a surface.
-    pub speed: f64,
-    /// The speed below which a sphere is at rest \[m/s\].
-    pub rest_speed: f64,
-    /// The simulation of this pass; its time begins anew with each.
-    pub simulation: &'a Simulation,
 }
 
 /// A settled scene.

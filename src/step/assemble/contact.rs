@@ -3,56 +3,16 @@
 use super::Inputs;
 use crate::Vec3;
 use crate::contact::Partner;
-use crate::detection::narrow_phase::Candidate;
+use crate::detection::placement::Candidate;
 use crate::integrator::Integrator;
 use crate::problem::law::{SHEAR_RATIO, split};
 use crate::problem::{GROUND, Law, Row};
-use crate::scene::particles::Kinematics;
-use crate::scene::{Method, Scene};
+use crate::scene::Method;
 use crate::spatial::Dof6;
+use crate::step::assemble::Mover;
 
 /// Rounding of a velocity that several impulses have changed, over its size \[-\].
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
-
-/// A sphere as its contacts see it before the step.
-#[derive(Debug, Clone, Copy)]
-#[repr(C, align(64))]
-pub struct Mover {
-    /// Velocity \[m/s\].
-    velocity: Vec3,
-    /// Angular velocity times radius \[m/s\].
-    rolling: Vec3,
-    /// Radius \[m\].
-    radius: f64,
-    /// Mass \[kg\].
-    mass: f64,
-}
-
-impl Mover {
-    /// All spheres, `[N]`, in the given memory.
-    #[must_use]
-    pub fn all(scene: &Scene, kinematics: &Kinematics, mut memory: Vec<Self>) -> Vec<Self> {
-        let sizes = scene.particles.radius.iter().zip(&scene.particles.mass);
-        let ways = kinematics.velocity.iter().zip(&kinematics.spin);
-        memory.clear();
-        memory.extend(
-            sizes
-                .zip(ways)
-                .map(|((&radius, &mass), (velocity, spin))| Self {
-                    velocity: *velocity,
-                    rolling: spin * radius,
-                    radius,
-                    mass,
-                }),
-        );
-        memory
-    }
-
-    /// Square of its speed \[m^2/s^2\].
-    fn speed(&self) -> f64 {
-        self.velocity.norm_squared()
-    }
-}
 
 /// How the bodies of a contact meet.
 struct Meeting {

@@ -14,6 +14,7 @@
 use crate::Vec3;
 use crate::scene::Boundary;
 use crate::scene::body::{Body, Joint};
+use crate::step::driven::Ready;
 
 /// What acts on a joint's travel.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -72,12 +73,7 @@ impl Hold {
 
 impl Body {
     /// Its stops and its spring at `travel`, with what they exerted in the last step.
-    pub(in crate::step) fn holds(
-        &self,
-        boundary: &Boundary,
-        travel: f64,
-        last: &[f64; 3],
-    ) -> Vec<Hold> {
+    fn holds(&self, boundary: &Boundary, travel: f64, last: &[f64; 3]) -> Vec<Hold> {
         let (arm, direction, lever) = match self.joint {
             Joint::Free => return Vec::new(),
             Joint::Slide { axis } => (Vec3::zeros(), axis, 1.0),
@@ -110,5 +106,20 @@ impl Body {
                 })
             })
             .collect()
+    }
+}
+
+/// A stop or spring of a driven body.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Held {
+    pub(crate) hold: Hold,
+    pub(crate) impact: bool,
+}
+
+impl Ready<'_> {
+    /// Its stops and its spring.
+    #[must_use]
+    pub fn holds(&self) -> Vec<Hold> {
+        self.body.holds(self.wall, self.travel, &self.held)
     }
 }

@@ -18,51 +18,22 @@
 //! gap constraint: it lands on the surface instead of stopping above it.
 
 mod contact;
+mod inputs;
 pub mod joint;
+mod mover;
 
-pub use contact::Mover;
+pub use inputs::Inputs;
+pub use mover::Mover;
 
 use crate::Vec3;
 use crate::contact::{Key, Partner};
 use crate::problem::law::SHEAR_RATIO;
-use crate::problem::{GROUND, Grip, Law, Problem, Row};
+use crate::problem::{GROUND, Law, Problem, Row};
+use crate::scene::Method;
 use crate::scene::materials::Pair;
-use crate::scene::particles::Kinematics;
-use crate::scene::{Method, Scene};
-use crate::spatial::{Dof6, Pose, Twist};
+use crate::spatial::Dof6;
 use crate::step::assemble::joint::{Hold, Kind};
 use crate::step::driven::Ready;
-
-/// What a step's problem is made from.
-#[derive(Debug, Clone, Copy)]
-pub struct Inputs<'a> {
-    /// The scene.
-    pub scene: &'a Scene,
-    /// State at the start; velocities already match `step`.
-    pub kinematics: &'a Kinematics,
-    /// External acceleration, `[N]`.
-    pub external: &'a [Dof6],
-    /// The spheres as contacts see them, `[N]`.
-    pub movers: &'a [Mover],
-    /// Time step \[s\].
-    pub step: f64,
-    /// Boundary poses at the start and at the end, `[B]`; those of driven bodies at the end are without contacts.
-    pub poses: [&'a [Pose]; 2],
-    /// Driven bodies, `[D]`, by ascending boundary; boundaries that are not among them move as prescribed.
-    pub bodies: &'a [Ready<'a>],
-    /// Boundary twists over the previous step, `[B]`.
-    pub twists: &'a [Twist],
-    /// Velocities of the boundaries' surfaces against their shapes \[m/s\], world axes, `[B]`.
-    pub surfaces: &'a [Vec3],
-    /// Gravity \[m/s^2\].
-    pub gravity: Vec3,
-    /// Its size.
-    pub gravity_size: f64,
-    /// Spring targets at the end of the step \[m\], `[S]`.
-    pub targets: &'a [Vec3],
-    /// [`mean_acceleration`] \[m/s^2\].
-    pub mean_acceleration: f64,
-}
 
 impl<'a> Inputs<'a> {
     /// Makes `problem` one without rows: free velocities and inverse masses.
@@ -258,47 +229,5 @@ impl<'a> Inputs<'a> {
                 * self.external[i].linear.norm()
                 * self.step,
         }
-    }
-}
-
-/// Acceleration \[m/s^2\] by which all loads would change the speed of all bodies together: `sum |f| / sum m` over spheres
-/// with their `external` accelerations, `[N]`, and driven `bodies`. What a body on which nothing acts itself is pressed with.
-#[must_use]
-pub fn mean_acceleration(scene: &Scene, external: &[Dof6], bodies: &[Ready]) -> f64 {
-    let masses = &scene.particles.mass;
-    let spheres = external.iter().zip(masses);
-    let force: f64 = spheres.map(|(a, m)| m * a.linear.norm()).sum::<f64>()
-        + bodies
-            .iter()
-            .map(|body| body.external.linear.norm())
-            .sum::<f64>();
-    let mass = masses.iter().sum::<f64>() + bodies.iter().map(Ready::mass).sum::<f64>();
-    if mass > 0.0 { force / mass } else { 0.0 }
-}
-
-/// Into `external` the acceleration of every sphere by gravity and point loads, `[N]`; zero where locked or absent.
-pub fn external_acceleration(
-    scene: &Scene,
-    kinematics: &Kinematics,
-    gravity: Vec3,
-    external: &mut Vec<Dof6>,
-) {
-    let particles = &scene.particles;
-    external.clear();
-    external.extend((0..particles.len()).map(|i| match kinematics.present[i] {
-        true => Dof6 {
-            linear: particles.free(i)[0].component_mul(&gravity),
-            angular: Vec3::zeros(),
-        },
-        false => Dof6::ZERO,
-    }));
-    for load in &scene.loads {
-        let i = load.sphere;
-        let w = Dof6 {
-            linear: particles.inverse_mass(i),
-            angular: particles.inverse_inertia(i),
-        };
-        let arm = kinematics.orientation[i] * load.arm;
-        external[i].kick(&w, &Grip::Point(arm).momentum(load.force));
     }
 }

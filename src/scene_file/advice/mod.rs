@@ -9,10 +9,9 @@ mod unused;
 
 use std::ops::Range;
 
-use miette::Severity;
-
 use super::Summary;
 use super::decode::SceneFile;
+use super::problem::Advice;
 use crate::scene::Scene;
 
 /// Internal steps longer than this many times the suggested one are warned of.
@@ -20,42 +19,6 @@ const LONG_STEP: f64 = 20.0;
 /// The suggested step is that for a gap tolerance of at least this \[-\]: a tighter one asks for shorter steps to be cheap,
 /// not to be right.
 const COARSE_GAP: f64 = 1e-4;
-
-/// One piece of advice.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct Advice {
-    /// Key path.
-    pub(super) path: String,
-    /// What was found.
-    pub(super) message: String,
-    /// How to mend it.
-    pub(super) help: String,
-    /// `Warning`, or `Advice` for what is harmless.
-    pub(super) severity: Severity,
-}
-
-impl Advice {
-    fn warning(
-        path: impl Into<String>,
-        message: impl Into<String>,
-        help: impl Into<String>,
-    ) -> Self {
-        Self {
-            path: path.into(),
-            message: message.into(),
-            help: help.into(),
-            severity: Severity::Warning,
-        }
-    }
-
-    /// What only costs the reader time.
-    fn harmless(self) -> Self {
-        Self {
-            severity: Severity::Advice,
-            ..self
-        }
-    }
-}
 
 /// All advice about a scene. `ranges` are the spheres of each group of the file, then of each source.
 pub(super) fn advise(

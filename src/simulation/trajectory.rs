@@ -13,6 +13,8 @@
 //! motion               as a pose; where that has no derivatives, U(s) is the pose moved on by the twist's x(s), Q(s)
 //! ```
 
+use serde::{Deserialize, Serialize};
+
 use crate::Vec3;
 use crate::integrator::Integrator;
 use crate::scene::{Boundary, Command, InputKind, Motion, Rates, Scene};
@@ -276,6 +278,40 @@ impl State {
                 self.twists[b] = Twist::default();
             }
         }
+    }
+}
+
+/// Where the boundaries go until the end of a communication step.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(super) struct Course {
+    /// Where they stood, and when, as their commands last changed.
+    pub(super) from: Vec<Pose>,
+    pub(super) since: f64,
+    pub(super) end: f64,
+    pub(super) commands: Vec<Command>,
+    pub(super) rates: Vec<Rates>,
+}
+
+impl Course {
+    pub(super) fn fits(&self, boundaries: usize) -> bool {
+        let rates = self.rates.is_empty() || self.rates.len() == boundaries;
+        rates && [self.from.len(), self.commands.len()] == [boundaries; 2]
+    }
+
+    /// Its length \[s\].
+    pub(super) fn length(&self) -> f64 {
+        self.end - self.since
+    }
+
+    pub(super) fn drive<'a>(&'a self, scene: &'a Scene) -> Drive<'a> {
+        let commands = (&self.commands[..], &self.rates[..]);
+        Drive::new(
+            &scene.boundaries,
+            commands,
+            &self.from,
+            self.since,
+            self.end,
+        )
     }
 }
 

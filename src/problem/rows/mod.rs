@@ -374,6 +374,20 @@ impl Rows {
     }
 }
 
+impl Row {
+    /// Normal impulse \[N s\] of the contact that bounds a resistance; zero for all other rows.
+    #[must_use]
+    pub fn load(&self, rows: &Rows, impulses: &[Vec3]) -> f64 {
+        match self.law {
+            Law::Resistance { contact, .. } => {
+                let contact = contact as usize;
+                impulses[contact].dot(&rows.normal(contact)).max(0.0)
+            }
+            _ => 0.0,
+        }
+    }
+}
+
 /// Keeps the entries whose flag is set; entries beyond the flags stay.
 pub(crate) fn retain<T>(items: &mut Vec<T>, keep: &[bool]) {
     let mut flags = keep.iter();

@@ -1,0 +1,227 @@
+//! Where everything is at one instant, and the pairs there.
+
+use crate::Vec3;
+use crate::contact::{Contact, Key, Load, Partner};
+use crate::geometry::Touch;
+use crate::scene::particles::{Kinematics, Particles};
+use crate::scene::{Boundary, Scene};
+use crate::spatial::Pose;
+use crate::spatial::cell::{Cell, HERE, Image};
+
+/// Where everything is at one instant.
+#[derive(Debug, Clone, Copy)]
+pub struct Placement<'a> {
+    /// The spheres.
+    pub particles: &'a Particles,
+    /// Their centres \[m\], `[N]`.
+    pub position: &'a [Vec3],
+    /// Which of them are in the scene, `[N]`.
+    pub present: &'a [bool],
+    /// The boundaries, `[B]`.
+    pub boundaries: &'a [Boundary],
+    /// Their poses, `[B]`.
+    pub poses: &'a [Pose],
+    /// The periodic cell.
+    pub cell: &'a Cell,
+}
+
+/// A pair within reach at the start of a step.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Candidate {
+    /// Identity.
+    pub key: Key,
+    /// Unit normal from B to A.
+    pub normal: Vec3,
+    /// Gap \[m\].
+    pub gap: f64,
+    /// Largest curvature of the constant-gap surface of the pair \[1/m\].
+    pub curvature: f64,
+}
+
+impl<'a> Placement<'a> {
+    /// Everything where `kinematics` and `poses` have it.
+    #[must_use]
+    pub fn of(scene: &'a Scene, kinematics: &'a Kinematics, poses: &'a [Pose]) -> Self {
+        Self {
+            particles: &scene.particles,
+            position: &kinematics.position,
+            present: &kinematics.present,
+            boundaries: &scene.boundaries,
+            poses,
+            cell: &scene.cell,
+        }
+    }
+}
+
+impl Placement<'_> {
+    /// Centres of the spheres that are in the scene \[m\].
+    pub fn present_positions(&self) -> impl Iterator<Item = Vec3> {
+        let spheres = self.position.iter().zip(self.present);
+        spheres.filter(|(_, present)| **present).map(|(x, _)| *x)
+    }
+
+    /// Radius of the smaller partner \[m\]: the scale of a pair's overlap.
+    #[must_use]
+    pub fn scale(&self, key: Key) -> f64 {
+        let radius = self.particles.radius[key.sphere as usize];
+        match key.partner {
+            Partner::Sphere { index, .. } => radius.min(self.particles.radius[index as usize]),
+            Partner::Boundary { .. } => radius,
+        }
+    }
+
+    pub(super) fn pair(&self, i: u32, j: u32, image: Image) -> Candidate {
+        let [a, b] = [i as usize, j as usize];
+        let [ra, rb] = [a, b].map(|k| self.particles.radius[k]);
+        let mut other = self.position[b];
+        if image != HERE {
+            other += self.cell.shift(image);
+        }
+        let distance = self.position[a] - other;
+        let length = distance.norm();
+        // Concentric centres have no normal: take a fixed one, so that the step goes on to resolve them.
+        let normal = if length > 0.0 {
+            distance / length
+        } else {
+            Vec3::z()
+        };
+        Candidate {
+            key: Key {
+                sphere: i,
+                partner: Partner::Sphere { index: j, image },
+            },
+            normal,
+            gap: length - ra - rb,
+            curvature: 1.0 / (ra + rb),
+        }
+    }
+
+    pub(super) fn wall(&self, sphere: u32, boundary: u16, touch: &Touch) -> Candidate {
+        let pose = &self.poses[usize::from(boundary)];
+        Candidate {
+            key: Key {
+                sphere,
+                partner: Partner::Boundary {
+                    boundary,
+                    feature: touch.feature,
+                },
+            },
+            normal: pose.rotation * touch.normal,
+            gap: touch.gap,
+            curvature: touch.curvature,
+        }
+    }
+
+    /// The centre of sphere `i` in the frame of a boundary \[m\], by the copy that is nearest to it.
+    pub(super) fn seen_by(&self, boundary: u16, i: u32) -> Vec3 {
+        let b = usize::from(boundary);
+        let (wall, pose) = (&self.boundaries[b], &self.poses[b]);
+        wall.to_frame(
+            pose,
+            wall.copy_near(self.cell, pose, self.position[i as usize]),
+        )
+    }
+
+    /// The pair of `candidate`, seen at this placement: the same feature, the same side.
+    #[must_use]
+    pub fn follow(&self, candidate: &Candidate) -> Candidate {
+        let i = candidate.key.sphere;
+        match candidate.key.partner {
+            Partner::Sphere { index, image } => self.pair(i, index, image),
+            Partner::Boundary { boundary, feature } => {
+                let touch = self.follow_wall(i, boundary, feature, candidate.normal);
+                self.wall(i, boundary, &touch)
+            }
+        }
+    }
+
+    /// A feature of a boundary as sphere `i` meets it here, on the side of `normal`; in the boundary's frame.
+    fn follow_wall(&self, i: u32, boundary: u16, feature: u32, normal: Vec3) -> Touch {
+        let b = usize::from(boundary);
+        let normal = self.poses[b].rotation.inverse() * normal;
+        let centre = self.seen_by(boundary, i);
+        let radius = self.particles.radius[i as usize];
+        let geometry = &self.boundaries[b].geometry;
+        geometry.follow(feature, normal, centre, radius)
+    }
+
+    /// Where the contact is that carried `load` and `torque` \[N m\].
+    #[must_use]
+    pub fn contact(&self, load: &Load, torque: Vec3) -> Contact {
+        let i = load.key.sphere;
+        let (point, gap) = match load.key.partner {
+            Partner::Sphere { index, image } => {
+                let pair = self.pair(i, index, image);
+                let b = index as usize;
+                let other = self.position[b] + self.cell.shift(image);
+                (other + pair.normal * self.particles.radius[b], pair.gap)
+            }
+            Partner::Boundary { boundary, feature } => {
+                let touch = self.follow_wall(i, boundary, feature, load.normal);
+                let b = usize::from(boundary);
+                let point = self.boundaries[b].from_frame(&self.poses[b], touch.point);
+                (point, touch.gap)
+            }
+        };
+        Contact {
+            key: load.key,
+            point,
+            normal: load.normal,
+            gap,
+            force: load.force,
+            torque,
+        }
+    }
+
+    /// The longest way \[m\] of points fixed to boundary `b`, where spheres are, while it moves to `to`.
+    #[must_use]
+    pub fn carried(&self, b: usize, to: &Pose) -> f64 {
+        if &self.poses[b] == to {
+            return 0.0;
+        }
+        let mut ways = self.present_positions().map(|x| self.way_at(b, to, x));
+        if self.poses[b].rotation == to.rotation {
+            // A translation carries all alike, but for rounding.
+            return ways.next().map_or(0.0, |way| way * (1.0 + 1e-9));
+        }
+        ways.fold(0.0, f64::max)
+    }
+
+    /// Way \[m\] of the point fixed to boundary `b` that is at `x` while it moves to `to`.
+    #[must_use]
+    pub fn way_at(&self, b: usize, to: &Pose, x: Vec3) -> f64 {
+        let (wall, from) = (&self.boundaries[b], &self.poses[b]);
+        if from == to {
+            return 0.0;
+        }
+        let x = wall.copy_near(self.cell, from, x);
+        (wall.from_frame(to, wall.to_frame(from, x)) - x).norm()
+    }
+
+    /// Distance of the centres of spheres `i` and `j` \[m\].
+    #[inline]
+    pub(super) fn apart(&self, i: u32, j: u32) -> f64 {
+        (self.position[i as usize] - self.position[j as usize]).norm()
+    }
+
+    /// Gap \[m\] of [`Self::follow`].
+    #[must_use]
+    pub fn gap(&self, candidate: &Candidate) -> f64 {
+        match candidate.key.partner {
+            Partner::Sphere { index, image } => {
+                let i = candidate.key.sphere;
+                let [ra, rb] = [i, index].map(|k| self.particles.radius[k as usize]);
+                let apart = match image {
+                    HERE => self.apart(i, index),
+                    image => self.between(i, index, image).norm(),
+                };
+                apart - ra - rb
+            }
+            Partner::Boundary { boundary, feature } => {
+                let i = candidate.key.sphere;
+                let touch = self.follow_wall(i, boundary, feature, candidate.normal);
+                touch.gap
+            }
+        }
+    }
+}

@@ -1,0 +1,45 @@
+//! How far a sphere may come in a step.
+
+use crate::Vec3;
+use crate::spatial::extent::{around, larger};
+
+/// How far a sphere may move \[m\].
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Reach {
+    /// Against a motion that all spheres have in common.
+    pub pairs: f64,
+    /// In all.
+    pub walls: f64,
+}
+
+impl Reach {
+    /// Of every sphere that has one of two `velocities` \[m/s\] for a `step` \[s\], `[N]`, and `more(i)` \[m\]; what all have in
+    /// common is the middle of all velocities.
+    pub fn of(
+        velocities: impl Iterator<Item = [Vec3; 2]> + Clone,
+        step: f64,
+        more: impl Fn(usize) -> f64,
+        reach: &mut Vec<Self>,
+    ) {
+        let (low, high) = around(velocities.clone().flatten());
+        let common = (low + high) * 0.5;
+        let length = |velocities: [Vec3; 2]| {
+            let squared = velocities.map(|v| v.norm_squared());
+            step * larger(squared[0], squared[1]).sqrt()
+        };
+        reach.clear();
+        reach.extend(velocities.enumerate().map(|(i, velocities)| Self {
+            pairs: length(velocities.map(|v| v - common)) + more(i),
+            walls: length(velocities) + more(i),
+        }));
+    }
+
+    /// The largest of each.
+    #[must_use]
+    pub fn largest(reach: &[Self]) -> Self {
+        reach.iter().fold(Self::default(), |largest, own| Self {
+            pairs: larger(own.pairs, largest.pairs),
+            walls: larger(own.walls, largest.walls),
+        })
+    }
+}

@@ -1,0 +1,53 @@
+//! Where a state came from, so that its last communication step can be taken again.
+
+use super::impulse_totals::Account;
+use super::trajectory::Course;
+use crate::state::State;
+use serde::{Deserialize, Serialize};
+
+/// Where a state came from.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub enum Origin {
+    /// The start of a run: from this state, before overlaps were removed and forces solved.
+    Start(State),
+    /// A communication step.
+    Step(Step),
+}
+
+/// Everything to take a communication step again. Where commands changed within it, from the internal step at which they last
+/// did.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Step {
+    pub(super) state: State,
+    /// Start of the communication step \[s\].
+    pub(super) start: f64,
+    pub(super) course: Course,
+    /// What had been summed up before `state`.
+    pub(super) before: Account,
+    /// Ends of the internal steps from `state` on \[s\].
+    pub(super) taken: Vec<(f64, f64)>,
+}
+
+impl Origin {
+    pub(super) fn state(&self) -> &State {
+        match self {
+            Self::Start(state) => state,
+            Self::Step(step) => &step.state,
+        }
+    }
+
+    /// Its state, for the memory.
+    pub(super) fn into_state(self) -> State {
+        match self {
+            Self::Start(state) => state,
+            Self::Step(step) => step.state,
+        }
+    }
+
+    pub(super) fn fits(&self, boundaries: usize) -> bool {
+        match self {
+            Self::Start(_) => true,
+            Self::Step(step) => step.course.fits(boundaries) && step.before.fits(boundaries),
+        }
+    }
+}

@@ -1,0 +1,45 @@
+//! A sphere as its contacts see it before the step.
+
+use crate::Vec3;
+use crate::scene::Scene;
+use crate::scene::particles::Kinematics;
+
+/// A sphere as its contacts see it before the step.
+#[derive(Debug, Clone, Copy)]
+#[repr(C, align(64))]
+pub struct Mover {
+    /// Velocity \[m/s\].
+    pub(super) velocity: Vec3,
+    /// Angular velocity times radius \[m/s\].
+    pub(super) rolling: Vec3,
+    /// Radius \[m\].
+    pub(super) radius: f64,
+    /// Mass \[kg\].
+    pub(super) mass: f64,
+}
+
+impl Mover {
+    /// All spheres, `[N]`, in the given memory.
+    #[must_use]
+    pub fn all(scene: &Scene, kinematics: &Kinematics, mut memory: Vec<Self>) -> Vec<Self> {
+        let sizes = scene.particles.radius.iter().zip(&scene.particles.mass);
+        let ways = kinematics.velocity.iter().zip(&kinematics.spin);
+        memory.clear();
+        memory.extend(
+            sizes
+                .zip(ways)
+                .map(|((&radius, &mass), (velocity, spin))| Self {
+                    velocity: *velocity,
+                    rolling: spin * radius,
+                    radius,
+                    mass,
+                }),
+        );
+        memory
+    }
+
+    /// Square of its speed \[m^2/s^2\].
+    pub(super) fn speed(&self) -> f64 {
+        self.velocity.norm_squared()
+    }
+}

@@ -1,0 +1,56 @@
+//! What a step leaves, or why it failed.
+
+use crate::linalg::LinearError;
+use crate::solver::Report;
+
+/// Cost and quality of one internal step.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct StepOutcome {
+    /// The solver's report, summed over passes.
+    pub solver: Report,
+    /// Largest true overlap over radius at the end \[-\].
+    pub max_overlap: f64,
+    /// How near a contact is to the edge of its state \[-\]: [`crate::state::StepReport::kink`].
+    pub kink: f64,
+    /// Whether the tolerances were not met and the best iterate was taken.
+    pub unconverged: bool,
+}
+
+impl StepOutcome {
+    pub(super) fn of(solver: Report, max_overlap: f64) -> Self {
+        Self {
+            solver,
+            max_overlap,
+            kink: solver.residual.kink,
+            unconverged: false,
+        }
+    }
+}
+
+/// Why an internal step failed; the caller may cut it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StepFailure {
+    /// Which residual: `gap`, `slip` or `force`.
+    pub what: &'static str,
+    /// Its value \[-\].
+    pub residual: f64,
+    /// What was asked for \[-\].
+    pub tolerance: f64,
+    /// The worst contact, if there is one.
+    pub contact: Option<crate::contact::Key>,
+    /// A sphere that two rigid boundaries press from opposite sides, and the boundaries.
+    pub pinched: Option<(usize, [u16; 2])>,
+    /// Two bodies that would pass through each other within the step.
+    pub passed: Option<Passed>,
+    /// The linear system that ended the solver early.
+    pub broken: Option<Box<LinearError>>,
+}
+
+/// Two bodies that move so far against each other in a step that contact at its ends does not tell what happens between.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Passed {
+    /// The pair; of a boundary's features none in particular.
+    pub contact: crate::contact::Key,
+    /// Relative motion over the smaller radius \[-\].
+    pub motion: f64,
+}

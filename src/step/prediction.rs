@@ -1,0 +1,105 @@
+//! What a step takes from the state before it moves anything.
+
+use super::external;
+use crate::Vec3;
+use crate::scene::Scene;
+use crate::scene::particles::Kinematics;
+use crate::spatial::{Dof6, Pose, Twist};
+use crate::state::State;
+use crate::step::assemble::{Inputs, Mover};
+use crate::step::driven::Ready;
+use crate::step::external::mean_acceleration;
+use crate::step::workspace::Kept;
+
+/// What a step takes from the state before it moves anything.
+pub(super) struct Start<'a> {
+    pub(super) kinematics: Kinematics,
+    pub(super) gravity: Vec3,
+    pub(super) external: Vec<Dof6>,
+    pub(super) movers: Vec<Mover>,
+    pub(super) targets: Vec<Vec3>,
+    pub(super) standing: Vec<Pose>,
+    pub(super) ends: Vec<Pose>,
+    pub(super) bodies: Vec<Ready<'a>>,
+    pub(super) twists: Vec<Twist>,
+    pub(super) surfaces: Vec<Vec3>,
+}
+
+/// Velocities of the boundaries' surfaces against their shapes \[m/s\], world axes, `[B]`.
+pub(super) fn surfaces(scene: &Scene, state: &State) -> Vec<Vec3> {
+    let boundaries = scene.boundaries.iter();
+    let driven = boundaries.zip(state.poses.iter().zip(&state.commands));
+    driven
+        .map(|(boundary, (pose, command))| boundary.surface_velocity(pose, command))
+        .collect()
+}
+
+impl<'s> Start<'s> {
+    /// With the places in `kept`, and velocities of `state` for a step of `dt` \[s\].
+    pub(super) fn of(
+        scene: &'s Scene,
+        state: &State,
+        dt: f64,
+        mut ends: Vec<Pose>,
+        kept: &mut Kept,
+    ) -> Self {
+        let bodies = Ready::all(scene, state, dt);
+        for body in &bodies {
+            let b = body.boundary;
+            ends[b] = body.moved(&state.poses[b], &body.free, dt);
+        }
+        let integrator = scene.settings.integrator;
+        let mut kinematics = std::mem::take(&mut kept.kinematics);
+        kinematics.present.clone_from(&state.kinematics.present);
+        kinematics.velocity.clear();
+        kinematics.spin.clear();
+        let count = state.kinematics.len();
+        kinematics.velocity.reserve_exact(count);
+        kinematics.spin.reserve_exact(count);
+        for (i, persisting) in state.persisting.iter().enumerate() {
+            let v = state.kinematics.spatial_velocity(i);
+            let v = integrator.restep(&v, persisting, state.last_step, dt);
+            kinematics.velocity.push(v.linear);
+            kinematics.spin.push(v.angular);
+        }
+        let end_time = state.time + dt;
+        let springs = scene.springs.iter();
+        let gravity = state.gravity_at(scene, integrator.middle(state.time, dt));
+        let mut external = std::mem::take(&mut kept.external);
+        external::acceleration(scene, state, &kinematics, (gravity, dt), &mut external);
+        let memory = std::mem::take(&mut kept.movers);
+        let movers = Mover::all(scene, &kinematics, memory);
+        Self {
+            gravity,
+            external,
+            movers,
+            kinematics,
+            targets: springs
+                .map(|spring| spring.target + spring.motion.pose_at(end_time).translation)
+                .collect(),
+            standing: state.poses.clone(),
+            ends,
+            bodies,
+            twists: state.twists.clone(),
+            surfaces: surfaces(scene, state),
+        }
+    }
+
+    pub(super) fn inputs<'a>(&'a self, scene: &'a Scene, dt: f64) -> Inputs<'a> {
+        Inputs {
+            scene,
+            kinematics: &self.kinematics,
+            external: &self.external,
+            movers: &self.movers,
+            step: dt,
+            poses: [&self.standing, &self.ends],
+            bodies: &self.bodies,
+            twists: &self.twists,
+            surfaces: &self.surfaces,
+            gravity: self.gravity,
+            gravity_size: self.gravity.norm(),
+            targets: &self.targets,
+            mean_acceleration: mean_acceleration(scene, &self.external, &self.bodies),
+        }
+    }
+}
