@@ -54,10 +54,21 @@ def anchors(page):
 
 
 def test_links_lead_somewhere():
-    pages = [*PAGES, "CONTRIBUTING.md", "CHANGELOG.md", "docs/accuracy.md", "docs/theory.md"]
+    pages = [*PAGES, "CONTRIBUTING.md", "CHANGELOG.md", "docs/accuracy.md", "docs/glossary.md", "docs/theory.md"]
     for page in pages:
         for link, anchor in re.findall(r"\]\(([^)#]*)(?:#([^)]*))?\)", (ROOT / page).read_text(encoding="utf-8")):
             if "://" not in link:
                 target = (ROOT / page).parent / link if link else ROOT / page
                 assert target.exists(), f"{page}: {link}"
                 assert not anchor or target.suffix != ".md" or anchor in anchors(target), f"{page}: {link}#{anchor}"
+
+
+def test_the_glossary_names_what_exists():
+    """Identifiers of docs/glossary.md are words of the solver or of the variable table."""
+    sources = [path for folder in ("src", "fmu/src") for path in (ROOT / folder).rglob("*.rs")]
+    words = set(re.findall(r"\w+", " ".join(path.read_text(encoding="utf-8") for path in sources)))
+    rows = [line.split("|") for line in (ROOT / "docs/glossary.md").read_text(encoding="utf-8").splitlines()]
+    rows = [row for row in rows if len(row) == 8]
+    assert len(rows) > 50
+    named = {word for row in rows for code in re.findall(r"`([^`]*)`", row[4]) for word in re.findall(r"\w+", code)}
+    assert named <= words, f"not in the code: {sorted(named - words)}"
