@@ -7,8 +7,10 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use sphere_dda::scene::{Scene, Tolerance};
-use sphere_dda::simulation::{Simulation, StepReport};
+use sphere_dda::scene::Scene;
+use sphere_dda::simulation::Simulation;
+use sphere_dda::solver::Tolerance;
+use sphere_dda::state::StepReport;
 
 /// Tolerance \[-\] and step \[s\] of the rows of the bed.
 const BED: [(f64, f64); 4] = [(1e-4, 5e-4), (1e-5, 2.5e-4), (1e-6, 1e-4), (1e-6, 5e-5)];

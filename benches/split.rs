@@ -11,10 +11,12 @@ use std::path::Path;
 use std::sync::Arc;
 
 use sphere_dda::Vec3;
-use sphere_dda::problem::{Dof6, GROUND, Impulses, Problem};
-use sphere_dda::scene::{Scene, Tolerance};
+use sphere_dda::problem::{GROUND, Impulses, Problem};
+use sphere_dda::scene::Scene;
 use sphere_dda::simulation::Simulation;
+use sphere_dda::solver::Tolerance;
 use sphere_dda::solver::residual::{Scale, evaluate};
+use sphere_dda::spatial::Dof6;
 
 /// Bricks along x, y and z.
 const SPLITS: [[usize; 3]; 7] = [

@@ -13,15 +13,16 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use divan::Bencher;
 use divan::counter::{BytesCount, ItemsCount};
-use sphere_dda::contacts::broad_phase::{NeighborList, Reach};
-use sphere_dda::contacts::narrow_phase::{Candidate, Placement};
+use sphere_dda::detection::broad_phase::{NeighborList, Reach};
+use sphere_dda::detection::narrow_phase::{Candidate, Placement};
+use sphere_dda::formats::vtu::{Precision, encode};
 use sphere_dda::observe::Observation;
-use sphere_dda::observe::frames::{Surface, frame};
-use sphere_dda::observe::vtu::{Precision, encode};
-use sphere_dda::scene::{Scene, SolverKind, Tolerance};
+use sphere_dda::results::frames::{Surface, frame};
+use sphere_dda::scene::Scene;
 use sphere_dda::simulation::{March, Simulation};
 use sphere_dda::solver::gauss_seidel::{self, Kernel};
 use sphere_dda::solver::{Params, Report};
+use sphere_dda::solver::{SolverKind, Tolerance};
 
 /// Internal step \[s\] of every stage.
 const STEP: f64 = 5e-4;

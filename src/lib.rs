@@ -53,31 +53,25 @@
 //! [`step`] checks the true gaps and commits, [`simulation`] owns the state.
 //! [`scene`] comes before all of this, [`observe`] after.
 
-pub mod boundaries;
-pub mod cell;
 pub mod clock;
-pub mod contacts;
-mod counting;
-pub mod drive;
-pub mod driven;
+pub mod contact;
+pub mod detection;
 pub mod error;
-mod extent;
-pub mod frame;
-pub mod gravity;
-pub mod integrate;
+pub mod formats;
+pub mod geometry;
+pub mod integrator;
 pub mod linalg;
-pub mod materials;
-pub mod motion;
 pub mod observe;
 mod parallel;
-pub mod particles;
 pub mod problem;
 pub mod random;
-pub mod region;
+pub mod results;
 pub mod scene;
+pub mod scene_file;
 pub mod simulation;
-pub mod snapshot;
 pub mod solver;
+mod sorting;
+pub mod spatial;
 pub mod state;
 pub mod step;
 

@@ -3,11 +3,11 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use sphere_dda::contacts::Partner;
+use sphere_dda::contact::Partner;
 use sphere_dda::error::SnapshotError;
+use sphere_dda::formats::snapshot::spheres;
 use sphere_dda::scene::Scene;
 use sphere_dda::simulation::Simulation;
-use sphere_dda::snapshot::spheres;
 
 /// Communication steps of a run.
 const STEPS: usize = 40;

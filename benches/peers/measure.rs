@@ -10,7 +10,8 @@ use serde::Serialize;
 use sphere_dda::observe::Observation;
 use sphere_dda::observe::energy::Energy;
 use sphere_dda::scene::Scene;
-use sphere_dda::simulation::{Simulation, StepReport};
+use sphere_dda::simulation::Simulation;
+use sphere_dda::state::StepReport;
 
 /// Ticks a second of the times in `/proc/self/stat`: fixed by the Linux interface.
 const TICKS: f64 = 100.0;

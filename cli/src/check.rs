@@ -4,7 +4,8 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use miette::{NamedSource, Report, miette};
-use sphere_dda::scene::{Loaded, Scene, Summary};
+use sphere_dda::scene::Scene;
+use sphere_dda::scene_file::{Loaded, Summary};
 use sphere_dda_report::picture::portrait;
 
 use crate::export::free;

@@ -5,9 +5,9 @@ use std::process::ExitCode;
 
 use miette::Report;
 use sphere_dda::error::StepError;
-use sphere_dda::observe::error::OutputError;
-use sphere_dda::observe::start_file::StartFileError;
-use sphere_dda::scene::SceneError;
+use sphere_dda::formats::error::OutputError;
+use sphere_dda::results::start_file::StartFileError;
+use sphere_dda::scene_file::SceneError;
 use sphere_dda::simulation::SettleError;
 use sphere_dda_fmu::export::ExportError;
 use sphere_dda_fmu::import::{

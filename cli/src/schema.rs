@@ -1,7 +1,7 @@
 //! `sphere-dda schema`: the JSON schema of scene files, or their reference.
 
 use clap::Args;
-use sphere_dda::scene::json_schema;
+use sphere_dda::scene_file::json_schema;
 
 use crate::failure::Failure;
 use crate::progress::print;

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use miette::miette;
-use sphere_dda::observe::start_file::{StartFile, StartFileError};
+use sphere_dda::results::start_file::{StartFile, StartFileError};
 use sphere_dda::scene::Scene;
 use sphere_dda::simulation::{Settle, SettleProgress, Settled};
 

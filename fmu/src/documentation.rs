@@ -1,7 +1,8 @@
 //! The pages inside an FMU: what the model is, its variables, settings and limits; licences.
 
 use maud::{DOCTYPE, Markup, html};
-use sphere_dda::scene::{Integrator, Method};
+use sphere_dda::integrator::Integrator;
+use sphere_dda::scene::Method;
 
 use crate::description::VERSION;
 use crate::model::Model;

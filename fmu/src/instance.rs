@@ -16,9 +16,9 @@ mod walk;
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use sphere_dda::boundaries::Boundary;
 use sphere_dda::error::StepError;
-use sphere_dda::motion::{Command, Rates};
+use sphere_dda::scene::Boundary;
+use sphere_dda::scene::{Command, Rates};
 use sphere_dda::simulation::Simulation;
 
 use crate::life_cycle::LifeCycle;

@@ -5,7 +5,8 @@ use std::sync::Arc;
 use std::{fs, io};
 
 use sphere_dda::error::SnapshotError;
-use sphere_dda::scene::{Attachment, Scene, SceneError};
+use sphere_dda::scene::Scene;
+use sphere_dda::scene_file::{Attachment, SceneError};
 use thiserror::Error;
 
 use crate::description;

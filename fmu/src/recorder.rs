@@ -2,9 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
+use sphere_dda::formats::error::OutputError;
 use sphere_dda::observe::Observation;
-use sphere_dda::observe::error::OutputError;
-use sphere_dda::observe::writer::{Options, Results};
+use sphere_dda::results::writer::{Options, Results};
 use sphere_dda::simulation::Simulation;
 
 use crate::variables::Parameters;

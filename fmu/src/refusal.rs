@@ -1,7 +1,7 @@
 //! Why a call was refused: the text of the log line beside `fmi2Error`.
 
 use sphere_dda::error::{SnapshotError, StepError};
-use sphere_dda::observe::error::OutputError;
+use sphere_dda::formats::error::OutputError;
 use sphere_dda_fmi_interface::pointers::BadArgument;
 use sphere_dda_model_description::fmi2::BaseType;
 use sphere_dda_model_description::fmi3::Kind;

@@ -13,7 +13,7 @@
 //! pointers inside, so a state works in another instance and in another process.
 
 use serde::{Deserialize, Serialize};
-use sphere_dda::motion::{Command, Rates};
+use sphere_dda::scene::{Command, Rates};
 use sphere_dda::simulation::Origin;
 use thiserror::Error;
 

@@ -16,8 +16,8 @@ mod arrays;
 mod parameters;
 mod rows;
 
-use sphere_dda::motion::Command;
 use sphere_dda::observe::quantities::{Kind, quantities};
+use sphere_dda::scene::Command;
 use sphere_dda::scene::Scene;
 use sphere_dda_model_description::fmi2::{BaseType, Causality, Variability};
 

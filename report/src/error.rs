@@ -4,7 +4,7 @@ use std::io;
 use std::path::PathBuf;
 
 use sphere_dda::error::StepError;
-use sphere_dda::scene::SceneError;
+use sphere_dda::scene_file::SceneError;
 use thiserror::Error;
 
 /// Why a report could not be made.

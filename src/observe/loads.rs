@@ -5,9 +5,9 @@
 //! ([`super::BoundaryState::wrench`]); here its contacts are counted.
 
 use super::Observation;
-use crate::contacts::law::split;
-use crate::contacts::{Contact, Partner};
-use crate::simulation::Wrench;
+use crate::contact::{Contact, Partner};
+use crate::problem::law::split;
+use crate::spatial::Wrench;
 
 /// All loaded contacts of one body.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

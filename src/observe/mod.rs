@@ -7,31 +7,19 @@
 //!
 //! Nothing in here feeds back into the solver.
 
-pub mod checkpoint;
-pub mod directory;
-mod disk;
+mod derivatives;
 pub mod energy;
-pub mod error;
-pub mod frames;
-pub mod history;
 pub mod loads;
-pub mod pvd;
 pub mod quantities;
 pub mod sensors;
-pub mod start_file;
-pub mod table;
-pub mod vtu;
-pub mod writer;
 
 use crate::Vec3;
-use crate::contacts::{Contact, Partner};
-use crate::driven::JointState;
-use crate::integrate::Velocities;
-use crate::motion::{Pose, Twist};
-use crate::particles::Kinematics;
+use crate::contact::{Contact, Partner};
 use crate::scene::Scene;
-use crate::simulation::{Simulation, StepReport, Wrench};
-use crate::state::Work;
+use crate::scene::particles::Kinematics;
+use crate::simulation::Simulation;
+use crate::spatial::{Pose, Twist, Wrench};
+use crate::state::{JointState, StepReport, Velocities, Work};
 use energy::Totals;
 
 /// A boundary at the end of a communication step.

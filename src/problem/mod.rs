@@ -17,80 +17,23 @@
 //! (`c = 0`: rigid). Moreau has `W = M^-1`, Shi `W = (2M)^-1` and `v1` the mean velocity of the step.
 //! The penalty method is the rigid problem with `k = P` on every contact.
 
-pub mod assemble;
+pub mod law;
 mod rows;
 
+pub use law::Law;
 use nalgebra::Matrix3;
 pub use rows::Rows;
 pub(crate) use rows::{BIAS, Compact, FRICTION, Plain, RADIUS, SCALE, retain};
 use serde::{Deserialize, Serialize};
 
 use crate::Vec3;
+use crate::spatial::{Dof6, Operator};
 
 /// Body B of a row that touches no second sphere.
 pub const GROUND: u32 = u32::MAX;
 
 /// Coupling of normal and tangent over `sqrt(w_n w_t)` that is rounding.
 const UNCOUPLED: f64 = 1e-12;
-
-/// A body's linear and angular parts: velocity \[m/s\], \[rad/s\], a sphere's inverse inertia, momentum, force and torque.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct Dof6 {
-    /// Linear part.
-    pub linear: Vec3,
-    /// Angular part.
-    pub angular: Vec3,
-}
-
-/// A symmetric operator on a driven body's six components that does not couple the linear with the angular part.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct Operator {
-    /// Linear block.
-    pub linear: Matrix3<f64>,
-    /// Angular block.
-    pub angular: Matrix3<f64>,
-}
-
-impl Operator {
-    /// Zero: a body that is held.
-    #[must_use]
-    pub fn zero() -> Self {
-        Self {
-            linear: Matrix3::zeros(),
-            angular: Matrix3::zeros(),
-        }
-    }
-
-    /// The operator applied to both parts.
-    #[must_use]
-    pub fn times(&self, x: &Dof6) -> Dof6 {
-        Dof6 {
-            linear: self.linear * x.linear,
-            angular: self.angular * x.angular,
-        }
-    }
-}
-
-/// The law a row obeys.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub enum Law {
-    /// Signorini-Coulomb contact with friction coefficient `mu`.
-    Contact {
-        /// Friction coefficient \[-\].
-        mu: f64,
-    },
-    /// Three equations `u + b + c p = 0`; `normal` only fixes the axes.
-    Bilateral,
-    /// Rolling and twisting resistance of a contact: couples, of which `p` and `u` are those over and times `radius`.
-    Resistance {
-        /// The contact's row, which comes before.
-        contact: u32,
-        /// Largest rolling impulse over the contact's normal one \[-\]: `mu_r R*/R`.
-        rolling: f64,
-        /// Largest twisting impulse over the contact's normal one \[-\]: `mu_t R*/R`.
-        twisting: f64,
-    },
-}
 
 /// How a row holds a body.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -174,32 +117,6 @@ pub struct Problem {
 
 /// Impulses on body A \[N s\], world axes, `[C]`: what every solver returns and starts from.
 pub type Impulses = Vec<Vec3>;
-
-impl Dof6 {
-    /// Zero in all six components.
-    pub const ZERO: Self = Self {
-        linear: Vec3::new(0.0, 0.0, 0.0),
-        angular: Vec3::new(0.0, 0.0, 0.0),
-    };
-
-    /// Adds `W momentum`.
-    pub fn kick(&mut self, inverse_mass: &Self, momentum: &Self) {
-        self.linear += inverse_mass.linear.component_mul(&momentum.linear);
-        self.angular += inverse_mass.angular.component_mul(&momentum.angular);
-    }
-
-    /// `linear . linear + angular . angular`: power of a force and torque, energy of a momentum.
-    #[must_use]
-    pub fn dot(&self, other: &Self) -> f64 {
-        self.linear.dot(&other.linear) + self.angular.dot(&other.angular)
-    }
-
-    /// Velocity of the point at `arm` from the centre.
-    #[must_use]
-    pub fn at(&self, arm: Vec3) -> Vec3 {
-        self.linear + self.angular.cross(&arm)
-    }
-}
 
 impl Row {
     /// How it holds A and B.

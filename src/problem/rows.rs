@@ -3,9 +3,10 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Dof6, GROUND, Law, Row};
+use super::{GROUND, Law, Row};
 use crate::Vec3;
 use crate::parallel::Pieces;
+use crate::spatial::Dof6;
 
 /// Relative rounding within which a contact's arm is its sphere's radius along the normal.
 const SAME: f64 = 1e-12;

@@ -17,7 +17,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::Tolerance;
+use crate::solver::Tolerance;
 
 /// How accurate a run is, and so how dear.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
@@ -95,7 +95,7 @@ impl Accuracy {
 
 /// The largest of 1, 2 and 5 times a power of ten that is not above `time` \[s\].
 #[must_use]
-pub(super) fn round_time(time: f64) -> f64 {
+pub(crate) fn round_time(time: f64) -> f64 {
     let exponent = time.log10().floor() as i32;
     let candidates = (exponent - 1..=exponent + 1).flat_map(|e| [1, 2, 5].map(|m| (m, e)));
     let values = candidates.filter_map(|(m, e)| format!("{m}e{e}").parse::<f64>().ok());

@@ -1,61 +1,36 @@
-//! Scenes: [`mod@file`] is the TOML as typed, [`Scene::from_file`] turns it into a validated [`Scene`] in one step.
+//! A scene as data: spheres, materials, boundaries with their motion, loads, sources, sensors, settings.
 //!
-//! Everything wrong with a scene is reported at once as a [`SceneError`]: line, key path, value found, value
-//! allowed. Files that a scene names (meshes, CSV) lie beside or below it and are returned with it.
+//! [`crate::scene_file`] reads one; it never changes in a run.
 
-mod accuracy;
-mod advice;
-mod bodies;
-mod build;
-mod cell;
-mod columns;
-mod decode;
-mod document;
-mod driven;
-pub mod file;
-mod frame;
-mod keys;
-mod names;
-mod overlap;
-mod pairs;
-mod problem;
-mod regions;
-mod resources;
-mod schema;
-mod settings;
-mod sizes;
-mod sources;
-mod spheres;
-mod summary;
-mod values;
-mod wording;
-
-use std::path::Path;
+pub(crate) mod accuracy;
+pub mod body;
+mod boundary;
+mod command;
+pub mod gravity;
+pub mod materials;
+pub(crate) mod motion;
+pub mod particles;
+pub mod rotating_frame;
 
 pub use accuracy::Accuracy;
-pub use overlap::{Overlap, Overlaps};
-pub use problem::{Problem, SceneError};
-pub use resources::Attachment;
-pub(crate) use resources::digest;
-pub use schema::json_schema;
-pub use summary::Summary;
+pub use boundary::{Belt, Boundary};
+pub use command::{Command, Rates};
+pub use motion::{InputKind, Motion};
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::Vec3;
-use crate::boundaries::Boundary;
-use crate::cell::Cell;
-use crate::contacts::carried::Carried;
-use crate::error::SnapshotError;
-use crate::frame::RotatingFrame;
-use crate::gravity::GravityMotion;
-use crate::materials::{Material, PairTable};
-use crate::motion::Motion;
-use crate::particles::{Kinematics, Particles};
-use crate::region::{Primitive, Region};
-use crate::snapshot;
-use crate::state::State;
+use crate::contact::carried::Carried;
+use crate::geometry::region::{Primitive, Region};
+use crate::integrator::Integrator;
+use crate::scene::body::Body;
+use crate::scene::gravity::GravityMotion;
+use crate::scene::materials::{Material, PairTable};
+use crate::scene::particles::{Kinematics, Particles};
+use crate::scene::rotating_frame::RotatingFrame;
+use crate::solver::{SolverKind, Tolerance};
+use crate::spatial::cell::Cell;
 
 /// How contact constraints are enforced.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
@@ -66,63 +41,6 @@ pub enum Method {
     Alm,
     /// Contact springs of stiffness `penalty`: the original DDA.
     Penalty,
-}
-
-/// Time integration.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum Integrator {
-    /// Velocity-level Moreau-Jean step on staggered velocities.
-    #[default]
-    Moreau,
-    /// Constant acceleration over the step, as Shi (1988) and the paper.
-    Shi,
-}
-
-/// Which solver takes the step's problem.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum SolverKind {
-    /// Gauss-Seidel first, Newton on the neighbourhoods of what it leaves.
-    #[default]
-    Auto,
-    /// Sparse Cholesky of `K D = F`, open-close iterations, augmented-Lagrangian outer loop.
-    Direct,
-    /// Block Gauss-Seidel on the multipliers.
-    GaussSeidel,
-}
-
-/// Dimensionless tolerances of one step.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct Tolerance {
-    /// True geometric overlap over the smaller radius of the pair \[-\], 1e-12..=1e-1.
-    pub gap: f64,
-    /// Slip distance of a sticking contact over the smaller radius \[-\], same range.
-    pub slip: f64,
-    /// Force residual over the contact's force scale \[-\], same range.
-    pub force: f64,
-}
-
-impl Tolerance {
-    /// All of them times `factor`.
-    #[must_use]
-    pub fn scaled(&self, factor: f64) -> Self {
-        Self {
-            gap: self.gap * factor,
-            slip: self.slip * factor,
-            force: self.force * factor,
-        }
-    }
-}
-
-impl Default for Tolerance {
-    fn default() -> Self {
-        Self {
-            gap: 1e-6,
-            slip: 1e-6,
-            force: 1e-6,
-        }
-    }
 }
 
 impl Default for Settings {
@@ -244,8 +162,8 @@ pub struct Spring {
     pub stiffness: f64,
     /// Target at t = 0 \[m\].
     pub target: Vec3,
-    /// Motion of the target (`translation` only); not [`crate::motion::Motion::Input`].
-    pub motion: crate::motion::Motion,
+    /// Motion of the target (`translation` only); not [`crate::scene::Motion::Input`].
+    pub motion: crate::scene::Motion,
 }
 
 /// What a named sensor measures.
@@ -295,7 +213,7 @@ pub struct Source {
     /// End of the emission \[s\]; infinite: never.
     pub stop: f64,
     /// Velocity \[m/s\] and angular velocity \[rad/s\] of new spheres.
-    pub twist: crate::motion::Twist,
+    pub twist: crate::spatial::Twist,
     /// Seed of the places.
     pub seed: u64,
 }
@@ -381,69 +299,13 @@ pub struct Scene {
     pub output: Output,
 }
 
-/// A scene with what a package needs to carry it elsewhere.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Loaded {
-    /// The scene.
-    pub scene: Scene,
-    /// Name of the scene file, as problems call it.
-    pub name: String,
-    /// Text of the scene file.
-    pub text: String,
-    /// Files it refers to, sorted by path, each once.
-    pub attachments: Vec<Attachment>,
-    /// What runs, but probably not as meant.
-    pub warnings: Vec<Problem>,
-}
-
 impl Scene {
-    /// Starts from another state of the spheres than the file's: from a [`crate::simulation::Settled::start`], or any
-    /// snapshot of this scene, of which placement, velocities and contact forces are taken; driven bodies start at rest where
-    /// they were. The hash changes with it.
-    ///
-    /// # Errors
-    /// [`SnapshotError`] if the blob is damaged or belongs to another scene or version; the scene is unchanged.
-    pub fn start_from(&mut self, blob: &[u8]) -> Result<(), SnapshotError> {
-        let state: State = snapshot::restore(blob, &self.hash)?;
-        self.initial = state.kinematics;
-        for (boundary, pose) in self.boundaries.iter_mut().zip(state.poses) {
-            if let Motion::Driven(body) = &mut boundary.motion {
-                body.pose = pose;
-                body.twist = crate::motion::Twist::default();
-            }
-        }
-        self.initial_contacts = state.contacts;
-        self.hash = digest([self.hash.as_bytes(), blob]);
-        Ok(())
-    }
-
-    /// Reads a scene file; the files it names are looked for in its folder.
-    ///
-    /// # Errors
-    /// All problems of the scene, or the one of reading the file.
-    pub fn from_file(path: impl AsRef<Path>) -> Result<Loaded, SceneError> {
-        let path = path.as_ref();
-        let name = path.display().to_string();
-        match std::fs::read(path).map(String::from_utf8) {
-            Ok(Ok(text)) => Self::from_toml(&name, &text, path.parent().unwrap_or(Path::new(""))),
-            Ok(Err(error)) => Err(SceneError::unreadable(
-                &name,
-                &error.to_string(),
-                "save it as UTF-8 text",
-            )),
-            Err(error) => Err(SceneError::unreadable(
-                &name,
-                &error.to_string(),
-                "check the path and its permissions",
-            )),
-        }
-    }
-
-    /// Reads a scene from its text; `name` is what problems call it, `folder` where the files it names lie.
-    ///
-    /// # Errors
-    /// All problems of the scene.
-    pub fn from_toml(name: &str, text: &str, folder: &Path) -> Result<Loaded, SceneError> {
-        build::load(name, text, folder)
+    /// The driven bodies and the index of their boundary, ascending.
+    pub fn driven(&self) -> impl Iterator<Item = (usize, &Body)> {
+        let boundaries = self.boundaries.iter().enumerate();
+        boundaries.filter_map(|(b, boundary)| match &boundary.motion {
+            Motion::Driven(body) => Some((b, &**body)),
+            _ => None,
+        })
     }
 }

@@ -12,11 +12,11 @@ use rand_chacha::rand_core::SeedableRng;
 
 use super::Simulation;
 use crate::Vec3;
-use crate::boundaries::Touch;
-use crate::cell::Cell;
-use crate::contacts::Partner;
-use crate::problem::Dof6;
+use crate::contact::Partner;
+use crate::geometry::Touch;
 use crate::scene::{Scene, Source, Supply};
+use crate::spatial::Dof6;
+use crate::spatial::cell::Cell;
 use crate::state::Reserve;
 use crate::step::release;
 

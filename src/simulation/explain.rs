@@ -1,7 +1,7 @@
 //! Failures of steps in the scene's words.
 
 use super::Simulation;
-use crate::contacts::{Key, Partner};
+use crate::contact::{Key, Partner};
 use crate::error::StepError;
 use crate::step::StepFailure;
 

@@ -4,16 +4,16 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
+use super::Simulation;
 use super::derivatives::{Origin, Step};
-use super::pace::{Pace, Remedy};
-use super::{Simulation, StepReport, Wrench};
+use super::pace::Remedy;
 use crate::Vec3;
-use crate::drive::{Drive, displacement};
 use crate::error::StepError;
-use crate::motion::{Command, Motion, Pose, Rates};
-use crate::observe::sensors::flow::{Gate, crossings};
-use crate::scene::{Measure, Scene};
-use crate::state::State;
+use crate::scene::{Command, Measure, Motion, Rates, Scene};
+use crate::simulation::drive::{Drive, displacement};
+use crate::simulation::flow::{Gate, crossings};
+use crate::spatial::{Pose, Wrench};
+use crate::state::{Pace, State, StepReport};
 use crate::step::{Effort, StepFailure, step};
 
 /// A communication step under way: see [`Simulation::begin`].
@@ -274,7 +274,7 @@ impl Simulation {
     }
 
     /// Ends a communication step where its last internal step has ended. Derivatives of commands end with it, and
-    /// [`Self::sensitivities`] are those of this step.
+    /// [`Self::directional_derivatives`] are those of this step.
     pub fn end(&mut self, march: March) {
         self.state.rates.clear();
         self.carry_over(&march);

@@ -1,55 +1,33 @@
 //! The simulation: owns the state, advances it (`march`), takes and restores snapshots.
 
 mod derivatives;
+pub mod drive;
 mod exchange;
 mod explain;
+pub mod flow;
 mod march;
 mod pace;
-mod report;
 mod settle;
+mod start;
 
 use std::sync::Arc;
 
-use serde::{Deserialize, Serialize};
-
 use crate::Vec3;
-use crate::boundaries::Boundary;
-use crate::contacts::Contact;
-use crate::contacts::narrow_phase::Placement;
-use crate::drive::Drive;
-use crate::driven::{BodyState, JointState};
+use crate::contact::Contact;
+use crate::detection::narrow_phase::Placement;
 use crate::error::{SnapshotError, StepError};
-use crate::gravity::GravityMotion;
-use crate::integrate::Velocities;
-use crate::motion::{Command, Pose, Rates, Twist};
-use crate::particles::Kinematics;
-use crate::problem::{Dof6, Impulses, Problem};
-use crate::scene::Scene;
-use crate::snapshot;
-use crate::state::{State, Work};
+use crate::formats::snapshot;
+use crate::problem::{Impulses, Problem};
+use crate::scene::gravity::GravityMotion;
+use crate::scene::particles::Kinematics;
+use crate::scene::{Boundary, Command, Rates, Scene};
+use crate::simulation::drive::Drive;
+use crate::spatial::{Dof6, Pose, Twist, Wrench};
+use crate::state::{BodyState, JointState, Pace, State, StepReport, Velocities, Work};
 use crate::step::{Scratch, initial_forces, remove_overlaps};
 pub use derivatives::{Direction, Origin};
 pub use march::March;
-pub use pace::Pace;
-pub use report::StepReport;
 pub use settle::{Pass, PassKind, Settle, SettleError, SettleProgress, Settled};
-
-/// Force and torque on a boundary.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
-pub struct Wrench {
-    /// Force \[N\].
-    pub force: Vec3,
-    /// Torque about the boundary's point of action \[N m\].
-    pub torque: Vec3,
-}
-
-impl Wrench {
-    /// Adds `scale * other`.
-    pub fn add(&mut self, other: &Self, scale: f64) {
-        self.force += other.force * scale;
-        self.torque += other.torque * scale;
-    }
-}
 
 /// A running scene. `Send`, without global state; threads of its own only if the scene asks for them, joined when it goes.
 #[derive(Debug)]
@@ -208,7 +186,7 @@ impl Simulation {
         Ok(())
     }
 
-    /// Command for boundary `b`, which has a [`crate::motion::Motion::input`] or a belt driven from outside; held until the
+    /// Command for boundary `b`, which has a [`crate::scene::Motion::input`] or a belt driven from outside; held until the
     /// next one.
     ///
     /// # Errors
@@ -312,7 +290,7 @@ impl Simulation {
         Ok(crate::step::problem(&self.scene, state, dt, &poses))
     }
 
-    /// Complete state as bytes that work in a new process: [`crate::snapshot`].
+    /// Complete state as bytes that work in a new process: [`crate::formats::snapshot`].
     #[must_use]
     pub fn snapshot(&self) -> Vec<u8> {
         let velocities = (0..self.state.kinematics.len()).map(|i| self.velocity(i));

@@ -9,16 +9,14 @@
 //! A scene in which nothing has moved faster than `rest_speed` for [`CALM`] steps comes to rest: velocities are zero and forces
 //! stay until something changes from outside.
 
-use serde::{Deserialize, Serialize};
-
 use super::Simulation;
-use crate::contacts::{Load, Partner};
-use crate::drive::Drive;
-use crate::gravity::GravityMotion;
-use crate::motion::Twist;
-use crate::problem::Dof6;
-use crate::scene::{Scene, Settings, SolverKind};
-use crate::state::State;
+use crate::contact::{Load, Partner};
+use crate::scene::gravity::GravityMotion;
+use crate::scene::{Scene, Settings};
+use crate::simulation::drive::Drive;
+use crate::solver::SolverKind;
+use crate::spatial::{Dof6, Twist};
+use crate::state::{Pace, State, StepReport};
 use crate::step::{Effort, StepFailure, StepOutcome};
 
 /// Sweeps that cost as much as all else in a step (measured on `examples/dropped`).
@@ -46,23 +44,21 @@ const SPIN: f64 = 10.0;
 /// Steps without motion after which a scene rests.
 const CALM: u32 = 10;
 
-/// What the steps so far say about the next.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
-pub struct Pace {
-    /// Internal step wanted next \[s\].
-    pub step: f64,
-    /// Steps in a row without motion.
-    pub calm: u32,
-    /// Steps that are still taken as they are if they do not converge.
-    accepting: u32,
-    /// Whether the last change made steps shorter.
-    shorter: bool,
-    /// Steps of this length, the time they took \[s\], and their cost in sweeps.
-    taken: u32,
-    time: f64,
-    cost: f64,
-    /// Cost of simulated time with the length before \[sweeps/s\]; 0 at first.
-    rate: f64,
+impl StepReport {
+    /// Adds what an internal step cost and reached.
+    pub(super) fn include(&mut self, outcome: &StepOutcome) {
+        let solver = &outcome.solver;
+        self.internal_steps += 1;
+        self.unconverged_steps += u64::from(outcome.unconverged);
+        self.sweeps += solver.sweeps as u64;
+        self.augmentations += solver.augmentations as u64;
+        self.factorizations += solver.factorizations as u64;
+        self.max_overlap = self.max_overlap.max(outcome.max_overlap);
+        self.kink = self.kink.max(outcome.kink);
+        self.gap_residual = self.gap_residual.max(solver.residual.gap);
+        self.slip_residual = self.slip_residual.max(solver.residual.slip);
+        self.force_residual = self.force_residual.max(solver.residual.force);
+    }
 }
 
 /// What becomes of a step that failed.

@@ -24,12 +24,11 @@ use super::gauss_seidel::{Kernel, smooth};
 use super::residual::{Scale, evaluate};
 use super::{Best, Params, Report};
 use crate::Vec3;
-use crate::contacts::law::{project_disc, project_interval, split};
 use crate::linalg::{BlockMatrix, BlockPattern, Factor, LinearError, Symbolic};
-use crate::problem::{Dof6, GROUND, Law, Problem, Row};
+use crate::problem::law::{SHEAR_RATIO, project_disc, project_interval, split};
+use crate::problem::{GROUND, Law, Problem, Row};
+use crate::spatial::Dof6;
 
-/// Shear penalty over normal penalty, `P_t = P_n / 2.5` (Shi's constant).
-pub const SHEAR_RATIO: f64 = 0.4;
 /// Most open-close iterations for one multiplier update.
 const OPEN_CLOSE: usize = 40;
 /// An update that leaves more than this share of the residual asks for a larger penalty.
@@ -382,8 +381,8 @@ fn motion(problem: &Problem, step: &[f64]) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::bodies::probe_row;
     use super::*;
+    use crate::solver::bodies::probe_row;
 
     /// Tangent and energy against central differences in all states of all laws, error of second order.
     #[test]

@@ -3,7 +3,8 @@
 use nalgebra::{Matrix3, Matrix3x6, Matrix6};
 
 use crate::Vec3;
-use crate::problem::{Dof6, GROUND, Grip, Operator, Problem, Row};
+use crate::problem::{GROUND, Grip, Problem, Row};
+use crate::spatial::{Dof6, Operator};
 
 /// Eigenvalue of an operator's block over its largest below which the joint holds that direction.
 const HELD: f64 = 1e-12;

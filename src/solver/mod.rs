@@ -14,13 +14,30 @@ pub mod newton;
 pub mod residual;
 pub mod tangent;
 
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
 use crate::Vec3;
 use crate::linalg::LinearError;
 use crate::problem::Problem;
-use crate::scene::{SolverKind, Tolerance};
 use augmented_lagrangian::Workspace;
 use neighbourhood::Part;
 use residual::{Residual, Scale, evaluate};
+
+pub use residual::Tolerance;
+
+/// Which solver takes the step's problem.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum SolverKind {
+    /// Gauss-Seidel first, Newton on the neighbourhoods of what it leaves.
+    #[default]
+    Auto,
+    /// Sparse Cholesky of `K D = F`, open-close iterations, augmented-Lagrangian outer loop.
+    Direct,
+    /// Block Gauss-Seidel on the multipliers.
+    GaussSeidel,
+}
 
 /// Contacts that lead from an unsolved row to the border of the first part that Newton solves.
 const HOPS: usize = 2;

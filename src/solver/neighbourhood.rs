@@ -7,7 +7,8 @@
 use std::collections::BTreeMap;
 
 use crate::Vec3;
-use crate::problem::{Dof6, GROUND, Law, Operator, Problem};
+use crate::problem::{GROUND, Law, Problem};
+use crate::spatial::{Dof6, Operator};
 
 /// A part of a problem.
 pub(super) struct Part {

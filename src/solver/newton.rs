@@ -16,14 +16,14 @@
 
 use nalgebra::Matrix3;
 
-use super::augmented_lagrangian::SHEAR_RATIO;
 use super::bodies::{Masses, moved};
 use super::residual::{Scale, evaluate};
 use super::{Best, Params, Report};
 use crate::Vec3;
-use crate::contacts::law::{project_disc, project_interval, split};
 use crate::linalg::{GeneralMatrix, LinearError};
-use crate::problem::{Dof6, GROUND, Law, Problem, Row, Rows};
+use crate::problem::law::{SHEAR_RATIO, project_disc, project_interval, split};
+use crate::problem::{GROUND, Law, Problem, Row, Rows};
+use crate::spatial::Dof6;
 
 /// First proximal parameter `kappa` \[-\].
 const FIRST: f64 = 30.0;
@@ -342,8 +342,8 @@ pub fn solve(
 
 #[cfg(test)]
 mod tests {
-    use super::super::bodies::probe_row;
     use super::*;
+    use crate::solver::bodies::probe_row;
 
     /// The tangent against central differences in all states of all laws, error of second order.
     #[test]

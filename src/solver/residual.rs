@@ -23,10 +23,44 @@
 //!
 //! The residual vanishes exactly at a solution. Velocities are those of the impulses, never a solver's own.
 
+use serde::{Deserialize, Serialize};
+
 use crate::Vec3;
-use crate::contacts::law::{project_disc, project_interval, split};
+use crate::problem::law::{project_disc, project_interval, split};
 use crate::problem::{Law, Problem, Row};
-use crate::scene::Tolerance;
+
+/// Dimensionless tolerances of one step.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Tolerance {
+    /// True geometric overlap over the smaller radius of the pair \[-\], 1e-12..=1e-1.
+    pub gap: f64,
+    /// Slip distance of a sticking contact over the smaller radius \[-\], same range.
+    pub slip: f64,
+    /// Force residual over the contact's force scale \[-\], same range.
+    pub force: f64,
+}
+
+impl Tolerance {
+    /// All of them times `factor`.
+    #[must_use]
+    pub fn scaled(&self, factor: f64) -> Self {
+        Self {
+            gap: self.gap * factor,
+            slip: self.slip * factor,
+            force: self.force * factor,
+        }
+    }
+}
+
+impl Default for Tolerance {
+    fn default() -> Self {
+        Self {
+            gap: 1e-6,
+            slip: 1e-6,
+            force: 1e-6,
+        }
+    }
+}
 
 /// Largest residual of each kind \[-\], and the rows where they occur.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

@@ -17,9 +17,10 @@ use super::bodies::{Masses, moved};
 use super::newton::{Answer, Proximal, answer, bound, empty, shear_share, stiffness};
 use super::residual::Scale;
 use crate::Vec3;
-use crate::contacts::law::split;
 use crate::linalg::{GeneralFactor, LinearError};
-use crate::problem::{Dof6, Law, Problem, Row};
+use crate::problem::law::split;
+use crate::problem::{Law, Problem, Row};
+use crate::spatial::Dof6;
 
 /// `kappa` \[-\].
 const KAPPA: f64 = 1e4;

@@ -8,9 +8,8 @@
 
 use super::stage::Stage;
 use crate::linalg::LinearError;
-use crate::motion::Pose;
-use crate::problem::Dof6;
 use crate::solver::tangent::{Change, respond};
+use crate::spatial::{Dof6, Pose};
 use crate::state::State;
 
 /// A state beside the one that takes the step, and where its boundaries go.

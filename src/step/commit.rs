@@ -8,14 +8,11 @@ use nalgebra::UnitQuaternion;
 use super::dof;
 use super::stage::{Held, Stage};
 use crate::Vec3;
-use crate::contacts::{Load, Partner};
-use crate::driven::BodyState;
-use crate::integrate::turned;
-use crate::motion::Pose;
-use crate::problem::{Dof6, GROUND, Law};
-use crate::scene::Integrator;
-use crate::simulation::Wrench;
-use crate::state::{State, Work};
+use crate::contact::{Load, Partner};
+use crate::integrator::Integrator;
+use crate::problem::{GROUND, Law};
+use crate::spatial::{Dof6, Pose, Wrench, turned};
+use crate::state::{BodyState, State, Work};
 
 /// Of pieces of the spheres: centres and orientations.
 type Places<'a> = (&'a mut [Vec3], &'a mut [UnitQuaternion<f64>]);
@@ -230,7 +227,7 @@ impl Stage<'_> {
                 let ((position, orientation), (velocity, spin)) = (place, motion);
                 let (v1, external) = (&solution[i], &self.inputs.external[i]);
                 let before = dof(start, i);
-                let after = integrator.finish(&before, v1, &scene.settings);
+                let after = integrator.finish(&before, v1, scene.settings.dynamic_coefficient);
                 let old = integrator.reported(&before, &carried[i], step);
                 let new = integrator.reported(&after, &persisting[i], step);
                 let power = particles.mass[i] * external.linear.dot(&v1.linear)

@@ -2,12 +2,13 @@
 
 use super::{Start, dof};
 use crate::Vec3;
-use crate::frame::gyroscopic;
-use crate::particles::Kinematics;
-use crate::problem::Dof6;
-use crate::problem::assemble::external_acceleration;
-use crate::scene::{Integrator, Scene};
+use crate::integrator::Integrator;
+use crate::scene::Scene;
+use crate::scene::particles::Kinematics;
+use crate::scene::rotating_frame::gyroscopic;
+use crate::spatial::Dof6;
 use crate::state::State;
+use crate::step::assemble::external_acceleration;
 
 /// Into `external` the acceleration in a step of `dt` \[s\] that begins with `kinematics`, `[N]`.
 pub(super) fn acceleration(

@@ -3,7 +3,7 @@
 use super::stage::Stage;
 use super::{Passed, StepFailure};
 use crate::Vec3;
-use crate::contacts::Partner;
+use crate::contact::Partner;
 use crate::linalg::LinearError;
 use crate::solver::Report;
 

@@ -1,8 +1,10 @@
 //! One internal time step, its stages in order: `stage` finds candidates and writes rows, `resolve` solves until the true
 //! geometry agrees, `commit` writes the solution into the state; `start` does the same at t = 0.
 
+pub mod assemble;
 mod beside;
 mod commit;
+pub mod driven;
 mod external;
 mod failure;
 mod passing;
@@ -16,18 +18,18 @@ pub(crate) use external::release;
 pub use start::{initial_forces, remove_overlaps};
 
 use crate::Vec3;
-use crate::contacts::broad_phase::{NeighborList, Reach};
-use crate::driven::Ready;
+use crate::detection::broad_phase::{NeighborList, Reach};
 use crate::linalg::LinearError;
-use crate::motion::{Pose, Twist};
-use crate::particles::Kinematics;
-use crate::problem::assemble::{Inputs, Mover, mean_acceleration};
-use crate::problem::{Dof6, Impulses, Problem};
+use crate::problem::{Impulses, Problem};
 use crate::scene::Scene;
+use crate::scene::particles::Kinematics;
 use crate::solver::Report;
 use crate::solver::augmented_lagrangian::Workspace;
 use crate::solver::gauss_seidel::SMALL;
+use crate::spatial::{Dof6, Pose, Twist};
 use crate::state::State;
+use crate::step::assemble::{Inputs, Mover, mean_acceleration};
+use crate::step::driven::Ready;
 use stage::{Memory, Stage};
 
 /// What is kept between steps for speed and never shows in results.
@@ -47,7 +49,7 @@ pub struct StepOutcome {
     pub solver: Report,
     /// Largest true overlap over radius at the end \[-\].
     pub max_overlap: f64,
-    /// How near a contact is to the edge of its state \[-\]: [`crate::simulation::StepReport::kink`].
+    /// How near a contact is to the edge of its state \[-\]: [`crate::state::StepReport::kink`].
     pub kink: f64,
     /// Whether the tolerances were not met and the best iterate was taken.
     pub unconverged: bool,
@@ -85,7 +87,7 @@ pub struct StepFailure {
     /// What was asked for \[-\].
     pub tolerance: f64,
     /// The worst contact, if there is one.
-    pub contact: Option<crate::contacts::Key>,
+    pub contact: Option<crate::contact::Key>,
     /// A sphere that two rigid boundaries press from opposite sides, and the boundaries.
     pub pinched: Option<(usize, [u16; 2])>,
     /// Two bodies that would pass through each other within the step.
@@ -98,7 +100,7 @@ pub struct StepFailure {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Passed {
     /// The pair; of a boundary's features none in particular.
-    pub contact: crate::contacts::Key,
+    pub contact: crate::contact::Key,
     /// Relative motion over the smaller radius \[-\].
     pub motion: f64,
 }

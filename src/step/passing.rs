@@ -15,14 +15,13 @@ use std::mem::take;
 use super::stage::Stage;
 use super::{Passed, Scratch};
 use crate::Vec3;
-use crate::cell::{HERE, Image};
-use crate::contacts::broad_phase::Reach;
-use crate::contacts::narrow_phase::{Candidate, Placement};
-use crate::contacts::sweep::{least_distance, meets};
-use crate::contacts::{Key, Partner};
-use crate::extent::smaller;
-use crate::motion::Pose;
-use crate::problem::Dof6;
+use crate::contact::{Key, Partner};
+use crate::detection::broad_phase::Reach;
+use crate::detection::narrow_phase::{Candidate, Placement};
+use crate::detection::sweep::{least_distance, meets};
+use crate::spatial::cell::{HERE, Image};
+use crate::spatial::extent::smaller;
+use crate::spatial::{Dof6, Pose};
 
 /// Relative motion over the smaller radius up to which the ends of a step tell all \[-\].
 pub(super) const SMALL_MOTION: f64 = 0.5;

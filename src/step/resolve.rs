@@ -7,11 +7,11 @@ use super::beside::{self, Twin};
 use super::stage::{Stage, follow};
 use super::{Effort, Passed, Scratch, StepFailure, StepOutcome};
 use crate::Vec3;
-use crate::contacts::narrow_phase::{Candidate, Placement};
-use crate::contacts::{Partner, history};
-use crate::problem::Dof6;
+use crate::contact::{Partner, history};
+use crate::detection::narrow_phase::{Candidate, Placement};
 use crate::scene::Method;
 use crate::solver::Report;
+use crate::spatial::Dof6;
 use crate::state::State;
 
 /// Passes of re-linearisation and late contacts before the step is cut.

@@ -4,19 +4,20 @@ use std::mem::take;
 
 use super::{Effort, Scratch};
 use crate::Vec3;
-use crate::contacts::broad_phase::Reach;
-use crate::contacts::history::{self, Past};
-use crate::contacts::narrow_phase::{Candidate, Placement};
-use crate::driven::Hold;
-use crate::extent::larger;
-use crate::motion::Pose;
+use crate::contact::history;
+use crate::contact::history::Past;
+use crate::detection::broad_phase::Reach;
+use crate::detection::narrow_phase::{Candidate, Placement};
 use crate::parallel::Pool;
-use crate::problem::assemble::Inputs;
-use crate::problem::{Dof6, Law, Plain, Problem};
-use crate::scene::{Method, SolverKind};
+use crate::problem::{Law, Plain, Problem};
+use crate::scene::Method;
 use crate::solver::residual::{Scale, evaluate};
-use crate::solver::{Params, Report, SMOOTHING, solve};
+use crate::solver::{Params, Report, SMOOTHING, SolverKind, solve};
+use crate::spatial::extent::larger;
+use crate::spatial::{Dof6, Pose};
 use crate::state::State;
+use crate::step::assemble::Inputs;
+use crate::step::assemble::joint::Hold;
 
 /// Contacts with a gap below this share of the radius are candidates even at rest.
 const NEAR: f64 = 1e-3;

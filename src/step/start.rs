@@ -4,14 +4,14 @@ use super::beside::{self, Twin};
 use super::stage::{Held, Stage};
 use super::{Effort, Scratch, Start, StepFailure, external, surfaces};
 use crate::Vec3;
-use crate::contacts::narrow_phase::Placement;
-use crate::driven::Ready;
-use crate::motion::Twist;
+use crate::detection::narrow_phase::Placement;
 use crate::parallel::Pool;
-use crate::problem::assemble::Mover;
-use crate::problem::{Dof6, Law, Row, retain};
+use crate::problem::{Law, Row, retain};
 use crate::scene::{Method, Scene};
+use crate::spatial::{Dof6, Twist};
 use crate::state::State;
+use crate::step::assemble::Mover;
+use crate::step::driven::Ready;
 
 /// Force residual at t = 0: forces at rest balance the weight, whatever the steps are asked for \[-\].
 const AT_REST: f64 = 1e-8;

@@ -11,107 +11,6 @@ use std::path::{Path, PathBuf};
 /// Longest source file, in lines.
 const LONGEST: usize = 520;
 
-/// Modules of the solver crate that may not use certain others, and why.
-const SEPARATE: [(&str, &[&str], &str); 6] = [
-    (
-        "contacts/law.rs",
-        &[
-            "boundaries",
-            "contacts",
-            "drive",
-            "error",
-            "integrate",
-            "linalg",
-            "materials",
-            "motion",
-            "observe",
-            "particles",
-            "problem",
-            "scene",
-            "simulation",
-            "solver",
-            "state",
-            "step",
-        ],
-        "the contact law is pure: numbers in, numbers out",
-    ),
-    (
-        "linalg",
-        &[
-            "boundaries",
-            "contacts",
-            "drive",
-            "error",
-            "integrate",
-            "materials",
-            "motion",
-            "observe",
-            "particles",
-            "problem",
-            "scene",
-            "simulation",
-            "solver",
-            "state",
-            "step",
-        ],
-        "linear algebra knows matrices only",
-    ),
-    (
-        "solver",
-        &[
-            "particles",
-            "boundaries",
-            "materials",
-            "motion",
-            "drive",
-            "observe",
-            "simulation",
-            "state",
-            "step",
-            "contacts::narrow_phase",
-            "contacts::broad_phase",
-            "contacts::history",
-            "scene::Scene",
-            "scene::Settings",
-            "scene::file",
-        ],
-        "a solver sees the problem, not the spheres behind it",
-    ),
-    (
-        "boundaries",
-        &[
-            "contacts",
-            "observe",
-            "problem",
-            "simulation",
-            "solver",
-            "step",
-        ],
-        "geometry comes before contact",
-    ),
-    (
-        "scene",
-        &[
-            "observe::Observation",
-            "observe::energy",
-            "observe::frames",
-            "observe::history",
-            "observe::sensors",
-            "observe::writer",
-            "problem",
-            "simulation",
-            "solver",
-            "step",
-        ],
-        "a scene is data that a run reads; of results it knows the states and files a run may start from",
-    ),
-    (
-        "problem",
-        &["observe", "simulation", "state", "step"],
-        "a problem is the algebra of one step",
-    ),
-];
-
 /// Crates and the ones of ours that they must not name.
 const CRATES: [(&str, &[&str]); 6] = [
     (
@@ -221,86 +120,6 @@ fn names(line: &str, word: &str) -> bool {
     })
 }
 
-/// Modules `a::b` that a line reaches through `crate::`, groups such as `crate::{a, b::c}` included.
-fn uses(line: &str) -> Vec<String> {
-    let mut found = Vec::new();
-    for (at, start) in line.match_indices("crate::") {
-        let rest = &line[at + start.len()..];
-        let Some(group) = rest.strip_prefix('{') else {
-            found.push(path_of(rest));
-            continue;
-        };
-        let (mut depth, mut item) = (0, String::new());
-        for c in group.chars() {
-            match c {
-                ',' | '}' if depth == 0 => found.push(path_of(&std::mem::take(&mut item))),
-                '{' => depth += 1,
-                '}' => depth -= 1,
-                _ => {}
-            }
-            if !(depth == 0 && (c == ',' || c == '}')) {
-                item.push(c);
-            }
-        }
-    }
-    // `use crate::scene::{A, B}` reaches `scene::A` and `scene::B`.
-    let mut flat = Vec::new();
-    for path in found {
-        match path.split_once("::{") {
-            Some((head, list)) => {
-                let items = list.trim_end_matches('}').split(',');
-                flat.extend(items.map(|i| format!("{head}::{}", i.trim())));
-            }
-            None => flat.push(path),
-        }
-    }
-    flat
-}
-
-/// The path at the start of a text.
-fn path_of(text: &str) -> String {
-    let end = text
-        .find(|c: char| !(c.is_alphanumeric() || "_:{, }".contains(c)))
-        .unwrap_or(text.len());
-    text[..end].trim().trim_end_matches("::").to_owned()
-}
-
-/// Its lines of code; `use` items that rustfmt has broken over several lines count as one line.
-fn items(text: &str) -> Vec<(usize, String)> {
-    let mut joined: Vec<(usize, String)> = Vec::new();
-    let mut open = false;
-    for (k, line) in code(text) {
-        match joined.last_mut().filter(|_| open) {
-            Some((_, item)) => item.push_str(line.trim()),
-            None => joined.push((k, line.trim().to_owned())),
-        }
-        let item = joined.last().map_or("", |(_, item)| item);
-        open = item.contains("use crate::") && !item.contains(';');
-    }
-    joined
-}
-
-fn breaches_of_separation(file: &str, text: &str) -> Vec<String> {
-    let joined = items(text);
-    let module = file.trim_start_matches("src/");
-    let mut found = Vec::new();
-    for (place, others, why) in SEPARATE {
-        if module != place && !module.starts_with(&format!("{place}/")) {
-            continue;
-        }
-        for (k, line) in &joined {
-            for used in uses(line) {
-                for other in others {
-                    if used == *other || used.starts_with(&format!("{other}::")) {
-                        found.push(format!("{file}:{k} uses {used}; {why}"));
-                    }
-                }
-            }
-        }
-    }
-    found
-}
-
 fn breaches_of_crates(file: &str, text: &str) -> Vec<String> {
     let mut found = Vec::new();
     for (place, others) in CRATES {
@@ -393,11 +212,6 @@ const ALL: [&str; 7] = [
 ];
 
 #[test]
-fn modules_use_only_what_comes_before_them() {
-    hold(breaches_of_separation, &["src"]);
-}
-
-#[test]
 fn crates_point_one_way() {
     hold(breaches_of_crates, &LIBRARIES);
 }
@@ -426,32 +240,7 @@ fn files_are_short_and_named() {
 /// Each rule finds a breach, and passes what only looks like one.
 #[test]
 fn every_rule_can_fail() {
-    let breaches: [(Rule, &str, &str); 13] = [
-        (
-            breaches_of_separation,
-            "src/contacts/law.rs",
-            "use crate::scene::Scene;",
-        ),
-        (
-            breaches_of_separation,
-            "src/linalg/mod.rs",
-            "use crate::problem::Row;",
-        ),
-        (
-            breaches_of_separation,
-            "src/solver/mod.rs",
-            "use crate::{Vec3, particles::Particles};",
-        ),
-        (
-            breaches_of_separation,
-            "src/solver/mod.rs",
-            "let x: crate::scene::Scene;",
-        ),
-        (
-            breaches_of_separation,
-            "src/solver/x.rs",
-            "use crate::scene::{\n    Scene, Tolerance,\n};",
-        ),
+    let breaches: [(Rule, &str, &str); 8] = [
         (
             breaches_of_crates,
             "src/step.rs",
@@ -472,17 +261,7 @@ fn every_rule_can_fail() {
     for (rule, file, text) in breaches {
         assert!(!rule(file, text).is_empty(), "{file}: {text}");
     }
-    let clean: [(Rule, &str, &str); 7] = [
-        (
-            breaches_of_separation,
-            "src/solver/mod.rs",
-            "use crate::scene::{SolverKind, Tolerance};",
-        ),
-        (
-            breaches_of_separation,
-            "src/contacts/law.rs",
-            "use crate::Vec3;",
-        ),
+    let clean: [(Rule, &str, &str); 5] = [
         (forbidden, "src/step.rs", "// .unwrap() is for tests"),
         (forbidden, "src/step.rs", "let x = y.unwrap_or(0);"),
         (

@@ -2,7 +2,7 @@
 
 use sphere_dda::observe::Observation;
 use sphere_dda::observe::energy::Momentum;
-use sphere_dda::observe::frames;
+use sphere_dda::results::frames;
 use sphere_dda::simulation::Simulation;
 
 use crate::simulation;

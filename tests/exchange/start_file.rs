@@ -1,6 +1,6 @@
 //! Start files: what is read is what was written, and nothing else is taken for it.
 
-use sphere_dda::observe::start_file::{StartFile, StartFileError};
+use sphere_dda::results::start_file::{StartFile, StartFileError};
 use sphere_dda::simulation::Settle;
 
 use crate::scene;
@@ -61,7 +61,7 @@ fn the_hash_is_that_of_scene_and_settling() {
     // How long a run is and what solves it does not change where it starts.
     let mut run = scene(BALL);
     run.settings.duration = 7.0;
-    run.settings.solver = sphere_dda::scene::SolverKind::Direct;
+    run.settings.solver = sphere_dda::solver::SolverKind::Direct;
     assert_eq!(own, StartFile::hash(&run, SETTLE));
 }
 

@@ -4,8 +4,10 @@ use std::sync::Arc;
 
 use nalgebra::UnitQuaternion;
 use proptest::prelude::*;
-use sphere_dda::observe::vtu::{self, Precision};
-use sphere_dda::observe::{Observation, frames};
+use sphere_dda::formats::vtu;
+use sphere_dda::formats::vtu::Precision;
+use sphere_dda::observe::Observation;
+use sphere_dda::results::frames;
 use sphere_dda::scene::Scene;
 use sphere_dda::simulation::Simulation;
 

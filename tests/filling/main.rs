@@ -6,7 +6,8 @@ mod regions;
 
 use std::path::Path;
 
-use sphere_dda::scene::{Loaded, Scene, SceneError};
+use sphere_dda::scene::Scene;
+use sphere_dda::scene_file::{Loaded, SceneError};
 
 /// A scene with one material and the given tables.
 fn scene(tables: &str, folder: &Path) -> Result<Loaded, SceneError> {

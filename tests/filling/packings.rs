@@ -2,7 +2,8 @@
 
 use proptest::prelude::*;
 use sphere_dda::Vec3;
-use sphere_dda::scene::{Overlaps, Scene};
+use sphere_dda::scene::Scene;
+use sphere_dda::scene_file::Overlaps;
 
 use super::{good, group, load, scene};
 

@@ -3,8 +3,8 @@
 use nalgebra::UnitQuaternion;
 use proptest::prelude::*;
 use sphere_dda::Vec3;
-use sphere_dda::boundaries::{Facets, GeometryError, Solid};
-use sphere_dda::region::{Primitive, Region};
+use sphere_dda::geometry::region::{Primitive, Region};
+use sphere_dda::geometry::{Facets, GeometryError, Solid};
 
 /// A cube of side 2 around the origin, its triangles' vertices in the order given by bits.
 fn cube(flips: u32) -> Facets {

@@ -7,7 +7,7 @@ mod refused;
 mod terrain;
 
 use sphere_dda::Vec3;
-use sphere_dda::boundaries::{Geometry, Shape, Touch};
+use sphere_dda::geometry::{Geometry, Shape, Touch};
 
 fn v(x: f64, y: f64, z: f64) -> Vec3 {
     Vec3::new(x, y, z)

@@ -2,7 +2,7 @@ use proptest::prelude::*;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use sphere_dda::Vec3;
-use sphere_dda::boundaries::{Facets, Geometry};
+use sphere_dda::geometry::{Facets, Geometry};
 
 use super::{close, geometry, same, touches, v};
 

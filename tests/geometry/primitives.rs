@@ -1,4 +1,4 @@
-use sphere_dda::boundaries::{Facets, Geometry, HalfSpace, Revolution, Shape};
+use sphere_dda::geometry::{Facets, Geometry, HalfSpace, Revolution, Shape};
 
 use super::{close, geometry, same, touches, v};
 

@@ -1,7 +1,7 @@
 use nalgebra::UnitQuaternion;
 use proptest::prelude::*;
 use sphere_dda::Vec3;
-use sphere_dda::boundaries::{Facets, Geometry, HalfSpace, Revolution, Shape, Touch};
+use sphere_dda::geometry::{Facets, Geometry, HalfSpace, Revolution, Shape, Touch};
 
 use super::{touches, v};
 

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use sphere_dda::boundaries::{Facets, Geometry, GeometryError, HalfSpace, Revolution};
+use sphere_dda::geometry::{Facets, Geometry, GeometryError, HalfSpace, Revolution};
 
 use super::{geometry, touches, v};
 

@@ -1,7 +1,7 @@
 //! Height fields: what the files mean, and which are refused.
 
 use sphere_dda::Vec3;
-use sphere_dda::boundaries::{Facets, Geometry, HeightField};
+use sphere_dda::geometry::{Facets, Geometry, HeightField};
 
 use super::{close, geometry, same, touches, v};
 

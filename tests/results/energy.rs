@@ -1,12 +1,12 @@
 //! Energies and momenta against closed forms.
 
 use sphere_dda::Vec3;
-use sphere_dda::motion::Motion;
-use sphere_dda::motion::Twist;
+use sphere_dda::geometry::region::Primitive;
 use sphere_dda::observe::energy::{Energy, Momentum};
-use sphere_dda::observe::history::{columns, row};
-use sphere_dda::region::Primitive;
+use sphere_dda::results::history::{columns, row};
+use sphere_dda::scene::Motion;
 use sphere_dda::scene::{PointLoad, Sink, Source, Spring, Supply};
+use sphere_dda::spatial::Twist;
 
 use crate::made::{Made, scene};
 

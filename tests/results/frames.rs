@@ -3,12 +3,12 @@
 use std::fs;
 
 use sphere_dda::Vec3;
-use sphere_dda::materials::Pair;
-use sphere_dda::observe::frames::{Series, Surface, contacts, frame};
+use sphere_dda::formats::vtu::{Array, Cell, Grid, Precision, Values, encode};
 use sphere_dda::observe::loads::{Load, Loads};
-use sphere_dda::observe::vtu::{Array, Cell, Grid, Precision, Values, encode};
-use sphere_dda::observe::writer::{Options, Results};
+use sphere_dda::results::frames::{Series, Surface, contacts, frame};
+use sphere_dda::results::writer::{Options, Results};
 use sphere_dda::scene::Scene;
+use sphere_dda::scene::materials::Pair;
 
 use crate::made::{Made, place, scene};
 use crate::vtu::check_blocks;

@@ -2,8 +2,8 @@
 
 use std::fs;
 
-use sphere_dda::observe::frames::Series;
-use sphere_dda::observe::writer::{Options, Results};
+use sphere_dda::results::frames::Series;
+use sphere_dda::results::writer::{Options, Results};
 
 use crate::made::{listed_or_none, place, record, scene};
 use crate::vtu::check_blocks;

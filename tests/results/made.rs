@@ -5,22 +5,25 @@ use std::path::{Path, PathBuf};
 
 use nalgebra::UnitQuaternion;
 use sphere_dda::Vec3;
-use sphere_dda::boundaries::{Boundary, Facets, Geometry, HalfSpace, Shape};
-use sphere_dda::cell::Cell;
-use sphere_dda::contacts::{Contact, Key, Partner};
-use sphere_dda::driven::JointState;
-use sphere_dda::integrate::Velocities;
-use sphere_dda::materials::{Material, Pair, PairTable};
-use sphere_dda::motion::{Motion, Pose, Twist};
-use sphere_dda::observe::writer::Results;
+use sphere_dda::contact::{Contact, Key, Partner};
+use sphere_dda::geometry::region::Primitive;
+use sphere_dda::geometry::{Facets, Geometry, HalfSpace, Shape};
+use sphere_dda::integrator::Integrator;
 use sphere_dda::observe::{BoundaryState, Observation};
-use sphere_dda::particles::{Kinematics, Locks, Particles};
-use sphere_dda::problem::Dof6;
-use sphere_dda::region::Primitive;
-use sphere_dda::scene::{
-    Integrator, Measure, Method, Output, Scene, Sensor, Settings, SolverKind, Tolerance,
-};
-use sphere_dda::simulation::{StepReport, Wrench};
+use sphere_dda::results::writer::Results;
+use sphere_dda::scene::Boundary;
+use sphere_dda::scene::Motion;
+use sphere_dda::scene::materials::{Material, Pair, PairTable};
+use sphere_dda::scene::particles::{Kinematics, Locks, Particles};
+use sphere_dda::scene::{Measure, Method, Output, Scene, Sensor, Settings};
+use sphere_dda::solver::{SolverKind, Tolerance};
+use sphere_dda::spatial::Dof6;
+use sphere_dda::spatial::Wrench;
+use sphere_dda::spatial::cell::Cell;
+use sphere_dda::spatial::{Pose, Twist};
+use sphere_dda::state::JointState;
+use sphere_dda::state::StepReport;
+use sphere_dda::state::Velocities;
 use sphere_dda::state::Work;
 
 /// A row of `n` spheres above a floor and a box, with one sensor of each kind.

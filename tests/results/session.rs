@@ -9,8 +9,8 @@ use std::{
     time::Duration,
 };
 
-use sphere_dda::observe::error::OutputError;
-use sphere_dda::observe::writer::{Options, Results};
+use sphere_dda::formats::error::OutputError;
+use sphere_dda::results::writer::{Options, Results};
 
 use crate::made::{Made, listed, listed_or_none, place, record, scene};
 

@@ -4,7 +4,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use sphere_dda::observe::Observation;
-use sphere_dda::observe::writer::{Options, Results};
+use sphere_dda::results::writer::{Options, Results};
 use sphere_dda::scene::Scene;
 use sphere_dda::simulation::Simulation;
 

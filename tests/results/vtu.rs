@@ -1,8 +1,8 @@
 //! Structure of the VTU files, and what is refused.
 
 use sphere_dda::Vec3;
-use sphere_dda::observe::error::OutputError;
-use sphere_dda::observe::vtu::{Array, Cell, Grid, Precision, encode};
+use sphere_dda::formats::error::OutputError;
+use sphere_dda::formats::vtu::{Array, Cell, Grid, Precision, encode};
 
 /// Walks the blocks of a VTU file as meshio does: no gaps, every offset a tag's, the newline at the end.
 pub(crate) fn check_blocks(bytes: &[u8]) {

@@ -5,9 +5,10 @@ mod warnings;
 use std::path::Path;
 
 use proptest::prelude::*;
-use sphere_dda::boundaries::Shape;
-use sphere_dda::motion::{InputKind, Motion};
-use sphere_dda::scene::{Loaded, Measure, Scene, SceneError, Summary};
+use sphere_dda::geometry::Shape;
+use sphere_dda::scene::{InputKind, Motion};
+use sphere_dda::scene::{Measure, Scene};
+use sphere_dda::scene_file::{Loaded, SceneError, Summary};
 
 const GOOD: &str = r#"title = "box"
 [simulation]

@@ -11,9 +11,9 @@
 use std::f64::consts::FRAC_PI_2;
 
 use sphere_dda::Vec3;
-use sphere_dda::boundaries::Belt;
-use sphere_dda::motion::{Command, Motion};
-use sphere_dda::particles::Locks;
+use sphere_dda::scene::Belt;
+use sphere_dda::scene::particles::Locks;
+use sphere_dda::scene::{Command, Motion};
 
 use crate::support::{Case, G, close};
 

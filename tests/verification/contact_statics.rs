@@ -1,7 +1,8 @@
 //! Rows 6 and 7: stack and groove.
 
 use sphere_dda::Vec3;
-use sphere_dda::scene::{Method, SolverKind};
+use sphere_dda::scene::Method;
+use sphere_dda::solver::SolverKind;
 
 use crate::support::{Case, G, close};
 

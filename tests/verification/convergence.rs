@@ -1,9 +1,10 @@
 //! Orders in dt of both integrators, of what angular momentum leaves over, and the bound of energy.
 
 use sphere_dda::Vec3;
-use sphere_dda::boundaries::Revolution;
-use sphere_dda::motion::Motion;
-use sphere_dda::scene::{Integrator, Spring};
+use sphere_dda::geometry::Revolution;
+use sphere_dda::integrator::Integrator;
+use sphere_dda::scene::Motion;
+use sphere_dda::scene::Spring;
 
 use crate::support::{Case, G, order};
 

@@ -130,7 +130,7 @@ fn a_squeezed_sphere_does_not_end_the_run() {
         let mut simulation = Simulation::new(Arc::new(grains(6, keys, lid))).unwrap();
         let mut unconverged = 0;
         for k in 1..=100 {
-            let command = sphere_dda::motion::Command {
+            let command = sphere_dda::scene::Command {
                 scalar: 1.5e-4 * f64::from(k),
                 ..simulation.state().commands[1]
             };

@@ -7,9 +7,9 @@ use std::sync::Arc;
 
 use sphere_dda::Vec3;
 use sphere_dda::error::StepError;
-use sphere_dda::motion::Command;
 use sphere_dda::observe::Observation;
 use sphere_dda::observe::quantities::{quantities, values};
+use sphere_dda::scene::Command;
 use sphere_dda::scene::Scene;
 use sphere_dda::simulation::{Direction, Simulation};
 
@@ -69,7 +69,7 @@ fn named(simulation: &Simulation, values: Vec<f64>) -> BTreeMap<String, f64> {
 
 fn derivative(simulation: &Simulation, boundary: usize, change: Command) -> BTreeMap<String, f64> {
     let direction = Direction { boundary, change };
-    let mut columns = simulation.sensitivities(&[direction]).unwrap();
+    let mut columns = simulation.directional_derivatives(&[direction]).unwrap();
     named(simulation, columns.remove(0))
 }
 
@@ -191,9 +191,9 @@ struct Case {
 }
 
 /// Which contacts are loaded, and whether they slip.
-fn contacts(simulation: &Simulation) -> Vec<(sphere_dda::contacts::Key, bool)> {
+fn contacts(simulation: &Simulation) -> Vec<(sphere_dda::contact::Key, bool)> {
     let pair = simulation.scene().pairs.get(0, 0);
-    let slips = |c: &sphere_dda::contacts::Contact| {
+    let slips = |c: &sphere_dda::contact::Contact| {
         let normal = c.force.dot(&c.normal);
         (c.force - c.normal * normal).norm() > pair.friction * normal * (1.0 - 1e-6)
     };
@@ -246,7 +246,10 @@ impl Case {
                 change: along(what, *axis),
             })
             .collect();
-        let columns = self.simulation.sensitivities(&directions).unwrap();
+        let columns = self
+            .simulation
+            .directional_derivatives(&directions)
+            .unwrap();
         for ((direction, column), what) in directions.iter().zip(columns).zip(self.directions) {
             let what = format!("{} {}", what.0, what.1);
             let column = named(&self.simulation, column);
@@ -740,21 +743,24 @@ fn a_step_given_up_has_no_derivatives() {
         change: velocity(1),
     }];
     simulation.advance(5e-3).unwrap();
-    let before = simulation.sensitivities(&directions).unwrap();
+    let before = simulation.directional_derivatives(&directions).unwrap();
     let fast = Command::default().plus(&velocity(1), 1e6);
     simulation.command(0, fast).unwrap();
     let jump = simulation.begin(1e-2).unwrap_err();
     assert!(matches!(jump, StepError::Jump { .. }), "{jump}");
-    assert_eq!(simulation.sensitivities(&directions).unwrap(), before);
+    assert_eq!(
+        simulation.directional_derivatives(&directions).unwrap(),
+        before
+    );
     simulation.command(0, Command::default()).unwrap();
     drop(simulation.begin(1e-2).unwrap());
-    let by_command = simulation.sensitivities(&directions).map(|_| ());
-    for refused in [by_command, simulation.rates().map(|_| ())] {
+    let by_command = simulation.directional_derivatives(&directions).map(|_| ());
+    for refused in [by_command, simulation.time_derivatives().map(|_| ())] {
         let error = refused.unwrap_err();
         assert!(error.to_string().contains("no whole step"), "{error}");
     }
     simulation.advance(5e-3).unwrap();
-    simulation.sensitivities(&directions).unwrap();
+    simulation.directional_derivatives(&directions).unwrap();
 }
 
 /// Spheres that come within the step and land take part from there.

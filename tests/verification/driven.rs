@@ -2,12 +2,14 @@
 
 use nalgebra::{Matrix3, UnitQuaternion};
 use sphere_dda::Vec3;
-use sphere_dda::boundaries::{Facets, HalfSpace, Shape};
-use sphere_dda::driven::{Area, Joint, Servo};
-use sphere_dda::motion::{Command, Twist};
-use sphere_dda::particles::Locks;
-use sphere_dda::scene::{Integrator, SolverKind};
+use sphere_dda::geometry::{Facets, HalfSpace, Shape};
+use sphere_dda::integrator::Integrator;
+use sphere_dda::scene::Command;
+use sphere_dda::scene::body::{Area, Joint, Servo};
+use sphere_dda::scene::particles::Locks;
 use sphere_dda::simulation::Simulation;
+use sphere_dda::solver::SolverKind;
+use sphere_dda::spatial::Twist;
 
 use crate::support::{Case, G, Run, body, close};
 
@@ -472,7 +474,7 @@ pub fn pile(joint: Joint, ratio: f64) -> Case {
 #[test]
 fn a_restored_run_goes_on_bit_for_bit() {
     let mut case = pile(Joint::Free, 10.0);
-    if let sphere_dda::motion::Motion::Driven(body) = &mut case.scene.boundaries[5].motion {
+    if let sphere_dda::scene::Motion::Driven(body) = &mut case.scene.boundaries[5].motion {
         body.input = true;
     }
     let mut run = case.start();

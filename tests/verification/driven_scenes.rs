@@ -5,9 +5,10 @@ use std::path::Path;
 use std::sync::Arc;
 
 use sphere_dda::Vec3;
-use sphere_dda::driven::{Area, Body, Joint};
-use sphere_dda::motion::{InputKind, Motion};
-use sphere_dda::scene::{Scene, SceneError};
+use sphere_dda::scene::Scene;
+use sphere_dda::scene::body::{Area, Body, Joint};
+use sphere_dda::scene::{InputKind, Motion};
+use sphere_dda::scene_file::SceneError;
 use sphere_dda::simulation::{Settle, Settled, Simulation};
 
 use crate::support::{G, close};

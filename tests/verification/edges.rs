@@ -15,8 +15,8 @@
 //! ```
 
 use sphere_dda::Vec3;
-use sphere_dda::boundaries::{Facets, Shape};
-use sphere_dda::particles::Locks;
+use sphere_dda::geometry::{Facets, Shape};
+use sphere_dda::scene::particles::Locks;
 
 use crate::support::{Case, G, Run, close};
 

@@ -2,12 +2,12 @@
 
 use nalgebra::UnitQuaternion;
 use sphere_dda::Vec3;
-use sphere_dda::frame::RotatingFrame;
-use sphere_dda::gravity::GravityMotion;
+use sphere_dda::integrator::Integrator;
 use sphere_dda::observe::Observation;
 use sphere_dda::observe::energy::Energy;
-use sphere_dda::particles::Locks;
-use sphere_dda::scene::Integrator;
+use sphere_dda::scene::gravity::GravityMotion;
+use sphere_dda::scene::particles::Locks;
+use sphere_dda::scene::rotating_frame::RotatingFrame;
 
 use crate::support::{Case, G, Run};
 

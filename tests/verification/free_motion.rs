@@ -1,7 +1,7 @@
 //! Row 1: free fall, projectile, spin.
 
 use sphere_dda::Vec3;
-use sphere_dda::scene::Integrator;
+use sphere_dda::integrator::Integrator;
 
 use crate::support::{Case, G, close};
 

@@ -1,10 +1,12 @@
 //! Stops and springs of slides and hinges, alone and together with contacts.
 
 use sphere_dda::Vec3;
-use sphere_dda::boundaries::{Facets, HalfSpace, Shape};
-use sphere_dda::driven::{Joint, Spring};
-use sphere_dda::particles::Locks;
-use sphere_dda::scene::{Integrator, Method, SolverKind};
+use sphere_dda::geometry::{Facets, HalfSpace, Shape};
+use sphere_dda::integrator::Integrator;
+use sphere_dda::scene::Method;
+use sphere_dda::scene::body::{Joint, Spring};
+use sphere_dda::scene::particles::Locks;
+use sphere_dda::solver::SolverKind;
 
 use crate::support::{Case, G, Run, body, close, order};
 

@@ -1,7 +1,9 @@
 //! Rows 2, 3, 8 and 9: impacts.
 
 use sphere_dda::Vec3;
-use sphere_dda::scene::{Integrator, Method, SolverKind};
+use sphere_dda::integrator::Integrator;
+use sphere_dda::scene::Method;
+use sphere_dda::solver::SolverKind;
 
 use crate::support::{Case, G, close};
 

@@ -8,8 +8,8 @@
 //! It rolls iff `2/7 sin a <= mu cos a`, that is `tan a <= 3.5 mu`.
 
 use sphere_dda::Vec3;
-use sphere_dda::boundaries::{Geometry, HeightField};
-use sphere_dda::particles::Locks;
+use sphere_dda::geometry::{Geometry, HeightField};
+use sphere_dda::scene::particles::Locks;
 
 use crate::support::{Case, G, Run, close};
 

@@ -3,7 +3,7 @@
 
 use nalgebra::UnitQuaternion;
 use sphere_dda::Vec3;
-use sphere_dda::scene::SolverKind;
+use sphere_dda::solver::SolverKind;
 
 use crate::support::{Case, G, Run};
 

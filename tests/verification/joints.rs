@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use sphere_dda::Vec3;
-use sphere_dda::boundaries::{Facets, Revolution};
+use sphere_dda::geometry::{Facets, Revolution};
 
 use crate::support::{Case, G, close, grid};
 

@@ -2,9 +2,10 @@
 //! that is named, and that vanishes with dt.
 
 use sphere_dda::Vec3;
-use sphere_dda::boundaries::{Facets, HalfSpace, Revolution, Shape};
-use sphere_dda::driven::{Area, Joint, Servo, Spring};
-use sphere_dda::motion::{Motion, Twist};
+use sphere_dda::geometry::{Facets, HalfSpace, Revolution, Shape};
+use sphere_dda::scene::Motion;
+use sphere_dda::scene::body::{Area, Joint, Servo, Spring};
+use sphere_dda::spatial::Twist;
 
 use crate::support::{Case, G, Run, body, close, grid, order};
 

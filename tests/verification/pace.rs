@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use sphere_dda::Vec3;
-use sphere_dda::boundaries::HalfSpace;
-use sphere_dda::motion::{Command, InputKind, Motion};
+use sphere_dda::geometry::HalfSpace;
+use sphere_dda::scene::{Command, InputKind, Motion};
 use sphere_dda::simulation::Simulation;
 
 use crate::support::{Case, G, close};

@@ -7,8 +7,9 @@
 use std::sync::Arc;
 
 use sphere_dda::Vec3;
-use sphere_dda::scene::{Scene, SolverKind};
+use sphere_dda::scene::Scene;
 use sphere_dda::simulation::Simulation;
+use sphere_dda::solver::SolverKind;
 
 /// Runs an example with the direct solver and the penalty times `factor`; `inside` says of a sphere's centre and
 /// radius whether it is where a boundary lets it be.

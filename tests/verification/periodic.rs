@@ -1,15 +1,16 @@
 //! The periodic cell: nothing notices where its faces are.
 
 use sphere_dda::Vec3;
-use sphere_dda::cell::{Cell, HERE};
-use sphere_dda::contacts::{Contact, Partner};
+use sphere_dda::contact::{Contact, Partner};
+use sphere_dda::formats::vtu::Values;
+use sphere_dda::geometry::region::Primitive;
 use sphere_dda::observe::Observation;
-use sphere_dda::observe::frames;
 use sphere_dda::observe::sensors::region::Reading;
-use sphere_dda::observe::vtu::Values;
-use sphere_dda::particles::Locks;
-use sphere_dda::region::Primitive;
-use sphere_dda::scene::{Measure, PointLoad, Sensor, SolverKind};
+use sphere_dda::results::frames;
+use sphere_dda::scene::particles::Locks;
+use sphere_dda::scene::{Measure, PointLoad, Sensor};
+use sphere_dda::solver::SolverKind;
+use sphere_dda::spatial::cell::{Cell, HERE};
 
 use crate::support::{Case, G, Run, close};
 
@@ -261,8 +262,10 @@ fn through_a_face(contact: &Contact) -> bool {
 /// and round rebounds from it like from the box itself, and a box that moves through a face is met where its copy is.
 #[test]
 fn obstacles_have_copies() {
-    use sphere_dda::boundaries::{Boundary, Facets, Geometry, Shape};
-    use sphere_dda::motion::{Motion, Twist};
+    use sphere_dda::geometry::{Facets, Geometry, Shape};
+    use sphere_dda::scene::Boundary;
+    use sphere_dda::scene::Motion;
+    use sphere_dda::spatial::Twist;
     let run = |start: f64, speed: f64, wall: f64, steps: usize| {
         let faces = Facets::cuboid(Vec3::new(0.4, -1.0, -1.0), Vec3::new(0.6, 1.0, 1.0)).unwrap();
         let mut case = Case::new(1e-3, 0.0, 1.0)

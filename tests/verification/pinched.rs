@@ -4,9 +4,10 @@ use std::sync::Arc;
 
 use sphere_dda::Vec3;
 use sphere_dda::error::StepError;
-use sphere_dda::motion::{Motion, Twist};
-use sphere_dda::scene::SolverKind;
+use sphere_dda::scene::Motion;
 use sphere_dda::simulation::Simulation;
+use sphere_dda::solver::SolverKind;
+use sphere_dda::spatial::Twist;
 
 use crate::support::{Case, G, close};
 

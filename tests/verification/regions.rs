@@ -3,9 +3,9 @@
 use std::f64::consts::PI;
 
 use sphere_dda::Vec3;
+use sphere_dda::geometry::region::Primitive;
 use sphere_dda::observe::Observation;
 use sphere_dda::observe::sensors::region::Reading;
-use sphere_dda::region::Primitive;
 use sphere_dda::scene::{Measure, PointLoad, Sensor};
 
 use crate::support::{Case, G, Run, close};

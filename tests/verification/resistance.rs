@@ -7,11 +7,14 @@
 //! On a boundary `R* = R`, between spheres `R* = R_A R_B / (R_A + R_B)`.
 
 use sphere_dda::Vec3;
-use sphere_dda::boundaries::HalfSpace;
-use sphere_dda::driven::Joint;
-use sphere_dda::motion::{Motion, Twist};
-use sphere_dda::particles::Locks;
-use sphere_dda::scene::{Integrator, Method, PointLoad, SolverKind};
+use sphere_dda::geometry::HalfSpace;
+use sphere_dda::integrator::Integrator;
+use sphere_dda::scene::Motion;
+use sphere_dda::scene::body::Joint;
+use sphere_dda::scene::particles::Locks;
+use sphere_dda::scene::{Method, PointLoad};
+use sphere_dda::solver::SolverKind;
+use sphere_dda::spatial::Twist;
 
 use crate::support::{Case, G, Run, body, close};
 

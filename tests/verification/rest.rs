@@ -3,8 +3,8 @@
 use std::f64::consts::TAU;
 
 use sphere_dda::Vec3;
-use sphere_dda::boundaries::{HalfSpace, Revolution};
-use sphere_dda::motion::Motion;
+use sphere_dda::geometry::{HalfSpace, Revolution};
+use sphere_dda::scene::Motion;
 
 use crate::support::{Case, G, close};
 

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use sphere_dda::Vec3;
-use sphere_dda::boundaries::{Facets, Revolution, Shape};
+use sphere_dda::geometry::{Facets, Revolution, Shape};
 
 use crate::support::{Case, G, close, grid};
 

@@ -1,8 +1,8 @@
 //! Rows 10 and 16, and Kane's objection: several impacts in one step, each by Newton's law.
 
 use sphere_dda::Vec3;
-use sphere_dda::boundaries::Facets;
-use sphere_dda::scene::SolverKind;
+use sphere_dda::geometry::Facets;
+use sphere_dda::solver::SolverKind;
 
 use crate::support::{Case, close};
 
@@ -121,7 +121,7 @@ fn a_gas_keeps_its_energy() {
         let mut touched: Vec<u32> = Vec::new();
         for contact in run.simulation.contacts() {
             touched.push(contact.key.sphere);
-            if let sphere_dda::contacts::Partner::Sphere { index: j, .. } = contact.key.partner {
+            if let sphere_dda::contact::Partner::Sphere { index: j, .. } = contact.key.partner {
                 touched.push(j);
             }
         }

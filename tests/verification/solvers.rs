@@ -1,15 +1,16 @@
 //! Solvers against each other and against closed forms, on one problem at a time.
 
 use sphere_dda::Vec3;
-use sphere_dda::boundaries::HalfSpace;
-use sphere_dda::driven::{Area, Joint, Servo};
+use sphere_dda::geometry::HalfSpace;
 use sphere_dda::linalg::LinearError;
-use sphere_dda::problem::{Dof6, GROUND, Law, Problem, Row};
-use sphere_dda::scene::{SolverKind, Tolerance};
+use sphere_dda::problem::{GROUND, Law, Problem, Row};
+use sphere_dda::scene::body::{Area, Joint, Servo};
 use sphere_dda::simulation::Simulation;
 use sphere_dda::solver::augmented_lagrangian::Workspace;
 use sphere_dda::solver::residual::{Scale, evaluate};
 use sphere_dda::solver::{Params, Report, SMOOTHING, newton, solve};
+use sphere_dda::solver::{SolverKind, Tolerance};
+use sphere_dda::spatial::Dof6;
 
 use crate::support::{self, Case};
 

@@ -1,8 +1,10 @@
 //! Row 17: constrained points and point loads, at rest and swinging.
 
 use sphere_dda::Vec3;
-use sphere_dda::motion::Motion;
-use sphere_dda::scene::{Integrator, PointLoad, SolverKind, Spring};
+use sphere_dda::integrator::Integrator;
+use sphere_dda::scene::Motion;
+use sphere_dda::scene::{PointLoad, Spring};
+use sphere_dda::solver::SolverKind;
 
 use crate::support::{Case, G, close, order};
 

@@ -4,18 +4,21 @@ use std::sync::Arc;
 
 use nalgebra::UnitQuaternion;
 use sphere_dda::Vec3;
-use sphere_dda::boundaries::{Belt, Boundary, Facets, Geometry, HalfSpace, Revolution, Shape};
-use sphere_dda::cell::Cell;
-use sphere_dda::driven::{Body, Joint};
-use sphere_dda::gravity::GravityMotion;
-use sphere_dda::materials::{Material, Pair, PairTable};
-use sphere_dda::motion::{Motion, Pose, Twist};
+use sphere_dda::geometry::{Facets, Geometry, HalfSpace, Revolution, Shape};
+use sphere_dda::integrator::Integrator;
 use sphere_dda::observe::Observation;
 use sphere_dda::observe::energy::Energy;
-use sphere_dda::particles::{Kinematics, Locks, Particles};
-use sphere_dda::problem::Dof6;
-use sphere_dda::scene::{Integrator, Method, Output, Scene, Settings};
+use sphere_dda::scene::Motion;
+use sphere_dda::scene::body::{Body, Joint};
+use sphere_dda::scene::gravity::GravityMotion;
+use sphere_dda::scene::materials::{Material, Pair, PairTable};
+use sphere_dda::scene::particles::{Kinematics, Locks, Particles};
+use sphere_dda::scene::{Belt, Boundary};
+use sphere_dda::scene::{Method, Output, Scene, Settings};
 use sphere_dda::simulation::Simulation;
+use sphere_dda::spatial::Dof6;
+use sphere_dda::spatial::cell::Cell;
+use sphere_dda::spatial::{Pose, Twist};
 
 /// Gravity of all cases \[m/s^2\].
 pub const G: f64 = 9.81;

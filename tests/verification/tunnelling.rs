@@ -1,9 +1,10 @@
 //! Nothing passes a wall or another sphere within a step, however far it moves in one.
 
 use sphere_dda::Vec3;
-use sphere_dda::boundaries::Facets;
 use sphere_dda::error::StepError;
-use sphere_dda::motion::{Motion, Twist};
+use sphere_dda::geometry::Facets;
+use sphere_dda::scene::Motion;
+use sphere_dda::spatial::Twist;
 
 use crate::support::{Case, close};
 

@@ -1,8 +1,8 @@
 //! Derivatives: of inputs and outputs by time, of outputs by the inputs held over the last step.
 
-use sphere_dda::motion::Command;
 use sphere_dda::observe::Observation;
 use sphere_dda::observe::quantities::values;
+use sphere_dda::scene::Command;
 use sphere_dda::simulation::{Direction, Simulation};
 use sphere_dda_fmi_interface::pointers::BadArgument;
 use sphere_dda_model_description::fmi2::BaseType;
@@ -66,7 +66,7 @@ impl Instance {
         Ok(())
     }
 
-    /// First derivatives by time of real outputs: [`Simulation::rates`].
+    /// First derivatives by time of real outputs: [`Simulation::time_derivatives`].
     ///
     /// # Errors
     /// [`Refusal::Reference`], [`Refusal::NotDerivable`], [`Refusal::Argument`] of an order that is not 1, [`Refusal::NoStep`].
@@ -101,7 +101,7 @@ impl Instance {
             return Err(self.no_derivatives());
         };
         if self.measured.rates.is_none() {
-            self.measured.rates = Some(simulation.rates_of(measure)?);
+            self.measured.rates = Some(simulation.time_derivatives_of(measure)?);
         }
         let rates = self.measured.rates.as_deref().unwrap_or_default();
         Ok(picked(rates, ranks))
@@ -197,7 +197,7 @@ impl Instance {
             .collect();
         if !missing.is_empty() {
             let along: Vec<Direction> = missing.iter().map(|(_, direction)| *direction).collect();
-            let columns = simulation.sensitivities_of(&along, measure)?;
+            let columns = simulation.directional_derivatives_of(&along, measure)?;
             let references = missing.iter().map(|(reference, _)| *reference);
             known.extend(references.zip(columns));
         }

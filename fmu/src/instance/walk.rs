@@ -1,7 +1,7 @@
 //! A communication step in pieces: the importer is called between internal steps.
 
 use sphere_dda::error::StepError;
-use sphere_dda::motion::Command;
+use sphere_dda::scene::Command;
 use sphere_dda::simulation::March;
 
 use super::{Instance, Measured, Step, command};

@@ -1,7 +1,8 @@
 //! The settings that an importer may change.
 
 use sphere_dda::Vec3;
-use sphere_dda::scene::{Scene, SolverKind, Tolerance};
+use sphere_dda::scene::Scene;
+use sphere_dda::solver::{SolverKind, Tolerance};
 
 use super::{Parameter, Value};
 

@@ -1,9 +1,9 @@
 //! The rows of the table that an importer sets: parameters and inputs; and how a row is made.
 
 use sphere_dda::Vec3;
-use sphere_dda::gravity::GravityMotion;
-use sphere_dda::motion::InputKind;
+use sphere_dda::scene::InputKind;
 use sphere_dda::scene::Scene;
+use sphere_dda::scene::gravity::GravityMotion;
 use sphere_dda_model_description::fmi2::{BaseType, Causality, Variability};
 
 use super::{Choices, Input, Meaning, Parameter, Parameters, Value, Variable};

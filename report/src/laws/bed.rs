@@ -4,8 +4,8 @@ use std::path::Path;
 use std::sync::Arc;
 
 use sphere_dda::Vec3;
-use sphere_dda::particles::Kinematics;
 use sphere_dda::scene::Scene;
+use sphere_dda::scene::particles::Kinematics;
 use sphere_dda::simulation::Simulation;
 
 use crate::error::ReportError;

@@ -12,7 +12,7 @@
 
 use std::fmt::Write as _;
 
-use sphere_dda::particles::Kinematics;
+use sphere_dda::scene::particles::Kinematics;
 
 use super::bed::{self, Friction, G, GRAIN, Run};
 use super::fit::{self, Line};

@@ -8,8 +8,8 @@
 //! both \[Pa\]; `K` the ratio of horizontal to vertical stress. Source: H. A. Janssen, *Versuche über Getreidedruck in
 //! Silozellen*, Zeitschrift des VDI 39 (1895). The floor sinks slowly, so that all wall friction points up.
 
-use sphere_dda::contacts::Partner;
-use sphere_dda::motion::Command;
+use sphere_dda::contact::Partner;
+use sphere_dda::scene::Command;
 use sphere_dda::simulation::Simulation;
 
 use super::bed::{self, Friction, G, GRAIN, Run};

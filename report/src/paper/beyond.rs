@@ -6,7 +6,8 @@
 //! the surface by less than 0.13 % of its radius.
 
 use sphere_dda::Vec3;
-use sphere_dda::boundaries::{Boundary, Geometry, GeometryError, HalfSpace, Shape};
+use sphere_dda::geometry::{Geometry, GeometryError, HalfSpace, Shape};
+use sphere_dda::scene::Boundary;
 
 /// Two crossings nearer than this share of a path are one, met at the edge between two triangles.
 const SAME: f64 = 1e-9;
@@ -115,8 +116,8 @@ fn crossing(&[a, b, c]: &[Vec3; 3], from: Vec3, to: Vec3) -> Option<f64> {
 
 #[cfg(test)]
 mod tests {
-    use sphere_dda::boundaries::Facets;
-    use sphere_dda::motion::Motion;
+    use sphere_dda::geometry::Facets;
+    use sphere_dda::scene::Motion;
 
     use super::*;
 

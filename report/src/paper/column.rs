@@ -20,10 +20,11 @@ use std::sync::Arc;
 use sphere_dda::Vec3;
 use sphere_dda::error::StepError;
 use sphere_dda::problem::{GROUND, Problem};
-use sphere_dda::scene::{Method, Scene, SolverKind, Tolerance};
+use sphere_dda::scene::{Method, Scene};
 use sphere_dda::simulation::Simulation;
 use sphere_dda::solver::augmented_lagrangian::Workspace;
 use sphere_dda::solver::{Params, SMOOTHING, solve};
+use sphere_dda::solver::{SolverKind, Tolerance};
 
 use super::march::Example;
 use crate::error::ReportError;

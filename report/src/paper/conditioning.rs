@@ -2,11 +2,13 @@
 //! penalty leaves.
 
 use sphere_dda::Vec3;
+use sphere_dda::integrator::Integrator;
 use sphere_dda::linalg::{Condition, Symbolic};
 use sphere_dda::problem::Problem;
-use sphere_dda::scene::{Integrator, Method, SolverKind, Tolerance};
+use sphere_dda::scene::Method;
 use sphere_dda::solver::augmented_lagrangian::{Workspace, stiffness};
 use sphere_dda::solver::{Params, SMOOTHING, solve};
+use sphere_dda::solver::{SolverKind, Tolerance};
 
 use super::march::{Case, Example, Record, march};
 use crate::error::ReportError;

@@ -2,8 +2,9 @@
 
 use std::sync::Arc;
 
-use sphere_dda::materials::{Pair, PairTable};
-use sphere_dda::scene::{Integrator, Method};
+use sphere_dda::integrator::Integrator;
+use sphere_dda::scene::Method;
+use sphere_dda::scene::materials::{Pair, PairTable};
 use sphere_dda::simulation::Simulation;
 
 use super::column::{Column, Stop};

@@ -4,13 +4,15 @@ use std::path::Path;
 use std::sync::Arc;
 
 use sphere_dda::Vec3;
-use sphere_dda::contacts::broad_phase::NeighborList;
-use sphere_dda::contacts::narrow_phase::Placement;
+use sphere_dda::detection::broad_phase::NeighborList;
+use sphere_dda::detection::narrow_phase::Placement;
 use sphere_dda::error::StepError;
-use sphere_dda::motion::Pose;
+use sphere_dda::integrator::Integrator;
 use sphere_dda::problem::Problem;
-use sphere_dda::scene::{Integrator, Method, Scene, SolverKind};
+use sphere_dda::scene::{Method, Scene};
 use sphere_dda::simulation::Simulation;
+use sphere_dda::solver::SolverKind;
+use sphere_dda::spatial::Pose;
 
 use super::beyond::Beyond;
 use super::overlap::Overlaps;

@@ -11,7 +11,8 @@ mod pictures;
 mod sections;
 mod text;
 
-use sphere_dda::scene::{Integrator, Method};
+use sphere_dda::integrator::Integrator;
+use sphere_dda::scene::Method;
 
 use crate::error::ReportError;
 use crate::folder::Folder;

@@ -5,8 +5,8 @@
 //! max = max o      rms = sqrt(sum o^2 / number of pairs that overlap)
 //! ```
 
-use sphere_dda::contacts::broad_phase::NeighborList;
-use sphere_dda::contacts::narrow_phase::Placement;
+use sphere_dda::detection::broad_phase::NeighborList;
+use sphere_dda::detection::narrow_phase::Placement;
 
 /// Overlaps over radius of some pairs.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -61,8 +61,8 @@ impl Overlaps {
 #[cfg(test)]
 mod tests {
     use sphere_dda::Vec3;
-    use sphere_dda::cell::Cell;
-    use sphere_dda::particles::{Locks, Particles};
+    use sphere_dda::scene::particles::{Locks, Particles};
+    use sphere_dda::spatial::cell::Cell;
 
     use super::*;
 

@@ -2,7 +2,7 @@
 
 mod penalties;
 
-use sphere_dda::boundaries::Shape;
+use sphere_dda::geometry::Shape;
 use sphere_dda::scene::Method;
 
 use super::march::{Example, Moment, Record, Tally, integrator_name, method_name};

@@ -1,7 +1,7 @@
 //! One picture of a scene as it is at t = 0.
 
 use sphere_dda::Vec3;
-use sphere_dda::boundaries::{Geometry, Shape};
+use sphere_dda::geometry::{Geometry, Shape};
 use sphere_dda::scene::Scene;
 
 use super::{Ball, COLOURS, Panel, View};

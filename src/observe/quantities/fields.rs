@@ -4,7 +4,7 @@ use super::Kind;
 use super::readings::{Body, Flow, Sphere, Whole};
 use crate::Vec3;
 use crate::observe::sensors::region::Reading;
-use crate::simulation::Wrench;
+use crate::spatial::Wrench;
 
 /// One quantity of a reading `T`, a number or several components.
 pub(super) struct Field<T> {

@@ -15,9 +15,8 @@ mod readings;
 use super::Observation;
 use super::loads::Loads;
 use super::sensors::region;
-use crate::driven::Joint;
-use crate::motion::Motion;
-use crate::scene::{Measure, Scene};
+use crate::scene::body::Joint;
+use crate::scene::{Measure, Motion, Scene};
 use fields::{BODY, DRIVEN, FLOW, Field, HINGE, PROBE, REGION, SINK, SLIDE, SOURCE, WHOLE, WRENCH};
 use readings::{Body, Flow, Sphere, Whole};
 

@@ -1,12 +1,11 @@
 //! What the fields are read from: one record for each boundary, probe and mass flow, and one for the whole scene.
 
 use crate::Vec3;
-use crate::motion::Twist;
 use crate::observe::energy::Totals;
 use crate::observe::loads::{Load, Loads};
 use crate::observe::{BoundaryState, Observation};
-use crate::simulation::StepReport;
-use crate::state::Work;
+use crate::spatial::Twist;
+use crate::state::{StepReport, Work};
 
 pub(super) struct Body {
     pub(super) load: Load,

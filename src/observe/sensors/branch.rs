@@ -1,7 +1,7 @@
 //! How much of a straight line lies in a region: the weight of a branch vector in the mean stress.
 
 use crate::Vec3;
-use crate::region::Primitive;
+use crate::geometry::region::Primitive;
 
 /// An interval of the line's parameter; empty where the second is not above the first.
 type Span = (f64, f64);

@@ -2,6 +2,5 @@
 //! the mass that passes a plane or a polygon ([`flow`]). Spheres that are absent never count.
 
 pub mod branch;
-pub mod flow;
 pub mod region;
 pub mod solid;

@@ -24,9 +24,9 @@
 use super::branch::share_inside;
 use super::solid::volume_inside;
 use crate::Vec3;
-use crate::contacts::Partner;
+use crate::contact::Partner;
+use crate::geometry::region::Primitive;
 use crate::observe::Observation;
-use crate::region::Primitive;
 
 /// Reading of a region.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

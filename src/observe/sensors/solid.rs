@@ -31,7 +31,7 @@ use std::sync::LazyLock;
 use gauss_quad::GaussLegendre;
 
 use crate::Vec3;
-use crate::region::Primitive;
+use crate::geometry::region::Primitive;
 
 /// Volume of the unit ball.
 const BALL: f64 = 4.0 / 3.0 * PI;

@@ -9,12 +9,9 @@
 //! ```
 
 use super::{Origin, Simulation};
-use crate::contacts::history;
+use crate::contact::history;
 use crate::error::StepError;
-use crate::integrate::turned;
-use crate::observe::Observation;
-use crate::observe::quantities::values;
-use crate::simulation::Wrench;
+use crate::spatial::{Wrench, turned};
 use crate::state::{State, Work};
 
 /// How far the state moves on, over the last internal step \[-\].
@@ -34,21 +31,14 @@ struct Past {
 }
 
 impl Simulation {
-    /// First derivative by time of all quantities ([`crate::observe::quantities`]) at the end of the last communication step, in
-    /// their units over s; counts and the solver's report have none, which is given as 0.
+    /// As [`Self::time_derivatives`], of whatever numbers `measure` reads off a simulation.
     ///
     /// # Errors
-    /// [`StepError::Argument`] where there is no [`Self::origin`], another if the last step cannot be taken again: an internal
-    /// failure.
-    pub fn rates(&self) -> Result<Vec<f64>, StepError> {
-        self.rates_of(|simulation| values(&Observation::of(simulation)))
-    }
-
-    /// As [`Self::rates`], of whatever numbers `measure` reads off a simulation.
-    ///
-    /// # Errors
-    /// As [`Self::rates`].
-    pub fn rates_of(&self, measure: impl Fn(&Self) -> Vec<f64>) -> Result<Vec<f64>, StepError> {
+    /// As [`Self::time_derivatives`].
+    pub fn time_derivatives_of(
+        &self,
+        measure: impl Fn(&Self) -> Vec<f64>,
+    ) -> Result<Vec<f64>, StepError> {
         let past = self.past()?;
         let dt = match self.state.last_step {
             dt if dt > 0.0 => dt,

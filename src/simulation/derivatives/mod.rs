@@ -1,5 +1,5 @@
-//! Derivatives of what is measured, at the end of a communication step: by time ([`Simulation::rates`]) and by the commands
-//! held over that step ([`Simulation::sensitivities`]); at the start of a run by the commands that place its boundaries.
+//! Derivatives of what is measured, at the end of a communication step: by time ([`Simulation::time_derivatives`]) and by the commands
+//! held over that step ([`Simulation::directional_derivatives`]); at the start of a run by the commands that place its boundaries.
 //!
 //! A step costs nothing for them: it only leaves its start behind, [`Origin`], and is taken again when a derivative is asked
 //! for. Steps are deterministic, so this is the same step, bit for bit. Within a step there are no
@@ -17,9 +17,9 @@ use serde::{Deserialize, Serialize};
 use super::Simulation;
 use super::march::{Account, Before, Course};
 use crate::Vec3;
-use crate::contacts::Load;
+use crate::contact::Load;
 use crate::error::{SnapshotError, StepError};
-use crate::motion::Pose;
+use crate::spatial::Pose;
 use crate::state::State;
 use crate::step::{Beside, Effort, Scratch, step_beside};
 

@@ -8,9 +8,7 @@
 use super::{Companion, Origin, Simulation};
 use crate::Vec3;
 use crate::error::StepError;
-use crate::motion::{Command, InputKind, Motion};
-use crate::observe::Observation;
-use crate::observe::quantities::values;
+use crate::scene::{Command, InputKind, Motion};
 use crate::state::State;
 
 /// Displacement of the companions over the smallest radius \[-\]: between rounding and curvature, both below 1e-9.
@@ -26,24 +24,11 @@ pub struct Direction {
 }
 
 impl Simulation {
-    /// Derivative of all quantities ([`crate::observe::quantities`]) at the end of the last communication step by each of
-    /// `directions`, in their units over that of the direction. Counts and the solver's report have none, which is
-    /// given as 0. At a kink, where a contact is at the edge of its state, it is one-sided.
+    /// As [`Self::directional_derivatives`], of whatever numbers `measure` reads off a simulation.
     ///
     /// # Errors
-    /// [`StepError::Argument`] where there is no [`Self::origin`] or if a direction is of no such boundary,
-    /// [`StepError::NotConverged`] if the tangent of the contact solve is singular.
-    pub fn sensitivities(&self, directions: &[Direction]) -> Result<Vec<Vec<f64>>, StepError> {
-        self.sensitivities_of(directions, |simulation| {
-            values(&Observation::of(simulation))
-        })
-    }
-
-    /// As [`Self::sensitivities`], of whatever numbers `measure` reads off a simulation.
-    ///
-    /// # Errors
-    /// As [`Self::sensitivities`].
-    pub fn sensitivities_of(
+    /// As [`Self::directional_derivatives`].
+    pub fn directional_derivatives_of(
         &self,
         directions: &[Direction],
         measure: impl Fn(&Self) -> Vec<f64>,

@@ -5,13 +5,13 @@ use std::sync::Arc;
 
 use super::load::Load;
 use super::{Pass, PassKind, SettleError, SettleProgress};
-use crate::drive::displacement;
 use crate::error::StepError;
-use crate::motion::{Motion, Twist};
-use crate::particles::Kinematics;
-use crate::problem::Dof6;
-use crate::scene::{Scene, Tolerance};
+use crate::scene::particles::Kinematics;
+use crate::scene::{Motion, Scene};
 use crate::simulation::Simulation;
+use crate::simulation::drive::displacement;
+use crate::solver::Tolerance;
+use crate::spatial::{Dof6, Twist};
 
 /// A time \[s\] in which no body turns: over it a displacement is a speed.
 const INSTANT: f64 = 1e-9;

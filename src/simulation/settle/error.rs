@@ -4,7 +4,7 @@ use thiserror::Error;
 
 use super::Pass;
 use crate::error::StepError;
-use crate::scene::Tolerance;
+use crate::solver::Tolerance;
 
 /// Why a scene could not settle.
 #[derive(Debug, Clone, PartialEq, Error)]

@@ -1,9 +1,9 @@
 //! What loads a scene: the scales of rest and balance.
 
-use crate::driven::Ready;
-use crate::problem::assemble::external_acceleration;
 use crate::scene::Scene;
 use crate::simulation::Simulation;
+use crate::step::assemble::external_acceleration;
+use crate::step::driven::Ready;
 
 /// Share of `sqrt(a R)` that counts as rest.
 const STILL: f64 = 1e-3;

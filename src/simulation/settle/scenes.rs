@@ -1,8 +1,8 @@
 //! The scenes in which settling goes: everything held, tolerances as the pass wants them.
 
-use crate::gravity::GravityMotion;
-use crate::motion::Motion;
-use crate::scene::{Scene, Tolerance};
+use crate::scene::gravity::GravityMotion;
+use crate::scene::{Motion, Scene};
+use crate::solver::Tolerance;
 
 /// Tolerances on the way down, and in the passes that bring the gaps to the scene's: the way to rest need not be
 /// exact, and the forces at rest are solved anew.

@@ -1,7 +1,7 @@
 //! Contacts of spheres in blocks, and how a sweep over them goes.
 
 use super::lanes::{LANES, Real, Sixteen};
-use crate::scene::Tolerance;
+use crate::solver::Tolerance;
 
 /// A vector of each of sixteen contacts, by components.
 pub(super) type Vector<T> = [Sixteen<T>; 3];

@@ -6,8 +6,8 @@ use super::block::{Block, STILL, Vector};
 use super::kernel::{Kernel, NONE};
 use super::lanes::{LANES, Real, Sixteen};
 use super::sheet::Group;
-use crate::counting::counting_sort;
 use crate::problem::{GROUND, Problem, Row, Rows};
+use crate::sorting::counting_sort;
 
 /// Blocks that fill at the same time: a contact joins one in which its bodies are not yet met.
 const OPEN: usize = 16;

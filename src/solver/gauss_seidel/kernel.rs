@@ -13,9 +13,10 @@ use super::local::Source;
 use super::sheet::{BODIES, Sheet, Turns, split};
 use crate::Vec3;
 use crate::parallel::Pool;
-use crate::problem::{Dof6, Law, Problem, Row};
-use crate::scene::Tolerance;
+use crate::problem::{Law, Problem, Row};
+use crate::solver::Tolerance;
 use crate::solver::residual::{Residual, Scale};
+use crate::spatial::Dof6;
 
 /// Tolerances of gap and slip, and of force, from which single precision finds impulses that double precision confirms.
 const SINGLE: [f64; 2] = [1e-7, 1e-3];

@@ -5,8 +5,8 @@
 //! are the same for any number of threads.
 
 use crate::Vec3;
-use crate::counting::first_places;
-use crate::extent::around;
+use crate::sorting::first_places;
+use crate::spatial::extent::around;
 
 /// Below this many spheres there is one part, in the order of the scene: a sweep is too short to share.
 pub(crate) const SMALL: usize = 8192;

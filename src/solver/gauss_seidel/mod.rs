@@ -26,7 +26,7 @@ mod sheet;
 use super::{Params, Report};
 use crate::Vec3;
 use crate::problem::Problem;
-use crate::scene::Tolerance;
+use crate::solver::Tolerance;
 use block::Pace;
 pub use kernel::Kernel;
 pub use layout::Layout;

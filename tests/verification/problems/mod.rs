@@ -8,10 +8,10 @@ use std::fs;
 use std::path::PathBuf;
 
 use sphere_dda::problem::{Impulses, Problem};
-use sphere_dda::scene::{SolverKind, Tolerance};
 use sphere_dda::solver::augmented_lagrangian::Workspace;
 use sphere_dda::solver::residual::{Residual, Scale, evaluate};
 use sphere_dda::solver::{Params, Report, SMOOTHING, solve};
+use sphere_dda::solver::{SolverKind, Tolerance};
 
 /// A solver as users choose it, and `auto` with so few sweeps that Newton has to do the work.
 const SOLVERS: [(&str, SolverKind, usize); 4] = [

@@ -4,11 +4,13 @@ use std::path::Path;
 use std::sync::Arc;
 
 use sphere_dda::Vec3;
-use sphere_dda::driven::Joint;
-use sphere_dda::motion::{Motion, Twist};
-use sphere_dda::particles::Locks;
-use sphere_dda::scene::{Method, Scene, SolverKind};
+use sphere_dda::scene::Motion;
+use sphere_dda::scene::body::Joint;
+use sphere_dda::scene::particles::Locks;
+use sphere_dda::scene::{Method, Scene};
 use sphere_dda::simulation::Simulation;
+use sphere_dda::solver::SolverKind;
+use sphere_dda::spatial::Twist;
 
 use super::{Captured, params, replay};
 use crate::driven::pile;

@@ -2,10 +2,10 @@
 
 #![cfg(test)]
 
-use super::super::block::STILL;
 use super::*;
 use crate::problem::Compact;
-use crate::scene::Tolerance;
+use crate::solver::Tolerance;
+use crate::solver::gauss_seidel::block::STILL;
 use proptest::prelude::*;
 
 /// One kind of lanes.

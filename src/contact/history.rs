@@ -1,0 +1,79 @@
+//! Contact transfer: what the last step's contacts hand to the next step's candidates.
+
+use super::carried::Carried;
+use super::{Key, Load};
+use crate::Vec3;
+
+/// Which of the last step's contacts a candidate goes on with, if any.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Past(u32);
+
+impl Past {
+    /// A contact that was not there.
+    pub(crate) const NONE: Self = Self(u32::MAX);
+
+    /// Its force on A \[N\] in those `contacts`; zero without one.
+    #[must_use]
+    #[inline]
+    pub fn force(self, contacts: &[Load]) -> Vec3 {
+        let load = contacts.get(self.0 as usize);
+        load.map_or_else(Vec3::zeros, |load| load.force)
+    }
+
+    /// Likewise the couple of its resistance on A \[N m\].
+    #[must_use]
+    pub fn torque(self, contacts: &Carried) -> Vec3 {
+        contacts.torque(self.0 as usize)
+    }
+}
+
+/// Which of `contacts` each of `keys` goes on with. Both are in canonical order.
+pub fn transfer(contacts: &[Load], keys: impl Iterator<Item = Key>) -> impl Iterator<Item = Past> {
+    let mut at = None;
+    keys.map(move |key| {
+        let from = at.unwrap_or_else(|| contacts.partition_point(|load| load.key < key));
+        let older = contacts[from..].iter().take_while(|load| load.key < key);
+        let place = from + older.count();
+        at = Some(place);
+        let same = contacts.get(place).is_some_and(|load| load.key == key);
+        if same { Past(place as u32) } else { Past::NONE }
+    })
+}
+
+/// Which of `contacts`, which are in canonical order, `key` goes on with.
+#[must_use]
+pub fn find(contacts: &[Load], key: Key) -> Past {
+    let at = contacts.binary_search_by_key(&key, |load| load.key);
+    at.map_or(Past::NONE, |at| Past(at as u32))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::Partner;
+
+    #[test]
+    fn forces_follow_their_keys() {
+        let key = |i, j| Key {
+            sphere: i,
+            partner: Partner::sphere(j),
+        };
+        let contact = |key, f| Load {
+            key,
+            normal: Vec3::z(),
+            force: Vec3::z() * f,
+        };
+        let mut old = Carried::default();
+        for (key, f) in [(key(0, 1), 1.0), (key(0, 3), 2.0), (key(2, 4), 3.0)] {
+            old.push(contact(key, f), Some(Vec3::x() * f));
+        }
+        let new = [key(0, 2), key(0, 3), key(1, 2), key(2, 4), key(5, 6)];
+        let past: Vec<Past> = transfer(&old, new.into_iter()).collect();
+        assert!(transfer(&old, new.into_iter().skip(2)).eq(past[2..].iter().copied()));
+        assert!(new.iter().zip(&past).all(|(key, p)| find(&old, *key) == *p));
+        let force: Vec<f64> = past.iter().map(|p| p.force(&old).z).collect();
+        let torque: Vec<f64> = past.iter().map(|p| p.torque(&old).x).collect();
+        assert_eq!(force, [0.0, 2.0, 0.0, 3.0, 0.0]);
+        assert_eq!(torque, force);
+    }
+}

@@ -1,0 +1,73 @@
+//! Contacts: who touches whom, with which force, and what goes on from step to step.
+
+pub mod carried;
+pub mod history;
+
+use serde::{Deserialize, Serialize};
+
+use crate::Vec3;
+use crate::spatial::cell::{HERE, Image};
+
+/// Identity of a contact over steps; its order is the canonical order of contacts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+pub struct Key {
+    /// The sphere (body A); of two spheres the one with the smaller index.
+    pub sphere: u32,
+    /// What it touches (body B).
+    pub partner: Partner,
+}
+
+impl Partner {
+    /// Sphere `index` where it is, not a copy of it.
+    #[must_use]
+    pub fn sphere(index: u32) -> Self {
+        Self::Sphere { index, image: HERE }
+    }
+}
+
+/// Body B of a contact.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+pub enum Partner {
+    /// Another sphere, of larger index than body A.
+    Sphere {
+        /// Index of the sphere.
+        index: u32,
+        /// Which copy of it, in unwrapped coordinates: `x + k L` of a periodic [`crate::spatial::cell`].
+        image: Image,
+    },
+    /// A feature (face, edge, vertex) of a boundary.
+    Boundary {
+        /// Index of the boundary.
+        boundary: u16,
+        /// Feature number inside the boundary.
+        feature: u32,
+    },
+}
+
+/// What a contact carried in the last step, but for a couple: [`carried::Carried`].
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Load {
+    /// Identity.
+    pub key: Key,
+    /// Unit normal from B to A at the start of the step.
+    pub normal: Vec3,
+    /// Force on A \[N\], mean over the step.
+    pub force: Vec3,
+}
+
+/// A loaded contact, and where it is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Contact {
+    /// Identity.
+    pub key: Key,
+    /// Closest point \[m\] on body B.
+    pub point: Vec3,
+    /// Unit normal from B to A at the start of the last step.
+    pub normal: Vec3,
+    /// True geometric gap \[m\]; negative: overlap.
+    pub gap: f64,
+    /// Force on A \[N\], mean over the last internal step.
+    pub force: Vec3,
+    /// Couple of rolling and twisting resistance on A \[N m\], likewise; its opposite acts on B.
+    pub torque: Vec3,
+}

@@ -1,0 +1,168 @@
+//! PVD collections: the list of a series' frames with their times, as ParaView reads it.
+//!
+//! Paths are relative to the collection's folder, times carry 17 significant digits. The file is replaced as a
+//! whole after each change, so it only ever lists frames that are complete.
+
+use std::fmt::Write as _;
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+
+use super::durable::{replace, sync};
+use super::error::OutputError;
+
+const HEAD: &str = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n<Collection>\n";
+const TAIL: &str = "</Collection>\n</VTKFile>\n";
+
+/// One frame of a series.
+#[derive(Debug, Clone, PartialEq)]
+struct Entry {
+    /// Time \[s\].
+    time: f64,
+    /// File name, relative to the collection.
+    file: String,
+}
+
+impl Entry {
+    /// Reads back a line of a collection.
+    fn parse(line: &str) -> Option<Self> {
+        let rest = line.strip_prefix("<DataSet timestep=\"")?;
+        let (time, rest) = rest.split_once("\" group=\"\" part=\"0\" file=\"")?;
+        Some(Self {
+            time: time.parse().ok()?,
+            file: rest.strip_suffix("\"/>")?.to_owned(),
+        })
+    }
+}
+
+/// A series of frames in one folder, times strictly increasing.
+#[derive(Debug)]
+pub struct Collection {
+    path: PathBuf,
+    entries: Vec<Entry>,
+    /// Files of the frames written since the last [`Self::sync`].
+    fresh: Vec<PathBuf>,
+}
+
+impl Collection {
+    /// An empty collection that will be written to `path`.
+    #[must_use]
+    pub fn new(path: PathBuf) -> Self {
+        Self {
+            path,
+            entries: Vec::new(),
+            fresh: Vec::new(),
+        }
+    }
+
+    /// The collection that an earlier process has written to `path`; empty if there is no such file.
+    ///
+    /// # Errors
+    /// [`OutputError::Io`]; [`OutputError::Changed`] if it is not as [`Self::push`] writes it.
+    pub fn open(path: PathBuf) -> Result<Self, OutputError> {
+        let text = match fs::read_to_string(&path) {
+            Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Self::new(path)),
+            text => text.map_err(OutputError::io("read", &path))?,
+        };
+        let lines = text.strip_prefix(HEAD).and_then(|t| t.strip_suffix(TAIL));
+        match lines.and_then(|lines| lines.lines().map(Entry::parse).collect()) {
+            Some(entries) => Ok(Self {
+                entries,
+                ..Self::new(path)
+            }),
+            None => Err(OutputError::Changed {
+                path,
+                found: "another text".to_owned(),
+                expected: "a list of frames as sphere-dda writes it".to_owned(),
+            }),
+        }
+    }
+
+    /// Writes the frame `file` of `time` \[s\] and then the collection. Frames of this or a later time are
+    /// dropped first: whoever comes back to an earlier time rewrites history.
+    ///
+    /// # Errors
+    /// [`OutputError::Io`]; the collection on disk then still lists complete frames only.
+    pub fn push(&mut self, time: f64, file: &str, bytes: &[u8]) -> Result<(), OutputError> {
+        self.drop_from(|entry| entry.time >= time)?;
+        let path = self.folder().join(file);
+        replace(&path, bytes)?;
+        self.fresh.push(path);
+        self.entries.push(Entry {
+            time,
+            file: file.to_owned(),
+        });
+        self.save()
+    }
+
+    /// Drops the frames later than `time` \[s\], and their files.
+    ///
+    /// # Errors
+    /// [`OutputError::Io`].
+    pub fn rollback(&mut self, time: f64) -> Result<(), OutputError> {
+        self.drop_from(|entry| entry.time > time)
+    }
+
+    /// Waits until all frames and the collection have reached the disk; their names do with their folder's.
+    ///
+    /// # Errors
+    /// [`OutputError::Io`].
+    pub fn sync(&mut self) -> Result<(), OutputError> {
+        for path in std::mem::take(&mut self.fresh) {
+            sync(&path)?;
+        }
+        if self.entries.is_empty() {
+            return Ok(());
+        }
+        sync(&self.path)
+    }
+
+    /// Times \[s\] of the frames.
+    pub fn times(&self) -> impl Iterator<Item = f64> {
+        self.entries.iter().map(|entry| entry.time)
+    }
+
+    /// Names of the frames' files.
+    pub fn files(&self) -> impl Iterator<Item = &str> {
+        self.entries.iter().map(|entry| entry.file.as_str())
+    }
+
+    fn folder(&self) -> &Path {
+        self.path.parent().unwrap_or(Path::new("."))
+    }
+
+    fn drop_from(&mut self, late: impl Fn(&Entry) -> bool) -> Result<(), OutputError> {
+        let kept = self.entries.partition_point(|entry| !late(entry));
+        if kept == self.entries.len() {
+            return Ok(());
+        }
+        let dropped = self.entries.split_off(kept);
+        // The list first: a run killed in between leaves unlisted files, not dangling names.
+        self.save()?;
+        self.fresh
+            .retain(|path| !dropped.iter().any(|entry| path.ends_with(&entry.file)));
+        for entry in dropped {
+            let path = self.folder().join(entry.file);
+            match fs::remove_file(&path) {
+                Err(error) if error.kind() != io::ErrorKind::NotFound => {
+                    return Err(OutputError::io("remove", &path)(error));
+                }
+                _ => {}
+            }
+        }
+        Ok(())
+    }
+
+    fn save(&self) -> Result<(), OutputError> {
+        let mut text = HEAD.to_owned();
+        for Entry { time, file } in &self.entries {
+            // Writing to a String cannot fail.
+            let _ = writeln!(
+                text,
+                "<DataSet timestep=\"{time:.16e}\" group=\"\" part=\"0\" file=\"{file}\"/>"
+            );
+        }
+        text.push_str(TAIL);
+        replace(&self.path, text.as_bytes())
+    }
+}

@@ -1,0 +1,367 @@
+//! Closest points on a facet mesh.
+//!
+//! A sphere touches the mesh wherever the distance from its centre has a local minimum over the whole surface.
+//! A point `x` on an edge or vertex is one only if no triangle through `x` comes closer to the centre; else it
+//! lies in that triangle's contact cone and is dropped. The test asks which triangles pass through `x`, not which
+//! are joined there, so facets that meet without sharing vertices leave no ghost edges either.
+
+use std::ops::ControlFlow;
+
+use rstar::primitives::{GeomWithData, Rectangle};
+use rstar::{AABB, Envelope, RTree};
+
+use super::closest::{on_segment, on_triangle};
+use super::error::GeometryError;
+use super::facets::Facets;
+use super::features::{Feature, Topology};
+use super::topology::{self, Repair};
+use super::vicinity::{Cube, Vicinity};
+use super::{Touch, keep_distinct};
+use crate::Vec3;
+use crate::sorting::counting_sort;
+
+/// Most facets that are looked through one by one; among more the tree is faster.
+const MOST_FACETS: usize = 128;
+/// Likewise for the facets of one face.
+const MOST_IN_FACE: usize = 8;
+
+/// A mesh ready for queries.
+#[derive(Debug, Clone)]
+pub(super) struct Mesh {
+    topology: Topology,
+    /// Lengths that rounding may produce \[m\], far below the tolerance.
+    slack: f64,
+    tree: RTree<GeomWithData<Rectangle<[f64; 3]>, u32>>,
+    sheets: Vec<Sheet>,
+    /// How far features of a triangle lie from its plane at most \[m\].
+    bulge: f64,
+    /// The triangles by face, those of one face in ascending order; where each face's end.
+    by_face: Vec<u32>,
+    ends: Vec<u32>,
+}
+
+/// Where a triangle may be: its bounding box, as in the tree, and the plane `normal . x = offset` of its face.
+#[derive(Debug, Clone, Copy)]
+struct Sheet {
+    bounds: AABB<[f64; 3]>,
+    normal: Vec3,
+    offset: f64,
+}
+
+impl Sheet {
+    /// Distance of a point from the plane \[m\].
+    fn height(&self, x: Vec3) -> f64 {
+        (self.normal.dot(&x) - self.offset).abs()
+    }
+}
+
+impl Mesh {
+    pub(super) fn new(shapes: &[&Facets]) -> Result<Self, GeometryError> {
+        let topology = topology::build(shapes)?;
+        let mut largest: f64 = 0.0;
+        let triangles = 0..topology.triangles.len() as u32;
+        let sheets = triangles.clone().map(|t| {
+            let [a, b, c] = topology.corners(t);
+            let (min, max) = (a.inf(&b).inf(&c), a.sup(&b).sup(&c));
+            largest = largest.max(min.amax()).max(max.amax());
+            let (normal, offset) = topology.plane(t);
+            let bounds = AABB::from_corners(min.into(), max.into());
+            Sheet {
+                bounds,
+                normal,
+                offset,
+            }
+        });
+        let sheets: Vec<_> = sheets.collect();
+        let leaves = sheets.iter().zip(triangles.clone());
+        let leaves = leaves.map(|(sheet, t)| GeomWithData::new(Rectangle::from(sheet.bounds), t));
+        let bulges = sheets
+            .iter()
+            .zip(&topology.parts)
+            .flat_map(|(sheet, parts)| {
+                let ends = parts[1..].iter().map(|&part| topology.ends(part));
+                ends.flatten().map(|x| sheet.height(x))
+            });
+        let bulge = bulges.fold(0.0, f64::max);
+        let (mut ends, mut by_face) = (Vec::new(), Vec::new());
+        let face = |t: u32| topology.parts[t as usize][0];
+        counting_sort(triangles, |&t| face(t), &mut ends, &mut by_face);
+        Ok(Self {
+            slack: (1e-3 * topology.tolerance).max(16.0 * f64::EPSILON * largest),
+            tree: RTree::bulk_load(leaves.collect()),
+            topology,
+            sheets,
+            bulge,
+            by_face,
+            ends,
+        })
+    }
+
+    /// Number of features.
+    pub(super) fn features(&self) -> u32 {
+        self.topology.features()
+    }
+
+    pub(super) fn repair(&self) -> &Repair {
+        &self.topology.repair
+    }
+
+    /// Welded vertices \[m\]. Slivers that were left out may have been the only ones at some.
+    pub(super) fn vertices(&self) -> &[Vec3] {
+        &self.topology.vertices
+    }
+
+    /// Corners of a triangle \[m\].
+    pub(super) fn corners(&self, triangle: u32) -> [Vec3; 3] {
+        self.topology.corners(triangle)
+    }
+
+    /// Numbers of the welded vertices of each triangle.
+    pub(super) fn indices(&self) -> &[[u32; 3]] {
+        &self.topology.triangles
+    }
+
+    /// The triangles whose bounding box meets the ray from `x` to z = +infinity.
+    pub(super) fn above(&self, x: Vec3) -> impl Iterator<Item = u32> {
+        let ray = AABB::from_corners([x.x, x.y, x.z], [x.x, x.y, f64::MAX]);
+        self.tree
+            .locate_in_envelope_intersecting(ray)
+            .map(|leaf| leaf.data)
+    }
+
+    /// Appends the triangles in which [`Self::touches`] finds all places up to `range` \[m\] from `centre`; the cube that
+    /// they meet. None, and a cube without contents, where they are many.
+    pub(super) fn facets_near(&self, centre: Vec3, range: f64, out: &mut Vec<u32>) -> Cube {
+        let start = out.len();
+        let cube = Cube::around(centre, range + self.topology.tolerance);
+        let many = self.near(&cube, None, |t| {
+            out.push(t);
+            match out.len() - start > MOST_FACETS {
+                true => ControlFlow::Break(()),
+                false => ControlFlow::Continue(()),
+            }
+        });
+        if many.is_break() {
+            out.truncate(start);
+            return Cube::empty();
+        }
+        cube
+    }
+
+    /// As [`super::Geometry::touches`]; searches inside the cube of `known` look through its facets only.
+    pub(super) fn touches(
+        &self,
+        known: Option<&Vicinity>,
+        (centre, radius): (Vec3, f64),
+        reach: f64,
+        out: &mut Vec<Touch>,
+    ) {
+        let start = out.len();
+        let range = radius + reach + self.topology.tolerance;
+        let cube = Cube::around(centre, range);
+        let _: ControlFlow<()> = self.near(&cube, known, |t| {
+            if self.sheets[t as usize].height(centre) > range + self.bulge {
+                return ControlFlow::Continue(());
+            }
+            let (closest, feature) = self.closest_in(t, centre);
+            let seen = out[start..].iter().any(|touch| touch.feature == feature);
+            if seen || (closest.is_none() && self.topology.is_face(feature)) {
+                return ControlFlow::Continue(());
+            }
+            let Some(touch) = self.touch(feature, closest, centre, radius) else {
+                return ControlFlow::Continue(());
+            };
+            let local = || closest.is_some() || !self.is_undercut(known, touch.point, centre);
+            if touch.gap <= reach && local() {
+                out.push(touch);
+            }
+            ControlFlow::Continue(())
+        });
+        keep_distinct(out, start, self.topology.tolerance);
+    }
+
+    /// A bound below the distances \[m\] of the places that [`Self::touches`] finds up to `range` \[m\] from `centre`, without
+    /// looking for them; infinite if there are clearly none.
+    pub(super) fn clearance(&self, known: Option<&Vicinity>, centre: Vec3, range: f64) -> f64 {
+        let tolerance = self.topology.tolerance;
+        let cube = Cube::around(centre, range + tolerance);
+        let (mut least, place) = (f64::INFINITY, centre.into());
+        let _: ControlFlow<()> = self.near(&cube, known, |t| {
+            let sheet = &self.sheets[t as usize];
+            let height = sheet.height(centre) - self.bulge;
+            if height < least {
+                least = least.min(height.max(sheet.bounds.distance_2(&place).sqrt()));
+            }
+            ControlFlow::Continue(())
+        });
+        // Welded vertices and joined edges lie off the triangles by so much.
+        least - 4.0 * tolerance
+    }
+
+    pub(super) fn follow(
+        &self,
+        feature: u32,
+        normal: Vec3,
+        centre: Vec3,
+        radius: f64,
+    ) -> Option<Touch> {
+        match self.topology.feature(feature)? {
+            Feature::Face {
+                normal: face,
+                offset,
+                border,
+            } => {
+                let distance = face.dot(&centre) - offset;
+                let foot = centre - face * distance;
+                let side = if face.dot(&normal) < 0.0 { -1.0 } else { 1.0 };
+                if self.face_contains(feature, foot) {
+                    return Some(Touch {
+                        feature,
+                        point: foot,
+                        normal: face * side,
+                        gap: distance * side - radius,
+                        curvature: 0.0,
+                    });
+                }
+                let nearest = border
+                    .iter()
+                    .map(|ends| ends.map(|v| self.topology.vertices[v as usize]))
+                    .map(|[a, b]| on_segment(a, b, foot))
+                    .min_by(|p, q| {
+                        (p - foot)
+                            .norm_squared()
+                            .total_cmp(&(q - foot).norm_squared())
+                    });
+                Some(Touch::at_point(
+                    feature,
+                    nearest.unwrap_or(foot),
+                    centre,
+                    radius,
+                    face * side,
+                ))
+            }
+            Feature::Edge { ends: [a, b], .. } => Some(Touch::at_point(
+                feature,
+                on_segment(a, b, centre),
+                centre,
+                radius,
+                normal,
+            )),
+            Feature::Vertex { point, .. } => {
+                Some(Touch::at_point(feature, point, centre, radius, normal))
+            }
+        }
+    }
+
+    /// The touch on a feature; `foot` is the centre's foot where the feature is a face.
+    fn touch(&self, feature: u32, foot: Option<Vec3>, centre: Vec3, radius: f64) -> Option<Touch> {
+        Some(match self.topology.feature(feature)? {
+            Feature::Face { normal, offset, .. } => {
+                let distance = normal.dot(&centre) - offset;
+                Touch {
+                    feature,
+                    point: foot.unwrap_or(centre - normal * distance),
+                    normal: if distance < 0.0 { -normal } else { normal },
+                    gap: distance.abs() - radius,
+                    curvature: 0.0,
+                }
+            }
+            Feature::Edge {
+                ends: [a, b],
+                normal,
+            } => Touch::at_point(feature, on_segment(a, b, centre), centre, radius, normal),
+            Feature::Vertex { point, normal } => {
+                Touch::at_point(feature, point, centre, radius, normal)
+            }
+        })
+    }
+
+    /// The feature of triangle `t` closest to `c`, and the foot of `c` on the plane of its face if the triangle
+    /// contains it.
+    fn closest_in(&self, t: u32, c: Vec3) -> (Option<Vec3>, u32) {
+        let parts = &self.topology.parts[t as usize];
+        let (foot, normal) = self.foot(t, c);
+        let (closest, part) = on_triangle(&self.topology.corners(t), foot);
+        let off = closest - foot;
+        let contained = (off - normal * off.dot(&normal)).norm() <= self.slack;
+        if contained {
+            (Some(foot), parts[0])
+        } else {
+            (None, parts[part])
+        }
+    }
+
+    /// Foot of `c` on the plane of the face that triangle `t` belongs to, and its normal. All triangles of a face
+    /// use one plane: they tile it without gaps or overlaps.
+    fn foot(&self, t: u32, c: Vec3) -> (Vec3, Vec3) {
+        let (normal, offset) = self.topology.plane(t);
+        (c - normal * (normal.dot(&c) - offset), normal)
+    }
+
+    /// Whether a triangle through `x` has a point closer to the centre `c` than `x`.
+    fn is_undercut(&self, known: Option<&Vicinity>, x: Vec3, c: Vec3) -> bool {
+        let cube = Cube::around(x, self.topology.tolerance);
+        self.near(&cube, known, |t| {
+            let corners = &self.topology.corners(t);
+            if (on_triangle(corners, x).0 - x).norm() > self.topology.tolerance {
+                return ControlFlow::Continue(());
+            }
+            let w = on_triangle(corners, self.foot(t, c).0).0 - x;
+            // |c - x - w| < |c - x| without cancellation. The factor .6 instead of .5 keeps two facets with a
+            // crack between them from ruling each other out by rounding.
+            if w.norm() > self.slack && (c - x).dot(&w) > 0.6 * w.norm_squared() {
+                ControlFlow::Break(())
+            } else {
+                ControlFlow::Continue(())
+            }
+        })
+        .is_break()
+    }
+
+    fn face_contains(&self, feature: u32, foot: Vec3) -> bool {
+        let cube = Cube::around(foot, self.topology.tolerance);
+        let contains = |t: u32| self.closest_in(t, foot).0.is_some();
+        let facets = self.facets_of(feature);
+        if facets.len() <= MOST_IN_FACE {
+            return facets.iter().any(|&t| self.meets(t, &cube) && contains(t));
+        }
+        self.near(&cube, None, |t| {
+            if self.topology.parts[t as usize][0] == feature && contains(t) {
+                ControlFlow::Break(())
+            } else {
+                ControlFlow::Continue(())
+            }
+        })
+        .is_break()
+    }
+
+    /// The triangles of a face.
+    fn facets_of(&self, face: u32) -> &[u32] {
+        let face = face as usize;
+        let first = face.checked_sub(1).map_or(0, |before| self.ends[before]);
+        &self.by_face[first as usize..self.ends[face] as usize]
+    }
+
+    /// Whether the bounding box of triangle `t` meets `cube`.
+    fn meets(&self, t: u32, cube: &Cube) -> bool {
+        self.sheets[t as usize].bounds.intersects(&cube.0)
+    }
+
+    /// Visits the triangles whose bounding box meets `cube`, in the order of the tree.
+    fn near<B>(
+        &self,
+        cube: &Cube,
+        known: Option<&Vicinity>,
+        mut visit: impl FnMut(u32) -> ControlFlow<B>,
+    ) -> ControlFlow<B> {
+        match known.and_then(|known| known.facets(cube)) {
+            Some(facets) => {
+                let mut met = facets.iter().filter(|&&t| self.meets(t, cube));
+                met.try_for_each(|&t| visit(t))
+            }
+            None => self
+                .tree
+                .locate_in_envelope_intersecting_int(cube.0, |leaf| visit(leaf.data)),
+        }
+    }
+}

@@ -1,0 +1,95 @@
+//! Named rigid boundaries: faces with a material and a motion.
+
+use serde::{Deserialize, Serialize};
+
+use super::{Command, Motion};
+use crate::Vec3;
+use crate::geometry::Geometry;
+use crate::spatial::Pose;
+use crate::spatial::cell::Cell;
+
+/// A named rigid boundary.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Boundary {
+    /// Name, unique in the scene.
+    pub name: String,
+    /// Index into the scene's materials.
+    pub material: u16,
+    /// Its faces, in scene coordinates.
+    pub geometry: Geometry,
+    /// How it moves.
+    pub motion: Motion,
+    /// Point of action `a` \[m\], scene coordinates: centre of rotation, reference of the torque.
+    pub point_of_action: Vec3,
+    /// Contact stiffness `k` \[N/m\]; `None` is rigid.
+    pub stiffness: Option<f64>,
+    /// The belt it is covered with; `None`: its surface moves with its shape.
+    pub belt: Option<Belt>,
+}
+
+/// A surface that runs along the shape of its boundary, as the belt of a conveyor does: contacts feel the part of the
+/// velocity in their tangent plane, the shape stays.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Belt {
+    /// Velocity \[m/s\] against the boundary, in the boundary's own axes.
+    pub velocity: Vec3,
+    /// Whether [`Command::surface_velocity`] stands in its place.
+    pub input: bool,
+}
+
+impl Boundary {
+    /// Where the world point `x` \[m\] lies in the boundary's own frame, when it is displaced by `pose`:
+    /// `a + Q^T (x - a - s)`.
+    #[must_use]
+    pub fn to_frame(&self, pose: &Pose, x: Vec3) -> Vec3 {
+        pose.inverse_apply(self.point_of_action, x)
+    }
+
+    /// The copy of the world point `x` \[m\] that is nearest to the boundary at `pose`. One without bounds is the same for
+    /// all copies.
+    #[must_use]
+    pub fn copy_near(&self, cell: &Cell, pose: &Pose, x: Vec3) -> Vec3 {
+        if cell.is_open() {
+            return x;
+        }
+        let middle = |(min, max): (Vec3, Vec3)| self.from_frame(pose, (min + max) * 0.5);
+        self.geometry
+            .finite_bounds()
+            .map_or(x, |bounds| cell.nearest(x, middle(bounds)))
+    }
+
+    /// Where the point `x_0` \[m\] of the boundary's own frame lies in the world: `a + s + Q (x_0 - a)`.
+    #[must_use]
+    pub fn from_frame(&self, pose: &Pose, x_0: Vec3) -> Vec3 {
+        pose.apply(self.point_of_action, x_0)
+    }
+
+    /// Velocity \[m/s\] of the surface against the shape when the boundary is displaced by `pose`, world axes; contacts
+    /// take the part across their normal.
+    #[must_use]
+    pub fn surface_velocity(&self, pose: &Pose, command: &Command) -> Vec3 {
+        match &self.belt {
+            None => Vec3::zeros(),
+            Some(belt) if belt.input => pose.rotation * command.surface_velocity,
+            Some(belt) => pose.rotation * belt.velocity,
+        }
+    }
+
+    /// The command that leaves everything as in the scene.
+    #[must_use]
+    pub fn rest(&self) -> Command {
+        Command {
+            surface_velocity: self.belt.map_or_else(Vec3::zeros, |belt| belt.velocity),
+            pressure: self.motion.pressure_input().unwrap_or_default(),
+            ..Command::default()
+        }
+    }
+
+    /// Whether a [`Command`] moves or presses the boundary or moves its surface.
+    #[must_use]
+    pub fn is_commanded(&self) -> bool {
+        self.motion.input().is_some()
+            || self.motion.pressure_input().is_some()
+            || self.belt.is_some_and(|belt| belt.input)
+    }
+}

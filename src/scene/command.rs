@@ -1,0 +1,57 @@
+//! What a boundary is told from outside, held or changing over a communication step.
+
+use serde::{Deserialize, Serialize};
+
+use crate::Vec3;
+
+/// A command for a boundary with a [`Motion::input`], a belt or a servo pressure driven from outside, held until the next one.
+/// Components that the boundary's [`InputKind`] does not use are ignored.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+pub struct Command {
+    /// Total translation \[m\] from the scene (`Pose`, `Motion`).
+    pub translation: Vec3,
+    /// Total rotation vector \[rad\] from the scene (`Pose`, `Motion`); may exceed pi.
+    pub rotation: Vec3,
+    /// Velocity \[m/s\] (`Motion`, `Twist`).
+    pub velocity: Vec3,
+    /// Angular velocity \[rad/s\] (`Motion`, `Twist`).
+    pub angular_velocity: Vec3,
+    /// Force \[N\] at the point of action (`Load`), world axes.
+    pub force: Vec3,
+    /// Torque \[N m\] (`Load`), world axes.
+    pub torque: Vec3,
+    /// Displacement \[m\], speed \[m/s\], angle \[rad\], angular speed \[rad/s\], force \[N\] or torque \[N m\] of a
+    /// slide or hinge.
+    pub scalar: f64,
+    /// Velocity of the surface against the boundary \[m/s\], its own axes ([`crate::scene::Belt`]).
+    pub surface_velocity: Vec3,
+    /// Pressure of a servo wall \[Pa\] ([`crate::scene::body::Servo::input`]).
+    pub pressure: f64,
+}
+
+/// First and second derivative of a command by time: each component in its unit over s and s^2.
+pub type Rates = [Command; 2];
+
+impl Command {
+    /// The command `s` \[s\] later, `u + u' s + u'' s^2/2`.
+    #[must_use]
+    pub fn along(&self, [first, second]: &Rates, s: f64) -> Self {
+        self.plus(first, s).plus(second, 0.5 * s * s)
+    }
+
+    /// `self + scale * other`.
+    #[must_use]
+    pub fn plus(&self, other: &Self, scale: f64) -> Self {
+        Self {
+            translation: self.translation + other.translation * scale,
+            rotation: self.rotation + other.rotation * scale,
+            velocity: self.velocity + other.velocity * scale,
+            angular_velocity: self.angular_velocity + other.angular_velocity * scale,
+            force: self.force + other.force * scale,
+            torque: self.torque + other.torque * scale,
+            scalar: self.scalar + other.scalar * scale,
+            surface_velocity: self.surface_velocity + other.surface_velocity * scale,
+            pressure: self.pressure + other.pressure * scale,
+        }
+    }
+}

@@ -1,0 +1,121 @@
+//! Keys that do nothing.
+
+use super::Advice;
+use crate::integrator::Integrator;
+use crate::scene::{Method, Scene};
+use crate::scene_file::decode::SceneFile;
+use crate::solver::SolverKind;
+
+/// Threads share the work of scenes of so many spheres and more: below, sweeps are too short to share.
+const SHARED_FROM: usize = 8192;
+
+pub(super) fn advise(scene: &Scene, file: &SceneFile) -> Vec<Advice> {
+    let mut advice = numerics(scene);
+    advice.extend(materials(scene, file));
+    advice.extend(pairs(scene, file));
+    advice
+}
+
+/// Keys of `[simulation]`.
+fn numerics(scene: &Scene) -> Vec<Advice> {
+    let settings = &scene.settings;
+    let at = |key: &str| format!("simulation.{key}");
+    let mut advice = Vec::new();
+    let alm = settings.method == Method::Alm;
+    let used = "it is used by solver = \"direct\" and by method = \"penalty\" only";
+    if settings.penalty.is_some() && alm {
+        match settings.solver {
+            SolverKind::Direct => {}
+            SolverKind::GaussSeidel => advice.push(Advice::warning(
+                at("penalty"),
+                "has no effect with solver = \"gauss-seidel\"",
+                format!("remove it: {used}"),
+            )),
+            SolverKind::Auto => advice.push(
+                Advice::warning(
+                    at("penalty"),
+                    "has no effect with solver = \"auto\" unless all else fails in a step",
+                    format!("it does no harm; {used}"),
+                )
+                .harmless(),
+            ),
+        }
+    }
+    if !settings.adapt_penalty && (!alm || settings.solver == SolverKind::GaussSeidel) {
+        let with = match alm {
+            true => "solver = \"gauss-seidel\"",
+            false => "method = \"penalty\"",
+        };
+        advice.push(Advice::warning(
+            at("adapt_penalty"),
+            format!("has no effect with {with}"),
+            "remove it, or use method = \"alm\" with solver = \"direct\"",
+        ));
+    }
+    if settings.threshold_velocity > 0.0 {
+        let why = match settings.integrator {
+            Integrator::Shi => Some("with integrator = \"shi\""),
+            Integrator::Moreau if !scene.pairs.rebounds() => Some("without a restitution > 0"),
+            Integrator::Moreau => None,
+        };
+        advice.extend(why.map(|why| {
+            Advice::warning(
+                at("threshold_velocity"),
+                format!("has no effect {why}"),
+                "remove it, or set `restitution` with integrator = \"moreau\"",
+            )
+        }));
+    }
+    let spheres = scene.particles.len();
+    if settings.threads > 1 && spheres < SHARED_FROM {
+        advice.push(
+            Advice::warning(
+                at("threads"),
+                format!(
+                    "has no effect with {spheres} spheres: threads share the work of scenes of {SHARED_FROM} and more"
+                ),
+                "it does no harm; several runs at once use several cores",
+            )
+            .harmless(),
+        );
+    }
+    advice
+}
+
+/// Materials that neither spheres nor boundaries have.
+fn materials(scene: &Scene, file: &SceneFile) -> Vec<Advice> {
+    let used = |index: usize| {
+        let is = |material: u16| usize::from(material) == index;
+        scene.particles.material.iter().any(|&m| is(m))
+            || scene.boundaries.iter().any(|b| is(b.material))
+    };
+    let unused = file.materials.iter().enumerate().filter(|(i, _)| !used(*i));
+    let advice = unused.map(|(index, element)| {
+        let name = &scene.materials[index].name;
+        Advice::warning(
+            element.path.clone(),
+            format!("material `{name}` is used by no spheres and no boundary"),
+            format!("remove it, or write `material = \"{name}\"` where it is meant"),
+        )
+    });
+    advice.collect()
+}
+
+/// Pairs that never touch: neither material has spheres.
+fn pairs(scene: &Scene, file: &SceneFile) -> Vec<Advice> {
+    let of_spheres = |name: &String| {
+        let is = |m: &u16| scene.materials[usize::from(*m)].name == *name;
+        scene.particles.material.iter().any(is)
+    };
+    let advice = file.pairs.iter().filter_map(|element| {
+        let names = &element.value.as_ref()?.materials;
+        (!names.iter().any(of_spheres)).then(|| {
+            Advice::warning(
+                element.path.clone(),
+                "has no effect: no spheres have one of its materials, and boundaries do not touch each other",
+                "remove it, or give spheres one of its materials",
+            )
+        })
+    });
+    advice.collect()
+}

@@ -1,0 +1,426 @@
+//! Boundaries: faces to geometry, prescribed and driven motion.
+
+use nalgebra::UnitQuaternion;
+
+use super::build::direction;
+use super::columns::Columns;
+use super::document::Document;
+use super::driven::body;
+use super::file;
+use super::names::{Context, Names};
+use super::resources::Resources;
+use crate::Vec3;
+use crate::geometry::{Facets, Geometry, GeometryError, HalfSpace, HeightField, Revolution, Shape};
+use crate::scene::{Belt, Boundary, InputKind, Motion};
+use crate::spatial::Twist;
+
+/// Builds one boundary; `None` if a part of it was refused.
+pub(super) fn boundary(
+    document: &mut Document<'_>,
+    resources: &mut Resources<'_>,
+    context: &Context,
+    boundaries: &Names,
+    path: &str,
+    value: &file::Boundary,
+) -> Option<Boundary> {
+    let material =
+        context
+            .materials
+            .resolve(document, &format!("{path}.material"), &value.material);
+    if let Some(k) = value.stiffness {
+        document.demand(
+            k > 0.0,
+            format!("{path}.stiffness"),
+            k,
+            "a stiffness > 0 [N/m]",
+        );
+    }
+    let motion = match (&value.motion, value.input, &value.body) {
+        (None, None, None) => Some(Motion::Fixed),
+        (Some(given), None, None) => motion(document, resources, &format!("{path}.motion"), given),
+        (None, Some(given), None) => input(document, &format!("{path}.input"), given),
+        (None, None | Some(file::Input::Load), Some(given)) => {
+            let at = value.point_of_action.into();
+            let load = value.input.is_some();
+            let body = body(
+                document,
+                boundaries,
+                &format!("{path}.body"),
+                given,
+                at,
+                load,
+            );
+            body.map(|body| Motion::Driven(Box::new(body)))
+        }
+        (_, _, Some(_)) => {
+            let help = "keep `body`, with `input = \"load\"` if the outside pushes it, or what prescribes its motion";
+            document.error(
+                format!("{path}.body"),
+                "found `body` and what prescribes the motion, expected one of them",
+                help,
+            );
+            None
+        }
+        (Some(_), Some(_), None) => {
+            let help = "keep `motion` if the scene moves it, `input` if the outside does";
+            document.error(
+                format!("{path}.input"),
+                "found both `motion` and `input`, expected one of them",
+                help,
+            );
+            None
+        }
+    };
+    let geometry = geometry(document, resources, &format!("{path}.faces"), &value.faces);
+    Some(Boundary {
+        name: value.name.clone(),
+        material: u16::try_from(material?).ok()?,
+        geometry: geometry?,
+        motion: motion?,
+        point_of_action: value.point_of_action.into(),
+        stiffness: value.stiffness,
+        belt: belt(value),
+    })
+}
+
+fn belt(value: &file::Boundary) -> Option<Belt> {
+    let velocity = value.surface_velocity.map(Vec3::from);
+    (value.surface_input || velocity.is_some()).then(|| Belt {
+        velocity: velocity.unwrap_or_default(),
+        input: value.surface_input,
+    })
+}
+
+/// A driven motion.
+fn input(document: &mut Document<'_>, path: &str, given: file::Input) -> Option<Motion> {
+    let mut axis = |key: &str, v| direction(document, &format!("{path}.{key}"), v);
+    let kind = match given {
+        file::Input::Pose => InputKind::Pose,
+        file::Input::Motion => InputKind::Motion,
+        file::Input::Twist => InputKind::Twist,
+        file::Input::Slide(v) => InputKind::Slide {
+            axis: axis("slide", v)?,
+        },
+        file::Input::SlideSpeed(v) => InputKind::SlideSpeed {
+            axis: axis("slide_speed", v)?,
+        },
+        file::Input::Hinge(v) => InputKind::Hinge {
+            axis: axis("hinge", v)?,
+        },
+        file::Input::HingeSpeed(v) => InputKind::HingeSpeed {
+            axis: axis("hinge_speed", v)?,
+        },
+        file::Input::Load => {
+            let help = "add `body = { mass = ..., ... }`: only a body is moved by force";
+            document.error(path, "found `load` for a boundary without `body`", help);
+            return None;
+        }
+    };
+    Some(Motion::Input(kind))
+}
+
+/// A prescribed motion.
+pub(super) fn motion(
+    document: &mut Document<'_>,
+    resources: &mut Resources<'_>,
+    path: &str,
+    given: &file::Motion,
+) -> Option<Motion> {
+    match given {
+        file::Motion::Constant(c) => Some(Motion::Constant(Twist {
+            linear: c.velocity.into(),
+            angular: c.angular_velocity.into(),
+        })),
+        file::Motion::Sinusoid(s) => {
+            let key = format!("{path}.sinusoid.frequency");
+            let good = document.demand(s.frequency > 0.0, key, s.frequency, "a frequency > 0 [Hz]");
+            good.then_some(Motion::Sinusoid {
+                translation: s.translation.into(),
+                rotation: s.rotation.into(),
+                frequency: s.frequency,
+                phase: s.phase,
+            })
+        }
+        file::Motion::Table(table) => {
+            let path = format!("{path}.table");
+            match (&table.csv, &table.time) {
+                (Some(csv), None) if table.translation.is_none() && table.rotation.is_none() => {
+                    read_table(document, resources, &format!("{path}.csv"), csv)
+                }
+                (None, Some(time)) => typed_table(document, &path, time, table),
+                _ => {
+                    let help = "give `csv = \"file\"` alone, or `time` with `translation`, `rotation` or both";
+                    document.error(
+                        path,
+                        "found an incomplete or doubled table, expected `csv` or `time`",
+                        help,
+                    );
+                    None
+                }
+            }
+        }
+    }
+}
+
+fn typed_table(
+    document: &mut Document<'_>,
+    path: &str,
+    time: &[f64],
+    table: &file::Table,
+) -> Option<Motion> {
+    let mut good = increasing(document, &format!("{path}.time"), time);
+    let mut column = |key: &str, given: &Option<Vec<file::Vector>>| match given {
+        None => vec![Vec3::zeros(); time.len()],
+        Some(rows) => {
+            let expected = format!("{} of them, one for each time", time.len());
+            let found = format!("{} vectors", rows.len());
+            good &= document.demand(
+                rows.len() == time.len(),
+                format!("{path}.{key}"),
+                found,
+                &expected,
+            );
+            rows.iter().map(|&v| v.into()).collect()
+        }
+    };
+    let translation = column("translation", &table.translation);
+    let rotation = column("rotation", &table.rotation);
+    good.then(|| Motion::Table {
+        time: time.to_vec(),
+        translation,
+        rotation,
+    })
+}
+
+fn read_table(
+    document: &mut Document<'_>,
+    resources: &mut Resources<'_>,
+    path: &str,
+    csv: &str,
+) -> Option<Motion> {
+    let content = resources.read(document, path, csv)?.to_owned();
+    let names = ["time", "x", "y", "z", "rx", "ry", "rz"];
+    let table = Columns::read(document, path, csv, &content, &names, 4)?;
+    let vector = |row: &[Option<f64>; 7], k: usize| Vec3::from_fn(|i, _| row[k + i].unwrap_or(0.0));
+    let time: Vec<f64> = table.rows.iter().map(|row| row[0].unwrap_or(0.0)).collect();
+    increasing(document, path, &time).then(|| Motion::Table {
+        translation: table.rows.iter().map(|row| vector(row, 1)).collect(),
+        rotation: table.rows.iter().map(|row| vector(row, 4)).collect(),
+        time,
+    })
+}
+
+pub(super) fn increasing(document: &mut Document<'_>, path: &str, time: &[f64]) -> bool {
+    if time.is_empty() {
+        return document.demand(false, path, "no times", "at least one [s]");
+    }
+    match time.windows(2).find(|pair| pair[0] >= pair[1]) {
+        Some(pair) => document.demand(
+            false,
+            path,
+            format!("{} after {}", pair[1], pair[0]),
+            "strictly increasing times [s]",
+        ),
+        None => true,
+    }
+}
+
+/// Builds every face, so that each faulty one is reported, then joins them.
+fn geometry(
+    document: &mut Document<'_>,
+    resources: &mut Resources<'_>,
+    path: &str,
+    faces: &[file::Face],
+) -> Option<Geometry> {
+    document
+        .demand(
+            !faces.is_empty(),
+            path,
+            "an empty list",
+            "at least one face",
+        )
+        .then_some(())?;
+    let mut shapes = Vec::with_capacity(faces.len());
+    for (i, face) in faces.iter().enumerate() {
+        let path = format!("{path}[{i}]");
+        shapes.push(shape(document, resources, &path, face));
+    }
+    let shapes: Vec<Shape> = shapes.into_iter().collect::<Option<_>>()?;
+    let geometry = accept(document, path, Geometry::new(shapes))?;
+    if let Some(repair) = geometry.repair().filter(|r| !r.dropped_facets.is_empty()) {
+        let dropped = repair.dropped_facets.iter().take(3);
+        let named: Vec<String> = dropped
+            .map(|(name, facet)| format!("{facet} of {name}"))
+            .collect();
+        let message = format!(
+            "left out {} facets without area: {}{}",
+            repair.dropped_facets.len(),
+            named.join(", "),
+            if repair.dropped_facets.len() > 3 {
+                ", ..."
+            } else {
+                ""
+            }
+        );
+        document.warn(
+            path,
+            message,
+            "spheres do not notice; clean the mesh to silence this",
+        );
+    }
+    Some(geometry)
+}
+
+/// One face as a shape.
+fn shape(
+    document: &mut Document<'_>,
+    resources: &mut Resources<'_>,
+    path: &str,
+    face: &file::Face,
+) -> Option<Shape> {
+    let corners = |list: &[file::Vector]| list.iter().map(|&v| v.into()).collect::<Vec<Vec3>>();
+    let (key, built) = match face {
+        file::Face::Plane(p) => {
+            let plane = HalfSpace::new(p.point.into(), p.normal.into());
+            ("plane", plane.map(Shape::from))
+        }
+        file::Face::Rectangle(r) => {
+            let path = format!("{path}.rectangle");
+            let (u, v) = (Vec3::from(r.u), Vec3::from(r.v));
+            let square = u.dot(&v).abs() <= 1e-6 * u.norm() * v.norm();
+            let found = format!("u = {:?} and v = {:?}", r.u.0, r.v.0);
+            let expected = "perpendicular edges; use `polygon` for other shapes";
+            if !document.demand(square, path, found, expected) {
+                return None;
+            }
+            (
+                "rectangle",
+                Facets::rectangle(r.corner.into(), u, v).map(Shape::from),
+            )
+        }
+        file::Face::Triangle(list) => {
+            let key = format!("{path}.triangle");
+            let three = list.len() == 3;
+            if !document.demand(three, key, format!("{} corners", list.len()), "three") {
+                return None;
+            }
+            ("triangle", Facets::polygon(&corners(list)).map(Shape::from))
+        }
+        file::Face::Polygon(list) => ("polygon", Facets::polygon(&corners(list)).map(Shape::from)),
+        file::Face::Box(b) => {
+            let cuboid = Facets::cuboid(b.min.into(), b.max.into());
+            ("box", cuboid.map(Shape::from))
+        }
+        file::Face::Cone(c) => {
+            let cone = Revolution::frustum(c.base.into(), c.axis.into(), c.r0, c.r1, c.height);
+            ("cone", cone.map(Shape::from))
+        }
+        file::Face::Cylinder(c) => ("cylinder", cylinder(c).map(Shape::from)),
+        file::Face::Terrain(grid) => {
+            return terrain(document, resources, &format!("{path}.terrain"), grid);
+        }
+        file::Face::Stl(mesh) => return stl(document, resources, &format!("{path}.stl"), mesh),
+    };
+    accept(document, &format!("{path}.{key}"), built)
+}
+
+fn cylinder(c: &file::Cylinder) -> Result<Revolution, GeometryError> {
+    let (base, axis) = (c.base.into(), c.axis.into());
+    if c.closed && c.radius > 0.0 && c.height > 0.0 {
+        // One profile with its discs: separate ones would meet in ghost edges.
+        let (r, h) = (c.radius, c.height);
+        return Revolution::new(base, axis, &[[0.0, 0.0], [r, 0.0], [r, h], [0.0, h]]);
+    }
+    Revolution::cylinder(base, axis, c.radius, c.height)
+}
+
+fn stl(
+    document: &mut Document<'_>,
+    resources: &mut Resources<'_>,
+    path: &str,
+    mesh: &file::Stl,
+) -> Option<Shape> {
+    let facets = facets(document, resources, path, mesh)?;
+    // Welding and non-manifold edges are judged per file, so that the message points at it.
+    let built = Geometry::new(vec![facets.clone().into()]);
+    accept(document, &format!("{path}.file"), built)?;
+    Some(facets.into())
+}
+
+/// The facets of an STL file where the scene puts them.
+pub(super) fn facets(
+    document: &mut Document<'_>,
+    resources: &mut Resources<'_>,
+    path: &str,
+    mesh: &file::Stl,
+) -> Option<Facets> {
+    let scaled = document.demand(
+        mesh.scale > 0.0,
+        format!("{path}.scale"),
+        mesh.scale,
+        "a factor > 0 [-]",
+    );
+    let key = format!("{path}.file");
+    resources.read(document, &key, &mesh.file)?;
+    let mut facets = accept(document, &key, Facets::stl(&resources.place(&mesh.file)))?;
+    // The scene must not depend on where its folder lies.
+    facets.name.clone_from(&mesh.file);
+    scaled.then(|| {
+        facets.placed(
+            mesh.scale,
+            UnitQuaternion::identity(),
+            mesh.translate.into(),
+        )
+    })
+}
+
+fn terrain(
+    document: &mut Document<'_>,
+    resources: &mut Resources<'_>,
+    path: &str,
+    grid: &file::Terrain,
+) -> Option<Shape> {
+    let scale = match &grid.scale {
+        file::OneOrMany::One(s) => vec![*s; 3],
+        file::OneOrMany::Many(list) => list.clone(),
+    };
+    let found = format!("{scale:?}");
+    let scale = <[f64; 3]>::try_from(scale).ok();
+    let scale = scale.filter(|s| s.iter().all(|&s| s > 0.0));
+    let expected = "one or three factors > 0 [-]";
+    document.demand(scale.is_some(), format!("{path}.scale"), found, expected);
+    let key = format!("{path}.file");
+    let content = resources.read(document, &key, &grid.file)?;
+    match HeightField::esri_ascii(content) {
+        Ok(field) => {
+            let facets = field.facets(&grid.file, scale?, grid.translate.into());
+            if facets.triangles.is_empty() {
+                let message = format!("`{}` has no four neighbouring heights", grid.file);
+                document.error(key, message, "check NODATA_value");
+                return None;
+            }
+            Some(facets.into())
+        }
+        Err(problems) => {
+            for problem in problems {
+                document.error(&key, format!("`{}` {problem}", grid.file), "");
+            }
+            None
+        }
+    }
+}
+
+/// Reports a refused geometry at its key.
+pub(super) fn accept<T>(
+    document: &mut Document<'_>,
+    path: &str,
+    built: Result<T, GeometryError>,
+) -> Option<T> {
+    match built {
+        Ok(built) => Some(built),
+        Err(error) => {
+            document.error(path, error.to_string(), "");
+            None
+        }
+    }
+}

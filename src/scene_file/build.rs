@@ -1,0 +1,439 @@
+//! The file as typed becomes a validated [`Scene`] in one step; every problem of the file is reported at once.
+
+use std::path::Path;
+
+use miette::NamedSource;
+
+use super::advice::advise;
+use super::bodies::{accept, boundary, motion};
+use super::cell::cell;
+use super::decode::{Element, SceneFile};
+use super::document::Document;
+use super::names::{Context, Names};
+use super::overlap::Overlaps;
+use super::pairs::pairs;
+use super::problem::SceneError;
+use super::regions::measured;
+use super::resources::{Resources, hash};
+use super::settings::{choose_steps, fall, materials, settings};
+use super::sources::{sinks, source};
+use super::spheres::{self, Present};
+use super::{Loaded, file};
+use crate::Vec3;
+use crate::contact::carried::Carried;
+use crate::geometry::Facets;
+use crate::scene::materials::Material;
+use crate::scene::particles::{Kinematics, Particles};
+use crate::scene::{Measure, Motion, Output, PointLoad, Probe, Scene, Sensor, Spring};
+
+/// Reads, checks and builds; `name` is what problems call the file, `folder` where its files lie.
+pub(super) fn load(name: &str, text: &str, folder: &Path) -> Result<Loaded, SceneError> {
+    let mut document = Document::parse(text);
+    let mut resources = Resources::new(folder);
+    // A broken syntax shifts keys into wrong tables: its consequences would only hide it.
+    let scene = if document.refused() {
+        None
+    } else {
+        let file = SceneFile::decode(&mut document);
+        build(&mut document, &mut resources, &file)
+    };
+    let refused = document.refused();
+    let (errors, warnings) = document.into_problems();
+    match scene {
+        Some(mut scene) if !refused => {
+            let attachments = resources.into_attachments();
+            scene.hash = hash(text, &attachments);
+            if scene.title.is_empty() {
+                scene.title = stem(name);
+            }
+            Ok(Loaded {
+                scene,
+                name: name.to_owned(),
+                text: text.to_owned(),
+                attachments,
+                warnings,
+            })
+        }
+        _ => Err(SceneError {
+            source_code: NamedSource::new(name, text.to_owned()),
+            problems: errors,
+        }),
+    }
+}
+
+/// The name of a scene file without folder and ending: the title of a scene that gives none.
+fn stem(name: &str) -> String {
+    let stem = Path::new(name).file_stem().unwrap_or_default();
+    match stem.to_string_lossy() {
+        stem if stem.is_empty() => "scene".to_owned(),
+        stem => stem.into_owned(),
+    }
+}
+
+fn build(
+    document: &mut Document<'_>,
+    resources: &mut Resources<'_>,
+    file: &SceneFile,
+) -> Option<Scene> {
+    let groups = file.spheres.iter().map(Element::declaration);
+    let mut context = Context {
+        materials: Names::declare(document, "material", &file.materials),
+        groups: Names::declare_all(
+            document,
+            "sphere group",
+            groups.chain(file.sources.iter().map(Element::declaration)),
+        ),
+        ranges: Vec::new(),
+    };
+    for (kind, names) in [
+        ("boundary", file.boundaries.len()),
+        ("material", file.materials.len()),
+    ] {
+        let most = usize::from(u16::MAX);
+        document.demand(
+            names <= most,
+            kind,
+            names,
+            &format!("at most {most} of them"),
+        );
+    }
+    let settings = file
+        .simulation
+        .as_ref()
+        .and_then(|s| settings(document, resources, s));
+    let materials = materials(document, file);
+    let pairs = pairs(document, &context, file);
+    let boundary_names = Names::declare(document, "boundary", &file.boundaries);
+    let boundaries: Vec<_> = file
+        .boundaries
+        .iter()
+        .map(|b| {
+            let value = b.value.as_ref()?;
+            boundary(
+                document,
+                resources,
+                &context,
+                &boundary_names,
+                &b.path,
+                value,
+            )
+        })
+        .collect();
+    let boundaries: Option<Vec<_>> = boundaries.into_iter().collect();
+    let mut particles = Particles::default();
+    let mut initial = Kinematics::default();
+    for group in &file.spheres {
+        let range = group.value.as_ref().and_then(|value| {
+            let material =
+                sphere_material(document, &context, file, &materials, group, &value.material)?;
+            spheres::add(
+                document,
+                resources,
+                &group.path,
+                value,
+                material,
+                Present {
+                    particles: &mut particles,
+                    initial: &mut initial,
+                    boundaries: boundaries.as_deref(),
+                },
+            )
+        });
+        context.ranges.push(range);
+    }
+    let mut sources = Vec::with_capacity(file.sources.len());
+    for element in &file.sources {
+        let source = element.value.as_ref().and_then(|value| {
+            let material = sphere_material(
+                document,
+                &context,
+                file,
+                &materials,
+                element,
+                &value.material,
+            )?;
+            let store = (&mut particles, &mut initial);
+            source(document, resources, &element.path, value, material, store)
+        });
+        context
+            .ranges
+            .push(source.as_ref().map(|source| source.spheres.clone()));
+        sources.extend(source);
+    }
+    particles.shrink_to_fit();
+    initial.shrink_to_fit();
+    if file.spheres.is_empty() && file.sources.is_empty() {
+        document.error(
+            "spheres",
+            "found no spheres, expected at least one",
+            "add a group `[[spheres]]` or a `[[source]]`",
+        );
+    }
+    let mut settings = settings;
+    if let (Some(settings), Some(typed)) = (&mut settings, &file.simulation) {
+        let boundaries = boundaries.as_deref().unwrap_or_default();
+        let fall = fall(settings, (&particles, &initial), boundaries);
+        choose_steps(settings, typed, fall);
+    }
+    // Their names are declared, and judged, among the groups.
+    let source_names = Names::of("source", file.sources.iter().map(Element::declaration));
+    let scene = Scene {
+        title: file.title.clone(),
+        // Known when all files have been read.
+        hash: String::new(),
+        loads: loads(document, &context, &file.loads, &initial),
+        springs: springs(document, resources, &context, &file.springs, &initial),
+        sinks: sinks(document, resources, &source_names, &file.sinks),
+        sources,
+        sensors: sensors(document, &boundary_names, &file.sensors),
+        probes: probes(document, &context, &file.probes, particles.len()),
+        output: output(document, &file.output),
+        settings: settings?,
+        materials,
+        pairs,
+        particles,
+        initial,
+        initial_contacts: Carried::default(),
+        cell: cell(document, &file.cell),
+        boundaries: boundaries?,
+    };
+    if context.ranges.iter().all(Option::is_some) {
+        super::frame::judge(document, &scene, &file.boundaries);
+        super::cell::judge(document, &scene, &file.boundaries, &file.sensors);
+        let groups = &context.ranges[..file.spheres.len()];
+        Overlaps::of(&scene).judge(document, &scene, groups, &file.spheres);
+        if !document.refused() {
+            for advice in advise(&scene, file, &context.ranges) {
+                document.advise(advice);
+            }
+        }
+    }
+    Some(scene)
+}
+
+/// The material of a group or a source of spheres; it must have a density.
+fn sphere_material<'a, T>(
+    document: &mut Document<'_>,
+    context: &Context,
+    file: &SceneFile,
+    materials: &'a [Material],
+    element: &Element<T>,
+    name: &str,
+) -> Option<(u16, &'a Material)> {
+    let key = format!("{}.material", element.path);
+    let index = context.materials.resolve(document, &key, name)?;
+    let typed = &file.materials[index];
+    if typed.value.as_ref().is_some_and(|m| m.density.is_none()) {
+        let help = format!(
+            "`{}` uses it for spheres: add `density = ...` in kg/m^3",
+            element.path
+        );
+        document.error(&typed.path, "missing key `density`", help);
+    }
+    Some((u16::try_from(index).ok()?, materials.get(index)?))
+}
+
+fn loads(
+    document: &mut Document<'_>,
+    context: &Context,
+    elements: &[Element<file::Load>],
+    initial: &Kinematics,
+) -> Vec<PointLoad> {
+    let loads = elements.iter().filter_map(|element| {
+        let value = element.value.as_ref()?;
+        Some(PointLoad {
+            sphere: held(document, context, initial, &element.path, &value.sphere)?,
+            arm: value.point.into(),
+            force: value.force.into(),
+        })
+    });
+    loads.collect()
+}
+
+/// The sphere that the element at `path` pushes or holds: one that is there from the start.
+fn held(
+    document: &mut Document<'_>,
+    context: &Context,
+    initial: &Kinematics,
+    path: &str,
+    text: &str,
+) -> Option<usize> {
+    let path = format!("{path}.sphere");
+    let sphere = context.sphere(document, &path, text)?;
+    let found = format!("`{text}`, which waits in a source");
+    let expected = "a sphere of a group `[[spheres]]`";
+    document
+        .demand(initial.present[sphere], path, found, expected)
+        .then_some(sphere)
+}
+
+fn springs(
+    document: &mut Document<'_>,
+    resources: &mut Resources<'_>,
+    context: &Context,
+    elements: &[Element<file::Spring>],
+    initial: &Kinematics,
+) -> Vec<Spring> {
+    let springs = elements.iter().filter_map(|element| {
+        let (path, value) = (&element.path, element.value.as_ref()?);
+        let stiffness = value.stiffness;
+        document.demand(
+            stiffness > 0.0,
+            format!("{path}.stiffness"),
+            stiffness,
+            "a stiffness > 0 [N/m]",
+        );
+        let motion = match &value.motion {
+            Some(given) => motion(document, resources, &format!("{path}.motion"), given),
+            None => Some(Motion::Fixed),
+        };
+        let sphere = held(document, context, initial, path, &value.sphere)?;
+        let arm = Vec3::from(value.point);
+        Some(Spring {
+            sphere,
+            arm,
+            stiffness,
+            target: value
+                .target
+                .map_or(initial.position[sphere] + arm, Vec3::from),
+            motion: motion?,
+        })
+    });
+    springs.collect()
+}
+
+fn sensors(
+    document: &mut Document<'_>,
+    boundaries: &Names,
+    elements: &[Element<file::Sensor>],
+) -> Vec<Sensor> {
+    Names::declare(document, "sensor", elements);
+    let sensors = elements.iter().filter_map(|element| {
+        let (path, value) = (&element.path, element.value.as_ref()?);
+        let measure = match (&value.region, &value.mass_flow, &value.wrench) {
+            (Some(given), None, None) => {
+                let path = format!("{path}.region");
+                Measure::Region(measured(document, &path, given)?)
+            }
+            (None, None, Some(name)) => Measure::Wrench {
+                boundary: boundaries.resolve(document, &format!("{path}.wrench"), name)?,
+            },
+            (None, Some(flow), None) => mass_flow(document, &format!("{path}.mass_flow"), flow)?,
+            (region, flow, wrench) => {
+                let given = [region.is_some(), flow.is_some(), wrench.is_some()];
+                let n = given.into_iter().filter(|is| *is).count();
+                document.demand(
+                    false,
+                    path,
+                    format!("{n} measures"),
+                    "exactly one of region, mass_flow, wrench",
+                );
+                return None;
+            }
+        };
+        Some(Sensor {
+            name: value.name.clone(),
+            measure,
+        })
+    });
+    sensors.collect()
+}
+
+/// A flow through a plane, or through a polygon in it.
+fn mass_flow(document: &mut Document<'_>, path: &str, given: &file::MassFlow) -> Option<Measure> {
+    match given {
+        file::MassFlow::Plane(plane) => Some(Measure::MassFlow {
+            point: plane.point.into(),
+            normal: direction(document, &format!("{path}.plane.normal"), plane.normal)?,
+            outline: Vec::new(),
+        }),
+        file::MassFlow::Polygon(corners) => {
+            let outline: Vec<Vec3> = corners.iter().map(|&c| c.into()).collect();
+            let checked = Facets::polygon(&outline);
+            accept(document, &format!("{path}.polygon"), checked)?;
+            // Newell's vector area: a polygon that was accepted has one.
+            let area: Vec3 = (1..outline.len() - 1)
+                .map(|i| (outline[i] - outline[0]).cross(&(outline[i + 1] - outline[0])))
+                .sum();
+            Some(Measure::MassFlow {
+                point: outline[0],
+                normal: area.normalize(),
+                outline,
+            })
+        }
+    }
+}
+
+/// The first, the middle and the last sphere unless the scene names its own.
+fn probes(
+    document: &mut Document<'_>,
+    context: &Context,
+    elements: &[Element<file::Probe>],
+    spheres: usize,
+) -> Vec<Probe> {
+    Names::declare(document, "probe", elements);
+    if elements.is_empty() {
+        let mut chosen: Vec<(&str, usize)> = Vec::new();
+        for (name, sphere) in [
+            ("first", 0),
+            ("middle", spheres / 2),
+            ("last", spheres.saturating_sub(1)),
+        ] {
+            if chosen.iter().all(|(_, other)| *other != sphere) && sphere < spheres {
+                chosen.push((name, sphere));
+            }
+        }
+        return chosen
+            .into_iter()
+            .map(|(name, sphere)| Probe {
+                name: name.to_owned(),
+                sphere,
+            })
+            .collect();
+    }
+    let probes = elements.iter().filter_map(|element| {
+        let value = element.value.as_ref()?;
+        Some(Probe {
+            name: value.name.clone(),
+            sphere: context.sphere(document, &format!("{}.sphere", element.path), &value.sphere)?,
+        })
+    });
+    probes.collect()
+}
+
+fn output(document: &mut Document<'_>, output: &file::Output) -> Output {
+    for (key, value) in [
+        ("vtu_interval", output.vtu_interval),
+        ("csv_interval", output.csv_interval),
+        ("checkpoint_interval", output.checkpoint_interval),
+    ] {
+        document.demand(
+            value >= 0.0,
+            format!("output.{key}"),
+            value,
+            "a time >= 0 [s]",
+        );
+    }
+    Output {
+        vtu_interval: output.vtu_interval,
+        csv_interval: output.csv_interval,
+        float64: output.float64,
+        checkpoint_interval: output.checkpoint_interval,
+    }
+}
+
+/// The unit vector along a direction of any length.
+pub(super) fn direction(
+    document: &mut Document<'_>,
+    path: &str,
+    given: file::Vector,
+) -> Option<Vec3> {
+    let unit = Vec3::from(given).try_normalize(0.0);
+    document.demand(
+        unit.is_some(),
+        path,
+        format!("{:?}", given.0),
+        "a direction of length > 0",
+    );
+    unit
+}

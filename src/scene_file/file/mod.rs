@@ -1,0 +1,362 @@
+//! The scene file as typed: one type per TOML table. SI units and degrees where a key says so; unknown keys
+//! are refused. Only types are checked here; [`crate::scene::Scene::from_toml`] checks the rest.
+
+mod boundaries;
+mod cell;
+mod driven;
+mod frame;
+mod regions;
+mod sensors;
+mod spheres;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+pub use super::values::{OneOrMany, Triple, Vector};
+use crate::integrator::Integrator;
+use crate::scene::{Accuracy, Method};
+use crate::solver::SolverKind;
+pub use boundaries::{
+    Boundary, Cone, Constant, Cuboid, Cylinder, Face, Input, Motion, Plane, Rectangle, Sinusoid,
+    Stl, Table, Terrain,
+};
+pub use cell::Cell;
+pub use driven::{Body, Joint, JointSpring, Limits, Servo};
+pub use frame::{GravityMotion, GravityTable, RotatingFrame, Turning};
+pub use regions::{Region, Tube};
+pub use sensors::{MassFlow, Probe, Sensor};
+pub use spheres::{
+    Lattice, Lock, LogNormal, MassTable, Normal, Packing, Sink, Size, Source, Spheres, Uniform,
+};
+
+/// A scene file: its top level.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct TopLevel {
+    /// Title of results and FMUs.
+    #[serde(default)]
+    #[schemars(extend("x-default" = "the name of the scene file without its ending"))]
+    pub title: String,
+    /// The run and its numerics.
+    pub simulation: Simulation,
+    /// Materials of spheres and boundaries.
+    #[serde(default)]
+    pub material: Vec<Material>,
+    /// How two materials touch.
+    #[serde(default)]
+    pub pair: Vec<Pair>,
+    /// How materials touch unless a `[[pair]]` says otherwise.
+    #[serde(default)]
+    pub pair_default: PairDefault,
+    /// Groups of spheres.
+    #[serde(default)]
+    pub spheres: Vec<Spheres>,
+    /// Where spheres come from during the run.
+    #[serde(default)]
+    pub source: Vec<Source>,
+    /// Where spheres go during the run.
+    #[serde(default)]
+    pub sink: Vec<Sink>,
+    /// Rigid bodies that bound the spheres.
+    #[serde(default)]
+    pub boundary: Vec<Boundary>,
+    /// Axes along which the scene is periodic.
+    #[serde(default)]
+    pub cell: Cell,
+    /// Forces on spheres.
+    #[serde(default)]
+    pub load: Vec<Load>,
+    /// Springs on spheres.
+    #[serde(default)]
+    pub spring: Vec<Spring>,
+    /// What is measured.
+    #[serde(default)]
+    pub sensor: Vec<Sensor>,
+    /// Spheres whose states are outputs.
+    #[serde(default)]
+    pub probe: Vec<Probe>,
+    /// Result files.
+    #[serde(default)]
+    pub output: Output,
+}
+
+/// `[simulation]`: the run and its numerics.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Simulation {
+    /// End time of a run \[s\].
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub duration: f64,
+    /// How accurate the run is: `"fast"`, `"standard"` or `"reference"`. It sets tolerances and steps ([what each gives](accuracy.md)).
+    #[serde(default)]
+    pub accuracy: Accuracy,
+    /// Largest internal time step \[s\]. Steps are chosen at most so long; a larger value than the accuracy allows changes nothing.
+    #[schemars(extend("x-default" = "chosen from the accuracy, the smallest radius and gravity", "exclusiveMinimum" = 0))]
+    pub step: Option<f64>,
+    /// Whether every internal step is as long as `step`, which is then required. The integrator `shi` and the penalty method do so
+    /// whenever `step` is given.
+    #[serde(default)]
+    pub fixed_step: bool,
+    /// Whether a step that does not meet the tolerances ends the run. Otherwise its best iterate is taken, counted in
+    /// `solver.unconvergedSteps` and reported.
+    #[serde(default)]
+    pub strict: bool,
+    /// Communication step of `run` and of the FMU's default experiment \[s\].
+    #[schemars(extend("x-default" = "`step`, or a round number near the chosen one", "exclusiveMinimum" = 0))]
+    pub communication_step: Option<f64>,
+    /// How contact constraints are enforced: `"alm"` keeps the overlap within the tolerance, `"penalty"` puts contact
+    /// springs of stiffness `penalty`.
+    #[serde(default)]
+    pub method: Method,
+    /// Time integration: `"moreau"`, or `"shi"`, the paper's constant acceleration.
+    #[serde(default)]
+    pub integrator: Integrator,
+    /// Solver of a step: `"auto"` takes Gauss-Seidel first, then Newton on what it leaves, then the direct solver.
+    #[serde(default)]
+    pub solver: SolverKind,
+    /// Penalty number \[N/m\]: stiffness of the penalty method, start of the direct solver's loop. Gauss-Seidel and Newton do not use it.
+    #[schemars(extend("x-default" = "chosen from mass and step; the penalty method needs it", "exclusiveMinimum" = 0))]
+    pub penalty: Option<f64>,
+    /// Whether the augmented-Lagrangian loop may change the penalty, sweep between its multiplier updates, and leave the rest to Newton; `false` with
+    /// `solver = "direct"` is exactly the paper's loop, slow unless the penalty is large ([how slow](paper.md#augmentations-at-a-held-penalty)).
+    #[serde(default = "yes")]
+    pub adapt_penalty: bool,
+    /// Gravity \[m/s^2\]; at t = 0, if `gravity_motion` turns it.
+    #[schemars(extend("x-default" = "[0, 0, -9.81]"))]
+    pub gravity: Option<Vector>,
+    /// How gravity changes with time.
+    #[schemars(extend("x-default" = "it does not"))]
+    pub gravity_motion: Option<GravityMotion>,
+    /// The scene is given and solved in a frame that turns.
+    #[schemars(extend("x-default" = "it does not turn"))]
+    pub rotating_frame: Option<RotatingFrame>,
+    /// Initial overlap over the smaller radius that is removed before t = 0 \[-\].
+    #[serde(default = "five_percent")]
+    #[schemars(extend("minimum" = 0, "maximum" = 0.5))]
+    pub max_initial_overlap: f64,
+    /// Approach speed below which an impact does not rebound \[m/s\].
+    #[serde(default)]
+    #[schemars(extend("minimum" = 0))]
+    pub threshold_velocity: f64,
+    /// Fraction of the velocity carried over to the next step (integrator `shi`) \[-\].
+    #[serde(default = "one")]
+    #[schemars(extend("minimum" = 0, "maximum" = 1))]
+    pub dynamic_coefficient: f64,
+    /// Most solver iterations in one step \[-\].
+    #[serde(default = "iterations")]
+    #[schemars(extend("minimum" = 1))]
+    pub max_iterations: u32,
+    /// Smallest internal step that is chosen \[s\]; steps that fail are cut below it.
+    #[schemars(extend("x-default" = "a part of the largest step that the accuracy sets", "exclusiveMinimum" = 0))]
+    pub smallest_step: Option<f64>,
+    /// Real-time mode: most Gauss-Seidel sweeps of a step, whose result is taken as it is; `maxOverlap` and the residuals report its error.
+    #[schemars(extend("x-default" = "as many as the tolerances need", "minimum" = 1))]
+    pub sweeps: Option<u32>,
+    /// Speed of rest \[m/s\]: a scene stops when for ten steps all centres, and surfaces where they touch, are slower, and costs nothing until something moves it. Only speeds count: a sphere at the top of its flight stops too. 0: never.
+    #[serde(default)]
+    #[schemars(extend("minimum" = 0))]
+    pub rest_speed: f64,
+    /// How often a step may be halved; one that does not converge at most three times unless `strict` is set.
+    #[serde(default = "cuts")]
+    #[schemars(extend("minimum" = 0, "maximum" = 20))]
+    pub max_cuts: u32,
+    /// Threads that share the work of scenes of more than some thousand spheres; results are the same for any number.
+    #[serde(default = "one_thread")]
+    #[schemars(extend("minimum" = 1, "maximum" = 256))]
+    pub threads: u32,
+    /// Tolerances of a step.
+    #[serde(default)]
+    pub tolerance: Tolerance,
+}
+
+/// `[simulation.tolerance]`: dimensionless tolerances of every step, instead of those of the `accuracy`.
+#[derive(Debug, Clone, Copy, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct Tolerance {
+    /// True overlap over the smaller radius of the pair \[-\].
+    #[schemars(extend("x-default" = "that of the accuracy", "minimum" = 1e-12, "maximum" = 1e-1))]
+    pub gap: Option<f64>,
+    /// Slip of a sticking contact over the smaller radius \[-\].
+    #[schemars(extend("x-default" = "that of the accuracy", "minimum" = 1e-12, "maximum" = 1e-1))]
+    pub slip: Option<f64>,
+    /// Force residual over the contact's force scale \[-\].
+    #[schemars(extend("x-default" = "that of the accuracy", "minimum" = 1e-12, "maximum" = 1e-1))]
+    pub force: Option<f64>,
+    /// Gap over the smaller radius up to which a contact may carry load \[-\]: what rests within it keeps its place and its
+    /// forces. 0: contacts carry at zero gap only.
+    #[schemars(extend("x-default" = "2, 3 or 9 times `gap`, by the accuracy", "minimum" = 0, "maximum" = 1e-1))]
+    pub opening: Option<f64>,
+}
+
+fn yes() -> bool {
+    true
+}
+
+fn one() -> f64 {
+    1.0
+}
+
+fn one_for_all() -> OneOrMany<f64> {
+    OneOrMany::One(1.0)
+}
+
+fn up() -> Vector {
+    Triple([0.0, 0.0, 1.0])
+}
+
+fn five_percent() -> f64 {
+    0.05
+}
+
+fn iterations() -> u32 {
+    20_000
+}
+
+fn one_thread() -> u32 {
+    1
+}
+
+fn cuts() -> u32 {
+    10
+}
+
+/// `[[material]]`. Of coefficients that both materials of a contact give, the smaller one counts; `[[pair]]` goes before
+/// them, `[pair_default]` comes after.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Material {
+    /// Name, unique.
+    #[schemars(extend("pattern" = "^[A-Za-z_][A-Za-z0-9_]*$"))]
+    pub name: String,
+    /// Density \[kg/m^3\]. Needed by materials of spheres only.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub density: Option<f64>,
+    /// Friction coefficient \[-\] with any material. Not together with `friction_angle`.
+    #[schemars(extend("minimum" = 0))]
+    pub friction: Option<f64>,
+    /// Friction angle \[deg\].
+    #[schemars(extend("minimum" = 0, "exclusiveMaximum" = 90))]
+    pub friction_angle: Option<f64>,
+    /// Coefficient of restitution \[-\].
+    #[schemars(extend("minimum" = 0, "maximum" = 1))]
+    pub restitution: Option<f64>,
+    /// Coefficient of rolling resistance \[-\]: its couple is at most this times the reduced radius times the
+    /// normal force.
+    #[schemars(extend("minimum" = 0))]
+    pub rolling_friction: Option<f64>,
+    /// Coefficient of twisting resistance \[-\]: its couple about the normal is at most this times the reduced radius
+    /// times the normal force.
+    #[schemars(extend("minimum" = 0))]
+    pub twisting_friction: Option<f64>,
+}
+
+/// `[pair_default]`: how materials touch unless a `[[pair]]` or their own `[[material]]`s say otherwise.
+#[derive(Debug, Clone, Copy, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PairDefault {
+    /// Friction coefficient \[-\]. Not together with `friction_angle`.
+    #[schemars(extend("x-default" = "`0`", "minimum" = 0))]
+    pub friction: Option<f64>,
+    /// Friction angle \[deg\]; the coefficient is its tangent.
+    #[schemars(extend("minimum" = 0, "exclusiveMaximum" = 90))]
+    pub friction_angle: Option<f64>,
+    /// Coefficient of restitution \[-\].
+    #[schemars(extend("x-default" = "`0`", "minimum" = 0, "maximum" = 1))]
+    pub restitution: Option<f64>,
+    /// Coefficient of rolling resistance \[-\]: its couple is at most this times the reduced radius times the
+    /// normal force.
+    #[schemars(extend("x-default" = "`0`", "minimum" = 0))]
+    pub rolling_friction: Option<f64>,
+    /// Coefficient of twisting resistance \[-\]: its couple about the normal is at most this times the reduced radius
+    /// times the normal force.
+    #[schemars(extend("x-default" = "`0`", "minimum" = 0))]
+    pub twisting_friction: Option<f64>,
+}
+
+/// `[[pair]]`: how two materials touch; what is left out is taken from their `[[material]]`s, then from `[pair_default]`.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Pair {
+    /// The two materials, in either order.
+    #[schemars(extend("minItems" = 2, "maxItems" = 2))]
+    pub materials: Vec<String>,
+    /// Friction coefficient \[-\]. Not together with `friction_angle`.
+    #[schemars(extend("minimum" = 0))]
+    pub friction: Option<f64>,
+    /// Friction angle \[deg\].
+    #[schemars(extend("minimum" = 0, "exclusiveMaximum" = 90))]
+    pub friction_angle: Option<f64>,
+    /// Coefficient of restitution \[-\].
+    #[schemars(extend("minimum" = 0, "maximum" = 1))]
+    pub restitution: Option<f64>,
+    /// Coefficient of rolling resistance \[-\]: its couple is at most this times the reduced radius times the
+    /// normal force.
+    #[schemars(extend("minimum" = 0))]
+    pub rolling_friction: Option<f64>,
+    /// Coefficient of twisting resistance \[-\]: its couple about the normal is at most this times the reduced radius
+    /// times the normal force.
+    #[schemars(extend("minimum" = 0))]
+    pub twisting_friction: Option<f64>,
+}
+
+/// `[[load]]`: a force on a sphere at a point that moves with it.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Load {
+    /// The sphere: `"group[k]"`, or `"group"` if the group is one sphere.
+    pub sphere: String,
+    /// Force \[N\], world axes.
+    pub force: Vector,
+    /// Point of the sphere, from its centre, at t = 0 \[m\].
+    #[serde(default)]
+    pub point: Vector,
+}
+
+/// `[[spring]]`: a constrained point, a spring from a point of a sphere to a target.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Spring {
+    /// The sphere: `"group[k]"`, or `"group"` if the group is one sphere.
+    pub sphere: String,
+    /// Stiffness \[N/m\].
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub stiffness: f64,
+    /// Point of the sphere, from its centre, at t = 0 \[m\].
+    #[serde(default)]
+    pub point: Vector,
+    /// Target \[m\].
+    #[schemars(extend("x-default" = "where the point is at t = 0"))]
+    pub target: Option<Vector>,
+    /// Motion of the target; translations only.
+    #[schemars(extend("x-default" = "fixed"))]
+    pub motion: Option<Motion>,
+}
+
+/// `[output]`: result files.
+#[derive(Debug, Clone, Copy, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct Output {
+    /// Seconds between VTU frames \[s\]; 0: none.
+    #[schemars(extend("minimum" = 0))]
+    pub vtu_interval: f64,
+    /// Seconds between rows of the CSV history \[s\]; 0: every communication step.
+    #[schemars(extend("minimum" = 0))]
+    pub csv_interval: f64,
+    /// Write Float64 instead of Float32 arrays.
+    pub float64: bool,
+    /// Simulated seconds between checkpoints of `run` \[s\]; 0: only those every five minutes of wall time, on Ctrl-C and at
+    /// the end.
+    #[schemars(extend("minimum" = 0))]
+    pub checkpoint_interval: f64,
+}
+
+impl Default for Output {
+    fn default() -> Self {
+        Self {
+            vtu_interval: 0.1,
+            csv_interval: 0.0,
+            float64: false,
+            checkpoint_interval: 0.0,
+        }
+    }
+}

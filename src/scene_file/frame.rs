@@ -1,0 +1,115 @@
+//! Gravity as a function of time, and the frame of reference, checked.
+
+use super::bodies::increasing;
+use super::build::direction;
+use super::columns::Columns;
+use super::decode::Element;
+use super::document::Document;
+use super::file;
+use super::resources::Resources;
+use crate::Vec3;
+use crate::scene::gravity::GravityMotion;
+use crate::scene::rotating_frame::RotatingFrame;
+use crate::scene::{Motion, Scene};
+
+/// Gravity where a scene says nothing \[m/s^2\].
+const EARTH: Vec3 = Vec3::new(0.0, 0.0, -9.81);
+
+/// Gravity at t = 0 \[m/s^2\], and how it moves.
+pub(super) fn gravity(
+    document: &mut Document<'_>,
+    resources: &mut Resources<'_>,
+    s: &file::Simulation,
+) -> Option<(Vec3, GravityMotion)> {
+    let set = s.gravity.map_or(EARTH, Vec3::from);
+    let path = "simulation.gravity_motion";
+    match &s.gravity_motion {
+        None => Some((set, GravityMotion::Fixed)),
+        Some(file::GravityMotion::Rotation(turning)) => {
+            let axis = direction(document, &format!("{path}.rotation.axis"), turning.axis)?;
+            let angular_velocity = axis * turning.speed;
+            Some((set, GravityMotion::Rotation { angular_velocity }))
+        }
+        Some(file::GravityMotion::Table(given)) => {
+            let path = format!("{path}.table");
+            if s.gravity.is_some() {
+                let help = "the table gives gravity at all times: remove `gravity`";
+                let message = "found both `gravity` and a table of it, expected one of them";
+                document.error("simulation.gravity", message, help);
+            }
+            let (time, gravity) = table(document, resources, &path, given)?;
+            let motion = GravityMotion::Table { time, gravity };
+            Some((motion.at(set, 0.0), motion))
+        }
+    }
+}
+
+fn table(
+    document: &mut Document<'_>,
+    resources: &mut Resources<'_>,
+    path: &str,
+    given: &file::GravityTable,
+) -> Option<(Vec<f64>, Vec<Vec3>)> {
+    let (key, time, gravity) = match (&given.csv, &given.time, &given.gravity) {
+        (Some(csv), None, None) => {
+            let key = format!("{path}.csv");
+            let content = resources.read(document, &key, csv)?.to_owned();
+            let names = ["time", "x", "y", "z"];
+            let columns = Columns::read(document, &key, csv, &content, &names, 4)?;
+            let rows = columns
+                .rows
+                .iter()
+                .map(|row| row.map(|cell| cell.unwrap_or(0.0)));
+            let (time, gravity) = rows.map(|[t, x, y, z]| (t, Vec3::new(x, y, z))).unzip();
+            (key, time, gravity)
+        }
+        (None, Some(time), Some(gravity)) => {
+            let key = format!("{path}.gravity");
+            let expected = format!("{} of them, one for each time", time.len());
+            let found = format!("{} vectors", gravity.len());
+            document
+                .demand(gravity.len() == time.len(), key, found, &expected)
+                .then_some(())?;
+            let gravity = gravity.iter().map(|&v| v.into()).collect();
+            (format!("{path}.time"), time.clone(), gravity)
+        }
+        _ => {
+            let message =
+                "found an incomplete or doubled table, expected `csv`, or `time` and `gravity`";
+            let help = "give `csv = \"file\"` alone, or `time` with as many vectors `gravity`";
+            document.error(path, message, help);
+            return None;
+        }
+    };
+    increasing(document, &key, &time).then_some((time, gravity))
+}
+
+/// The turning frame.
+pub(super) fn rotating_frame(
+    document: &mut Document<'_>,
+    given: file::RotatingFrame,
+) -> Option<RotatingFrame> {
+    let axis = direction(document, "simulation.rotating_frame.axis", given.axis)?;
+    Some(RotatingFrame {
+        angular_velocity: axis * given.speed,
+        point: given.point.into(),
+    })
+}
+
+/// Refuses driven bodies in a turning frame: the inertial forces on them are not there.
+pub(super) fn judge(
+    document: &mut Document<'_>,
+    scene: &Scene,
+    elements: &[Element<file::Boundary>],
+) {
+    for (boundary, element) in scene.boundaries.iter().zip(elements) {
+        if scene.settings.rotating_frame.is_some() && matches!(boundary.motion, Motion::Driven(_)) {
+            let message = format!(
+                "boundary `{}` is moved by force in a rotating frame, whose inertial forces act on spheres only",
+                boundary.name
+            );
+            let help = "give the scene as seen from the world, or prescribe the motion";
+            document.error(&element.path, message, help);
+        }
+    }
+}

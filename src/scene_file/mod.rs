@@ -1,0 +1,88 @@
+//! Scene files: [`mod@file`] is the TOML as typed, [`Scene::from_file`] turns it into a validated [`Scene`] in one step.
+//!
+//! Everything wrong with a scene is reported at once as a [`SceneError`]: line, key path, value found, value
+//! allowed. Files that a scene names (meshes, CSV) lie beside or below it and are returned with it.
+
+mod advice;
+mod bodies;
+mod build;
+mod cell;
+mod columns;
+mod decode;
+mod document;
+mod driven;
+pub mod file;
+mod frame;
+mod keys;
+mod names;
+mod overlap;
+mod pairs;
+mod problem;
+mod regions;
+mod resources;
+mod schema;
+mod settings;
+mod sizes;
+mod sources;
+mod spheres;
+mod summary;
+mod values;
+mod wording;
+
+use std::path::Path;
+
+pub use overlap::{Overlap, Overlaps};
+pub use problem::{Problem, SceneError};
+pub use resources::Attachment;
+pub(crate) use resources::digest;
+pub use schema::json_schema;
+pub use summary::Summary;
+
+use crate::scene::Scene;
+
+/// A scene with what a package needs to carry it elsewhere.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Loaded {
+    /// The scene.
+    pub scene: Scene,
+    /// Name of the scene file, as problems call it.
+    pub name: String,
+    /// Text of the scene file.
+    pub text: String,
+    /// Files it refers to, sorted by path, each once.
+    pub attachments: Vec<Attachment>,
+    /// What runs, but probably not as meant.
+    pub warnings: Vec<Problem>,
+}
+
+impl Scene {
+    /// Reads a scene file; the files it names are looked for in its folder.
+    ///
+    /// # Errors
+    /// All problems of the scene, or the one of reading the file.
+    pub fn from_file(path: impl AsRef<Path>) -> Result<Loaded, SceneError> {
+        let path = path.as_ref();
+        let name = path.display().to_string();
+        match std::fs::read(path).map(String::from_utf8) {
+            Ok(Ok(text)) => Self::from_toml(&name, &text, path.parent().unwrap_or(Path::new(""))),
+            Ok(Err(error)) => Err(SceneError::unreadable(
+                &name,
+                &error.to_string(),
+                "save it as UTF-8 text",
+            )),
+            Err(error) => Err(SceneError::unreadable(
+                &name,
+                &error.to_string(),
+                "check the path and its permissions",
+            )),
+        }
+    }
+
+    /// Reads a scene from its text; `name` is what problems call it, `folder` where the files it names lie.
+    ///
+    /// # Errors
+    /// All problems of the scene.
+    pub fn from_toml(name: &str, text: &str, folder: &Path) -> Result<Loaded, SceneError> {
+        build::load(name, text, folder)
+    }
+}

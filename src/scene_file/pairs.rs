@@ -1,0 +1,269 @@
+//! How materials touch: `[[pair]]` over what their `[[material]]`s say over `[pair_default]`.
+
+use super::decode::SceneFile;
+use super::document::Document;
+use super::names::Context;
+use crate::integrator::Integrator;
+use crate::scene::materials::{Pair, PairTable};
+
+/// Coefficients as a table of the file gives them.
+#[derive(Debug, Clone, Copy, Default)]
+struct Given {
+    friction: Option<f64>,
+    restitution: Option<f64>,
+    rolling: Option<f64>,
+    twisting: Option<f64>,
+}
+
+impl Given {
+    /// What two materials say together: of each coefficient the smaller one, or that of the one that gives it.
+    fn of_both(a: Self, b: Self) -> Self {
+        let smaller = |a: Option<f64>, b: Option<f64>| match (a, b) {
+            (Some(a), Some(b)) => Some(a.min(b)),
+            (a, b) => a.or(b),
+        };
+        Self {
+            friction: smaller(a.friction, b.friction),
+            restitution: smaller(a.restitution, b.restitution),
+            rolling: smaller(a.rolling, b.rolling),
+            twisting: smaller(a.twisting, b.twisting),
+        }
+    }
+
+    /// The pair that takes from `default` what is not given.
+    fn over(self, default: Pair) -> Pair {
+        Pair {
+            friction: self.friction.unwrap_or(default.friction),
+            restitution: self.restitution.unwrap_or(default.restitution),
+            rolling_friction: self.rolling.unwrap_or(default.rolling_friction),
+            twisting_friction: self.twisting.unwrap_or(default.twisting_friction),
+        }
+    }
+}
+
+/// The coefficients of a table of the file, checked: three types that have the same keys.
+macro_rules! given {
+    ($document:expr, $path:expr, $table:expr) => {{
+        let table = $table;
+        let given = Given {
+            friction: table.friction,
+            restitution: table.restitution,
+            rolling: table.rolling_friction,
+            twisting: table.twisting_friction,
+        };
+        checked($document, $path, given, table.friction_angle)
+    }};
+}
+
+/// `[pair_default]`, the coefficients of `[[material]]` and `[[pair]]`, checked.
+pub(super) fn pairs(document: &mut Document<'_>, context: &Context, file: &SceneFile) -> PairTable {
+    let default = given!(document, "pair_default", &file.pair_default).over(Pair::default());
+    let materials = file.materials.iter();
+    let materials: Vec<Given> = materials
+        .map(|element| match &element.value {
+            Some(value) => given!(document, &element.path, value),
+            None => Given::default(),
+        })
+        .collect();
+    let both = |a: usize, b: usize| Given::of_both(materials[a], materials[b]).over(default);
+    let mut table = PairTable::new(materials.len(), default);
+    let indices = || (0..materials.len()).filter_map(|a| u16::try_from(a).ok());
+    for (a, b) in indices().flat_map(|a| indices().map(move |b| (a, b))) {
+        table.set(a, b, both(a.into(), b.into()));
+    }
+    let mut seen: Vec<(usize, usize)> = Vec::new();
+    for element in &file.pairs {
+        let (path, Some(value)) = (&element.path, &element.value) else {
+            continue;
+        };
+        let own = given!(document, path, value);
+        let key = format!("{path}.materials");
+        let [a, b] = value.materials.as_slice() else {
+            document.demand(
+                false,
+                key,
+                format!("{} names", value.materials.len()),
+                "two material names [a, b]",
+            );
+            continue;
+        };
+        let a = context.materials.resolve(document, &format!("{key}[0]"), a);
+        let b = context.materials.resolve(document, &format!("{key}[1]"), b);
+        let Some((a, b)) = a.zip(b) else { continue };
+        let pair_of = (a.min(b), a.max(b));
+        if seen.contains(&pair_of) {
+            document.error(
+                key,
+                format!("the pair {:?} appears twice", value.materials),
+                "keep one; the order of the names does not matter",
+            );
+        }
+        seen.push(pair_of);
+        let pair = own.over(both(a, b));
+        if let (Ok(a), Ok(b)) = (u16::try_from(a), u16::try_from(b)) {
+            table.set(a, b, pair);
+        }
+    }
+    let shi = file
+        .simulation
+        .as_ref()
+        .is_some_and(|s| s.integrator == Integrator::Shi);
+    if shi && table.rebounds() {
+        let help = "its rebound follows from the step (method of Shi 1988); use integrator = \"moreau\" for Newton's law";
+        document.warn(
+            "simulation.integrator",
+            "restitution has no effect with integrator = \"shi\"",
+            help,
+        );
+    }
+    table
+}
+
+/// Checks the coefficients of the table at `path`.
+fn checked(document: &mut Document<'_>, path: &str, given: Given, angle: Option<f64>) -> Given {
+    let coefficients = [
+        ("friction", given.friction),
+        ("rolling_friction", given.rolling),
+        ("twisting_friction", given.twisting),
+    ];
+    for (key, coefficient) in coefficients {
+        if let Some(mu) = coefficient {
+            document.demand(
+                mu >= 0.0,
+                format!("{path}.{key}"),
+                mu,
+                "a coefficient >= 0 [-]",
+            );
+        }
+    }
+    if let Some(angle) = angle {
+        let range = (0.0..90.0).contains(&angle);
+        document.demand(
+            range,
+            format!("{path}.friction_angle"),
+            angle,
+            "0 <= friction_angle < 90 [degrees]",
+        );
+    }
+    if given.friction.is_some() && angle.is_some() {
+        let message = "found both `friction` and `friction_angle`, expected one of them";
+        document.error(
+            format!("{path}.friction_angle"),
+            message,
+            "friction is the tangent of the angle",
+        );
+    }
+    if let Some(e) = given.restitution {
+        document.demand(
+            (0.0..=1.0).contains(&e),
+            format!("{path}.restitution"),
+            e,
+            "0 <= restitution <= 1 [-]",
+        );
+    }
+    Given {
+        friction: given.friction.or(angle.map(|a| a.to_radians().tan())),
+        ..given
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use super::*;
+    use crate::scene::Scene;
+    use crate::scene_file::{Loaded, SceneError};
+
+    /// A scene of a rock on steel and rubber, with lines for the three materials and for the pairs.
+    fn scene([rock, steel, rubber]: [&str; 3], pairs: &str) -> Result<Loaded, Box<SceneError>> {
+        let text = format!(
+            "[simulation]\nduration = 1.0\nstep = 1e-3\n\
+             [[material]]\nname = \"rock\"\ndensity = 2500.0\n{rock}\n\
+             [[material]]\nname = \"steel\"\n{steel}\n[[material]]\nname = \"rubber\"\n{rubber}\n{pairs}\n\
+             [[spheres]]\nname = \"one\"\nmaterial = \"rock\"\nradius = 0.1\npositions = [[0.0, 0.0, 0.0]]\n"
+        );
+        Scene::from_toml("scene", &text, Path::new("")).map_err(Box::new)
+    }
+
+    fn numbers(table: &PairTable, a: u16, b: u16) -> [f64; 4] {
+        let pair = table.get(a, b);
+        assert_eq!(pair, table.get(b, a));
+        [
+            pair.friction,
+            pair.restitution,
+            pair.rolling_friction,
+            pair.twisting_friction,
+        ]
+    }
+
+    /// `[[pair]]` before the smaller of the materials before `[pair_default]` before zero, each coefficient for itself.
+    #[test]
+    fn coefficients_come_from_pairs_materials_defaults() {
+        let rock = "friction = 0.5\nrolling_friction = 0.1\ntwisting_friction = 0.02";
+        let steel = "friction_angle = 45.0\nrolling_friction = 0.01";
+        let pairs = "[pair_default]\nrestitution = 0.3\ntwisting_friction = 0.07\n\
+                     [[pair]]\nmaterials = [\"rubber\", \"rock\"]\nfriction = 0.9\nrestitution = 0.0";
+        let loaded = scene([rock, steel, "restitution = 0.8"], pairs).unwrap();
+        let table = &loaded.scene.pairs;
+        assert_eq!(numbers(table, 0, 0), [0.5, 0.3, 0.1, 0.02]);
+        assert_eq!(numbers(table, 0, 1), [0.5, 0.3, 0.01, 0.02]);
+        assert_eq!(numbers(table, 0, 2), [0.9, 0.0, 0.1, 0.02]);
+        let [friction, rest @ ..] = numbers(table, 1, 2);
+        assert!((friction - 1.0).abs() < 1e-15);
+        assert_eq!(rest, [0.8, 0.01, 0.07]);
+        assert!(table.resists() && table.rebounds());
+        let bare = scene(["", "", ""], "").unwrap();
+        assert_eq!(numbers(&bare.scene.pairs, 0, 2), [0.0; 4]);
+        assert!(!bare.scene.pairs.resists());
+    }
+
+    #[test]
+    fn bad_coefficients_are_named() {
+        let rolling = "rolling_friction = -0.1";
+        let cases = [
+            (
+                [rolling, "", ""],
+                "",
+                "material[0].rolling_friction",
+                "found -0.1",
+            ),
+            (
+                ["", "restitution = 2.0", ""],
+                "",
+                "material[1].restitution",
+                "<= 1",
+            ),
+            (
+                ["", "", "friction = 1.0\nfriction_angle = 9.0"],
+                "",
+                "material[2].friction_angle",
+                "both",
+            ),
+            (
+                ["", "", ""],
+                "[pair_default]\ntwisting_friction = -1.0",
+                "pair_default.twisting_friction",
+                ">= 0 [-]",
+            ),
+            (
+                ["", "", ""],
+                "[[pair]]\nmaterials = [\"rock\", \"steel\"]\nrolling_friction = -2.0",
+                "pair[0].rolling_friction",
+                "a coefficient >= 0",
+            ),
+            (
+                ["", "", ""],
+                "[pair_default]\nrolling_frction = 1.0",
+                "pair_default.rolling_frction",
+                "did you mean",
+            ),
+        ];
+        for (materials, pairs, path, text) in cases {
+            let error = scene(materials, pairs).unwrap_err();
+            assert_eq!(error.problems.len(), 1, "{}", error.plain());
+            assert_eq!(error.problems[0].path, path);
+            assert!(error.plain().contains(text), "{}", error.plain());
+        }
+    }
+}

@@ -1,0 +1,121 @@
+//! Where a sphere may be: wholly inside the region and clear of the boundaries as they stand at t = 0.
+
+use rand_chacha::ChaCha8Rng;
+
+use crate::Vec3;
+use crate::geometry::Touch;
+use crate::geometry::region::Region;
+use crate::scene::Boundary;
+use crate::scene::particles::{Kinematics, Particles};
+use crate::spatial::Pose;
+
+/// How often a sphere is pushed out of what it overlaps before it is put back.
+const PUSHES: usize = 4;
+/// Relative distance a pushed sphere keeps, above rounding \[-\].
+const SLACK: f64 = 1e-9;
+
+/// The room of a packing.
+pub(super) struct Room<'a> {
+    region: &'a Region,
+    walls: Vec<(&'a Boundary, Pose)>,
+    /// Box around the region \[m\].
+    pub(super) low: Vec3,
+    pub(super) high: Vec3,
+}
+
+impl<'a> Room<'a> {
+    /// `None` for an unbounded region.
+    pub(super) fn new(region: &'a Region, boundaries: &'a [Boundary]) -> Option<Self> {
+        let (low, high) = region.bounds()?;
+        let walls = boundaries
+            .iter()
+            .map(|b| (b, b.motion.pose_at(0.0)))
+            .collect();
+        Some(Self {
+            region,
+            walls,
+            low,
+            high,
+        })
+    }
+
+    /// Centres \[m\] and radii \[m\] of present spheres that reach into the room.
+    pub(super) fn obstacles(
+        &self,
+        particles: &Particles,
+        initial: &Kinematics,
+    ) -> Vec<(Vec3, f64)> {
+        let spheres = initial.position.iter().zip(&particles.radius);
+        let near = spheres.zip(&initial.present).filter(|((c, r), present)| {
+            let nearest = c.sup(&self.low).inf(&self.high);
+            **present && (*c - nearest).norm() < **r
+        });
+        near.map(|((c, r), _)| (*c, *r)).collect()
+    }
+
+    /// A random place in the region; `None` if the sphere does not fit.
+    pub(super) fn random_centre(
+        &self,
+        radius: f64,
+        random: &mut ChaCha8Rng,
+        scratch: &mut Vec<Touch>,
+    ) -> Option<Vec3> {
+        let place = self.region.random_centre(radius, random)?;
+        // Sums may round beyond the border.
+        Some(self.region.confine(place, radius, scratch))
+    }
+
+    /// Whether the border of the region or a wall is within `reach` \[m\] of a sphere.
+    pub(super) fn borders(
+        &self,
+        centre: Vec3,
+        radius: f64,
+        reach: f64,
+        scratch: &mut Vec<Touch>,
+    ) -> bool {
+        if !self.region.holds(centre, radius + reach) {
+            return true;
+        }
+        self.overlaps(centre, radius, reach, scratch);
+        !scratch.is_empty()
+    }
+
+    /// The place next to `centre` that admits the sphere, if a few pushes find it.
+    pub(super) fn nearest(
+        &self,
+        centre: Vec3,
+        radius: f64,
+        scratch: &mut Vec<Touch>,
+    ) -> Option<Vec3> {
+        let mut c = centre;
+        for _ in 0..PUSHES {
+            c = self.region.confine(c, radius, scratch);
+            if self.is_clear(c, radius, scratch) {
+                return self.region.holds(c, radius).then_some(c);
+            }
+            for touch in scratch.iter() {
+                c += touch.normal * (SLACK * radius - touch.gap).max(0.0);
+            }
+        }
+        None
+    }
+
+    /// Whether a sphere overlaps no wall.
+    pub(super) fn is_clear(&self, centre: Vec3, radius: f64, scratch: &mut Vec<Touch>) -> bool {
+        self.overlaps(centre, radius, 0.0, scratch);
+        scratch.iter().all(|touch| touch.gap >= 0.0)
+    }
+
+    /// What is within `reach` \[m\] of the sphere, with normals in the world.
+    fn overlaps(&self, centre: Vec3, radius: f64, reach: f64, out: &mut Vec<Touch>) {
+        out.clear();
+        for (boundary, pose) in &self.walls {
+            let first = out.len();
+            let local = boundary.to_frame(pose, centre);
+            boundary.geometry.touches(local, radius, reach, out);
+            for touch in &mut out[first..] {
+                touch.normal = pose.rotation * touch.normal;
+            }
+        }
+    }
+}

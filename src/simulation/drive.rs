@@ -1,0 +1,346 @@
+//! Where each boundary goes during one communication step.
+//!
+//! A commanded pose is approached linearly (its rotation by the logarithm) and reached at the end of the
+//! communication step: continuous, one step late. Commanded speeds are held over the step, without lag.
+//! `Motion` (pose and twist together) reaches `pose + twist h`, without lag.
+//!
+//! With derivatives the command is `u(s) = u + u' s + u'' s^2/2`, `s` from the beginning of the step of length `h`:
+//!
+//! ```text
+//! pose, slide, hinge   X(s) = (1 - s/h) E + U(s)        E: from U(0) to where the boundary stands
+//! twist and speeds     x(s) = x_0 + v s + v' s^2/2 + v'' s^3/6
+//!                      Q(s) = exp(w s + w' s^2/2 + w'' s^3/6 - (w x w') s^3/12) Q_0     (Magnus, to s^3)
+//! motion               as a pose; where that has no derivatives, U(s) is the pose moved on by the twist's x(s), Q(s)
+//! ```
+
+use crate::Vec3;
+use crate::integrator::Integrator;
+use crate::scene::{Boundary, Command, InputKind, Motion, Rates, Scene};
+use crate::spatial::{Pose, Twist};
+use crate::state::State;
+
+/// Path of one boundary from where it stands.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Path {
+    start: f64,
+    from: Pose,
+    way: Way,
+}
+
+/// How a path goes on.
+#[derive(Debug, Clone, PartialEq)]
+enum Way {
+    /// With a constant twist.
+    Straight(Twist),
+    /// Along a command that changes.
+    Along(Box<Curve>),
+}
+
+/// A command with derivatives.
+#[derive(Debug, Clone, PartialEq)]
+struct Curve {
+    kind: InputKind,
+    command: Command,
+    rates: Rates,
+    /// Length of the step \[s\].
+    h: f64,
+}
+
+impl Path {
+    /// The path of an input boundary that stands at `from`, over a step from `start` to `end` \[s\].
+    #[must_use]
+    pub fn commanded(kind: InputKind, command: &Command, from: Pose, start: f64, end: f64) -> Self {
+        let h = end - start;
+        let twist = match (kind, target(kind, command)) {
+            (InputKind::Motion, Some(pose)) => {
+                from.twist_to(&pose.advanced(&speeds(kind, command), h), h)
+            }
+            (_, Some(pose)) => from.twist_to(&pose, h),
+            (_, None) => speeds(kind, command),
+        };
+        let way = Way::Straight(twist);
+        Self { start, from, way }
+    }
+
+    /// As [`Self::commanded`], for a command with derivatives.
+    #[must_use]
+    pub fn along(
+        kind: InputKind,
+        (command, rates): (&Command, &Rates),
+        from: Pose,
+        start: f64,
+        end: f64,
+    ) -> Self {
+        if *rates == Rates::default() {
+            return Self::commanded(kind, command, from, start, end);
+        }
+        let way = Way::Along(Box::new(Curve {
+            kind,
+            command: *command,
+            rates: *rates,
+            h: end - start,
+        }));
+        Self { start, from, way }
+    }
+
+    /// Pose at time `t` \[s\] of the path.
+    #[must_use]
+    pub fn at(&self, t: f64) -> Pose {
+        let s = t - self.start;
+        match &self.way {
+            Way::Straight(twist) => self.from.advanced(twist, s),
+            Way::Along(curve) => curve.at(&self.from, s),
+        }
+    }
+}
+
+impl Curve {
+    /// The pose `s` \[s\] after the beginning of the step, for a boundary that stood at `from`.
+    fn at(&self, from: &Pose, s: f64) -> Pose {
+        let Self {
+            kind,
+            command,
+            rates,
+            h,
+        } = self;
+        let Some(first) = target(*kind, command) else {
+            return carried(*kind, command, rates, from, s);
+        };
+        let moves = rates
+            .iter()
+            .any(|rate| target(*kind, rate) != Some(Pose::default()));
+        let wanted = match target(*kind, &command.along(rates, s)) {
+            Some(pose) if moves || *kind != InputKind::Motion => pose,
+            _ => carried(*kind, command, rates, &first, s),
+        };
+        let missed = first.twist_to(from, 1.0);
+        wanted.advanced(&missed, 1.0 - s / h)
+    }
+}
+
+/// The speeds of a command.
+fn speeds(kind: InputKind, command: &Command) -> Twist {
+    match kind {
+        InputKind::SlideSpeed { axis } => Twist {
+            linear: axis * command.scalar,
+            ..Twist::default()
+        },
+        InputKind::HingeSpeed { axis } => Twist {
+            angular: axis * command.scalar,
+            ..Twist::default()
+        },
+        _ => Twist {
+            linear: command.velocity,
+            angular: command.angular_velocity,
+        },
+    }
+}
+
+/// Where speeds that change carry a boundary from `from` within `s` \[s\].
+fn carried(kind: InputKind, command: &Command, rates: &Rates, from: &Pose, s: f64) -> Pose {
+    let [v, first, second] = [command, &rates[0], &rates[1]].map(|c| speeds(kind, c));
+    let moved = |v: Vec3, first: Vec3, second: Vec3| {
+        v * s + first * (s * s / 2.0) + second * (s * s * s / 6.0)
+    };
+    let turned = moved(v.angular, first.angular, second.angular)
+        - v.angular.cross(&first.angular) * (s * s * s / 12.0);
+    let motion = Twist {
+        linear: moved(v.linear, first.linear, second.linear),
+        angular: turned,
+    };
+    from.advanced(&motion, 1.0)
+}
+
+/// The pose a command asks for; `None` for kinds that command speeds only.
+#[must_use]
+pub fn target(kind: InputKind, command: &Command) -> Option<Pose> {
+    let (translation, rotation) = match kind {
+        InputKind::Pose | InputKind::Motion => (command.translation, command.rotation),
+        InputKind::Slide { axis } => (axis * command.scalar, Vec3::zeros()),
+        InputKind::Hinge { axis } => (Vec3::zeros(), axis * command.scalar),
+        InputKind::Twist
+        | InputKind::SlideSpeed { .. }
+        | InputKind::HingeSpeed { .. }
+        | InputKind::Load
+        | InputKind::SlideForce { .. }
+        | InputKind::HingeTorque { .. } => return None,
+    };
+    Some(Pose::from_rotation_vector(translation, rotation))
+}
+
+/// How all boundaries move during one communication step.
+#[derive(Debug, Clone)]
+pub struct Drive<'a> {
+    boundaries: &'a [Boundary],
+    commands: &'a [Command],
+    /// Empty where all commands are held.
+    rates: &'a [Rates],
+    start: f64,
+    paths: Vec<Option<Path>>,
+}
+
+impl<'a> Drive<'a> {
+    /// The drive from `start` to `end` \[s\] for boundaries that stand at `poses`; `rates` is `[B]`, or empty where all
+    /// commands are held.
+    #[must_use]
+    pub fn new(
+        boundaries: &'a [Boundary],
+        (commands, rates): (&'a [Command], &'a [Rates]),
+        poses: &[Pose],
+        start: f64,
+        end: f64,
+    ) -> Self {
+        let path = |(b, boundary): (usize, &Boundary)| match boundary.motion {
+            Motion::Input(kind) => {
+                let rates = rates.get(b).copied().unwrap_or_default();
+                let command = (&commands[b], &rates);
+                Some(Path::along(kind, command, poses[b], start, end))
+            }
+            _ => None,
+        };
+        Self {
+            boundaries,
+            commands,
+            rates,
+            start,
+            paths: boundaries.iter().enumerate().map(path).collect(),
+        }
+    }
+
+    /// Whether a boundary may go another way than with a constant twist.
+    #[must_use]
+    pub fn bends(&self) -> bool {
+        !self.rates.is_empty()
+    }
+
+    /// The commands in an internal step of `dt` \[s\] from `t` \[s\], `[B]`: loads where the integrator takes forces, surface
+    /// velocities at its middle. `None` where all are held.
+    #[must_use]
+    pub fn commands(&self, integrator: Integrator, t: f64, dt: f64) -> Option<Vec<Command>> {
+        let s = t - self.start;
+        let at = |(command, rates): (&Command, &Rates)| {
+            let loads = command.along(rates, integrator.middle(s, dt));
+            let surface = command.along(rates, s + 0.5 * dt);
+            Command {
+                surface_velocity: surface.surface_velocity,
+                ..loads
+            }
+        };
+        let pairs = self.commands.iter().zip(self.rates);
+        self.bends().then(|| pairs.map(at).collect())
+    }
+
+    /// Poses of all boundaries at time `t` \[s\], `[B]`; those of driven bodies mean nothing, the step finds them.
+    #[must_use]
+    pub fn poses(&self, t: f64) -> Vec<Pose> {
+        self.boundaries
+            .iter()
+            .zip(&self.paths)
+            .map(|(boundary, path)| match path {
+                Some(path) => path.at(t),
+                None => boundary.motion.pose_at(t),
+            })
+            .collect()
+    }
+}
+
+/// Largest displacement \[m\] of a boundary between two poses: at a corner of its bounds, or of its point of
+/// action if it is unbounded.
+#[must_use]
+pub fn displacement(boundary: &Boundary, from: &Pose, to: &Pose) -> f64 {
+    let moved = |x: Vec3| (boundary.from_frame(to, x) - boundary.from_frame(from, x)).norm();
+    let Some((low, high)) = boundary.geometry.bounds() else {
+        return moved(boundary.point_of_action);
+    };
+    (0..8)
+        .map(|k| {
+            moved(Vec3::from_fn(|axis, _| {
+                if k >> axis & 1 == 0 {
+                    low[axis]
+                } else {
+                    high[axis]
+                }
+            }))
+        })
+        .fold(0.0, f64::max)
+}
+
+impl State {
+    /// Places every input boundary where its command wants it, without velocity.
+    pub(crate) fn place(&mut self, scene: &Scene) {
+        for (b, boundary) in scene.boundaries.iter().enumerate() {
+            if let Motion::Input(kind) = boundary.motion {
+                if let Some(pose) = target(kind, &self.commands[b]) {
+                    self.poses[b] = pose;
+                }
+                self.twists[b] = Twist::default();
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A pose follows its polynomial from wherever it stands, and misses nothing at the end.
+    #[test]
+    fn a_pose_closes_what_it_misses() {
+        let command = Command {
+            translation: Vec3::new(0.1, 0.0, 0.0),
+            rotation: Vec3::new(0.0, 0.0, 0.2),
+            ..Command::default()
+        };
+        let rates = [
+            Command {
+                translation: Vec3::new(0.0, 2.0, 0.0),
+                ..Command::default()
+            },
+            Command {
+                rotation: Vec3::new(0.0, 0.0, 6.0),
+                ..Command::default()
+            },
+        ];
+        let (from, h) = (Pose::default(), 0.5);
+        let path = Path::along(InputKind::Pose, (&command, &rates), from, 1.0, 1.0 + h);
+        for s in [0.0, 0.2, 0.5] {
+            let pose = path.at(1.0 + s);
+            let left = 1.0 - s / h;
+            let place = Vec3::new(0.1 * (1.0 - left), 2.0 * s, 0.0);
+            assert!((pose.translation - place).norm() < 1e-15, "{s}");
+            let angle = 0.2 * (1.0 - left) + 3.0 * s * s;
+            let turn = pose.rotation_vector() - Vec3::z() * angle;
+            assert!(turn.norm() < 1e-14, "{s}");
+        }
+    }
+
+    /// A turning axis: against a product of many small turns, of fourth order in the step.
+    #[test]
+    fn an_angular_velocity_that_turns_is_integrated_to_third_order() {
+        let part = |w: Vec3| Command {
+            angular_velocity: w,
+            ..Command::default()
+        };
+        let command = part(Vec3::new(1.0, 0.0, 0.5));
+        let rates = [part(Vec3::new(0.0, 3.0, -1.0)), Command::default()];
+        let missed = |h: f64| {
+            let path = Path::along(
+                InputKind::Twist,
+                (&command, &rates),
+                Pose::default(),
+                0.0,
+                h,
+            );
+            let n = 4000;
+            let fine = (0..n).fold(Pose::default(), |pose, k| {
+                let middle = (f64::from(k) + 0.5) * h / f64::from(n);
+                let angular = command.along(&rates, middle).angular_velocity;
+                let linear = Vec3::zeros();
+                pose.advanced(&Twist { linear, angular }, h / f64::from(n))
+            });
+            (path.at(h).rotation * fine.rotation.inverse()).angle()
+        };
+        let (coarse, fine) = (missed(0.2), missed(0.1));
+        assert!(fine < 1e-4 && coarse > 12.0 * fine, "{coarse:e} {fine:e}");
+    }
+}

@@ -1,0 +1,30 @@
+//! A scene that starts from another state than its file's.
+
+use crate::error::SnapshotError;
+use crate::formats::snapshot;
+use crate::scene::{Motion, Scene};
+use crate::scene_file::digest;
+use crate::spatial::Twist;
+use crate::state::State;
+
+impl Scene {
+    /// Starts from another state of the spheres than the file's: from a [`crate::simulation::Settled::start`], or any
+    /// snapshot of this scene, of which placement, velocities and contact forces are taken; driven bodies start at rest where
+    /// they were. The hash changes with it.
+    ///
+    /// # Errors
+    /// [`SnapshotError`] if the blob is damaged or belongs to another scene or version; the scene is unchanged.
+    pub fn start_from(&mut self, blob: &[u8]) -> Result<(), SnapshotError> {
+        let state: State = snapshot::restore(blob, &self.hash)?;
+        self.initial = state.kinematics;
+        for (boundary, pose) in self.boundaries.iter_mut().zip(state.poses) {
+            if let Motion::Driven(body) = &mut boundary.motion {
+                body.pose = pose;
+                body.twist = Twist::default();
+            }
+        }
+        self.initial_contacts = state.contacts;
+        self.hash = digest([self.hash.as_bytes(), blob]);
+        Ok(())
+    }
+}

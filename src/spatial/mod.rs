@@ -1,0 +1,9 @@
+//! Vectors, poses and boxes in space: what moves a body and where it lies.
+
+pub mod cell;
+pub(crate) mod extent;
+mod pose;
+mod vector;
+
+pub use pose::{Pose, turned};
+pub use vector::{Dof6, Operator, Twist, Wrench};

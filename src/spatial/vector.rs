@@ -1,0 +1,105 @@
+//! Linear and angular parts together: velocities, momenta, forces and torques of a body.
+
+use nalgebra::Matrix3;
+use serde::{Deserialize, Serialize};
+
+use crate::Vec3;
+
+/// A body's linear and angular parts: velocity \[m/s\], \[rad/s\], a sphere's inverse inertia, momentum, force and torque.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Dof6 {
+    /// Linear part.
+    pub linear: Vec3,
+    /// Angular part.
+    pub angular: Vec3,
+}
+
+impl Dof6 {
+    /// Zero in all six components.
+    pub const ZERO: Self = Self {
+        linear: Vec3::new(0.0, 0.0, 0.0),
+        angular: Vec3::new(0.0, 0.0, 0.0),
+    };
+
+    /// Adds `W momentum`.
+    pub fn kick(&mut self, inverse_mass: &Self, momentum: &Self) {
+        self.linear += inverse_mass.linear.component_mul(&momentum.linear);
+        self.angular += inverse_mass.angular.component_mul(&momentum.angular);
+    }
+
+    /// `linear . linear + angular . angular`: power of a force and torque, energy of a momentum.
+    #[must_use]
+    pub fn dot(&self, other: &Self) -> f64 {
+        self.linear.dot(&other.linear) + self.angular.dot(&other.angular)
+    }
+
+    /// Velocity of the point at `arm` from the centre.
+    #[must_use]
+    pub fn at(&self, arm: Vec3) -> Vec3 {
+        self.linear + self.angular.cross(&arm)
+    }
+
+    /// `self + scale * other`.
+    #[must_use]
+    pub fn plus(&self, other: &Self, scale: f64) -> Self {
+        Self {
+            linear: self.linear + other.linear * scale,
+            angular: self.angular + other.angular * scale,
+        }
+    }
+}
+
+/// A symmetric operator on a driven body's six components that does not couple the linear with the angular part.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Operator {
+    /// Linear block.
+    pub linear: Matrix3<f64>,
+    /// Angular block.
+    pub angular: Matrix3<f64>,
+}
+
+impl Operator {
+    /// Zero: a body that is held.
+    #[must_use]
+    pub fn zero() -> Self {
+        Self {
+            linear: Matrix3::zeros(),
+            angular: Matrix3::zeros(),
+        }
+    }
+
+    /// The operator applied to both parts.
+    #[must_use]
+    pub fn times(&self, x: &Dof6) -> Dof6 {
+        Dof6 {
+            linear: self.linear * x.linear,
+            angular: self.angular * x.angular,
+        }
+    }
+}
+
+/// Linear and angular velocity of the point of action, world axes.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+pub struct Twist {
+    /// Linear velocity \[m/s\].
+    pub linear: Vec3,
+    /// Angular velocity \[rad/s\].
+    pub angular: Vec3,
+}
+
+/// Force and torque on a boundary.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+pub struct Wrench {
+    /// Force \[N\].
+    pub force: Vec3,
+    /// Torque about the boundary's point of action \[N m\].
+    pub torque: Vec3,
+}
+
+impl Wrench {
+    /// Adds `scale * other`.
+    pub fn add(&mut self, other: &Self, scale: f64) {
+        self.force += other.force * scale;
+        self.torque += other.torque * scale;
+    }
+}

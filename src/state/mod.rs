@@ -1,0 +1,148 @@
+//! The complete state of a simulation; as bytes: [`crate::formats::snapshot`].
+
+mod body;
+mod ledger;
+mod pace;
+mod report;
+mod velocities;
+
+pub use body::{BodyState, JointState};
+pub use ledger::Work;
+pub use pace::Pace;
+pub use report::StepReport;
+pub use velocities::Velocities;
+
+use std::collections::VecDeque;
+
+use serde::{Deserialize, Serialize};
+
+use crate::Vec3;
+use crate::contact::carried::Carried;
+use crate::scene::particles::Kinematics;
+use crate::scene::{Command, Rates, Scene};
+use crate::spatial::{Dof6, Pose, Twist, Wrench};
+
+/// What a source has yet to emit.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct Reserve {
+    /// Spheres outside the scene, in the order they will be emitted.
+    pub waiting: VecDeque<u32>,
+    /// How much of what is due since the source's start has been emitted or forgone: spheres, or mass \[kg\].
+    pub spent: f64,
+    /// Number of the next draw of a place.
+    pub draws: u64,
+}
+
+/// Everything that decides the future of a run.
+#[derive(Debug, PartialEq, Serialize, Deserialize)]
+pub struct State {
+    /// Time \[s\].
+    pub time: f64,
+    /// Last internal step \[s\]; 0 before the first.
+    pub last_step: f64,
+    /// Gravity \[m/s^2\] as set: what [`crate::scene::gravity::GravityMotion`] moves.
+    pub gravity: Vec3,
+    /// Spheres; velocities are the integrator's own.
+    pub kinematics: Kinematics,
+    /// Acceleration by external and persisting contact forces in the last step, `[N]`.
+    pub persisting: Vec<Dof6>,
+    /// The part of `persisting` that is by external forces, `[N]`; empty unless the frame rotates.
+    pub external: Vec<Dof6>,
+    /// Weight, inertial forces and point loads on all spheres in the last internal step \[N\].
+    pub body_force: Vec3,
+    /// The same averaged over the last communication step \[N\].
+    pub mean_body_force: Vec3,
+    /// Loaded contacts of the last step, canonical order.
+    pub contacts: Carried,
+    /// Force of each constrained spring on its sphere \[N\], `[S]`.
+    pub springs: Vec<Vec3>,
+    /// Boundary poses, `[B]`.
+    pub poses: Vec<Pose>,
+    /// Boundary twists over the last internal step, `[B]`.
+    pub twists: Vec<Twist>,
+    /// Driven bodies, `[D]`.
+    pub bodies: Vec<BodyState>,
+    /// Commands in force, `[B]`.
+    pub commands: Vec<Command>,
+    /// Their derivatives by time over the next communication step, `[B]`; empty where all are held.
+    pub rates: Vec<Rates>,
+    /// Wrench on each boundary over the last internal step, `[B]`.
+    pub wrenches: Vec<Wrench>,
+    /// Wrench on each boundary by contacts that were no impacts in the last internal step, `[B]`.
+    pub persisting_wrenches: Vec<Wrench>,
+    /// Wrench on each boundary averaged over the last communication step, `[B]`.
+    pub mean_wrenches: Vec<Wrench>,
+    /// Impulse on each boundary that the mean of the next communication step takes over from one that was too short for a mean
+    /// of its own, `[B]`.
+    pub owed: Vec<Wrench>,
+    /// Work since t = 0.
+    pub work: Work,
+    /// Spheres of each source that wait outside the scene, `[sources]`.
+    pub reserves: Vec<Reserve>,
+    /// Mass each source has emitted \[kg\], `[sources]`.
+    pub emitted: Vec<f64>,
+    /// Mass each sink has removed \[kg\], `[sinks]`.
+    pub removed: Vec<f64>,
+    /// Cumulated mass of each sensor \[kg\], `[sensors]`; zero for those that do not cumulate.
+    pub passed: Vec<f64>,
+    /// Mean flow of each sensor over the last communication step \[kg/s\], `[sensors]`.
+    pub flow: Vec<f64>,
+    /// Largest overlap over radius removed by displacement before t = 0 \[-\].
+    pub initial_overlap: f64,
+    /// Penalty number in use \[N/m\].
+    pub penalty: f64,
+    /// Report of the last communication step.
+    pub report: StepReport,
+    /// Length of the next internal step, and whether the scene rests.
+    pub pace: Pace,
+}
+
+/// A [`Clone`] of all `fields` that copies into the memory that there is, which the derived one does not.
+macro_rules! clone_in_place {
+    ($($field:ident)*) => {
+        impl Clone for State {
+            fn clone(&self) -> Self {
+                Self {
+                    $($field: self.$field.clone(),)*
+                }
+            }
+
+            fn clone_from(&mut self, other: &Self) {
+                $(self.$field.clone_from(&other.$field);)*
+            }
+        }
+    };
+}
+
+clone_in_place! {
+    time last_step gravity kinematics persisting external body_force mean_body_force contacts springs
+    poses twists bodies commands rates wrenches persisting_wrenches mean_wrenches owed work reserves
+    emitted removed passed flow initial_overlap penalty report pace
+}
+
+impl State {
+    /// A copy, in the `memory` of another state if there is one.
+    pub(crate) fn copied_into(&self, memory: Option<Self>) -> Self {
+        let Some(mut copy) = memory else {
+            return self.clone();
+        };
+        copy.clone_from(self);
+        copy
+    }
+
+    /// Gravity \[m/s^2\] at time `t` \[s\].
+    #[must_use]
+    pub fn gravity_at(&self, scene: &Scene, t: f64) -> Vec3 {
+        scene.settings.gravity_motion.at(self.gravity, t)
+    }
+
+    /// Books the potential energy `-m x . change` of a change of gravity \[m/s^2\] with the spheres at `position` \[m\], `[N]`.
+    pub(crate) fn lift(&mut self, scene: &Scene, position: &[Vec3], change: Vec3) {
+        if change != Vec3::zeros() {
+            let spheres = position.iter().zip(&scene.particles.mass);
+            let present = spheres.zip(&self.kinematics.present).filter(|(_, is)| **is);
+            let moment: Vec3 = present.map(|((x, mass), _)| x * *mass).sum();
+            self.work.gravity -= moment.dot(&change);
+        }
+    }
+}

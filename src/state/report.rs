@@ -1,0 +1,48 @@
+//! What steps cost and reached.
+
+use serde::{Deserialize, Serialize};
+
+/// What one communication step cost and reached.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+pub struct StepReport {
+    /// Internal steps taken, cut ones included.
+    pub internal_steps: u64,
+    /// How often a step was halved.
+    pub cuts: u64,
+    /// Internal steps that did not meet the tolerances and whose best iterate was taken.
+    pub unconverged_steps: u64,
+    /// Gauss-Seidel sweeps.
+    pub sweeps: u64,
+    /// Multiplier updates of the augmented-Lagrangian loop.
+    pub augmentations: u64,
+    /// Factorizations (open-close iterations).
+    pub factorizations: u64,
+    /// Largest true overlap over radius at the end of any internal step \[-\].
+    pub max_overlap: f64,
+    /// Largest gap residual of any solve \[-\].
+    pub gap_residual: f64,
+    /// Largest slip residual \[-\].
+    pub slip_residual: f64,
+    /// Largest force residual \[-\].
+    pub force_residual: f64,
+    /// How near a contact came to the edge of its state (open, stick, slip) in any internal step: 1 is at the edge, where
+    /// derivatives are one-sided, 0 far from it \[-\].
+    pub kink: f64,
+}
+
+impl StepReport {
+    /// Adds what a later communication step cost and reached.
+    pub fn add(&mut self, later: &Self) {
+        self.internal_steps += later.internal_steps;
+        self.cuts += later.cuts;
+        self.unconverged_steps += later.unconverged_steps;
+        self.sweeps += later.sweeps;
+        self.augmentations += later.augmentations;
+        self.factorizations += later.factorizations;
+        self.max_overlap = self.max_overlap.max(later.max_overlap);
+        self.gap_residual = self.gap_residual.max(later.gap_residual);
+        self.slip_residual = self.slip_residual.max(later.slip_residual);
+        self.force_residual = self.force_residual.max(later.force_residual);
+        self.kink = self.kink.max(later.kink);
+    }
+}

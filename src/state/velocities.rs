@@ -1,0 +1,54 @@
+//! Velocities of the spheres that differ from the integrator's own.
+
+use crate::integrator::Integrator;
+use crate::scene::particles::Kinematics;
+use crate::spatial::{Dof6, Twist};
+
+/// Velocities of the spheres that differ from the integrator's own, formed for the sphere that is asked for.
+#[derive(Debug, Clone, Copy)]
+pub struct Velocities<'a> {
+    /// What moves, with the integrator's own velocities.
+    pub kinematics: &'a Kinematics,
+    /// Acceleration by external and persisting contact forces in the last step, `[N]`.
+    pub persisting: &'a [Dof6],
+    /// Integrator.
+    pub integrator: Integrator,
+    /// Last internal step \[s\].
+    pub last: f64,
+    /// `simulation.step` of the scene \[s\].
+    pub step: f64,
+}
+
+impl Velocities<'_> {
+    /// Velocity \[m/s\] and angular velocity \[rad/s\] of sphere `i` at the time of the state.
+    #[must_use]
+    #[inline]
+    pub fn reported(&self, i: usize) -> Twist {
+        let (own, persisting) = (self.own(i), &self.persisting[i]);
+        twist(&self.integrator.reported(&own, persisting, self.last))
+    }
+
+    /// Velocity \[m/s\] and angular velocity \[rad/s\] of sphere `i` half a `simulation.step` before that time (integrator
+    /// `shi`: at that time).
+    #[must_use]
+    #[inline]
+    pub fn half_step(&self, i: usize) -> Twist {
+        let shift = self.integrator.shift(self.last, self.step);
+        twist(&self.own(i).plus(&self.persisting[i], shift))
+    }
+
+    #[inline]
+    fn own(&self, i: usize) -> Dof6 {
+        Dof6 {
+            linear: self.kinematics.velocity[i],
+            angular: self.kinematics.spin[i],
+        }
+    }
+}
+
+fn twist(velocity: &Dof6) -> Twist {
+    Twist {
+        linear: velocity.linear,
+        angular: velocity.angular,
+    }
+}

@@ -1,0 +1,114 @@
+//! Stops and springs of slides and hinges: rows of the step's problem on the joint's one free direction.
+//!
+//! With the travel `q` \[m\] or \[rad\] from the scene's placement, and its rate over the step `q'`:
+//!
+//! ```text
+//! lower stop   0 <= f  perp  q + dt q' - q_min >= 0        no restitution, no friction
+//! upper stop   0 <= f  perp  q_max - q - dt q' >= 0
+//! spring       f = -k (q + dt q' - q_0)                    backward Euler, as constrained points
+//! ```
+//!
+//! A row holds a body at a point: a slide anywhere, a hinge at the lever `L = sqrt(I/m)`, its radius of gyration, across the
+//! axis, so that its rows have the units and the mass `m` of all others: `u = L q'`, torque `L p`.
+
+use crate::Vec3;
+use crate::scene::Boundary;
+use crate::scene::body::{Body, Joint};
+
+/// What acts on a joint's travel.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Kind {
+    /// A stop that pushes to greater travel.
+    Lower,
+    /// A stop that pushes to lesser travel.
+    Upper,
+    /// A spring of this stiffness \[N/m\] at the row's point.
+    Spring(f64),
+}
+
+/// A stop or a spring at the start of a step.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Hold {
+    /// Which.
+    pub kind: Kind,
+    /// Where it holds the body, from its reference point \[m\].
+    pub arm: Vec3,
+    /// Unit vector in which that point moves when the travel grows.
+    pub direction: Vec3,
+    /// Velocity of that point over the travel's rate: 1 for a slide \[-\], `L` for a hinge \[m\].
+    pub lever: f64,
+    /// Way to the stop, negative beyond it, or stretch of the spring \[m\] at the point.
+    pub distance: f64,
+    /// Force along `direction` in the last step \[N\] at the point.
+    pub force: f64,
+}
+
+impl Hold {
+    /// Its place in [`crate::state::BodyState::holds`].
+    #[must_use]
+    pub fn slot(&self) -> usize {
+        match self.kind {
+            Kind::Lower => 0,
+            Kind::Upper => 1,
+            Kind::Spring(_) => 2,
+        }
+    }
+
+    /// Whether it is a stop.
+    #[must_use]
+    pub fn stops(&self) -> bool {
+        !matches!(self.kind, Kind::Spring(_))
+    }
+
+    /// Unit normal of its row: for a stop the way it pushes.
+    #[must_use]
+    pub fn normal(&self) -> Vec3 {
+        match self.kind {
+            Kind::Lower | Kind::Spring(_) => self.direction,
+            Kind::Upper => -self.direction,
+        }
+    }
+}
+
+impl Body {
+    /// Its stops and its spring at `travel`, with what they exerted in the last step.
+    pub(in crate::step) fn holds(
+        &self,
+        boundary: &Boundary,
+        travel: f64,
+        last: &[f64; 3],
+    ) -> Vec<Hold> {
+        let (arm, direction, lever) = match self.joint {
+            Joint::Free => return Vec::new(),
+            Joint::Slide { axis } => (Vec3::zeros(), axis, 1.0),
+            Joint::Hinge { axis } => {
+                let moment = self.moment_about(axis, boundary.point_of_action);
+                let lever = (moment / self.mass).sqrt();
+                // Any direction across the axis serves.
+                let across = axis.cross(&Vec3::ith(axis.iamin(), 1.0)).normalize();
+                (across * lever, axis.cross(&across), lever)
+            }
+        };
+        let [lower, upper] = self.limits;
+        let lower = lower.map(|at| (Kind::Lower, travel - at));
+        let upper = upper.map(|at| (Kind::Upper, at - travel));
+        let spring = self.spring.map(|spring| {
+            let stiffness = spring.stiffness / (lever * lever);
+            (Kind::Spring(stiffness), travel - spring.rest)
+        });
+        let found = [lower, upper, spring].into_iter().zip(last);
+        found
+            .filter_map(|(found, last)| {
+                let (kind, way) = found?;
+                Some(Hold {
+                    kind,
+                    arm,
+                    direction,
+                    lever,
+                    distance: way * lever,
+                    force: last / lever,
+                })
+            })
+            .collect()
+    }
+}
