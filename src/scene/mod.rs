@@ -122,7 +122,7 @@ pub struct Settings {
     pub threshold_velocity: f64,
     /// Dynamic coefficient `k` of the Shi integrator: share of the velocity kept by the next step, 0..=1.
     pub dynamic_coefficient: f64,
-    /// Most iterations a solver may spend on one problem (sweeps, or factorizations times 100).
+    /// Most iterations a solver may spend on one problem (sweeps, or factorizations times 20).
     pub max_iterations: usize,
     /// How often a step may be halved before it is given up.
     pub max_cuts: u32,

@@ -2,7 +2,7 @@
 //!
 //! A [`Twin`] is the same step from two states, a little to either side. What is smooth and closed-form (geometry, commands,
 //! inertia, the way into the state) is done with each of the two, and half their difference is the derivative: error
-//! of second order in a displacement of `1e-5` radii. The contact solve is not repeated: half the difference of the two problems goes
+//! of second order in a displacement of `3e-5` radii. The contact solve is not repeated: half the difference of the two problems goes
 //! through the tangent of the solution, [`crate::solver::tangent`], pass by pass as gaps are re-linearised, and both get the
 //! impulses of the solution changed by that.
 

@@ -30,10 +30,15 @@ def test_scenes(command, tmp_path):
         subprocess.run([command, "run", scene, "-o", tmp_path / "out", "--stop", "0.1", "--overwrite"], check=True)
 
 
+PAGES = (
+    "README.md", "examples/README.md", "examples/two_fmus/README.md", "docs/scene.md", "docs/results.md",
+    "docs/fmu-tutorial.md", "docs/fmu.md", "docs/master.md", "docs/coupling.md",
+)
+
+
 def test_commands_exist(command):
     """Every `sphere-dda NAME` on the pages is a subcommand."""
-    pages = ["README.md", "examples/README.md", "examples/two_fmus/README.md", "docs/scene.md", "docs/results.md", "docs/fmu.md", "docs/coupling.md"]
-    text = "".join((ROOT / page).read_text(encoding="utf-8") for page in pages)
+    text = "".join((ROOT / page).read_text(encoding="utf-8") for page in PAGES)
     named = set(re.findall(r"(?:sphere-dda|cargo run --release --) ([a-z]+(?:-[a-z]+)*)\b(?! --release)", text))
     assert {"demo", "run", "export", "check", "simulate", "inspect"} <= named
     told = subprocess.run([command, "--help"], capture_output=True, text=True, check=True).stdout
@@ -41,8 +46,29 @@ def test_commands_exist(command):
     assert named <= commands, f"no commands: {sorted(named - commands)}"
 
 
+def anchors(page):
+    """What a link can name behind `#`: the headings as GitHub writes them."""
+    text = re.sub(r"^```.*?^```$", "", page.read_text(encoding="utf-8"), flags=re.S | re.M)
+    headings = re.findall(r"^#+ (.+)$", text, re.M)
+    return {re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in headings}
+
+
 def test_links_lead_somewhere():
-    for page in ["README.md", "CONTRIBUTING.md", "CHANGELOG.md", "examples/README.md", "examples/two_fmus/README.md", "docs/scene.md", "docs/results.md", "docs/fmu.md", "docs/coupling.md", "docs/theory.md"]:
-        for link in re.findall(r"\]\(([^)#]+)\)", (ROOT / page).read_text(encoding="utf-8")):
+    pages = [*PAGES, "CONTRIBUTING.md", "CHANGELOG.md", "docs/accuracy.md", "docs/glossary.md", "docs/theory.md"]
+    for page in pages:
+        for link, anchor in re.findall(r"\]\(([^)#]*)(?:#([^)]*))?\)", (ROOT / page).read_text(encoding="utf-8")):
             if "://" not in link:
-                assert ((ROOT / page).parent / link).exists(), f"{page}: {link}"
+                target = (ROOT / page).parent / link if link else ROOT / page
+                assert target.exists(), f"{page}: {link}"
+                assert not anchor or target.suffix != ".md" or anchor in anchors(target), f"{page}: {link}#{anchor}"
+
+
+def test_the_glossary_names_what_exists():
+    """Identifiers of docs/glossary.md are words of the solver or of the variable table."""
+    sources = [path for folder in ("src", "fmu/src") for path in (ROOT / folder).rglob("*.rs")]
+    words = set(re.findall(r"\w+", " ".join(path.read_text(encoding="utf-8") for path in sources)))
+    rows = [line.split("|") for line in (ROOT / "docs/glossary.md").read_text(encoding="utf-8").splitlines()]
+    rows = [row for row in rows if len(row) == 8]
+    assert len(rows) > 50
+    named = {word for row in rows for code in re.findall(r"`([^`]*)`", row[4]) for word in re.findall(r"\w+", code)}
+    assert named <= words, f"not in the code: {sorted(named - words)}"

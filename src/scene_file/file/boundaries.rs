@@ -17,10 +17,10 @@ pub struct Boundary {
     /// Its faces, at least one.
     #[schemars(extend("minItems" = 1))]
     pub faces: Vec<Face>,
-    /// Centre of rotation and reference of the torque \[m\].
+    /// Reference point \[m\]: centre of rotation, reference of the torque.
     #[serde(default)]
     pub point_of_action: Vector,
-    /// Contact stiffness \[N/m\].
+    /// Contact stiffness \[N/m\]: a spring without a damper, from which spheres rebound whatever `restitution` is.
     #[schemars(extend("x-default" = "rigid", "exclusiveMinimum" = 0))]
     pub stiffness: Option<f64>,
     /// Motion prescribed by the scene.
@@ -186,7 +186,7 @@ pub struct Constant {
     /// Velocity \[m/s\].
     #[serde(default)]
     pub velocity: Vector,
-    /// Angular velocity \[rad/s\] about the point of action.
+    /// Angular velocity \[rad/s\] about the reference point.
     #[serde(default)]
     pub angular_velocity: Vector,
 }
@@ -239,7 +239,7 @@ pub enum Input {
     Slide(Vector),
     /// Speed \[m/s\] along this axis.
     SlideSpeed(Vector),
-    /// Angle \[rad\] about this axis through the point of action.
+    /// Angle \[rad\] about this axis through the reference point.
     Hinge(Vector),
     /// Angular speed \[rad/s\] about this axis.
     HingeSpeed(Vector),

@@ -13,16 +13,16 @@ pub struct Body {
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub mass: f64,
     /// Centre of mass \[m\].
-    #[schemars(extend("x-default" = "the point of action"))]
+    #[schemars(extend("x-default" = "the reference point"))]
     pub centre: Option<Vector>,
     /// Inertia about the centre of mass in the scene's axes \[kg m^2\]: `[Ixx, Iyy, Izz]`, or three rows of three. A free body needs
     /// it, a hinge unless its centre of mass lies off the axis, a slide does not use it.
     #[schemars(extend("x-default" = "none"))]
     pub inertia: Option<Vec<OneOrMany<f64>>>,
-    /// What it can do.
+    /// Its free degrees of freedom.
     #[serde(default)]
     pub joint: Joint,
-    /// Constant force at the point of action \[N\], world axes.
+    /// Constant force at the reference point \[N\], world axes.
     #[serde(default)]
     pub force: Vector,
     /// Constant torque \[N m\], world axes.
@@ -51,7 +51,7 @@ pub struct Body {
     /// Whether it stays in its place while the spheres settle before t = 0; then it starts at rest.
     #[serde(default)]
     pub hold_while_settling: bool,
-    /// Velocity of the point of action at t = 0 \[m/s\].
+    /// Velocity of the reference point at t = 0 \[m/s\].
     #[serde(default)]
     pub velocity: Vector,
     /// Angular velocity at t = 0 \[rad/s\].
@@ -68,7 +68,7 @@ pub enum Joint {
     Free,
     /// Move along this axis without turning, any length > 0.
     Slide(Vector),
-    /// Turn about this axis through the point of action, any length > 0.
+    /// Turn about this axis through the reference point, any length > 0.
     Hinge(Vector),
 }
 
@@ -109,7 +109,7 @@ pub struct Servo {
     /// Whether the pressure is an input of the FMU, `pressure` then being its start.
     #[serde(default)]
     pub input: bool,
-    /// Two pairs of boundaries: the area is the product of the distances between their points of action.
+    /// Two pairs of boundaries: the area is the product of the distances between their reference points.
     #[schemars(extend("x-default" = "none"))]
     pub between: Option<Vec<Vec<String>>>,
 }

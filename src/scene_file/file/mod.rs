@@ -115,7 +115,7 @@ pub struct Simulation {
     /// Solver of a step: `"auto"` takes Gauss-Seidel first, then Newton on what it leaves, then the direct solver.
     #[serde(default)]
     pub solver: SolverKind,
-    /// Penalty number \[N/m\].
+    /// Penalty number \[N/m\]: stiffness of the penalty method, start of the direct solver's loop. Gauss-Seidel and Newton do not use it.
     #[schemars(extend("x-default" = "chosen from mass and step; the penalty method needs it", "exclusiveMinimum" = 0))]
     pub penalty: Option<f64>,
     /// Whether the augmented-Lagrangian loop may change the penalty, sweep between its multiplier updates, and leave the rest to Newton; `false` with
@@ -139,7 +139,7 @@ pub struct Simulation {
     #[serde(default)]
     #[schemars(extend("minimum" = 0))]
     pub threshold_velocity: f64,
-    /// Share of the velocity that the next step keeps (integrator `shi`) \[-\].
+    /// Fraction of the velocity carried over to the next step (integrator `shi`) \[-\].
     #[serde(default = "defaults::one")]
     #[schemars(extend("minimum" = 0, "maximum" = 1))]
     pub dynamic_coefficient: f64,
@@ -150,14 +150,14 @@ pub struct Simulation {
     /// Smallest internal step that is chosen \[s\]; steps that fail are cut below it.
     #[schemars(extend("x-default" = "a part of the largest step that the accuracy sets", "exclusiveMinimum" = 0))]
     pub smallest_step: Option<f64>,
-    /// Real-time mode: most Gauss-Seidel sweeps of a step. What they reach is taken; `maxOverlap` and the residuals say how good it is.
+    /// Real-time mode: most Gauss-Seidel sweeps of a step, whose result is taken as it is; `maxOverlap` and the residuals report its error.
     #[schemars(extend("x-default" = "as many as the tolerances need", "minimum" = 1))]
     pub sweeps: Option<u32>,
-    /// Speed \[m/s\]: a scene in which for ten steps all centres, and surfaces where they touch, are slower comes to rest, and costs nothing until something moves it. 0: never.
+    /// Speed of rest \[m/s\]: a scene stops when for ten steps all centres, and surfaces where they touch, are slower, and costs nothing until something moves it. Only speeds count: a sphere at the top of its flight stops too. 0: never.
     #[serde(default)]
     #[schemars(extend("minimum" = 0))]
     pub rest_speed: f64,
-    /// How often a step may be halved.
+    /// How often a step may be halved; one that does not converge at most three times unless `strict` is set.
     #[serde(default = "cuts")]
     #[schemars(extend("minimum" = 0, "maximum" = 20))]
     pub max_cuts: u32,
@@ -185,7 +185,7 @@ pub struct Tolerance {
     pub force: Option<f64>,
     /// Gap over the smaller radius up to which a contact may carry load \[-\]: what rests within it keeps its place and its
     /// forces. 0: contacts carry at zero gap only.
-    #[schemars(extend("x-default" = "1, 3 or 9 times `gap`, by the accuracy", "minimum" = 0, "maximum" = 1e-1))]
+    #[schemars(extend("x-default" = "2, 3 or 9 times `gap`, by the accuracy", "minimum" = 0, "maximum" = 1e-1))]
     pub opening: Option<f64>,
 }
 

@@ -15,7 +15,7 @@ pub struct Sensor {
     /// Everything inside this region, a box or a cylinder: mass \[kg\], count, solid fraction, centre of mass \[m\],
     /// coordination number, stress \[Pa\] (compression positive), largest and mean normal force \[N\].
     pub region: Option<Region>,
-    /// Force \[N\] and torque \[N m\] on the boundary of this name about its point of action, averaged over the communication step.
+    /// Force \[N\] and torque \[N m\] on the boundary of this name about its reference point, averaged over the communication step.
     pub wrench: Option<String>,
     /// Mass \[kg\] that has passed a plane or a polygon along its normal since the start, and its flow \[kg/s\], the
     /// mean of the communication step. A sphere passes with its centre; against the normal it counts negative.

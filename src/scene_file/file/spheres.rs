@@ -47,7 +47,7 @@ pub struct Spheres {
     /// Initial angular velocity \[rad/s\] of all.
     #[schemars(extend("x-default" = "zero, or the file's"))]
     pub spin: Option<Vector>,
-    /// Held degrees of freedom, world axes, one or a list of them.
+    /// Locked degrees of freedom, world axes, one or a list of them.
     #[schemars(extend("x-default" = "none"))]
     pub lock: Option<OneOrMany<Lock>>,
 }
