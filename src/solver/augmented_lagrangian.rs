@@ -26,7 +26,7 @@ use super::residual::{Scale, evaluate};
 use super::{Params, Report};
 use crate::Vec3;
 use crate::linalg::{BlockMatrix, BlockPattern, Factor, LinearError, Symbolic};
-use crate::problem::law::{SHEAR_RATIO, project_disc, project_interval, split};
+use crate::problem::law::{SHEAR_RATIO, split};
 use crate::problem::{GROUND, Law, Problem, Row};
 use crate::spatial::Dof6;
 
@@ -84,51 +84,14 @@ fn augmented(row: &Row, u: Vec3, p: Vec3, sigma: f64, load: f64) -> Augmented {
     let y_t = (p_t * soft_t - d_t) * stiff_t;
     let nn = n * n.transpose();
     let across = Matrix3::identity() - nn;
-    let (q_n, t_n, e_n, q_t, t_t, e_t) = match row.law {
-        Law::Bilateral => (
-            y_n,
-            stiff_n,
-            0.5 * y_n * y_n,
-            y_t,
-            across * stiff_t,
-            0.5 * y_t.norm_squared(),
-        ),
-        Law::Contact { mu } => {
-            let (q_n, t_n) = if y_n > 0.0 {
-                (y_n, stiff_n)
-            } else {
-                (0.0, 0.0)
-            };
-            let (q_t, t_t, e_t) = on_disc(y_t, mu * load, &across);
-            (q_n, t_n, 0.5 * q_n * q_n, q_t, t_t * stiff_t, e_t)
-        }
-        Law::Resistance {
-            rolling, twisting, ..
-        } => {
-            let most = twisting * load;
-            let q_n = project_interval(y_n, most);
-            let t_n = if y_n.abs() < most { stiff_n } else { 0.0 };
-            let (q_t, t_t, e_t) = on_disc(y_t, rolling * load, &across);
-            (q_n, t_n, q_n * (y_n - 0.5 * q_n), q_t, t_t * stiff_t, e_t)
-        }
-    };
+    let bounds = row.law.bounds(load);
+    let (along, tangential) = (bounds.along(y_n), bounds.across(y_t, &across));
+    let t_n = if along.inside { stiff_n } else { 0.0 };
     Augmented {
-        impulse: n * q_n + q_t,
-        tangent: nn * t_n + t_t,
-        energy: e_n / stiff_n + e_t / stiff_t,
+        impulse: n * along.value + tangential.value,
+        tangent: nn * t_n + tangential.tangent * stiff_t,
+        energy: along.energy / stiff_n + tangential.energy / stiff_t,
     }
-}
-
-/// Projection of `y` on the disc of radius `r` across the normal, its derivative, and the potential of which it is the
-/// gradient.
-fn on_disc(y: Vec3, r: f64, across: &Matrix3<f64>) -> (Vec3, Matrix3<f64>, f64) {
-    let length = y.norm();
-    if length <= r {
-        return (y, *across, 0.5 * length * length);
-    }
-    let along = y / length;
-    let turn = (across - along * along.transpose()) * (r / length);
-    (project_disc(y, r), turn, r * length - 0.5 * r * r)
 }
 
 /// The inner problem: everything that does not change during one solve.

@@ -22,7 +22,7 @@ use super::residual::{Scale, evaluate};
 use super::{Params, Report};
 use crate::Vec3;
 use crate::linalg::{GeneralMatrix, LinearError};
-use crate::problem::law::{SHEAR_RATIO, project_disc, project_interval, split};
+use crate::problem::law::{SHEAR_RATIO, split};
 use crate::problem::{GROUND, Law, Problem, Row, Rows};
 use crate::spatial::Dof6;
 
@@ -67,41 +67,44 @@ pub(super) fn answer(
     let y_t = (p_t / s_t - d_t) * k_t;
     let nn = n * n.transpose();
     let across = Matrix3::identity() - nn;
-    let simple = |impulse, tangent| Answer {
-        impulse,
-        tangent,
+    let nothing = Answer {
+        impulse: Vec3::zeros(),
+        tangent: Matrix3::zeros(),
         widening: Vec3::zeros(),
     };
-    match row.law {
-        Law::Bilateral => simple(n * q_n + y_t, nn * k_n + across * k_t),
-        Law::Contact { .. } if q_n <= 0.0 => simple(Vec3::zeros(), Matrix3::zeros()),
-        Law::Contact { mu } => {
-            let (q_t, turn, along) = on_disc(y_t, mu * q_n, &across);
-            let widen = along * n.transpose() * (mu * k_n);
-            simple(n * q_n + q_t, nn * k_n + turn * k_t + widen)
-        }
-        Law::Resistance {
-            rolling, twisting, ..
-        } => {
-            let Some((contact, normal)) = contact else {
-                return simple(Vec3::zeros(), Matrix3::zeros());
-            };
-            let load = contact.impulse.dot(&normal);
-            let (q_t, turn, along) = on_disc(y_t, rolling * load, &across);
-            let most = twisting * load;
-            let (turn_n, along_n) = if q_n.abs() < most {
-                (nn, Vec3::zeros())
-            } else {
-                (Matrix3::zeros(), n * q_n.signum())
-            };
-            let stiffness = normal.dot(&(contact.tangent * normal));
-            Answer {
-                impulse: n * project_interval(q_n, most) + q_t,
-                tangent: turn_n * k_n + turn * k_t,
-                widening: (along * rolling + along_n * twisting) * stiffness,
-            }
-        }
+    let load = match (row.law, contact) {
+        (Law::Contact { .. }, _) if q_n <= 0.0 => return nothing,
+        (Law::Resistance { .. }, None) => return nothing,
+        (Law::Resistance { .. }, Some((contact, normal))) => contact.impulse.dot(&normal),
+        _ => q_n,
+    };
+    let (bounds, growth) = (row.law.bounds(load), row.law.growth());
+    let (along, tangential) = (bounds.along(q_n), bounds.across(y_t, &across));
+    let mut answer = Answer {
+        impulse: n * along.value + tangential.value,
+        tangent: tangential.tangent * k_t,
+        ..nothing
+    };
+    if along.inside {
+        answer.tangent = nn * k_n + answer.tangent;
     }
+    let wider = tangential.outward * growth[1];
+    match (row.law, contact) {
+        // Its own normal impulse bounds it.
+        (Law::Contact { .. }, _) => {
+            answer.tangent += tangential.outward * n.transpose() * (growth[1] * k_n);
+        }
+        (Law::Resistance { .. }, Some((contact, normal))) => {
+            let stiffness = normal.dot(&(contact.tangent * normal));
+            let turns = match along.inside {
+                true => Vec3::zeros(),
+                false => n * (along.side * growth[0]),
+            };
+            answer.widening = (wider + turns) * stiffness;
+        }
+        _ => {}
+    }
+    answer
 }
 
 /// Stiffness across the normal over that along it \[-\].
@@ -110,20 +113,6 @@ pub(super) fn shear_share(row: &Row) -> f64 {
         Law::Resistance { .. } => 1.0,
         _ => SHEAR_RATIO,
     }
-}
-
-/// Projection of `y` on the disc of radius `r` across the normal, its derivative by `y` and by `r`.
-fn on_disc(y: Vec3, r: f64, across: &Matrix3<f64>) -> (Vec3, Matrix3<f64>, Vec3) {
-    let length = y.norm();
-    if length < r {
-        return (y, *across, Vec3::zeros());
-    }
-    let along = y.try_normalize(0.0).unwrap_or_default();
-    let turn = match r > 0.0 {
-        true => (across - along * along.transpose()) * (r / length),
-        false => Matrix3::zeros(),
-    };
-    (project_disc(y, r), turn, along)
 }
 
 /// The contact that bounds row `row`, as it has answered.

@@ -26,7 +26,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::Vec3;
-use crate::problem::law::{project_disc, project_interval, split};
+use crate::problem::law::split;
 use crate::problem::{Law, Problem, Row};
 
 /// Dimensionless tolerances of one step.
@@ -182,19 +182,7 @@ impl Scale {
         } else {
             p_t
         };
-        let (new_n, new_t) = match row.law {
-            Law::Contact { mu } => {
-                let new_n = free_n.max(0.0);
-                (new_n, project_disc(free_t, mu * new_n))
-            }
-            Law::Bilateral => (free_n, free_t),
-            Law::Resistance {
-                rolling, twisting, ..
-            } => (
-                project_interval(free_n, twisting * load),
-                project_disc(free_t, rolling * load),
-            ),
-        };
+        let (new_n, new_t) = row.law.project(free_n, free_t, load);
         Correction {
             normal: new_n - p_n,
             tangential: new_t - p_t,
@@ -214,21 +202,12 @@ impl Scale {
         let ((p_n, p_t), (d_n, d_t)) = (split(p, n), split(u + row.bias, n));
         let y_n = p_n - (d_n + row.compliance_n * p_n) / self.normal;
         let y_t = (p_t - (d_t + p_t * row.compliance_t) / self.tangential).norm();
-        let edge = |size: f64, bound: f64| match bound > 0.0 {
-            true => (size - bound).abs() / bound,
-            false => 1.0,
+        let pressing = match row.law {
+            Law::Resistance { .. } => load,
+            _ => p_n.max(0.0),
         };
-        match row.law {
-            Law::Contact { mu } => {
-                let size = p.norm().max(row.impulse_scale);
-                let opens = if size > 0.0 { y_n.abs() / size } else { 1.0 };
-                opens.min(edge(y_t, mu * p_n.max(0.0)))
-            }
-            Law::Resistance {
-                rolling, twisting, ..
-            } => edge(y_t, rolling * load).min(edge(y_n.abs(), twisting * load)),
-            Law::Bilateral => 1.0,
-        }
+        let size = p.norm().max(row.impulse_scale);
+        row.law.margin(y_n, y_t, pressing, size)
     }
 
     /// The three dimensionless residuals of a row whose impulse is off by `correction`.

@@ -194,22 +194,18 @@ fn consistent(row: &Row, u: Vec3, p: Vec3, s: f64, load: f64) -> Vec3 {
         // The bound itself is `most`: what rounding has left is made up for.
         along * ((size - most).min(0.0) / (s * shear_share(row)) - slide.max(least))
     };
-    match row.law {
-        Law::Bilateral => fits,
-        Law::Contact { .. } if p == Vec3::zeros() => n * u.dot(&n).max(0.0) + u_t,
-        Law::Contact { mu } => fits + disc(mu * p_n),
-        Law::Resistance {
-            rolling, twisting, ..
-        } => {
-            let most = twisting * load;
-            let spin = if p_n.abs() < most * (1.0 - AT_BOUND) {
-                0.0
-            } else {
-                let slide = -(u.dot(&n) + row.compliance_n * p_n) * p_n.signum();
-                let short = (p_n.abs() - most).min(0.0) / s;
-                p_n.signum() * (short - slide.max(AT_BOUND * most / s))
-            };
-            fits + disc(rolling * load) + n * spin
-        }
+    let pressing = match row.law {
+        Law::Contact { .. } if p == Vec3::zeros() => return n * u.dot(&n).max(0.0) + u_t,
+        Law::Resistance { .. } => load,
+        _ => p_n,
+    };
+    let bounds = row.law.bounds(pressing);
+    let most = bounds.along[1];
+    if p_n.abs() < most * (1.0 - AT_BOUND) {
+        return fits + disc(bounds.across);
     }
+    let slide = -(u.dot(&n) + row.compliance_n * p_n) * p_n.signum();
+    let short = (p_n.abs() - most).min(0.0) / s;
+    let spin = p_n.signum() * (short - slide.max(AT_BOUND * most / s));
+    fits + disc(bounds.across) + n * spin
 }

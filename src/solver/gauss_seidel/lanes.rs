@@ -4,6 +4,7 @@ use std::fmt::Debug;
 use std::ops::{Add, Mul, Sub};
 
 use crate::problem::Compact;
+use crate::problem::law::Number;
 
 /// A body as blocks see it: velocity \[m/s\] and inverse mass \[1/kg\], `R w` \[m/s\] and `R^2/I` \[1/kg\].
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -122,6 +123,28 @@ pub(super) trait Pack:
     fn within(self, limit: Self, yes: Self, no: Self) -> Self;
     /// Which are `<= limit`: a bit each, the first number's the lowest.
     fn bits_within(self, limit: Self) -> u16;
+}
+
+impl<P: Pack> Number for P {
+    #[inline(always)]
+    fn over(self, other: Self) -> Self {
+        Pack::over(self, other)
+    }
+
+    #[inline(always)]
+    fn root(self) -> Self {
+        Pack::root(self)
+    }
+
+    #[inline(always)]
+    fn or_larger(self, other: Self) -> Self {
+        Pack::or_larger(self, other)
+    }
+
+    #[inline(always)]
+    fn within(self, limit: Self, yes: Self, no: Self) -> Self {
+        Pack::within(self, limit, yes, no)
+    }
 }
 
 /// What makes packs of numbers `T`: the proof that the processor has the registers. A block takes one pass or more.

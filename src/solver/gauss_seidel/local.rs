@@ -17,6 +17,7 @@ use std::ops::Range;
 
 use super::block::{Block, Pace, STILL, Vector, Verdict};
 use super::lanes::{Body, Lanes, Pack, Real, Sixteen, changed};
+use crate::problem::law::onto_cone;
 use crate::problem::{BIAS, Compact, FRICTION, RADIUS, SCALE};
 
 /// [`Pace`](super::block::Pace) in lanes.
@@ -121,13 +122,11 @@ impl<P: Pack> Seen<P> {
         let (mass_n, mass_t) = (mass(self.w_n), mass(self.w_t));
         let p_n = dot(p, n);
         let free = p_n.less(self.u_n, mass_n);
-        let normal = free.or_larger(zero);
         // Tangential part of p - u/w_t, on the disc. All as differences: what is solved stays to the last bit.
         let p_t = each(|k| p[k].less(n[k], p_n));
         let t = each(|k| p_t[k].less(u_t[k], mass_t));
-        let (squared, limit) = (dot(t, t), friction * normal);
-        let length = squared.root();
-        let share = length.within(limit, one, limit.over(length));
+        let squared = dot(t, t);
+        let (normal, share) = onto_cone(free, squared, friction, (zero, one));
         Solved {
             free,
             normal,
