@@ -147,16 +147,6 @@ impl Kinematics {
         }
     }
 
-    /// Exchanges positions and orientations with `other`; where there are none here, those of `other` stay there too.
-    pub(crate) fn swap_places(&mut self, other: &mut Self) {
-        if self.position.len() != other.position.len() {
-            self.position.clone_from(&other.position);
-            self.orientation.clone_from(&other.orientation);
-        }
-        std::mem::swap(&mut self.position, &mut other.position);
-        std::mem::swap(&mut self.orientation, &mut other.orientation);
-    }
-
     /// Adds a sphere at `position` \[m\] with `velocity` \[m/s\] and `spin` \[rad/s\].
     pub fn push(&mut self, position: Vec3, velocity: Vec3, spin: Vec3) {
         self.position.push(position);

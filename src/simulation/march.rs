@@ -284,19 +284,9 @@ impl Simulation {
         account: &mut Account,
     ) -> Result<Result<(), StepFailure>, StepError> {
         let before = Before::of(scene, &self.state);
-        let commands = drive.commands(scene.settings.integrator, self.state.time, dt);
-        let held = commands.map(|now| std::mem::replace(&mut self.state.commands, now));
-        let poses = drive.poses(target);
-        let taken = step(
-            scene,
-            &mut self.state,
-            &mut self.scratch,
-            (dt, poses),
-            effort,
-        );
-        if let Some(held) = held {
-            self.state.commands = held;
-        }
+        let integrator = scene.settings.integrator;
+        let input = drive.step_input(integrator, self.state.time, (target, dt));
+        let taken = step(scene, &mut self.state, &mut self.scratch, &input, effort);
         let outcome = match taken {
             Ok(outcome) => outcome,
             Err(failure) => return Ok(Err(failure)),

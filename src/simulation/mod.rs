@@ -13,6 +13,7 @@ mod settle;
 mod start;
 pub mod trajectory;
 
+use std::borrow::Cow;
 use std::sync::Arc;
 
 use crate::Vec3;
@@ -24,7 +25,7 @@ use crate::scene::{Boundary, Command, Rates, Scene};
 use crate::simulation::trajectory::Drive;
 use crate::spatial::{Dof6, Pose, Wrench};
 use crate::state::{BodyState, Pace, Reserve, State, StepReport, Work};
-use crate::step::{Scratch, initial_forces, remove_overlaps};
+use crate::step::{Scratch, StepInput, initial_forces, remove_overlaps};
 pub use derivatives::Direction;
 pub use march::March;
 pub use replay_record::Origin;
@@ -260,8 +261,12 @@ impl Simulation {
         let boundaries = &self.scene.boundaries;
         let commands = (&state.commands[..], &state.rates[..]);
         let drive = Drive::new(boundaries, commands, &state.poses, state.time, end);
-        let poses = drive.poses(end);
-        Ok(crate::step::problem(&self.scene, state, dt, &poses))
+        let input = StepInput {
+            dt,
+            poses: drive.poses(end),
+            commands: Cow::Borrowed(&state.commands),
+        };
+        Ok(crate::step::problem(&self.scene, state, &input))
     }
 
     /// Restores a [`Self::snapshot`] of the same scene.

@@ -13,6 +13,8 @@
 //! motion               as a pose; where that has no derivatives, U(s) is the pose moved on by the twist's x(s), Q(s)
 //! ```
 
+use std::borrow::Cow;
+
 use serde::{Deserialize, Serialize};
 
 use crate::Vec3;
@@ -20,6 +22,7 @@ use crate::integrator::Integrator;
 use crate::scene::{Boundary, Command, InputKind, Motion, Rates, Scene};
 use crate::spatial::{Pose, Twist};
 use crate::state::State;
+use crate::step::StepInput;
 
 /// Path of one boundary from where it stands.
 #[derive(Debug, Clone, PartialEq)]
@@ -215,10 +218,15 @@ impl<'a> Drive<'a> {
         !self.rates.is_empty()
     }
 
-    /// The commands in an internal step of `dt` \[s\] from `t` \[s\], `[B]`: loads where the integrator takes forces, surface
-    /// velocities at its middle. `None` where all are held.
+    /// The internal step of `dt` \[s\] from `t` to `target` \[s\]: poses at its end, loads where the integrator takes forces,
+    /// surface velocities at its middle.
     #[must_use]
-    pub fn commands(&self, integrator: Integrator, t: f64, dt: f64) -> Option<Vec<Command>> {
+    pub fn step_input(
+        &self,
+        integrator: Integrator,
+        t: f64,
+        (target, dt): (f64, f64),
+    ) -> StepInput<'a> {
         let s = t - self.start;
         let at = |(command, rates): (&Command, &Rates)| {
             let loads = command.along(rates, integrator.middle(s, dt));
@@ -228,8 +236,15 @@ impl<'a> Drive<'a> {
                 ..loads
             }
         };
-        let pairs = self.commands.iter().zip(self.rates);
-        self.bends().then(|| pairs.map(at).collect())
+        let commands = match self.bends() {
+            true => Cow::Owned(self.commands.iter().zip(self.rates).map(at).collect()),
+            false => Cow::Borrowed(self.commands),
+        };
+        StepInput {
+            dt,
+            poses: self.poses(target),
+            commands,
+        }
     }
 
     /// Poses of all boundaries at time `t` \[s\], `[B]`; those of driven bodies mean nothing, the step finds them.

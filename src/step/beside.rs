@@ -6,19 +6,20 @@
 //! through the tangent of the solution, [`crate::solver::tangent`], pass by pass as gaps are re-linearised, and both get the
 //! impulses of the solution changed by that.
 
+use super::StepInput;
 use super::stage::Stage;
 use crate::linalg::LinearError;
 use crate::solver::tangent::{Change, respond};
-use crate::spatial::{Dof6, Pose};
+use crate::spatial::Dof6;
 use crate::state::State;
 
-/// A state beside the one that takes the step, and where its boundaries go.
+/// A state beside the one that takes the step, and its own step.
 #[derive(Debug)]
 pub struct Beside<'a> {
     /// The state; on success it takes the step too.
     pub state: &'a mut State,
-    /// Poses at the end, `[B]`.
-    pub poses: Vec<Pose>,
+    /// Its own step.
+    pub input: StepInput<'a>,
 }
 
 /// The step to either side, below and above.

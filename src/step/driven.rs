@@ -42,16 +42,15 @@ pub struct Ready<'a> {
 impl<'a> Ready<'a> {
     /// All driven bodies of a step of `dt` \[s\] from `state`, `[D]`.
     #[must_use]
-    pub fn all(scene: &'a Scene, state: &State, dt: f64) -> Vec<Self> {
+    pub fn all(scene: &'a Scene, state: &State, commands: &[Command], dt: f64) -> Vec<Self> {
         let bodies = scene.driven().zip(&state.bodies);
         bodies
-            .map(|((b, body), carried)| Self::of(scene, state, b, body, carried, dt))
+            .map(|((b, body), carried)| Self::of((scene, state, commands), b, body, carried, dt))
             .collect()
     }
 
     fn of(
-        scene: &'a Scene,
-        state: &State,
+        (scene, state, commands): (&'a Scene, &State, &[Command]),
         b: usize,
         body: &'a Body,
         carried: &BodyState,
@@ -71,7 +70,7 @@ impl<'a> Ready<'a> {
         let ahead = UnitQuaternion::from_scaled_axis(ahead);
         let lever = ahead * action;
         let centre = ahead * (boundary.from_frame(pose, body.centre) - reference);
-        let load = body.load(scene, &state.poses, &state.commands[b]);
+        let load = body.load(scene, &state.poses, &commands[b]);
         let weight = match body.gravity {
             true => state.gravity_at(scene, integrator.middle(state.time, dt)) * body.mass,
             false => Vec3::zeros(),

@@ -1,4 +1,9 @@
-//! How far a step goes before it fails.
+//! What a step is asked for.
+
+use std::borrow::Cow;
+
+use crate::scene::Command;
+use crate::spatial::Pose;
 
 /// How far a step goes before it fails.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -9,4 +14,15 @@ pub struct Effort {
     pub accept: bool,
     /// Whether bodies may move so far against each other that they could pass.
     pub pass: bool,
+}
+
+/// An internal step: how long, where to, and under which commands.
+#[derive(Debug, Clone)]
+pub struct StepInput<'a> {
+    /// Length \[s\].
+    pub dt: f64,
+    /// Poses of the boundaries at its end, `[B]`; those of driven bodies follow from the step.
+    pub poses: Vec<Pose>,
+    /// Commands within it, `[B]`: loads, surface velocities and pressures.
+    pub commands: Cow<'a, [Command]>,
 }

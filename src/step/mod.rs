@@ -19,7 +19,7 @@ mod workspace;
 pub use beside::Beside;
 use beside::Twin;
 pub(crate) use external::release;
-pub use input::Effort;
+pub use input::{Effort, StepInput};
 pub use outcome::{Passed, StepFailure, StepOutcome};
 pub use start::{initial_forces, remove_overlaps};
 pub use workspace::Scratch;
@@ -27,13 +27,13 @@ pub use workspace::Scratch;
 use crate::problem::{Impulses, Problem};
 use crate::scene::Scene;
 use crate::solver::gauss_seidel::SMALL;
-use crate::spatial::{Dof6, Pose};
+use crate::spatial::Dof6;
 use crate::state::State;
 use prediction::Start;
 use stage::Stage;
 use workspace::Kept;
 
-/// Takes `state` from `state.time` to `state.time + dt`, boundaries to `poses`. On failure `state` is unchanged.
+/// Takes `state` from `state.time` to `state.time + dt` of `input`. On failure `state` is unchanged.
 ///
 /// # Errors
 /// [`StepFailure`] with the worst contact if the tolerances cannot be met.
@@ -41,18 +41,18 @@ pub fn step(
     scene: &Scene,
     state: &mut State,
     scratch: &mut Scratch,
-    (dt, poses): (f64, Vec<Pose>),
+    input: &StepInput,
     effort: Effort,
 ) -> Result<StepOutcome, StepFailure> {
     let pool = scratch.workspace.kernel.pool(scene.settings.threads);
-    let step = || step_beside(scene, state, scratch, (dt, poses, effort), &mut []);
+    let mut step = || step_beside(scene, state, scratch, (input, effort), &mut []);
     match scene.particles.len() {
         0..SMALL => step(),
         _ => pool.within(step),
     }
 }
 
-/// [`step`] to `(dt, poses)` with an effort, and beside it pairs of states to either side of `state`: see `beside`.
+/// [`step`] by an input with an effort, and beside it pairs of states to either side of `state`: see `beside`.
 ///
 /// # Errors
 /// As [`step`], and if the tangent of the solution is singular.
@@ -60,16 +60,14 @@ pub fn step_beside(
     scene: &Scene,
     state: &mut State,
     scratch: &mut Scratch,
-    (dt, poses, effort): (f64, Vec<Pose>, Effort),
+    (input, effort): (&StepInput, Effort),
     pairs: &mut [[Beside<'_>; 2]],
 ) -> Result<StepOutcome, StepFailure> {
+    let dt = input.dt;
     let mut kept = std::mem::take(&mut scratch.kept);
-    kept.kinematics.swap_places(&mut state.kinematics);
-    let mut start = Start::of(scene, state, dt, poses, &mut kept);
-    let beside = |beside: &Beside| {
-        let poses = beside.poses.clone();
-        Start::of(scene, beside.state, dt, poses, &mut Kept::of(beside.state))
-    };
+    let start = Start::of(scene, state, input, &mut kept);
+    let beside =
+        |beside: &Beside| Start::of(scene, beside.state, &beside.input, &mut Kept::default());
     let starts = pairs.iter().map(|pair| [0, 1].map(|k| beside(&pair[k])));
     let starts: Vec<[Start; 2]> = starts.collect();
     let mut stage = Stage::new(start.inputs(scene, dt), state, scratch);
@@ -81,13 +79,7 @@ pub fn step_beside(
                 .map(|k| Stage::beside(&stage, starts[k].inputs(scene, dt), pair[k].state)),
         })
         .collect();
-    let outcome = match stage.resolve((state, effort), scratch, &mut twins) {
-        Ok(outcome) => outcome,
-        Err(failure) => {
-            start.kinematics.swap_places(&mut state.kinematics);
-            return Err(failure);
-        }
-    };
+    let outcome = stage.resolve((state, effort), scratch, &mut twins)?;
     stage.spread_impacts(state);
     for ((twin, starts), pair) in twins.iter_mut().zip(&starts).zip(pairs) {
         twin.agree(&stage);
@@ -107,12 +99,12 @@ pub fn step_beside(
     Ok(outcome)
 }
 
-/// The problem that a step of `dt` \[s\] from `state` begins with, boundaries moving to `poses`, and the impulses \[N s\] it
-/// starts from: candidates within reach, gaps not yet re-linearised.
+/// The problem that a step from `state` by `input` begins with, and the impulses \[N s\] it starts from: candidates within
+/// reach, gaps not yet re-linearised.
 #[must_use]
-pub fn problem(scene: &Scene, state: &State, dt: f64, poses: &[Pose]) -> (Problem, Impulses) {
-    let start = Start::of(scene, state, dt, poses.to_vec(), &mut Kept::of(state));
-    let inputs = start.inputs(scene, dt);
+pub fn problem(scene: &Scene, state: &State, input: &StepInput) -> (Problem, Impulses) {
+    let start = Start::of(scene, state, input, &mut Kept::default());
+    let inputs = start.inputs(scene, input.dt);
     let stage = Stage::new(inputs, state, &mut Scratch::default());
     (stage.problem, stage.impulses)
 }

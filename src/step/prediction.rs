@@ -1,9 +1,10 @@
 //! What a step takes from the state before it moves anything.
 
+use super::StepInput;
 use super::external;
 use crate::Vec3;
-use crate::scene::Scene;
 use crate::scene::particles::Kinematics;
+use crate::scene::{Command, Scene};
 use crate::spatial::{Dof6, Pose, Twist};
 use crate::state::State;
 use crate::step::assemble::{Inputs, Mover};
@@ -26,31 +27,30 @@ pub(super) struct Start<'a> {
 }
 
 /// Velocities of the boundaries' surfaces against their shapes \[m/s\], world axes, `[B]`.
-pub(super) fn surfaces(scene: &Scene, state: &State) -> Vec<Vec3> {
+pub(super) fn surfaces(scene: &Scene, state: &State, commands: &[Command]) -> Vec<Vec3> {
     let boundaries = scene.boundaries.iter();
-    let driven = boundaries.zip(state.poses.iter().zip(&state.commands));
+    let driven = boundaries.zip(state.poses.iter().zip(commands));
     driven
         .map(|(boundary, (pose, command))| boundary.surface_velocity(pose, command))
         .collect()
 }
 
 impl<'s> Start<'s> {
-    /// With the places in `kept`, and velocities of `state` for a step of `dt` \[s\].
-    pub(super) fn of(
-        scene: &'s Scene,
-        state: &State,
-        dt: f64,
-        mut ends: Vec<Pose>,
-        kept: &mut Kept,
-    ) -> Self {
-        let bodies = Ready::all(scene, state, dt);
+    /// Places of `state`, and its velocities for a step as long as `input` says, in the memory of `kept`.
+    pub(super) fn of(scene: &'s Scene, state: &State, input: &StepInput, kept: &mut Kept) -> Self {
+        let dt = input.dt;
+        let bodies = Ready::all(scene, state, &input.commands, dt);
+        let mut ends = input.poses.clone();
         for body in &bodies {
             let b = body.boundary;
             ends[b] = body.moved(&state.poses[b], &body.free, dt);
         }
         let integrator = scene.settings.integrator;
         let mut kinematics = std::mem::take(&mut kept.kinematics);
-        kinematics.present.clone_from(&state.kinematics.present);
+        let now = &state.kinematics;
+        kinematics.present.clone_from(&now.present);
+        kinematics.position.clone_from(&now.position);
+        kinematics.orientation.clone_from(&now.orientation);
         kinematics.velocity.clear();
         kinematics.spin.clear();
         let count = state.kinematics.len();
@@ -81,7 +81,7 @@ impl<'s> Start<'s> {
             ends,
             bodies,
             twists: state.twists.clone(),
-            surfaces: surfaces(scene, state),
+            surfaces: surfaces(scene, state, &input.commands),
         }
     }
 

@@ -138,9 +138,9 @@ impl<'s> Start<'s> {
             targets: scene.springs.iter().map(|spring| spring.target).collect(),
             standing: state.poses.clone(),
             ends: state.poses.clone(),
-            bodies: Ready::all(scene, state, dt),
+            bodies: Ready::all(scene, state, &state.commands, dt),
             twists: state.twists.clone(),
-            surfaces: surfaces(scene, state),
+            surfaces: surfaces(scene, state, &state.commands),
         }
     }
 

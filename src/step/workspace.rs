@@ -9,7 +9,6 @@ use crate::problem::Problem;
 use crate::scene::particles::Kinematics;
 use crate::solver::augmented_lagrangian::Workspace;
 use crate::spatial::Dof6;
-use crate::state::State;
 use crate::step::assemble::Mover;
 use crate::step::assemble::joint::Held;
 
@@ -40,19 +39,9 @@ pub(super) struct Memory {
 /// Arrays kept from step to step for their memory alone.
 #[derive(Debug, Default)]
 pub(super) struct Kept {
-    /// As a step begins, with the places of its state, which gets these for those at the end.
+    /// As a step begins.
     pub(super) kinematics: Kinematics,
     pub(super) external: Vec<Dof6>,
     pub(super) movers: Vec<Mover>,
     pub(super) accelerations: Vec<Dof6>,
-}
-
-impl Kept {
-    /// For a step that leaves `state` its places.
-    pub(super) fn of(state: &State) -> Self {
-        Self {
-            kinematics: state.kinematics.clone(),
-            ..Self::default()
-        }
-    }
 }

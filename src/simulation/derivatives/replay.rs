@@ -7,7 +7,6 @@ use crate::error::StepError;
 use crate::simulation::impulse_totals::{Account, Before};
 use crate::simulation::replay_record::Step;
 use crate::simulation::trajectory::Course;
-use crate::spatial::Pose;
 use crate::state::State;
 use crate::step::{Beside, Effort, Scratch, step_beside};
 use std::sync::Arc;
@@ -30,24 +29,10 @@ impl Companion {
         }
     }
 
-    /// Commands for an internal step from `start` to `target` \[s\], and the poses at its end.
-    pub(super) fn prepare(&mut self, start: f64, target: f64) -> Vec<Pose> {
-        let scene = &self.simulation.scene;
-        let drive = self.course.drive(scene);
-        let commands = drive.commands(scene.settings.integrator, start, target - start);
-        let poses = drive.poses(target);
-        if let Some(commands) = commands {
-            self.simulation.state.commands = commands;
-        }
-        poses
-    }
-
     /// Sums up the internal step of `dt` \[s\] that has led to `target` \[s\].
     pub(super) fn book(&mut self, before: &Before, target: f64, dt: f64) {
         self.simulation.state.time = target;
         self.simulation.book(before, dt, &mut self.account);
-        let commands = &mut self.simulation.state.commands;
-        commands.clone_from(&self.course.commands);
     }
 
     /// Lets spheres come and go as in `other`, whose spheres were at `position` before that.
@@ -116,18 +101,23 @@ impl Simulation {
                 .iter()
                 .map(|pair| [0, 1].map(|k| Before::of(scene, &pair[k].simulation.state)))
                 .collect();
-            let poses = again.prepare(start, target);
+            let integrator = scene.settings.integrator;
+            let drive = again.course.drive(scene);
+            let input = drive.step_input(integrator, start, (target, dt));
             let mut beside: Vec<[Beside; 2]> = pairs
                 .iter_mut()
                 .map(|pair| {
-                    pair.each_mut().map(|companion| Beside {
-                        poses: companion.prepare(start, target),
-                        state: &mut companion.simulation.state,
+                    pair.each_mut().map(|companion| {
+                        let drive = companion.course.drive(scene);
+                        Beside {
+                            input: drive.step_input(integrator, start, (target, dt)),
+                            state: &mut companion.simulation.state,
+                        }
                     })
                 })
                 .collect();
             let Simulation { state, scratch, .. } = &mut again.simulation;
-            step_beside(scene, state, scratch, (dt, poses, effort), &mut beside)
+            step_beside(scene, state, scratch, (&input, effort), &mut beside)
                 .map_err(|failure| self.explain(failure, dt, 0))?;
             again.book(&before, target, dt);
             let position = again.simulation.state.kinematics.position.clone();

@@ -37,7 +37,7 @@ impl Load {
             force += scene.particles.mass[i] * acceleration.norm();
             mass += scene.particles.mass[i];
         }
-        for body in Ready::all(scene, state, scene.settings.step) {
+        for body in Ready::all(scene, state, &state.commands, scene.settings.step) {
             let bounds = scene.boundaries[body.boundary].geometry.finite_bounds();
             let reach = bounds.map_or(0.0, |(min, max)| 0.5 * (max - min).norm());
             force += body.external.linear.norm();
