@@ -1,6 +1,5 @@
-//! The functional mock-up unit of sphere-dda: a scene-agnostic co-simulation library for FMI 2.0 and
-//! FMI 3.0, its exporter, and a
-//! small master for FMUs of any kind.
+//! The functional mock-up unit of sphere-dda: a scene-agnostic co-simulation library for FMI 2.0 and FMI 3.0, and its
+//! exporter.
 //!
 //! ```text
 //! scene.toml -> model (scene, variables, guid) -> description -> export -> X.fmu
@@ -8,14 +7,13 @@
 //! ```
 //!
 //! The library holds no scene: it reads the one in `resources/`, builds the same variable table as the exporter did
-//! and refuses a guid that does not fit. Unsafe code is in [`ffi`] and in the importer only.
+//! and refuses a guid that does not fit. Unsafe code is in [`ffi`] only.
 
 pub mod description;
 pub mod document;
 pub mod documentation;
 pub mod export;
 pub mod ffi;
-pub mod import;
 pub mod instance;
 pub mod life_cycle;
 pub mod model;

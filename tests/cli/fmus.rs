@@ -7,8 +7,8 @@ use std::sync::Arc;
 
 use sphere_dda::scene::Scene;
 use sphere_dda::simulation::Simulation;
-use sphere_dda_fmu::import::{Fmu, Step};
 use sphere_dda_fmu::state::Saved;
+use sphere_dda_master::{Fmu, Step};
 
 use crate::command::{done, example, frames, funnel, rows, said};
 
