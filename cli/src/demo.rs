@@ -6,8 +6,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use miette::miette;
-use sphere_dda_fmu::export::find_libraries;
-use sphere_dda_fmu::version::Version;
+use sphere_dda_export::{Version, find_libraries};
 use sphere_dda_master::{Fmu, Options, System, Table};
 
 use crate::export::pack;

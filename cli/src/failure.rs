@@ -9,7 +9,7 @@ use sphere_dda::observe::error::OutputError;
 use sphere_dda::observe::start_file::StartFileError;
 use sphere_dda::scene::SceneError;
 use sphere_dda::simulation::SettleError;
-use sphere_dda_fmu::export::ExportError;
+use sphere_dda_export::ExportError;
 use sphere_dda_fmu::model::ModelError;
 use sphere_dda_master::{
     ImportError, InputTableError, PackageError, SimulateError, SspError, SystemError,

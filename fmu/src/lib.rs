@@ -1,18 +1,15 @@
-//! The functional mock-up unit of sphere-dda: a scene-agnostic co-simulation library for FMI 2.0 and FMI 3.0, and its
-//! exporter.
+//! The functional mock-up unit of sphere-dda: a scene-agnostic co-simulation library for FMI 2.0 and FMI 3.0, and what
+//! the exporter asks of it.
 //!
 //! ```text
-//! scene.toml -> model (scene, variables, guid) -> description -> export -> X.fmu
+//! scene.toml -> model (scene, variables, guid) -> crate sphere-dda-export -> X.fmu
 //! X.fmu -> any master -> ffi -> instance -> sphere_dda::simulation
 //! ```
 //!
 //! The library holds no scene: it reads the one in `resources/`, builds the same variable table as the exporter did
 //! and refuses a guid that does not fit. Unsafe code is in [`ffi`] only.
 
-pub mod description;
 pub mod document;
-pub mod documentation;
-pub mod export;
 pub mod ffi;
 pub mod instance;
 pub mod life_cycle;
@@ -21,6 +18,5 @@ pub mod recorder;
 pub mod refusal;
 pub mod resource;
 pub mod state;
-pub mod terminals;
 pub mod variables;
 pub mod version;

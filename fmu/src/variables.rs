@@ -16,6 +16,7 @@ mod arrays;
 mod parameters;
 mod rows;
 
+use serde::Serialize;
 use sphere_dda::motion::Command;
 use sphere_dda::observe::quantities::{Kind, quantities};
 use sphere_dda::scene::Scene;
@@ -26,7 +27,7 @@ pub use parameters::{Choices, Parameters};
 use rows::{Row, Rows};
 
 /// A value of one of the four types of the C interface.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub enum Value {
     /// A real number, in the variable's unit.
     Real(f64),
@@ -53,7 +54,7 @@ impl Value {
 
 /// What a variable stands for: the getter, and for inputs and parameters the setter.
 /// `axis` counts components from 0.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub enum Meaning {
     /// Time at the last communication point \[s\].
     Time,
@@ -73,7 +74,7 @@ pub enum Meaning {
 }
 
 /// Settings that an importer may change.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub enum Parameter {
     /// A component of gravity \[m/s^2\]; tunable.
     Gravity(usize),
@@ -98,7 +99,7 @@ pub enum Parameter {
 }
 
 /// Parts of a [`Command`].
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub enum Input {
     /// Total translation \[m\].
     Translation,
@@ -121,7 +122,7 @@ pub enum Input {
 }
 
 /// One variable.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Variable {
     /// Structured name, unique.
     pub name: String,
@@ -133,7 +134,7 @@ pub struct Variable {
     pub causality: Causality,
     /// When it may change.
     pub variability: Variability,
-    /// Unit, a name of [`crate::description::units`]; `None`: a number without unit.
+    /// Unit, one that the exporter defines; `None`: a number without unit.
     pub unit: Option<&'static str>,
     /// Start value: of inputs and parameters.
     pub start: Option<Value>,
@@ -150,7 +151,7 @@ pub struct Variable {
 }
 
 /// The variables of a scene.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Table {
     variables: Vec<Variable>,
 }

@@ -15,7 +15,7 @@ use sphere_dda::observe::Observation;
 use sphere_dda::observe::history::columns;
 use sphere_dda::observe::quantities::values;
 use sphere_dda::simulation::Simulation;
-use sphere_dda_fmu::description::describe;
+use sphere_dda_export::description::version2::describe;
 use sphere_dda_fmu::model::Model;
 use sphere_dda_fmu::variables::Meaning;
 use sphere_dda_model_description::fmi2::{BaseType, Causality};

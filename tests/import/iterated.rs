@@ -114,7 +114,8 @@ fn a_coupling_that_does_not_come_to_rest_is_an_error_that_names_the_value() {
     let error = drive(&system(&fmus), &options).unwrap_err();
     let told = error.to_string();
     assert!(
-        told.starts_with("at time 0 s: `b.mass.x` changes by ") && told.contains("after 2 iterations"),
+        told.starts_with("at time 0 s: `b.mass.x` changes by ")
+            && told.contains("after 2 iterations"),
         "{told}"
     );
     assert_eq!(error.table().unwrap().time, [0.0]);

@@ -6,7 +6,7 @@ mod derivatives;
 mod states;
 mod values;
 
-use std::ffi::{c_char, c_int};
+use std::ffi::c_int;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use super::guard::{ANY, Component, INITIALIZATION, INSTANTIATED, STEPPED, STEPPING, Stages, call};
@@ -293,11 +293,4 @@ extern "C" fn fmi2GetStringStatus(
     value: *mut fmi2String,
 ) -> fmi2Status {
     status((c, "fmi2GetStringStatus"), s, value, |_| None)
-}
-
-/// Which sources this library was built from: not FMI, for the exporter.
-#[unsafe(no_mangle)]
-extern "C" fn sphere_dda_build_id() -> *const c_char {
-    const ID: &str = concat!(env!("SPHERE_DDA_BUILD_ID"), "\0");
-    ID.as_ptr().cast()
 }

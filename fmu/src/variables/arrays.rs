@@ -10,6 +10,7 @@
 //! `N` is the number of spheres the scene has room for, and a sphere keeps its row. A row whose `spheres.present` is
 //! false belongs to a sphere that waits in a source or has left through a sink: it rests where it was.
 
+use serde::Serialize;
 use sphere_dda::scene::Scene;
 use sphere_dda_model_description::fmi2::{BaseType, Causality as Causality2, Variability};
 use sphere_dda_model_description::fmi3::{Causality, Kind};
@@ -17,7 +18,7 @@ use sphere_dda_model_description::fmi3::{Causality, Kind};
 use super::{Choices, Table, Value, Variable};
 
 /// What is known of every sphere.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub enum Field {
     /// Row, from 0.
     Id,
@@ -36,7 +37,7 @@ pub enum Field {
 }
 
 /// Where the values of a variable come from.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub enum Source {
     /// Rows of the [`Table`], by reference.
     Scalars(Vec<u32>),
@@ -47,7 +48,7 @@ pub enum Source {
 }
 
 /// A variable of FMI 3.0.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Array {
     /// Structured name, unique.
     pub name: String,
@@ -59,7 +60,7 @@ pub struct Array {
     pub causality: Causality,
     /// When they may change.
     pub variability: Variability,
-    /// Unit, a name of [`crate::description::units`].
+    /// Unit, one that the exporter defines.
     pub unit: Option<&'static str>,
     /// Extents, the slowest first; empty: one value.
     pub dimensions: Vec<usize>,
@@ -86,7 +87,7 @@ impl Array {
 }
 
 /// The variables of FMI 3.0 of a scene.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Arrays {
     list: Vec<Array>,
 }

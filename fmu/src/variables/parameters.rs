@@ -6,7 +6,7 @@ use sphere_dda::scene::{Scene, SolverKind, Tolerance};
 use super::{Parameter, Value};
 
 /// An enumeration: integers with names.
-#[derive(Debug, PartialEq, Eq)]
+#[derive(Debug, PartialEq, Eq, serde::Serialize)]
 pub struct Choices {
     /// Name of the type.
     pub name: &'static str,

@@ -44,7 +44,7 @@ const ICON: f64 = 20.0;
 
 /// The terminals of a scene, in its order, with its `variables` by name, and the place of `icon.png`, if there is one.
 #[must_use]
-pub fn terminals(scene: &Scene, variables: &[&str], icon: bool) -> TerminalsAndIcons {
+pub(crate) fn terminals(scene: &Scene, variables: &[&str], icon: bool) -> TerminalsAndIcons {
     let boundaries = scene.boundaries.iter();
     let mut document =
         TerminalsAndIcons::new(boundaries.map(|b| terminal(&b.name, variables)).collect());

@@ -4,11 +4,13 @@ use std::io;
 use std::path::PathBuf;
 
 use sphere_dda_fmi_interface::archive::ArchiveError;
+use sphere_dda_fmu::model::ModelError;
+use sphere_dda_fmu::version::BUILD_ID;
 use sphere_dda_model_description::Finding;
 use thiserror::Error;
 
-use super::{BUILD_ID, LIBRARY_VARIABLE};
-use crate::model::ModelError;
+/// Environment variable that names the library to pack.
+pub const LIBRARY_VARIABLE: &str = "SPHERE_DDA_LIBRARY";
 
 /// Why there is no FMU.
 #[derive(Debug, Error)]
@@ -17,6 +19,9 @@ pub enum ExportError {
     /// The scene makes no model.
     #[error(transparent)]
     Model(#[from] ModelError),
+    /// A name or title does not fit into XML.
+    #[error("model description: {0}; change the name or title in the scene")]
+    Description(#[from] sphere_dda_model_description::Error),
     /// The model description breaks rules of the standard: a name of the scene, as a rule.
     #[error("the model description would be invalid: {}", list(.0))]
     Invalid(Vec<Finding>),
@@ -44,35 +49,16 @@ pub enum ExportError {
         /// Folders searched.
         searched: Vec<PathBuf>,
     },
-    /// A library of another platform that was built from other sources than this program.
+    /// A library that was built from other sources than this program.
     #[error(
-        "`{}` is not of build {BUILD_ID}: it is older or newer than this program; run `fmu/platforms/build {platform}`",
-        path.display()
-    )]
-    StaleFor {
-        /// Name of the platform.
-        platform: &'static str,
-        /// Its path.
-        path: PathBuf,
-    },
-    /// The library cannot be loaded.
-    #[error("cannot load `{}`: {reason}; expected the library of sphere-dda for this platform", path.display())]
-    Load {
-        /// Its path.
-        path: PathBuf,
-        /// What the loader says.
-        reason: String,
-    },
-    /// The library was built from other sources than this program.
-    #[error(
-        "`{}` has build id {found}, expected {BUILD_ID}: it is older or newer than this program; run `cargo build --release -p sphere-dda-fmu`",
+        "`{}` is not of build {BUILD_ID}: it is older or newer than this program; run `{mend}`",
         path.display()
     )]
     Stale {
         /// Its path.
         path: PathBuf,
-        /// Its build id.
-        found: String,
+        /// The command that builds it.
+        mend: String,
     },
     /// A file of the scene would overwrite another one in the archive.
     #[error("the scene refers to a file named `{0}`, which the FMU needs for itself; rename it")]

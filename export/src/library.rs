@@ -7,7 +7,9 @@ use std::path::{Path, PathBuf};
 
 use sphere_dda_fmi_interface::platform::Platform;
 
-use super::{BUILD_ID, ExportError, LIBRARY_VARIABLE};
+use sphere_dda_fmu::version::BUILD_ID;
+
+use crate::error::{ExportError, LIBRARY_VARIABLE};
 
 /// Name of the library's crate.
 const CRATE: &str = "sphere_dda_fmu";
@@ -29,14 +31,14 @@ pub struct Library {
 /// `platforms` there is only that one.
 ///
 /// # Errors
-/// As [`find_library`] and [`check_library`]; [`ExportError::NoLibraryFor`], [`ExportError::StaleFor`].
+/// As [`find_library`] and [`check_library`]; [`ExportError::NoLibraryFor`].
 pub fn find_libraries(
     explicit: Option<&Path>,
     platforms: &[Platform],
 ) -> Result<Vec<Library>, ExportError> {
     if platforms.is_empty() {
         let (platform, path) = (Platform::HERE, find_library(explicit)?);
-        check_library(&path)?;
+        check(platform, &path)?;
         return Ok(vec![Library { platform, path }]);
     }
     let find = |&platform: &Platform| {
@@ -46,11 +48,7 @@ pub fn find_libraries(
             Err(missing) if !here => return Err(missing),
             _ => find_library(explicit)?,
         };
-        if here {
-            check_library(&path)?;
-        } else {
-            check_foreign(platform, &path)?;
-        }
+        check(platform, &path)?;
         Ok(Library { platform, path })
     };
     let first = |(k, platform): &(usize, &Platform)| !platforms[..*k].contains(platform);
@@ -72,22 +70,6 @@ fn apart(platform: Platform) -> Result<PathBuf, ExportError> {
         platform: platform.name,
         name,
         searched,
-    })
-}
-
-/// Refuses a library that cannot be loaded here and was built from other sources: it holds the id as text.
-fn check_foreign(platform: Platform, path: &Path) -> Result<(), ExportError> {
-    let code = fs::read(path).map_err(|source| ExportError::Read {
-        path: path.to_path_buf(),
-        source,
-    })?;
-    let id = BUILD_ID.as_bytes();
-    if code.windows(id.len()).any(|part| part == id) {
-        return Ok(());
-    }
-    Err(ExportError::StaleFor {
-        platform: platform.name,
-        path: path.to_path_buf(),
     })
 }
 
@@ -137,21 +119,30 @@ pub fn find_library(explicit: Option<&Path>) -> Result<PathBuf, ExportError> {
     Ok(found.swap_remove(fresh.unwrap_or(0)))
 }
 
-/// Loads a library once and refuses one that was not built from the sources of this program.
+/// Refuses a library that was not built from the sources of this program: it holds their id as text.
 ///
 /// # Errors
-/// [`ExportError::Load`], [`ExportError::Stale`].
+/// [`ExportError::Read`], [`ExportError::Stale`].
 pub fn check_library(path: &Path) -> Result<(), ExportError> {
-    let load = |error: libloading::Error| ExportError::Load {
+    check(Platform::HERE, path)
+}
+
+/// As [`check_library`], for any platform.
+fn check(platform: Platform, path: &Path) -> Result<(), ExportError> {
+    let code = fs::read(path).map_err(|source| ExportError::Read {
         path: path.to_path_buf(),
-        reason: error.to_string(),
-    };
-    let found = crate::ffi::build_id(path).map_err(load)?;
-    if found == BUILD_ID {
+        source,
+    })?;
+    let id = BUILD_ID.as_bytes();
+    if code.windows(id.len()).any(|part| part == id) {
         return Ok(());
     }
     Err(ExportError::Stale {
         path: path.to_path_buf(),
-        found,
+        mend: if platform == Platform::HERE {
+            "cargo build --release -p sphere-dda-fmu".to_owned()
+        } else {
+            format!("fmu/platforms/build {}", platform.name)
+        },
     })
 }

@@ -13,9 +13,6 @@
 //!
 //! The same scene and library give the same bytes.
 
-mod error;
-mod library;
-
 use std::borrow::Cow;
 use std::fs;
 use std::path::Path;
@@ -24,21 +21,14 @@ use sphere_dda::scene::Scene;
 use sphere_dda_fmi_interface::archive;
 use sphere_dda_model_description::names::is_c_identifier;
 
-use crate::description::{describe, version3};
+use sphere_dda_fmu::model::{Model, SCENE_FILE, START_FILE};
+
+use crate::description::{version2, version3};
 use crate::documentation;
-use crate::model::{Model, ModelError, SCENE_FILE, START_FILE};
+use crate::error::ExportError;
+use crate::library::Library;
 use crate::terminals::terminals;
 use crate::version::Version;
-
-pub use error::ExportError;
-pub use library::{Library, check_library, find_libraries, find_library};
-pub use sphere_dda_fmi_interface::platform::Platform;
-
-/// Environment variable that names the library to pack.
-pub const LIBRARY_VARIABLE: &str = "SPHERE_DDA_LIBRARY";
-
-/// Hash of the sources this crate was built from; the library exports its own as `sphere_dda_build_id`.
-pub const BUILD_ID: &str = env!("SPHERE_DDA_BUILD_ID");
 
 /// Where FMI 3.0, and FMI 2.0.4, expect the terminals.
 const TERMINALS_FILE: &str = "terminalsAndIcons/terminalsAndIcons.xml";
@@ -142,7 +132,7 @@ fn described(
 ) -> Result<Files<'static>, ExportError> {
     let (xml, mut findings, names) = match version {
         Version::Two => {
-            let own = describe(&model.scene, &model.table, identifier, &model.guid);
+            let own = version2::describe(&model.scene, &model.table, identifier, &model.guid);
             let names = model.table.variables().iter().map(|v| v.name.as_str());
             (own.to_xml(), own.validate(), names.collect::<Vec<_>>())
         }
@@ -157,8 +147,8 @@ fn described(
     if !findings.is_empty() {
         return Err(ExportError::Invalid(findings));
     }
-    let xml = xml.map_err(ModelError::from)?.into_bytes();
-    let terminals = terminals.to_xml().map_err(ModelError::from)?.into_bytes();
+    let xml = xml?.into_bytes();
+    let terminals = terminals.to_xml()?.into_bytes();
     Ok(vec![
         ("modelDescription.xml".to_owned(), xml.into()),
         (TERMINALS_FILE.to_owned(), terminals.into()),

@@ -3,9 +3,10 @@
 use maud::{DOCTYPE, Markup, html};
 use sphere_dda::scene::{Integrator, Method};
 
-use crate::description::VERSION;
-use crate::model::Model;
-use crate::variables::{Array, Choices, Parameter, Parameters, Value, Variable};
+use sphere_dda_fmu::model::Model;
+use sphere_dda_fmu::variables::{Array, Choices, Parameter, Parameters, Value, Variable};
+use sphere_dda_fmu::version::VERSION;
+
 use crate::version::Version;
 
 /// License of the library in the FMU.
@@ -17,8 +18,8 @@ at your option. The Rust crates it links, and their licenses, are in third-party
 The scene in resources/ belongs to its author.
 ";
 
-/// Licences of all crates that the library links, collected by `licences/collect.py`.
-pub const THIRD_PARTY: &str = include_str!("../licences/third-party.txt");
+/// Licences of all crates that the library links, collected by `fmu/licences/collect.py`.
+pub const THIRD_PARTY: &str = include_str!("../../fmu/licences/third-party.txt");
 
 /// Picture of the scene beside the page.
 pub const PICTURE_FILE: &str = "diagram.png";

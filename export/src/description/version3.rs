@@ -7,9 +7,11 @@ use sphere_dda_model_description::fmi3::{
     ModelDescription, StartValue, Variable,
 };
 
-use super::{VERSION, choices, units};
-use crate::document::{self, MEDIA_TYPE};
-use crate::variables::{Array, Arrays, Choices, Source, Value};
+use sphere_dda_fmu::document::{self, MEDIA_TYPE};
+use sphere_dda_fmu::variables::{Array, Arrays, Choices, Source, Value};
+use sphere_dda_fmu::version::VERSION;
+
+use super::definitions::{choices, units};
 
 /// The description with the instantiation token `guid`: the same scene, identifier and version give the same bytes.
 #[must_use]
