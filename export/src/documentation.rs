@@ -4,7 +4,7 @@ use maud::{DOCTYPE, Markup, html};
 use sphere_dda::scene::{Integrator, Method};
 
 use sphere_dda_fmu::model::Model;
-use sphere_dda_fmu::variables::{Array, Choices, Parameter, Parameters, Value, Variable};
+use sphere_dda_fmu::table::{Array, Enumeration, Parameter, Parameters, Value, Variable};
 use sphere_dda_fmu::version::VERSION;
 
 use crate::version::Version;
@@ -124,7 +124,7 @@ fn settings(model: &Model) -> Markup {
         Method::Penalty => "contact springs",
     };
     let choice = Parameters::of(&model.scene).get(Parameter::Solver);
-    let solver = named(&choice, Some(&Choices::SOLVER));
+    let solver = named(&choice, Some(&Enumeration::SOLVER));
     let integrator = match s.integrator {
         Integrator::Moreau => "Moreau-Jean, velocity level",
         Integrator::Shi => "constant acceleration over the step",
@@ -204,7 +204,7 @@ fn rows(model: &Model, version: Version) -> Vec<[String; 6]> {
 }
 
 /// A value as people read it; one of an enumeration by its name.
-fn named(value: &Value, choices: Option<&Choices>) -> String {
+fn named(value: &Value, choices: Option<&Enumeration>) -> String {
     match value {
         Value::Integer(value) if let Some(name) = choices.and_then(|c| c.item(*value)) => {
             name.to_owned()

@@ -9,14 +9,8 @@
 //! The library holds no scene: it reads the one in `resources/`, builds the same variable table as the exporter did
 //! and refuses a guid that does not fit. Unsafe code is in [`ffi`] only.
 
-pub mod document;
 pub mod ffi;
-pub mod instance;
-pub mod life_cycle;
 pub mod model;
-pub mod recorder;
-pub mod refusal;
-pub mod resource;
-pub mod state;
-pub mod variables;
+pub mod runtime;
+pub mod table;
 pub mod version;

@@ -9,7 +9,7 @@ use sphere_dda::scene::{Attachment, Scene, SceneError};
 use sphere_dda_fmi_interface::guid::guid;
 use thiserror::Error;
 
-use crate::variables::{Arrays, Table};
+use crate::table::{Arrays, Table};
 use crate::version::VERSION;
 
 /// Name of the scene file inside `resources/` of an FMU.

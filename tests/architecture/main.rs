@@ -551,7 +551,7 @@ fn every_rule_can_fail() {
         ),
         (
             unsafe_outside_the_wall,
-            "fmu/src/ffi/fmi2.rs",
+            "fmu/src/ffi/fmi2/mod.rs",
             "unsafe { *p }",
         ),
         (

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use sphere_dda::scene::Scene;
 use sphere_dda::simulation::Simulation;
-use sphere_dda_fmu::state::Saved;
+use sphere_dda_fmu::runtime::state::Saved;
 use sphere_dda_master::{Fmu, Step};
 
 use crate::command::{done, example, frames, funnel, rows, said};

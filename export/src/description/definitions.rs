@@ -2,13 +2,13 @@
 
 use std::collections::BTreeMap;
 
-use sphere_dda_fmu::variables::Choices;
+use sphere_dda_fmu::table::Enumeration;
 use sphere_dda_model_description::units::{BaseUnit, Unit};
 
 /// The enumerations among the variables, each once.
 pub(super) fn choices(
-    used: impl Iterator<Item = Option<&'static Choices>>,
-) -> BTreeMap<&'static str, &'static Choices> {
+    used: impl Iterator<Item = Option<&'static Enumeration>>,
+) -> BTreeMap<&'static str, &'static Enumeration> {
     used.flatten()
         .map(|choices| (choices.name, choices))
         .collect()

@@ -8,7 +8,7 @@ use sphere_dda_model_description::fmi2::{
     StringVariable, VariableType,
 };
 
-use sphere_dda_fmu::variables::{Choices, Table, Value, Variable};
+use sphere_dda_fmu::table::{Enumeration, Table, Value, Variable};
 use sphere_dda_fmu::version::VERSION;
 
 use super::definitions::{choices, units};
@@ -37,7 +37,7 @@ pub fn describe(scene: &Scene, table: &Table, identifier: &str, guid: &str) -> M
     model.generation_tool = Some(format!("sphere-dda {VERSION}"));
     model.unit_definitions = units();
     let used = choices(table.variables().iter().map(|v| v.choices));
-    let definition = |c: &Choices| SimpleType::enumeration(c.name, c.items.iter().copied());
+    let definition = |c: &Enumeration| SimpleType::enumeration(c.name, c.items.iter().copied());
     model.type_definitions = used.into_values().map(definition).collect();
     model.log_categories = Category::ALL
         .iter()

@@ -7,8 +7,8 @@ use sphere_dda_model_description::fmi3::{
     ModelDescription, StartValue, Variable,
 };
 
-use sphere_dda_fmu::document::{self, MEDIA_TYPE};
-use sphere_dda_fmu::variables::{Array, Arrays, Choices, Source, Value};
+use sphere_dda_fmu::runtime::document::{self, MEDIA_TYPE};
+use sphere_dda_fmu::table::{Array, Arrays, Enumeration, Source, Value};
 use sphere_dda_fmu::version::VERSION;
 
 use super::definitions::{choices, units};
@@ -37,7 +37,7 @@ pub fn describe(scene: &Scene, arrays: &Arrays, identifier: &str, guid: &str) ->
     model.generation_tool = Some(format!("sphere-dda {VERSION}"));
     model.unit_definitions = units();
     let used = choices(arrays.list().iter().map(|a| a.choices));
-    let definition = |c: &Choices| {
+    let definition = |c: &Enumeration| {
         let items = c.items.iter();
         EnumerationType::new(
             c.name,

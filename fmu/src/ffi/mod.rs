@@ -1,4 +1,4 @@
-//! The C boundary: a wall between the importer and [`crate::instance`].
+//! The C boundary: a wall between the importer and [`crate::runtime::instance`].
 //!
 //! Null pointers, the life cycle, and panics stop here; values and times are judged by the instance. All `unsafe`
 //! code of the exported library is in this folder. A function answers

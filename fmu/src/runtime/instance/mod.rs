@@ -21,12 +21,12 @@ use sphere_dda::error::StepError;
 use sphere_dda::motion::{Command, Rates};
 use sphere_dda::simulation::Simulation;
 
-use crate::life_cycle::LifeCycle;
 use crate::model::Model;
-use crate::recorder::Recorder;
-use crate::refusal::{InstantiationError, Refusal};
-use crate::state::{Run, Saved};
-use crate::variables::Parameters;
+use crate::runtime::life_cycle::LifeCycle;
+use crate::runtime::recorder::Recorder;
+use crate::runtime::refusal::{InstantiationError, Refusal};
+use crate::runtime::state::{Run, Saved};
+use crate::table::Parameters;
 use sphere_dda_fmi_interface::log::{Level, Log};
 use sphere_dda_fmi_interface::pointers::BadArgument;
 use walk::Walk;
@@ -348,7 +348,7 @@ impl Instance {
         matches!(self.run.stage, LifeCycle::StepFailed | LifeCycle::Error)
     }
 
-    /// The complete state as bytes: see [`crate::state`].
+    /// The complete state as bytes: see [`crate::runtime::state`].
     ///
     /// # Errors
     /// [`Refusal::State`] if the serializer fails.

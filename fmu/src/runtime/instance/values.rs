@@ -5,9 +5,9 @@ use sphere_dda::observe::quantities::values;
 use sphere_dda_model_description::fmi2::{BaseType, Causality, Variability};
 
 use super::Instance;
-use crate::life_cycle::LifeCycle;
-use crate::refusal::Refusal;
-use crate::variables::{Meaning, Value, Variable, component};
+use crate::runtime::life_cycle::LifeCycle;
+use crate::runtime::refusal::Refusal;
+use crate::table::{Binding, Value, Variable, component};
 use sphere_dda_fmi_interface::log::Level;
 
 impl Instance {
@@ -18,8 +18,8 @@ impl Instance {
     pub fn get(&mut self, base: BaseType, references: &[u32]) -> Result<Vec<Value>, Refusal> {
         let mut outputs = false;
         for &reference in references {
-            let meaning = self.variable(base, reference)?.meaning;
-            outputs |= matches!(meaning, Meaning::Output(_));
+            let binding = self.variable(base, reference)?.binding;
+            outputs |= matches!(binding, Binding::Output(_));
         }
         if outputs {
             self.look()?;
@@ -32,10 +32,10 @@ impl Instance {
     }
 
     fn value(&self, variable: &Variable) -> Result<Value, Refusal> {
-        let rank = match variable.meaning {
-            Meaning::Time => return Ok(Value::Real(self.run.time)),
-            Meaning::Parameter(parameter) => return Ok(self.run.parameters.get(parameter)),
-            Meaning::Input {
+        let rank = match variable.binding {
+            Binding::Time => return Ok(Value::Real(self.run.time)),
+            Binding::Parameter(parameter) => return Ok(self.run.parameters.get(parameter)),
+            Binding::Input {
                 boundary,
                 input,
                 axis,
@@ -43,7 +43,7 @@ impl Instance {
                 let mut command = self.run.commands[boundary];
                 return Ok(Value::Real(*component(&mut command, input, axis)));
             }
-            Meaning::Output(rank) => rank,
+            Binding::Output(rank) => rank,
         };
         let outputs = self.measured.outputs.as_ref();
         match outputs.and_then(|values| values.get(rank)) {
@@ -80,10 +80,10 @@ impl Instance {
             self.check(*reference, value)?;
         }
         for (reference, value) in values {
-            match (self.variable(value.base(), reference)?.meaning, value) {
-                (Meaning::Parameter(parameter), value) => self.run.parameters.set(parameter, value),
+            match (self.variable(value.base(), reference)?.binding, value) {
+                (Binding::Parameter(parameter), value) => self.run.parameters.set(parameter, value),
                 (
-                    Meaning::Input {
+                    Binding::Input {
                         boundary,
                         input,
                         axis,

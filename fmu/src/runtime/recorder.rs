@@ -7,7 +7,7 @@ use sphere_dda::observe::error::OutputError;
 use sphere_dda::observe::writer::{Options, Results};
 use sphere_dda::simulation::Simulation;
 
-use crate::variables::Parameters;
+use crate::table::Parameters;
 use sphere_dda_fmi_interface::log::{Level, Log};
 
 /// Writes result files, or nothing while `output.directory` is empty.

@@ -6,7 +6,9 @@ use sphere_dda::motion::InputKind;
 use sphere_dda::scene::Scene;
 use sphere_dda_model_description::fmi2::{BaseType, Causality, Variability};
 
-use super::{Choices, Input, Meaning, Parameter, Parameters, Value, Variable};
+use super::enumeration::Enumeration;
+use super::parameters::Parameters;
+use super::variable::{Binding, Input, Parameter, Value, Variable};
 
 /// A variable about to be added, without causality and meaning.
 pub(super) struct Row {
@@ -16,7 +18,7 @@ pub(super) struct Row {
     start: Option<Value>,
     min: Option<f64>,
     max: Option<f64>,
-    choices: Option<&'static Choices>,
+    choices: Option<&'static Enumeration>,
     description: String,
 }
 
@@ -60,7 +62,7 @@ impl Row {
         self
     }
 
-    pub(super) fn choices(mut self, choices: &'static Choices) -> Self {
+    pub(super) fn choices(mut self, choices: &'static Enumeration) -> Self {
         self.choices = Some(choices);
         self
     }
@@ -72,10 +74,10 @@ pub(super) struct Rows {
 }
 
 impl Rows {
-    pub(super) fn push(&mut self, row: Row, causality: Causality, meaning: Meaning) {
+    pub(super) fn push(&mut self, row: Row, causality: Causality, binding: Binding) {
         let variability = match (causality, row.base) {
             (Causality::Parameter, _)
-                if matches!(meaning, Meaning::Parameter(Parameter::Gravity(_))) =>
+                if matches!(binding, Binding::Parameter(Parameter::Gravity(_))) =>
             {
                 Variability::Tunable
             }
@@ -95,7 +97,7 @@ impl Rows {
             max: row.max,
             choices: row.choices,
             description: row.description,
-            meaning,
+            binding,
         });
     }
 
@@ -114,13 +116,13 @@ impl Rows {
                 Some(unit),
                 format!("{text}; {letter}"),
             );
-            let meaning = Meaning::Input {
+            let binding = Binding::Input {
                 boundary,
                 input,
                 axis,
             };
             let row = row.start(Value::Real(start[axis]));
-            self.push(row, Causality::Input, meaning);
+            self.push(row, Causality::Input, binding);
         }
     }
 
@@ -128,27 +130,27 @@ impl Rows {
     pub(super) fn belt(&mut self, prefix: &str, boundary: usize, start: Vec3) {
         let name = format!("{prefix}.surfaceVelocity");
         let text = "Velocity of the surface along the faces, the boundary's own axes, held over the communication step";
-        let meaning = (boundary, Input::SurfaceVelocity);
-        self.vector(&name, "m/s", text, meaning, start);
+        let binding = (boundary, Input::SurfaceVelocity);
+        self.vector(&name, "m/s", text, binding, start);
     }
 
     /// The pressure of a servo wall.
     pub(super) fn servo(&mut self, prefix: &str, boundary: usize, start: f64) {
         let text = "Pressure of the servo wall, held over the communication step";
         let row = Row::real(format!("{prefix}.pressure"), Some("Pa"), text);
-        let meaning = Meaning::Input {
+        let binding = Binding::Input {
             boundary,
             input: Input::Pressure,
             axis: 0,
         };
-        self.push(row.start(Value::Real(start)), Causality::Input, meaning);
+        self.push(row.start(Value::Real(start)), Causality::Input, binding);
     }
 
     pub(super) fn parameters(&mut self, scene: &Scene) {
         let parameters = Parameters::of(scene);
         let mut add = |row: Row, parameter: Parameter| {
             let row = row.start(parameters.get(parameter));
-            self.push(row, Causality::Parameter, Meaning::Parameter(parameter));
+            self.push(row, Causality::Parameter, Binding::Parameter(parameter));
         };
         let (axes, what) = match scene.settings.gravity_motion {
             GravityMotion::Fixed => (3, "Gravity"),
@@ -208,7 +210,7 @@ impl Rows {
         let text = "Real-time mode: most Gauss-Seidel sweeps of an internal step, whose result is taken as it is; 0: as many as the tolerances need";
         add(Row::count("solver.maxSweeps", text), Parameter::Sweeps);
         let row = Row::real("solver.kind", None, "Solver of every step");
-        add(row.choices(&Choices::SOLVER), Parameter::Solver);
+        add(row.choices(&Enumeration::SOLVER), Parameter::Solver);
     }
 
     pub(super) fn inputs(&mut self, prefix: &str, boundary: usize, kind: InputKind) {
@@ -302,11 +304,11 @@ impl Rows {
             InputKind::Pose | InputKind::Motion | InputKind::Twist | InputKind::Load => return,
         };
         let row = Row::real(format!("{prefix}.{name}"), Some(unit), text).start(Value::Real(0.0));
-        let meaning = Meaning::Input {
+        let binding = Binding::Input {
             boundary,
             input: Input::Scalar,
             axis: 0,
         };
-        self.push(row, Causality::Input, meaning);
+        self.push(row, Causality::Input, binding);
     }
 }

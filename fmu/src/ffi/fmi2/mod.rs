@@ -11,10 +11,10 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use super::guard::{ANY, Component, INITIALIZATION, INSTANTIATED, STEPPED, STEPPING, Stages, call};
 use super::logging;
-use crate::instance::{Instance, Step};
-use crate::life_cycle::LifeCycle;
-use crate::refusal::{InstantiationError, Refusal};
-use crate::resource;
+use crate::runtime::instance::{Instance, Step};
+use crate::runtime::life_cycle::LifeCycle;
+use crate::runtime::refusal::{InstantiationError, Refusal};
+use crate::runtime::resource;
 use sphere_dda_fmi_interface::abi2::*;
 use sphere_dda_fmi_interface::log::{Level, Log};
 use sphere_dda_fmi_interface::pointers::{array, panic_text, sink, str_from, value_mut};

@@ -7,10 +7,10 @@ use sphere_dda_model_description::fmi2::BaseType;
 use sphere_dda_model_description::fmi3::Kind;
 use thiserror::Error;
 
-use crate::life_cycle::LifeCycle;
 use crate::model::ModelError;
-use crate::resource::ResourceError;
-use crate::state::StateError;
+use crate::runtime::life_cycle::LifeCycle;
+use crate::runtime::resource::ResourceError;
+use crate::runtime::state::StateError;
 
 /// A refused call. Unless it says otherwise, nothing has changed.
 #[derive(Debug, Error)]

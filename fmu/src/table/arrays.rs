@@ -5,7 +5,7 @@
 //! | `x`                    | `[k]` or none      | the components `x[1]` to `x[k]` of the table, or its scalar `x` |
 //! | `boundaries.x`         | `[B, k]` or `[B]`  | the outputs `boundary.NAME.x` of all boundaries, in their order |
 //! | `spheres.*`            | `[N, k]` or `[N]`  | all spheres: [`Field`]                                        |
-//! | `spheres.document`     | none               | all spheres as one binary: [`crate::document`]                |
+//! | `spheres.document`     | none               | all spheres as one binary: [`crate::runtime::document`]                |
 //!
 //! `N` is the number of spheres the scene has room for, and a sphere keeps its row. A row whose `spheres.present` is
 //! false belongs to a sphere that waits in a source or has left through a sink: it rests where it was.
@@ -15,7 +15,9 @@ use sphere_dda::scene::Scene;
 use sphere_dda_model_description::fmi2::{BaseType, Causality as Causality2, Variability};
 use sphere_dda_model_description::fmi3::{Causality, Kind};
 
-use super::{Choices, Table, Value, Variable};
+use super::enumeration::Enumeration;
+use super::scalars::Table;
+use super::variable::{Value, Variable};
 
 /// What is known of every sphere.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
@@ -71,7 +73,7 @@ pub struct Array {
     /// Largest allowed value.
     pub max: Option<f64>,
     /// The named values of an enumeration.
-    pub choices: Option<&'static Choices>,
+    pub choices: Option<&'static Enumeration>,
     /// One line for people.
     pub description: String,
     /// Where the values come from.

@@ -14,9 +14,9 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use super::guard::{ANY, Component, INITIALIZATION, INSTANTIATED, STEPPING, Updates, call};
 use super::logging;
-use crate::instance::Instance;
-use crate::refusal::InstantiationError;
-use crate::resource;
+use crate::runtime::instance::Instance;
+use crate::runtime::refusal::InstantiationError;
+use crate::runtime::resource;
 use sphere_dda_fmi_interface::abi3::*;
 use sphere_dda_fmi_interface::log::{Level, Log};
 use sphere_dda_fmi_interface::pointers::{array, message_sink, panic_text, str_from};

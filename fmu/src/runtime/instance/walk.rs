@@ -5,8 +5,8 @@ use sphere_dda::motion::Command;
 use sphere_dda::simulation::March;
 
 use super::{Instance, Measured, Step, command};
-use crate::life_cycle::LifeCycle;
-use crate::refusal::Refusal;
+use crate::runtime::life_cycle::LifeCycle;
+use crate::runtime::refusal::Refusal;
 
 /// A communication step under way.
 pub(super) struct Walk {

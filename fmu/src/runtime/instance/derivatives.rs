@@ -9,8 +9,8 @@ use sphere_dda_model_description::fmi2::BaseType;
 use sphere_dda_model_description::fmi3::Kind;
 
 use super::{Instance, counted};
-use crate::refusal::Refusal;
-use crate::variables::{Array, Field, Meaning, Source, Variable, component};
+use crate::runtime::refusal::Refusal;
+use crate::table::{Array, Binding, Field, Source, Variable, component};
 
 const OUTPUTS: &str = "a real output";
 /// Numbers that are measured of a sphere: position, orientation, velocity, angular velocity.
@@ -39,11 +39,11 @@ impl Instance {
         let mut places = Vec::with_capacity(given.len());
         for &(reference, order, value) in given {
             let variable = self.variable(BaseType::Real, reference)?;
-            let Meaning::Input {
+            let Binding::Input {
                 boundary,
                 input,
                 axis,
-            } = variable.meaning
+            } = variable.binding
             else {
                 return Err(not_derivable(&variable.name, "a real input"));
             };
@@ -208,11 +208,11 @@ impl Instance {
     /// What one unit of an input adds to the command of its boundary.
     fn direction(&self, reference: u32) -> Result<Direction, Refusal> {
         let variable = self.variable(BaseType::Real, reference)?;
-        let Meaning::Input {
+        let Binding::Input {
             boundary,
             input,
             axis,
-        } = variable.meaning
+        } = variable.binding
         else {
             return Err(not_derivable(
                 &variable.name,
@@ -286,7 +286,7 @@ impl Instance {
         let variables = self.model.table.variables();
         let outputs = variables
             .iter()
-            .filter(|v| matches!(v.meaning, Meaning::Output(_)));
+            .filter(|v| matches!(v.binding, Binding::Output(_)));
         let first = outputs.count();
         let spheres = 0..self.model.scene.particles.len();
         let of = |i| {
@@ -299,8 +299,8 @@ impl Instance {
 }
 
 fn output(variable: &Variable) -> Result<usize, Refusal> {
-    match variable.meaning {
-        Meaning::Output(rank) => Ok(rank),
+    match variable.binding {
+        Binding::Output(rank) => Ok(rank),
         _ => Err(not_derivable(&variable.name, OUTPUTS)),
     }
 }

@@ -17,8 +17,8 @@ use sphere_dda::motion::{Command, Rates};
 use sphere_dda::simulation::Origin;
 use thiserror::Error;
 
-use crate::life_cycle::LifeCycle;
-use crate::variables::Parameters;
+use crate::runtime::life_cycle::LifeCycle;
+use crate::table::Parameters;
 
 const MAGIC: [u8; 8] = *b"SDDAFMU\0";
 const FORMAT: u32 = 6;

@@ -6,9 +6,9 @@ use sphere_dda_model_description::fmi2::BaseType;
 use sphere_dda_model_description::fmi3::Kind;
 
 use super::Instance;
-use crate::document;
-use crate::refusal::Refusal;
-use crate::variables::{Array, Field, Source, Value};
+use crate::runtime::document;
+use crate::runtime::refusal::Refusal;
+use crate::table::{Array, Field, Source, Value};
 
 /// An element of an array.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,30 +1,10 @@
-//! The variable table: names, references, types, units, start values and what each variable means.
-//!
-//! One table is built from a [`Scene`]. The XML of the model description and the dispatch of every get and set
-//! come from it, so they cannot disagree. Its outputs are the solver's own list of what is measured,
-//! [`sphere_dda::observe::quantities`]. Names of the scene are identifiers, so they need no quotes. The value reference of a
-//! variable is its rank in the table, from 0.
-//!
-//! # When a command holds
-//!
-//! Pose, slide and hinge inputs are total displacements from the scene's placement: the boundary moves linearly
-//! (a rotation by its logarithm) from where it is to the commanded pose and reaches it at the end of the
-//! communication step. Speeds, forces and torques are held over the step. The start values mean "as in the scene": zero,
-//! and for a belt or a servo wall the scene's surface velocity or pressure.
-
-mod arrays;
-mod parameters;
-mod rows;
+//! One variable: its name, type and start, and what it stands for.
 
 use serde::Serialize;
 use sphere_dda::motion::Command;
-use sphere_dda::observe::quantities::{Kind, quantities};
-use sphere_dda::scene::Scene;
 use sphere_dda_model_description::fmi2::{BaseType, Causality, Variability};
 
-pub use arrays::{Array, Arrays, Field, Source};
-pub use parameters::{Choices, Parameters};
-use rows::{Row, Rows};
+use super::enumeration::Enumeration;
 
 /// A value of one of the four types of the C interface.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -55,7 +35,7 @@ impl Value {
 /// What a variable stands for: the getter, and for inputs and parameters the setter.
 /// `axis` counts components from 0.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-pub enum Meaning {
+pub enum Binding {
     /// Time at the last communication point \[s\].
     Time,
     /// A setting of the run.
@@ -94,7 +74,7 @@ pub enum Parameter {
     Sweeps,
     /// Largest internal time step \[s\].
     Step,
-    /// Which solver takes the step's problem: an item of [`Choices::SOLVER`].
+    /// Which solver takes the step's problem: an item of [`Enumeration::SOLVER`].
     Solver,
 }
 
@@ -143,65 +123,11 @@ pub struct Variable {
     /// Largest allowed value.
     pub max: Option<f64>,
     /// The named values of an integer that has no others.
-    pub choices: Option<&'static Choices>,
+    pub choices: Option<&'static Enumeration>,
     /// One line for people.
     pub description: String,
     /// What it stands for.
-    pub meaning: Meaning,
-}
-
-/// The variables of a scene.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Table {
-    variables: Vec<Variable>,
-}
-
-impl Table {
-    /// Builds the table: time, parameters, inputs of driven boundaries, then everything that is measured.
-    #[must_use]
-    pub fn new(scene: &Scene) -> Self {
-        let mut rows = Rows::default();
-        rows.push(
-            Row::real("time", Some("s"), "Simulated time"),
-            Causality::Independent,
-            Meaning::Time,
-        );
-        rows.parameters(scene);
-        for (b, boundary) in scene.boundaries.iter().enumerate() {
-            let prefix = format!("boundary.{}", boundary.name);
-            if let Some(kind) = boundary.motion.input() {
-                rows.inputs(&prefix, b, kind);
-            }
-            if let Some(belt) = boundary.belt.filter(|belt| belt.input) {
-                rows.belt(&prefix, b, belt.velocity);
-            }
-            if let Some(pressure) = boundary.motion.pressure_input() {
-                rows.servo(&prefix, b, pressure);
-            }
-        }
-        for (rank, quantity) in quantities(scene).into_iter().enumerate() {
-            let row = match quantity.kind {
-                Kind::Real => Row::real(quantity.name, quantity.unit, quantity.description),
-                Kind::Count => Row::count(quantity.name, quantity.description),
-            };
-            rows.push(row, Causality::Output, Meaning::Output(rank));
-        }
-        Self {
-            variables: rows.variables,
-        }
-    }
-
-    /// All variables, by reference.
-    #[must_use]
-    pub fn variables(&self) -> &[Variable] {
-        &self.variables
-    }
-
-    /// The variable with a value reference.
-    #[must_use]
-    pub fn get(&self, reference: u32) -> Option<&Variable> {
-        self.variables.get(usize::try_from(reference).ok()?)
-    }
+    pub binding: Binding,
 }
 
 /// The component of a command that an input drives.

@@ -11,7 +11,7 @@
 //!             velocity [m/s] x y z, angular velocity [rad/s] x y z
 //! ```
 //!
-//! Record and row are the same: see [`crate::variables::Arrays`].
+//! Record and row are the same: see [`crate::table::Arrays`].
 
 use sphere_dda::simulation::Simulation;
 
