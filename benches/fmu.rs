@@ -12,8 +12,8 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use sphere_dda::simulation::Simulation;
-use sphere_dda_fmu::import::Fmu;
 use sphere_dda_fmu::model::Model;
+use sphere_dda_master::Fmu;
 use sphere_dda_model_description::fmi2::{Causality, VariableType};
 
 const STEP: f64 = 1e-3;

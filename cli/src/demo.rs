@@ -6,9 +6,8 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use miette::miette;
-use sphere_dda_fmu::export::find_libraries;
-use sphere_dda_fmu::import::{Fmu, Options, System, Table};
-use sphere_dda_fmu::version::Version;
+use sphere_dda_export::{Version, find_libraries};
+use sphere_dda_master::{Fmu, Options, System, Table};
 
 use crate::export::pack;
 use crate::failure::Failure;

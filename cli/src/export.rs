@@ -8,10 +8,9 @@ use clap::Args;
 use clap::ValueEnum;
 use miette::miette;
 use sphere_dda::scene::Scene;
-use sphere_dda_fmu::export::{
-    Contents, Exported, Library, Pictures, Platform, export, find_libraries,
+use sphere_dda_export::{
+    Contents, Exported, Library, Pictures, Platform, Version, export, find_libraries,
 };
-use sphere_dda_fmu::version::Version;
 use sphere_dda_report::picture::portrait;
 
 use package::Package;

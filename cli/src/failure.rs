@@ -9,11 +9,11 @@ use sphere_dda::formats::error::OutputError;
 use sphere_dda::results::start_file::StartFileError;
 use sphere_dda::scene_file::SceneError;
 use sphere_dda::simulation::SettleError;
-use sphere_dda_fmu::export::ExportError;
-use sphere_dda_fmu::import::{
-    ImportError, PackageError, SignalsError, SimulateError, SspError, SystemError,
-};
+use sphere_dda_export::ExportError;
 use sphere_dda_fmu::model::ModelError;
+use sphere_dda_master::{
+    ImportError, InputTableError, PackageError, SimulateError, SspError, SystemError,
+};
 
 /// Why a command has not done its work.
 #[derive(Debug)]
@@ -121,8 +121,8 @@ impl From<PackageError> for Failure {
     }
 }
 
-impl From<SignalsError> for Failure {
-    fn from(error: SignalsError) -> Self {
+impl From<InputTableError> for Failure {
+    fn from(error: InputTableError) -> Self {
         Self::input(error)
     }
 }

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use miette::miette;
-use sphere_dda_fmu::import::{Description, Fmu};
+use sphere_dda_master::{Description, Fmu};
 use sphere_dda_model_description::fmi2::{
     CoSimulation, DefaultExperiment, ModelDescription, ScalarVariable, TypeDefinition, VariableType,
 };

@@ -7,8 +7,8 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 use miette::miette;
-use sphere_dda_fmu::import::{
-    Coupling, End, Event, Fmu, Iteration, Options, Signals, Ssp, System, Table, Value, simulate,
+use sphere_dda_master::{
+    Coupling, End, Event, Fmu, InputTable, Iteration, Options, Ssp, System, Table, Value, simulate,
 };
 
 use crate::failure::Failure;
@@ -38,20 +38,20 @@ pub(crate) struct Simulate {
     /// When connected FMUs exchange values.
     #[arg(long, value_enum, default_value_t)]
     coupling: Scheme,
-    /// Iterated coupling: greatest change of an exchanged value from one try of a step to the next, as a part of the
-    /// greatest it has had; 1e-6 if absent.
-    #[arg(long, value_name = "NUMBER")]
-    tolerance: Option<f64>,
-    /// Iterated coupling: most tries of a step; 30 if absent.
-    #[arg(long, value_name = "COUNT")]
-    iterations: Option<u32>,
+    /// Iterated coupling: relative change of the exchanged values between two iterations of a step at which they count as
+    /// converged; 1e-6 if absent.
+    #[arg(long, alias = "tolerance", value_name = "NUMBER")]
+    coupling_tolerance: Option<f64>,
+    /// Iterated coupling: most iterations of a step; 30 if absent.
+    #[arg(long, alias = "iterations", value_name = "COUNT")]
+    max_iterations: Option<u32>,
     /// Iterated coupling: part of the difference by which the very first correction goes; 0.5 if absent.
     #[arg(long, value_name = "NUMBER")]
     relaxation: Option<f64>,
-    /// Iterated coupling: after the most tries go on with the best of them instead of ending. The number of such steps
-    /// and the greatest change that was left are told at the end.
-    #[arg(long)]
-    go_on: bool,
+    /// Iterated coupling: after the most iterations keep the best one and continue, instead of ending. The number of such
+    /// steps and the greatest change that was left are reported at the end.
+    #[arg(long, alias = "go-on")]
+    accept_unconverged: bool,
     /// Inputs over time: CSV with the header `time,name,...`. Continuous reals are interpolated, all else is held.
     #[arg(long, value_name = "CSV")]
     input: Option<PathBuf>,
@@ -169,7 +169,7 @@ pub(crate) fn run(arguments: &Simulate, interrupt: &Interrupt) -> Result<(), Fai
     set.retain(|(name, _)| arguments.set.iter().all(|(given, _)| given != name));
     set.extend(arguments.set.iter().cloned());
     let inputs = match &arguments.input {
-        Some(path) => Some(Signals::from_csv(path, &system)?),
+        Some(path) => Some(InputTable::from_csv(path, &system)?),
         None => None,
     };
     let options = Options {
@@ -204,7 +204,7 @@ pub(crate) fn run(arguments: &Simulate, interrupt: &Interrupt) -> Result<(), Fai
         note(format_args!(
             "{}{reached}{}, wall time {:.2} s",
             count(table.time.len() as u64, "row"),
-            tries(table),
+            iterations(table),
             driven.wall
         ));
     }
@@ -214,10 +214,13 @@ pub(crate) fn run(arguments: &Simulate, interrupt: &Interrupt) -> Result<(), Fai
 /// How to iterate; numbers for it are refused where nothing is iterated.
 fn iteration(arguments: &Simulate) -> Result<Iteration, Failure> {
     let given = [
-        ("--tolerance", arguments.tolerance.is_some()),
-        ("--iterations", arguments.iterations.is_some()),
+        (
+            "--coupling-tolerance",
+            arguments.coupling_tolerance.is_some(),
+        ),
+        ("--max-iterations", arguments.max_iterations.is_some()),
         ("--relaxation", arguments.relaxation.is_some()),
-        ("--go-on", arguments.go_on),
+        ("--accept-unconverged", arguments.accept_unconverged),
     ];
     if let Some((name, _)) = given.iter().find(|(_, given)| *given)
         && !matches!(arguments.coupling, Scheme::Iterated)
@@ -228,10 +231,10 @@ fn iteration(arguments: &Simulate) -> Result<Iteration, Failure> {
     }
     let default = Iteration::default();
     Ok(Iteration {
-        tolerance: arguments.tolerance.unwrap_or(default.tolerance),
-        limit: arguments.iterations.unwrap_or(default.limit),
+        tolerance: arguments.coupling_tolerance.unwrap_or(default.tolerance),
+        max_iterations: arguments.max_iterations.unwrap_or(default.max_iterations),
         relaxation: arguments.relaxation.unwrap_or(default.relaxation),
-        go_on: arguments.go_on,
+        accept_unconverged: arguments.accept_unconverged,
     })
 }
 
@@ -241,22 +244,22 @@ fn is_ssp(path: &Path) -> bool {
         .is_some_and(|ending| ending.eq_ignore_ascii_case("ssp"))
 }
 
-/// How often steps were tried, on average and at most, if the coupling iterates.
-fn tries(table: &Table) -> String {
-    let tries = &table.iterations;
-    let Some(most) = tries.iter().max() else {
+/// Iterations per step, on average and at most, if the coupling iterates.
+fn iterations(table: &Table) -> String {
+    let counts = &table.iterations;
+    let Some(most) = counts.iter().max() else {
         return String::new();
     };
-    let mean = tries.iter().map(|&count| f64::from(count)).sum::<f64>() / tries.len() as f64;
-    let left = table.unsettled.iter().map(|step| step.change);
-    let unsettled = match left.reduce(f64::max) {
+    let mean = counts.iter().map(|&count| f64::from(count)).sum::<f64>() / counts.len() as f64;
+    let left = table.not_converged.iter().map(|step| step.change);
+    let unconverged = match left.reduce(f64::max) {
         None => String::new(),
         Some(worst) => format!(
-            "; {} steps went on although values changed, by at most {worst:.1e} of their greatest",
-            table.unsettled.len()
+            "; {} steps were accepted although values still changed, by at most {worst:.1e} of their greatest",
+            table.not_converged.len()
         ),
     };
-    format!(", {mean:.2} tries of a step on average, at most {most}{unsettled}")
+    format!(", {mean:.2} iterations per step on average, at most {most}{unconverged}")
 }
 
 /// Name of a file without its ending.

@@ -100,7 +100,7 @@ def coupled(command, folder, shaker, fmu, scheme, step, inner):
     begun = time.perf_counter()
     said = run(command, "simulate", shaker, fmu, *connect, *settings, *record, *options)
     seconds = time.perf_counter() - begun
-    tries = re.search(r"([\d.]+) tries of a step on average", said)
+    tries = re.search(r"([\d.]+) iterations per step on average", said)
     rows = table(out)
     return rows["time"], rows["shaker.position"], float(tries[1]) if tries else 1.0, seconds
 

@@ -1,28 +1,16 @@
-//! The functional mock-up unit of sphere-dda: a scene-agnostic co-simulation library for FMI 2.0 and
-//! FMI 3.0, its exporter, and a
-//! small master for FMUs of any kind.
+//! The functional mock-up unit of sphere-dda: a scene-agnostic co-simulation library for FMI 2.0 and FMI 3.0, and what
+//! the exporter asks of it.
 //!
 //! ```text
-//! scene.toml -> model (scene, variables, guid) -> description -> export -> X.fmu
+//! scene.toml -> model (scene, variables, guid) -> crate sphere-dda-export -> X.fmu
 //! X.fmu -> any master -> ffi -> instance -> sphere_dda::simulation
 //! ```
 //!
 //! The library holds no scene: it reads the one in `resources/`, builds the same variable table as the exporter did
-//! and refuses a guid that does not fit. Unsafe code is in [`ffi`] and in the importer only.
+//! and refuses a guid that does not fit. Unsafe code is in [`ffi`] only.
 
-pub mod description;
-pub mod document;
-pub mod documentation;
-pub mod export;
 pub mod ffi;
-pub mod import;
-pub mod instance;
-pub mod life_cycle;
 pub mod model;
-pub mod recorder;
-pub mod refusal;
-pub mod resource;
-pub mod state;
-pub mod terminals;
-pub mod variables;
+pub mod runtime;
+pub mod table;
 pub mod version;

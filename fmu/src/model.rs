@@ -7,10 +7,11 @@ use std::{fs, io};
 use sphere_dda::error::SnapshotError;
 use sphere_dda::scene::Scene;
 use sphere_dda::scene_file::{Attachment, SceneError};
+use sphere_dda_fmi_interface::guid::guid;
 use thiserror::Error;
 
-use crate::description;
-use crate::variables::{Arrays, Table};
+use crate::table::{Arrays, Table};
+use crate::version::VERSION;
 
 /// Name of the scene file inside `resources/` of an FMU.
 pub const SCENE_FILE: &str = "scene.toml";
@@ -27,7 +28,7 @@ pub struct Model {
     pub table: Table,
     /// The same, gathered into the arrays of FMI 3.0.
     pub arrays: Arrays,
-    /// Fingerprint of scene, variables and version.
+    /// Fingerprint of version, scene and variables, which is also the instantiation token of FMI 3.0.
     pub guid: String,
     /// Text of the scene file.
     pub text: String,
@@ -57,8 +58,7 @@ impl Model {
     /// Reads a scene file and the files it refers to; the scene starts from `start`, if it is given.
     ///
     /// # Errors
-    /// [`ModelError::Scene`] with all problems of the scene, [`ModelError::Description`] if a name cannot be written
-    /// to XML, [`ModelError::Start`] if the start belongs to another scene.
+    /// [`ModelError::Scene`] with all problems of the scene, [`ModelError::Start`] if the start belongs to another scene.
     pub fn read(path: &Path, start: Option<Vec<u8>>) -> Result<Self, ModelError> {
         let mut loaded = Scene::from_file(path).map_err(Box::new)?;
         if let Some(start) = &start {
@@ -66,7 +66,9 @@ impl Model {
         }
         let table = Table::new(&loaded.scene);
         let arrays = Arrays::new(&loaded.scene, &table);
-        let guid = description::guid(&loaded.scene, &table, &arrays)?;
+        // One for both versions, so that a saved state of one is a state of the other.
+        let variables = postcard::to_stdvec(&(&table, &arrays))?;
+        let guid = guid(&[VERSION.as_bytes(), loaded.scene.hash.as_bytes(), &variables]);
         Ok(Self {
             table,
             arrays,
@@ -103,7 +105,7 @@ pub enum ModelError {
         /// The reason.
         source: io::Error,
     },
-    /// A name or title does not fit into XML.
-    #[error("model description: {0}; change the name or title in the scene")]
-    Description(#[from] sphere_dda_model_description::Error),
+    /// The variables cannot be hashed.
+    #[error("variables: {0}; this is a fault of sphere-dda")]
+    Variables(#[from] postcard::Error),
 }

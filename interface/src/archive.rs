@@ -1,11 +1,10 @@
 //! The archive of an FMU: deflated, without zip64 and with one fixed time stamp, so that the same files give the same
-//! bytes; and the guid that ties a description to a library.
+//! bytes.
 
 use std::fs::File;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-use sha2::{Digest, Sha256};
 use thiserror::Error;
 use zip::ZipWriter;
 use zip::write::SimpleFileOptions;
@@ -20,25 +19,6 @@ pub struct ArchiveError {
     path: PathBuf,
     /// The reason.
     source: io::Error,
-}
-
-/// A guid in the usual form, `{8-4-4-4-12}` hexadecimal digits: the hash of `parts`.
-#[must_use]
-pub fn guid(parts: &[&str]) -> String {
-    let mut digest = Sha256::new();
-    for part in parts {
-        digest.update(part.len().to_le_bytes());
-        digest.update(part);
-    }
-    let hash = digest.finalize();
-    let mut text = String::from("{");
-    for (k, byte) in hash.iter().take(16).enumerate() {
-        if matches!(k, 4 | 6 | 8 | 10) {
-            text.push('-');
-        }
-        text += &format!("{byte:02x}");
-    }
-    text + "}"
 }
 
 /// Packs files, given by their paths in the archive, into `fmu`, replacing it when all is done: whoever opens it sees
@@ -101,20 +81,6 @@ mod tests {
     use std::fs;
 
     use super::*;
-
-    #[test]
-    fn a_guid_has_the_usual_form_and_keeps_its_parts_apart() {
-        let one = guid(&["ab", "c"]);
-        assert_eq!(one.len(), 38);
-        let groups: Vec<usize> = one
-            .trim_matches(['{', '}'])
-            .split('-')
-            .map(str::len)
-            .collect();
-        assert_eq!(groups, [8, 4, 4, 4, 12]);
-        assert_eq!(one, guid(&["ab", "c"]));
-        assert_ne!(one, guid(&["a", "bc"]));
-    }
 
     #[test]
     fn the_same_files_give_the_same_bytes() {

@@ -6,12 +6,15 @@
 //! | [`abi3`]     | the types of the C interface of FMI 3.0                              |
 //! | [`pointers`] | pointers from C as slices and texts, or a reason why not             |
 //! | [`log`]      | log lines, their categories, and the way to the importer's logger    |
-//! | [`archive`]  | files to an `.fmu`, with the same bytes every time; the guid's form   |
+//! | [`guid`]     | fingerprints in the form of a guid                                   |
+//! | `archive`    | files to an `.fmu`, with the same bytes every time; feature `archive` |
 //! | [`platform`] | where the library of each platform lies in the archive               |
 
 pub mod abi2;
 pub mod abi3;
+#[cfg(feature = "archive")]
 pub mod archive;
+pub mod guid;
 pub mod log;
 pub mod platform;
 pub mod pointers;

@@ -7,7 +7,7 @@
 use serde::{Deserialize, Deserializer, Serializer};
 
 /// A value with a lexical form in XML Schema.
-pub(crate) trait Lexical: Sized {
+pub trait Lexical: Sized {
     /// What the schema calls the type, for messages.
     const EXPECTED: &'static str;
 
@@ -123,17 +123,12 @@ impl Lexical for Vec<u32> {
 }
 
 /// Writes a required attribute.
-pub(crate) fn serialize<T: Lexical, S: Serializer>(
-    value: &T,
-    serializer: S,
-) -> Result<S::Ok, S::Error> {
+pub fn serialize<T: Lexical, S: Serializer>(value: &T, serializer: S) -> Result<S::Ok, S::Error> {
     serializer.serialize_str(&value.print())
 }
 
 /// Reads a required attribute.
-pub(crate) fn deserialize<'de, T: Lexical, D: Deserializer<'de>>(
-    deserializer: D,
-) -> Result<T, D::Error> {
+pub fn deserialize<'de, T: Lexical, D: Deserializer<'de>>(deserializer: D) -> Result<T, D::Error> {
     let text = String::deserialize(deserializer)?;
     let trimmed = text.trim_ascii();
     T::parse(trimmed).ok_or_else(|| {
@@ -143,12 +138,12 @@ pub(crate) fn deserialize<'de, T: Lexical, D: Deserializer<'de>>(
 }
 
 /// Optional attributes: absent is `None`.
-pub(crate) mod optional {
+pub mod optional {
     use super::Lexical;
     use serde::{Deserializer, Serializer};
 
     /// Writes an attribute; the field skips `None` itself.
-    pub(crate) fn serialize<T: Lexical, S: Serializer>(
+    pub fn serialize<T: Lexical, S: Serializer>(
         value: &Option<T>,
         serializer: S,
     ) -> Result<S::Ok, S::Error> {
@@ -159,7 +154,7 @@ pub(crate) mod optional {
     }
 
     /// Reads an attribute that is there; serde's `default` covers its absence.
-    pub(crate) fn deserialize<'de, T: Lexical, D: Deserializer<'de>>(
+    pub fn deserialize<'de, T: Lexical, D: Deserializer<'de>>(
         deserializer: D,
     ) -> Result<Option<T>, D::Error> {
         super::deserialize(deserializer).map(Some)
@@ -167,12 +162,12 @@ pub(crate) mod optional {
 }
 
 /// Whether a flag has the schema's default and need not be written.
-pub(crate) fn is_false(value: &bool) -> bool {
+pub fn is_false(value: &bool) -> bool {
     !value
 }
 
 /// Whether an integer has the schema's default 0 and need not be written.
-pub(crate) fn is_zero<T: Default + PartialEq>(value: &T) -> bool {
+pub fn is_zero<T: Default + PartialEq>(value: &T) -> bool {
     *value == T::default()
 }
 

@@ -9,9 +9,9 @@
 //! | [`fmi2`]   | the FMI 2.0 description, its XML form and its rules           | FMI 2.0      |
 //! | [`terminals`]| groups of variables and the icon, its XML form and its rules | FMI 2.0.4, 3.0 |
 //! | [`fmi3`]   | the FMI 3.0 description: arrays, aliases, intermediate update | FMI 3.0      |
-//! | [`ssp`]    | systems of FMUs and their parameter values, written            | SSP 1.0      |
 //! | [`units`]  | units as exponents of the SI base units, display units        | any version  |
 //! | [`names`]  | the grammar of structured variable names, C identifiers       | any version  |
+//! | [`xml`], [`lexical`] | texts of any such file to typed data and back       | any version  |
 //! | [`Finding`]| one broken rule: where, what was found, what was expected     | any version  |
 //! | [`Error`]  | why a text could not be read or a description not be written  | any version  |
 //!
@@ -60,12 +60,11 @@
 mod finding;
 pub mod fmi2;
 pub mod fmi3;
-mod lexical;
+pub mod lexical;
 pub mod names;
-pub mod ssp;
 pub mod terminals;
 pub mod units;
-mod xml;
+pub mod xml;
 
 pub use finding::{Finding, Rule, Severity};
 pub use xml::{Error, MAX_ATTRIBUTES, MAX_BYTES, MAX_DEPTH};

@@ -145,25 +145,22 @@ pub(crate) fn read<T: DeserializeOwned>(
 }
 
 /// What a document begins with.
-#[derive(Clone, Copy)]
-pub(crate) struct Expected {
+#[derive(Debug, Clone, Copy)]
+pub struct Expected {
     /// Name of the root element, without prefix.
-    pub(crate) root: &'static str,
+    pub root: &'static str,
     /// The attribute that tells the version.
-    pub(crate) attribute: &'static str,
+    pub attribute: &'static str,
     /// The version that is read.
-    pub(crate) version: &'static str,
+    pub version: &'static str,
 }
 
-/// As [`read`], with the version in any attribute.
+/// Reads the document that begins as `expected`.
 ///
 /// # Errors
 ///
-/// As [`read`].
-pub(crate) fn read_expected<T: DeserializeOwned>(
-    text: &str,
-    expected: Expected,
-) -> Result<T, Error> {
+/// Every variant of [`Error`] that is about reading.
+pub fn read_expected<T: DeserializeOwned>(text: &str, expected: Expected) -> Result<T, Error> {
     if text.len() > MAX_BYTES {
         return Err(Error::TooLarge {
             found: text.len(),
@@ -196,7 +193,7 @@ pub(crate) fn read_expected<T: DeserializeOwned>(
 /// # Errors
 ///
 /// [`Error::Character`] and [`Error::Write`].
-pub(crate) fn write<T: Serialize>(value: &T, root: &str) -> Result<String, Error> {
+pub fn write<T: Serialize>(value: &T, root: &str) -> Result<String, Error> {
     let failed = |error: quick_xml::SeError| Error::Write {
         problem: error.to_string(),
     };

@@ -7,9 +7,11 @@ use std::collections::{BTreeMap, BTreeSet};
 use crate::{code, names, sources};
 
 /// The crates whose imports are judged.
-const CRATES: [&str; 6] = [
+const CRATES: [&str; 8] = [
     "src",
     "fmu/src",
+    "export/src",
+    "master/src",
     "interface/src",
     "modelDescription/src",
     "report/src",
@@ -24,7 +26,6 @@ const TIED: &[&str] = &[
     "report/src/laws",
     "report/src/paper",
     "cli/src",
-    "fmu/src/import",
 ];
 
 /// A module path, from the crate's root.

@@ -39,12 +39,25 @@ fn bad_command_lines_and_files_exit_with_2_and_say_why() {
         ("simulate text.ssp", "text.ssp: "),
         ("simulate text.ssp funnel.fmu", "one SSP alone"),
         (
+            "simulate funnel.fmu --coupling-tolerance 1e-3",
+            "--coupling-tolerance: found another coupling, expected `--coupling iterated`",
+        ),
+        (
+            "simulate funnel.fmu --coupling iterated --max-iterations 0",
+            "at least 1 iteration",
+        ),
+        // Their names up to version 0.1.
+        (
             "simulate funnel.fmu --tolerance 1e-3",
-            "--tolerance: found another coupling, expected `--coupling iterated`",
+            "--coupling-tolerance: found another coupling",
+        ),
+        (
+            "simulate funnel.fmu --go-on",
+            "--accept-unconverged: found another coupling",
         ),
         (
             "simulate funnel.fmu --coupling iterated --iterations 0",
-            "a limit of at least 1",
+            "at least 1 iteration",
         ),
         ("run", "required arguments"),
         ("run funnel.toml", "--output"),

@@ -5,11 +5,8 @@ use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use sphere_dda_fmu::export::{Contents, export, find_libraries};
-use sphere_dda_fmu::import::{
-    Coupling, End, Fmu, Iteration, Options, Step, System, Table, simulate,
-};
-use sphere_dda_fmu::version::Version;
+use sphere_dda_export::{Contents, Version, export, find_libraries};
+use sphere_dda_master::{Coupling, End, Fmu, Iteration, Options, Step, System, Table, simulate};
 
 const FORCE: &str = "bed.boundary.tray.averageForce[3]";
 const GRAVITY: f64 = 9.81;

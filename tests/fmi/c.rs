@@ -6,7 +6,7 @@ use std::ptr::{null, null_mut};
 use std::sync::Mutex;
 
 use libloading::Library;
-use sphere_dda_fmu::export::find_library;
+use sphere_dda_export::find_library;
 
 pub(crate) const OK: c_int = 0;
 pub(crate) const WARNING: c_int = 1;

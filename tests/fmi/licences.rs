@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::process::Command;
 
-use sphere_dda_fmu::documentation::THIRD_PARTY;
+use sphere_dda_export::documentation::THIRD_PARTY;
 
 /// `name version` of all crates of others in the library, as `fmu/licences/collect.py` asks for them.
 fn linked(platform: &str) -> BTreeSet<String> {

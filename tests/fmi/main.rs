@@ -15,9 +15,9 @@ use sphere_dda::observe::Observation;
 use sphere_dda::observe::quantities::values;
 use sphere_dda::results::history::columns;
 use sphere_dda::simulation::Simulation;
-use sphere_dda_fmu::description::describe;
+use sphere_dda_export::description::version2::describe;
 use sphere_dda_fmu::model::Model;
-use sphere_dda_fmu::variables::Meaning;
+use sphere_dda_fmu::table::Binding;
 use sphere_dda_model_description::fmi2::{BaseType, Causality};
 
 /// 18 balls fall on a floor that can be driven, beside a wall that can be pushed.
@@ -210,7 +210,7 @@ fn all_functions_exist() {
 fn assert_same_outputs(scene: &Scene, instance: &Instance, simulation: &Simulation) {
     let outputs = values(&Observation::of(simulation));
     for variable in scene.model.table.variables() {
-        if let (Meaning::Output(rank), BaseType::Real) = (variable.meaning, variable.base) {
+        if let (Binding::Output(rank), BaseType::Real) = (variable.binding, variable.base) {
             let expected = outputs[rank];
             let found = instance.real(variable.reference);
             assert_eq!(

@@ -1,7 +1,7 @@
 //! Several FMUs: who gets which value when, and connections that cannot be made.
 
-use sphere_dda_fmu::import::{
-    ConnectionFault, Coupling, End, Fmu, Options, Signals, SimulateError, System, SystemError,
+use sphere_dda_master::{
+    ConnectionFault, Coupling, End, Fmu, InputTable, Options, SimulateError, System, SystemError,
     Table, Values,
 };
 
@@ -122,7 +122,7 @@ fn tables_and_records_use_the_names_of_the_system() {
         .unwrap();
     let text = "time,first.force[1],second.level\n0,3,high\n";
     let options = Options {
-        inputs: Some(Signals::read(text.as_bytes(), "drive.csv", &system).unwrap()),
+        inputs: Some(InputTable::read(text.as_bytes(), "drive.csv", &system).unwrap()),
         outputs: Some(vec!["second.levelEcho".to_owned(), "first.echo".to_owned()]),
         stop: Some(0.1),
         ..Options::default()
@@ -132,7 +132,7 @@ fn tables_and_records_use_the_names_of_the_system() {
     assert_eq!(values(&table, "first.echo"), [0.0, 3.0, 3.0]);
 
     let twice = "time,second.force[1]\n0,3\n";
-    let error = Signals::read(twice.as_bytes(), "drive.csv", &system).unwrap_err();
+    let error = InputTable::read(twice.as_bytes(), "drive.csv", &system).unwrap_err();
     assert!(
         error.to_string().contains("`first.mass.x` feeds"),
         "{error}"

@@ -2,9 +2,9 @@
 
 use std::ops::ControlFlow;
 
-use sphere_dda_fmu::import::{
-    End, Event, Fmu, ImportError, Instance, Options, Phase, Signals, SimulateError, Status, Step,
-    System, simulate,
+use sphere_dda_master::{
+    End, Event, Fmu, ImportError, InputTable, Instance2, Options, Phase, SimulateError, Status,
+    Step, System, simulate,
 };
 
 use crate::foreign_fmu::{Build, pack};
@@ -28,7 +28,7 @@ fn a_failing_call_is_named_with_its_status_and_what_the_fmu_says() {
         let (folder, fmu) = open(Build::Whole);
         let options = Options {
             inputs: Some(
-                Signals::read("time,force[1]\n0,1\n".as_bytes(), "", &System::of(&fmu)).unwrap(),
+                InputTable::read("time,force[1]\n0,1\n".as_bytes(), "", &System::of(&fmu)).unwrap(),
             ),
             ..with(&[("fault", &format!("{function}:{code}"))])
         };
@@ -100,7 +100,7 @@ fn a_status_beyond_the_standard_is_an_error_and_a_warning_is_none() {
 fn states_are_saved_restored_and_carried_to_another_instance() {
     let (_folder, fmu) = open(Build::Whole);
     let mut a = fmu.instantiate("a", false).unwrap();
-    let begin = |instance: &mut Instance| {
+    let begin = |instance: &mut Instance2| {
         instance.setup_experiment(None, 0.0, None).unwrap();
         instance.enter_initialization_mode().unwrap();
         instance.exit_initialization_mode().unwrap();

@@ -1,6 +1,6 @@
 //! Strong coupling: steps are repeated until what is exchanged at their end agrees.
 
-use sphere_dda_fmu::import::{
+use sphere_dda_master::{
     Coupling, End, Fmu, Iteration, Options, SimulateError, System, Table, Values,
 };
 
@@ -93,7 +93,7 @@ fn the_exchanged_values_are_those_of_the_end_of_the_step() {
         }
         (a, b) = (step(a, y, h), step(b, x, h));
     }
-    // `steps` counts every step that the FMU has done: tries that were given up are rolled back.
+    // `steps` counts every step that the FMU has done: iterations that were given up are rolled back.
     let steps = table.columns.iter().find(|c| c.name == "a.steps").unwrap();
     assert_eq!(steps.values.get(40), Values::Integer(vec![40]).get(0));
     let most = table.iterations.iter().max().unwrap();
@@ -105,7 +105,7 @@ fn a_coupling_that_does_not_come_to_rest_is_an_error_that_names_the_value() {
     let (_folder, fmus) = pair(Build::Whole, |_| ());
     let options = Options {
         iteration: Iteration {
-            limit: 2,
+            max_iterations: 2,
             tolerance: 1e-13,
             ..Iteration::default()
         },
@@ -114,11 +114,12 @@ fn a_coupling_that_does_not_come_to_rest_is_an_error_that_names_the_value() {
     let error = drive(&system(&fmus), &options).unwrap_err();
     let told = error.to_string();
     assert!(
-        told.starts_with("at time 0 s: `b.mass.x` changes by ") && told.contains("after 2 tries"),
+        told.starts_with("at time 0 s: `b.mass.x` changes by ")
+            && told.contains("after 2 iterations"),
         "{told}"
     );
     assert_eq!(error.table().unwrap().time, [0.0]);
-    for (tolerance, limit, relaxation) in [
+    for (tolerance, max_iterations, relaxation) in [
         (0.0, 9, 0.5),
         (1e-3, 0, 0.5),
         (1e-3, 9, 1.5),
@@ -127,9 +128,9 @@ fn a_coupling_that_does_not_come_to_rest_is_an_error_that_names_the_value() {
         let options = Options {
             iteration: Iteration {
                 tolerance,
-                limit,
+                max_iterations,
                 relaxation,
-                go_on: false,
+                accept_unconverged: false,
             },
             ..options.clone()
         };
@@ -159,16 +160,16 @@ fn fmus_without_states_are_iterated_only_where_nothing_comes_back() {
     assert_eq!(iterated.iterations, vec![1; 40]);
 }
 
-/// What a run that goes on keeps is the best of the tries. The oscillators are linear in what they exchange, so a third
+/// What a run that goes on keeps is the best of the iterations. The oscillators are linear in what they exchange, so a third
 /// try settles what two do not.
 #[test]
 fn a_run_can_go_on_with_values_that_do_not_agree() {
     let (_folder, fmus) = pair(Build::Whole, |_| ());
     let coarse = |limit| Options {
         iteration: Iteration {
-            limit,
+            max_iterations: limit,
             tolerance: 1e-15,
-            go_on: true,
+            accept_unconverged: true,
             ..Iteration::default()
         },
         ..options(Coupling::Iterated, 0.5)
@@ -176,22 +177,22 @@ fn a_run_can_go_on_with_values_that_do_not_agree() {
     let tables = [2, 3].map(|limit| drive(&system(&fmus), &coarse(limit)).unwrap());
     let exact = drive(&system(&fmus), &options(Coupling::Iterated, 0.5)).unwrap();
     let worst = |table: &Table| {
-        let left = table.unsettled.iter().map(|step| step.change);
+        let left = table.not_converged.iter().map(|step| step.change);
         left.fold(0.0, f64::max)
     };
     let off = |table: &Table| (real(table, "a.mass.x")[1] - real(&exact, "a.mass.x")[1]).abs();
     for table in &tables {
         assert_eq!((table.end, table.time.len()), (End::Stop, 5));
-        // The tries that were given up have left nothing behind.
+        // The iterations that were given up have left nothing behind.
         let steps = table.columns.iter().find(|c| c.name == "b.steps").unwrap();
         assert_eq!(steps.values.get(4), Values::Integer(vec![4]).get(0));
     }
-    assert_eq!(tables[0].unsettled[0].time, 0.0);
+    assert_eq!(tables[0].not_converged[0].time, 0.0);
     assert_eq!(
         tables[0].iterations[0], 3,
-        "two tries, and the better again"
+        "two iterations, and the better again"
     );
-    assert!(worst(&tables[0]) > 1e-3, "{:?}", tables[0].unsettled);
+    assert!(worst(&tables[0]) > 1e-3, "{:?}", tables[0].not_converged);
     assert!(
         off(&tables[0]) > 10.0 * off(&tables[1]),
         "{} {}",

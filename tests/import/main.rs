@@ -13,7 +13,7 @@ mod ssp;
 use std::ops::ControlFlow;
 
 use foreign_fmu::{Build, pack};
-use sphere_dda_fmu::import::{Fmu, Options, SimulateError, System, Table, simulate};
+use sphere_dda_master::{Fmu, Options, SimulateError, System, Table, simulate};
 
 fn open(build: Build) -> (tempfile::TempDir, Fmu) {
     let folder = tempfile::tempdir().unwrap();

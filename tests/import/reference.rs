@@ -1,6 +1,6 @@
 //! The Reference FMUs of the Modelica Association, against the recursions that their sources state.
 
-use sphere_dda_fmu::import::{Coupling, End, Fmu, Options, Signals, System, Table, Values};
+use sphere_dda_master::{Coupling, End, Fmu, InputTable, Options, System, Table, Values};
 
 use crate::foreign_fmu::{pack_reference, pack_reference_of};
 use crate::{drive, run};
@@ -125,7 +125,7 @@ fn feedthrough_gives_back_values_of_every_type() {
                 0,1.5,-2,7,false,first,Option 1\n\
                 1,2.5,3,-8,true,\"a, \"\"b\"\" %s\",Option 2\n";
     let options = Options {
-        inputs: Some(Signals::read(text.as_bytes(), "drive.csv", &system).unwrap()),
+        inputs: Some(InputTable::read(text.as_bytes(), "drive.csv", &system).unwrap()),
         stop: Some(1.5),
         step: Some(0.5),
         ..Options::default()
@@ -216,7 +216,7 @@ fn feedthrough_gives_back_values_of_every_type_of_fmi_3() {
     };
     let text = format!("time,{}\n0,{values}\n", named("input").join(","));
     let options = Options {
-        inputs: Some(Signals::read(text.as_bytes(), "drive.csv", &system).unwrap()),
+        inputs: Some(InputTable::read(text.as_bytes(), "drive.csv", &system).unwrap()),
         outputs: Some(named("output")),
         stop: Some(0.5),
         step: Some(0.5),

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use sphere_dda_fmu::import::{ArchiveError, Fmu, ImportError, Limits};
+use sphere_dda_master::{ArchiveError, Fmu, ImportError, Limits};
 
 use crate::foreign_fmu::{Build, entries, pack, write_archive, write_link};
 

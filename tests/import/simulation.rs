@@ -2,9 +2,9 @@
 
 use std::ops::ControlFlow;
 
-use sphere_dda_fmu::import::{
-    End, Event, Fmu, Options, Signals, SignalsError, SimulateError, System, Values, VariableError,
-    simulate,
+use sphere_dda_master::{
+    End, Event, Fmu, InputTable, InputTableError, Options, SimulateError, System, Values,
+    VariableError, simulate,
 };
 
 use crate::foreign_fmu::{Build, pack};
@@ -133,7 +133,7 @@ fn inputs_are_linear_or_held_and_jump_at_double_times() {
                 1, 5, high\n\
                 1, 10, low\n\
                 1.5, 20, 2\n";
-    let signals = Signals::read(text.as_bytes(), "drive.csv", &System::of(&fmu)).unwrap();
+    let signals = InputTable::read(text.as_bytes(), "drive.csv", &System::of(&fmu)).unwrap();
     let options = Options {
         inputs: Some(signals),
         ..Options::default()
@@ -202,13 +202,13 @@ fn bad_tables_of_inputs_are_refused_with_their_place() {
         ("time,force[1]\ninf,1\n", "line 2: found time \"inf\""),
         ("time,force[1]\n0\n", "as many in each line"),
     ] {
-        let error = Signals::read(text.as_bytes(), "drive.csv", &System::of(&fmu)).unwrap_err();
+        let error = InputTable::read(text.as_bytes(), "drive.csv", &System::of(&fmu)).unwrap_err();
         let message = error.to_string();
         assert!(message.starts_with("drive.csv"), "{message}");
         assert!(message.contains(part), "{text:?}: {message}");
     }
-    let error = Signals::from_csv("/no/such.csv", &System::of(&fmu)).unwrap_err();
-    assert!(matches!(error, SignalsError::Open { .. }), "{error}");
+    let error = InputTable::from_csv("/no/such.csv", &System::of(&fmu)).unwrap_err();
+    assert!(matches!(error, InputTableError::Open { .. }), "{error}");
 }
 
 #[test]

@@ -2,9 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use sphere_dda_fmu::import::{
-    ArchiveError, Fmu, ImportError, Limits, Options, Ssp, SspError, System,
-};
+use sphere_dda_master::{ArchiveError, Fmu, ImportError, Limits, Options, Ssp, SspError, System};
 
 use crate::drive;
 use crate::foreign_fmu::{Build, pack, write_archive};

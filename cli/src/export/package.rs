@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use sphere_dda_fmu::import::{Fmu, System};
+use sphere_dda_master::{Fmu, System};
 
 use crate::failure::Failure;
 use crate::progress::print;

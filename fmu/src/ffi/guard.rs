@@ -3,9 +3,9 @@
 use std::ffi::CString;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use crate::instance::Instance;
-use crate::life_cycle::LifeCycle;
-use crate::refusal::Refusal;
+use crate::runtime::instance::Instance;
+use crate::runtime::life_cycle::LifeCycle;
+use crate::runtime::refusal::Refusal;
 use sphere_dda_fmi_interface::abi2::{fmi2Component, fmi2Status};
 use sphere_dda_fmi_interface::abi3::{
     fmi3InstanceEnvironment, fmi3IntermediateUpdateCallback, fmi3Status,

@@ -1,4 +1,4 @@
-//! The C boundary: a wall between the importer and [`crate::instance`].
+//! The C boundary: a wall between the importer and [`crate::runtime::instance`].
 //!
 //! Null pointers, the life cycle, and panics stop here; values and times are judged by the instance. All `unsafe`
 //! code of the exported library is in this folder. A function answers
@@ -17,26 +17,8 @@ mod guard;
 mod logging;
 mod saved;
 
-use std::ffi::{CStr, c_char};
-use std::path::{Path, PathBuf};
+use crate::version::BUILD_ID;
 
-/// Build id of a library of this crate.
-///
-/// # Errors
-/// If it cannot be loaded or is another library.
-pub fn build_id(path: &Path) -> Result<String, libloading::Error> {
-    // A name without folder would be searched for in the system's library folders.
-    let path: PathBuf = if path.is_absolute() {
-        path.to_path_buf()
-    } else {
-        Path::new(".").join(path)
-    };
-    // SAFETY: loading runs the initializers of the library; the caller names a library of this project.
-    let library = unsafe { libloading::Library::new(path.as_os_str())? };
-    // SAFETY: the symbol belongs to this crate, which has given it this type ever since.
-    let ask = unsafe { library.get::<extern "C" fn() -> *const c_char>("sphere_dda_build_id")? };
-    // SAFETY: the function returns a constant text ended by NUL; it is copied before the library is closed.
-    Ok(unsafe { CStr::from_ptr(ask()) }
-        .to_string_lossy()
-        .into_owned())
-}
+/// Which sources this library was built from: not FMI, for the exporter, which finds the text in the file.
+#[unsafe(no_mangle)]
+static SPHERE_DDA_BUILD_ID: &str = BUILD_ID;

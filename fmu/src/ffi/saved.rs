@@ -6,8 +6,8 @@ use std::ffi::c_void;
 use sphere_dda_fmi_interface::pointers::{BadArgument, array, array_mut, value_mut};
 
 use super::guard::{Stages, Status, call};
-use crate::life_cycle::LifeCycle;
-use crate::refusal::Refusal;
+use crate::runtime::life_cycle::LifeCycle;
+use crate::runtime::refusal::Refusal;
 
 /// The states in which there is something to save.
 pub(super) const SAVEABLE: Stages = &[

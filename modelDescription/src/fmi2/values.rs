@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use crate::lexical;
 
 /// The four types of values in the C interface.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
 pub enum BaseType {
     /// `fmi2Real`.
     Real,

@@ -11,7 +11,7 @@ use crate::lexical::{self, Lexical};
 macro_rules! kinds {
     ($($kind:ident),*) => {
         /// Type of the elements of a variable: the name of its XML element.
-        #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
         #[allow(missing_docs, reason = "the names say it")]
         pub enum Kind {
             #[default]

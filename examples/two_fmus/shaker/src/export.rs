@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 use std::{env, fs, io};
 
 use sphere_dda_fmi_interface::archive::{self, ArchiveError};
+use sphere_dda_fmi_interface::guid as fingerprint;
 use sphere_dda_fmi_interface::log::Category;
 use sphere_dda_fmi_interface::platform::Platform;
 use sphere_dda_model_description::Error;
@@ -96,7 +97,7 @@ pub fn description() -> Result<ModelDescription, Error> {
 /// # Errors
 /// As [`description`].
 pub fn guid() -> Result<String, Error> {
-    Ok(archive::guid(&[&unsigned().to_xml()?]))
+    Ok(fingerprint::guid(&[unsigned().to_xml()?.as_bytes()]))
 }
 
 fn unsigned() -> ModelDescription {

@@ -6,8 +6,8 @@ use sphere_dda_model_description::fmi2::BaseType;
 
 use super::super::guard::{ANY, call};
 use super::SETTABLE;
-use crate::refusal::Refusal;
-use crate::variables::Value;
+use crate::runtime::refusal::Refusal;
+use crate::table::Value;
 
 use fmi2Status::fmi2OK;
 

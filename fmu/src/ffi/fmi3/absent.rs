@@ -4,7 +4,7 @@ use sphere_dda_fmi_interface::abi3::*;
 use std::ffi::c_int;
 
 use super::super::guard::{ANY, call};
-use crate::refusal::Refusal;
+use crate::runtime::refusal::Refusal;
 
 /// Functions that are refused: name, arguments, the flag and its value.
 macro_rules! absent {

@@ -4,8 +4,8 @@ use sphere_dda_fmi_interface::abi3::*;
 use sphere_dda_fmi_interface::pointers::{array, array_mut};
 
 use super::super::guard::{KNOWN, STEPPED, call};
-use crate::instance::{Instance, counted};
-use crate::refusal::Refusal;
+use crate::runtime::instance::{Instance, counted};
+use crate::runtime::refusal::Refusal;
 
 use fmi3Status::fmi3OK;
 

@@ -5,8 +5,8 @@ use sphere_dda_fmi_interface::log::Level;
 use sphere_dda_fmi_interface::pointers::value_mut;
 
 use super::super::guard::{ANY, STEPPING, Stages, Updates, call};
-use crate::instance::{Instance, Progress, Step};
-use crate::life_cycle::LifeCycle;
+use crate::runtime::instance::{Instance, Progress, Step};
+use crate::runtime::life_cycle::LifeCycle;
 
 use fmi3Status::{fmi3Discard, fmi3OK, fmi3Warning};
 

@@ -7,10 +7,10 @@ use sphere_dda_fmi_interface::pointers::{BadArgument, array, array_mut, c_string
 use sphere_dda_model_description::fmi3::Kind;
 
 use super::super::guard::{Component, Stages, call};
-use crate::instance::{Element, counted};
-use crate::life_cycle::LifeCycle;
-use crate::refusal::Refusal;
-use crate::variables::Value;
+use crate::runtime::instance::{Element, counted};
+use crate::runtime::life_cycle::LifeCycle;
+use crate::runtime::refusal::Refusal;
+use crate::table::Value;
 
 use fmi3Status::fmi3OK;
 

@@ -1,0 +1,47 @@
+//! What both versions define for their variables: units and enumerations.
+
+use std::collections::BTreeMap;
+
+use sphere_dda_fmu::table::Enumeration;
+use sphere_dda_model_description::units::{BaseUnit, Unit};
+
+/// The enumerations among the variables, each once.
+pub(super) fn choices(
+    used: impl Iterator<Item = Option<&'static Enumeration>>,
+) -> BTreeMap<&'static str, &'static Enumeration> {
+    used.flatten()
+        .map(|choices| (choices.name, choices))
+        .collect()
+}
+
+/// Every unit of the table, with SI exponents and display units.
+pub(super) fn units() -> Vec<Unit> {
+    const ONE: BaseUnit = BaseUnit::DIMENSIONLESS;
+    let degrees = 180.0 / std::f64::consts::PI;
+    let si = |name: &str, kg: i32, m: i32, s: i32| Unit::new(name, BaseUnit { kg, m, s, ..ONE });
+    vec![
+        si("s", 0, 0, 1).with_display_unit("ms", 1e3, 0.0),
+        si("m", 0, 1, 0).with_display_unit("mm", 1e3, 0.0),
+        si("m/s", 0, 1, -1),
+        si("m/s2", 0, 1, -2),
+        Unit::new("rad", BaseUnit { rad: 1, ..ONE }).with_display_unit("deg", degrees, 0.0),
+        Unit::new(
+            "rad/s",
+            BaseUnit {
+                rad: 1,
+                s: -1,
+                ..ONE
+            },
+        )
+        .with_display_unit("deg/s", degrees, 0.0),
+        si("kg", 1, 0, 0),
+        si("kg/s", 1, 0, -1),
+        si("kg.m/s", 1, 1, -1),
+        si("kg.m2/s", 1, 2, -1),
+        si("N", 1, 1, -2).with_display_unit("kN", 1e-3, 0.0),
+        si("N.m", 1, 2, -2),
+        si("J", 1, 2, -2),
+        si("W", 1, 2, -3),
+        si("Pa", 1, -1, -2).with_display_unit("kPa", 1e-3, 0.0),
+    ]
+}

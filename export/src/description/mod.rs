@@ -1,0 +1,5 @@
+//! The model descriptions of a scene.
+
+mod definitions;
+pub mod version2;
+pub mod version3;

@@ -1,0 +1,21 @@
+//! Packs a scene and the library of `sphere-dda-fmu` into an FMU of FMI 2.0 or 3.0.
+//!
+//! ```text
+//! scene.toml -> sphere_dda_fmu::model (scene, variables, guid) -> description, terminals, documentation -> X.fmu
+//! ```
+//!
+//! [`export`] writes the archive, [`find_libraries`] looks for the libraries that go into it.
+
+pub mod description;
+pub mod documentation;
+mod error;
+mod library;
+mod pack;
+mod terminals;
+mod version;
+
+pub use error::{ExportError, LIBRARY_VARIABLE};
+pub use library::{Library, check_library, find_libraries, find_library};
+pub use pack::{Contents, Exported, Pictures, export};
+pub use sphere_dda_fmi_interface::platform::Platform;
+pub use version::Version;

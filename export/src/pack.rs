@@ -1,0 +1,207 @@
+//! From a scene file to an FMU archive.
+//!
+//! ```text
+//! modelDescription.xml
+//! terminalsAndIcons/terminalsAndIcons.xml   one terminal per boundary
+//! binaries/linux64/<identifier>.so      the scene-agnostic library, for each platform; FMI 3.0: binaries/x86_64-linux/
+//! resources/scene.toml, meshes, tables  what the instance reads
+//! resources/start.state                 the settled spheres, if there are any
+//! documentation/index.html              variables, settings, limits, for people
+//! documentation/licenses/               of the library and of all crates it links
+//! documentation/diagram.png, terminalsAndIcons/icon.png, FMI 2.0: model.png     the scene
+//! ```
+//!
+//! The same scene and library give the same bytes.
+
+use std::borrow::Cow;
+use std::fs;
+use std::path::Path;
+
+use sphere_dda::scene::Scene;
+use sphere_dda_fmi_interface::archive;
+use sphere_dda_model_description::names::is_c_identifier;
+
+use sphere_dda_fmu::model::{Model, SCENE_FILE, START_FILE};
+
+use crate::description::{version2, version3};
+use crate::documentation;
+use crate::error::ExportError;
+use crate::library::Library;
+use crate::terminals::terminals;
+use crate::version::Version;
+
+/// Where FMI 3.0, and FMI 2.0.4, expect the terminals.
+const TERMINALS_FILE: &str = "terminalsAndIcons/terminalsAndIcons.xml";
+
+/// Above this number of scalar variables some importers take very long to open the FMU.
+const MANY_VARIABLES: usize = 5000;
+
+/// Pictures of a scene, PNG; whoever exports draws them, so that the library needs no drawing code.
+#[derive(Debug, Clone)]
+pub struct Pictures {
+    /// About 100 x 100 px, for `model.png` and the icon.
+    pub icon: Vec<u8>,
+    /// For the documentation.
+    pub page: Vec<u8>,
+}
+
+/// What was packed.
+#[derive(Debug, Clone)]
+pub struct Exported {
+    /// Fingerprint of the model.
+    pub guid: String,
+    /// Name of the library in the archive.
+    pub identifier: String,
+    /// Number of variables.
+    pub variables: usize,
+    /// Findings that did not stop the export.
+    pub warnings: Vec<String>,
+}
+
+/// What an archive is made of.
+#[derive(Debug)]
+pub struct Contents<'a> {
+    /// The scene file.
+    pub scene: &'a Path,
+    /// What the scene has settled to, see [`sphere_dda::simulation::Settled`].
+    pub start: Option<Vec<u8>>,
+    /// The libraries, see [`find_libraries`].
+    pub libraries: &'a [Library],
+    /// Version of the standard.
+    pub version: Version,
+    /// Draws the scene as it starts; without pictures the FMU has none.
+    pub draw: fn(&Scene) -> Option<Pictures>,
+}
+
+/// Packs the contents into the archive `fmu`, replacing it when all is done.
+///
+/// # Errors
+/// [`ExportError`]; no half-written archive is left.
+pub fn export(contents: Contents<'_>, fmu: &Path) -> Result<Exported, ExportError> {
+    let Contents {
+        scene,
+        start,
+        libraries,
+        version,
+        draw,
+    } = contents;
+    let model = Model::read(scene, start)?;
+    let identifier = identifier(scene);
+    let pictures = draw(&model.scene);
+    let mut files = described(&model, &identifier, version, pictures.is_some())?;
+    for Library { platform, path } in libraries {
+        let code = fs::read(path).map_err(|source| ExportError::Read {
+            path: path.clone(),
+            source,
+        })?;
+        files.push((version.library_path(platform, &identifier), code.into()));
+    }
+    files.extend(resources(&model)?);
+    files.extend(documented(&model, version, pictures));
+    let files: Vec<(String, &[u8])> = files
+        .iter()
+        .map(|(path, content)| (path.clone(), &**content))
+        .collect();
+    archive::write(fmu, &files)?;
+
+    let variables = match version {
+        Version::Two => model.table.variables().len(),
+        Version::Three => model.arrays.list().len(),
+    };
+    let mut warnings = model.warnings;
+    if variables > MANY_VARIABLES {
+        warnings.push(format!("{variables} variables: some importers take long above {MANY_VARIABLES}; probe fewer spheres"));
+    }
+    Ok(Exported {
+        guid: model.guid,
+        identifier,
+        variables,
+        warnings,
+    })
+}
+
+/// Files of an archive, by their paths in it.
+type Files<'m> = Vec<(String, Cow<'m, [u8]>)>;
+
+/// Model description and terminals of one version.
+fn described(
+    model: &Model,
+    identifier: &str,
+    version: Version,
+    icon: bool,
+) -> Result<Files<'static>, ExportError> {
+    let (xml, mut findings, names) = match version {
+        Version::Two => {
+            let own = version2::describe(&model.scene, &model.table, identifier, &model.guid);
+            let names = model.table.variables().iter().map(|v| v.name.as_str());
+            (own.to_xml(), own.validate(), names.collect::<Vec<_>>())
+        }
+        Version::Three => {
+            let own = version3::describe(&model.scene, &model.arrays, identifier, &model.guid);
+            let names = model.arrays.list().iter().map(|a| a.name.as_str());
+            (own.to_xml(), own.validate(), names.collect())
+        }
+    };
+    let terminals = terminals(&model.scene, &names, icon);
+    findings.extend(terminals.validate(names));
+    if !findings.is_empty() {
+        return Err(ExportError::Invalid(findings));
+    }
+    let xml = xml?.into_bytes();
+    let terminals = terminals.to_xml()?.into_bytes();
+    Ok(vec![
+        ("modelDescription.xml".to_owned(), xml.into()),
+        (TERMINALS_FILE.to_owned(), terminals.into()),
+    ])
+}
+
+/// What the instance reads.
+fn resources(model: &Model) -> Result<Files<'_>, ExportError> {
+    let place = |name: &str| format!("resources/{name}");
+    let mut files: Files<'_> = vec![(place(SCENE_FILE), model.text.as_bytes().into())];
+    if let Some(start) = &model.start {
+        files.push((place(START_FILE), start.into()));
+    }
+    for file in &model.files {
+        if [SCENE_FILE, START_FILE].contains(&file.path.as_str()) {
+            return Err(ExportError::Reserved(file.path.clone()));
+        }
+        files.push((place(&file.path), (&file.content).into()));
+    }
+    Ok(files)
+}
+
+/// What people read.
+fn documented(model: &Model, version: Version, pictures: Option<Pictures>) -> Files<'static> {
+    let place = |name: &str| format!("documentation/{name}");
+    let page = documentation::page(model, version, pictures.is_some()).into_bytes();
+    let (own, others) = (documentation::LICENSE, documentation::THIRD_PARTY);
+    let mut files: Files<'static> = vec![
+        (place("index.html"), page.into()),
+        (place("licenses/license.txt"), own.as_bytes().into()),
+        (place("licenses/third-party.txt"), others.as_bytes().into()),
+    ];
+    if let Some(Pictures { icon, page }) = pictures {
+        // FMI 3.0 knows the icon only.
+        if version == Version::Two {
+            files.push(("model.png".to_owned(), icon.clone().into()));
+        }
+        files.push(("terminalsAndIcons/icon.png".to_owned(), icon.into()));
+        files.push((place(documentation::PICTURE_FILE), page.into()));
+    }
+    files
+}
+
+/// The scene file's name as a C identifier.
+fn identifier(scene: &Path) -> String {
+    let stem = scene.file_stem().unwrap_or_default().to_string_lossy();
+    let name: String = stem
+        .chars()
+        .map(|c| if c.is_ascii_alphanumeric() { c } else { '_' })
+        .collect();
+    if is_c_identifier(&name) {
+        name
+    } else {
+        format!("scene_{name}")
+    }
+}

@@ -1,0 +1,226 @@
+//! The 75 functions of FMI 3.0: those of co-simulation here and in `values`, `states`, `step` and `derivatives`; those of what is not
+//! offered in `absent`.
+
+#![allow(non_snake_case)]
+
+mod absent;
+mod derivatives;
+mod states;
+mod step;
+mod values;
+
+use std::ffi::c_void;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+use super::guard::{ANY, Component, INITIALIZATION, INSTANTIATED, STEPPING, Updates, call};
+use super::logging;
+use crate::runtime::instance::Instance;
+use crate::runtime::refusal::InstantiationError;
+use crate::runtime::resource;
+use sphere_dda_fmi_interface::abi3::*;
+use sphere_dda_fmi_interface::log::{Level, Log};
+use sphere_dda_fmi_interface::pointers::{array, message_sink, panic_text, str_from};
+
+use fmi3Status::fmi3OK;
+
+/// Version of the standard: "3.0".
+#[unsafe(no_mangle)]
+extern "C" fn fmi3GetVersion() -> fmi3String {
+    c"3.0".as_ptr()
+}
+
+/// Chooses which categories are logged.
+#[unsafe(no_mangle)]
+extern "C" fn fmi3SetDebugLogging(
+    instance: fmi3Instance,
+    loggingOn: fmi3Boolean,
+    nCategories: usize,
+    categories: *const fmi3String,
+) -> fmi3Status {
+    let call = (instance, "fmi3SetDebugLogging");
+    logging::select(call, ANY, loggingOn != 0, nCategories, categories)
+}
+
+/// Makes an instance; null if it cannot, with the reason in the log.
+#[unsafe(no_mangle)]
+extern "C" fn fmi3InstantiateCoSimulation(
+    instanceName: fmi3String,
+    instantiationToken: fmi3String,
+    resourcePath: fmi3String,
+    _visible: fmi3Boolean,
+    loggingOn: fmi3Boolean,
+    eventModeUsed: fmi3Boolean,
+    earlyReturnAllowed: fmi3Boolean,
+    requiredIntermediateVariables: *const fmi3ValueReference,
+    nRequiredIntermediateVariables: usize,
+    instanceEnvironment: fmi3InstanceEnvironment,
+    logMessage: Option<fmi3LogMessageCallback>,
+    intermediateUpdate: Option<fmi3IntermediateUpdateCallback>,
+) -> fmi3Instance {
+    let log = || {
+        Log::new(
+            message_sink(logMessage, instanceEnvironment),
+            loggingOn != 0,
+        )
+    };
+    let updates = intermediateUpdate.map(|callback| Updates {
+        callback,
+        environment: instanceEnvironment,
+        early_return_allowed: earlyReturnAllowed != 0,
+    });
+    let body = || {
+        if eventModeUsed != 0 {
+            let text = "fmi3InstantiateCoSimulation: eventModeUsed is true, but hasEventMode is false: there will be no events";
+            log().write(Level::Warning, text);
+        }
+        let required = (
+            requiredIntermediateVariables,
+            nRequiredIntermediateVariables,
+        );
+        let instance = instantiate(instanceName, instantiationToken, resourcePath, log())?;
+        known(&instance, required)?;
+        Ok(Component {
+            updates,
+            ..Component::new(instance)
+        })
+    };
+    let refused = match catch_unwind(AssertUnwindSafe(body)) {
+        Ok(Ok(component)) => return Box::into_raw(Box::new(component)).cast(),
+        Ok(Err(error)) => InstantiationError::to_string(&error),
+        Err(panic) => format!("internal error: {}", panic_text(&*panic)),
+    };
+    log().write(
+        Level::Error,
+        format_args!("fmi3InstantiateCoSimulation: {refused}"),
+    );
+    std::ptr::null_mut()
+}
+
+fn instantiate(
+    name: fmi3String,
+    token: fmi3String,
+    path: fmi3String,
+    log: Log,
+) -> Result<Instance, InstantiationError> {
+    let name = str_from(name, "instanceName").unwrap_or_default();
+    let token = str_from(token, "instantiationToken").unwrap_or("(null)");
+    let resources = resource::directory(str_from(path, "resourcePath").ok())?;
+    Instance::new(name, token, &resources, log)
+}
+
+/// The variables that the importer wants within a step must be such as can be had there.
+fn known(
+    instance: &Instance,
+    (references, count): (*const fmi3ValueReference, usize),
+) -> Result<(), InstantiationError> {
+    let required = array(references, count, "requiredIntermediateVariables")?;
+    let unknown = required
+        .iter()
+        .find(|&&reference| instance.model().arrays.get(reference).is_none());
+    match unknown {
+        Some(&reference) => Err(InstantiationError::Intermediate { reference }),
+        None => Ok(()),
+    }
+}
+
+/// Tells in the log that an interface is not offered.
+fn refuse(
+    interface: &'static str,
+    environment: fmi3InstanceEnvironment,
+    logger: Option<fmi3LogMessageCallback>,
+) -> fmi3Instance {
+    let error = InstantiationError::Interface3 { interface };
+    Log::new(message_sink(logger, environment), false).write(Level::Error, error);
+    std::ptr::null_mut()
+}
+
+/// Not offered: null, with the reason in the log.
+#[unsafe(no_mangle)]
+extern "C" fn fmi3InstantiateModelExchange(
+    _instanceName: fmi3String,
+    _instantiationToken: fmi3String,
+    _resourcePath: fmi3String,
+    _visible: fmi3Boolean,
+    _loggingOn: fmi3Boolean,
+    instanceEnvironment: fmi3InstanceEnvironment,
+    logMessage: Option<fmi3LogMessageCallback>,
+) -> fmi3Instance {
+    refuse("model exchange", instanceEnvironment, logMessage)
+}
+
+/// Not offered: null, with the reason in the log.
+#[unsafe(no_mangle)]
+extern "C" fn fmi3InstantiateScheduledExecution(
+    _instanceName: fmi3String,
+    _instantiationToken: fmi3String,
+    _resourcePath: fmi3String,
+    _visible: fmi3Boolean,
+    _loggingOn: fmi3Boolean,
+    instanceEnvironment: fmi3InstanceEnvironment,
+    logMessage: Option<fmi3LogMessageCallback>,
+    _clockUpdate: *const c_void,
+    _lockPreemption: *const c_void,
+    _unlockPreemption: *const c_void,
+) -> fmi3Instance {
+    refuse("scheduled execution", instanceEnvironment, logMessage)
+}
+
+/// Frees an instance; null is ignored, and so is a call within a step, which still needs it.
+#[unsafe(no_mangle)]
+extern "C" fn fmi3FreeInstance(instance: fmi3Instance) {
+    if call(instance, "fmi3FreeInstance", ANY, |_| Ok(fmi3OK)) != fmi3OK {
+        return;
+    }
+    // SAFETY: not null, so from fmi3InstantiateCoSimulation; the importer does not use it again.
+    let component = unsafe { Box::from_raw(instance.cast::<Component>()) };
+    // There is nobody left to tell of a panic.
+    let _ = catch_unwind(AssertUnwindSafe(|| drop(component)));
+}
+
+/// Enters initialization mode with start and stop of the experiment. The tolerance is not used: tolerances are
+/// parameters.
+#[unsafe(no_mangle)]
+extern "C" fn fmi3EnterInitializationMode(
+    instance: fmi3Instance,
+    _toleranceDefined: fmi3Boolean,
+    _tolerance: fmi3Float64,
+    startTime: fmi3Float64,
+    stopTimeDefined: fmi3Boolean,
+    stopTime: fmi3Float64,
+) -> fmi3Status {
+    let function = "fmi3EnterInitializationMode";
+    call(instance, function, INSTANTIATED, |component| {
+        let stop = (stopTimeDefined != 0).then_some(stopTime);
+        component.instance.set_up(startTime, stop)?;
+        component.instance.enter_initialization();
+        Ok(fmi3OK)
+    })
+}
+
+/// Leaves initialization mode: the configuration is read here.
+#[unsafe(no_mangle)]
+extern "C" fn fmi3ExitInitializationMode(instance: fmi3Instance) -> fmi3Status {
+    let function = "fmi3ExitInitializationMode";
+    call(instance, function, INITIALIZATION, |component| {
+        component.instance.exit_initialization()?;
+        Ok(fmi3OK)
+    })
+}
+
+/// Ends the run.
+#[unsafe(no_mangle)]
+extern "C" fn fmi3Terminate(instance: fmi3Instance) -> fmi3Status {
+    call(instance, "fmi3Terminate", STEPPING, |component| {
+        component.instance.terminate();
+        Ok(fmi3OK)
+    })
+}
+
+/// Back to the state after instantiation.
+#[unsafe(no_mangle)]
+extern "C" fn fmi3Reset(instance: fmi3Instance) -> fmi3Status {
+    call(instance, "fmi3Reset", ANY, |component| {
+        component.instance.reset();
+        Ok(fmi3OK)
+    })
+}

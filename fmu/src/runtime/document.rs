@@ -1,0 +1,54 @@
+//! All spheres as one binary, the output `spheres.document` of FMI 3.0, media type [`MEDIA_TYPE`].
+//!
+//! ```text
+//! bytes       what, little endian
+//! 0..8        magic "SDDASPH\0"
+//! 8..12       version of this layout, u32: 1
+//! 12..20      number of spheres N, u64
+//! 20..28      time [s], f64
+//! 28..        N records of 120 bytes: 15 numbers f64
+//!             present (1 or 0), radius [m], position [m] x y z, orientation w x y z,
+//!             velocity [m/s] x y z, angular velocity [rad/s] x y z
+//! ```
+//!
+//! Record and row are the same: see [`crate::table::Arrays`].
+
+use sphere_dda::simulation::Simulation;
+
+/// Media type of the binary.
+pub const MEDIA_TYPE: &str = "application/x-sphere-dda-spheres";
+
+const MAGIC: &[u8; 8] = b"SDDASPH\0";
+const VERSION: u32 = 1;
+const HEADER: usize = 28;
+const RECORD: usize = 120;
+
+/// Bytes of the document of `spheres` spheres.
+#[must_use]
+pub fn size(spheres: usize) -> usize {
+    HEADER + RECORD * spheres
+}
+
+/// The document at `time` \[s\] of the experiment.
+#[must_use]
+pub fn of(simulation: &Simulation, time: f64) -> Vec<u8> {
+    let kinematics = simulation.kinematics();
+    let radius = &simulation.scene().particles.radius;
+    let mut bytes = Vec::with_capacity(size(radius.len()));
+    bytes.extend_from_slice(MAGIC);
+    bytes.extend_from_slice(&VERSION.to_le_bytes());
+    bytes.extend_from_slice(&(radius.len() as u64).to_le_bytes());
+    bytes.extend_from_slice(&time.to_le_bytes());
+    for (i, &radius) in radius.iter().enumerate() {
+        let (q, v) = (kinematics.orientation[i], simulation.velocity(i));
+        let present = f64::from(u8::from(kinematics.present[i]));
+        let numbers = [present, radius].into_iter();
+        let numbers = numbers
+            .chain(kinematics.position[i].iter().copied())
+            .chain([q.w, q.i, q.j, q.k])
+            .chain(v.linear.iter().copied())
+            .chain(v.angular.iter().copied());
+        bytes.extend(numbers.flat_map(f64::to_le_bytes));
+    }
+    bytes
+}

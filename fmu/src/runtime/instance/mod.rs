@@ -1,0 +1,473 @@
+//! One co-simulation instance, whatever version of FMI talks to it: life cycle, values, steps, saved states.
+//!
+//! ```text
+//! Instantiated -> Initialization -> StepComplete <-> StepFailed -> Terminated
+//!                                        any -> Error (a panic, or a step that failed again) -> reset or load
+//! ```
+//!
+//! The time of the scene counts from the start time of the experiment. A step ends exactly at `tc + h`; nothing is
+//! accumulated, the simulation is asked for what is left to that point. A refused call changes nothing.
+
+mod arrays;
+mod derivatives;
+mod values;
+mod walk;
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use sphere_dda::error::StepError;
+use sphere_dda::scene::Boundary;
+use sphere_dda::scene::{Command, Rates};
+use sphere_dda::simulation::Simulation;
+
+use crate::model::Model;
+use crate::runtime::life_cycle::LifeCycle;
+use crate::runtime::recorder::Recorder;
+use crate::runtime::refusal::{InstantiationError, Refusal};
+use crate::runtime::state::{Run, Saved};
+use crate::table::Parameters;
+use sphere_dda_fmi_interface::log::{Level, Log};
+use sphere_dda_fmi_interface::pointers::BadArgument;
+use walk::Walk;
+
+pub use arrays::Element;
+pub(crate) use arrays::counted;
+pub use walk::Progress;
+
+/// Share of the step by which a communication point may miss the end of the last one: masters add up or round their
+/// times, and a mistake of the master is far larger.
+const POINT_TOLERANCE: f64 = 1e-4;
+
+/// What became of a step.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Step {
+    /// The instance stands at `tc + h`.
+    Complete,
+    /// The solver gave up; the instance stands at `tc` as before.
+    Discarded(StepError),
+}
+
+/// What was read off the simulation at the last communication point; computed when first asked for.
+#[derive(Default)]
+struct Measured {
+    /// Values, in the order of the table.
+    outputs: Option<Vec<f64>>,
+    /// Derivatives by time of all that [`derivatives`] measures.
+    rates: Option<Vec<f64>>,
+    /// Its derivatives by inputs, by reference.
+    columns: BTreeMap<u32, Vec<f64>>,
+}
+
+/// A running FMU.
+pub struct Instance {
+    name: String,
+    model: Model,
+    log: Log,
+    run: Run,
+    simulation: Option<Simulation>,
+    /// The step under way, if it is taken in pieces.
+    walk: Option<Walk>,
+    measured: Measured,
+    recorder: Recorder,
+    read_ahead: bool,
+}
+
+impl Instance {
+    /// Reads the scene in `resources` and checks that the importer's `guid` is its own.
+    ///
+    /// # Errors
+    /// [`InstantiationError`]; every one is also written to `log`.
+    pub fn new(
+        name: &str,
+        guid: &str,
+        resources: &Path,
+        log: Log,
+    ) -> Result<Self, InstantiationError> {
+        Self::try_new(name, guid, resources).map(|(model, run)| Self {
+            name: name.to_owned(),
+            model,
+            log,
+            run,
+            simulation: None,
+            walk: None,
+            measured: Measured::default(),
+            recorder: Recorder::default(),
+            read_ahead: false,
+        })
+    }
+
+    fn try_new(
+        name: &str,
+        guid: &str,
+        resources: &Path,
+    ) -> Result<(Model, Run), InstantiationError> {
+        if name.is_empty() {
+            return Err(InstantiationError::Name);
+        }
+        let model = Model::of_resources(resources)?;
+        if model.guid != guid {
+            return Err(InstantiationError::Guid {
+                found: guid.to_owned(),
+                expected: model.guid,
+            });
+        }
+        let run = initial(&model);
+        Ok((model, run))
+    }
+
+    /// Place in the life cycle.
+    #[must_use]
+    pub fn stage(&self) -> LifeCycle {
+        self.run.stage
+    }
+
+    /// The model.
+    #[must_use]
+    pub fn model(&self) -> &Model {
+        &self.model
+    }
+
+    /// The log.
+    pub fn log(&mut self) -> &mut Log {
+        &mut self.log
+    }
+
+    /// Time of the last communication point \[s\].
+    #[must_use]
+    pub fn time(&self) -> f64 {
+        self.run.time
+    }
+
+    /// Sets start and stop time \[s\] of the experiment.
+    ///
+    /// # Errors
+    /// [`Refusal::Argument`] if they are not finite or in the wrong order.
+    pub fn set_up(&mut self, start: f64, stop: Option<f64>) -> Result<(), Refusal> {
+        if !start.is_finite() {
+            return Err(argument("startTime", start, "a finite time [s]"));
+        }
+        if let Some(stop) = stop.filter(|stop| !(stop.is_finite() && *stop > start)) {
+            return Err(argument(
+                "stopTime",
+                stop,
+                "a finite time after startTime [s]",
+            ));
+        }
+        (self.run.start, self.run.time, self.run.stop) = (start, start, stop);
+        Ok(())
+    }
+
+    /// Enters initialization mode: outputs are known from here on.
+    pub fn enter_initialization(&mut self) {
+        self.run.stage = LifeCycle::Initialization;
+        self.run.pending = true;
+    }
+
+    /// Leaves initialization mode: reads the configuration, places the boundaries, opens the result files.
+    ///
+    /// # Errors
+    /// [`Refusal::Step`] if the start is impossible, [`Refusal::Output`] if results cannot be written.
+    pub fn exit_initialization(&mut self) -> Result<(), Refusal> {
+        self.prepare()?;
+        if let Some(simulation) = &self.simulation {
+            self.recorder
+                .open(&self.name, &self.run.parameters, simulation, &self.log)?;
+        }
+        self.run.stage = LifeCycle::StepComplete;
+        let spheres = self.model.scene.particles.len();
+        self.log.write(
+            Level::Ok,
+            format_args!("initialized: {spheres} spheres, t = {} s", self.run.time),
+        );
+        Ok(())
+    }
+
+    /// Takes the step from `point` to exactly `point + h` \[s\]. With `final_past` the importer promises not to go
+    /// back before `point`.
+    ///
+    /// # Errors
+    /// [`Refusal::Argument`], [`Refusal::Point`], [`Refusal::PastStop`], [`Refusal::Step`] if an input is impossible,
+    /// [`Refusal::Repeated`] if a step that was discarded is tried again and fails again.
+    pub fn do_step(&mut self, point: f64, h: f64, final_past: bool) -> Result<Step, Refusal> {
+        let end = self.check_step(point, h)?;
+        let advanced = self.advance(end);
+        let outcome = self.concluded(advanced, h, end);
+        if final_past {
+            self.recorder.commit(point - self.run.start);
+        }
+        outcome
+    }
+
+    /// Whether the last communication step holds internal steps that did not meet the tolerances and were taken as they are,
+    /// which is logged for `function`. In real-time mode all are so by choice.
+    pub fn unconverged(&self, function: &str) -> bool {
+        let Some(simulation) = &self.simulation else {
+            return false;
+        };
+        let report = &simulation.state().report;
+        let steps = report.unconverged_steps;
+        if steps == 0 || simulation.scene().settings.sweeps.is_some() {
+            return false;
+        }
+        self.log.write(
+            Level::Warning,
+            format_args!(
+                "{function}: {steps} of {} internal steps up to t = {} s did not meet solver.tolerance: their best iterate was \
+                 taken, maxOverlap is {:.1e}, solver.forceResidual {:.1e}",
+                report.internal_steps, self.run.time, report.max_overlap, report.force_residual
+            ),
+        );
+        true
+    }
+
+    /// Where an attempt at a step of length `h` to `end` \[s\] leaves the instance.
+    fn concluded(
+        &mut self,
+        advanced: Result<(), StepError>,
+        h: f64,
+        end: f64,
+    ) -> Result<Step, Refusal> {
+        match advanced {
+            Ok(()) => {
+                self.run.time = end;
+                self.run.failed = None;
+                self.run.pending = false;
+                self.run.stage = LifeCycle::StepComplete;
+                self.run.rates.fill(Rates::default());
+                self.measured = Measured::default();
+                if let Some(simulation) = &self.simulation {
+                    self.recorder.record(simulation, &self.log);
+                }
+                Ok(Step::Complete)
+            }
+            Err(error @ (StepError::Jump { .. } | StepError::Argument { .. })) => {
+                Err(Refusal::Step(error))
+            }
+            Err(error) if self.run.failed.is_some_and(|failed| h >= failed) => {
+                self.run.stage = LifeCycle::Error;
+                Err(Refusal::Repeated(error))
+            }
+            Err(error) => {
+                self.run.failed = Some(h);
+                self.run.stage = LifeCycle::StepFailed;
+                Ok(Step::Discarded(error))
+            }
+        }
+    }
+
+    /// Checks the arguments of a step and gives its end.
+    fn check_step(&self, point: f64, h: f64) -> Result<f64, Refusal> {
+        let end = point + h;
+        if !point.is_finite() {
+            return Err(argument(
+                "currentCommunicationPoint",
+                point,
+                "a finite time [s]",
+            ));
+        }
+        if !(end.is_finite() && h > 0.0 && end > point) {
+            return Err(argument(
+                "communicationStepSize",
+                h,
+                "a positive length [s] that moves the point",
+            ));
+        }
+        let tolerance =
+            |a: f64, b: f64| POINT_TOLERANCE * h + 8.0 * f64::EPSILON * a.abs().max(b.abs());
+        let expected = self.run.time;
+        if (point - expected).abs() > tolerance(point, expected) {
+            let tolerance = tolerance(point, expected);
+            return Err(Refusal::Point {
+                found: point,
+                expected,
+                tolerance,
+            });
+        }
+        match self.run.stop {
+            Some(stop) if end > stop + tolerance(end, stop) => Err(Refusal::PastStop { end, stop }),
+            _ => Ok(end),
+        }
+    }
+
+    /// Advances the simulation to the time `end` \[s\]; on error it is as before.
+    fn advance(&mut self, end: f64) -> Result<(), StepError> {
+        let end = end - self.run.start;
+        // Derivatives can be asked for after a step that fails.
+        let simulation = self.commanded()?;
+        let march = simulation.begin(end)?;
+        simulation.finish(march)
+    }
+
+    /// The simulation with gravity and commands of now.
+    fn commanded(&mut self) -> Result<&mut Simulation, StepError> {
+        let Some(simulation) = &mut self.simulation else {
+            let found = format!("none in state {}", self.run.stage);
+            return Err(StepError::Argument {
+                what: "simulation",
+                found,
+                expected: "one",
+            });
+        };
+        simulation.set_gravity(self.run.parameters.gravity)?;
+        command(simulation, &self.run)?;
+        Ok(simulation)
+    }
+
+    /// Ends the run; values stay readable, result files are complete.
+    pub fn terminate(&mut self) {
+        self.recorder.close(&self.log);
+        self.run.stage = LifeCycle::Terminated;
+    }
+
+    /// Back to the state after instantiation.
+    pub fn reset(&mut self) {
+        self.recorder.close(&self.log);
+        self.run = initial(&self.model);
+        self.simulation = None;
+        self.walk = None;
+        self.measured = Measured::default();
+        self.read_ahead = false;
+    }
+
+    /// After a panic: nothing of the simulation can be trusted any more.
+    pub fn fail(&mut self, what: &str) {
+        self.run.stage = LifeCycle::Error;
+        self.simulation = None;
+        self.walk = None;
+        self.measured = Measured::default();
+        let text =
+            "this is a defect of the library; reset the instance or restore an earlier state";
+        self.log
+            .write(Level::Error, format_args!("internal error: {what}; {text}"));
+    }
+
+    /// Whether the instance wants the simulation to end: its last step was impossible.
+    #[must_use]
+    pub fn wants_to_terminate(&self) -> bool {
+        matches!(self.run.stage, LifeCycle::StepFailed | LifeCycle::Error)
+    }
+
+    /// The complete state as bytes: see [`crate::runtime::state`].
+    ///
+    /// # Errors
+    /// [`Refusal::State`] if the serializer fails.
+    pub fn save(&self) -> Result<Vec<u8>, Refusal> {
+        let saved = Saved {
+            guid: self.model.guid.clone(),
+            run: self.run.clone(),
+            snapshot: self.simulation.as_ref().map(Simulation::snapshot),
+            origin: self
+                .simulation
+                .as_ref()
+                .and_then(Simulation::origin)
+                .cloned(),
+        };
+        Ok(saved.encode()?)
+    }
+
+    /// Whether bytes are a state of this model.
+    ///
+    /// # Errors
+    /// [`Refusal::State`].
+    pub fn verify(&self, bytes: &[u8]) -> Result<(), Refusal> {
+        Ok(Saved::decode(bytes, &self.model.guid)?.check(self.run.commands.len())?)
+    }
+
+    /// Puts the instance into a saved state, also one of another instance or process.
+    ///
+    /// # Errors
+    /// [`Refusal::State`], [`Refusal::Snapshot`]: the instance is as before.
+    pub fn load(&mut self, bytes: &[u8]) -> Result<(), Refusal> {
+        let saved = Saved::decode(bytes, &self.model.guid)?;
+        saved.check(self.run.commands.len())?;
+        match &saved.snapshot {
+            None => self.simulation = None,
+            Some(snapshot) => {
+                let parameters = &saved.run.parameters;
+                match self
+                    .simulation
+                    .as_mut()
+                    .filter(|s| parameters.fit(s.scene()))
+                {
+                    Some(simulation) => simulation.resume(snapshot, saved.origin)?,
+                    None => {
+                        let mut simulation = self.simulate(parameters)?;
+                        simulation.resume(snapshot, saved.origin)?;
+                        self.simulation = Some(simulation);
+                    }
+                }
+            }
+        }
+        self.run = saved.run;
+        self.measured = Measured::default();
+        match &self.simulation {
+            Some(simulation) if self.run.stage == LifeCycle::StepComplete => {
+                self.recorder
+                    .follow(&self.name, &self.run.parameters, simulation, &self.log);
+            }
+            Some(_) if self.run.stage == LifeCycle::StepFailed => {}
+            _ => self.recorder.close(&self.log),
+        }
+        self.log.write(
+            Level::Ok,
+            format_args!("restored the state of t = {} s", self.run.time),
+        );
+        Ok(())
+    }
+
+    fn simulate(&self, parameters: &Parameters) -> Result<Simulation, StepError> {
+        Simulation::new(parameters.apply(&self.model.scene).into())
+    }
+
+    /// Brings the simulation to the start that parameters and inputs ask for.
+    fn prepare(&mut self) -> Result<(), Refusal> {
+        self.measured = Measured::default();
+        let mut simulation = self.simulate(&self.run.parameters)?;
+        let gravity = self.run.parameters.gravity;
+        // A start that is the scene's own is left alone: the FMU then gives the bytes that the library gives.
+        if gravity != simulation.state().gravity
+            || self.run.commands.iter().any(|c| *c != Command::default())
+        {
+            simulation.set_gravity(gravity)?;
+            command(&mut simulation, &self.run)?;
+            simulation.place()?;
+        }
+        self.simulation = Some(simulation);
+        self.run.pending = false;
+        Ok(())
+    }
+}
+
+/// The state after instantiation: everything as in the scene.
+fn initial(model: &Model) -> Run {
+    Run {
+        stage: LifeCycle::Instantiated,
+        start: 0.0,
+        stop: None,
+        time: 0.0,
+        parameters: Parameters::of(&model.scene),
+        commands: model.scene.boundaries.iter().map(Boundary::rest).collect(),
+        rates: vec![Rates::default(); model.scene.boundaries.len()],
+        pending: false,
+        failed: None,
+    }
+}
+
+/// Hands the commands of all driven boundaries to the simulation.
+fn command(simulation: &mut Simulation, run: &Run) -> Result<(), StepError> {
+    for (b, (&command, &rates)) in run.commands.iter().zip(&run.rates).enumerate() {
+        if simulation.scene().boundaries[b].is_commanded() {
+            simulation.command_along(b, command, rates)?;
+        }
+    }
+    Ok(())
+}
+
+fn argument(argument: &'static str, found: f64, expected: &'static str) -> Refusal {
+    Refusal::Argument(BadArgument {
+        argument,
+        found: found.to_string(),
+        expected,
+    })
+}

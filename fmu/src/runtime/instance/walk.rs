@@ -1,0 +1,113 @@
+//! A communication step in pieces: the importer is called between internal steps.
+
+use sphere_dda::error::StepError;
+use sphere_dda::scene::Command;
+use sphere_dda::simulation::March;
+
+use super::{Instance, Measured, Step, command};
+use crate::runtime::life_cycle::LifeCycle;
+use crate::runtime::refusal::Refusal;
+
+/// A communication step under way.
+pub(super) struct Walk {
+    march: March,
+    point: f64,
+    h: f64,
+    end: f64,
+    /// As they were at its beginning.
+    commands: Vec<Command>,
+}
+
+/// What became of an internal step.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Progress {
+    /// It was taken; `last`: the end of the communication step is reached.
+    Taken {
+        /// Whether it was the last.
+        last: bool,
+    },
+    /// The communication step is discarded; the instance stands at its beginning.
+    Discarded(StepError),
+}
+
+impl Instance {
+    /// Begins the step from `point` to `point + h` \[s\], which [`Self::internal_step`] takes.
+    ///
+    /// # Errors
+    /// Those of [`Self::do_step`] that are found before the first internal step.
+    pub fn begin_step(&mut self, point: f64, h: f64) -> Result<(), Refusal> {
+        let end = self.check_step(point, h)?;
+        let start = self.run.start;
+        let commands = self.run.commands.clone();
+        let march = self.commanded()?.begin(end - start)?;
+        self.walk = Some(Walk {
+            march,
+            point,
+            h,
+            end,
+            commands,
+        });
+        Ok(())
+    }
+
+    /// Takes the next internal step; the instance is in intermediate update mode after it.
+    ///
+    /// # Errors
+    /// As [`Self::do_step`]: the instance stands at the beginning of the communication step.
+    pub fn internal_step(&mut self) -> Result<Progress, Refusal> {
+        let (Some(mut walk), Some(simulation)) = (self.walk.take(), &mut self.simulation) else {
+            return Err(self.no_step());
+        };
+        self.measured = Measured::default();
+        let taken =
+            command(simulation, &self.run).and_then(|()| simulation.internal_step(&mut walk.march));
+        match taken {
+            Ok(()) => {
+                let last = walk.march.is_done();
+                self.run.time = if last {
+                    walk.end
+                } else {
+                    self.run.start + simulation.time()
+                };
+                self.run.stage = LifeCycle::Intermediate;
+                self.walk = Some(walk);
+                Ok(Progress::Taken { last })
+            }
+            Err(error) => {
+                self.run.stage = LifeCycle::StepComplete;
+                self.run.time = walk.point;
+                self.run.commands = walk.commands;
+                match self.concluded(Err(error), walk.h, walk.end)? {
+                    Step::Discarded(error) => Ok(Progress::Discarded(error)),
+                    Step::Complete => Err(self.no_step()),
+                }
+            }
+        }
+    }
+
+    /// Ends the step where the last internal step has ended. With `final_past` the importer promises not to go back
+    /// before the beginning of the step.
+    ///
+    /// # Errors
+    /// [`Refusal::Argument`] if no step is under way.
+    pub fn end_step(&mut self, final_past: bool) -> Result<(), Refusal> {
+        let Some(walk) = self.walk.take() else {
+            return Err(self.no_step());
+        };
+        if let Some(simulation) = &mut self.simulation {
+            simulation.end(walk.march);
+        }
+        self.concluded(Ok(()), walk.h, self.run.time)?;
+        if final_past {
+            self.recorder.commit(walk.point - self.run.start);
+        }
+        Ok(())
+    }
+
+    fn no_step(&self) -> Refusal {
+        Refusal::Stage {
+            found: self.run.stage,
+            expected: "a step under way".to_owned(),
+        }
+    }
+}

@@ -1,0 +1,9 @@
+//! An instance: its life cycle, values, steps, saved states and results.
+
+pub mod document;
+pub mod instance;
+pub mod life_cycle;
+pub mod recorder;
+pub mod refusal;
+pub mod resource;
+pub mod state;

@@ -1,0 +1,142 @@
+//! The result files of an instance: `<output.directory>/<instance name>/`, following the instance through time.
+
+use std::path::{Path, PathBuf};
+
+use sphere_dda::formats::error::OutputError;
+use sphere_dda::observe::Observation;
+use sphere_dda::results::Options;
+use sphere_dda::results::writer::Results;
+use sphere_dda::simulation::Simulation;
+
+use crate::table::Parameters;
+use sphere_dda_fmi_interface::log::{Level, Log};
+
+/// Writes result files, or nothing while `output.directory` is empty.
+#[derive(Default)]
+pub struct Recorder {
+    results: Option<Results>,
+    /// Where this instance has written before: its own earlier run may be replaced.
+    own: Option<PathBuf>,
+    failures: u64,
+}
+
+impl Recorder {
+    /// Begins in the directory that the parameters name, with the present state.
+    ///
+    /// # Errors
+    /// [`OutputError::Exists`] where the run of another instance lies, unless `output.overwrite` is set;
+    /// [`OutputError::Busy`] where one is being written, [`OutputError::Io`].
+    pub fn open(
+        &mut self,
+        name: &str,
+        parameters: &Parameters,
+        simulation: &Simulation,
+        log: &Log,
+    ) -> Result<(), OutputError> {
+        self.close(log);
+        let Some(options) = self.options(name, parameters, simulation) else {
+            return Ok(());
+        };
+        let directory = options.directory.clone();
+        let results = Results::create(simulation.scene(), options)?;
+        self.begin(results, directory, simulation, log);
+        Ok(())
+    }
+
+    /// What to write where; `None`: nothing.
+    fn options(
+        &self,
+        name: &str,
+        parameters: &Parameters,
+        simulation: &Simulation,
+    ) -> Option<Options> {
+        if parameters.output_directory.is_empty() {
+            return None;
+        }
+        let directory = Path::new(&parameters.output_directory).join(folder(name));
+        let mut options = Options::new(&directory, simulation.scene());
+        options.overwrite = parameters.output_overwrite || self.own.as_ref() == Some(&directory);
+        options.frame_interval = parameters.output_interval;
+        options.hold = true;
+        Some(options)
+    }
+
+    fn begin(&mut self, results: Results, directory: PathBuf, simulation: &Simulation, log: &Log) {
+        log.write(
+            Level::Ok,
+            format_args!("results go to `{}`", directory.display()),
+        );
+        self.results = Some(results);
+        self.own = Some(directory);
+        self.failures = 0;
+        self.record(simulation, log);
+    }
+
+    /// Takes what is due; files that could not be written are told in the log.
+    pub fn record(&mut self, simulation: &Simulation, log: &Log) {
+        let Some(results) = &mut self.results else {
+            return;
+        };
+        results.record(&Observation::of(simulation));
+        let status = results.status();
+        if status.failures > self.failures {
+            self.failures = status.failures;
+            let why = status.first_failure.unwrap_or_default();
+            let text = format_args!(
+                "{} results were not written; the first: {why}",
+                status.failures
+            );
+            log.write(Level::Warning, text);
+        }
+    }
+
+    /// The importer will not go back before `time` \[s\] of the scene.
+    pub fn commit(&mut self, time: f64) {
+        if let Some(results) = &mut self.results {
+            results.commit(time);
+        }
+    }
+
+    /// A state was restored: what was recorded later is dropped. A new instance goes on with the files that the one
+    /// which saved the state has left, or begins where there are none; it may drop what was recorded later only with
+    /// `output.overwrite`.
+    pub fn follow(
+        &mut self,
+        name: &str,
+        parameters: &Parameters,
+        simulation: &Simulation,
+        log: &Log,
+    ) {
+        if let Some(results) = &mut self.results {
+            return results.rollback(simulation.time());
+        }
+        let Some(options) = self.options(name, parameters, simulation) else {
+            return;
+        };
+        let directory = options.directory.clone();
+        match Results::follow(simulation.scene(), options, simulation.time()) {
+            Ok(results) => self.begin(results, directory, simulation, log),
+            Err(error) => log.write(
+                Level::Warning,
+                format_args!("no results are written: {error}"),
+            ),
+        }
+    }
+
+    /// Writes everything and says how it went.
+    pub fn close(&mut self, log: &Log) {
+        if let Some(results) = self.results.take() {
+            let status = results.finish();
+            let text = format_args!("{} frames, {} rows written", status.frames, status.rows);
+            log.write(Level::Ok, text);
+        }
+    }
+}
+
+/// An instance name, which comes from the importer, as the name of one folder.
+fn folder(name: &str) -> String {
+    let plain = |c: char| c.is_alphanumeric() || "-_ ".contains(c);
+    name.chars()
+        .map(|c| if plain(c) { c } else { '_' })
+        .collect()
+}

@@ -1,0 +1,61 @@
+//! What the master needs of an instance, whichever version of the standard it speaks.
+
+use crate::error::ImportError;
+use crate::value::Value;
+use crate::variable::Place;
+
+use super::logger::Message;
+use super::state::SavedState;
+
+/// Values for the inputs of one instance.
+pub(crate) type Load = Vec<(Place, Value)>;
+
+/// What became of a step.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Step {
+    /// The step is done.
+    Done,
+    /// The step is not done, or in part only.
+    Discarded {
+        /// Time up to which it is done \[s\]; `None` if the FMU does not tell.
+        last_successful_time: Option<f64>,
+        /// The FMU wants to end the simulation.
+        terminated: bool,
+    },
+}
+
+/// An instance in a simulation.
+pub(crate) trait Participant {
+    /// Start and stop \[s\] and tolerance; then start values, all in one call for each type.
+    fn set_up(
+        &mut self,
+        tolerance: Option<f64>,
+        start: f64,
+        stop: f64,
+        values: &Load,
+    ) -> Result<(), ImportError>;
+
+    fn enter_initialization(&mut self) -> Result<(), ImportError>;
+
+    fn exit_initialization(&mut self) -> Result<(), ImportError>;
+
+    /// The values in these places, in this order, with one call for each type.
+    fn get(&mut self, places: &[Place]) -> Result<Vec<Value>, ImportError>;
+
+    /// Sets values of any types, with one call for each type.
+    fn set(&mut self, values: &Load) -> Result<(), ImportError>;
+
+    /// From `time` by `step` \[s\]; `no_rollback` tells that no state saved before will be restored.
+    fn step(&mut self, time: f64, step: f64, no_rollback: bool) -> Result<Step, ImportError>;
+
+    fn save(&mut self) -> Result<SavedState, ImportError>;
+
+    fn restore(&mut self, state: &SavedState) -> Result<(), ImportError>;
+
+    fn free(&mut self, state: SavedState) -> Result<(), ImportError>;
+
+    fn finish(&mut self) -> Result<(), ImportError>;
+
+    /// Messages since the last call, and how many more there were than could be kept.
+    fn messages(&self) -> (Vec<Message>, usize);
+}

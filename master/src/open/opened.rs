@@ -1,0 +1,72 @@
+//! An FMU before its library is loaded: a folder and a model description.
+
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use sphere_dda_model_description::{MAX_BYTES, names};
+use tempfile::TempDir;
+
+use crate::error::ImportError;
+
+use super::archive::{self, Limits, Unpacked};
+use super::description::Description;
+
+/// An unpacked FMU. Its folder is removed when nothing holds it any more.
+#[derive(Debug)]
+pub(crate) struct Opened {
+    pub(crate) path: PathBuf,
+    pub(crate) folder: Arc<TempDir>,
+    /// Size of all its files, unpacked \[byte\].
+    pub(crate) bytes: u64,
+    pub(crate) description: Description,
+}
+
+impl Opened {
+    /// Unpacks the archive at `path` and reads its description, which must offer co-simulation.
+    pub(crate) fn within(path: &Path, limits: Limits) -> Result<Self, ImportError> {
+        let path = path.to_owned();
+        let Unpacked { folder, bytes } = match archive::unpack(&path, limits) {
+            Ok(unpacked) => unpacked,
+            Err(source) => return Err(ImportError::Archive { path, source }),
+        };
+        let text = match text(&folder.path().join("modelDescription.xml")) {
+            Ok(text) => text,
+            Err(problem) => return Err(ImportError::NoDescription { path, problem }),
+        };
+        let description = match Description::from_xml(&text) {
+            Ok(description) => description,
+            Err(source) => return Err(ImportError::Description { path, source }),
+        };
+        if !description.offers_co_simulation() {
+            return Err(ImportError::NoCoSimulation { path });
+        }
+        if !names::is_c_identifier(description.model_identifier()) {
+            let found = description.model_identifier().to_owned();
+            return Err(ImportError::ModelIdentifier { path, found });
+        }
+        Ok(Self {
+            path,
+            folder: Arc::new(folder),
+            bytes,
+            description,
+        })
+    }
+
+    /// The folder of its resources.
+    pub(crate) fn resources(&self) -> PathBuf {
+        self.folder.path().join("resources")
+    }
+}
+
+/// The text of a file that is not too long for XML.
+pub(crate) fn text(path: &Path) -> io::Result<String> {
+    let length = fs::metadata(path)?.len();
+    if length > MAX_BYTES as u64 {
+        return Err(io::Error::other(format!(
+            "found {length} bytes, expected at most {MAX_BYTES}"
+        )));
+    }
+    fs::read_to_string(path)
+}

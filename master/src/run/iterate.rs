@@ -1,0 +1,170 @@
+//! Strong coupling: a step is repeated until what the FMUs hand each other at its end is what they were given for it.
+//!
+//! Let x be the values that go back to FMUs which stepped before their source, and G(x) what the sources hold after a
+//! step with x. Sought is x = G(x), as [`accelerate`](super::accelerate) seeks it.
+
+use crate::calls::Load;
+use crate::value::Value;
+
+use super::accelerate::{QuasiNewton, Search};
+use super::components::Components;
+use super::exchange::Exchange;
+use super::halt::Halt;
+use super::options::Iteration;
+
+/// What became of an iterated step.
+pub(super) enum Outcome {
+    /// A component wants to end at this time \[s\].
+    Ended(f64),
+    /// The step is done.
+    Done {
+        /// How often it was made.
+        iterations: u32,
+        /// The change that was left, if the values did not agree.
+        left: Option<f64>,
+        /// The time that a component came to \[s\], if it wanted to end in the last iteration.
+        ended: Option<f64>,
+    },
+}
+
+/// All components from point `k` to the next.
+pub(super) fn iterate(
+    components: &mut Components<'_>,
+    settings: Iteration,
+    memory: &mut QuasiNewton,
+    k: u64,
+) -> Result<Outcome, Halt> {
+    let mut guess = returned(components)?;
+    let mut search = Search::new(memory, reals(&guess));
+    put(&mut guess, &search.first());
+    let loops = guess.iter().any(|load| !load.is_empty());
+    let states = if loops {
+        components.save()?
+    } else {
+        Vec::new()
+    };
+    let mut best: Option<(f64, Vec<Load>)> = None;
+    let mut last = None;
+    for iteration in 1..=settings.max_iterations {
+        if let Some(time) = sweep(components, k, &guess, !loops)? {
+            return Ok(Outcome::Ended(time));
+        }
+        let found = returned(components)?;
+        let (x, g) = (reals(&guess), reals(&found));
+        let change = search.change(&x, &g);
+        if others_agree(&guess, &found) && change.size <= settings.tolerance {
+            components.release(states)?;
+            search.end();
+            return Ok(Outcome::Done {
+                iterations: iteration,
+                left: None,
+                ended: None,
+            });
+        }
+        if best.as_ref().is_none_or(|(least, _)| change.size < *least) {
+            best = Some((change.size, guess));
+        }
+        last = Some(change);
+        if iteration == settings.max_iterations {
+            break;
+        }
+        let next = search.next(&x, &g, settings.relaxation);
+        guess = found;
+        put(&mut guess, &next);
+        components.restore(&states)?;
+    }
+    match best {
+        Some((change, guess)) if settings.accept_unconverged => {
+            components.restore(&states)?;
+            let ended = sweep(components, k, &guess, false)?;
+            components.release(states)?;
+            search.end();
+            Ok(Outcome::Done {
+                iterations: settings.max_iterations + 1,
+                left: Some(change),
+                ended,
+            })
+        }
+        _ => Err(Halt::NotConverged {
+            variable: last
+                .and_then(|last| last.worst)
+                .and_then(|worst| returned_names(components).get(worst).cloned()),
+            change: last.map_or(0.0, |last| last.size),
+        }),
+    }
+}
+
+/// Every component one step, in their order: with values of t + h from those before it, guessed ones from the others.
+fn sweep(
+    components: &mut Components<'_>,
+    k: u64,
+    guess: &[Load],
+    no_rollback: bool,
+) -> Result<Option<f64>, Halt> {
+    for (component, guessed) in guess.iter().enumerate() {
+        let Components {
+            exchange,
+            instances,
+            ..
+        } = components;
+        let mut load = exchange.read_from(component, instances, |source| source < component)?;
+        load.extend(guessed.iter().cloned());
+        Exchange::write(component, &load, instances)?;
+        let ended = components.step(component, k, no_rollback)?;
+        if ended.is_some() {
+            return Ok(ended);
+        }
+    }
+    Ok(None)
+}
+
+/// What now goes back to each component from itself and those behind it.
+fn returned(components: &mut Components<'_>) -> Result<Vec<Load>, Halt> {
+    let Components {
+        exchange,
+        instances,
+        ..
+    } = components;
+    (0..instances.len())
+        .map(|target| exchange.read_from(target, instances, |source| source >= target))
+        .collect()
+}
+
+/// Names of the real ones among the values of [`returned`].
+fn returned_names(components: &Components<'_>) -> Vec<String> {
+    let exchange = &components.exchange;
+    (0..components.instances.len())
+        .flat_map(|target| exchange.real_names(target, |source| source >= target))
+        .collect()
+}
+
+/// Whether all values are the same that are no real numbers.
+fn others_agree(given: &[Load], found: &[Load]) -> bool {
+    let pairs = given.iter().flatten().zip(found.iter().flatten());
+    pairs
+        .filter(|((_, value), _)| !matches!(value, Value::Real(_)))
+        .all(|((_, a), (_, b))| a == b)
+}
+
+/// The real values of loads, one after another.
+fn reals(loads: &[Load]) -> Vec<f64> {
+    let values = loads.iter().flatten().map(|(_, value)| value);
+    values
+        .filter_map(|value| match value {
+            Value::Real(value) => Some(*value),
+            _ => None,
+        })
+        .collect()
+}
+
+/// Replaces the real values of loads.
+fn put(loads: &mut [Load], values: &[f64]) {
+    let mut values = values.iter();
+    for (_, value) in loads.iter_mut().flatten() {
+        if let Value::Real(old) = value
+            && let Some(new) = values.next()
+        {
+            *old = *new;
+        }
+    }
+}

@@ -1,0 +1,152 @@
+//! The master: FMUs from start to stop, inputs from a table, outputs to a table, values from FMU to FMU.
+
+use std::ops::ControlFlow;
+
+use crate::calls::Load;
+use crate::system::{System, check_settable_at_start, parse};
+
+use super::accelerate::QuasiNewton;
+use super::communication_points::CommunicationPoints;
+use super::components::Components;
+use super::drive::{Run, forward};
+use super::error::SimulateError;
+use super::event::Event;
+use super::exchange::Exchange;
+use super::halt::Halt;
+use super::options::{Coupling, Iteration, Options};
+use super::table::Table;
+
+/// Simulates the FMUs of a system once, from start to stop. `observe` hears every [`Event`] and can end the simulation
+/// by breaking.
+///
+/// The FMUs enter initialization mode together; there inputs get their values at the start, connected ones those of
+/// their outputs. Before the step from t, inputs of the table get their values at t, connected ones as
+/// [`Coupling`] says; then the FMUs step in their order.
+///
+/// A discarded step is taken up again where the FMU says it came to, or with half the length if it came nowhere; if
+/// the FMU cannot take such steps, or does not get on, that is an error. Inputs do not change meanwhile.
+///
+/// # Errors
+///
+/// Every variant of [`SimulateError`]; those that happen after the start carry what was recorded.
+pub fn simulate(
+    system: &System<'_>,
+    options: &Options,
+    mut observe: impl FnMut(Event<'_>) -> ControlFlow<()>,
+) -> Result<Table, SimulateError> {
+    let points = CommunicationPoints::new(system, options)?;
+    let mut table = Table::for_outputs(system, options.outputs.as_deref())?;
+    let mut start_values = vec![Load::new(); system.fmus().len()];
+    for (name, text) in &options.set {
+        let variable = system.find(name)?;
+        check_settable_at_start(&variable)?;
+        system.check_free(&variable)?;
+        let values = parse(&variable, text)?;
+        if let Some(load) = start_values.get_mut(variable.component) {
+            load.extend(variable.places().into_iter().zip(values));
+        }
+    }
+    let mut instances = Vec::new();
+    for (k, fmu) in system.fmus().enumerate() {
+        let own = options.instance_name.as_deref();
+        let own = own.unwrap_or(fmu.description().model_name());
+        let name = system.component_name(k).unwrap_or(own);
+        instances.push(fmu.participant(name, options.logging).map_err(Box::new)?);
+    }
+
+    let exchange = Exchange::new(system, options.allow_nan);
+    check_iteration(system, options, &exchange)?;
+    let mut run = Run {
+        options,
+        components: Components {
+            system,
+            points,
+            exchange,
+            instances,
+        },
+        memory: QuasiNewton::default(),
+        table: &mut table,
+    };
+    let result = run.drive(&start_values, &mut observe);
+    // What they logged last belongs to the failure.
+    let _ended = forward(&run.components.instances, &mut observe);
+    drop(run);
+    let time = table.time.last().copied().unwrap_or(points.start);
+    let halt = match result {
+        Ok(end) => {
+            table.end = end;
+            return Ok(table);
+        }
+        Err(halt) => halt,
+    };
+    let table = Box::new(table);
+    let named = |component| system.component_name(component).map(str::to_owned);
+    Err(match halt {
+        Halt::Call(component, failure) => SimulateError::Call {
+            time,
+            component: named(component),
+            failure,
+            table,
+        },
+        Halt::Nan(variable) => SimulateError::Nan {
+            time,
+            variable,
+            table,
+        },
+        Halt::NotConverged { variable, change } => SimulateError::NotConverged {
+            time,
+            variable,
+            change,
+            max_iterations: options.iteration.max_iterations,
+            tolerance: options.iteration.tolerance,
+            table,
+        },
+        Halt::Discarded {
+            component,
+            time,
+            step,
+            mend,
+        } => SimulateError::Discarded {
+            time,
+            component: named(component),
+            step,
+            mend,
+            table,
+        },
+    })
+}
+
+/// Whether the numbers make sense, and all steps can be repeated.
+fn check_iteration(
+    system: &System<'_>,
+    options: &Options,
+    exchange: &Exchange,
+) -> Result<(), SimulateError> {
+    let Iteration {
+        tolerance,
+        max_iterations,
+        relaxation,
+        ..
+    } = options.iteration;
+    let sound = tolerance.is_finite() && tolerance > 0.0 && max_iterations > 0;
+    if !(sound && relaxation > 0.0 && relaxation <= 1.0) {
+        return Err(SimulateError::Iteration {
+            tolerance,
+            max_iterations,
+            relaxation,
+        });
+    }
+    if options.coupling != Coupling::Iterated || !exchange.has_loops() {
+        return Ok(());
+    }
+    let mut fmus = system.fmus().enumerate();
+    match fmus.find(|(_, fmu)| !fmu.description().has_states()) {
+        None => Ok(()),
+        Some((k, fmu)) => Err(SimulateError::NoStates {
+            component: system
+                .component_name(k)
+                .unwrap_or(fmu.description().model_name())
+                .to_owned(),
+        }),
+    }
+}

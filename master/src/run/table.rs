@@ -1,0 +1,170 @@
+//! What a simulation recorded.
+
+use std::io::Write;
+
+use sphere_dda_model_description::fmi3::Causality;
+
+use crate::calls::Participant;
+use crate::system::{System, SystemVariable, VariableError};
+use crate::value::{Value, Values};
+use crate::variable::Place;
+
+use super::halt::Halt;
+
+/// Elements of an array up to which it is recorded without being asked for.
+const SMALL_ARRAY: usize = 100;
+
+/// Why a simulation ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum End {
+    /// It reached its stop time.
+    Stop,
+    /// The FMU discarded a step and wanted to end.
+    Terminated,
+    /// The observer asked to end.
+    Interrupted,
+}
+
+/// The values of one variable.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Column {
+    /// Name of the variable.
+    pub name: String,
+    /// Number of its FMU, from 0.
+    pub component: usize,
+    pub(crate) place: Place,
+    /// One value for each time.
+    pub values: Values,
+}
+
+/// A step that was kept although the values did not agree.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct NotConverged {
+    /// Its start \[s\].
+    pub time: f64,
+    /// The change that was left, as a part of the greatest magnitude of the value.
+    pub change: f64,
+}
+
+/// Variables over time.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Table {
+    /// Times \[s\]: the start and every communication point.
+    pub time: Vec<f64>,
+    /// The recorded variables.
+    pub columns: Vec<Column>,
+    /// Why it ends where it does.
+    pub end: End,
+    /// Iterations of each step until the exchanged values agreed; empty if the coupling does not iterate.
+    pub iterations: Vec<u32>,
+    /// Steps of an iterated coupling that were kept although the values did not agree.
+    pub not_converged: Vec<NotConverged>,
+}
+
+impl Table {
+    /// An empty table for the variables of these names, or for all outputs but large arrays.
+    pub(super) fn for_outputs(
+        system: &System<'_>,
+        names: Option<&[String]>,
+    ) -> Result<Self, VariableError> {
+        let variables: Vec<SystemVariable<'_>> = match names {
+            Some(names) => names
+                .iter()
+                .map(|name| system.find(name))
+                .collect::<Result<_, _>>()?,
+            None => system
+                .variables()
+                .filter(|variable| {
+                    variable.declared.causality == Causality::Output
+                        && variable.declared.elements() <= SMALL_ARRAY
+                })
+                .collect(),
+        };
+        let columns = |variable: &SystemVariable<'_>| {
+            let elements = variable.elements();
+            elements
+                .into_iter()
+                .map(|(name, place)| Column {
+                    values: Values::none(place.scalar.value_type()),
+                    component: variable.component,
+                    name,
+                    place,
+                })
+                .collect::<Vec<_>>()
+        };
+        Ok(Self {
+            time: Vec::new(),
+            columns: variables.iter().flat_map(columns).collect(),
+            end: End::Interrupted,
+            iterations: Vec::new(),
+            not_converged: Vec::new(),
+        })
+    }
+
+    /// Appends the values that the instances have now, with one call for each type; no row if one fails.
+    pub(super) fn record(
+        &mut self,
+        time: f64,
+        instances: &mut [Box<dyn Participant>],
+    ) -> Result<(), Halt> {
+        let mut row: Vec<(usize, Value)> = Vec::new();
+        for (component, instance) in instances.iter_mut().enumerate() {
+            let columns = self.columns.iter().enumerate();
+            let (columns, places): (Vec<usize>, Vec<Place>) = columns
+                .filter(|(_, column)| column.component == component)
+                .map(|(number, column)| (number, column.place))
+                .unzip();
+            let found = instance.get(&places).map_err(Halt::at(component))?;
+            row.extend(columns.into_iter().zip(found));
+        }
+        for (number, value) in row {
+            if let Some(column) = self.columns.get_mut(number) {
+                column.values.extend(Some(value));
+            }
+        }
+        self.time.push(time);
+        Ok(())
+    }
+
+    /// Name of the first variable whose last value is NaN.
+    pub(super) fn nan_in_last_row(&self) -> Option<&str> {
+        let nan = |values: &Values| match values {
+            Values::Real(list) => list.last().is_some_and(|value| value.is_nan()),
+            _ => false,
+        };
+        let column = self.columns.iter().find(|column| nan(&column.values))?;
+        Some(&column.name)
+    }
+
+    /// The values of the real variable of this name.
+    pub fn real(&self, name: &str) -> Option<&[f64]> {
+        let column = self.columns.iter().find(|column| column.name == name)?;
+        match &column.values {
+            Values::Real(list) => Some(list),
+            _ => None,
+        }
+    }
+
+    /// Writes the table as CSV: header `time` and the names, one line for each time, numbers as the shortest text
+    /// that reads back to the same bits.
+    ///
+    /// # Errors
+    ///
+    /// What the writer says.
+    pub fn write_csv(&self, out: impl Write) -> Result<(), csv::Error> {
+        let mut writer = csv::Writer::from_writer(out);
+        let names = self.columns.iter().map(|column| column.name.as_str());
+        writer.write_record(std::iter::once("time").chain(names))?;
+        for (row, time) in self.time.iter().enumerate() {
+            writer.write_field(format!("{time:?}"))?;
+            for column in &self.columns {
+                let text = column.values.get(row).map(|value| value.to_string());
+                writer.write_field(text.unwrap_or_default())?;
+            }
+            writer.write_record(None::<&[u8]>)?;
+        }
+        writer.flush()?;
+        Ok(())
+    }
+}
