@@ -8,7 +8,7 @@ use sphere_dda::scene::Scene;
 use sphere_dda::scene_file::{Loaded, Summary};
 use sphere_dda_report::picture::portrait;
 
-use crate::export::free;
+use crate::arguments::free;
 use crate::failure::Failure;
 use crate::progress::{note, print};
 

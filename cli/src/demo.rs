@@ -9,10 +9,10 @@ use miette::miette;
 use sphere_dda_export::{Version, find_libraries};
 use sphere_dda_master::{Fmu, Options, System, Table};
 
+use crate::arguments::positive;
 use crate::export::pack;
 use crate::failure::Failure;
 use crate::progress::{Interrupt, print, wall_time};
-use crate::run::positive;
 use crate::simulate::{csv, drive};
 
 /// The scene, so that the demo works in any folder.

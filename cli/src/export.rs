@@ -15,6 +15,7 @@ use sphere_dda_report::picture::portrait;
 
 use package::Package;
 
+use crate::arguments::free;
 use crate::failure::Failure;
 use crate::progress::{Interrupt, note, print};
 use crate::settle::Settling;
@@ -124,28 +125,6 @@ pub(crate) fn run(arguments: &Export, interrupt: &Interrupt) -> Result<(), Failu
     let fmu = fmu.with_extension("fmu");
     write(scene, start, &fmu, &libraries, Version::Two)?;
     arguments.package.write(&fmu, &others, &output)
-}
-
-/// The file if it can be written: an ending that importers want also keeps a slip of the hand from replacing the scene.
-pub(crate) fn free<'p>(
-    option: &str,
-    path: &'p Path,
-    ending: &str,
-    overwrite: bool,
-) -> Result<&'p Path, Failure> {
-    if path.extension().is_none_or(|found| found != ending) {
-        return Err(Failure::Input(miette!(
-            "{option}: found `{}`, expected a name that ends with .{ending}",
-            path.display()
-        )));
-    }
-    if path.exists() && !overwrite {
-        return Err(Failure::Input(miette!(
-            "`{}` exists already: choose another name, or use --overwrite",
-            path.display()
-        )));
-    }
-    Ok(path)
 }
 
 /// Exports `scene` and its settled start, if there is one, with `library`, and says what was packed.

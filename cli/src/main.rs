@@ -5,6 +5,7 @@
     reason = "`[s]` is a unit in the help that clap prints from these docs"
 )]
 
+mod arguments;
 mod check;
 mod demo;
 mod export;

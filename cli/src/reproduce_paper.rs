@@ -3,9 +3,9 @@
 use clap::Args;
 use sphere_dda_report::paper::{self, Options};
 
+use crate::arguments::positive;
 use crate::failure::Failure;
 use crate::progress::Interrupt;
-use crate::run::positive;
 use crate::study::{self, Destination};
 
 /// Arguments of `reproduce-paper`.

@@ -18,6 +18,7 @@ use sphere_dda::simulation::Simulation;
 use sphere_dda::solver::SolverKind;
 use sphere_dda::state::StepReport;
 
+use crate::arguments::{interval, positive};
 use crate::check;
 use crate::failure::Failure;
 use crate::progress::{Interrupt, Progress, count, note, print, wall_time};
@@ -66,21 +67,6 @@ pub(crate) struct Run {
     solver: Option<SolverKind>,
     #[command(flatten)]
     settling: Settling,
-}
-
-/// A time in seconds that a run can end at.
-pub(crate) fn positive(text: &str) -> Result<f64, String> {
-    match text.parse() {
-        Ok(value) if value > 0.0 && f64::is_finite(value) => Ok(value),
-        _ => Err("expected a finite number of seconds greater than 0".to_owned()),
-    }
-}
-
-fn interval(text: &str) -> Result<f64, String> {
-    match text.parse() {
-        Ok(value) if value >= 0.0 && f64::is_finite(value) => Ok(value),
-        _ => Err("expected a finite number of seconds, at least 0".to_owned()),
-    }
 }
 
 fn method() -> impl TypedValueParser<Value = Method> {

@@ -9,9 +9,9 @@ use sphere_dda::results::start_file::{StartFile, StartFileError};
 use sphere_dda::scene::Scene;
 use sphere_dda::simulation::{Settle, SettleProgress, Settled};
 
+use crate::arguments::positive;
 use crate::failure::Failure;
 use crate::progress::{Interrupt, Progress, note};
-use crate::run::positive;
 
 /// Longest time that spheres get to come to rest unless told otherwise \[s\].
 const PATIENCE: f64 = 60.0;

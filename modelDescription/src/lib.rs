@@ -61,6 +61,7 @@ mod finding;
 pub mod fmi2;
 pub mod fmi3;
 pub mod lexical;
+mod list;
 pub mod names;
 pub mod terminals;
 pub mod units;

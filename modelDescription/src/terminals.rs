@@ -7,8 +7,8 @@ use std::collections::BTreeSet;
 use serde::{Deserialize, Serialize};
 
 use crate::finding::{Finding, Report, Rule};
-use crate::fmi2::list_element;
 use crate::lexical;
+use crate::list::list_element;
 use crate::xml::{self, Error};
 
 /// The value of `fmiVersion`, also in units of FMI 2.0: the file is that of FMI 3.0.

@@ -2,8 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::list_element;
 use crate::lexical::{self, is_false, is_zero};
+use crate::list::list_element;
 
 list_element!(source_file_list, super::SourceFile, "File");
 

@@ -6,9 +6,9 @@ use std::collections::BTreeSet;
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-use super::list_element;
 use super::variables::{Causality, Initial, ScalarVariable};
 use crate::lexical;
+use crate::list::list_element;
 
 list_element!(unknown_list, super::Unknown, "Unknown");
 

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use serde::{Deserialize, Serialize};
 
-use super::{Kind, ModelDescription, Variable};
+use super::{Kind, Variable};
 use crate::finding::{Report, Rule};
 use crate::fmi2::validate::required;
 use crate::lexical;
@@ -102,7 +102,7 @@ pub(super) fn check(types: &[EnumerationType], report: &mut Report) {
 /// An enumeration names its type, and its start values are items.
 pub(super) fn declared(
     variable: &Variable,
-    model: &ModelDescription,
+    types: &[EnumerationType],
     place: &str,
     report: &mut Report,
 ) {
@@ -110,10 +110,7 @@ pub(super) fn declared(
         return;
     }
     let name = variable.declared_type.as_deref();
-    let definition = model
-        .type_definitions
-        .iter()
-        .find(|d| Some(d.name.as_str()) == name);
+    let definition = types.iter().find(|d| Some(d.name.as_str()) == name);
     let Some(definition) = definition else {
         report.error(
             Rule::DeclaredType,

@@ -78,7 +78,9 @@ impl fmt::Display for Kind {
 
 /// Reads and writes the children of `ModelVariables`.
 pub(super) mod list {
-    use super::{Deserialize, Element, Serialize, Variable};
+    use serde::{Deserialize, Serialize};
+
+    use crate::fmi3::variables::{Element, Variable};
     use serde::{Deserializer, Serializer};
 
     #[derive(Serialize, Deserialize)]

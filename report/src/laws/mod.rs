@@ -7,31 +7,15 @@ pub mod fit;
 pub mod janssen;
 pub mod repose;
 mod sections;
+mod study;
 pub mod triaxial;
+
+pub use study::Options;
+use study::Study;
 
 use crate::Watch;
 use crate::error::ReportError;
 use crate::folder::Folder;
-
-/// How much is run.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Options {
-    /// Share of the grains, 0 to 1; below 1 it is a trial, and the report says so.
-    pub share: f64,
-    /// Threads; they do not change the report.
-    pub threads: usize,
-}
-
-/// All that was measured.
-#[derive(Debug, Clone)]
-pub(crate) struct Study {
-    share: f64,
-    janssen: janssen::Janssen,
-    beverloo: beverloo::Beverloo,
-    collapse: collapse::Collapse,
-    repose: Vec<repose::Slope>,
-    triaxial: Vec<triaxial::Test>,
-}
 
 /// Runs the study and writes it: `verification.md`, and below `verification/` its plots (SVG) and tables (CSV).
 ///

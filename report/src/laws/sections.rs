@@ -2,7 +2,8 @@
 
 use super::beverloo::Outflow;
 use super::collapse::CHANGE;
-use super::{Study, beverloo, collapse, repose};
+use super::study::Study;
+use super::{beverloo, collapse, repose};
 use crate::error::ReportError;
 use crate::folder::Folder;
 use crate::plot::{Axis, Plot, Style};

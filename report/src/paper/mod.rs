@@ -9,81 +9,21 @@ pub mod march;
 pub mod overlap;
 mod pictures;
 mod sections;
+mod study;
 mod text;
 
 use sphere_dda::integrator::Integrator;
 use sphere_dda::scene::Method;
 
+pub use study::Options;
+use study::{STACKS, StackRow, Study};
+
 use crate::error::ReportError;
 use crate::folder::Folder;
 use crate::{Watch, parallel};
 use column::{Column, Stop};
-use conditioning::Point;
 use held::{Held, Outcome};
 use march::{Case, Example, Record, march};
-
-/// How much is run.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Options {
-    /// Share of each run's duration, 0 to 1; below 1 it is a trial, and the report says so.
-    pub duration: f64,
-    /// Threads; they do not change the report.
-    pub threads: usize,
-}
-
-impl Default for Options {
-    fn default() -> Self {
-        Self {
-            duration: 1.0,
-            threads: 2,
-        }
-    }
-}
-
-/// All that was run.
-#[derive(Debug, Clone)]
-pub(crate) struct Study {
-    duration: f64,
-    /// Example, integrator, method in this order of nesting.
-    records: Vec<Record>,
-    /// Per example: its sweep of penalties.
-    sweeps: Vec<(Example, Vec<Point>)>,
-    /// One sphere and a stack, with each example's numbers.
-    stacks: Vec<StackRow>,
-    /// Whole examples at held penalties.
-    held: Vec<(Held, Outcome)>,
-}
-
-/// Numbers of spheres in a stack.
-const STACKS: [usize; 2] = [1, 10];
-
-/// A stack at one penalty.
-#[derive(Debug, Clone)]
-struct StackRow {
-    example: Example,
-    spheres: usize,
-    factor: f64,
-    contraction: f64,
-    /// Augmentations to the gap tolerance: predicted, counted.
-    gap: (f64, u64),
-    /// Augmentations to the force tolerance: predicted, counted.
-    force: (f64, u64),
-    /// Error of the forces then \[-\].
-    error: f64,
-    /// Augmentations and error of the forces \[-\] of the library's own step.
-    adapted: (u64, f64),
-    /// Overlap over radius of the penalty method: closed form, found.
-    penalty: (f64, Option<f64>),
-}
-
-impl Study {
-    /// The paper's penalty \[N/m\].
-    fn penalty(&self, example: Example) -> f64 {
-        let mut records = self.records.iter().filter(|r| r.case.example == example);
-        let penalty = records.next().and_then(|r| r.scene.settings.penalty);
-        penalty.unwrap_or(f64::NAN)
-    }
-}
 
 /// Runs the study and writes it: `paper.md`, and below `paper/` its drawings (SVG) and tables (CSV).
 ///

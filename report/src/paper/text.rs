@@ -1,5 +1,8 @@
 //! What the report says without measuring it: the loop, the slips of the print, the reconstruction.
 
+use super::march::Tally;
+use crate::table::number;
+
 /// The paper's Fig. 2 as implemented.
 pub(super) const LOOP: &str = r#"
 flowchart TD
@@ -55,3 +58,7 @@ two sides: a sphere whose centre has crossed one overlaps it from the other side
 they are. **Beyond a boundary**: spheres whose centre lies behind a half-space, or has crossed a facet or cone an odd number of times; so their overlap was more than their radius. \
 **Augmentations**: multiplier updates in a step, all passes of re-linearisation together. **Linear solves**: open-close iterations, each one solve of `K D = F`; a penalty step has no augmentation \
 beyond the first.";
+
+pub(super) fn mean(tally: Tally, steps: u64) -> String {
+    number(tally.sum as f64 / steps.max(1) as f64)
+}

@@ -10,6 +10,7 @@
 
 mod arrays;
 mod derivatives;
+mod under_way;
 mod values;
 mod walk;
 
@@ -29,7 +30,7 @@ use crate::runtime::state::{Run, Saved};
 use crate::table::Parameters;
 use sphere_dda_fmi_interface::log::{Level, Log};
 use sphere_dda_fmi_interface::pointers::BadArgument;
-use walk::Walk;
+use under_way::Walk;
 
 pub use arrays::Element;
 pub(crate) use arrays::counted;

@@ -1,22 +1,11 @@
 //! A communication step in pieces: the importer is called between internal steps.
 
 use sphere_dda::error::StepError;
-use sphere_dda::scene::Command;
-use sphere_dda::simulation::March;
 
+use super::under_way::Walk;
 use super::{Instance, Measured, Step, command};
 use crate::runtime::life_cycle::LifeCycle;
 use crate::runtime::refusal::Refusal;
-
-/// A communication step under way.
-pub(super) struct Walk {
-    march: March,
-    point: f64,
-    h: f64,
-    end: f64,
-    /// As they were at its beginning.
-    commands: Vec<Command>,
-}
 
 /// What became of an internal step.
 #[derive(Debug, Clone, PartialEq)]

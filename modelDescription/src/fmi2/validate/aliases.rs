@@ -9,7 +9,7 @@ use std::collections::btree_map::Entry;
 use super::super::{
     BaseType, Causality, ScalarVariable, TypeDefinition, Variability, VariableType,
 };
-use super::Context;
+use super::context::Context;
 use super::variables::place;
 use crate::finding::{Report, Rule, Severity};
 

@@ -2,21 +2,21 @@
 //! the model structure.
 
 mod aliases;
+mod context;
 mod structure;
 mod variables;
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
-use super::{
-    DefaultExperiment, EnumerationType, FMI_VERSION, ModelDescription, NamingConvention,
-    SimpleType, TypeDefinition,
-};
+use context::Context;
+
+use super::{DefaultExperiment, EnumerationType, FMI_VERSION, ModelDescription, TypeDefinition};
 use crate::finding::{Finding, Report, Rule};
 use crate::names;
-use crate::units::{self, Unit};
+use crate::units::{self};
 
 /// All broken rules, in the order of the document.
-pub(super) fn validate(model: &ModelDescription) -> Vec<Finding> {
+fn validate(model: &ModelDescription) -> Vec<Finding> {
     let mut report = Report::default();
     let context = Context::new(model);
     header(model, &mut report);
@@ -33,103 +33,8 @@ pub(super) fn validate(model: &ModelDescription) -> Vec<Finding> {
     report.findings
 }
 
-/// What variables are judged against.
-struct Context<'a> {
-    model: &'a ModelDescription,
-    units: BTreeMap<&'a str, &'a Unit>,
-    types: BTreeMap<&'a str, &'a SimpleType>,
-}
-
-impl<'a> Context<'a> {
-    fn new(model: &'a ModelDescription) -> Self {
-        let units = model.unit_definitions.iter();
-        let types = model.type_definitions.iter();
-        Self {
-            model,
-            units: units.map(|unit| (unit.name.as_str(), unit)).collect(),
-            types: types.map(|simple| (simple.name.as_str(), simple)).collect(),
-        }
-    }
-
-    /// A name has the form that the convention asks for.
-    fn name(&self, name: &str, place: &str, report: &mut Report) {
-        if name.is_empty() {
-            report.error(Rule::RequiredAttribute, place, "an empty name", "a name");
-            return;
-        }
-        match self.model.variable_naming_convention {
-            NamingConvention::Flat => {
-                if name.contains(['\n', '\r', '\t']) {
-                    report.error(
-                        Rule::Name,
-                        place,
-                        "a line feed, carriage return or tab",
-                        "none in a flat name",
-                    );
-                }
-            }
-            NamingConvention::Structured => {
-                if let Err(error) = names::check_structured(name) {
-                    report.error(
-                        Rule::Name,
-                        place,
-                        format!("{} at byte {}", error.found, error.offset),
-                        format!("{} in a structured name", error.expected),
-                    );
-                }
-            }
-        }
-    }
-
-    /// Unit and display unit are defined.
-    fn unit(
-        &self,
-        unit: Option<&str>,
-        display_unit: Option<&str>,
-        place: &str,
-        report: &mut Report,
-    ) {
-        let defined = unit.and_then(|name| self.units.get(name));
-        if let Some(name) = unit
-            && defined.is_none()
-        {
-            report.error(
-                Rule::UnitDefined,
-                format!("{place}/@unit"),
-                format!("`{name}`"),
-                "the name of a unit in UnitDefinitions",
-            );
-        }
-        let Some(display_name) = display_unit else {
-            return;
-        };
-        let place = format!("{place}/@displayUnit");
-        let found = format!("`{display_name}`");
-        match (unit, defined) {
-            (None, _) => report.error(
-                Rule::DisplayUnitDefined,
-                place,
-                format!("{found} without unit"),
-                "a unit beside it",
-            ),
-            // The standard lets importers ignore such a display unit.
-            (Some(name), Some(unit))
-                if !unit.display_units.iter().any(|d| d.name == display_name) =>
-            {
-                report.warning(
-                    Rule::DisplayUnitDefined,
-                    place,
-                    found,
-                    format!("a display unit of `{name}`"),
-                );
-            }
-            _ => {}
-        }
-    }
-}
-
 fn header(model: &ModelDescription, report: &mut Report) {
-    const ROOT: &str = super::ROOT;
+    const ROOT: &str = crate::fmi2::description::ROOT;
     if model.fmi_version != FMI_VERSION {
         report.error(
             Rule::FmiVersion,
@@ -395,6 +300,14 @@ pub(crate) fn is_date_and_time(text: &str) -> bool {
         (None, None) => clock(time),
     };
     date(day) && time_is_good
+}
+
+impl ModelDescription {
+    /// All broken rules at once, in the order of the document; empty if the
+    /// description is valid.
+    pub fn validate(&self) -> Vec<Finding> {
+        validate(self)
+    }
 }
 
 #[cfg(test)]

@@ -8,7 +8,7 @@ use super::super::{
     BaseType, Causality, EnumerationVariable, Initial, IntegerVariable, RealType, RealVariable,
     ScalarVariable, TypeDefinition, Variability, VariableType,
 };
-use super::Context;
+use super::context::Context;
 use crate::finding::{Report, Rule};
 
 pub(super) fn check(context: &Context<'_>, report: &mut Report) {

@@ -3,8 +3,8 @@
 use super::super::column::{FACTORS, TOLERANCE};
 use super::super::held::{MOST, Outcome};
 use super::super::march::{Example, Record};
-use super::super::{StackRow, Study};
-use super::mean;
+use super::super::study::{STACKS, StackRow, Study};
+use super::super::text::mean;
 use crate::error::ReportError;
 use crate::plot::{Axis, Plot, Style};
 use crate::report::Report;
@@ -74,7 +74,7 @@ pub(super) fn conditioning(report: &mut Report, study: &Study) -> Result<(), Rep
         for (method, pick) in [
             (
                 "penalty",
-                (|p| &p.penalty) as fn(&super::super::Point) -> &Record,
+                (|p| &p.penalty) as fn(&super::super::conditioning::Point) -> &Record,
             ),
             ("ALM", |p| &p.alm),
         ] {
@@ -163,7 +163,7 @@ pub(super) fn counts(report: &mut Report, study: &Study) -> Result<(), ReportErr
     }
     report.table("augmentations", &table)?;
     for example in Example::ALL {
-        for spheres in super::super::STACKS {
+        for spheres in STACKS {
             let of = |row: &&StackRow| row.example == example && row.spheres == spheres;
             let rows: Vec<&StackRow> = study.stacks.iter().filter(of).collect();
             let name = format!("{}, {spheres}", example.name());

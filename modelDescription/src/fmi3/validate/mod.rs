@@ -4,10 +4,10 @@ mod values;
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::description::ROOT;
 use super::structure::is_initial_unknown;
 use super::{
-    Causality, FMI_VERSION, Kind, ModelDescription, NamingConvention, ROOT, Unknown, Variable,
-    types,
+    Causality, FMI_VERSION, Kind, ModelDescription, NamingConvention, Unknown, Variable, types,
 };
 use crate::finding::{Finding, Report, Rule};
 use crate::fmi2::DependencyKind;
@@ -16,7 +16,7 @@ use crate::names;
 use crate::units::{self, Unit};
 
 /// All broken rules, in the order of the document.
-pub(super) fn validate(model: &ModelDescription) -> Vec<Finding> {
+fn validate(model: &ModelDescription) -> Vec<Finding> {
     let mut report = Report::default();
     header(model, &mut report);
     interfaces(model, &mut report);
@@ -179,7 +179,7 @@ fn variables(model: &ModelDescription, report: &mut Report) {
         clocks(variable, &by_reference, &place, report);
         unit(variable, &units, &place, report);
         values::check(variable, &place, report);
-        types::declared(variable, model, &place, report);
+        types::declared(variable, &model.type_definitions, &place, report);
     }
 }
 
@@ -367,5 +367,12 @@ fn dependencies(
             format!("`{kinds}` for {} dependencies", listed.len()),
             "dependent, constant, fixed, tunable or discrete for each dependency",
         );
+    }
+}
+
+impl ModelDescription {
+    /// All broken rules at once, in the order of the document; empty if the description is valid.
+    pub fn validate(&self) -> Vec<Finding> {
+        validate(self)
     }
 }

@@ -5,9 +5,10 @@ mod penalties;
 use sphere_dda::geometry::Shape;
 use sphere_dda::scene::Method;
 
-use super::march::{Example, Moment, Record, Tally, integrator_name, method_name};
+use super::march::{Example, Moment, Record, integrator_name, method_name};
 use super::pictures::picture;
-use super::{Study, text};
+use super::study::Study;
+use super::text::{self, mean};
 use crate::document::Document;
 use crate::error::ReportError;
 use crate::folder::Folder;
@@ -283,10 +284,6 @@ fn pictures(report: &mut Report, study: &Study) {
             }
         }
     }
-}
-
-fn mean(tally: Tally, steps: u64) -> String {
-    number(tally.sum as f64 / steps.max(1) as f64)
 }
 
 fn work(report: &mut Report, study: &Study) -> Result<(), ReportError> {
