@@ -40,7 +40,9 @@ Examples:
   sphere-dda run scene.toml -o results
   sphere-dda export scene.toml && sphere-dda simulate scene.fmu -o outputs.csv
 
-Exit codes: 0 done; 1 the run failed; 2 bad scene, file or argument; 130 ended by Ctrl-C, all files being complete."
+Research: `sphere-dda reproduce-paper` and `sphere-dda verify` write the reports of docs/; see their --help.
+
+Exit codes: 0 done; 1 the run failed; 2 invalid scene, file or argument; 130 ended by Ctrl-C, all files are complete."
 )]
 struct Arguments {
     #[command(subcommand)]
@@ -49,24 +51,26 @@ struct Arguments {
 
 #[derive(Debug, Subcommand)]
 enum Command {
-    /// Run the funnel example as an FMU and say how to look at it.
+    /// Run the funnel example as an FMU and report how to look at it.
     Demo(demo::Demo),
-    /// Check a scene: all its problems at once, or its counts, mass, extent, suggested step and penalty.
+    /// Check a scene: report all its problems, or its counts, mass, extent and suggested step.
     Check(check::Check),
-    /// Print the JSON schema of scene files for editors, or their reference.
-    Schema(schema::Schema),
     /// Run a scene and write VTU, PVD and CSV files.
     Run(run::Run),
+    /// Pack a scene into a co-simulation FMU of FMI 2.0 or 3.0.
+    Export(export::Export),
+    /// Show the capabilities and variables of an FMU.
+    Inspect(inspect::Inspect),
+    /// Simulate one or more coupled co-simulation FMUs (FMI 2.0 or 3.0) or an SSP; write outputs as CSV.
+    Simulate(simulate::Simulate),
+    /// Print the JSON schema of scene files, for editors, or their reference.
+    Schema(schema::Schema),
     /// Run the paper's examples and write what it claims, as numbers, plots and pictures.
+    #[command(hide = true)]
     ReproducePaper(reproduce_paper::ReproducePaper),
     /// Measure laws of granular matter (silo, outflow, collapse, repose) and write them as a report.
+    #[command(hide = true)]
     Verify(verify::Verify),
-    /// Pack a scene into an FMU of FMI 2.0 or 3.0 for co-simulation.
-    Export(export::Export),
-    /// Show what an FMU is and its variables.
-    Inspect(inspect::Inspect),
-    /// Run an FMU, or several coupled, any of FMI 2.0 or 3.0 for co-simulation, or an SSP, and write the outputs as CSV.
-    Simulate(simulate::Simulate),
 }
 
 fn main() -> ExitCode {
