@@ -65,7 +65,7 @@ pub struct Contents<'a> {
     pub scene: &'a Path,
     /// What the scene has settled to, see [`sphere_dda::simulation::Settled`].
     pub start: Option<Vec<u8>>,
-    /// The libraries, see [`find_libraries`].
+    /// The libraries, see [`find_libraries`](crate::find_libraries).
     pub libraries: &'a [Library],
     /// Version of the standard.
     pub version: Version,

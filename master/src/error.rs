@@ -56,7 +56,7 @@ pub enum ArchiveError {
         "found entries that overlap, expected each name and each byte once: do not use this file, it may be an attack"
     )]
     Overlap,
-    /// The archive asks for more than [`Limits`] allow.
+    /// The archive asks for more than [`Limits`](crate::Limits) allow.
     #[error(
         "found more than {limit} {what}, expected at most that: if the file is to be trusted, raise the limit"
     )]

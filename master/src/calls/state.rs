@@ -10,8 +10,8 @@ use super::instance::{ALIVE, Instance};
 use super::library::{Handle, Interface};
 use super::logger::Log;
 
-/// A state saved by [`Instance::save_state`]. It belongs to that instance, which frees it at its end if
-/// [`Instance::free_state`] did not.
+/// A state saved by `save_state` of an instance. It belongs to that instance, which frees it at its end if
+/// `free_state` did not.
 #[derive(Debug)]
 pub struct SavedState {
     raw: Handle,
