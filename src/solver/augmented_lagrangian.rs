@@ -87,9 +87,14 @@ fn augmented(row: &Row, u: Vec3, p: Vec3, sigma: f64, load: f64) -> Augmented {
     let bounds = row.law.bounds(load);
     let (along, tangential) = (bounds.along(y_n), bounds.across(y_t, &across));
     let t_n = if along.inside { stiff_n } else { 0.0 };
+    // What does not move starts as sticking, before anything has loaded it.
+    let t_t = match y_t == Vec3::zeros() {
+        true => across,
+        false => tangential.tangent,
+    };
     Augmented {
         impulse: n * along.value + tangential.value,
-        tangent: nn * t_n + tangential.tangent * stiff_t,
+        tangent: nn * t_n + t_t * stiff_t,
         energy: along.energy / stiff_n + tangential.energy / stiff_t,
     }
 }
