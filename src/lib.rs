@@ -31,27 +31,49 @@
 //! | paper | DDA term | identifier | unit |
 //! |---|---|---|---|
 //! | `D_i` | displacement increment | `dt * velocity` | m, rad |
-//! | `T_i` | first-order displacement function | [`particles`] | - |
-//! | `K_ij`, `F_i` | stiffness sub-matrix, force sub-vector | [`problem::assemble`], [`solver`] | N/m, N |
-//! | `M` | gap before the step | `gap`, [`contacts::Contact::gap`] | m |
-//! | `n` | contact normal | [`contacts::Contact::normal`] | - |
+//! | `T_i` | first-order displacement function | [`scene::particles`] | - |
+//! | `K_ij`, `F_i` | stiffness sub-matrix, force sub-vector | [`step::assemble`], [`solver`] | N/m, N |
+//! | `M` | gap before the step | `gap`, [`contact::Contact::gap`] | m |
+//! | `n` | contact normal | [`contact::Contact::normal`] | - |
 //! | `H_i`, `Q_j` | rows of the normal displacement | `normal`, `arm` of [`problem::Row`] | - |
 //! | `-lambda*` | multiplier, contact force | `impulse / dt` | N |
 //! | `P_n` | penalty number, contact spring | `penalty` | N/m |
 //! | `d_n` | normal distance after the step | `gap + dt u_n` | m |
 //! | `phi` | friction angle | `friction = tan(phi)` | - |
 //! | - | rolling, twisting resistance `mu_r`, `mu_t` | `rolling_friction`, `twisting_friction` | - |
-//! | - | couple `m` of a resistance | [`contacts::Contact::torque`]; its row has `impulse = m dt / radius` | N m |
-//! | - | surface velocity of a belt | [`boundaries::Belt`] | m/s |
+//! | - | couple `m` of a resistance | [`contact::Contact::torque`]; its row has `impulse = m dt / radius` | N m |
+//! | - | surface velocity of a belt | [`scene::Belt`] | m/s |
 //! | `dt` | time step | `step` | s |
-//! | - | angular velocity `W` of the frame | [`frame::RotatingFrame`] | rad/s |
-//! | - | image `k` and edges `L` of a copy `x + k L` | [`cell::Image`], [`cell::Cell`] | -, m |
+//! | - | angular velocity `W` of the frame | [`scene::rotating_frame::RotatingFrame`] | rad/s |
+//! | - | image `k` and edges `L` of a copy `x + k L` | [`spatial::cell::Image`], [`spatial::cell::Cell`] | -, m |
 //!
-//! # Pipeline of one step
+//! # A step, its contacts and their forces
 //!
-//! [`contacts`] finds the candidate pairs, [`problem`] writes the step as algebra, [`solver`] solves it,
-//! [`step`] checks the true gaps and commits, [`simulation`] owns the state.
-//! [`scene`] comes before all of this, [`observe`] after.
+//! ```
+//! use std::path::Path;
+//! use std::sync::Arc;
+//!
+//! use sphere_dda::{scene::Scene, simulation::Simulation};
+//!
+//! let scene = Scene::from_file(Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/slopes/slopes.toml"))?.scene;
+//! let mut simulation = Simulation::new(Arc::new(scene))?;
+//! let report = simulation.advance(0.01)?;
+//! for contact in simulation.contacts() {
+//!     println!("{:?}: gap {:.1e} m, force {:?} N", contact.key, contact.gap, contact.force.as_slice());
+//! }
+//! assert!(report.max_overlap < 1e-3);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! [`simulation::Simulation::problem`] gives the algebra of the next step and the impulses that a solver starts from. A solver
+//! is a function of the shape of [`solver::solve`]; [`solver::residual::evaluate`] judges it.
+//!
+//! # Where things are
+//!
+//! [`scene_file`] reads a [`scene`], which never changes in a run. [`simulation`] owns the [`state`] and takes communication
+//! steps. Of each internal [`step`], [`detection`] finds the candidate pairs, [`step::assemble`] writes them as a [`problem`],
+//! [`solver`] solves it, and the step checks the true gaps and commits. [`observe`] turns a simulation into numbers,
+//! [`results`] numbers into files.
 
 pub mod clock;
 pub mod contact;

@@ -89,7 +89,7 @@ def together(command, folder, step):
 
 
 def coupled(command, folder, shaker, fmu, scheme, step, inner):
-    """Times and positions of the tray, tries of a step on average, and seconds; `inner` is the step of the solver."""
+    """Times and positions of the tray, iterations per step, and seconds; `inner` is the step of the solver."""
     _, coupling, connections = SCHEMES[scheme]
     out = folder / "coupled.csv"
     connect = [part for pair in (*connections, FORCE) for part in ("--connect", pair)]

@@ -1,11 +1,8 @@
-//! Results: read-only views of a simulation, and the files they are written to.
+//! What is measured: read-only views of a simulation.
 //!
 //! [`Observation`] is what every observer reads: the state at the end of a communication step. From it come
-//! [`energy`], [`loads`] and [`sensors`]; [`quantities`] is the one table of all that is measured. The [`frames`] of grids
-//! and the rows of the [`history`] are what [`writer::Results`] puts into a [`directory`] ([`vtu`] files listed by [`pvd`]
-//! collections, a CSV [`table`], [`checkpoint`]s, `run.json`, `view.py`) without keeping the solver waiting for the disk.
-//!
-//! Nothing in here feeds back into the solver.
+//! [`energy`], [`loads`] and [`sensors`]; [`quantities`] is the one table of all that is measured. [`crate::results`] writes
+//! files from it. Nothing in here feeds back into the solver.
 
 mod derivatives;
 pub mod energy;

@@ -1,4 +1,6 @@
-//! Results as files: what [`writer::Results`] puts into a [`directory`] without keeping the solver waiting for the disk.
+//! Results as files: the [`frames`] of grids (VTU files listed by PVD collections), the rows of the [`history`] (CSV),
+//! [`checkpoint`]s, `run.json` and `view.py`, which [`writer::Results`] puts into a [`directory`] without keeping the solver
+//! waiting for the disk.
 
 pub mod checkpoint;
 pub mod directory;

@@ -17,7 +17,7 @@ pub struct Options {
     pub row_interval: f64,
     /// Precision of the frames.
     pub precision: Precision,
-    /// Hold frames and rows back until [`Results::commit`] says that they cannot be rolled back any more.
+    /// Hold frames and rows back until [`Results::commit`](crate::results::writer::Results::commit) says that they cannot be rolled back any more.
     pub hold: bool,
 }
 

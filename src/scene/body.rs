@@ -23,7 +23,7 @@
 //! shi     v_free = (2 P + dt F)/(2 J + c dt),  W = 1/(2 J + c dt)
 //! ```
 //!
-//! Stops and a spring on a slide or hinge are rows of the step's problem, as contacts are: [`Hold`].
+//! Stops and a spring on a slide or hinge are rows of the step's problem, as contacts are: [`Hold`](crate::step::assemble::joint::Hold).
 
 use std::f64::consts::TAU;
 
@@ -67,7 +67,7 @@ pub struct Servo {
     pub pressure: f64,
     /// Area it acts on.
     pub area: Area,
-    /// Whether the pressure comes from outside, [`Command::pressure`], that above being its start.
+    /// Whether the pressure comes from outside, [`Command::pressure`](crate::scene::Command::pressure), that above being its start.
     pub input: bool,
 }
 

@@ -47,7 +47,7 @@ pub enum InputKind {
     },
 }
 
-/// A command for a boundary with a [`Motion::input`], a belt or a servo pressure driven from outside, held until the next one.
+/// A command for a boundary with a [`Motion::input`](crate::scene::Motion::input), a belt or a servo pressure driven from outside, held until the next one.
 /// Components that the boundary's [`InputKind`] does not use are ignored.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct Command {

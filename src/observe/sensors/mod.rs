@@ -1,5 +1,5 @@
 //! Sensors: what is inside a region ([`region`], with the volumes of [`solid`] and the branches of [`branch`]), and
-//! the mass that passes a plane or a polygon ([`flow`]). Spheres that are absent never count.
+//! the mass that passes a plane or a polygon ([`flow`](crate::simulation::flow)). Spheres that are absent never count.
 
 pub mod branch;
 pub mod region;

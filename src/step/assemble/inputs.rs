@@ -34,6 +34,6 @@ pub struct Inputs<'a> {
     pub gravity_size: f64,
     /// Spring targets at the end of the step \[m\], `[S]`.
     pub targets: &'a [Vec3],
-    /// [`mean_acceleration`] \[m/s^2\].
+    /// [`mean_acceleration`](crate::step::external::mean_acceleration) \[m/s^2\].
     pub mean_acceleration: f64,
 }
