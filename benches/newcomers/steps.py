@@ -24,8 +24,8 @@ HEAD = """\
 The box of 500 grains ([scene](../../tests/newcomers/box.toml)) with `step` as given, at every accuracy; means over
 packings of other seeds. *of the bound before*: CPU time over that of the row above. It must not rise by more than a tenth.
 
-| accuracy | step s | simulated s | CPU s | of the bound before | steps | unconverged | status |
-|---|---|---|---|---|---|---|---|"""
+| accuracy | step s | simulated s | CPU s | of the bound before | steps | sweeps | unconverged | status |
+|---|---|---|---|---|---|---|---|---|"""
 
 
 def main() -> None:
@@ -57,10 +57,11 @@ def _row(accuracy: str, bound: float, arguments: argparse.Namespace) -> tuple[li
         try:
             runs = [_run(accuracy, bound, seed, folder, arguments.limit) for seed in range(arguments.packings)]
         except Failed as error:
-            return ["", "", "", "", str(error)], None
+            return ["", "", "", "", "", str(error)], None
     cost = fmean(run.cpu for run in runs)
-    steps = fmean(run.history["solver.internalSteps [-]"].sum() for run in runs)
-    return [f"{runs[0].simulated:g}", f"{cost:.3g}", f"{steps:.0f}", str(sum(run.unconverged for run in runs)), "done"], cost
+    steps, sweeps = (fmean(run.history[f"solver.{name} [-]"].sum() for run in runs) for name in ("internalSteps", "sweeps"))
+    unconverged = sum(run.unconverged for run in runs)
+    return [f"{runs[0].simulated:g}", f"{cost:.3g}", f"{steps:.0f}", f"{sweeps:.0f}", str(unconverged), "done"], cost
 
 
 def _run(accuracy: str, bound: float, seed: int, folder: Path, limit: float) -> Run:
