@@ -16,7 +16,7 @@ use sphere_dda::scene::Scene;
 use sphere_dda::simulation::Simulation;
 use sphere_dda::solver::Tolerance;
 use sphere_dda::solver::residual::{Scale, evaluate};
-use sphere_dda::spatial::Dof6;
+use sphere_dda::spatial::SpatialVector;
 
 /// Bricks along x, y and z.
 const SPLITS: [[usize; 3]; 7] = [
@@ -232,10 +232,11 @@ fn solve(captured: &Captured, brick: &[usize], scheme: Scheme) -> Option<usize> 
             *old = here;
         }
         let (mut along, mut change) = (0.0, 0.0);
-        let mut visit = |rows: &[usize], v: &mut [Dof6], p: &mut Impulses| {
+        let mut visit = |rows: &[usize], v: &mut [SpatialVector], p: &mut Impulses| {
             for &k in rows {
                 let row = &problem.rows.get(k);
-                let found = believed_scales[k].correction(row, row.relative_velocity(v), p[k], 0.0);
+                let found =
+                    believed_scales[k].natural_map(row, row.relative_velocity(v), p[k], 0.0);
                 let d = (row.normal * found.normal + found.tangential) * damping;
                 if d != Vec3::zeros() {
                     believed.apply(row, v, d);
@@ -256,7 +257,7 @@ fn solve(captured: &Captured, brick: &[usize], scheme: Scheme) -> Option<usize> 
             visit(rows, &mut own, &mut p);
             if jacobi {
                 for (i, v) in v.iter_mut().enumerate() {
-                    *v = Dof6 {
+                    *v = SpatialVector {
                         linear: v.linear + (own[i].linear - known[i].linear) / shares[i],
                         angular: v.angular + (own[i].angular - known[i].angular) / shares[i],
                     };
@@ -292,8 +293,8 @@ fn shares(problem: &Problem, brick: &[usize]) -> Vec<f64> {
 }
 
 /// `x + (y - x) share`.
-fn between(x: &Dof6, y: &Dof6, share: f64) -> Dof6 {
-    Dof6 {
+fn between(x: &SpatialVector, y: &SpatialVector, share: f64) -> SpatialVector {
+    SpatialVector {
         linear: x.linear + (y.linear - x.linear) * share,
         angular: x.angular + (y.angular - x.angular) * share,
     }

@@ -14,13 +14,13 @@ use std::sync::{Arc, Mutex, PoisonError};
 use divan::Bencher;
 use divan::counter::{BytesCount, ItemsCount};
 use sphere_dda::detection::broad_phase::NeighborList;
-use sphere_dda::detection::placement::{Candidate, Placement};
-use sphere_dda::detection::reach::Reach;
+use sphere_dda::detection::configuration::{Candidate, Configuration};
+use sphere_dda::detection::detection_distance::DetectionDistance;
 use sphere_dda::formats::vtu::{Precision, encode};
 use sphere_dda::observe::Observation;
 use sphere_dda::results::frames::{Surface, frame};
 use sphere_dda::scene::Scene;
-use sphere_dda::simulation::{March, Simulation};
+use sphere_dda::simulation::{CommunicationStep, Simulation};
 use sphere_dda::solver::gauss_seidel::{self, Kernel};
 use sphere_dda::solver::{Params, Report};
 use sphere_dda::solver::{SolverKind, Tolerance};
@@ -184,16 +184,16 @@ fn reaches(simulation: &Simulation) -> Vec<f64> {
     reaches.collect()
 }
 
-fn placed(simulation: &Simulation) -> Placement<'_> {
+fn placed(simulation: &Simulation) -> Configuration<'_> {
     let state = simulation.state();
-    Placement::of(simulation.scene(), &state.kinematics, &state.poses)
+    Configuration::of(simulation.scene(), &state.kinematics, &state.poses)
 }
 
 fn neighbours(simulation: &Simulation, reach: &[f64]) -> NeighborList {
     let mut list = NeighborList::default();
-    let reach = reach.iter().map(|&reach| Reach {
+    let reach = reach.iter().map(|&reach| DetectionDistance {
         pairs: reach,
-        walls: reach,
+        boundaries: reach,
     });
     list.ensure(&placed(simulation), &reach.collect::<Vec<_>>(), 0.0);
     list
@@ -292,13 +292,13 @@ fn step(bencher: Bencher, bed: &Bed) {
     let simulation = RefCell::new(bed.simulation());
     let blob = simulation.borrow().snapshot();
     // One step beforehand leaves its memory.
-    let begin = || -> March {
+    let begin = || -> CommunicationStep {
         let mut simulation = simulation.borrow_mut();
         simulation.restore(&blob).expect("its own snapshot");
         let end = simulation.time() + STEP;
         simulation.begin(end).expect("a step")
     };
-    let take = |march: &mut March| {
+    let take = |march: &mut CommunicationStep| {
         simulation
             .borrow_mut()
             .internal_step(march)

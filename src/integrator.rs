@@ -13,7 +13,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::spatial::Dof6;
+use crate::spatial::SpatialVector;
 
 /// Time integration.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
@@ -29,9 +29,15 @@ pub enum Integrator {
 impl Integrator {
     /// The state velocity for a step of `dt` \[s\] after one of `last` \[s\].
     #[must_use]
-    pub fn restep(self, velocity: &Dof6, persisting: &Dof6, last: f64, dt: f64) -> Dof6 {
+    pub fn shift_half_step(
+        self,
+        velocity: &SpatialVector,
+        smooth: &SpatialVector,
+        last: f64,
+        dt: f64,
+    ) -> SpatialVector {
         match self {
-            Self::Moreau => velocity.plus(persisting, 0.5 * (last - dt)),
+            Self::Moreau => velocity.plus(smooth, 0.5 * (last - dt)),
             Self::Shi => *velocity,
         }
     }
@@ -48,7 +54,12 @@ impl Integrator {
 
     /// Velocity without contacts.
     #[must_use]
-    pub fn free(self, velocity: &Dof6, external: &Dof6, dt: f64) -> Dof6 {
+    pub fn free(
+        self,
+        velocity: &SpatialVector,
+        external: &SpatialVector,
+        dt: f64,
+    ) -> SpatialVector {
         let share = match self {
             Self::Moreau => dt,
             Self::Shi => 0.5 * dt,
@@ -67,10 +78,15 @@ impl Integrator {
 
     /// State velocity after the step, from the one before it and the solution `v1` of its problem.
     #[must_use]
-    pub fn finish(self, before: &Dof6, v1: &Dof6, dynamic_coefficient: f64) -> Dof6 {
+    pub fn finish(
+        self,
+        before: &SpatialVector,
+        v1: &SpatialVector,
+        dynamic_coefficient: f64,
+    ) -> SpatialVector {
         match self {
             Self::Moreau => *v1,
-            Self::Shi => Dof6::ZERO
+            Self::Shi => SpatialVector::ZERO
                 .plus(v1, 2.0 * dynamic_coefficient)
                 .plus(before, -dynamic_coefficient),
         }
@@ -78,9 +94,14 @@ impl Integrator {
 
     /// Velocity at the time of the state, from the state velocity after a step of `last` \[s\].
     #[must_use]
-    pub fn reported(self, velocity: &Dof6, persisting: &Dof6, last: f64) -> Dof6 {
+    pub fn reported(
+        self,
+        velocity: &SpatialVector,
+        smooth: &SpatialVector,
+        last: f64,
+    ) -> SpatialVector {
         match self {
-            Self::Moreau => velocity.plus(persisting, 0.5 * last),
+            Self::Moreau => velocity.plus(smooth, 0.5 * last),
             Self::Shi => *velocity,
         }
     }

@@ -75,7 +75,7 @@
 //! [`solver`] solves it, and the step checks the true gaps and commits. [`observe`] turns a simulation into numbers,
 //! [`results`] numbers into files.
 
-pub mod clock;
+pub mod communication_points;
 pub mod contact;
 pub mod detection;
 pub mod error;

@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use miette::miette;
-use sphere_dda::clock::{Clock, due};
+use sphere_dda::communication_points::{CommunicationPoints, due};
 use sphere_dda::formats::error::OutputError;
 use sphere_dda::observe::Observation;
 use sphere_dda::results::Options;
@@ -126,13 +126,13 @@ pub(crate) fn run(arguments: &Run, interrupt: &Interrupt) -> Result<(), Failure>
 
     let mut simulation = Simulation::new(Arc::clone(&scene))?;
     let settings = &scene.settings;
-    let clock = Clock::new(settings.communication_step, settings.duration);
+    let clock = CommunicationPoints::new(settings.communication_step, settings.duration);
     let (mut results, start) = if arguments.resume {
         resume(&mut simulation, &clock, options)?
     } else {
         (Results::create(&scene, options)?, None)
     };
-    let (total, end) = march(&mut simulation, &mut results, &clock, start, interrupt);
+    let (total, end) = run_to_end(&mut simulation, &mut results, &clock, start, interrupt);
     let status = results.finish();
     let printed = print(|out| {
         if total.report.internal_steps > 0 {
@@ -167,7 +167,7 @@ fn free(directory: &Path) -> Result<(), Failure> {
 /// Puts the simulation back to the last checkpoint that lies on the way to the stop time, and says where that is.
 fn resume(
     simulation: &mut Simulation,
-    clock: &Clock,
+    clock: &CommunicationPoints,
     options: Options,
 ) -> Result<(Results, Option<u64>), Failure> {
     let scene = Arc::clone(simulation.scene());
@@ -196,7 +196,7 @@ fn resume(
 
 /// When a checkpoint is written, and how many stay.
 struct Checkpoints<'a> {
-    clock: &'a Clock,
+    clock: &'a CommunicationPoints,
     /// Simulated time between two \[s\]; 0: no matter.
     interval: f64,
     /// Simulated time of the last one \[s\].
@@ -239,10 +239,10 @@ impl Checkpoints<'_> {
 }
 
 /// From communication point `start`, if the run was resumed, to the end of the scene's duration, or as far as it gets.
-fn march(
+fn run_to_end(
     simulation: &mut Simulation,
     results: &mut Results,
-    clock: &Clock,
+    clock: &CommunicationPoints,
     start: Option<u64>,
     interrupt: &Interrupt,
 ) -> (Total, Result<(), Failure>) {

@@ -1,34 +1,37 @@
 //! Contact transfer: what the last step's contacts hand to the next step's candidates.
 
-use super::carried::Carried;
-use super::{Key, Load};
+use super::forces::ContactForces;
+use super::{ContactForce, ContactId};
 use crate::Vec3;
 
 /// Which of the last step's contacts a candidate goes on with, if any.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Past(u32);
+pub struct HistoryIndex(u32);
 
-impl Past {
+impl HistoryIndex {
     /// A contact that was not there.
     pub(crate) const NONE: Self = Self(u32::MAX);
 
     /// Its force on A \[N\] in those `contacts`; zero without one.
     #[must_use]
     #[inline]
-    pub fn force(self, contacts: &[Load]) -> Vec3 {
+    pub fn force(self, contacts: &[ContactForce]) -> Vec3 {
         let load = contacts.get(self.0 as usize);
         load.map_or_else(Vec3::zeros, |load| load.force)
     }
 
     /// Likewise the couple of its resistance on A \[N m\].
     #[must_use]
-    pub fn torque(self, contacts: &Carried) -> Vec3 {
+    pub fn torque(self, contacts: &ContactForces) -> Vec3 {
         contacts.torque(self.0 as usize)
     }
 }
 
 /// Which of `contacts` each of `keys` goes on with. Both are in canonical order.
-pub fn transfer(contacts: &[Load], keys: impl Iterator<Item = Key>) -> impl Iterator<Item = Past> {
+pub fn transfer(
+    contacts: &[ContactForce],
+    keys: impl Iterator<Item = ContactId>,
+) -> impl Iterator<Item = HistoryIndex> {
     let mut at = None;
     keys.map(move |key| {
         let from = at.unwrap_or_else(|| contacts.partition_point(|load| load.key < key));
@@ -36,15 +39,19 @@ pub fn transfer(contacts: &[Load], keys: impl Iterator<Item = Key>) -> impl Iter
         let place = from + older.count();
         at = Some(place);
         let same = contacts.get(place).is_some_and(|load| load.key == key);
-        if same { Past(place as u32) } else { Past::NONE }
+        if same {
+            HistoryIndex(place as u32)
+        } else {
+            HistoryIndex::NONE
+        }
     })
 }
 
 /// Which of `contacts`, which are in canonical order, `key` goes on with.
 #[must_use]
-pub fn find(contacts: &[Load], key: Key) -> Past {
+pub fn find(contacts: &[ContactForce], key: ContactId) -> HistoryIndex {
     let at = contacts.binary_search_by_key(&key, |load| load.key);
-    at.map_or(Past::NONE, |at| Past(at as u32))
+    at.map_or(HistoryIndex::NONE, |at| HistoryIndex(at as u32))
 }
 
 #[cfg(test)]
@@ -54,21 +61,21 @@ mod tests {
 
     #[test]
     fn forces_follow_their_keys() {
-        let key = |i, j| Key {
+        let key = |i, j| ContactId {
             sphere: i,
             partner: Partner::sphere(j),
         };
-        let contact = |key, f| Load {
+        let contact = |key, f| ContactForce {
             key,
             normal: Vec3::z(),
             force: Vec3::z() * f,
         };
-        let mut old = Carried::default();
+        let mut old = ContactForces::default();
         for (key, f) in [(key(0, 1), 1.0), (key(0, 3), 2.0), (key(2, 4), 3.0)] {
             old.push(contact(key, f), Some(Vec3::x() * f));
         }
         let new = [key(0, 2), key(0, 3), key(1, 2), key(2, 4), key(5, 6)];
-        let past: Vec<Past> = transfer(&old, new.into_iter()).collect();
+        let past: Vec<HistoryIndex> = transfer(&old, new.into_iter()).collect();
         assert!(transfer(&old, new.into_iter().skip(2)).eq(past[2..].iter().copied()));
         assert!(new.iter().zip(&past).all(|(key, p)| find(&old, *key) == *p));
         let force: Vec<f64> = past.iter().map(|p| p.force(&old).z).collect();

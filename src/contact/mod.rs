@@ -1,6 +1,6 @@
 //! Contacts: who touches whom, with which force, and what goes on from step to step.
 
-pub mod carried;
+pub mod forces;
 pub mod history;
 
 use serde::{Deserialize, Serialize};
@@ -10,7 +10,7 @@ use crate::spatial::cell::{HERE, Image};
 
 /// Identity of a contact over steps; its order is the canonical order of contacts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
-pub struct Key {
+pub struct ContactId {
     /// The sphere (body A); of two spheres the one with the smaller index.
     pub sphere: u32,
     /// What it touches (body B).
@@ -44,11 +44,11 @@ pub enum Partner {
     },
 }
 
-/// What a contact carried in the last step, but for a couple: [`carried::Carried`].
+/// What a contact carried in the last step, but for a couple: [`forces::ContactForces`].
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct Load {
+pub struct ContactForce {
     /// Identity.
-    pub key: Key,
+    pub key: ContactId,
     /// Unit normal from B to A at the start of the step.
     pub normal: Vec3,
     /// Force on A \[N\], mean over the step.
@@ -59,7 +59,7 @@ pub struct Load {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Contact {
     /// Identity.
-    pub key: Key,
+    pub key: ContactId,
     /// Closest point \[m\] on body B.
     pub point: Vec3,
     /// Unit normal from B to A at the start of the last step.

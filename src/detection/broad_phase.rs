@@ -4,12 +4,12 @@
 //! the way of a sphere since, and what it may still move, exceed its skin: one fast sphere costs the others nothing. What is
 //! in the list never shows in results: the narrow phase takes from it the pairs within reach, in canonical order.
 
+use super::configuration::Configuration;
 use super::grid::sphere_pairs;
-use super::near_walls::{NearWall, NearWalls, ROUNDING, corners};
+use super::near_boundaries::{NearBoundaries, NearBoundary, ROUNDING, corners};
 use super::periodic::periodic_pairs;
-use super::placement::Placement;
 use crate::Vec3;
-use crate::detection::reach::Reach;
+use crate::detection::detection_distance::DetectionDistance;
 use crate::spatial::Pose;
 use crate::spatial::cell::Image;
 use crate::spatial::extent::{around, larger};
@@ -23,7 +23,7 @@ const STEPS: f64 = 4.0;
 #[derive(Debug, Clone, Default)]
 pub struct NeighborList {
     /// Skin of each sphere, of a pair the sum of two \[m\], `[N]`.
-    skin: Vec<Reach>,
+    skin: Vec<DetectionDistance>,
     built_at: Vec<Vec3>,
     built_present: Vec<bool>,
     built_poses: Vec<Pose>,
@@ -32,7 +32,7 @@ pub struct NeighborList {
     /// Sphere pairs `(i, j)`, `i < j`, with an image of `j` in a periodic cell, ascending.
     pub images: Vec<(u32, u32, Image)>,
     /// Spheres near boundaries, ascending.
-    pub walls: NearWalls,
+    pub boundaries: NearBoundaries,
     /// Bounds of how much gaps at boundaries have shrunk from when the list was built to where it was ensured last \[m\]: of
     /// any sphere and boundary, and by the motion of each boundary, `[B]`.
     shrunk: f64,
@@ -42,17 +42,17 @@ pub struct NeighborList {
 impl NeighborList {
     /// Makes sure that every pair is listed whose gap in `now` is at most what its spheres `reach`, `[N]` or none, and for a
     /// boundary `carried` \[m\] more.
-    pub fn ensure(&mut self, now: &Placement, reach: &[Reach], carried: f64) {
+    pub fn ensure(&mut self, now: &Configuration, reach: &[DetectionDistance], carried: f64) {
         self.carry(now);
         if self.built_present != now.present || !self.serves(now, reach, carried) {
             self.build(now, reach, carried);
         }
     }
 
-    /// Whether a sphere, in the placement where the list was ensured last, may be within `reach` \[m\] of the boundary: false
+    /// Whether a sphere, in the configuration where the list was ensured last, may be within `reach` \[m\] of the boundary: false
     /// only if it is clearly not, so that what follows does not depend on when the list was built.
     #[must_use]
-    pub fn may_touch(&self, now: &Placement, near: &NearWall, reach: f64) -> bool {
+    pub fn may_touch(&self, now: &Configuration, near: &NearBoundary, reach: f64) -> bool {
         // In a periodic cell another copy of the sphere may be the nearest by now.
         let shrunk = if now.cell.is_open() {
             let i = near.sphere as usize;
@@ -60,33 +60,33 @@ impl NeighborList {
         } else {
             self.shrunk
         };
-        near.gap - shrunk <= reach + ROUNDING * self.skin[near.sphere as usize].walls
+        near.gap - shrunk <= reach + ROUNDING * self.skin[near.sphere as usize].boundaries
     }
 
     /// Whether no sphere leaves its skin: pairs against what all have moved in common, or against nothing.
-    fn serves(&mut self, now: &Placement, reach: &[Reach], carried: f64) -> bool {
+    fn serves(&mut self, now: &Configuration, reach: &[DetectionDistance], carried: f64) -> bool {
         let present = || (0..now.position.len()).filter(|&i| now.present[i]);
         let way = |i: usize| now.position[i] - self.built_at[i];
         let count = present().count().max(1) as f64;
         let common = present().map(way).sum::<Vec3>() / count;
         let carried_so_far = self.carried.iter().copied().fold(0.0, f64::max);
         let mut longest = 0.0;
-        let (mut against_none, mut against_all, mut at_walls) = (false, false, false);
+        let (mut against_none, mut against_all, mut at_boundaries) = (false, false, false);
         for i in present() {
             let (way, skin) = (way(i), self.skin[i]);
             let reach = reach.get(i).copied().unwrap_or_default();
             let length = way.norm();
             longest = larger(longest, length);
-            against_none |= length + reach.walls > skin.pairs;
+            against_none |= length + reach.boundaries > skin.pairs;
             against_all |= (way - common).norm() + reach.pairs > skin.pairs;
-            at_walls |= length + carried_so_far + reach.walls + carried > skin.walls;
+            at_boundaries |= length + carried_so_far + reach.boundaries + carried > skin.boundaries;
         }
         self.shrunk = longest + carried_so_far;
-        !(against_none && against_all || at_walls)
+        !(against_none && against_all || at_boundaries)
     }
 
     /// Notes how far each boundary has moved since the list was built, where spheres are.
-    fn carry(&mut self, now: &Placement) {
+    fn carry(&mut self, now: &Configuration) {
         self.carried.clear();
         self.carried.resize(now.poses.len(), 0.0);
         if self.built_poses == now.poses {
@@ -109,18 +109,25 @@ impl NeighborList {
         }
     }
 
-    fn build(&mut self, now: &Placement, reach: &[Reach], carried: f64) {
+    fn build(&mut self, now: &Configuration, reach: &[DetectionDistance], carried: f64) {
         let radius = &now.particles.radius;
         let smallest = radius.iter().copied().fold(f64::INFINITY, f64::min);
         // Pairs by the smaller reaches: all move alike, or most stand still.
-        let [alike, still] = [|own: &Reach| own.pairs, |own: &Reach| own.walls]
-            .map(|of| reach.iter().map(of).sum::<f64>());
+        let [alike, still] = [
+            |own: &DetectionDistance| own.pairs,
+            |own: &DetectionDistance| own.boundaries,
+        ]
+        .map(|of| reach.iter().map(of).sum::<f64>());
         let skin = |i: usize| {
             let own = reach.get(i).copied().unwrap_or_default();
-            let pairs = if alike < still { own.pairs } else { own.walls };
-            Reach {
+            let pairs = if alike < still {
+                own.pairs
+            } else {
+                own.boundaries
+            };
+            DetectionDistance {
                 pairs: (STEPS * pairs).max(0.5 * SKIN * smallest),
-                walls: (STEPS * (own.walls + carried)).max(SKIN * smallest),
+                boundaries: (STEPS * (own.boundaries + carried)).max(SKIN * smallest),
             }
         };
         self.skin.clear();
@@ -140,7 +147,7 @@ impl NeighborList {
         } else {
             self.images = periodic_pairs(now.cell, now.position, now.present, &sizes);
         }
-        self.walls.build(now, &self.skin);
+        self.boundaries.build(now, &self.skin);
         self.shrunk = 0.0;
         self.carried.fill(0.0);
     }
@@ -164,7 +171,7 @@ mod tests {
             ..Particles::default()
         };
         let (present, cell) = (vec![true; count], Cell::default());
-        let now = Placement {
+        let now = Configuration {
             particles: &particles,
             position: &position,
             present: &present,
@@ -172,8 +179,8 @@ mod tests {
             poses: &[],
             cell: &cell,
         };
-        let mut reach = vec![Reach::default(); count];
-        let pairs = |reach: &[Reach]| {
+        let mut reach = vec![DetectionDistance::default(); count];
+        let pairs = |reach: &[DetectionDistance]| {
             let mut list = NeighborList::default();
             list.ensure(&now, reach, 0.0);
             list.pairs
@@ -181,9 +188,9 @@ mod tests {
         let resting = pairs(&reach);
         assert_eq!(resting.len() as u32, 3 * side * side * (side - 1));
         let fast = 555;
-        reach[fast as usize] = Reach {
+        reach[fast as usize] = DetectionDistance {
             pairs: 0.5,
-            walls: 0.5,
+            boundaries: 0.5,
         };
         let moving = pairs(&reach);
         let own = moving.iter().filter(|(i, j)| *i == fast || *j == fast);

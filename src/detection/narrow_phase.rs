@@ -3,14 +3,14 @@
 use std::ops::Range;
 
 use super::broad_phase::NeighborList;
-use super::near_walls::NearWall;
-use crate::detection::placement::{Candidate, Placement};
-use crate::geometry::Touch;
+use super::near_boundaries::NearBoundary;
+use crate::detection::configuration::{Candidate, Configuration};
+use crate::geometry::ClosestPoint;
 use crate::parallel::Pool;
 use crate::spatial::cell::HERE;
 use crate::spatial::extent::larger;
 
-impl Placement<'_> {
+impl Configuration<'_> {
     /// Finds every pair of `list` whose gap is at most `reach(key)` \[m\], in canonical order.
     pub fn candidates(
         &self,
@@ -22,14 +22,14 @@ impl Placement<'_> {
         found.clear();
         // Both lists ascend in the sphere, and a sphere's partners are spheres before boundaries: taken in turns they
         // are in canonical order but for the features of one boundary.
-        let mut walls = list.walls.iter().peekable();
-        let mut touches = Vec::new();
-        let mut wall = |near: &NearWall, found: &mut Vec<Candidate>| {
+        let mut boundaries = list.boundaries.iter().peekable();
+        let mut closest_points = Vec::new();
+        let mut wall = |near: &NearBoundary, found: &mut Vec<Candidate>| {
             let reach = reach_wall(near.sphere, near.boundary);
-            self.touching(list, near, reach, &mut touches, found);
+            self.touching(list, near, reach, &mut closest_points, found);
         };
         for &(i, j) in &list.pairs {
-            while let Some(earlier) = walls.next_if(|near| near.sphere < i) {
+            while let Some(earlier) = boundaries.next_if(|near| near.sphere < i) {
                 wall(earlier, found);
             }
             let reach = reach_pair(i, j);
@@ -40,7 +40,7 @@ impl Placement<'_> {
                 }
             }
         }
-        for rest in walls {
+        for rest in boundaries {
             wall(rest, found);
         }
         for &(i, j, image) in &list.images {
@@ -81,12 +81,12 @@ impl Placement<'_> {
                 deep.push(pair);
             }
         }
-        let (mut touches, mut found) = (Vec::new(), Vec::new());
-        for near in list.walls.iter() {
-            self.touching(list, near, 0.0, &mut touches, &mut found);
-            for touch in found.drain(..) {
-                if include(touch.gap, self.particles.radius[near.sphere as usize]) {
-                    deep.push(touch);
+        let (mut closest_points, mut found) = (Vec::new(), Vec::new());
+        for near in list.boundaries.iter() {
+            self.touching(list, near, 0.0, &mut closest_points, &mut found);
+            for point in found.drain(..) {
+                if include(point.gap, self.particles.radius[near.sphere as usize]) {
+                    deep.push(point);
                 }
             }
         }
@@ -121,9 +121,9 @@ impl Placement<'_> {
     fn touching(
         &self,
         list: &NeighborList,
-        near: &NearWall,
+        near: &NearBoundary,
         reach: f64,
-        touches: &mut Vec<Touch>,
+        closest_points: &mut Vec<ClosestPoint>,
         found: &mut Vec<Candidate>,
     ) {
         if !list.may_touch(self, near, reach) {
@@ -132,9 +132,18 @@ impl Placement<'_> {
         let (i, b) = (near.sphere, near.boundary);
         let geometry = &self.boundaries[usize::from(b)].geometry;
         let sphere = (self.seen_by(b, i), self.particles.radius[i as usize]);
-        touches.clear();
-        geometry.touches_near(&list.walls.vicinity(near), sphere, reach, touches);
-        touches.sort_unstable_by_key(|touch| touch.feature);
-        found.extend(touches.iter().map(|touch| self.wall(i, b, touch)));
+        closest_points.clear();
+        geometry.touches_near(
+            &list.boundaries.vicinity(near),
+            sphere,
+            reach,
+            closest_points,
+        );
+        closest_points.sort_unstable_by_key(|point| point.feature);
+        found.extend(
+            closest_points
+                .iter()
+                .map(|point| self.boundary_candidate(i, b, point)),
+        );
     }
 }

@@ -1,8 +1,8 @@
 //! Swept contact: whether two bodies meet on straight ways through a step, wherever they are at its ends.
 
-use super::placement::Placement;
+use super::configuration::Configuration;
 use crate::Vec3;
-use crate::geometry::{Geometry, Touch};
+use crate::geometry::{ClosestPoint, Geometry};
 use crate::spatial::cell::Image;
 
 /// A gap below this share of the radius counts as met.
@@ -30,11 +30,11 @@ pub fn meets(geometry: &Geometry, a: Vec3, b: Vec3, radius: f64) -> bool {
         return false;
     }
     let along = (b - a) / length;
-    let (mut gone, mut touches) = (0.0, Vec::<Touch>::new());
+    let (mut gone, mut closest_points) = (0.0, Vec::<ClosestPoint>::new());
     for _ in 0..ADVANCES {
-        touches.clear();
-        geometry.touches(a + along * gone, radius, length - gone, &mut touches);
-        let Some(gap) = touches.iter().map(|t| t.gap).min_by(f64::total_cmp) else {
+        closest_points.clear();
+        geometry.closest_points(a + along * gone, radius, length - gone, &mut closest_points);
+        let Some(gap) = closest_points.iter().map(|t| t.gap).min_by(f64::total_cmp) else {
             return false;
         };
         if gap <= MET * radius {
@@ -48,7 +48,7 @@ pub fn meets(geometry: &Geometry, a: Vec3, b: Vec3, radius: f64) -> bool {
     true
 }
 
-impl Placement<'_> {
+impl Configuration<'_> {
     /// Centre of sphere `i` from that of image `image` of sphere `j` \[m\].
     #[must_use]
     pub fn between(&self, i: u32, j: u32, image: Image) -> Vec3 {
@@ -59,10 +59,10 @@ impl Placement<'_> {
     #[must_use]
     pub fn way(&self, end: &Self, i: u32, b: u16) -> [Vec3; 2] {
         let (b, i) = (usize::from(b), i as usize);
-        let wall = &self.boundaries[b];
-        let near = wall.copy_near(self.cell, &self.poses[b], self.position[i]);
+        let boundary = &self.boundaries[b];
+        let near = boundary.copy_near(self.cell, &self.poses[b], self.position[i]);
         let copy = near - self.position[i];
-        [self, end].map(|at| wall.to_frame(&at.poses[b], at.position[i] + copy))
+        [self, end].map(|at| boundary.to_frame(&at.poses[b], at.position[i] + copy))
     }
 }
 

@@ -10,12 +10,12 @@ use std::ops::ControlFlow;
 use rstar::primitives::{GeomWithData, Rectangle};
 use rstar::{AABB, Envelope, RTree};
 
-use super::closest::{on_segment, on_triangle};
+use super::closest_point::{ClosestPoint, keep_distinct};
 use super::error::GeometryError;
 use super::facets::Facets;
 use super::features::{Feature, Repair, Topology};
 use super::topology;
-use super::touch::{Touch, keep_distinct};
+use super::triangle::{on_segment, on_triangle};
 use super::vicinity::{Cube, Vicinity};
 use crate::Vec3;
 use crate::sorting::counting_sort;
@@ -32,7 +32,7 @@ pub(super) struct Mesh {
     /// Lengths that rounding may produce \[m\], far below the tolerance.
     slack: f64,
     tree: RTree<GeomWithData<Rectangle<[f64; 3]>, u32>>,
-    sheets: Vec<Sheet>,
+    sheets: Vec<TriangleBounds>,
     /// How far features of a triangle lie from its plane at most \[m\].
     bulge: f64,
     /// The triangles by face, those of one face in ascending order; where each face's end.
@@ -42,13 +42,13 @@ pub(super) struct Mesh {
 
 /// Where a triangle may be: its bounding box, as in the tree, and the plane `normal . x = offset` of its face.
 #[derive(Debug, Clone, Copy)]
-struct Sheet {
+struct TriangleBounds {
     bounds: AABB<[f64; 3]>,
     normal: Vec3,
     offset: f64,
 }
 
-impl Sheet {
+impl TriangleBounds {
     /// Distance of a point from the plane \[m\].
     fn height(&self, x: Vec3) -> f64 {
         (self.normal.dot(&x) - self.offset).abs()
@@ -66,7 +66,7 @@ impl Mesh {
             largest = largest.max(min.amax()).max(max.amax());
             let (normal, offset) = topology.plane(t);
             let bounds = AABB::from_corners(min.into(), max.into());
-            Sheet {
+            TriangleBounds {
                 bounds,
                 normal,
                 offset,
@@ -129,7 +129,7 @@ impl Mesh {
             .map(|leaf| leaf.data)
     }
 
-    /// Appends the triangles in which [`Self::touches`] finds all places up to `range` \[m\] from `centre`; the cube that
+    /// Appends the triangles in which [`Self::closest_points`] finds all places up to `range` \[m\] from `centre`; the cube that
     /// they meet. None, and a cube without contents, where they are many.
     pub(super) fn facets_near(&self, centre: Vec3, range: f64, out: &mut Vec<u32>) -> Cube {
         let start = out.len();
@@ -148,13 +148,13 @@ impl Mesh {
         cube
     }
 
-    /// As [`super::Geometry::touches`]; searches inside the cube of `known` look through its facets only.
-    pub(super) fn touches(
+    /// As [`super::Geometry::closest_points`]; searches inside the cube of `known` look through its facets only.
+    pub(super) fn closest_points(
         &self,
         known: Option<&Vicinity>,
         (centre, radius): (Vec3, f64),
         reach: f64,
-        out: &mut Vec<Touch>,
+        out: &mut Vec<ClosestPoint>,
     ) {
         let start = out.len();
         let range = radius + reach + self.topology.tolerance;
@@ -164,23 +164,23 @@ impl Mesh {
                 return ControlFlow::Continue(());
             }
             let (closest, feature) = self.closest_in(t, centre);
-            let seen = out[start..].iter().any(|touch| touch.feature == feature);
+            let seen = out[start..].iter().any(|point| point.feature == feature);
             if seen || (closest.is_none() && self.topology.is_face(feature)) {
                 return ControlFlow::Continue(());
             }
-            let Some(touch) = self.touch(feature, closest, centre, radius) else {
+            let Some(point) = self.point(feature, closest, centre, radius) else {
                 return ControlFlow::Continue(());
             };
-            let local = || closest.is_some() || !self.is_undercut(known, touch.point, centre);
-            if touch.gap <= reach && local() {
-                out.push(touch);
+            let local = || closest.is_some() || !self.is_undercut(known, point.point, centre);
+            if point.gap <= reach && local() {
+                out.push(point);
             }
             ControlFlow::Continue(())
         });
         keep_distinct(out, start, self.topology.tolerance);
     }
 
-    /// A bound below the distances \[m\] of the places that [`Self::touches`] finds up to `range` \[m\] from `centre`, without
+    /// A bound below the distances \[m\] of the places that [`Self::closest_points`] finds up to `range` \[m\] from `centre`, without
     /// looking for them; infinite if there are clearly none.
     pub(super) fn clearance(&self, known: Option<&Vicinity>, centre: Vec3, range: f64) -> f64 {
         let tolerance = self.topology.tolerance;
@@ -204,7 +204,7 @@ impl Mesh {
         normal: Vec3,
         centre: Vec3,
         radius: f64,
-    ) -> Option<Touch> {
+    ) -> Option<ClosestPoint> {
         match self.topology.feature(feature)? {
             Feature::Face {
                 normal: face,
@@ -215,7 +215,7 @@ impl Mesh {
                 let foot = centre - face * distance;
                 let side = if face.dot(&normal) < 0.0 { -1.0 } else { 1.0 };
                 if self.face_contains(feature, foot) {
-                    return Some(Touch {
+                    return Some(ClosestPoint {
                         feature,
                         point: foot,
                         normal: face * side,
@@ -232,7 +232,7 @@ impl Mesh {
                             .norm_squared()
                             .total_cmp(&(q - foot).norm_squared())
                     });
-                Some(Touch::at_point(
+                Some(ClosestPoint::at_point(
                     feature,
                     nearest.unwrap_or(foot),
                     centre,
@@ -240,25 +240,31 @@ impl Mesh {
                     face * side,
                 ))
             }
-            Feature::Edge { ends: [a, b], .. } => Some(Touch::at_point(
+            Feature::Edge { ends: [a, b], .. } => Some(ClosestPoint::at_point(
                 feature,
                 on_segment(a, b, centre),
                 centre,
                 radius,
                 normal,
             )),
-            Feature::Vertex { point, .. } => {
-                Some(Touch::at_point(feature, point, centre, radius, normal))
-            }
+            Feature::Vertex { point, .. } => Some(ClosestPoint::at_point(
+                feature, point, centre, radius, normal,
+            )),
         }
     }
 
-    /// The touch on a feature; `foot` is the centre's foot where the feature is a face.
-    fn touch(&self, feature: u32, foot: Option<Vec3>, centre: Vec3, radius: f64) -> Option<Touch> {
+    /// The point on a feature; `foot` is the centre's foot where the feature is a face.
+    fn point(
+        &self,
+        feature: u32,
+        foot: Option<Vec3>,
+        centre: Vec3,
+        radius: f64,
+    ) -> Option<ClosestPoint> {
         Some(match self.topology.feature(feature)? {
             Feature::Face { normal, offset, .. } => {
                 let distance = normal.dot(&centre) - offset;
-                Touch {
+                ClosestPoint {
                     feature,
                     point: foot.unwrap_or(centre - normal * distance),
                     normal: if distance < 0.0 { -normal } else { normal },
@@ -269,9 +275,9 @@ impl Mesh {
             Feature::Edge {
                 ends: [a, b],
                 normal,
-            } => Touch::at_point(feature, on_segment(a, b, centre), centre, radius, normal),
+            } => ClosestPoint::at_point(feature, on_segment(a, b, centre), centre, radius, normal),
             Feature::Vertex { point, normal } => {
-                Touch::at_point(feature, point, centre, radius, normal)
+                ClosestPoint::at_point(feature, point, centre, radius, normal)
             }
         })
     }

@@ -8,7 +8,7 @@
 //! to the next without noticing; between shapes of different kinds nothing is merged.
 //! Half-spaces are one-sided; everything else is a thin sheet with two sides.
 
-mod closest;
+mod closest_point;
 mod error;
 mod facets;
 mod features;
@@ -22,13 +22,14 @@ mod stl;
 mod terrain;
 mod tessellate;
 mod topology;
-mod touch;
+mod triangle;
 mod vicinity;
 
 use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
+pub use closest_point::ClosestPoint;
 pub use error::GeometryError;
 pub use facets::Facets;
 pub use features::Repair;
@@ -37,7 +38,6 @@ pub use revolution::Revolution;
 pub use solid::Solid;
 pub use terrain::{GridProblem, HeightField};
 pub use tessellate::Triangulation;
-pub use touch::Touch;
 pub use vicinity::{Cube, Vicinity};
 
 use crate::Vec3;
@@ -150,18 +150,24 @@ impl Geometry {
     ///
     /// Distinct places are the local minima of the distance from the centre to the surface, and the ribs of a ring
     /// contact (see [`Revolution`]). Where the centre lies on a sheet, the normal is that of the sheet's plane.
-    pub fn touches(&self, centre: Vec3, radius: f64, reach: f64, out: &mut Vec<Touch>) {
+    pub fn closest_points(
+        &self,
+        centre: Vec3,
+        radius: f64,
+        reach: f64,
+        out: &mut Vec<ClosestPoint>,
+    ) {
         self.touches_by(None, (centre, radius), reach, out);
     }
 
-    /// [`Self::touches`], exactly, by facets that were found before: faster while the centre stays so near that its
+    /// [`Self::closest_points`], exactly, by facets that were found before: faster while the centre stays so near that its
     /// reach lies in their cube.
     pub fn touches_near(
         &self,
         known: &Vicinity,
         (centre, radius): (Vec3, f64),
         reach: f64,
-        out: &mut Vec<Touch>,
+        out: &mut Vec<ClosestPoint>,
     ) {
         self.touches_by(Some(known), (centre, radius), reach, out);
     }
@@ -179,10 +185,10 @@ impl Geometry {
         known: Option<&Vicinity>,
         (centre, radius): (Vec3, f64),
         reach: f64,
-        out: &mut Vec<Touch>,
+        out: &mut Vec<ClosestPoint>,
     ) {
         if let Some(mesh) = &self.mesh {
-            mesh.touches(known, (centre, radius), reach, out);
+            mesh.closest_points(known, (centre, radius), reach, out);
         }
         self.touches_beside(centre, radius, reach, out);
     }
@@ -194,33 +200,33 @@ impl Geometry {
         known: &Vicinity,
         (centre, radius): (Vec3, f64),
         reach: f64,
-        spare: &mut Vec<Touch>,
+        spare: &mut Vec<ClosestPoint>,
     ) -> f64 {
         spare.clear();
         self.touches_beside(centre, radius, reach, spare);
         let clearance = |mesh: &Mesh| mesh.clearance(Some(known), centre, radius + reach);
         let mesh = self.mesh.as_deref().map_or(f64::INFINITY, clearance);
-        let gaps = spare.iter().map(|touch| touch.gap);
+        let gaps = spare.iter().map(|point| point.gap);
         gaps.fold(mesh - radius, f64::min)
     }
 
     /// The touches on what is no facet.
-    fn touches_beside(&self, centre: Vec3, radius: f64, reach: f64, out: &mut Vec<Touch>) {
+    fn touches_beside(&self, centre: Vec3, radius: f64, reach: f64, out: &mut Vec<ClosestPoint>) {
         let mut first = self.mesh.as_deref().map_or(0, Mesh::features);
         for shape in self.shapes.iter() {
             let start = out.len();
             match shape {
                 Shape::Facets(_) => {}
                 Shape::HalfSpace(plane) => {
-                    let touch = plane.touch(centre, radius);
-                    if touch.gap <= reach {
-                        out.push(touch);
+                    let point = plane.point(centre, radius);
+                    if point.gap <= reach {
+                        out.push(point);
                     }
                 }
-                Shape::Revolution(surface) => surface.touches(centre, radius, reach, out),
+                Shape::Revolution(surface) => surface.closest_points(centre, radius, reach, out),
             }
-            for touch in &mut out[start..] {
-                touch.feature += first;
+            for point in &mut out[start..] {
+                point.feature += first;
             }
             first += own_features(shape);
         }
@@ -229,11 +235,11 @@ impl Geometry {
     /// Follows one feature: the gap of a sphere at `centre` to it, keeping the side of `normal` (a face keeps
     /// its side if the centre crosses it). Beyond the border of a face: the closest point of its border.
     ///
-    /// A feature number that the geometry does not have gives a touch with infinite gap.
+    /// A feature number that the geometry does not have gives a point with infinite gap.
     #[must_use]
-    pub fn follow(&self, feature: u32, normal: Vec3, centre: Vec3, radius: f64) -> Touch {
+    pub fn follow(&self, feature: u32, normal: Vec3, centre: Vec3, radius: f64) -> ClosestPoint {
         self.follow_known(feature, normal, centre, radius)
-            .unwrap_or(Touch {
+            .unwrap_or(ClosestPoint {
                 feature,
                 point: centre,
                 normal,
@@ -242,7 +248,13 @@ impl Geometry {
             })
     }
 
-    fn follow_known(&self, feature: u32, normal: Vec3, centre: Vec3, radius: f64) -> Option<Touch> {
+    fn follow_known(
+        &self,
+        feature: u32,
+        normal: Vec3,
+        centre: Vec3,
+        radius: f64,
+    ) -> Option<ClosestPoint> {
         let mut first = 0;
         if let Some(mesh) = &self.mesh {
             first = mesh.features();
@@ -254,12 +266,12 @@ impl Geometry {
             let local = feature - first;
             let count = own_features(shape);
             if local < count {
-                let touch = match shape {
+                let point = match shape {
                     Shape::Facets(_) => None,
-                    Shape::HalfSpace(plane) => Some(plane.touch(centre, radius)),
+                    Shape::HalfSpace(plane) => Some(plane.point(centre, radius)),
                     Shape::Revolution(surface) => surface.follow(local, normal, centre, radius),
                 };
-                return touch.map(|touch| Touch { feature, ..touch });
+                return point.map(|point| ClosestPoint { feature, ..point });
             }
             first += count;
         }

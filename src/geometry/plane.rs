@@ -5,7 +5,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::Touch;
+use super::ClosestPoint;
 use super::error::{GeometryError, finite, unit};
 use crate::Vec3;
 
@@ -29,9 +29,9 @@ impl HalfSpace {
         Ok(Self { point, normal })
     }
 
-    pub(super) fn touch(&self, centre: Vec3, radius: f64) -> Touch {
+    pub(super) fn point(&self, centre: Vec3, radius: f64) -> ClosestPoint {
         let distance = (centre - self.point).dot(&self.normal);
-        Touch {
+        ClosestPoint {
             feature: 0,
             point: centre - self.normal * distance,
             normal: self.normal,

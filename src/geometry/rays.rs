@@ -43,7 +43,7 @@ impl Rays {
 
     /// Whether the ray from `x` \[m\] along `direction` (any length) meets the surface; one that starts inside a
     /// half-space does.
-    pub(crate) fn meet(&self, x: Vec3, direction: Vec3) -> bool {
+    pub(crate) fn is_hit(&self, x: Vec3, direction: Vec3) -> bool {
         let on_plane = |plane: &HalfSpace| {
             (x - plane.point).dot(&plane.normal) < 0.0 || direction.dot(&plane.normal) < 0.0
         };
@@ -77,7 +77,7 @@ impl SelectionFunction<Leaf> for Ray {
     }
 }
 
-/// Moeller and Trumbore (1997). A ray in the triangle's plane does not meet it.
+/// Moeller and Trumbore (1997). A ray in the triangle's plane does not is_hit it.
 fn meets(&[a, b, c]: &[Vec3; 3], x: Vec3, direction: Vec3) -> bool {
     let (u, v) = (b - a, c - a);
     let p = direction.cross(&v);
@@ -107,22 +107,22 @@ mod tests {
         let square = rays(square);
         // Also on the diagonal that its two triangles share.
         for (x, y) in [(0.5, 0.5), (0.2, 0.7), (0.0, 1.0)] {
-            assert!(square.meet(Vec3::new(x, y, 2.0), -Vec3::z()));
-            assert!(!square.meet(Vec3::new(x, y, 2.0), Vec3::z()));
+            assert!(square.is_hit(Vec3::new(x, y, 2.0), -Vec3::z()));
+            assert!(!square.is_hit(Vec3::new(x, y, 2.0), Vec3::z()));
         }
-        assert!(!square.meet(Vec3::new(1.5, 0.5, 2.0), -Vec3::z()));
-        assert!(square.meet(Vec3::new(1.5, 0.5, 1.0), Vec3::new(-1.0, 0.0, -1.0)));
+        assert!(!square.is_hit(Vec3::new(1.5, 0.5, 2.0), -Vec3::z()));
+        assert!(square.is_hit(Vec3::new(1.5, 0.5, 1.0), Vec3::new(-1.0, 0.0, -1.0)));
     }
 
     #[test]
     fn a_ray_meets_a_funnel_beside_its_mouth_and_a_plane_from_its_free_side() {
         let cone = Revolution::frustum(Vec3::zeros(), Vec3::z(), 0.5, 2.0, 1.0).unwrap();
         let cone = rays(cone);
-        assert!(!cone.meet(Vec3::new(0.1, 0.2, 3.0), -Vec3::z()));
-        assert!(cone.meet(Vec3::new(1.1, 0.2, 3.0), -Vec3::z()));
-        assert!(cone.meet(Vec3::new(0.1, 0.2, 0.5), Vec3::x()));
+        assert!(!cone.is_hit(Vec3::new(0.1, 0.2, 3.0), -Vec3::z()));
+        assert!(cone.is_hit(Vec3::new(1.1, 0.2, 3.0), -Vec3::z()));
+        assert!(cone.is_hit(Vec3::new(0.1, 0.2, 0.5), Vec3::x()));
         let floor = rays(HalfSpace::new(Vec3::zeros(), Vec3::z()).unwrap());
-        assert!(floor.meet(Vec3::z(), -Vec3::z()) && !floor.meet(Vec3::z(), Vec3::x()));
-        assert!(floor.meet(-Vec3::z(), -Vec3::z()));
+        assert!(floor.is_hit(Vec3::z(), -Vec3::z()) && !floor.is_hit(Vec3::z(), Vec3::x()));
+        assert!(floor.is_hit(-Vec3::z(), -Vec3::z()));
     }
 }

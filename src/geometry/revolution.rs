@@ -2,22 +2,22 @@
 //!
 //! In the half-plane `(rho, z)` through the axis and the sphere's centre the surface is a polyline, the profile,
 //! and the closest point is found there: for `rho_c > 0` the distance to a ring is least at the centre's own
-//! azimuth and nowhere else, so each straight piece and each corner of the profile gives at most one touch. Two-sided,
+//! azimuth and nowhere else, so each straight piece and each corner of the profile gives at most one point. Two-sided,
 //! as facets are. With `n = (n_rho, n_z)` the normal, the centre moves on the offset surface, whose principal
 //! curvatures are `|n_rho|/rho_c` around the axis (Meusnier) and, at a corner, `1/|c - P0|` in the half-plane: for a
 //! cylinder of radius `R_b` that is `1/(R_b - R)` inside and `1/(R_b + R)` outside.
 //!
 //! A sphere inside and so close to the axis that the far side is in reach as well is held by a whole ring, which one
-//! touch cannot represent (a ball stuck in an outlet). Then three meridians at fixed azimuths 0, 120 and 240 degrees,
+//! point cannot represent (a ball stuck in an outlet). Then three meridians at fixed azimuths 0, 120 and 240 degrees,
 //! the ribs, are reported besides. They are lines of the surface, so no rib forbids anything that the surface allows.
 
 use std::f64::consts::TAU;
 
 use serde::{Deserialize, Serialize};
 
-use super::closest::on_segment;
+use super::closest_point::{ClosestPoint, keep_distinct};
 use super::error::{GeometryError, finite, unit};
-use super::touch::{Touch, keep_distinct};
+use super::triangle::on_segment;
 use crate::Vec3;
 
 /// Number of ribs.
@@ -47,7 +47,7 @@ struct HalfPlane {
 }
 
 /// What a feature number stands for.
-enum Part {
+enum Feature {
     Piece(usize),
     Corner(usize),
     Rib { piece: usize, rib: usize },
@@ -182,15 +182,15 @@ impl Revolution {
         (self.pieces() * (1 + RIBS) + self.profile.len()) as u32
     }
 
-    fn part(&self, feature: u32) -> Option<Part> {
+    fn part(&self, feature: u32) -> Option<Feature> {
         let (pieces, corners, feature) = (self.pieces(), self.profile.len(), feature as usize);
         if feature < pieces {
-            Some(Part::Piece(feature))
+            Some(Feature::Piece(feature))
         } else if feature < pieces + corners {
-            Some(Part::Corner(feature - pieces))
+            Some(Feature::Corner(feature - pieces))
         } else if (feature as u32) < self.features() {
             let rib = feature - pieces - corners;
-            Some(Part::Rib {
+            Some(Feature::Rib {
                 piece: rib / RIBS,
                 rib: rib % RIBS,
             })
@@ -238,14 +238,20 @@ impl Revolution {
         self.origin + radial * p.x + self.axis * p.y
     }
 
-    pub(super) fn touches(&self, c: Vec3, radius: f64, reach: f64, out: &mut Vec<Touch>) {
+    pub(super) fn closest_points(
+        &self,
+        c: Vec3,
+        radius: f64,
+        reach: f64,
+        out: &mut Vec<ClosestPoint>,
+    ) {
         let start = out.len();
         let frame = self.half_plane(c);
         for piece in 0..self.pieces() {
             let (a, b) = (self.profile[piece], self.profile[piece + 1]);
             let (closest, t) = on_piece(a, b, frame.centre);
             let on_face = (0.0..=1.0).contains(&t);
-            let touch = if on_face {
+            let point = if on_face {
                 self.face_touch(piece, &frame, 1.0, radius)
             } else {
                 let corner = if t < 0.0 { piece } else { piece + 1 };
@@ -254,15 +260,15 @@ impl Revolution {
                 }
                 self.corner_touch(corner, &frame, radius)
             };
-            let touch = if on_face && touch.gap + radius < 0.0 {
+            let point = if on_face && point.gap + radius < 0.0 {
                 self.face_touch(piece, &frame, -1.0, radius)
             } else {
-                touch
+                point
             };
-            if touch.gap > reach {
+            if point.gap > reach {
                 continue;
             }
-            out.push(touch);
+            out.push(point);
             let opposite = Vec2::new(-frame.centre.x, frame.centre.y);
             let far = (on_piece(a, b, opposite).0 - opposite).norm();
             if closest.x > frame.centre.x && far - radius <= reach {
@@ -272,20 +278,33 @@ impl Revolution {
         keep_distinct(out, start, self.slack());
     }
 
-    fn push_ribs(&self, piece: usize, c: Vec3, radius: f64, reach: f64, out: &mut Vec<Touch>) {
+    fn push_ribs(
+        &self,
+        piece: usize,
+        c: Vec3,
+        radius: f64,
+        reach: f64,
+        out: &mut Vec<ClosestPoint>,
+    ) {
         let first = self.pieces() + self.profile.len() + piece * RIBS;
         for rib in 0..RIBS {
-            let touch = self.rib_touch((first + rib) as u32, piece, rib, c, radius);
-            if touch.gap <= reach {
-                out.push(touch);
+            let point = self.rib_touch((first + rib) as u32, piece, rib, c, radius);
+            if point.gap <= reach {
+                out.push(point);
             }
         }
     }
 
-    pub(super) fn follow(&self, feature: u32, normal: Vec3, c: Vec3, radius: f64) -> Option<Touch> {
+    pub(super) fn follow(
+        &self,
+        feature: u32,
+        normal: Vec3,
+        c: Vec3,
+        radius: f64,
+    ) -> Option<ClosestPoint> {
         let frame = self.half_plane(c);
         Some(match self.part(feature)? {
-            Part::Piece(piece) => {
+            Feature::Piece(piece) => {
                 let (a, b) = (self.profile[piece], self.profile[piece + 1]);
                 let (closest, t) = on_piece(a, b, frame.centre);
                 if (0.0..=1.0).contains(&t) {
@@ -300,8 +319,8 @@ impl Revolution {
                     )
                 }
             }
-            Part::Corner(corner) => self.corner_touch(corner, &frame, radius),
-            Part::Rib { piece, rib } => self.rib_touch(feature, piece, rib, c, radius),
+            Feature::Corner(corner) => self.corner_touch(corner, &frame, radius),
+            Feature::Rib { piece, rib } => self.rib_touch(feature, piece, rib, c, radius),
         })
     }
 
@@ -339,11 +358,11 @@ impl Revolution {
         (c - self.profile[piece]).dot(&self.left_normal(piece))
     }
 
-    fn face_touch(&self, piece: usize, frame: &HalfPlane, side: f64, radius: f64) -> Touch {
+    fn face_touch(&self, piece: usize, frame: &HalfPlane, side: f64, radius: f64) -> ClosestPoint {
         let m = self.left_normal(piece);
         let distance = self.signed_distance(piece, frame.centre);
         let rho = frame.centre.x.max(1e-6 * radius);
-        Touch {
+        ClosestPoint {
             feature: piece as u32,
             point: self.at(frame.centre - m * distance, frame.radial),
             normal: self.outward(piece, frame) * side,
@@ -352,7 +371,7 @@ impl Revolution {
         }
     }
 
-    fn corner_touch(&self, corner: usize, frame: &HalfPlane, radius: f64) -> Touch {
+    fn corner_touch(&self, corner: usize, frame: &HalfPlane, radius: f64) -> ClosestPoint {
         let piece = corner.min(self.pieces() - 1);
         self.point_touch(
             self.corner_feature(corner),
@@ -370,25 +389,32 @@ impl Revolution {
         frame: &HalfPlane,
         radius: f64,
         fallback: Vec3,
-    ) -> Touch {
+    ) -> ClosestPoint {
         let centre = self.at(frame.centre, frame.radial);
-        let mut touch =
-            Touch::at_point(feature, self.at(p, frame.radial), centre, radius, fallback);
+        let mut point =
+            ClosestPoint::at_point(feature, self.at(p, frame.radial), centre, radius, fallback);
         if p.x > 0.0 {
-            let around = touch.normal.dot(&frame.radial).abs() / frame.centre.x.max(1e-6 * radius);
-            touch.curvature = touch.curvature.max(around);
+            let around = point.normal.dot(&frame.radial).abs() / frame.centre.x.max(1e-6 * radius);
+            point.curvature = point.curvature.max(around);
         }
-        touch
+        point
     }
 
-    fn rib_touch(&self, feature: u32, piece: usize, rib: usize, c: Vec3, radius: f64) -> Touch {
+    fn rib_touch(
+        &self,
+        feature: u32,
+        piece: usize,
+        rib: usize,
+        c: Vec3,
+        radius: f64,
+    ) -> ClosestPoint {
         let [e1, e2] = self.transverse();
         let (sin, cos) = (TAU * rib as f64 / RIBS as f64).sin_cos();
         let radial = e1 * cos + e2 * sin;
         let [a, b] = [piece, piece + 1].map(|k| self.at(self.profile[k], radial));
         let m = self.left_normal(piece);
         let fallback = radial * m.x + self.axis * m.y;
-        Touch::at_point(feature, on_segment(a, b, c), c, radius, fallback)
+        ClosestPoint::at_point(feature, on_segment(a, b, c), c, radius, fallback)
     }
 
     /// Whether a piece at the corner has a point closer to `c` than the corner.

@@ -17,7 +17,7 @@ use serde::{Deserialize, Serialize};
 use super::error::GeometryError;
 use super::facets::Facets;
 use super::mesh::Mesh;
-use super::{Touch, topology};
+use super::{ClosestPoint, topology};
 use crate::Vec3;
 use crate::random::unit;
 use crate::spatial::extent::around;
@@ -93,14 +93,20 @@ impl Solid {
     /// Whether a whole sphere \[m\] lies inside.
     #[must_use]
     pub fn holds(&self, centre: Vec3, radius: f64) -> bool {
-        let mut touches = Vec::new();
-        self.touches(centre, radius, 0.0, &mut touches);
-        touches.iter().all(|touch| touch.gap >= 0.0) && self.contains(centre)
+        let mut closest_points = Vec::new();
+        self.closest_points(centre, radius, 0.0, &mut closest_points);
+        closest_points.iter().all(|point| point.gap >= 0.0) && self.contains(centre)
     }
 
-    /// Appends the places of the surface within `reach` \[m\] of gap, as [`super::Geometry::touches`] does.
-    pub fn touches(&self, centre: Vec3, radius: f64, reach: f64, out: &mut Vec<Touch>) {
-        self.mesh.touches(None, (centre, radius), reach, out);
+    /// Appends the places of the surface within `reach` \[m\] of gap, as [`super::Geometry::closest_points`] does.
+    pub fn closest_points(
+        &self,
+        centre: Vec3,
+        radius: f64,
+        reach: f64,
+        out: &mut Vec<ClosestPoint>,
+    ) {
+        self.mesh.closest_points(None, (centre, radius), reach, out);
     }
 
     /// Centre \[m\], uniform in space, of a sphere of `radius` \[m\] that lies wholly inside; `None` if many random

@@ -29,7 +29,7 @@ impl Triangulation {
     /// A square of the plane that covers the shadow of the box `extent`.
     fn push_half_space(&mut self, plane: &HalfSpace, extent: (Vec3, Vec3)) {
         let half = (0.5 * (extent.1 - extent.0).norm()).max(f64::MIN_POSITIVE);
-        let middle = plane.touch(0.5 * (extent.0 + extent.1), 0.0).point;
+        let middle = plane.point(0.5 * (extent.0 + extent.1), 0.0).point;
         let u = plane
             .normal
             .cross(&Vec3::ith(plane.normal.iamin(), 1.0))

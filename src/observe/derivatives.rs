@@ -10,7 +10,7 @@ impl Simulation {
     /// their units over s; counts and the solver's report have none, which is given as 0.
     ///
     /// # Errors
-    /// [`StepError::Argument`] where there is no [`Self::origin`], another if the last step cannot be taken again: an internal
+    /// [`StepError::Argument`] where there is no [`Self::replay_record`], another if the last step cannot be taken again: an internal
     /// failure.
     pub fn time_derivatives(&self) -> Result<Vec<f64>, StepError> {
         self.time_derivatives_of(|simulation| values(&Observation::of(simulation)))
@@ -18,10 +18,10 @@ impl Simulation {
 
     /// Derivative of all quantities ([`crate::observe::quantities`]) at the end of the last communication step by each of
     /// `directions`, in their units over that of the direction. Counts and the solver's report have none, which is
-    /// given as 0. At a kink, where a contact is at the edge of its state, it is one-sided.
+    /// given as 0. At a active_set_closeness, where a contact is at the edge of its state, it is one-sided.
     ///
     /// # Errors
-    /// [`StepError::Argument`] where there is no [`Self::origin`] or if a direction is of no such boundary,
+    /// [`StepError::Argument`] where there is no [`Self::replay_record`] or if a direction is of no such boundary,
     /// [`StepError::NotConverged`] if the tangent of the contact solve is singular.
     pub fn directional_derivatives(
         &self,

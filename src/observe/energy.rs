@@ -11,7 +11,7 @@
 //! L               sum (c x m v_h + I w_h)   about the origin
 //! ```
 //!
-//! Driven bodies have kinetic energy and weight too; their loads count as work ([`crate::state::Work`]), not as a potential.
+//! Driven bodies have kinetic energy and weight too; their loads count as work ([`crate::state::EnergyLedger`]), not as a potential.
 //! Momenta are those of the spheres, on which the wrenches of all boundaries act, driven ones included. They use the
 //! half-step velocity because that is the one whose change over a step is exactly the impulse of the step. Only spheres in
 //! the scene count. Units: J, N s, N m s.
@@ -57,7 +57,7 @@ impl Energy {
                 energy.gravity -= body.mass * state.gravity.dot(&centre);
             }
             if let Some(spring) = &body.spring {
-                let stretch = now.joint.travel - spring.rest;
+                let stretch = now.joint.joint_position - spring.rest;
                 energy.springs += 0.5 * spring.stiffness * stretch * stretch;
             }
         }

@@ -11,7 +11,7 @@ use crate::spatial::Wrench;
 
 /// All loaded contacts of one body.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Load {
+pub struct BodyLoad {
     /// Force \[N\] and torque about the centre \[N m\] on a sphere; zero for boundaries.
     pub wrench: Wrench,
     /// Number of loaded contacts.
@@ -22,7 +22,7 @@ pub struct Load {
     pub belt_power: f64,
 }
 
-impl Load {
+impl BodyLoad {
     fn count(&mut self, contact: &Contact) {
         self.count += 1;
         self.max_normal_force = self
@@ -43,9 +43,9 @@ impl Load {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Loads {
     /// Those of the spheres that were asked for, in their order.
-    pub spheres: Vec<Load>,
+    pub spheres: Vec<BodyLoad>,
     /// `[B]`.
-    pub boundaries: Vec<Load>,
+    pub boundaries: Vec<BodyLoad>,
     /// Number of loaded contacts.
     pub contacts: u64,
     /// Largest overlap over the smaller radius of its pair \[-\].
@@ -66,8 +66,8 @@ impl Loads {
             rank[sphere] = k as u32;
         }
         let mut loads = Self {
-            spheres: vec![Load::default(); asked.len()],
-            boundaries: vec![Load::default(); state.scene.boundaries.len()],
+            spheres: vec![BodyLoad::default(); asked.len()],
+            boundaries: vec![BodyLoad::default(); state.scene.boundaries.len()],
             contacts: 0,
             max_overlap: 0.0,
         };

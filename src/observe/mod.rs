@@ -16,7 +16,7 @@ use crate::scene::Scene;
 use crate::scene::particles::Kinematics;
 use crate::simulation::Simulation;
 use crate::spatial::{Pose, Twist, Wrench};
-use crate::state::{JointState, StepReport, Velocities, Work};
+use crate::state::{EnergyLedger, JointState, StepReport, Velocities};
 
 /// A boundary at the end of a communication step.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -63,7 +63,7 @@ pub struct Observation<'a> {
     /// Mass that each sink has removed since t = 0 \[kg\], `[sinks]`.
     pub removed: &'a [f64],
     /// Work since t = 0.
-    pub work: Work,
+    pub work: EnergyLedger,
     /// Report of the last communication step.
     pub report: StepReport,
 }

@@ -23,13 +23,13 @@ mod rows;
 
 pub use law::Law;
 use nalgebra::Matrix3;
-pub use row::{GROUND, Grip, Row};
+pub use row::{GROUND, JacobianBlock, Row};
 pub use rows::Rows;
-pub(crate) use rows::{BIAS, Compact, FRICTION, Plain, RADIUS, SCALE, retain};
+pub(crate) use rows::{BIAS, FRICTION, RADIUS, RowWriter, SCALE, SphereContact, retain};
 use serde::{Deserialize, Serialize};
 
 use crate::Vec3;
-use crate::spatial::{Dof6, Operator};
+use crate::spatial::{SpatialOperator, SpatialVector};
 
 /// Coupling of normal and tangent over `sqrt(w_n w_t)` that is rounding.
 const UNCOUPLED: f64 = 1e-12;
@@ -40,12 +40,12 @@ pub struct Problem {
     /// Time step \[s\].
     pub step: f64,
     /// Velocity without contacts, `[N + D]`: spheres, then driven bodies.
-    pub free: Vec<Dof6>,
+    pub free: Vec<SpatialVector>,
     /// Diagonal of `W` of the spheres, `[N]`; zero where a degree of freedom is locked.
-    pub inverse_mass: Vec<Dof6>,
+    pub inverse_mass: Vec<SpatialVector>,
     /// `W` of the driven bodies, `[D]`; singular where a joint holds them.
     #[serde(default)]
-    pub operators: Vec<Operator>,
+    pub operators: Vec<SpatialOperator>,
     /// The rows, `[C]`, in canonical order.
     pub rows: Rows,
 }
@@ -67,14 +67,14 @@ fn tangents(n: Vec3) -> [Vec3; 2] {
 impl Problem {
     /// Velocities `v_free + W J^T p` \[m/s\], \[rad/s\], `[N]`.
     #[must_use]
-    pub fn velocities(&self, impulses: &[Vec3]) -> Vec<Dof6> {
+    pub fn velocities(&self, impulses: &[Vec3]) -> Vec<SpatialVector> {
         let mut velocity = Vec::new();
         self.velocities_into(impulses, &mut velocity);
         velocity
     }
 
     /// [`Self::velocities`] into `velocity`.
-    pub fn velocities_into(&self, impulses: &[Vec3], velocity: &mut Vec<Dof6>) {
+    pub fn velocities_into(&self, impulses: &[Vec3], velocity: &mut Vec<SpatialVector>) {
         velocity.clone_from(&self.free);
         for (row, &impulse) in self.rows.iter().zip(impulses) {
             if impulse != Vec3::zeros() {
@@ -85,19 +85,19 @@ impl Problem {
 
     /// Adds to `velocity`, `[N + D]`, the effect of `impulse` \[N s\] on A and of its opposite on B.
     #[inline]
-    pub fn apply(&self, row: &Row, velocity: &mut [Dof6], impulse: Vec3) {
-        let [grip_a, grip_b] = row.grips();
-        self.kick(velocity, row.a, &grip_a.momentum(impulse));
+    pub fn apply(&self, row: &Row, velocity: &mut [SpatialVector], impulse: Vec3) {
+        let [grip_a, grip_b] = row.jacobian();
+        self.apply_impulse(velocity, row.a, &grip_a.momentum(impulse));
         if row.b != GROUND {
-            self.kick(velocity, row.b, &grip_b.momentum(-impulse));
+            self.apply_impulse(velocity, row.b, &grip_b.momentum(-impulse));
         }
     }
 
     #[inline]
-    fn kick(&self, velocity: &mut [Dof6], body: u32, momentum: &Dof6) {
+    fn apply_impulse(&self, velocity: &mut [SpatialVector], body: u32, momentum: &SpatialVector) {
         let body = body as usize;
         match self.inverse_mass.get(body) {
-            Some(w) => velocity[body].kick(w, momentum),
+            Some(w) => velocity[body].apply_impulse(w, momentum),
             None => {
                 let change = self.operators[body - self.inverse_mass.len()].times(momentum);
                 velocity[body] = velocity[body].plus(&change, 1.0);
@@ -112,7 +112,7 @@ impl Problem {
         if let Some(closed) = self.sphere_delassus(row) {
             return closed;
         }
-        let [grip_a, grip_b] = row.grips();
+        let [grip_a, grip_b] = row.jacobian();
         let mut operator = self.compliance(row.a, grip_a);
         if row.b != GROUND {
             operator += self.compliance(row.b, grip_b);
@@ -148,7 +148,7 @@ impl Problem {
             if body == GROUND {
                 return Some((0.0, 0.0));
             }
-            let Dof6 { linear, angular } = self.inverse_mass.get(body as usize)?;
+            let SpatialVector { linear, angular } = self.inverse_mass.get(body as usize)?;
             let same = |v: &Vec3| v.x == v.y && v.y == v.z;
             let (length, across) = (arm.norm_squared(), arm.cross(&row.normal).norm_squared());
             let radial = across <= 1e-24 * length;
@@ -160,21 +160,21 @@ impl Problem {
     }
 
     /// `d(velocity) / d(impulse)` of one body as a row holds it, 3x3 \[1/kg\].
-    fn compliance(&self, body: u32, grip: Grip) -> Matrix3<f64> {
+    fn compliance(&self, body: u32, grip: JacobianBlock) -> Matrix3<f64> {
         let body = body as usize;
         let w = match self.inverse_mass.get(body) {
-            Some(w) => Operator {
+            Some(w) => SpatialOperator {
                 linear: Matrix3::from_diagonal(&w.linear),
                 angular: Matrix3::from_diagonal(&w.angular),
             },
             None => self.operators[body - self.inverse_mass.len()],
         };
         match grip {
-            Grip::Point(arm) => {
+            JacobianBlock::Point(arm) => {
                 let cross = arm.cross_matrix();
                 w.linear - cross * w.angular * cross
             }
-            Grip::Couple(lever) => w.angular * (lever * lever),
+            JacobianBlock::Couple(lever) => w.angular * (lever * lever),
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::Vec3;
 use crate::problem::Law;
-use crate::spatial::Dof6;
+use crate::spatial::SpatialVector;
 use serde::{Deserialize, Serialize};
 
 /// Body B of a row that touches no second sphere.
@@ -10,17 +10,17 @@ pub const GROUND: u32 = u32::MAX;
 
 /// How a row holds a body.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Grip {
+pub enum JacobianBlock {
     /// At the point that lies there from the centre \[m\].
     Point(Vec3),
     /// By its rotation alone, with this lever \[m\].
     Couple(f64),
 }
 
-impl Grip {
+impl JacobianBlock {
     /// What the row sees of a body's velocity \[m/s\].
     #[must_use]
-    pub fn velocity(self, body: &Dof6) -> Vec3 {
+    pub fn velocity(self, body: &SpatialVector) -> Vec3 {
         match self {
             Self::Point(arm) => body.at(arm),
             Self::Couple(lever) => body.angular * lever,
@@ -29,13 +29,13 @@ impl Grip {
 
     /// Momentum \[N s\], \[N m s\] that the row's impulse \[N s\] gives a body.
     #[must_use]
-    pub fn momentum(self, impulse: Vec3) -> Dof6 {
+    pub fn momentum(self, impulse: Vec3) -> SpatialVector {
         match self {
-            Self::Point(arm) => Dof6 {
+            Self::Point(arm) => SpatialVector {
                 linear: impulse,
                 angular: arm.cross(&impulse),
             },
-            Self::Couple(lever) => Dof6 {
+            Self::Couple(lever) => SpatialVector {
                 linear: Vec3::zeros(),
                 angular: impulse * lever,
             },
@@ -57,7 +57,7 @@ pub struct Row {
     /// Contact point from the centre of B, or the reference point of a driven body \[m\]; zero for the ground.
     pub arm_b: Vec3,
     /// `u_0`, minus the velocity of the ground or of a belt as the row sees it \[m/s\]; zero between spheres.
-    pub drift: Vec3,
+    pub prescribed_velocity: Vec3,
     /// `b`: along the normal the gap or rebound term, across it the spring history \[m/s\].
     pub bias: Vec3,
     /// `c_n` \[m/(s N s)\]: normal compliance over dt^2; 0 is rigid.
@@ -75,10 +75,10 @@ pub struct Row {
 impl Row {
     /// How it holds A and B.
     #[must_use]
-    pub fn grips(&self) -> [Grip; 2] {
+    pub fn jacobian(&self) -> [JacobianBlock; 2] {
         match self.law {
-            Law::Resistance { .. } => [Grip::Couple(self.radius); 2],
-            _ => [self.arm_a, self.arm_b].map(Grip::Point),
+            Law::Resistance { .. } => [JacobianBlock::Couple(self.radius); 2],
+            _ => [self.arm_a, self.arm_b].map(JacobianBlock::Point),
         }
     }
 
@@ -102,16 +102,16 @@ impl Row {
     /// Relative velocity `u` \[m/s\] of A against B for the given body velocities.
     #[must_use]
     #[inline]
-    pub fn relative_velocity(&self, velocity: &[Dof6]) -> Vec3 {
+    pub fn relative_velocity(&self, velocity: &[SpatialVector]) -> Vec3 {
         self.relative(|body| velocity[body])
     }
 
     /// [`Self::relative_velocity`] where `velocity` tells that of a body.
     #[must_use]
     #[inline]
-    pub fn relative(&self, velocity: impl Fn(usize) -> Dof6) -> Vec3 {
-        let [a, b] = self.grips();
-        let u = a.velocity(&velocity(self.a as usize)) + self.drift;
+    pub fn relative(&self, velocity: impl Fn(usize) -> SpatialVector) -> Vec3 {
+        let [a, b] = self.jacobian();
+        let u = a.velocity(&velocity(self.a as usize)) + self.prescribed_velocity;
         if self.b == GROUND {
             u
         } else {

@@ -8,7 +8,7 @@ use super::checkpoint::Checkpoint;
 use super::directory::Directory;
 use super::frames::Series;
 use super::history::columns;
-use crate::clock::due;
+use crate::communication_points::due;
 use crate::formats::error::OutputError;
 use crate::formats::pvd::Collection;
 use crate::formats::table::Table;

@@ -23,7 +23,7 @@ use super::directory::{self, Directory};
 use super::disk::{Disk, Item, Message, fail, lock};
 use super::frames::{Surface, frame, series};
 use super::history::row;
-use crate::clock::{due, tick};
+use crate::communication_points::{due, tick};
 use crate::error::SnapshotError;
 use crate::formats::durable::replace;
 use crate::formats::error::OutputError;

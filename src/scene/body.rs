@@ -23,7 +23,7 @@
 //! shi     v_free = (2 P + dt F)/(2 J + c dt),  W = 1/(2 J + c dt)
 //! ```
 //!
-//! Stops and a spring on a slide or hinge are rows of the step's problem, as contacts are: [`Hold`](crate::step::assemble::joint::Hold).
+//! Stops and a spring on a slide or hinge are rows of the step's problem, as contacts are: [`JointLimit`](crate::step::assemble::joint::JointLimit).
 
 use std::f64::consts::TAU;
 
@@ -32,7 +32,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::Vec3;
 use crate::scene::InputKind;
-use crate::spatial::{Dof6, Operator, Pose, Twist};
+use crate::spatial::{Pose, SpatialOperator, SpatialVector, Twist};
 
 /// What a driven body can do.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -99,7 +99,7 @@ pub struct Body {
     pub torque: Vec3,
     /// Force on a slide by pressure.
     pub servo: Option<Servo>,
-    /// Least and greatest travel of its slide \[m\] or hinge \[rad\] from the scene's placement.
+    /// Least and greatest joint_position of its slide \[m\] or hinge \[rad\] from the scene's placement.
     pub limits: [Option<f64>; 2],
     /// Spring along its slide or about its hinge.
     pub spring: Option<Spring>,
@@ -182,9 +182,9 @@ impl Body {
         pivot: Vec3,
         rotation: UnitQuaternion<f64>,
         f: impl Fn(f64) -> f64,
-    ) -> Operator {
+    ) -> SpatialOperator {
         let [linear, angular] = self.modes(pivot, rotation);
-        Operator {
+        SpatialOperator {
             linear: along(&linear, &f),
             angular: along(&angular, &f),
         }
@@ -197,7 +197,7 @@ impl Body {
 
     /// Velocity of the point of action when the body has `momentum`, about the reference point.
     #[must_use]
-    pub fn twist_of(&self, pivot: Vec3, pose: &Pose, momentum: &Dof6) -> Twist {
+    pub fn twist_of(&self, pivot: Vec3, pose: &Pose, momentum: &SpatialVector) -> Twist {
         let mobility = self.operator(pivot, pose.rotation, f64::recip);
         let velocity = mobility.times(momentum);
         Twist {
@@ -208,9 +208,9 @@ impl Body {
 
     /// Momentum \[N s\] and angular momentum about the reference point \[N m s\] when the point of action has `twist`.
     #[must_use]
-    pub fn momentum_of(&self, pivot: Vec3, pose: &Pose, twist: &Twist) -> Dof6 {
+    pub fn momentum_of(&self, pivot: Vec3, pose: &Pose, twist: &Twist) -> SpatialVector {
         let arm = self.action(pivot, pose);
-        let velocity = Dof6 {
+        let velocity = SpatialVector {
             linear: twist.linear - twist.angular.cross(&arm),
             angular: twist.angular,
         };
@@ -248,7 +248,7 @@ impl Body {
 
     /// Displacement along the slide \[m\] or angle about the hinge \[rad\] at `pose`, of whole turns that nearest to `last`; zero for
     /// a free body.
-    pub(crate) fn travel(&self, pose: &Pose, last: f64) -> f64 {
+    pub(crate) fn joint_position(&self, pose: &Pose, last: f64) -> f64 {
         match self.joint {
             Joint::Free => 0.0,
             Joint::Slide { axis } => axis.dot(&pose.translation),

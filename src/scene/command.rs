@@ -73,12 +73,12 @@ pub struct Command {
 }
 
 /// First and second derivative of a command by time: each component in its unit over s and s^2.
-pub type Rates = [Command; 2];
+pub type CommandDerivatives = [Command; 2];
 
 impl Command {
     /// The command `s` \[s\] later, `u + u' s + u'' s^2/2`.
     #[must_use]
-    pub fn along(&self, [first, second]: &Rates, s: f64) -> Self {
+    pub fn along(&self, [first, second]: &CommandDerivatives, s: f64) -> Self {
         self.plus(first, s).plus(second, 0.5 * s * s)
     }
 

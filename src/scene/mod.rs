@@ -14,14 +14,14 @@ pub mod rotating_frame;
 
 pub use accuracy::Accuracy;
 pub use boundary::{Belt, Boundary};
-pub use command::{Command, InputKind, Rates};
+pub use command::{Command, CommandDerivatives, InputKind};
 pub use motion::Motion;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::Vec3;
-use crate::contact::carried::Carried;
+use crate::contact::forces::ContactForces;
 use crate::geometry::region::{Primitive, Region};
 use crate::integrator::Integrator;
 use crate::scene::body::Body;
@@ -278,7 +278,7 @@ pub struct Scene {
     /// Their placement and velocity at t = 0.
     pub initial: Kinematics,
     /// Contacts whose forces at t = 0 are known, in canonical order: where their solution starts from.
-    pub initial_contacts: Carried,
+    pub initial_contacts: ContactForces,
     /// The periodic cell; without periodic axes unless the scene has some.
     pub cell: Cell,
     /// Boundaries.

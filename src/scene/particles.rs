@@ -4,7 +4,7 @@ use nalgebra::{UnitQuaternion, Vector3};
 use serde::{Deserialize, Serialize};
 
 use crate::Vec3;
-use crate::spatial::Dof6;
+use crate::spatial::SpatialVector;
 
 /// Degrees of freedom of a sphere that are held at zero velocity, in world axes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
@@ -140,8 +140,8 @@ impl Kinematics {
     /// Velocity \[m/s\] and angular velocity \[rad/s\] of sphere `i`, the integrator's own.
     #[must_use]
     #[inline]
-    pub fn spatial_velocity(&self, i: usize) -> Dof6 {
-        Dof6 {
+    pub fn spatial_velocity(&self, i: usize) -> SpatialVector {
+        SpatialVector {
             linear: self.velocity[i],
             angular: self.spin[i],
         }

@@ -8,12 +8,12 @@ use super::advice::advise;
 use super::bodies::{boundary, motion};
 use super::cell::cell;
 use super::checks::{accept, direction};
-use super::decode::{Element, SceneFile};
+use super::decode::{Entry, SceneFile};
+use super::diagnostic::SceneError;
 use super::document::Document;
 use super::names::{Context, Names};
 use super::overlap::Overlaps;
 use super::pairs::pairs;
-use super::problem::SceneError;
 use super::regions::measured;
 use super::resources::{Resources, hash};
 use super::settings::{choose_steps, fall, materials, settings};
@@ -21,7 +21,7 @@ use super::sources::{sinks, source};
 use super::spheres::{self, Present};
 use super::{Loaded, file};
 use crate::Vec3;
-use crate::contact::carried::Carried;
+use crate::contact::forces::ContactForces;
 use crate::geometry::Facets;
 use crate::scene::materials::Material;
 use crate::scene::particles::{Kinematics, Particles};
@@ -76,13 +76,13 @@ fn build(
     resources: &mut Resources<'_>,
     file: &SceneFile,
 ) -> Option<Scene> {
-    let groups = file.spheres.iter().map(Element::declaration);
+    let groups = file.spheres.iter().map(Entry::declaration);
     let mut context = Context {
         materials: Names::declare(document, "material", &file.materials),
         groups: Names::declare_all(
             document,
             "sphere group",
-            groups.chain(file.sources.iter().map(Element::declaration)),
+            groups.chain(file.sources.iter().map(Entry::declaration)),
         ),
         ranges: Vec::new(),
     };
@@ -177,7 +177,7 @@ fn build(
         choose_steps(settings, typed, fall);
     }
     // Their names are declared, and judged, among the groups.
-    let source_names = Names::of("source", file.sources.iter().map(Element::declaration));
+    let source_names = Names::of("source", file.sources.iter().map(Entry::declaration));
     let scene = Scene {
         title: file.title.clone(),
         // Known when all files have been read.
@@ -194,7 +194,7 @@ fn build(
         pairs,
         particles,
         initial,
-        initial_contacts: Carried::default(),
+        initial_contacts: ContactForces::default(),
         cell: cell(document, &file.cell),
         boundaries: boundaries?,
     };
@@ -218,7 +218,7 @@ fn sphere_material<'a, T>(
     context: &Context,
     file: &SceneFile,
     materials: &'a [Material],
-    element: &Element<T>,
+    element: &Entry<T>,
     name: &str,
 ) -> Option<(u16, &'a Material)> {
     let key = format!("{}.material", element.path);
@@ -237,7 +237,7 @@ fn sphere_material<'a, T>(
 fn loads(
     document: &mut Document<'_>,
     context: &Context,
-    elements: &[Element<file::Load>],
+    elements: &[Entry<file::Load>],
     initial: &Kinematics,
 ) -> Vec<PointLoad> {
     let loads = elements.iter().filter_map(|element| {
@@ -272,7 +272,7 @@ fn springs(
     document: &mut Document<'_>,
     resources: &mut Resources<'_>,
     context: &Context,
-    elements: &[Element<file::Spring>],
+    elements: &[Entry<file::Spring>],
     initial: &Kinematics,
 ) -> Vec<Spring> {
     let springs = elements.iter().filter_map(|element| {
@@ -306,7 +306,7 @@ fn springs(
 fn sensors(
     document: &mut Document<'_>,
     boundaries: &Names,
-    elements: &[Element<file::Sensor>],
+    elements: &[Entry<file::Sensor>],
 ) -> Vec<Sensor> {
     Names::declare(document, "sensor", elements);
     let sensors = elements.iter().filter_map(|element| {
@@ -369,7 +369,7 @@ fn mass_flow(document: &mut Document<'_>, path: &str, given: &file::MassFlow) ->
 fn probes(
     document: &mut Document<'_>,
     context: &Context,
-    elements: &[Element<file::Probe>],
+    elements: &[Entry<file::Probe>],
     spheres: usize,
 ) -> Vec<Probe> {
     Names::declare(document, "probe", elements);

@@ -1,6 +1,6 @@
 //! The periodic cell, checked, and whether the scene fits into it.
 
-use super::decode::Element;
+use super::decode::Entry;
 use super::document::Document;
 use super::file;
 use crate::Vec3;
@@ -34,8 +34,8 @@ pub(super) fn cell(document: &mut Document<'_>, given: &file::Cell) -> Cell {
 pub(super) fn judge(
     document: &mut Document<'_>,
     scene: &Scene,
-    boundaries: &[Element<file::Boundary>],
-    sensors: &[Element<file::Sensor>],
+    boundaries: &[Entry<file::Boundary>],
+    sensors: &[Entry<file::Sensor>],
 ) {
     let largest = scene.particles.radius.iter().copied().fold(0.0, f64::max);
     let room = 2.0 * largest * ROOM;

@@ -20,7 +20,7 @@ const PROBLEMS_PER_ELEMENT: usize = 20;
 /// One element of a list: its name also if the rest of it is unusable, so that references to it are not
 /// reported as unknown.
 #[derive(Debug)]
-pub(super) struct Element<T> {
+pub(super) struct Entry<T> {
     /// `material[2]`.
     pub(super) path: String,
     /// Value of its key `name`.
@@ -39,7 +39,7 @@ pub(super) struct Declaration<'a> {
     pub(super) usable: bool,
 }
 
-impl<T> Element<T> {
+impl<T> Entry<T> {
     pub(super) fn declaration(&self) -> Declaration<'_> {
         Declaration {
             path: &self.path,
@@ -53,18 +53,18 @@ impl<T> Element<T> {
 pub(super) struct SceneFile {
     pub(super) title: String,
     pub(super) simulation: Option<file::Simulation>,
-    pub(super) materials: Vec<Element<file::Material>>,
-    pub(super) pairs: Vec<Element<file::Pair>>,
+    pub(super) materials: Vec<Entry<file::Material>>,
+    pub(super) pairs: Vec<Entry<file::Pair>>,
     pub(super) pair_default: file::PairDefault,
-    pub(super) spheres: Vec<Element<file::Spheres>>,
-    pub(super) sources: Vec<Element<file::Source>>,
-    pub(super) sinks: Vec<Element<file::Sink>>,
+    pub(super) spheres: Vec<Entry<file::Spheres>>,
+    pub(super) sources: Vec<Entry<file::Source>>,
+    pub(super) sinks: Vec<Entry<file::Sink>>,
     pub(super) cell: file::Cell,
-    pub(super) boundaries: Vec<Element<file::Boundary>>,
-    pub(super) loads: Vec<Element<file::Load>>,
-    pub(super) springs: Vec<Element<file::Spring>>,
-    pub(super) sensors: Vec<Element<file::Sensor>>,
-    pub(super) probes: Vec<Element<file::Probe>>,
+    pub(super) boundaries: Vec<Entry<file::Boundary>>,
+    pub(super) loads: Vec<Entry<file::Load>>,
+    pub(super) springs: Vec<Entry<file::Spring>>,
+    pub(super) sensors: Vec<Entry<file::Sensor>>,
+    pub(super) probes: Vec<Entry<file::Probe>>,
     pub(super) output: file::Output,
 }
 
@@ -111,7 +111,7 @@ fn simulation(
     document: &mut Document<'_>,
     root: &Spanned<DeValue<'_>>,
 ) -> Option<file::Simulation> {
-    if child(root, &Step::Key("simulation".into())).is_none() {
+    if child(root, &Step::ContactId("simulation".into())).is_none() {
         let help = "add `[simulation]` with `duration` in seconds";
         document.error("simulation", "missing table `[simulation]`", help);
     }
@@ -123,7 +123,7 @@ fn optional<T: DeserializeOwned>(
     root: &Spanned<DeValue<'_>>,
     key: &str,
 ) -> Option<T> {
-    let value = child(root, &Step::Key(key.into()))?;
+    let value = child(root, &Step::ContactId(key.into()))?;
     element(document, value, key)
 }
 
@@ -131,8 +131,8 @@ fn list<T: DeserializeOwned>(
     document: &mut Document<'_>,
     root: &Spanned<DeValue<'_>>,
     key: &str,
-) -> Vec<Element<T>> {
-    let Some(value) = child(root, &Step::Key(key.into())) else {
+) -> Vec<Entry<T>> {
+    let Some(value) = child(root, &Step::ContactId(key.into())) else {
         return Vec::new();
     };
     let Some(array) = value.get_ref().as_array() else {
@@ -147,8 +147,8 @@ fn list<T: DeserializeOwned>(
     };
     let elements = array.iter().enumerate().map(|(i, value)| {
         let path = format!("{key}[{i}]");
-        let name = child(value, &Step::Key("name".into()));
-        Element {
+        let name = child(value, &Step::ContactId("name".into()));
+        Entry {
             name: name.and_then(|n| n.get_ref().as_str()).map(str::to_owned),
             value: element(document, value, &path),
             path,
@@ -177,8 +177,8 @@ fn element<T: DeserializeOwned>(
         let message = error.inner().message();
         let unknown = between_ticks(message, "unknown field `");
         if let Some(key) = unknown {
-            if steps.last() != Some(&Step::Key(key.to_owned())) {
-                steps.push(Step::Key(key.to_owned()));
+            if steps.last() != Some(&Step::ContactId(key.to_owned())) {
+                steps.push(Step::ContactId(key.to_owned()));
             }
             let place = original(value, &rest, &steps);
             let span = error.inner().span().unwrap_or(value.span());
@@ -194,7 +194,9 @@ fn element<T: DeserializeOwned>(
             sound = false;
             let missing = between_ticks(message, "missing field `");
             let follows = cut.iter().any(|c| match missing {
-                Some(key) => c.split_last() == Some((&Step::Key(key.to_owned()), place.as_slice())),
+                Some(key) => {
+                    c.split_last() == Some((&Step::ContactId(key.to_owned()), place.as_slice()))
+                }
                 None => c.len() > place.len() && c.starts_with(&place),
             });
             if !follows {
@@ -297,8 +299,8 @@ fn between_ticks<'m>(message: &'m str, before: &str) -> Option<&'m str> {
 
 fn steps_of(path: &serde_path_to_error::Path) -> Vec<Step> {
     let steps = path.iter().filter_map(|segment| match segment {
-        Segment::Map { key } => Some(Step::Key(key.clone())),
-        Segment::Enum { variant } => Some(Step::Key(variant.clone())),
+        Segment::Map { key } => Some(Step::ContactId(key.clone())),
+        Segment::Enum { variant } => Some(Step::ContactId(variant.clone())),
         Segment::Seq { index } => Some(Step::Index(*index)),
         Segment::Unknown => None,
     });
@@ -341,7 +343,7 @@ fn remove(value: &mut Spanned<DeValue<'_>>, steps: &[Step]) -> bool {
         return false;
     };
     match (value.get_mut(), step) {
-        (DeValue::Table(table), Step::Key(key)) => match table.get_mut(key.as_str()) {
+        (DeValue::Table(table), Step::ContactId(key)) => match table.get_mut(key.as_str()) {
             Some(next) => remove(next, below) || table.remove(key.as_str()).is_some(),
             None => false,
         },

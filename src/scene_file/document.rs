@@ -6,7 +6,7 @@ use miette::Severity;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use super::problem::{Advice, Problem};
+use super::diagnostic::{Advice, Diagnostic};
 
 /// Largest magnitude of a number in a scene: beyond it products of a few of them stop being finite.
 pub(super) const LARGEST: f64 = 1e30;
@@ -15,7 +15,7 @@ pub(super) const LARGEST: f64 = 1e30;
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum Step {
     /// A key of a table.
-    Key(String),
+    ContactId(String),
     /// An index of an array, counted from 0.
     Index(usize),
 }
@@ -25,8 +25,8 @@ pub(super) fn join(path: &str, steps: &[Step]) -> String {
     let mut joined = path.to_owned();
     for step in steps {
         match step {
-            Step::Key(key) if joined.is_empty() => joined.push_str(key),
-            Step::Key(key) => {
+            Step::ContactId(key) if joined.is_empty() => joined.push_str(key),
+            Step::ContactId(key) => {
                 joined.push('.');
                 joined.push_str(key);
             }
@@ -41,7 +41,7 @@ pub(super) fn split(path: &str) -> Vec<Step> {
     let mut steps = Vec::new();
     for part in path.split('.').filter(|part| !part.is_empty()) {
         let (key, indices) = part.split_at(part.find('[').unwrap_or(part.len()));
-        steps.push(Step::Key(key.to_owned()));
+        steps.push(Step::ContactId(key.to_owned()));
         let numbers = indices.split(['[', ']']).filter_map(|n| n.parse().ok());
         steps.extend(numbers.map(Step::Index));
     }
@@ -52,7 +52,7 @@ pub(super) fn split(path: &str) -> Vec<Step> {
 pub(super) struct Document<'t> {
     text: &'t str,
     root: Spanned<DeValue<'t>>,
-    problems: Vec<Problem>,
+    problems: Vec<Diagnostic>,
 }
 
 impl<'t> Document<'t> {
@@ -114,7 +114,7 @@ impl<'t> Document<'t> {
     }
 
     /// The problems in the order of the file: errors, warnings.
-    pub(super) fn into_problems(mut self) -> (Vec<Problem>, Vec<Problem>) {
+    pub(super) fn into_problems(mut self) -> (Vec<Diagnostic>, Vec<Diagnostic>) {
         self.problems.sort_by_key(|p| p.span.offset());
         self.problems
             .into_iter()
@@ -191,7 +191,7 @@ impl<'t> Document<'t> {
             .iter()
             .position(|&b| b == b'\n');
         let end = first_line.map_or(end, |n| start + n);
-        self.problems.push(Problem {
+        self.problems.push(Diagnostic {
             path: if path.is_empty() {
                 "scene".to_owned()
             } else {
@@ -229,7 +229,7 @@ pub(super) fn child<'a, 't>(
     step: &Step,
 ) -> Option<&'a Spanned<DeValue<'t>>> {
     match step {
-        Step::Key(key) => value.get_ref().get(key.as_str()),
+        Step::ContactId(key) => value.get_ref().get(key.as_str()),
         Step::Index(index) => value.get_ref().get(*index),
     }
 }

@@ -2,7 +2,7 @@
 
 use super::checks::{direction, increasing};
 use super::columns::Columns;
-use super::decode::Element;
+use super::decode::Entry;
 use super::document::Document;
 use super::file;
 use super::resources::Resources;
@@ -99,7 +99,7 @@ pub(super) fn rotating_frame(
 pub(super) fn judge(
     document: &mut Document<'_>,
     scene: &Scene,
-    elements: &[Element<file::Boundary>],
+    elements: &[Entry<file::Boundary>],
 ) {
     for (boundary, element) in scene.boundaries.iter().zip(elements) {
         if scene.settings.rotating_frame.is_some() && matches!(boundary.motion, Motion::Driven(_)) {

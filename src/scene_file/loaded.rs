@@ -1,6 +1,6 @@
 //! What reading a scene file gives.
 
-use super::problem::Problem;
+use super::diagnostic::Diagnostic;
 use super::resources::Attachment;
 use crate::scene::Scene;
 
@@ -16,5 +16,5 @@ pub struct Loaded {
     /// Files it refers to, sorted by path, each once.
     pub attachments: Vec<Attachment>,
     /// What runs, but probably not as meant.
-    pub warnings: Vec<Problem>,
+    pub warnings: Vec<Diagnostic>,
 }

@@ -10,6 +10,7 @@ mod cell;
 mod checks;
 mod columns;
 mod decode;
+mod diagnostic;
 mod document;
 mod driven;
 pub mod file;
@@ -19,7 +20,6 @@ mod loaded;
 mod names;
 mod overlap;
 mod pairs;
-mod problem;
 mod regions;
 mod resources;
 mod schema;
@@ -33,9 +33,9 @@ mod wording;
 
 use std::path::Path;
 
+pub use diagnostic::{Diagnostic, SceneError};
 pub use loaded::Loaded;
 pub use overlap::{Overlap, Overlaps};
-pub use problem::{Problem, SceneError};
 pub use resources::Attachment;
 pub(crate) use resources::digest;
 pub use schema::json_schema;

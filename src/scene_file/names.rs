@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::decode::{Declaration, Element};
+use super::decode::{Declaration, Entry};
 use super::document::{Document, did_you_mean};
 
 /// The names declared by one kind of element. An element that is unusable for another reason still declares its
@@ -17,9 +17,9 @@ impl Names {
     pub(super) fn declare<T>(
         document: &mut Document<'_>,
         kind: &'static str,
-        elements: &[Element<T>],
+        elements: &[Entry<T>],
     ) -> Self {
-        Self::declare_all(document, kind, elements.iter().map(Element::declaration))
+        Self::declare_all(document, kind, elements.iter().map(Entry::declaration))
     }
 
     /// The same for elements of several lists that share their names.

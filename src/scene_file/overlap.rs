@@ -4,7 +4,7 @@
 
 use std::ops::Range;
 
-use super::decode::Element;
+use super::decode::Entry;
 use super::document::Document;
 use super::file;
 use crate::detection::periodic::periodic_pairs;
@@ -28,7 +28,7 @@ pub struct Overlaps {
     /// Pairs of spheres.
     pub pairs: Vec<Overlap>,
     /// Spheres and boundaries.
-    pub walls: Vec<Overlap>,
+    pub boundaries: Vec<Overlap>,
 }
 
 impl Overlaps {
@@ -56,21 +56,21 @@ impl Overlaps {
         }
         let start = |b: &Boundary| b.motion.pose_at(0.0);
         let poses: Vec<Pose> = scene.boundaries.iter().map(start).collect();
-        let mut touches = Vec::new();
+        let mut closest_points = Vec::new();
         for i in (0..radius.len()).filter(present) {
             for (b, boundary) in scene.boundaries.iter().enumerate() {
-                touches.clear();
+                closest_points.clear();
                 let near = boundary.copy_near(&scene.cell, &poses[b], position[i]);
                 let centre = boundary.to_frame(&poses[b], near);
                 boundary
                     .geometry
-                    .touches(centre, radius[i], 0.0, &mut touches);
-                let deepest = touches
+                    .closest_points(centre, radius[i], 0.0, &mut closest_points);
+                let deepest = closest_points
                     .iter()
                     .map(|t| -t.gap / radius[i])
                     .fold(0.0, f64::max);
                 if deepest > tolerance {
-                    found.walls.push(Overlap {
+                    found.boundaries.push(Overlap {
                         sphere: i,
                         other: b,
                         ratio: deepest,
@@ -89,8 +89,10 @@ impl Overlaps {
 
     /// The largest overlap with a boundary.
     #[must_use]
-    pub fn worst_wall(&self) -> Option<&Overlap> {
-        self.walls.iter().max_by(|a, b| a.ratio.total_cmp(&b.ratio))
+    pub fn worst_boundary(&self) -> Option<&Overlap> {
+        self.boundaries
+            .iter()
+            .max_by(|a, b| a.ratio.total_cmp(&b.ratio))
     }
 
     /// Refuses overlaps above `max_initial_overlap`, warns of smaller ones.
@@ -99,7 +101,7 @@ impl Overlaps {
         document: &mut Document<'_>,
         scene: &Scene,
         ranges: &[Option<Range<usize>>],
-        groups: &[Element<file::Spheres>],
+        groups: &[Entry<file::Spheres>],
     ) {
         let allowed = scene.settings.max_initial_overlap;
         let group_of = |i: usize| {
@@ -153,11 +155,11 @@ impl Overlaps {
             let help = "increase the spacing, or reduce the radius or the jitter";
             judge(document, &self.pairs, worst, call(worst.other), help);
         }
-        if let Some(worst) = self.worst_wall() {
+        if let Some(worst) = self.worst_boundary() {
             let what = format!("boundary `{}`", scene.boundaries[worst.other].name);
             let help =
                 "move the spheres or the boundary; a plane is solid on the side its normal leaves";
-            judge(document, &self.walls, worst, what, help);
+            judge(document, &self.boundaries, worst, what, help);
         }
     }
 }

@@ -3,7 +3,7 @@
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 
-use super::decode::Element;
+use super::decode::Entry;
 use super::document::Document;
 use super::file;
 use super::names::Names;
@@ -116,7 +116,7 @@ pub(super) fn sinks(
     document: &mut Document<'_>,
     resources: &mut Resources<'_>,
     sources: &Names,
-    elements: &[Element<file::Sink>],
+    elements: &[Entry<file::Sink>],
 ) -> Vec<Sink> {
     Names::declare(document, "sink", elements);
     let sinks = elements.iter().filter_map(|element| {

@@ -135,10 +135,10 @@ impl Summary {
             .fold(f64::INFINITY, f64::min);
         let g = scene.settings.gravity;
         let spheres = scene.initial.velocity.iter().map(|v| v.norm());
-        let walls = scene.boundaries.iter().map(|b| top_speed(&b.motion));
+        let boundaries = scene.boundaries.iter().map(|b| top_speed(&b.motion));
         let heights = || scene.initial.position.iter().map(|c| c.dot(&g));
         let fall = heights().fold(f64::MIN, f64::max) - heights().fold(f64::MAX, f64::min);
-        let speed = spheres.chain(walls).fold(0.0, f64::max) + (2.0 * fall.max(0.0)).sqrt();
+        let speed = spheres.chain(boundaries).fold(0.0, f64::max) + (2.0 * fall.max(0.0)).sqrt();
         let accurate = (gap * radius / (0.2 * g.norm())).sqrt();
         accurate
             .min(0.15 * radius / speed)
@@ -283,8 +283,11 @@ impl fmt::Display for Overlaps {
             worst.map_or("0".to_owned(), |r| format!("{n} (largest {r:.2e} R)"))
         };
         let pairs = part(self.pairs.len(), self.worst_pair().map(|o| o.ratio));
-        let walls = part(self.walls.len(), self.worst_wall().map(|o| o.ratio));
-        write!(f, "{pairs} between spheres, {walls} with boundaries")
+        let boundaries = part(
+            self.boundaries.len(),
+            self.worst_boundary().map(|o| o.ratio),
+        );
+        write!(f, "{pairs} between spheres, {boundaries} with boundaries")
     }
 }
 

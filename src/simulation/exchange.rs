@@ -13,9 +13,9 @@ use rand_chacha::rand_core::SeedableRng;
 use super::Simulation;
 use crate::Vec3;
 use crate::contact::Partner;
-use crate::geometry::Touch;
+use crate::geometry::ClosestPoint;
 use crate::scene::{Source, Supply};
-use crate::spatial::Dof6;
+use crate::spatial::SpatialVector;
 use crate::spatial::cell::Cell;
 use crate::step::release;
 
@@ -70,9 +70,9 @@ impl Simulation {
             kinematics.present[i] = false;
             kinematics.velocity[i] = Vec3::zeros();
             kinematics.spin[i] = Vec3::zeros();
-            self.state.persisting[i] = Dof6::ZERO;
+            self.state.smooth[i] = SpatialVector::ZERO;
             if let Some(external) = self.state.external.get_mut(i) {
-                *external = Dof6::ZERO;
+                *external = SpatialVector::ZERO;
             }
             self.state.removed[sink] += scene.particles.mass[i];
             let home = scene.sources.iter().position(|s| s.spheres.contains(&i));
@@ -97,7 +97,7 @@ impl Simulation {
         let scene = std::sync::Arc::clone(&self.scene);
         let given = &scene.sources[source];
         let due = given.due(self.state.time);
-        let mut room: Option<Room> = None;
+        let mut room: Option<FreeSpace> = None;
         loop {
             let reserve = &self.state.reserves[source];
             let Some(&next) = reserve.waiting.front() else {
@@ -109,7 +109,7 @@ impl Simulation {
             if due - reserve.spent < cost * (1.0 - EARLY) {
                 return;
             }
-            let room = room.get_or_insert_with(|| Room::around(self, given));
+            let room = room.get_or_insert_with(|| FreeSpace::around(self, given));
             let place = room.place(self, source, scene.particles.radius[i]);
             let reserve = &mut self.state.reserves[source];
             let Some(place) = place else {
@@ -136,7 +136,7 @@ impl Simulation {
 }
 
 /// What stands in the way in and around a source's region.
-struct Room {
+struct FreeSpace {
     /// Box around the region and the largest sphere that reaches into it \[m\].
     near: Option<(Vec3, Vec3)>,
     cell: Cell,
@@ -144,7 +144,7 @@ struct Room {
     spheres: Vec<(Vec3, f64)>,
 }
 
-impl Room {
+impl FreeSpace {
     fn around(simulation: &Simulation, source: &Source) -> Self {
         let particles = &simulation.scene.particles;
         let kinematics = &simulation.state.kinematics;
@@ -179,7 +179,7 @@ impl Room {
     fn place(&self, simulation: &mut Simulation, source: usize, radius: f64) -> Option<Vec3> {
         let scene = std::sync::Arc::clone(&simulation.scene);
         let given = &scene.sources[source];
-        let mut touches = Vec::new();
+        let mut closest_points = Vec::new();
         for _ in 0..TRIES {
             // One stream of the generator per draw: the counter is all of its state.
             let draws = &mut simulation.state.reserves[source].draws;
@@ -191,7 +191,7 @@ impl Room {
                 .spheres
                 .iter()
                 .all(|(x, r)| (x - place).norm_squared() >= (r + radius).powi(2));
-            if free && !touches_any(simulation, place, radius, &mut touches) {
+            if free && !touches_any(simulation, place, radius, &mut closest_points) {
                 return Some(place);
             }
         }
@@ -204,16 +204,18 @@ fn touches_any(
     simulation: &Simulation,
     place: Vec3,
     radius: f64,
-    touches: &mut Vec<Touch>,
+    closest_points: &mut Vec<ClosestPoint>,
 ) -> bool {
     let boundaries = simulation.scene.boundaries.iter();
     boundaries
         .zip(&simulation.state.poses)
         .any(|(boundary, pose)| {
-            touches.clear();
+            closest_points.clear();
             let place = boundary.copy_near(&simulation.scene.cell, pose, place);
             let centre = boundary.to_frame(pose, place);
-            boundary.geometry.touches(centre, radius, 0.0, touches);
-            !touches.is_empty()
+            boundary
+                .geometry
+                .closest_points(centre, radius, 0.0, closest_points);
+            !closest_points.is_empty()
         })
 }

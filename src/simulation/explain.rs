@@ -1,7 +1,7 @@
 //! Failures of steps in the scene's words.
 
 use super::Simulation;
-use crate::contact::{Key, Partner};
+use crate::contact::{ContactId, Partner};
 use crate::error::StepError;
 use crate::step::StepFailure;
 
@@ -47,7 +47,7 @@ impl Simulation {
     }
 
     /// A pair in the scene's words.
-    fn name(&self, key: Key) -> String {
+    fn name(&self, key: ContactId) -> String {
         match key.partner {
             Partner::Sphere { index, .. } => format!("spheres {} and {index}", key.sphere),
             Partner::Boundary { boundary, .. } => format!(

@@ -9,7 +9,7 @@ use crate::state::State;
 
 /// What is summed up over a communication step.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub(super) struct Account {
+pub(super) struct ImpulseTotals {
     /// Impulse on each boundary, `[B]`.
     pub(super) impulse: Vec<Wrench>,
     /// Sum of the internal steps \[s\].
@@ -20,7 +20,7 @@ pub(super) struct Account {
     pub(super) taken: Vec<(f64, f64)>,
 }
 
-impl Account {
+impl ImpulseTotals {
     pub(super) fn of(boundaries: usize) -> Self {
         Self {
             impulse: vec![Wrench::default(); boundaries],
@@ -40,7 +40,7 @@ impl Account {
 pub(super) struct Before {
     /// Empty where no sensor asks.
     pub(super) position: Vec<Vec3>,
-    pub(super) persisting: Vec<Wrench>,
+    pub(super) smooth: Vec<Wrench>,
     pub(super) body_force: Vec3,
 }
 
@@ -51,7 +51,7 @@ impl Before {
                 true => state.kinematics.position.clone(),
                 false => Vec::new(),
             },
-            persisting: state.persisting_wrenches.clone(),
+            smooth: state.smooth_wrenches.clone(),
             body_force: state.body_force,
         }
     }

@@ -1,16 +1,16 @@
-//! The simulation: owns the state, advances it (`march`), takes and restores snapshots.
+//! The simulation: owns the state, advances it (`communication`), takes and restores snapshots.
 
+mod communication_step;
 mod derivatives;
 mod exchange;
 mod explain;
 pub mod flow;
 mod impulse_totals;
-mod march;
-mod pace;
 mod replay_record;
 mod running_scene;
 mod settle;
 mod start;
+mod step_control;
 pub mod trajectory;
 
 use std::borrow::Cow;
@@ -21,14 +21,14 @@ use crate::error::{SnapshotError, StepError};
 use crate::formats::snapshot;
 use crate::problem::{Impulses, Problem};
 use crate::scene::gravity::GravityMotion;
-use crate::scene::{Boundary, Command, Rates, Scene};
-use crate::simulation::trajectory::Drive;
-use crate::spatial::{Dof6, Pose, Wrench};
-use crate::state::{BodyState, Pace, Reserve, State, StepReport, Work};
-use crate::step::{Scratch, StepInput, initial_forces, remove_overlaps};
+use crate::scene::{Boundary, Command, CommandDerivatives, Scene};
+use crate::simulation::trajectory::BoundaryPaths;
+use crate::spatial::{Pose, SpatialVector, Wrench};
+use crate::state::{BodyState, EnergyLedger, Reserve, State, StepControl, StepReport};
+use crate::step::{StepInput, Workspace, initial_forces, remove_overlaps};
+pub use communication_step::CommunicationStep;
 pub use derivatives::Direction;
-pub use march::March;
-pub use replay_record::Origin;
+pub use replay_record::ReplayRecord;
 pub use running_scene::Simulation;
 pub use settle::{Pass, PassKind, Settle, SettleError, SettleProgress, Settled};
 
@@ -61,7 +61,7 @@ impl Simulation {
             last_step: 0.0,
             gravity: settings.gravity,
             kinematics: scene.initial.clone(),
-            persisting: vec![Dof6::ZERO; n],
+            smooth: vec![SpatialVector::ZERO; n],
             external: Vec::new(),
             body_force: Vec3::zeros(),
             mean_body_force: Vec3::zeros(),
@@ -77,10 +77,10 @@ impl Simulation {
             commands: scene.boundaries.iter().map(Boundary::rest).collect(),
             rates: Vec::new(),
             wrenches: vec![Wrench::default(); boundaries],
-            persisting_wrenches: vec![Wrench::default(); boundaries],
+            smooth_wrenches: vec![Wrench::default(); boundaries],
             mean_wrenches: vec![Wrench::default(); boundaries],
             owed: vec![Wrench::default(); boundaries],
-            work: Work::default(),
+            work: EnergyLedger::default(),
             reserves: reserves(&scene),
             emitted: vec![0.0; scene.sources.len()],
             removed: vec![0.0; scene.sinks.len()],
@@ -92,13 +92,13 @@ impl Simulation {
                 .penalty
                 .unwrap_or(lightest / (settings.step * settings.step)),
             report: StepReport::default(),
-            pace: Pace::of(settings),
+            control: StepControl::of(settings),
         };
         let mut simulation = Self {
             scene,
             state,
-            scratch: Scratch::default(),
-            origin: None,
+            workspace: Workspace::default(),
+            replay: None,
         };
         simulation.settle_start()?;
         Ok(simulation)
@@ -107,16 +107,18 @@ impl Simulation {
     fn settle_start(&mut self) -> Result<(), StepError> {
         let unsettled = self.state.clone();
         self.settle_beside(&mut [])?;
-        self.origin = Some(Box::new(Origin::Start(unsettled)));
+        self.replay = Some(Box::new(ReplayRecord::Start(unsettled)));
         Ok(())
     }
 
     /// Overlaps out by displacement, then contact forces at rest; so also in `pairs` of states to either side.
     fn settle_beside(&mut self, pairs: &mut [[&mut State; 2]]) -> Result<(), StepError> {
         let scene = Arc::clone(&self.scene);
-        let Self { state, scratch, .. } = self;
-        remove_overlaps(&scene, state, scratch, pairs)
-            .and_then(|()| initial_forces(&scene, state, scratch, pairs))
+        let Self {
+            state, workspace, ..
+        } = self;
+        remove_overlaps(&scene, state, workspace, pairs)
+            .and_then(|()| initial_forces(&scene, state, workspace, pairs))
             .map_err(|failure| self.explain(failure, scene.settings.step, 0))?;
         let both = pairs.iter_mut().flatten().map(|state| &mut **state);
         for state in both.chain([&mut self.state]) {
@@ -145,7 +147,7 @@ impl Simulation {
         }
         let before = self.gravity();
         self.state.gravity = gravity;
-        self.state.pace.calm = 0;
+        self.state.control.steps_at_rest = 0;
         // Before the first step the start is chosen, no work is done.
         if self.state.last_step > 0.0 {
             let change = self.gravity() - before;
@@ -167,7 +169,7 @@ impl Simulation {
     /// # Errors
     /// [`StepError::Argument`] if the boundary is no input or a component is not finite.
     pub fn command(&mut self, b: usize, command: Command) -> Result<(), StepError> {
-        self.command_along(b, command, Rates::default())
+        self.command_along(b, command, CommandDerivatives::default())
     }
 
     /// As [`Self::command`], for a command that changes within the next communication step: `s` after the beginning of that
@@ -180,7 +182,7 @@ impl Simulation {
         &mut self,
         b: usize,
         command: Command,
-        rates: Rates,
+        rates: CommandDerivatives,
     ) -> Result<(), StepError> {
         let boundary = self.scene.boundaries.get(b);
         if !boundary.is_some_and(Boundary::is_commanded) {
@@ -205,8 +207,8 @@ impl Simulation {
         }
         let state = &mut self.state;
         state.commands[b] = command;
-        if rates != Rates::default() && state.rates.is_empty() {
-            state.rates = vec![Rates::default(); state.commands.len()];
+        if rates != CommandDerivatives::default() && state.rates.is_empty() {
+            state.rates = vec![CommandDerivatives::default(); state.commands.len()];
         }
         if let Some(place) = state.rates.get_mut(b) {
             *place = rates;
@@ -234,13 +236,13 @@ impl Simulation {
 
     /// Advances to exactly `end` \[s\] in equal internal steps of at most `simulation.step`. A step that does
     /// not meet the tolerances is halved, at most `max_cuts` times. On error the state is as before the call, but for
-    /// its [`Self::origin`], whose memory a step takes that has begun: [`Self::begin`] keeps it.
+    /// its [`Self::replay_record`], whose memory a step takes that has begun: [`Self::begin`] keeps it.
     ///
     /// # Errors
     /// [`StepError`] with time, contact and residual.
     pub fn advance_to(&mut self, end: f64) -> Result<StepReport, StepError> {
-        let march = self.set_out(end, false)?;
-        self.finish(march)?;
+        let communication = self.set_out(end, false)?;
+        self.finish(communication)?;
         Ok(self.state.report)
     }
 
@@ -260,10 +262,10 @@ impl Simulation {
         let (state, end) = (&self.state, self.state.time + dt);
         let boundaries = &self.scene.boundaries;
         let commands = (&state.commands[..], &state.rates[..]);
-        let drive = Drive::new(boundaries, commands, &state.poses, state.time, end);
+        let paths = BoundaryPaths::new(boundaries, commands, &state.poses, state.time, end);
         let input = StepInput {
             dt,
-            poses: drive.poses(end),
+            poses: paths.poses(end),
             commands: Cow::Borrowed(&state.commands),
         };
         Ok(crate::step::problem(&self.scene, state, &input))
@@ -277,7 +279,7 @@ impl Simulation {
         let state: State = snapshot::restore(blob, &self.scene.hash)?;
         self.check_counts(&state)?;
         self.state = state;
-        self.origin = None;
+        self.replay = None;
         Ok(())
     }
 }

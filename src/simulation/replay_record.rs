@@ -1,13 +1,13 @@
 //! Where a state came from, so that its last communication step can be taken again.
 
-use super::impulse_totals::Account;
-use super::trajectory::Course;
+use super::impulse_totals::ImpulseTotals;
+use super::trajectory::Trajectory;
 use crate::state::State;
 use serde::{Deserialize, Serialize};
 
 /// Where a state came from.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub enum Origin {
+pub enum ReplayRecord {
     /// The start of a run: from this state, before overlaps were removed and forces solved.
     Start(State),
     /// A communication step.
@@ -21,14 +21,14 @@ pub struct Step {
     pub(super) state: State,
     /// Start of the communication step \[s\].
     pub(super) start: f64,
-    pub(super) course: Course,
+    pub(super) trajectory: Trajectory,
     /// What had been summed up before `state`.
-    pub(super) before: Account,
+    pub(super) before: ImpulseTotals,
     /// Ends of the internal steps from `state` on \[s\].
     pub(super) taken: Vec<(f64, f64)>,
 }
 
-impl Origin {
+impl ReplayRecord {
     pub(super) fn state(&self) -> &State {
         match self {
             Self::Start(state) => state,
@@ -47,7 +47,7 @@ impl Origin {
     pub(super) fn fits(&self, boundaries: usize) -> bool {
         match self {
             Self::Start(_) => true,
-            Self::Step(step) => step.course.fits(boundaries) && step.before.fits(boundaries),
+            Self::Step(step) => step.trajectory.fits(boundaries) && step.before.fits(boundaries),
         }
     }
 }

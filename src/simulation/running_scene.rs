@@ -2,15 +2,15 @@
 
 use crate::Vec3;
 use crate::contact::Contact;
-use crate::detection::placement::Placement;
+use crate::detection::configuration::Configuration;
 use crate::error::SnapshotError;
 use crate::formats::snapshot;
 use crate::scene::Scene;
 use crate::scene::particles::Kinematics;
-use crate::simulation::Origin;
+use crate::simulation::ReplayRecord;
 use crate::spatial::{Pose, Twist, Wrench};
-use crate::state::{JointState, State, StepReport, Velocities, Work};
-use crate::step::Scratch;
+use crate::state::{EnergyLedger, JointState, State, StepReport, Velocities};
+use crate::step::Workspace;
 use std::sync::Arc;
 
 /// A running scene. `Send`, without global state; threads of its own only if the scene asks for them, joined when it goes.
@@ -18,9 +18,9 @@ use std::sync::Arc;
 pub struct Simulation {
     pub(super) scene: Arc<Scene>,
     pub(super) state: State,
-    pub(super) scratch: Scratch,
+    pub(super) workspace: Workspace,
     /// Where the last communication step came from.
-    pub(super) origin: Option<Box<Origin>>,
+    pub(super) replay: Option<Box<ReplayRecord>>,
 }
 
 impl Simulation {
@@ -88,7 +88,7 @@ impl Simulation {
         let settings = &self.scene.settings;
         Velocities {
             kinematics: &self.state.kinematics,
-            persisting: &self.state.persisting,
+            smooth: &self.state.smooth,
             integrator: settings.integrator,
             last: self.state.last_step,
             step: settings.step,
@@ -99,7 +99,7 @@ impl Simulation {
     #[must_use]
     pub fn contacts(&self) -> Vec<Contact> {
         let state = &self.state;
-        let placement = Placement::of(&self.scene, &state.kinematics, &state.poses);
+        let placement = Configuration::of(&self.scene, &state.kinematics, &state.poses);
         let loads = state.contacts.iter().enumerate();
         loads
             .map(|(k, load)| placement.contact(load, state.contacts.torque(k)))
@@ -119,8 +119,8 @@ impl Simulation {
         let driven = bodies.find(|((boundary, _), _)| *boundary == b);
         driven.map_or(self.state.twists[b], |((_, body), carried)| {
             let integrator = self.scene.settings.integrator;
-            let (last, persisting) = (self.state.last_step, &carried.persisting);
-            let momentum = integrator.reported(&carried.momentum, persisting, last);
+            let (last, smooth) = (self.state.last_step, &carried.smooth);
+            let momentum = integrator.reported(&carried.momentum, smooth, last);
             body.twist_of(
                 self.scene.boundaries[b].point_of_action,
                 &self.state.poses[b],
@@ -135,8 +135,8 @@ impl Simulation {
         let mut bodies = self.scene.driven().zip(&self.state.bodies);
         let driven = bodies.find(|((boundary, _), _)| *boundary == b);
         driven.map_or_else(JointState::default, |(_, carried)| JointState {
-            travel: carried.travel,
-            force: carried.holds.iter().sum(),
+            joint_position: carried.joint_position,
+            force: carried.joint_forces.iter().sum(),
         })
     }
 
@@ -173,7 +173,7 @@ impl Simulation {
 
     /// Work done since t = 0.
     #[must_use]
-    pub fn work(&self) -> &Work {
+    pub fn work(&self) -> &EnergyLedger {
         &self.state.work
     }
 

@@ -19,39 +19,39 @@ use serde::{Deserialize, Serialize};
 
 use crate::Vec3;
 use crate::integrator::Integrator;
-use crate::scene::{Boundary, Command, InputKind, Motion, Rates, Scene};
+use crate::scene::{Boundary, Command, CommandDerivatives, InputKind, Motion, Scene};
 use crate::spatial::{Pose, Twist};
 use crate::state::State;
 use crate::step::StepInput;
 
 /// Path of one boundary from where it stands.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Path {
+pub struct BoundaryPath {
     start: f64,
     from: Pose,
-    way: Way,
+    way: Form,
 }
 
 /// How a path goes on.
 #[derive(Debug, Clone, PartialEq)]
-enum Way {
+enum Form {
     /// With a constant twist.
     Straight(Twist),
     /// Along a command that changes.
-    Along(Box<Curve>),
+    Along(Box<CommandPath>),
 }
 
 /// A command with derivatives.
 #[derive(Debug, Clone, PartialEq)]
-struct Curve {
+struct CommandPath {
     kind: InputKind,
     command: Command,
-    rates: Rates,
+    rates: CommandDerivatives,
     /// Length of the step \[s\].
     h: f64,
 }
 
-impl Path {
+impl BoundaryPath {
     /// The path of an input boundary that stands at `from`, over a step from `start` to `end` \[s\].
     #[must_use]
     pub fn commanded(kind: InputKind, command: &Command, from: Pose, start: f64, end: f64) -> Self {
@@ -63,7 +63,7 @@ impl Path {
             (_, Some(pose)) => from.twist_to(&pose, h),
             (_, None) => speeds(kind, command),
         };
-        let way = Way::Straight(twist);
+        let way = Form::Straight(twist);
         Self { start, from, way }
     }
 
@@ -71,15 +71,15 @@ impl Path {
     #[must_use]
     pub fn along(
         kind: InputKind,
-        (command, rates): (&Command, &Rates),
+        (command, rates): (&Command, &CommandDerivatives),
         from: Pose,
         start: f64,
         end: f64,
     ) -> Self {
-        if *rates == Rates::default() {
+        if *rates == CommandDerivatives::default() {
             return Self::commanded(kind, command, from, start, end);
         }
-        let way = Way::Along(Box::new(Curve {
+        let way = Form::Along(Box::new(CommandPath {
             kind,
             command: *command,
             rates: *rates,
@@ -93,13 +93,13 @@ impl Path {
     pub fn at(&self, t: f64) -> Pose {
         let s = t - self.start;
         match &self.way {
-            Way::Straight(twist) => self.from.advanced(twist, s),
-            Way::Along(curve) => curve.at(&self.from, s),
+            Form::Straight(twist) => self.from.advanced(twist, s),
+            Form::Along(curve) => curve.at(&self.from, s),
         }
     }
 }
 
-impl Curve {
+impl CommandPath {
     /// The pose `s` \[s\] after the beginning of the step, for a boundary that stood at `from`.
     fn at(&self, from: &Pose, s: f64) -> Pose {
         let Self {
@@ -142,7 +142,13 @@ fn speeds(kind: InputKind, command: &Command) -> Twist {
 }
 
 /// Where speeds that change carry a boundary from `from` within `s` \[s\].
-fn carried(kind: InputKind, command: &Command, rates: &Rates, from: &Pose, s: f64) -> Pose {
+fn carried(
+    kind: InputKind,
+    command: &Command,
+    rates: &CommandDerivatives,
+    from: &Pose,
+    s: f64,
+) -> Pose {
     let [v, first, second] = [command, &rates[0], &rates[1]].map(|c| speeds(kind, c));
     let moved = |v: Vec3, first: Vec3, second: Vec3| {
         v * s + first * (s * s / 2.0) + second * (s * s * s / 6.0)
@@ -175,22 +181,22 @@ pub fn target(kind: InputKind, command: &Command) -> Option<Pose> {
 
 /// How all boundaries move during one communication step.
 #[derive(Debug, Clone)]
-pub struct Drive<'a> {
+pub struct BoundaryPaths<'a> {
     boundaries: &'a [Boundary],
     commands: &'a [Command],
     /// Empty where all commands are held.
-    rates: &'a [Rates],
+    rates: &'a [CommandDerivatives],
     start: f64,
-    paths: Vec<Option<Path>>,
+    paths: Vec<Option<BoundaryPath>>,
 }
 
-impl<'a> Drive<'a> {
-    /// The drive from `start` to `end` \[s\] for boundaries that stand at `poses`; `rates` is `[B]`, or empty where all
+impl<'a> BoundaryPaths<'a> {
+    /// The paths from `start` to `end` \[s\] for boundaries that stand at `poses`; `rates` is `[B]`, or empty where all
     /// commands are held.
     #[must_use]
     pub fn new(
         boundaries: &'a [Boundary],
-        (commands, rates): (&'a [Command], &'a [Rates]),
+        (commands, rates): (&'a [Command], &'a [CommandDerivatives]),
         poses: &[Pose],
         start: f64,
         end: f64,
@@ -199,7 +205,7 @@ impl<'a> Drive<'a> {
             Motion::Input(kind) => {
                 let rates = rates.get(b).copied().unwrap_or_default();
                 let command = (&commands[b], &rates);
-                Some(Path::along(kind, command, poses[b], start, end))
+                Some(BoundaryPath::along(kind, command, poses[b], start, end))
             }
             _ => None,
         };
@@ -228,7 +234,7 @@ impl<'a> Drive<'a> {
         (target, dt): (f64, f64),
     ) -> StepInput<'a> {
         let s = t - self.start;
-        let at = |(command, rates): (&Command, &Rates)| {
+        let at = |(command, rates): (&Command, &CommandDerivatives)| {
             let loads = command.along(rates, integrator.middle(s, dt));
             let surface = command.along(rates, s + 0.5 * dt);
             Command {
@@ -298,16 +304,16 @@ impl State {
 
 /// Where the boundaries go until the end of a communication step.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub(super) struct Course {
+pub(super) struct Trajectory {
     /// Where they stood, and when, as their commands last changed.
     pub(super) from: Vec<Pose>,
     pub(super) since: f64,
     pub(super) end: f64,
     pub(super) commands: Vec<Command>,
-    pub(super) rates: Vec<Rates>,
+    pub(super) rates: Vec<CommandDerivatives>,
 }
 
-impl Course {
+impl Trajectory {
     pub(super) fn fits(&self, boundaries: usize) -> bool {
         let rates = self.rates.is_empty() || self.rates.len() == boundaries;
         rates && [self.from.len(), self.commands.len()] == [boundaries; 2]
@@ -318,9 +324,9 @@ impl Course {
         self.end - self.since
     }
 
-    pub(super) fn drive<'a>(&'a self, scene: &'a Scene) -> Drive<'a> {
+    pub(super) fn paths<'a>(&'a self, scene: &'a Scene) -> BoundaryPaths<'a> {
         let commands = (&self.commands[..], &self.rates[..]);
-        Drive::new(
+        BoundaryPaths::new(
             &scene.boundaries,
             commands,
             &self.from,
@@ -353,7 +359,7 @@ mod tests {
             },
         ];
         let (from, h) = (Pose::default(), 0.5);
-        let path = Path::along(InputKind::Pose, (&command, &rates), from, 1.0, 1.0 + h);
+        let path = BoundaryPath::along(InputKind::Pose, (&command, &rates), from, 1.0, 1.0 + h);
         for s in [0.0, 0.2, 0.5] {
             let pose = path.at(1.0 + s);
             let left = 1.0 - s / h;
@@ -375,7 +381,7 @@ mod tests {
         let command = part(Vec3::new(1.0, 0.0, 0.5));
         let rates = [part(Vec3::new(0.0, 3.0, -1.0)), Command::default()];
         let missed = |h: f64| {
-            let path = Path::along(
+            let path = BoundaryPath::along(
                 InputKind::Twist,
                 (&command, &rates),
                 Pose::default(),

@@ -28,7 +28,7 @@ use crate::Vec3;
 use crate::linalg::{BlockMatrix, BlockPattern, Factor, LinearError, Symbolic};
 use crate::problem::law::{SHEAR_RATIO, split};
 use crate::problem::{GROUND, Law, Problem, Row};
-use crate::spatial::Dof6;
+use crate::spatial::SpatialVector;
 
 /// Most open-close iterations for one multiplier update.
 const OPEN_CLOSE: usize = 40;
@@ -41,11 +41,11 @@ const CEILING: f64 = 1e3;
 
 /// What is kept between solves: the symbolic analysis, while the contact pattern stays, and memory.
 #[derive(Debug, Default)]
-pub struct Workspace {
+pub struct SolverWorkspace {
     symbolic: Option<Symbolic>,
     pub(crate) kernel: Kernel,
     /// Velocities of the last solution \[m/s\], \[rad/s\], `[N + D]`.
-    pub(crate) velocity: Vec<Dof6>,
+    pub(crate) velocity: Vec<SpatialVector>,
 }
 
 /// The analysis of `pattern`: `kept`, if it is that one's.
@@ -114,7 +114,7 @@ impl<'a> Inner<'a> {
     }
 
     /// Energy \[J\] and out-of-balance impulse `A (v - v_free) - J^T p^` \[N s\], six a body, at `velocity`.
-    fn balance(&self, velocity: &[Dof6], rows: &[Augmented]) -> (f64, Vec<f64>) {
+    fn balance(&self, velocity: &[SpatialVector], rows: &[Augmented]) -> (f64, Vec<f64>) {
         let mut energy = 0.0;
         let mut gradient = vec![0.0; 6 * velocity.len()];
         for (i, (v, free)) in velocity.iter().zip(&self.problem.free).enumerate() {
@@ -139,7 +139,7 @@ impl<'a> Inner<'a> {
             matrix.add(i, i, &self.masses.block(i));
         }
         for (row, augmented) in self.problem.rows.iter().zip(rows) {
-            let [grip_a, grip_b] = row.grips();
+            let [grip_a, grip_b] = row.jacobian();
             let a = row.a as usize;
             let h = self.masses.jacobian(row.a, grip_a);
             let th = augmented.tangent * h;
@@ -158,7 +158,7 @@ impl<'a> Inner<'a> {
 pub fn solve(
     problem: &Problem,
     params: &Params,
-    workspace: &mut Workspace,
+    workspace: &mut SolverWorkspace,
     impulses: &mut [Vec3],
 ) -> Report {
     let scales = Scale::of(problem);
@@ -214,12 +214,12 @@ fn pattern(problem: &Problem) -> BlockPattern {
 fn outer_loop(
     problem: &Problem,
     params: &Params,
-    workspace: &mut Workspace,
+    workspace: &mut SolverWorkspace,
     impulses: &mut [Vec3],
     scales: &[Scale],
     (report, best): (&mut Report, &mut Best),
 ) -> Result<(), LinearError> {
-    let Workspace {
+    let SolverWorkspace {
         symbolic, kernel, ..
     } = workspace;
     let symbolic = analyse(symbolic, pattern(problem))?;
@@ -245,7 +245,7 @@ fn outer_loop(
             .zip(&*impulses)
             .map(|(row, p)| bounding(problem, &row, *p, impulses))
             .collect();
-        let evaluate_rows = |velocity: &[Dof6], impulses: &[Vec3]| -> Vec<Augmented> {
+        let evaluate_rows = |velocity: &[SpatialVector], impulses: &[Vec3]| -> Vec<Augmented> {
             let rows = problem.rows.iter().zip(impulses).zip(&loads);
             rows.map(|((row, &p), &r)| {
                 let u = row.relative_velocity(velocity);
@@ -339,12 +339,15 @@ fn bounding(problem: &Problem, row: &Row, p: Vec3, impulses: &[Vec3]) -> f64 {
 
 /// Largest change of a row's relative displacement over its radius for a velocity change \[-\].
 fn motion(problem: &Problem, step: &[f64]) -> f64 {
-    let zero = vec![Dof6::ZERO; problem.free.len()];
+    let zero = vec![SpatialVector::ZERO; problem.free.len()];
     let change = moved(&zero, step, 1.0);
     problem
         .rows
         .iter()
-        .map(|row| (row.relative_velocity(&change) - row.drift).norm() * problem.step / row.radius)
+        .map(|row| {
+            (row.relative_velocity(&change) - row.prescribed_velocity).norm() * problem.step
+                / row.radius
+        })
         .fold(0.0, f64::max)
 }
 

@@ -3,8 +3,8 @@
 use nalgebra::{Matrix3, Matrix3x6, Matrix6};
 
 use crate::Vec3;
-use crate::problem::{GROUND, Grip, Problem, Row};
-use crate::spatial::{Dof6, Operator};
+use crate::problem::{GROUND, JacobianBlock, Problem, Row};
+use crate::spatial::{SpatialOperator, SpatialVector};
 
 /// Eigenvalue of an operator's block over its largest below which the joint holds that direction.
 const HELD: f64 = 1e-12;
@@ -19,13 +19,13 @@ pub(super) struct Masses<'a> {
 
 /// One driven body.
 struct Driven {
-    mass: Operator,
+    mass: SpatialOperator,
     /// Projector onto what its joint leaves free.
-    free: Operator,
+    free: SpatialOperator,
 }
 
 impl Driven {
-    fn of(operator: &Operator) -> Self {
+    fn of(operator: &SpatialOperator) -> Self {
         let [linear, angular] = [&operator.linear, &operator.angular].map(|block| {
             let largest = block.norm();
             let eigen = block.symmetric_eigen();
@@ -44,11 +44,11 @@ impl Driven {
             (mass, free)
         });
         Self {
-            mass: Operator {
+            mass: SpatialOperator {
                 linear: linear.0,
                 angular: angular.0,
             },
-            free: Operator {
+            free: SpatialOperator {
                 linear: linear.1,
                 angular: angular.1,
             },
@@ -59,7 +59,7 @@ impl Driven {
 impl<'a> Masses<'a> {
     /// The masses of a problem's bodies.
     pub(super) fn of(problem: &'a Problem) -> Self {
-        let mass = |w: &Dof6| {
+        let mass = |w: &SpatialVector| {
             let w = [w.linear, w.angular];
             std::array::from_fn(|k| {
                 let w = w[k / 3][k % 3];
@@ -100,7 +100,7 @@ impl<'a> Masses<'a> {
     }
 
     /// `A v` of one body.
-    pub(super) fn times(&self, body: usize, v: &Dof6) -> [f64; 6] {
+    pub(super) fn times(&self, body: usize, v: &SpatialVector) -> [f64; 6] {
         match self.spheres.get(body) {
             Some(mass) => std::array::from_fn(|k| mass[k] * component(v, k)),
             None => {
@@ -111,7 +111,7 @@ impl<'a> Masses<'a> {
     }
 
     /// `sqrt(sum over bodies of v^T A v)`.
-    pub(super) fn norm(&self, velocity: &[Dof6]) -> f64 {
+    pub(super) fn norm(&self, velocity: &[SpatialVector]) -> f64 {
         let bodies = velocity.iter().enumerate();
         let squares = bodies.flat_map(|(i, v)| {
             let momentum = self.times(i, v);
@@ -127,7 +127,7 @@ impl<'a> Masses<'a> {
         let of_spheres: f64 = spheres.iter().zip(masses).map(|(r, m)| r * r / m).sum();
         let driven = driven.chunks_exact(6).zip(&self.problem.operators);
         driven.fold(of_spheres, |sum, (r, w)| {
-            let r = Dof6 {
+            let r = SpatialVector {
                 linear: Vec3::new(r[0], r[1], r[2]),
                 angular: Vec3::new(r[3], r[4], r[5]),
             };
@@ -136,12 +136,12 @@ impl<'a> Masses<'a> {
     }
 
     /// `d(u)/d(v)` of one body: `[1, -[arm]x]` at a point, `[0, R]` of a couple, with held degrees of freedom taken out.
-    pub(super) fn jacobian(&self, body: u32, grip: Grip) -> Matrix3x6<f64> {
+    pub(super) fn jacobian(&self, body: u32, grip: JacobianBlock) -> Matrix3x6<f64> {
         let body = body as usize;
         let mut j = Matrix3x6::zeros();
         let (linear, angular) = match grip {
-            Grip::Point(arm) => (Matrix3::identity(), -arm.cross_matrix()),
-            Grip::Couple(lever) => (Matrix3::zeros(), Matrix3::identity() * lever),
+            JacobianBlock::Point(arm) => (Matrix3::identity(), -arm.cross_matrix()),
+            JacobianBlock::Couple(lever) => (Matrix3::zeros(), Matrix3::identity() * lever),
         };
         let Some(w) = self.problem.inverse_mass.get(body) else {
             let free = &self.driven[body - self.spheres.len()].free;
@@ -166,14 +166,14 @@ impl<'a> Masses<'a> {
 
     /// Adds `J^T impulse` of a row to `momentum`, `[6 (N + D)]`; held degrees of freedom do not feel it.
     pub(super) fn scatter(&self, row: &Row, impulse: Vec3, momentum: &mut [f64]) {
-        let [grip_a, grip_b] = row.grips();
+        let [grip_a, grip_b] = row.jacobian();
         self.give(row.a, &grip_a.momentum(impulse), momentum);
         if row.b != GROUND {
             self.give(row.b, &grip_b.momentum(-impulse), momentum);
         }
     }
 
-    fn give(&self, body: u32, given: &Dof6, momentum: &mut [f64]) {
+    fn give(&self, body: u32, given: &SpatialVector, momentum: &mut [f64]) {
         let body = body as usize;
         let Some(w) = self.problem.inverse_mass.get(body) else {
             let given = self.driven[body - self.spheres.len()].free.times(given);
@@ -194,17 +194,17 @@ impl<'a> Masses<'a> {
 }
 
 /// Component `k` of six.
-pub(super) fn component(v: &Dof6, k: usize) -> f64 {
+pub(super) fn component(v: &SpatialVector, k: usize) -> f64 {
     [v.linear, v.angular][k / 3][k % 3]
 }
 
 /// `velocity + scale * step`; `step` has six entries a body.
-pub(super) fn moved(velocity: &[Dof6], step: &[f64], scale: f64) -> Vec<Dof6> {
+pub(super) fn moved(velocity: &[SpatialVector], step: &[f64], scale: f64) -> Vec<SpatialVector> {
     let part = |i: usize| Vec3::new(step[i], step[i + 1], step[i + 2]) * scale;
     velocity
         .iter()
         .enumerate()
-        .map(|(i, v)| Dof6 {
+        .map(|(i, v)| SpatialVector {
             linear: v.linear + part(6 * i),
             angular: v.angular + part(6 * i + 3),
         })
@@ -221,7 +221,7 @@ pub(super) fn probe_row(law: crate::problem::Law) -> Row {
         normal: crate::Vec3::new(0.6, 0.0, 0.8),
         arm_a: zero,
         arm_b: zero,
-        drift: zero,
+        prescribed_velocity: zero,
         bias: crate::Vec3::new(0.01, -0.02, 0.005),
         compliance_n: 0.03,
         compliance_t: 0.02,

@@ -9,7 +9,7 @@
 pub mod augmented_lagrangian;
 mod bodies;
 pub mod gauss_seidel;
-mod neighbourhood;
+mod local_problem;
 pub mod newton;
 mod params;
 mod report;
@@ -19,8 +19,8 @@ pub mod tangent;
 use crate::Vec3;
 use crate::problem::Problem;
 use crate::solver::report::Best;
-use augmented_lagrangian::Workspace;
-use neighbourhood::Part;
+use augmented_lagrangian::SolverWorkspace;
+use local_problem::LocalProblem;
 use residual::{Scale, evaluate};
 
 pub use params::{Params, SolverKind};
@@ -28,7 +28,7 @@ pub use report::Report;
 pub use residual::Tolerance;
 
 /// Contacts that lead from an unsolved row to the border of the first part that Newton solves.
-const HOPS: usize = 2;
+const RINGS: usize = 2;
 /// Most bodies of a part: Newton's factor grows faster than the work of more sweeps.
 const MOST_BODIES: usize = 300;
 /// Starts among which Newton's factorizations are shared out. Where it gets through it needs about a hundred; from another start
@@ -55,7 +55,7 @@ pub const SMOOTHING: usize = 60;
 pub fn solve(
     problem: &Problem,
     params: &Params,
-    workspace: &mut Workspace,
+    workspace: &mut SolverWorkspace,
     impulses: &mut [Vec3],
 ) -> Report {
     let (mut report, mut last) = match params.accept {
@@ -77,7 +77,7 @@ pub fn solve(
 fn attempt(
     problem: &Problem,
     params: &Params,
-    workspace: &mut Workspace,
+    workspace: &mut SolverWorkspace,
     impulses: &mut [Vec3],
 ) -> (Report, Last) {
     match params.kind {
@@ -106,7 +106,7 @@ impl Params {
 fn best(
     problem: &Problem,
     params: &Params,
-    workspace: &mut Workspace,
+    workspace: &mut SolverWorkspace,
     (impulses, mut report): (&mut [Vec3], Report),
 ) -> Report {
     let tolerance = &params.tolerance;
@@ -143,7 +143,7 @@ enum Last {
 fn direct(
     problem: &Problem,
     params: &Params,
-    workspace: &mut Workspace,
+    workspace: &mut SolverWorkspace,
     impulses: &mut [Vec3],
 ) -> Report {
     let report = augmented_lagrangian::solve(problem, params, workspace, impulses);
@@ -158,7 +158,7 @@ fn direct(
 fn auto(
     problem: &Problem,
     params: &Params,
-    workspace: &mut Workspace,
+    workspace: &mut SolverWorkspace,
     impulses: &mut [Vec3],
 ) -> (Report, Last) {
     let sweeps = |max_sweeps: usize| Params {
@@ -190,27 +190,27 @@ fn auto(
 fn finish(
     problem: &Problem,
     params: &Params,
-    workspace: &mut Workspace,
+    workspace: &mut SolverWorkspace,
     impulses: &mut [Vec3],
     mut report: Report,
 ) -> (Report, bool) {
     let scales = Scale::of(problem);
     let most = report.factorizations + params.max_factorizations;
     let attempt = params.max_factorizations.div_ceil(ATTEMPTS);
-    let mut hops = HOPS;
+    let mut rings = RINGS;
     while !report.converged && report.factorizations < most {
         let velocity = problem.velocities(impulses);
         let unsolved = |&k: &usize| {
             let row = &problem.rows.get(k);
             let load = row.load(&problem.rows, impulses);
             let u = row.relative_velocity(&velocity);
-            let correction = scales[k].correction(row, u, impulses[k], load);
-            let [gap, slip, force] = scales[k].residuals(row, problem.step, &correction);
+            let natural_map = scales[k].natural_map(row, u, impulses[k], load);
+            let [gap, slip, force] = scales[k].residuals(row, problem.step, &natural_map);
             let wanted = &params.tolerance;
             !(gap <= wanted.gap && slip <= wanted.slip && force <= wanted.force)
         };
         let seeds: Vec<usize> = (0..problem.rows.len()).filter(unsolved).collect();
-        let part = Part::around(problem, impulses, seeds.into_iter(), hops);
+        let part = LocalProblem::around(problem, impulses, seeds.into_iter(), rings);
         if part.problem.free.len() > MOST_BODIES {
             return (report, true);
         }
@@ -252,7 +252,7 @@ fn finish(
             &mut workspace.kernel,
             impulses,
         ));
-        hops *= 2;
+        rings *= 2;
     }
     (report, false)
 }

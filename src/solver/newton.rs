@@ -1,7 +1,7 @@
 //! Semismooth Newton on the true Coulomb cone, inside a proximal loop: what finishes steps on which block Gauss-Seidel
 //! and the lagged friction discs of the paper's loop go round in circles.
 //!
-//! For multipliers `p` held, each row answers a velocity with
+//! For multipliers `p` held, each row responses a velocity with
 //!
 //! ```text
 //! p^_n = max(0, (p_n - s (u_n + b_n)) / (1 + s c_n))
@@ -24,7 +24,7 @@ use crate::Vec3;
 use crate::linalg::{GeneralMatrix, LinearError};
 use crate::problem::law::{SHEAR_RATIO, split};
 use crate::problem::{GROUND, Law, Problem, Row, Rows};
-use crate::spatial::Dof6;
+use crate::spatial::SpatialVector;
 
 /// First proximal parameter `kappa` \[-\].
 const FIRST: f64 = 30.0;
@@ -37,26 +37,26 @@ const SHORTEST: f64 = 1e-4;
 /// Out-of-balance momentum over the momentum at which Newton stops, and up to which a proximal step counts.
 const BALANCE: [f64; 2] = [1e-13, 1e-9];
 
-/// A row's answer to a velocity.
+/// A row's response to a velocity.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Answer {
+pub(super) struct Response {
     /// Its impulse `p^` \[N s\].
     pub(super) impulse: Vec3,
     /// `-d p^ / d u` \[kg\].
     pub(super) tangent: Matrix3<f64>,
     /// Of a resistance: `-d p^ / d u_n` \[kg\], `u_n` being the normal velocity of its contact.
-    pub(super) widening: Vec3,
+    pub(super) bound_derivative: Vec3,
 }
 
-/// The answer of a row with impulse `p` at velocity `u`, for the proximal stiffness `s` \[kg\]; `contact` is that of a
+/// The response of a row with impulse `p` at velocity `u`, for the proximal stiffness `s` \[kg\]; `contact` is that of a
 /// resistance's contact, with its normal.
-pub(super) fn answer(
+pub(super) fn row_response(
     row: &Row,
     u: Vec3,
     p: Vec3,
     s: f64,
-    contact: Option<(&Answer, Vec3)>,
-) -> Answer {
+    contact: Option<(&Response, Vec3)>,
+) -> Response {
     let n = row.normal;
     let (d_n, d_t) = split(u + row.bias, n);
     let (p_n, p_t) = split(p, n);
@@ -67,10 +67,10 @@ pub(super) fn answer(
     let y_t = (p_t / s_t - d_t) * k_t;
     let nn = n * n.transpose();
     let across = Matrix3::identity() - nn;
-    let nothing = Answer {
+    let nothing = Response {
         impulse: Vec3::zeros(),
         tangent: Matrix3::zeros(),
-        widening: Vec3::zeros(),
+        bound_derivative: Vec3::zeros(),
     };
     let load = match (row.law, contact) {
         (Law::Contact { .. }, _) if q_n <= 0.0 => return nothing,
@@ -80,19 +80,19 @@ pub(super) fn answer(
     };
     let (bounds, growth) = (row.law.bounds(load), row.law.growth());
     let (along, tangential) = (bounds.along(q_n), bounds.across(y_t, &across));
-    let mut answer = Answer {
+    let mut response = Response {
         impulse: n * along.value + tangential.value,
         tangent: tangential.tangent * k_t,
         ..nothing
     };
     if along.inside {
-        answer.tangent = nn * k_n + answer.tangent;
+        response.tangent = nn * k_n + response.tangent;
     }
     let wider = tangential.outward * growth[1];
     match (row.law, contact) {
         // Its own normal impulse bounds it.
         (Law::Contact { .. }, _) => {
-            answer.tangent += tangential.outward * n.transpose() * (growth[1] * k_n);
+            response.tangent += tangential.outward * n.transpose() * (growth[1] * k_n);
         }
         (Law::Resistance { .. }, Some((contact, normal))) => {
             let stiffness = normal.dot(&(contact.tangent * normal));
@@ -100,11 +100,11 @@ pub(super) fn answer(
                 true => Vec3::zeros(),
                 false => n * (along.side * growth[0]),
             };
-            answer.widening = (wider + turns) * stiffness;
+            response.bound_derivative = (wider + turns) * stiffness;
         }
         _ => {}
     }
-    answer
+    response
 }
 
 /// Stiffness across the normal over that along it \[-\].
@@ -119,12 +119,12 @@ pub(super) fn shear_share(row: &Row) -> f64 {
 pub(super) fn bound<'a>(
     row: &Row,
     rows: &Rows,
-    answers: &'a [Answer],
-) -> Option<(&'a Answer, Vec3)> {
+    responses: &'a [Response],
+) -> Option<(&'a Response, Vec3)> {
     match row.law {
         Law::Resistance { contact, .. } => {
             let contact = contact as usize;
-            Some((answers.get(contact)?, rows.normal(contact)))
+            Some((responses.get(contact)?, rows.normal(contact)))
         }
         _ => None,
     }
@@ -132,8 +132,8 @@ pub(super) fn bound<'a>(
 
 /// Where a Newton iteration stands.
 struct Iterate {
-    velocity: Vec<Dof6>,
-    rows: Vec<Answer>,
+    velocity: Vec<SpatialVector>,
+    rows: Vec<Response>,
     /// `A (v - v_free) - J^T p^`, `[6 N]`.
     balance: Vec<f64>,
     /// Its norm in the inverse masses.
@@ -150,39 +150,39 @@ pub(super) struct Proximal<'a> {
 }
 
 impl Proximal<'_> {
-    fn at(&self, velocity: Vec<Dof6>) -> Iterate {
+    fn at(&self, velocity: Vec<SpatialVector>) -> Iterate {
         let rows = &self.problem.rows;
-        let mut answers: Vec<Answer> = Vec::with_capacity(rows.len());
+        let mut responses: Vec<Response> = Vec::with_capacity(rows.len());
         for ((row, &p), &s) in rows.iter().zip(self.impulses).zip(&self.stiffness) {
-            let contact = bound(&row, rows, &answers);
+            let contact = bound(&row, rows, &responses);
             let u = row.relative_velocity(&velocity);
-            answers.push(answer(&row, u, p, s, contact));
+            responses.push(row_response(&row, u, p, s, contact));
         }
         let mut balance = Vec::with_capacity(6 * velocity.len());
         for (i, (v, free)) in velocity.iter().zip(&self.problem.free).enumerate() {
             balance.extend(self.masses.times(i, &v.plus(free, -1.0)));
         }
-        for (row, answer) in rows.iter().zip(&answers) {
-            self.masses.scatter(&row, -answer.impulse, &mut balance);
+        for (row, response) in rows.iter().zip(&responses) {
+            self.masses.scatter(&row, -response.impulse, &mut balance);
         }
         let merit = self.masses.inverse_norm_squared(&balance);
         Iterate {
             velocity,
-            rows: answers,
+            rows: responses,
             balance,
             merit: merit.sqrt(),
         }
     }
 
-    pub(super) fn assemble(&self, matrix: &mut GeneralMatrix, answers: &[Answer]) {
+    pub(super) fn assemble(&self, matrix: &mut GeneralMatrix, responses: &[Response]) {
         matrix.clear();
         for i in 0..self.masses.len() {
             matrix.add(i, i, &self.masses.block(i));
         }
         let rows = &self.problem.rows;
-        for (row, answer) in rows.iter().zip(answers) {
-            let tangent = &answer.tangent;
-            let [grip_a, grip_b] = row.grips();
+        for (row, response) in rows.iter().zip(responses) {
+            let tangent = &response.tangent;
+            let [grip_a, grip_b] = row.jacobian();
             let a = row.a as usize;
             let h = self.masses.jacobian(row.a, grip_a);
             matrix.add(a, a, &(h.transpose() * tangent * h));
@@ -194,19 +194,24 @@ impl Proximal<'_> {
                 matrix.add(b, a, &(-q.transpose() * tangent * h));
             }
             if let Law::Resistance { contact, .. } = row.law {
-                self.widen(matrix, &row, &rows.get(contact as usize), answer.widening);
+                self.widen(
+                    matrix,
+                    &row,
+                    &rows.get(contact as usize),
+                    response.bound_derivative,
+                );
             }
         }
     }
 
     /// A resistance widens with its contact's normal impulse: couples the two rows of the same bodies.
-    fn widen(&self, matrix: &mut GeneralMatrix, row: &Row, contact: &Row, widening: Vec3) {
-        if widening == Vec3::zeros() {
+    fn widen(&self, matrix: &mut GeneralMatrix, row: &Row, contact: &Row, bound_derivative: Vec3) {
+        if bound_derivative == Vec3::zeros() {
             return;
         }
-        let coupling = widening * contact.normal.transpose();
+        let coupling = bound_derivative * contact.normal.transpose();
         let bodies = |row: &Row| {
-            let [grip_a, grip_b] = row.grips();
+            let [grip_a, grip_b] = row.jacobian();
             let first = (row.a as usize, self.masses.jacobian(row.a, grip_a));
             let second =
                 (row.b != GROUND).then(|| (row.b as usize, -self.masses.jacobian(row.b, grip_b)));
@@ -316,8 +321,8 @@ pub fn solve(
             growth = growth.sqrt().max(GROWTH[1]);
             continue;
         }
-        for (p, answer) in impulses.iter_mut().zip(&end.rows) {
-            *p = answer.impulse;
+        for (p, response) in impulses.iter_mut().zip(&end.rows) {
+            *p = response.impulse;
         }
         report.augmentations += 1;
         report.residual = evaluate(problem, &scales, impulses);
@@ -356,10 +361,10 @@ mod tests {
         // The first three directions are those of the row, the others those of a resistance's contact.
         for (row, u) in cases {
             let at = |u: Vec3, beside: Vec3| {
-                let below = answer(&contact, beside, p, 20.0, None);
+                let below = row_response(&contact, beside, p, 20.0, None);
                 let bound = matches!(row.law, Law::Resistance { .. });
                 let own = if bound { q } else { p };
-                answer(
+                row_response(
                     &row,
                     u,
                     own,
@@ -369,7 +374,7 @@ mod tests {
             };
             let beside = Vec3::new(0.02, 0.01, -0.1);
             let here = at(u, beside);
-            let widening = here.widening * contact.normal.transpose();
+            let bound_derivative = here.bound_derivative * contact.normal.transpose();
             let error = |h: f64| {
                 (0..6)
                     .map(|axis| {
@@ -379,7 +384,7 @@ mod tests {
                             _ => at(u, beside + step),
                         });
                         let slope = (plus.impulse - minus.impulse) / (2.0 * h);
-                        let tangent = [here.tangent, widening][axis / 3];
+                        let tangent = [here.tangent, bound_derivative][axis / 3];
                         (slope + tangent.column(axis % 3)).norm()
                     })
                     .fold(0.0, f64::max)

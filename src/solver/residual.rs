@@ -18,7 +18,7 @@
 //! ```text
 //! margin  |y_n| / max(|p|, m_min |a_f| dt)      to opening or closing
 //!         ||y_t| - mu p_n| / (mu p_n)           to stick or slip, likewise of resistances
-//! kink    1 - the smallest margin of all rows, at least 0
+//! active_set_closeness    1 - the smallest margin of all rows, at least 0
 //! ```
 //!
 //! The residual vanishes exactly at a solution. Velocities are those of the impulses, never a solver's own.
@@ -74,7 +74,7 @@ pub struct Residual {
     /// Row of the largest gap, slip and force residual.
     pub worst: [usize; 3],
     /// How near a row is to the edge of its state: 1 at the edge, 0 far from it.
-    pub kink: f64,
+    pub active_set_closeness: f64,
 }
 
 impl Residual {
@@ -106,13 +106,13 @@ impl Residual {
             slip,
             force,
             worst: [index; 3],
-            kink: 1.0 - margin,
+            active_set_closeness: 1.0 - margin,
         });
     }
 
     /// Takes those of other rows into the extremes.
     pub(super) fn join(&mut self, other: &Self) {
-        self.kink = self.kink.max(other.kink);
+        self.active_set_closeness = self.active_set_closeness.max(other.active_set_closeness);
         let maxima = [&mut self.gap, &mut self.slip, &mut self.force];
         let values = [other.gap, other.slip, other.force];
         for (k, (maximum, value)) in maxima.into_iter().zip(values).enumerate() {
@@ -158,7 +158,7 @@ impl Scale {
     /// A row that nothing can move (`w = 0`) keeps its impulse.
     #[must_use]
     #[inline]
-    pub fn correction(&self, row: &Row, u: Vec3, p: Vec3, load: f64) -> Correction {
+    pub fn natural_map(&self, row: &Row, u: Vec3, p: Vec3, load: f64) -> NaturalMap {
         let n = row.normal;
         let (u_n, u_t) = split(u + row.bias, n);
         let open = match row.law {
@@ -167,7 +167,7 @@ impl Scale {
             Law::Resistance { .. } => load == 0.0,
         };
         if open && p == Vec3::zeros() {
-            return Correction::NONE;
+            return NaturalMap::NONE;
         }
         let (p_n, p_t) = split(p, n);
         let d_n = u_n + row.compliance_n * p_n;
@@ -183,7 +183,7 @@ impl Scale {
             p_t
         };
         let (new_n, new_t) = row.law.project(free_n, free_t, load);
-        Correction {
+        NaturalMap {
             normal: new_n - p_n,
             tangential: new_t - p_t,
             magnitude: (new_n * new_n + new_t.norm_squared()).sqrt(),
@@ -210,11 +210,11 @@ impl Scale {
         row.law.margin(y_n, y_t, pressing, size)
     }
 
-    /// The three dimensionless residuals of a row whose impulse is off by `correction`.
+    /// The three dimensionless residuals of a row whose impulse is off by `natural_map`.
     #[must_use]
-    pub fn residuals(&self, row: &Row, step: f64, correction: &Correction) -> [f64; 3] {
-        let tangential = correction.tangential.norm();
-        let normal = correction.normal.abs();
+    pub fn residuals(&self, row: &Row, step: f64, natural_map: &NaturalMap) -> [f64; 3] {
+        let tangential = natural_map.tangential.norm();
+        let normal = natural_map.normal.abs();
         let force = (normal * normal + tangential * tangential).sqrt();
         let length = step / row.radius;
         let (along, across) = (
@@ -226,7 +226,7 @@ impl Scale {
             _ => (along, across),
         };
         // Without any scale an impulse that should vanish is off by all of itself.
-        let size = match correction.magnitude.max(row.impulse_scale) {
+        let size = match natural_map.magnitude.max(row.impulse_scale) {
             0.0 => force.max(f64::MIN_POSITIVE),
             size => size,
         };
@@ -236,7 +236,7 @@ impl Scale {
 
 /// How far a row's impulse is from its law \[N s\].
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Correction {
+pub struct NaturalMap {
     /// Along the normal.
     pub normal: f64,
     /// Across it.
@@ -245,7 +245,7 @@ pub struct Correction {
     pub magnitude: f64,
 }
 
-impl Correction {
+impl NaturalMap {
     /// An open contact that stays open.
     const NONE: Self = Self {
         normal: 0.0,
@@ -262,8 +262,8 @@ pub fn evaluate(problem: &Problem, scales: &[Scale], impulses: &[Vec3]) -> Resid
     for (index, ((row, scale), &p)) in problem.rows.iter().zip(scales).zip(impulses).enumerate() {
         let load = row.load(&problem.rows, impulses);
         let u = row.relative_velocity(&velocity);
-        let correction = scale.correction(&row, u, p, load);
-        let values = scale.residuals(&row, problem.step, &correction);
+        let natural_map = scale.natural_map(&row, u, p, load);
+        let values = scale.residuals(&row, problem.step, &natural_map);
         residual.include(index, values, scale.margin(&row, u, p, load));
     }
     residual

@@ -14,13 +14,13 @@
 //! along; where contacts are more than the motions need, `dv` is unique and `dp` one of many.
 
 use super::bodies::{Masses, moved};
-use super::newton::{Answer, Proximal, answer, bound, empty, shear_share, stiffness};
+use super::newton::{Proximal, Response, bound, empty, row_response, shear_share, stiffness};
 use super::residual::Scale;
 use crate::Vec3;
 use crate::linalg::{GeneralFactor, LinearError};
 use crate::problem::law::split;
 use crate::problem::{Law, Problem, Row};
-use crate::spatial::Dof6;
+use crate::spatial::SpatialVector;
 
 /// `kappa` \[-\].
 const KAPPA: f64 = 1e4;
@@ -34,7 +34,7 @@ const AT_BOUND: f64 = 1e-9;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Change {
     /// Of the velocities, with the impulses held; `[N + D]`.
-    pub velocity: Vec<Dof6>,
+    pub velocity: Vec<SpatialVector>,
     /// Of the rows' unit normals, `[C]`.
     pub normal: Vec<Vec3>,
     /// Of `u + b` with the velocities held \[m/s\], `[C]`.
@@ -59,22 +59,22 @@ pub fn respond(
         masses: &masses,
     };
     let velocity = problem.velocities(impulses);
-    let (mut answers, mut approach) = (Vec::new(), Vec::new());
+    let (mut responses, mut approach) = (Vec::new(), Vec::new());
     for (k, row) in problem.rows.iter().enumerate() {
         let u = row.relative_velocity(&velocity) + row.bias;
-        let contact = bound(&row, &problem.rows, &answers);
+        let contact = bound(&row, &problem.rows, &responses);
         let (p, s) = (impulses[k], proximal.stiffness[k]);
         let load = row.load(&problem.rows, impulses);
         let settled = consistent(&row, u, p, s, load) - row.bias;
-        answers.push(answer(&row, settled, p, s, contact));
+        responses.push(row_response(&row, settled, p, s, contact));
         approach.push(u);
     }
     let mut matrix = empty(problem)?;
-    proximal.assemble(&mut matrix, &answers);
+    proximal.assemble(&mut matrix, &responses);
     let tangent = Tangent {
         factor: matrix.factorize()?,
         proximal,
-        answers,
+        responses,
         approach,
     };
     changes
@@ -86,7 +86,7 @@ pub fn respond(
 /// The derivative of a solved problem.
 struct Tangent<'a> {
     proximal: Proximal<'a>,
-    answers: Vec<Answer>,
+    responses: Vec<Response>,
     /// `u + b` at the solution, `[C]`.
     approach: Vec<Vec3>,
     factor: GeneralFactor,
@@ -118,7 +118,7 @@ impl Tangent<'_> {
         let given: Vec<Vec3> = (0..rows.len())
             .map(|k| change.approach[k] - turn[k].cross(&self.approach[k]))
             .collect();
-        let at_rest = vec![Dof6::ZERO; held.len()];
+        let at_rest = vec![SpatialVector::ZERO; held.len()];
         let mut own = vec![Vec3::zeros(); rows.len()];
         for _ in 0..SOLUTIONS {
             let known: Vec<Vec3> = (0..rows.len())
@@ -133,7 +133,9 @@ impl Tangent<'_> {
             let seen: Vec<Vec3> = rows
                 .iter()
                 .zip(&known)
-                .map(|(row, known)| known + row.relative_velocity(&velocity) - row.drift)
+                .map(|(row, known)| {
+                    known + row.relative_velocity(&velocity) - row.prescribed_velocity
+                })
                 .collect();
             let next: Vec<Vec3> = (0..rows.len()).map(|k| self.answer(k, &seen)).collect();
             let largest = |of: &dyn Fn(usize) -> f64| (0..rows.len()).map(of).fold(0.0, f64::max);
@@ -151,15 +153,15 @@ impl Tangent<'_> {
             .collect())
     }
 
-    /// What row `k` answers to changes of `u + b - S^-1 p`, `[C]`.
+    /// What row `k` responses to changes of `u + b - S^-1 p`, `[C]`.
     fn answer(&self, k: usize, seen: &[Vec3]) -> Vec3 {
-        let (row, answer) = (self.proximal.problem.rows.get(k), &self.answers[k]);
+        let (row, answer) = (self.proximal.problem.rows.get(k), &self.responses[k]);
         let own = -(answer.tangent * seen[k]);
         match row.law {
             Law::Resistance { contact, .. } => {
                 let contact = contact as usize;
                 let normal = self.proximal.problem.rows.normal(contact);
-                own - answer.widening * normal.dot(&seen[contact])
+                own - answer.bound_derivative * normal.dot(&seen[contact])
             }
             _ => own,
         }

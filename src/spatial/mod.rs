@@ -6,4 +6,4 @@ mod pose;
 mod vector;
 
 pub use pose::{Pose, turned};
-pub use vector::{Dof6, Operator, Twist, Wrench};
+pub use vector::{SpatialOperator, SpatialVector, Twist, Wrench};

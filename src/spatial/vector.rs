@@ -7,14 +7,14 @@ use crate::Vec3;
 
 /// A body's linear and angular parts: velocity \[m/s\], \[rad/s\], a sphere's inverse inertia, momentum, force and torque.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct Dof6 {
+pub struct SpatialVector {
     /// Linear part.
     pub linear: Vec3,
     /// Angular part.
     pub angular: Vec3,
 }
 
-impl Dof6 {
+impl SpatialVector {
     /// Zero in all six components.
     pub const ZERO: Self = Self {
         linear: Vec3::new(0.0, 0.0, 0.0),
@@ -22,7 +22,7 @@ impl Dof6 {
     };
 
     /// Adds `W momentum`.
-    pub fn kick(&mut self, inverse_mass: &Self, momentum: &Self) {
+    pub fn apply_impulse(&mut self, inverse_mass: &Self, momentum: &Self) {
         self.linear += inverse_mass.linear.component_mul(&momentum.linear);
         self.angular += inverse_mass.angular.component_mul(&momentum.angular);
     }
@@ -51,14 +51,14 @@ impl Dof6 {
 
 /// A symmetric operator on a driven body's six components that does not couple the linear with the angular part.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct Operator {
+pub struct SpatialOperator {
     /// Linear block.
     pub linear: Matrix3<f64>,
     /// Angular block.
     pub angular: Matrix3<f64>,
 }
 
-impl Operator {
+impl SpatialOperator {
     /// Zero: a body that is held.
     #[must_use]
     pub fn zero() -> Self {
@@ -70,8 +70,8 @@ impl Operator {
 
     /// The operator applied to both parts.
     #[must_use]
-    pub fn times(&self, x: &Dof6) -> Dof6 {
-        Dof6 {
+    pub fn times(&self, x: &SpatialVector) -> SpatialVector {
+        SpatialVector {
             linear: self.linear * x.linear,
             angular: self.angular * x.angular,
         }

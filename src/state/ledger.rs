@@ -6,13 +6,13 @@ use serde::{Deserialize, Serialize};
 
 /// Work done since t = 0 \[J\].
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
-pub struct Work {
+pub struct EnergyLedger {
     /// Energy lost by sliding friction, and by resistance to rolling and twisting.
     pub friction: f64,
     /// Energy lost along the normals of impacts and at the stops of joints.
     pub impact: f64,
     /// Energy that the scheme has added; negative: taken. What is left of the change of kinetic energy after all other work.
-    pub residue: f64,
+    pub numerical_work: f64,
     /// Work of moving boundaries on the spheres.
     pub boundaries: f64,
     /// Potential energy that spheres and driven bodies got because gravity changed with time.
@@ -25,7 +25,7 @@ pub struct Work {
     pub springs: f64,
 }
 
-impl Work {
+impl EnergyLedger {
     /// Energy lost in contacts \[J\]: friction and impact.
     #[must_use]
     pub fn dissipated(&self) -> f64 {
@@ -33,14 +33,14 @@ impl Work {
     }
 }
 
-impl Add for Work {
+impl Add for EnergyLedger {
     type Output = Self;
 
     fn add(self, other: Self) -> Self {
         Self {
             friction: self.friction + other.friction,
             impact: self.impact + other.impact,
-            residue: self.residue + other.residue,
+            numerical_work: self.numerical_work + other.numerical_work,
             boundaries: self.boundaries + other.boundaries,
             gravity: self.gravity + other.gravity,
             loads: self.loads + other.loads,

@@ -2,14 +2,14 @@
 
 mod body;
 mod ledger;
-mod pace;
 mod report;
+mod step_control;
 mod velocities;
 
 pub use body::{BodyState, JointState};
-pub use ledger::Work;
-pub use pace::Pace;
+pub use ledger::EnergyLedger;
 pub use report::StepReport;
+pub use step_control::StepControl;
 pub use velocities::Velocities;
 
 use std::collections::VecDeque;
@@ -17,10 +17,10 @@ use std::collections::VecDeque;
 use serde::{Deserialize, Serialize};
 
 use crate::Vec3;
-use crate::contact::carried::Carried;
+use crate::contact::forces::ContactForces;
 use crate::scene::particles::Kinematics;
-use crate::scene::{Command, Rates, Scene};
-use crate::spatial::{Dof6, Pose, Twist, Wrench};
+use crate::scene::{Command, CommandDerivatives, Scene};
+use crate::spatial::{Pose, SpatialVector, Twist, Wrench};
 
 /// What a source has yet to emit.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
@@ -45,15 +45,15 @@ pub struct State {
     /// Spheres; velocities are the integrator's own.
     pub kinematics: Kinematics,
     /// Acceleration by external and persisting contact forces in the last step, `[N]`.
-    pub persisting: Vec<Dof6>,
-    /// The part of `persisting` that is by external forces, `[N]`; empty unless the frame rotates.
-    pub external: Vec<Dof6>,
+    pub smooth: Vec<SpatialVector>,
+    /// The part of `smooth` that is by external forces, `[N]`; empty unless the frame rotates.
+    pub external: Vec<SpatialVector>,
     /// Weight, inertial forces and point loads on all spheres in the last internal step \[N\].
     pub body_force: Vec3,
     /// The same averaged over the last communication step \[N\].
     pub mean_body_force: Vec3,
     /// Loaded contacts of the last step, canonical order.
-    pub contacts: Carried,
+    pub contacts: ContactForces,
     /// Force of each constrained spring on its sphere \[N\], `[S]`.
     pub springs: Vec<Vec3>,
     /// Boundary poses, `[B]`.
@@ -65,18 +65,18 @@ pub struct State {
     /// Commands in force, `[B]`.
     pub commands: Vec<Command>,
     /// Their derivatives by time over the next communication step, `[B]`; empty where all are held.
-    pub rates: Vec<Rates>,
+    pub rates: Vec<CommandDerivatives>,
     /// Wrench on each boundary over the last internal step, `[B]`.
     pub wrenches: Vec<Wrench>,
     /// Wrench on each boundary by contacts that were no impacts in the last internal step, `[B]`.
-    pub persisting_wrenches: Vec<Wrench>,
+    pub smooth_wrenches: Vec<Wrench>,
     /// Wrench on each boundary averaged over the last communication step, `[B]`.
     pub mean_wrenches: Vec<Wrench>,
     /// Impulse on each boundary that the mean of the next communication step takes over from one that was too short for a mean
     /// of its own, `[B]`.
     pub owed: Vec<Wrench>,
     /// Work since t = 0.
-    pub work: Work,
+    pub work: EnergyLedger,
     /// Spheres of each source that wait outside the scene, `[sources]`.
     pub reserves: Vec<Reserve>,
     /// Mass each source has emitted \[kg\], `[sources]`.
@@ -94,7 +94,7 @@ pub struct State {
     /// Report of the last communication step.
     pub report: StepReport,
     /// Length of the next internal step, and whether the scene rests.
-    pub pace: Pace,
+    pub control: StepControl,
 }
 
 /// A [`Clone`] of all `fields` that copies into the memory that there is, which the derived one does not.
@@ -115,9 +115,9 @@ macro_rules! clone_in_place {
 }
 
 clone_in_place! {
-    time last_step gravity kinematics persisting external body_force mean_body_force contacts springs
-    poses twists bodies commands rates wrenches persisting_wrenches mean_wrenches owed work reserves
-    emitted removed passed flow initial_overlap penalty report pace
+    time last_step gravity kinematics smooth external body_force mean_body_force contacts springs
+    poses twists bodies commands rates wrenches smooth_wrenches mean_wrenches owed work reserves
+    emitted removed passed flow initial_overlap penalty report control
 }
 
 impl State {

@@ -27,7 +27,7 @@ pub struct StepReport {
     pub force_residual: f64,
     /// How near a contact came to the edge of its state (open, stick, slip) in any internal step: 1 is at the edge, where
     /// derivatives are one-sided, 0 far from it \[-\].
-    pub kink: f64,
+    pub active_set_closeness: f64,
 }
 
 impl StepReport {
@@ -43,6 +43,6 @@ impl StepReport {
         self.gap_residual = self.gap_residual.max(later.gap_residual);
         self.slip_residual = self.slip_residual.max(later.slip_residual);
         self.force_residual = self.force_residual.max(later.force_residual);
-        self.kink = self.kink.max(later.kink);
+        self.active_set_closeness = self.active_set_closeness.max(later.active_set_closeness);
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::integrator::Integrator;
 use crate::scene::particles::Kinematics;
-use crate::spatial::{Dof6, Twist};
+use crate::spatial::{SpatialVector, Twist};
 
 /// Velocities of the spheres that differ from the integrator's own, formed for the sphere that is asked for.
 #[derive(Debug, Clone, Copy)]
@@ -10,7 +10,7 @@ pub struct Velocities<'a> {
     /// What moves, with the integrator's own velocities.
     pub kinematics: &'a Kinematics,
     /// Acceleration by external and persisting contact forces in the last step, `[N]`.
-    pub persisting: &'a [Dof6],
+    pub smooth: &'a [SpatialVector],
     /// Integrator.
     pub integrator: Integrator,
     /// Last internal step \[s\].
@@ -24,8 +24,8 @@ impl Velocities<'_> {
     #[must_use]
     #[inline]
     pub fn reported(&self, i: usize) -> Twist {
-        let (own, persisting) = (self.own(i), &self.persisting[i]);
-        twist(&self.integrator.reported(&own, persisting, self.last))
+        let (own, smooth) = (self.own(i), &self.smooth[i]);
+        twist(&self.integrator.reported(&own, smooth, self.last))
     }
 
     /// Velocity \[m/s\] and angular velocity \[rad/s\] of sphere `i` half a `simulation.step` before that time (integrator
@@ -34,19 +34,19 @@ impl Velocities<'_> {
     #[inline]
     pub fn half_step(&self, i: usize) -> Twist {
         let shift = self.integrator.shift(self.last, self.step);
-        twist(&self.own(i).plus(&self.persisting[i], shift))
+        twist(&self.own(i).plus(&self.smooth[i], shift))
     }
 
     #[inline]
-    fn own(&self, i: usize) -> Dof6 {
-        Dof6 {
+    fn own(&self, i: usize) -> SpatialVector {
+        SpatialVector {
             linear: self.kinematics.velocity[i],
             angular: self.kinematics.spin[i],
         }
     }
 }
 
-fn twist(velocity: &Dof6) -> Twist {
+fn twist(velocity: &SpatialVector) -> Twist {
     Twist {
         linear: velocity.linear,
         angular: velocity.angular,

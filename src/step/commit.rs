@@ -5,24 +5,24 @@ use std::ops::Range;
 
 use nalgebra::UnitQuaternion;
 
-use super::assemble::joint::Held;
+use super::assemble::joint::JointConstraint;
+use super::assembly::Assembly;
 use super::external;
-use super::stage::Stage;
 use crate::Vec3;
-use crate::contact::{Load, Partner};
+use crate::contact::{ContactForce, Partner};
 use crate::integrator::Integrator;
 use crate::problem::{GROUND, Law};
 use crate::scene::Scene;
-use crate::spatial::{Dof6, Pose, Wrench, turned};
-use crate::state::{BodyState, State, Work};
-use crate::step::prediction::Start;
+use crate::spatial::{Pose, SpatialVector, Wrench, turned};
+use crate::state::{BodyState, EnergyLedger, State};
+use crate::step::prediction::Prediction;
 
 /// Of pieces of the spheres: centres and orientations.
 type Places<'a> = (&'a mut [Vec3], &'a mut [UnitQuaternion<f64>]);
 /// Likewise velocities and spins.
 type Velocities<'a> = (&'a mut [Vec3], &'a mut [Vec3]);
 
-impl Stage<'_> {
+impl Assembly<'_> {
     /// Counts as impacts the contacts that an impact has hit through others: their impulses are more than twice what they
     /// carried before and what loads bring in a step. As persisting forces they would shift the half step.
     pub(super) fn spread_impacts(&mut self, state: &State) {
@@ -31,12 +31,12 @@ impl Stage<'_> {
             return;
         }
         let step = self.inputs.step;
-        let first = self.first_hold();
-        for (k, held) in self.holds.iter_mut().enumerate() {
+        let first = self.first_joint();
+        for (k, joint) in self.joints.iter_mut().enumerate() {
             let load = self.inputs.weight(self.problem.rows.bodies(first + k)[0]);
-            let before = held.hold.force.abs();
+            let before = joint.limit.force.abs();
             let handed_on = self.impulses[first + k].norm() > 2.0 * step * (before + load);
-            held.impact |= held.hold.stops() && handed_on;
+            joint.impact |= joint.limit.stops() && handed_on;
         }
         for (k, (impact, past)) in self.impact.iter_mut().zip(&self.past).enumerate() {
             let size = self.impulses[k].norm();
@@ -58,7 +58,7 @@ impl Stage<'_> {
         let boundaries = &self.inputs.scene.boundaries;
         state.contacts.clear();
         state.wrenches = vec![Wrench::default(); boundaries.len()];
-        state.persisting_wrenches.clone_from(&state.wrenches);
+        state.smooth_wrenches.clone_from(&state.wrenches);
         let couples = self.couples();
         for (k, candidate) in self.candidates.iter().enumerate() {
             let force = self.impulses[k] / step;
@@ -66,7 +66,7 @@ impl Stage<'_> {
             if force == Vec3::zeros() {
                 continue;
             }
-            let load = Load {
+            let load = ContactForce {
                 key: candidate.key,
                 normal: candidate.normal,
                 force,
@@ -86,7 +86,7 @@ impl Stage<'_> {
                 };
                 state.wrenches[b].add(&wrench, 1.0);
                 if !self.impact[k] {
-                    state.persisting_wrenches[b].add(&wrench, 1.0);
+                    state.smooth_wrenches[b].add(&wrench, 1.0);
                 }
             }
         }
@@ -99,7 +99,7 @@ impl Stage<'_> {
         }
         let mut couples = vec![Vec3::zeros(); self.candidates.len()];
         for (k, impulse) in self.impulses.iter().enumerate() {
-            if let Some(row) = self.problem.rows.special(k)
+            if let Some(row) = self.problem.rows.general(k)
                 && let Law::Resistance { contact, .. } = row.law
             {
                 couples[contact as usize] = impulse * (row.radius / self.inputs.step);
@@ -116,14 +116,14 @@ impl Stage<'_> {
     }
 
     /// Velocities before the step, `[N + D]`.
-    pub(super) fn before(&self) -> Vec<Dof6> {
+    pub(super) fn before(&self) -> Vec<SpatialVector> {
         (0..self.problem.free.len())
             .map(|i| self.before_of(i))
             .collect()
     }
 
     /// Velocity of one body before the step.
-    fn before_of(&self, i: usize) -> Dof6 {
+    fn before_of(&self, i: usize) -> SpatialVector {
         let kinematics = self.inputs.kinematics;
         match i.checked_sub(kinematics.len()) {
             None => kinematics.spatial_velocity(i),
@@ -132,38 +132,42 @@ impl Stage<'_> {
     }
 
     /// What the driven bodies carry on after `solution`, and the work of their dampers \[J\], `[D]`.
-    pub(super) fn finished(&self, solution: &[Dof6], ends: &[Pose]) -> Vec<(BodyState, f64)> {
+    pub(super) fn finished(
+        &self,
+        solution: &[SpatialVector],
+        ends: &[Pose],
+    ) -> Vec<(BodyState, f64)> {
         let spheres = self.inputs.kinematics.len();
         let bodies = self.inputs.bodies.iter().enumerate();
         bodies
             .map(|(d, body)| {
-                let [mut contacts, mut persisting] = [Dof6::ZERO; 2];
-                let mut holds = [0.0; 3];
+                let [mut contacts, mut smooth] = [SpatialVector::ZERO; 2];
+                let mut joint_forces = [0.0; 3];
                 let rank = (spheres + d) as u32;
                 for (k, &p) in self.impulses.iter().enumerate() {
                     let bodies = self.problem.rows.bodies(k);
                     let Some(side) = bodies.iter().position(|&body| body == rank) else {
                         continue;
                     };
-                    let grip = self.problem.rows.get(k).grips()[side];
+                    let grip = self.problem.rows.get(k).jacobian()[side];
                     let push = grip.momentum([p, -p][side]);
-                    if let Some(Held { hold, .. }) = self.held(k) {
-                        let force = p.dot(&hold.direction) / self.inputs.step;
-                        holds[hold.slot()] = force * hold.lever;
+                    if let Some(JointConstraint { limit, .. }) = self.joint(k) {
+                        let force = p.dot(&limit.direction) / self.inputs.step;
+                        joint_forces[limit.slot()] = force * limit.lever;
                     }
                     contacts = contacts.plus(&push, 1.0);
                     if !self.is_impact(k) {
-                        persisting = persisting.plus(&push, 1.0);
+                        smooth = smooth.plus(&push, 1.0);
                     }
                 }
                 let settings = &self.inputs.scene.settings;
-                let impulses = [&contacts, &persisting];
+                let impulses = [&contacts, &smooth];
                 let end = &ends[body.boundary];
                 body.finish(
                     settings,
                     &solution[spheres + d],
                     impulses,
-                    holds,
+                    joint_forces,
                     end,
                     self.inputs.step,
                 )
@@ -173,11 +177,19 @@ impl Stage<'_> {
 
     /// Acceleration by external forces and all contacts that are no impacts, `[N]`: what `solution` has over the free motion,
     /// less what impacts gave.
-    pub(super) fn persisting_acceleration(&self, solution: &[Dof6], acceleration: &mut Vec<Dof6>) {
+    pub(super) fn persisting_acceleration(
+        &self,
+        solution: &[SpatialVector],
+        acceleration: &mut Vec<SpatialVector>,
+    ) {
         let mobility = self.inputs.scene.settings.integrator.mobility();
         let rate = 1.0 / (mobility * self.inputs.step);
         // Driven bodies keep their own account.
-        let external = self.inputs.external.iter().chain(repeat(&Dof6::ZERO));
+        let external = self
+            .inputs
+            .external
+            .iter()
+            .chain(repeat(&SpatialVector::ZERO));
         let changes = solution.iter().zip(&self.problem.free).zip(external);
         acceleration.clear();
         acceleration
@@ -195,9 +207,9 @@ impl Stage<'_> {
     pub(super) fn commit(
         &self,
         state: &mut State,
-        solution: &[Dof6],
+        solution: &[SpatialVector],
         ends: &[Pose],
-        spare: &mut Vec<Dof6>,
+        spare: &mut Vec<SpatialVector>,
     ) {
         self.persisting_acceleration(solution, spare);
         let finished = self.finished(solution, ends);
@@ -206,51 +218,52 @@ impl Stage<'_> {
         self.store(state);
         state.springs = self.spring_forces();
         self.advance(state, solution, spare);
-        std::mem::swap(&mut state.persisting, spare);
+        std::mem::swap(&mut state.smooth, spare);
         for (carried, (after, _)) in state.bodies.iter_mut().zip(finished) {
             *carried = after;
         }
     }
 
     /// Moves the spheres. What of the change of their kinetic energy external forces and [`Self::work`] do not account for is
-    /// the residue.
-    fn advance(&self, state: &mut State, solution: &[Dof6], persisting: &[Dof6]) {
+    /// the numerical_work.
+    fn advance(&self, state: &mut State, solution: &[SpatialVector], smooth: &[SpatialVector]) {
         let (scene, step) = (self.inputs.scene, self.inputs.step);
         let (particles, integrator) = (&scene.particles, scene.settings.integrator);
-        let kinetic = |i: usize, v: &Dof6| particles.kinetic_energy(i, &v.linear, &v.angular);
+        let kinetic =
+            |i: usize, v: &SpatialVector| particles.kinetic_energy(i, &v.linear, &v.angular);
         let (start, end) = (self.inputs.kinematics, &mut state.kinematics);
         let places = (&mut end.position[..], &mut end.orientation[..]);
         let velocities = (&mut end.velocity[..], &mut end.spin[..]);
-        let carried = &state.persisting[..];
+        let carried = &state.smooth[..];
         let advance = |first: usize, (places, velocities): (Places, Velocities)| {
             let places = places.0.iter_mut().zip(places.1);
             let velocities = velocities.0.iter_mut().zip(velocities.1);
-            let mut residue = 0.0;
+            let mut numerical_work = 0.0;
             for (i, (place, motion)) in (first..).zip(places.zip(velocities)) {
                 let ((position, orientation), (velocity, spin)) = (place, motion);
                 let (v1, external) = (&solution[i], &self.inputs.external[i]);
                 let before = start.spatial_velocity(i);
                 let after = integrator.finish(&before, v1, scene.settings.dynamic_coefficient);
                 let old = integrator.reported(&before, &carried[i], step);
-                let new = integrator.reported(&after, &persisting[i], step);
+                let new = integrator.reported(&after, &smooth[i], step);
                 let power = particles.mass[i] * external.linear.dot(&v1.linear)
                     + particles.inertia(i) * external.angular.dot(&v1.angular);
-                residue += kinetic(i, &new) - kinetic(i, &old) - step * power;
+                numerical_work += kinetic(i, &new) - kinetic(i, &old) - step * power;
                 *position = start.position[i] + v1.linear * step;
                 *orientation = turned(&start.orientation[i], &v1.angular, step);
                 (*velocity, *spin) = (after.linear, after.angular);
             }
-            residue
+            numerical_work
         };
         let spheres = (places, velocities);
-        let residue = self.pool.pieces(spheres, advance, |a, b| a + b);
-        state.work.residue += residue;
+        let numerical_work = self.pool.pieces(spheres, advance, |a, b| a + b);
+        state.work.numerical_work += numerical_work;
     }
 
     /// Adds the step's work. Lasting forces act along the displacement `dt v1`; an impact's work is `p . (u^- + u1)/2`. What
     /// contacts take across their normals is friction, along those of impacts the impact's loss. Along the normals of lasting
-    /// contacts nothing is lost but by the scheme: that and all else of the change of kinetic energy is the residue.
-    fn work(&self, state: &mut State, solution: &[Dof6]) {
+    /// contacts nothing is lost but by the scheme: that and all else of the change of kinetic energy is the numerical_work.
+    fn work(&self, state: &mut State, solution: &[SpatialVector]) {
         let (scene, step) = (self.inputs.scene, self.inputs.step);
         let all = 0..self.impulses.len();
         let of = |_, rows| self.work_of(rows, solution);
@@ -262,18 +275,18 @@ impl Stage<'_> {
     }
 
     /// What the contacts and springs `range` of the rows do.
-    fn work_of(&self, range: Range<usize>, solution: &[Dof6]) -> Work {
-        let mut work = Work::default();
+    fn work_of(&self, range: Range<usize>, solution: &[SpatialVector]) -> EnergyLedger {
+        let mut work = EnergyLedger::default();
         // Work on the spheres that is accounted for.
         let mut known = 0.0;
         let rows = &self.problem.rows;
         for k in range {
             let p = &self.impulses[k];
-            if *p == Vec3::zeros() || self.held(k).is_some() {
+            if *p == Vec3::zeros() || self.joint(k).is_some() {
                 continue;
             }
-            let special = rows.special(k);
-            let law = special.map(|row| row.law);
+            let general = rows.general(k);
+            let law = general.map(|row| row.law);
             if law == Some(Law::Bilateral) {
                 let spring = p.dot(&rows.relative(k, |i| solution[i]));
                 work.springs += spring;
@@ -298,17 +311,17 @@ impl Stage<'_> {
                 known -= loss;
             }
             // Of a prescribed motion, and of a belt also where its boundary is driven.
-            if let Some(row) = special {
-                let boundary = -p.dot(&row.drift);
+            if let Some(row) = general {
+                let boundary = -p.dot(&row.prescribed_velocity);
                 work.boundaries += boundary;
                 known += boundary;
             }
             if let Some(driven) = self.driven_side(k) {
-                let [_, grip] = rows.get(k).grips();
+                let [_, grip] = rows.get(k).jacobian();
                 known += p.dot(&grip.velocity(&velocity(driven)));
             }
         }
-        work.residue -= known;
+        work.numerical_work -= known;
         work
     }
 
@@ -316,7 +329,7 @@ impl Stage<'_> {
     fn body_work(
         &self,
         state: &mut State,
-        solution: &[Dof6],
+        solution: &[SpatialVector],
         finished: &[(BodyState, f64)],
         ends: &[Pose],
     ) {
@@ -328,8 +341,8 @@ impl Stage<'_> {
         let spheres = self.inputs.kinematics.len();
         let work = &mut state.work;
         for (k, p) in self.impulses.iter().enumerate() {
-            let (held, driven) = (self.held(k), self.driven_side(k));
-            if held.is_none() && driven.is_none() {
+            let (joint, driven) = (self.joint(k), self.driven_side(k));
+            if joint.is_none() && driven.is_none() {
                 continue;
             }
             let row = self.problem.rows.get(k);
@@ -338,16 +351,16 @@ impl Stage<'_> {
                 true => self.mean(solution, i),
                 false => solution[i],
             };
-            if let Some(held) = held {
+            if let Some(joint) = joint {
                 let done = p.dot(&row.relative(velocity));
-                work.residue -= done;
-                match held.hold.stops() {
+                work.numerical_work -= done;
+                match joint.limit.stops() {
                     true => work.impact -= done,
                     false => work.springs += done,
                 }
             } else if let Some(driven) = driven {
-                let [_, grip] = row.grips();
-                work.residue += p.dot(&grip.velocity(&velocity(driven)));
+                let [_, grip] = row.jacobian();
+                work.numerical_work += p.dot(&grip.velocity(&velocity(driven)));
             }
         }
         let bodies = self.inputs.bodies.iter().zip(&state.bodies).zip(finished);
@@ -355,7 +368,7 @@ impl Stage<'_> {
             let poses = [&self.inputs.poses[0][body.boundary], &ends[body.boundary]];
             let [old, new] = [(before, poses[0], state.last_step), (after, poses[1], step)].map(
                 |(carried, pose, last)| {
-                    let (momentum, lasting) = (&carried.momentum, &carried.persisting);
+                    let (momentum, lasting) = (&carried.momentum, &carried.smooth);
                     body.kinetic_energy(pose, &integrator.reported(momentum, lasting, last))
                 },
             );
@@ -365,7 +378,7 @@ impl Stage<'_> {
             work.loads += step * power;
             work.dampers += damped;
             let weight = body.weight_work(self.inputs.gravity, poses);
-            work.residue += new - old - step * power - damped - weight;
+            work.numerical_work += new - old - step * power - damped - weight;
         }
     }
 
@@ -376,9 +389,9 @@ impl Stage<'_> {
     }
 
     /// Mean velocity of a body over the step: what an impact works with.
-    fn mean(&self, solution: &[Dof6], i: usize) -> Dof6 {
+    fn mean(&self, solution: &[SpatialVector], i: usize) -> SpatialVector {
         match self.inputs.scene.settings.integrator {
-            Integrator::Moreau => Dof6::ZERO
+            Integrator::Moreau => SpatialVector::ZERO
                 .plus(&self.before_of(i), 0.5)
                 .plus(&solution[i], 0.5),
             Integrator::Shi => solution[i],
@@ -386,7 +399,7 @@ impl Stage<'_> {
     }
 }
 
-impl Start<'_> {
+impl Prediction<'_> {
     /// External forces, and the work of a gravity that changes, into the `state` after a step of `dt` \[s\].
     pub(super) fn book(&self, scene: &Scene, state: &mut State, dt: f64) {
         external::keep(scene, state, &self.external);

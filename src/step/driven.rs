@@ -6,12 +6,12 @@ use crate::Vec3;
 use crate::integrator::Integrator;
 use crate::scene::body::{Area, Body, Joint, Modes, along};
 use crate::scene::{Boundary, Command, InputKind, Scene, Settings};
-use crate::spatial::{Dof6, Operator, Pose, Twist};
+use crate::spatial::{Pose, SpatialOperator, SpatialVector, Twist};
 use crate::state::{BodyState, State};
 
 /// A driven body at the start of a step: everything that the step's problem needs of it.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Ready<'a> {
+pub struct BodyPrediction<'a> {
     /// Index of its boundary.
     pub boundary: usize,
     /// Its reference point \[m\], world.
@@ -19,27 +19,27 @@ pub struct Ready<'a> {
     /// Its point of action from the reference point \[m\].
     pub action: Vec3,
     /// Velocity before the step, matching its length.
-    pub velocity: Dof6,
+    pub velocity: SpatialVector,
     /// Velocity without contacts.
-    pub free: Dof6,
+    pub free: SpatialVector,
     /// `W`.
-    pub mobility: Operator,
+    pub mobility: SpatialOperator,
     /// Force \[N\] and torque about the reference point \[N m\] of loads and gravity.
-    pub external: Dof6,
+    pub external: SpatialVector,
     /// Those of the loads alone, force at the point of action.
-    pub load: Dof6,
+    pub load: SpatialVector,
     /// Acceleration by `external`.
-    pub acceleration: Dof6,
-    /// What its boundary's joint carried in the last step: [`BodyState::travel`], [`BodyState::holds`].
-    pub(super) travel: f64,
-    pub(super) held: [f64; 3],
+    pub acceleration: SpatialVector,
+    /// What its boundary's joint carried in the last step: [`BodyState::joint_position`], [`BodyState::joint_forces`].
+    pub(super) joint_position: f64,
+    pub(super) joint_forces: [f64; 3],
     pub(super) body: &'a Body,
-    pub(super) wall: &'a Boundary,
-    momentum: Dof6,
-    mass: Operator,
+    pub(super) surface: &'a Boundary,
+    momentum: SpatialVector,
+    mass: SpatialOperator,
 }
 
-impl<'a> Ready<'a> {
+impl<'a> BodyPrediction<'a> {
     /// All driven bodies of a step of `dt` \[s\] from `state`, `[D]`.
     #[must_use]
     pub fn all(scene: &'a Scene, state: &State, commands: &[Command], dt: f64) -> Vec<Self> {
@@ -75,14 +75,14 @@ impl<'a> Ready<'a> {
             true => state.gravity_at(scene, integrator.middle(state.time, dt)) * body.mass,
             false => Vec3::zeros(),
         };
-        let external = Dof6 {
+        let external = SpatialVector {
             linear: load.linear + weight,
             angular: load.angular + lever.cross(&load.linear) + centre.cross(&weight),
         };
         let here = body.operator(pivot, pose.rotation, f64::recip);
-        let (last, persisting) = (state.last_step, &carried.persisting);
-        let momentum = integrator.restep(&carried.momentum, persisting, last, dt);
-        let velocity = integrator.restep(&carried.velocity, &here.times(persisting), last, dt);
+        let (last, smooth) = (state.last_step, &carried.smooth);
+        let momentum = integrator.shift_half_step(&carried.momentum, smooth, last, dt);
+        let velocity = integrator.shift_half_step(&carried.velocity, &here.times(smooth), last, dt);
         let ahead = integrator.free(&momentum, &external, dt);
         let turn = here.times(&ahead).angular * (0.5 * dt);
         let middle = UnitQuaternion::from_scaled_axis(turn) * pose.rotation;
@@ -104,21 +104,21 @@ impl<'a> Ready<'a> {
             reference,
             action,
             velocity,
-            free: Dof6 {
+            free: SpatialVector {
                 linear: v,
                 angular: w,
             },
-            mobility: Operator {
+            mobility: SpatialOperator {
                 linear: linear_w,
                 angular: angular_w,
             },
             acceleration: here.times(&external),
             external,
             load,
-            travel: carried.travel,
-            held: carried.holds,
+            joint_position: carried.joint_position,
+            joint_forces: carried.joint_forces,
             body,
-            wall: boundary,
+            surface: boundary,
             momentum,
             mass: body.operator(pivot, middle, |inertia| inertia),
         }
@@ -139,7 +139,7 @@ impl<'a> Ready<'a> {
 
     /// The pose to which `velocity` leads from `pose` within `dt` \[s\].
     #[must_use]
-    pub fn moved(&self, pose: &Pose, velocity: &Dof6, dt: f64) -> Pose {
+    pub fn moved(&self, pose: &Pose, velocity: &SpatialVector, dt: f64) -> Pose {
         let turn = UnitQuaternion::from_scaled_axis(velocity.angular * dt);
         Pose {
             translation: pose.translation + velocity.linear * dt + turn * self.action - self.action,
@@ -149,17 +149,17 @@ impl<'a> Ready<'a> {
 
     /// Kinetic energy \[J\] at `pose` with `momentum` about the reference point.
     #[must_use]
-    pub fn kinetic_energy(&self, pose: &Pose, momentum: &Dof6) -> f64 {
+    pub fn kinetic_energy(&self, pose: &Pose, momentum: &SpatialVector) -> f64 {
         let mobility = self
             .body
-            .operator(self.wall.point_of_action, pose.rotation, f64::recip);
+            .operator(self.surface.point_of_action, pose.rotation, f64::recip);
         0.5 * momentum.dot(&mobility.times(momentum))
     }
 
     /// Mass times the centre of mass halfway between two poses \[kg m\]; `None` without weight.
     #[must_use]
     pub fn weight_moment(&self, poses: [&Pose; 2]) -> Option<Vec3> {
-        let [from, to] = poses.map(|pose| self.wall.from_frame(pose, self.body.centre));
+        let [from, to] = poses.map(|pose| self.surface.from_frame(pose, self.body.centre));
         self.body
             .gravity
             .then(|| (from + to) * (0.5 * self.body.mass))
@@ -168,7 +168,7 @@ impl<'a> Ready<'a> {
     /// Work \[J\] of its weight under `gravity` \[m/s^2\] on the way between two poses.
     #[must_use]
     pub fn weight_work(&self, gravity: Vec3, poses: [&Pose; 2]) -> f64 {
-        let [from, to] = poses.map(|pose| self.wall.from_frame(pose, self.body.centre));
+        let [from, to] = poses.map(|pose| self.surface.from_frame(pose, self.body.centre));
         match self.body.gravity {
             true => self.body.mass * gravity.dot(&(to - from)),
             false => 0.0,
@@ -177,7 +177,7 @@ impl<'a> Ready<'a> {
 
     /// Velocity of the point of action at `velocity` of the reference point.
     #[must_use]
-    pub fn action_velocity(&self, velocity: &Dof6) -> Twist {
+    pub fn action_velocity(&self, velocity: &SpatialVector) -> Twist {
         Twist {
             linear: velocity.at(self.action),
             angular: velocity.angular,
@@ -185,15 +185,15 @@ impl<'a> Ready<'a> {
     }
 
     /// What the body carries on after `v1` solved the step's problem, and the work of its damper \[J\]. `contacts` are the
-    /// impulses of all contacts, stops and the spring and `persisting` those that are no impacts, about the reference point;
-    /// `holds` what the joint's stops and spring exert; `end` the pose.
+    /// impulses of all contacts, stops and the spring and `smooth` those that are no impacts, about the reference point;
+    /// `joint_forces` what the joint's stops and spring exert; `end` the pose.
     #[must_use]
     pub fn finish(
         &self,
         settings: &Settings,
-        v1: &Dof6,
-        [contacts, persisting]: [&Dof6; 2],
-        holds: [f64; 3],
+        v1: &SpatialVector,
+        [contacts, smooth]: [&SpatialVector; 2],
+        joint_forces: [f64; 3],
         end: &Pose,
         dt: f64,
     ) -> (BodyState, f64) {
@@ -208,29 +208,26 @@ impl<'a> Ready<'a> {
             .plus(&self.momentum, -1.0)
             .plus(&self.external, -dt * mobility)
             .plus(contacts, -mobility);
-        let damper = Dof6::ZERO.plus(&damper, 1.0 / mobility);
+        let damper = SpatialVector::ZERO.plus(&damper, 1.0 / mobility);
         let velocity = match settings.integrator {
             Integrator::Moreau => *v1,
             Integrator::Shi => {
                 let mobility =
                     self.body
-                        .operator(self.wall.point_of_action, end.rotation, f64::recip);
+                        .operator(self.surface.point_of_action, end.rotation, f64::recip);
                 mobility.times(&momentum)
             }
         };
         let mean = match settings.integrator {
-            Integrator::Moreau => Dof6::ZERO.plus(&self.velocity, 0.5).plus(v1, 0.5),
+            Integrator::Moreau => SpatialVector::ZERO.plus(&self.velocity, 0.5).plus(v1, 0.5),
             Integrator::Shi => *v1,
         };
         let carried = BodyState {
             momentum,
             velocity,
-            persisting: self
-                .external
-                .plus(persisting, 1.0 / dt)
-                .plus(&damper, 1.0 / dt),
-            travel: self.body.travel(end, self.travel),
-            holds,
+            smooth: self.external.plus(smooth, 1.0 / dt).plus(&damper, 1.0 / dt),
+            joint_position: self.body.joint_position(end, self.joint_position),
+            joint_forces,
         };
         (carried, damper.dot(&mean))
     }
@@ -253,8 +250,8 @@ fn damping(integrator: Integrator, c: f64, inertia: f64, dt: f64) -> [f64; 2] {
 
 impl Body {
     /// Force \[N\] at the point of action and torque \[N m\] of all loads but gravity.
-    fn load(&self, scene: &Scene, poses: &[Pose], command: &Command) -> Dof6 {
-        let mut load = Dof6 {
+    fn load(&self, scene: &Scene, poses: &[Pose], command: &Command) -> SpatialVector {
+        let mut load = SpatialVector {
             linear: self.force,
             angular: self.torque,
         };

@@ -2,13 +2,13 @@
 
 use crate::Vec3;
 use crate::integrator::Integrator;
-use crate::problem::Grip;
+use crate::problem::JacobianBlock;
 use crate::scene::Scene;
 use crate::scene::particles::Kinematics;
 use crate::scene::rotating_frame::gyroscopic;
-use crate::spatial::Dof6;
+use crate::spatial::SpatialVector;
 use crate::state::State;
-use crate::step::driven::Ready;
+use crate::step::driven::BodyPrediction;
 
 /// Into `external` the acceleration in a step of `dt` \[s\] that begins with `kinematics`, `[N]`.
 pub(super) fn acceleration(
@@ -16,7 +16,7 @@ pub(super) fn acceleration(
     state: &State,
     kinematics: &Kinematics,
     (gravity, dt): (Vec3, f64),
-    external: &mut Vec<Dof6>,
+    external: &mut Vec<SpatialVector>,
 ) {
     external_acceleration(scene, kinematics, gravity, external);
     let Some(frame) = scene.settings.rotating_frame else {
@@ -36,7 +36,7 @@ pub(super) fn acceleration(
         let before = kinematics.spatial_velocity(i);
         let middle = kinematics.position[i] + before.linear * ahead;
         external.linear += frame.centrifugal(middle).component_mul(&shifts);
-        let contacts = state.persisting[i].plus(&state.external[i], -1.0);
+        let contacts = state.smooth[i].plus(&state.external[i], -1.0);
         let others = external.plus(&contacts, 1.0);
         external.linear += gyroscopic(rate * 2.0, before.linear, others.linear, shifts, dt);
         external.angular += gyroscopic(rate, before.angular, others.angular, turns, dt);
@@ -44,7 +44,11 @@ pub(super) fn acceleration(
 }
 
 /// External acceleration at the moment of `kinematics`, `[N]`.
-pub(super) fn at_start(scene: &Scene, kinematics: &Kinematics, gravity: Vec3) -> Vec<Dof6> {
+pub(super) fn at_start(
+    scene: &Scene,
+    kinematics: &Kinematics,
+    gravity: Vec3,
+) -> Vec<SpatialVector> {
     let mut external = Vec::new();
     external_acceleration(scene, kinematics, gravity, &mut external);
     for (i, external) in external.iter_mut().enumerate() {
@@ -56,21 +60,21 @@ pub(super) fn at_start(scene: &Scene, kinematics: &Kinematics, gravity: Vec3) ->
 }
 
 /// Acceleration of sphere `i` by the inertial forces of the frame; zero where locked, or without such a frame.
-fn inertial(scene: &Scene, kinematics: &Kinematics, i: usize) -> Dof6 {
+fn inertial(scene: &Scene, kinematics: &Kinematics, i: usize) -> SpatialVector {
     let Some(frame) = scene.settings.rotating_frame else {
-        return Dof6::ZERO;
+        return SpatialVector::ZERO;
     };
     let (rate, velocity) = (frame.angular_velocity, kinematics.spatial_velocity(i));
     let [shifts, turns] = scene.particles.free(i);
     let centre = frame.centrifugal(kinematics.position[i]) - 2.0 * rate.cross(&velocity.linear);
-    Dof6 {
+    SpatialVector {
         linear: centre.component_mul(&shifts),
         angular: -rate.cross(&velocity.angular).component_mul(&turns),
     }
 }
 
 /// Lets `state` know which part of its persisting accelerations is external.
-pub(super) fn keep(scene: &Scene, state: &mut State, external: &[Dof6]) {
+pub(super) fn keep(scene: &Scene, state: &mut State, external: &[SpatialVector]) {
     if scene.settings.rotating_frame.is_some() {
         state.external.clear();
         state.external.extend_from_slice(external);
@@ -85,7 +89,7 @@ pub(crate) fn release(scene: &Scene, state: &mut State, i: usize) {
     let [shifts, _] = scene.particles.free(i);
     let mut external = inertial(scene, &state.kinematics, i);
     external.linear += gravity.component_mul(&shifts);
-    state.persisting[i] = external;
+    state.smooth[i] = external;
     if let Some(own) = state.external.get_mut(i) {
         *own = external;
     }
@@ -103,7 +107,11 @@ pub(crate) fn release(scene: &Scene, state: &mut State, i: usize) {
 /// Acceleration \[m/s^2\] by which all loads would change the speed of all bodies together: `sum |f| / sum m` over spheres
 /// with their `external` accelerations, `[N]`, and driven `bodies`. What a body on which nothing acts itself is pressed with.
 #[must_use]
-pub fn mean_acceleration(scene: &Scene, external: &[Dof6], bodies: &[Ready]) -> f64 {
+pub fn mean_acceleration(
+    scene: &Scene,
+    external: &[SpatialVector],
+    bodies: &[BodyPrediction],
+) -> f64 {
     let masses = &scene.particles.mass;
     let spheres = external.iter().zip(masses);
     let force: f64 = spheres.map(|(a, m)| m * a.linear.norm()).sum::<f64>()
@@ -111,7 +119,7 @@ pub fn mean_acceleration(scene: &Scene, external: &[Dof6], bodies: &[Ready]) -> 
             .iter()
             .map(|body| body.external.linear.norm())
             .sum::<f64>();
-    let mass = masses.iter().sum::<f64>() + bodies.iter().map(Ready::mass).sum::<f64>();
+    let mass = masses.iter().sum::<f64>() + bodies.iter().map(BodyPrediction::mass).sum::<f64>();
     if mass > 0.0 { force / mass } else { 0.0 }
 }
 
@@ -120,24 +128,24 @@ pub fn external_acceleration(
     scene: &Scene,
     kinematics: &Kinematics,
     gravity: Vec3,
-    external: &mut Vec<Dof6>,
+    external: &mut Vec<SpatialVector>,
 ) {
     let particles = &scene.particles;
     external.clear();
     external.extend((0..particles.len()).map(|i| match kinematics.present[i] {
-        true => Dof6 {
+        true => SpatialVector {
             linear: particles.free(i)[0].component_mul(&gravity),
             angular: Vec3::zeros(),
         },
-        false => Dof6::ZERO,
+        false => SpatialVector::ZERO,
     }));
     for load in &scene.loads {
         let i = load.sphere;
-        let w = Dof6 {
+        let w = SpatialVector {
             linear: particles.inverse_mass(i),
             angular: particles.inverse_inertia(i),
         };
         let arm = kinematics.orientation[i] * load.arm;
-        external[i].kick(&w, &Grip::Point(arm).momentum(load.force));
+        external[i].apply_impulse(&w, &JacobianBlock::Point(arm).momentum(load.force));
     }
 }

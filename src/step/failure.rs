@@ -1,14 +1,14 @@
 //! Why a step failed, from the solver's report and the rows.
 
-use super::stage::Stage;
-use super::{Passed, StepFailure};
+use super::assembly::Assembly;
+use super::{StepFailure, Tunnelling};
 use crate::Vec3;
 use crate::contact::Partner;
 use crate::linalg::LinearError;
 use crate::solver::Report;
 
-impl Stage<'_> {
-    pub(super) fn too_fast(&self, report: &Report, passed: Passed) -> StepFailure {
+impl Assembly<'_> {
+    pub(super) fn too_fast(&self, report: &Report, passed: Tunnelling) -> StepFailure {
         StepFailure {
             passed: Some(passed),
             ..self.failure(report)
@@ -51,7 +51,7 @@ impl Stage<'_> {
     /// Whether the sphere of contact `row` carries load from two rigid boundaries on opposite sides.
     pub(super) fn pinch(&self, row: usize) -> Option<(usize, [u16; 2])> {
         let sphere = self.candidates.get(row)?.key.sphere;
-        let walls: Vec<(u16, Vec3)> = (0..self.candidates.len())
+        let boundaries: Vec<(u16, Vec3)> = (0..self.candidates.len())
             .filter(|&k| self.candidates[k].key.sphere == sphere)
             .filter(|&k| self.problem.rows.compliance(k) == 0.0)
             .filter(|&k| self.impulses[k] != Vec3::zeros())
@@ -64,8 +64,8 @@ impl Stage<'_> {
                 Partner::Sphere { .. } => None,
             })
             .collect();
-        walls.iter().enumerate().find_map(|(k, (a, n))| {
-            let opposite = walls[k + 1..].iter().find(|(_, m)| n.dot(m) < -0.5)?;
+        boundaries.iter().enumerate().find_map(|(k, (a, n))| {
+            let opposite = boundaries[k + 1..].iter().find(|(_, m)| n.dot(m) < -0.5)?;
             Some((sphere as usize, [*a, opposite.0]))
         })
     }

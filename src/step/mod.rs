@@ -2,36 +2,36 @@
 //! geometry agrees, `commit` writes the solution into the state; `start` does the same at t = 0.
 
 pub mod assemble;
-mod beside;
+mod assembly;
 mod commit;
 pub mod driven;
 pub mod external;
 mod failure;
+mod initial;
 mod input;
-mod outcome;
-mod passing;
+mod output;
 mod prediction;
+mod replicas;
 mod resolve;
-mod stage;
-mod start;
+mod tunnelling;
 mod workspace;
 
-pub use beside::Beside;
-use beside::Twin;
 pub(crate) use external::release;
+pub use initial::{initial_forces, remove_overlaps};
 pub use input::{Effort, StepInput};
-pub use outcome::{Passed, StepFailure, StepOutcome};
-pub use start::{initial_forces, remove_overlaps};
-pub use workspace::Scratch;
+pub use output::{StepFailure, StepOutput, Tunnelling};
+pub use replicas::Replica;
+use replicas::ReplicaPair;
+pub use workspace::Workspace;
 
 use crate::problem::{Impulses, Problem};
 use crate::scene::Scene;
 use crate::solver::gauss_seidel::SMALL;
-use crate::spatial::Dof6;
+use crate::spatial::SpatialVector;
 use crate::state::State;
-use prediction::Start;
-use stage::Stage;
-use workspace::Kept;
+use assembly::Assembly;
+use prediction::Prediction;
+use workspace::PredictionArrays;
 
 /// Takes `state` from `state.time` to `state.time + dt` of `input`. On failure `state` is unchanged.
 ///
@@ -40,59 +40,65 @@ use workspace::Kept;
 pub fn step(
     scene: &Scene,
     state: &mut State,
-    scratch: &mut Scratch,
+    workspace: &mut Workspace,
     input: &StepInput,
     effort: Effort,
-) -> Result<StepOutcome, StepFailure> {
-    let pool = scratch.workspace.kernel.pool(scene.settings.threads);
-    let mut step = || step_beside(scene, state, scratch, (input, effort), &mut []);
+) -> Result<StepOutput, StepFailure> {
+    let pool = workspace.workspace.kernel.pool(scene.settings.threads);
+    let mut step = || step_with_replicas(scene, state, workspace, (input, effort), &mut []);
     match scene.particles.len() {
         0..SMALL => step(),
         _ => pool.within(step),
     }
 }
 
-/// [`step`] by an input with an effort, and beside it pairs of states to either side of `state`: see `beside`.
+/// [`step`] by an input with an effort, and replica it pairs of states to either side of `state`: see `replica`.
 ///
 /// # Errors
 /// As [`step`], and if the tangent of the solution is singular.
-pub fn step_beside(
+pub fn step_with_replicas(
     scene: &Scene,
     state: &mut State,
-    scratch: &mut Scratch,
+    workspace: &mut Workspace,
     (input, effort): (&StepInput, Effort),
-    pairs: &mut [[Beside<'_>; 2]],
-) -> Result<StepOutcome, StepFailure> {
+    pairs: &mut [[Replica<'_>; 2]],
+) -> Result<StepOutput, StepFailure> {
     let dt = input.dt;
-    let mut kept = std::mem::take(&mut scratch.kept);
-    let start = Start::of(scene, state, input, &mut kept);
-    let beside =
-        |beside: &Beside| Start::of(scene, beside.state, &beside.input, &mut Kept::default());
-    let starts = pairs.iter().map(|pair| [0, 1].map(|k| beside(&pair[k])));
-    let starts: Vec<[Start; 2]> = starts.collect();
-    let mut stage = Stage::new(start.inputs(scene, dt), state, scratch);
-    let mut twins: Vec<Twin> = starts
+    let mut kept = std::mem::take(&mut workspace.kept);
+    let start = Prediction::of(scene, state, input, &mut kept);
+    let replica = |replica: &Replica| {
+        Prediction::of(
+            scene,
+            replica.state,
+            &replica.input,
+            &mut PredictionArrays::default(),
+        )
+    };
+    let starts = pairs.iter().map(|pair| [0, 1].map(|k| replica(&pair[k])));
+    let starts: Vec<[Prediction; 2]> = starts.collect();
+    let mut stage = Assembly::new(start.inputs(scene, dt), state, workspace);
+    let mut replicas: Vec<ReplicaPair> = starts
         .iter()
         .zip(&*pairs)
-        .map(|(starts, pair)| Twin {
+        .map(|(starts, pair)| ReplicaPair {
             stages: [0, 1]
-                .map(|k| Stage::beside(&stage, starts[k].inputs(scene, dt), pair[k].state)),
+                .map(|k| Assembly::replica(&stage, starts[k].inputs(scene, dt), pair[k].state)),
         })
         .collect();
-    let outcome = stage.resolve((state, effort), scratch, &mut twins)?;
+    let outcome = stage.resolve((state, effort), workspace, &mut replicas)?;
     stage.spread_impacts(state);
-    for ((twin, starts), pair) in twins.iter_mut().zip(&starts).zip(pairs) {
-        twin.agree(&stage);
-        for (k, side) in twin.stages.iter().enumerate() {
+    for ((pair, starts), states) in replicas.iter_mut().zip(&starts).zip(pairs) {
+        pair.agree(&stage);
+        for (k, side) in pair.stages.iter().enumerate() {
             let solution = side.problem.velocities(&side.impulses);
-            starts[k].finish(side, pair[k].state, &solution, dt, &mut Vec::new());
+            starts[k].finish(side, states[k].state, &solution, dt, &mut Vec::new());
         }
     }
     start.finish(&stage, state, &stage.solution, dt, &mut kept.accelerations);
-    scratch.memory = stage.memory();
-    (kept.kinematics, kept.external, kept.movers) =
-        (start.kinematics, start.external, start.movers);
-    scratch.kept = kept;
+    workspace.memory = stage.memory();
+    (kept.kinematics, kept.external, kept.spheres) =
+        (start.kinematics, start.external, start.spheres);
+    workspace.kept = kept;
     if outcome.solver.penalty > 0.0 && outcome.solver.penalty.is_finite() {
         state.penalty = outcome.solver.penalty;
     }
@@ -103,21 +109,21 @@ pub fn step_beside(
 /// reach, gaps not yet re-linearised.
 #[must_use]
 pub fn problem(scene: &Scene, state: &State, input: &StepInput) -> (Problem, Impulses) {
-    let start = Start::of(scene, state, input, &mut Kept::default());
+    let start = Prediction::of(scene, state, input, &mut PredictionArrays::default());
     let inputs = start.inputs(scene, input.dt);
-    let stage = Stage::new(inputs, state, &mut Scratch::default());
+    let stage = Assembly::new(inputs, state, &mut Workspace::default());
     (stage.problem, stage.impulses)
 }
 
-impl Start<'_> {
+impl Prediction<'_> {
     /// Writes the solution of `stage` into `state`.
     fn finish(
         &self,
-        stage: &Stage,
+        stage: &Assembly,
         state: &mut State,
-        solution: &[Dof6],
+        solution: &[SpatialVector],
         dt: f64,
-        spare: &mut Vec<Dof6>,
+        spare: &mut Vec<SpatialVector>,
     ) {
         let poses = stage.end_poses(solution);
         stage.commit(state, solution, &poses, spare);

@@ -5,23 +5,23 @@ use super::external;
 use crate::Vec3;
 use crate::scene::particles::Kinematics;
 use crate::scene::{Command, Scene};
-use crate::spatial::{Dof6, Pose, Twist};
+use crate::spatial::{Pose, SpatialVector, Twist};
 use crate::state::State;
-use crate::step::assemble::{Inputs, Mover};
-use crate::step::driven::Ready;
+use crate::step::assemble::{AssemblyInput, SphereMotion};
+use crate::step::driven::BodyPrediction;
 use crate::step::external::mean_acceleration;
-use crate::step::workspace::Kept;
+use crate::step::workspace::PredictionArrays;
 
 /// What a step takes from the state before it moves anything.
-pub(super) struct Start<'a> {
+pub(super) struct Prediction<'a> {
     pub(super) kinematics: Kinematics,
     pub(super) gravity: Vec3,
-    pub(super) external: Vec<Dof6>,
-    pub(super) movers: Vec<Mover>,
+    pub(super) external: Vec<SpatialVector>,
+    pub(super) spheres: Vec<SphereMotion>,
     pub(super) targets: Vec<Vec3>,
     pub(super) standing: Vec<Pose>,
     pub(super) ends: Vec<Pose>,
-    pub(super) bodies: Vec<Ready<'a>>,
+    pub(super) bodies: Vec<BodyPrediction<'a>>,
     pub(super) twists: Vec<Twist>,
     pub(super) surfaces: Vec<Vec3>,
 }
@@ -35,11 +35,16 @@ pub(super) fn surfaces(scene: &Scene, state: &State, commands: &[Command]) -> Ve
         .collect()
 }
 
-impl<'s> Start<'s> {
+impl<'s> Prediction<'s> {
     /// Places of `state`, and its velocities for a step as long as `input` says, in the memory of `kept`.
-    pub(super) fn of(scene: &'s Scene, state: &State, input: &StepInput, kept: &mut Kept) -> Self {
+    pub(super) fn of(
+        scene: &'s Scene,
+        state: &State,
+        input: &StepInput,
+        kept: &mut PredictionArrays,
+    ) -> Self {
         let dt = input.dt;
-        let bodies = Ready::all(scene, state, &input.commands, dt);
+        let bodies = BodyPrediction::all(scene, state, &input.commands, dt);
         let mut ends = input.poses.clone();
         for body in &bodies {
             let b = body.boundary;
@@ -56,9 +61,9 @@ impl<'s> Start<'s> {
         let count = state.kinematics.len();
         kinematics.velocity.reserve_exact(count);
         kinematics.spin.reserve_exact(count);
-        for (i, persisting) in state.persisting.iter().enumerate() {
+        for (i, smooth) in state.smooth.iter().enumerate() {
             let v = state.kinematics.spatial_velocity(i);
-            let v = integrator.restep(&v, persisting, state.last_step, dt);
+            let v = integrator.shift_half_step(&v, smooth, state.last_step, dt);
             kinematics.velocity.push(v.linear);
             kinematics.spin.push(v.angular);
         }
@@ -67,12 +72,12 @@ impl<'s> Start<'s> {
         let gravity = state.gravity_at(scene, integrator.middle(state.time, dt));
         let mut external = std::mem::take(&mut kept.external);
         external::acceleration(scene, state, &kinematics, (gravity, dt), &mut external);
-        let memory = std::mem::take(&mut kept.movers);
-        let movers = Mover::all(scene, &kinematics, memory);
+        let memory = std::mem::take(&mut kept.spheres);
+        let spheres = SphereMotion::all(scene, &kinematics, memory);
         Self {
             gravity,
             external,
-            movers,
+            spheres,
             kinematics,
             targets: springs
                 .map(|spring| spring.target + spring.motion.pose_at(end_time).translation)
@@ -85,12 +90,12 @@ impl<'s> Start<'s> {
         }
     }
 
-    pub(super) fn inputs<'a>(&'a self, scene: &'a Scene, dt: f64) -> Inputs<'a> {
-        Inputs {
+    pub(super) fn inputs<'a>(&'a self, scene: &'a Scene, dt: f64) -> AssemblyInput<'a> {
+        AssemblyInput {
             scene,
             kinematics: &self.kinematics,
             external: &self.external,
-            movers: &self.movers,
+            spheres: &self.spheres,
             step: dt,
             poses: [&self.standing, &self.ends],
             bodies: &self.bodies,

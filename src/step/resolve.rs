@@ -3,67 +3,67 @@
 use std::mem::take;
 use std::ops::Range;
 
-use super::beside::{self, Twin};
-use super::stage::{Stage, follow};
-use super::workspace::Scratch;
-use super::{Effort, Passed, StepFailure, StepOutcome};
+use super::assembly::{Assembly, follow};
+use super::replicas::{self, ReplicaPair};
+use super::workspace::Workspace;
+use super::{Effort, StepFailure, StepOutput, Tunnelling};
 use crate::Vec3;
 use crate::contact::{Partner, history};
-use crate::detection::placement::{Candidate, Placement};
+use crate::detection::configuration::{Candidate, Configuration};
 use crate::scene::Method;
 use crate::solver::Report;
-use crate::spatial::Dof6;
+use crate::spatial::SpatialVector;
 use crate::state::State;
 
 /// Passes of re-linearisation and late contacts before the step is cut.
 const PASSES: usize = 30;
 /// A loaded contact may leave its linearised surface by this share of the radius before its gap is
-/// re-linearised; overlaps are held to the tolerance whatever this is.
+/// re-linearised; overlaps are joint to the tolerance whatever this is.
 const OPENING: f64 = 1e-3;
 /// Weights that press a squeezed sphere into a boundary by its radius: a thousand by a hundredth of it.
 const WEIGHTS: f64 = 1e5;
 
-impl Stage<'_> {
+impl Assembly<'_> {
     /// Solves until the true geometry agrees: gaps are re-linearised, late contacts join.
     pub(super) fn resolve(
         &mut self,
         (state, effort): (&State, Effort),
-        scratch: &mut Scratch,
-        twins: &mut [Twin<'_>],
-    ) -> Result<StepOutcome, StepFailure> {
+        workspace: &mut Workspace,
+        replicas: &mut [ReplicaPair<'_>],
+    ) -> Result<StepOutput, StepFailure> {
         let mut total = Report::default();
         let budget = self.inputs.scene.settings.sweeps.filter(|_| self.moves);
-        let patience = effort.sweeps.filter(|_| self.moves);
+        let sweep_limit = effort.sweeps.filter(|_| self.moves);
         // What gives way overlaps by more than the tolerance, though its problem is solved.
         let mut gives_way = effort.accept && self.soften_pinched();
         let mut reached = 0.0;
         for _ in 0..PASSES {
             let left = budget.map(|budget| budget - total.sweeps);
-            total = total.then(self.solve((state, effort), scratch, left.or(patience)));
+            total = total.then(self.solve((state, effort), workspace, left.or(sweep_limit)));
             if !total.converged && effort.accept && self.soften_pinched() {
                 gives_way = true;
-                total = total.then(self.solve((state, effort), scratch, left.or(patience)));
+                total = total.then(self.solve((state, effort), workspace, left.or(sweep_limit)));
             }
             let spent = budget.is_some_and(|budget| total.sweeps >= budget);
             let as_it_is = spent || (effort.accept && !total.converged);
             if !total.converged && !as_it_is {
                 return Err(self.failure(&total));
             }
-            beside::follow(self, twins).map_err(|broken| self.broken(&total, broken))?;
-            let checked = self.check(state, scratch, twins, (as_it_is, effort.pass));
+            replicas::follow(self, replicas).map_err(|broken| self.broken(&total, broken))?;
+            let checked = self.check(state, workspace, replicas, (as_it_is, effort.pass));
             let (overlap, agrees) = checked.map_err(|passed| self.too_fast(&total, passed))?;
             if agrees {
-                return Ok(StepOutcome {
+                return Ok(StepOutput {
                     unconverged: !total.converged || gives_way,
-                    ..StepOutcome::of(total, overlap)
+                    ..StepOutput::of(total, overlap)
                 });
             }
             reached = overlap;
         }
         if effort.accept {
-            return Ok(StepOutcome {
+            return Ok(StepOutput {
                 unconverged: true,
-                ..StepOutcome::of(total, reached)
+                ..StepOutput::of(total, reached)
             });
         }
         Err(StepFailure {
@@ -89,8 +89,8 @@ impl Stage<'_> {
         let scene = self.inputs.scene;
         for k in 0..self.candidates.len() {
             let key = self.candidates[k].key;
-            let wall = matches!(key.partner, Partner::Boundary { .. });
-            if wall && squeezed.contains(&key.sphere) {
+            let of_boundary = matches!(key.partner, Partner::Boundary { .. });
+            if of_boundary && squeezed.contains(&key.sphere) {
                 let i = key.sphere as usize;
                 let weight = scene.particles.mass[i] * self.inputs.gravity_size.max(1.0);
                 let stiffness = WEIGHTS * weight / scene.particles.radius[i];
@@ -111,23 +111,23 @@ impl Stage<'_> {
     fn check(
         &mut self,
         state: &State,
-        scratch: &mut Scratch,
-        twins: &mut [Twin<'_>],
+        workspace: &mut Workspace,
+        replicas: &mut [ReplicaPair<'_>],
         (as_it_is, pass): (bool, bool),
-    ) -> Result<(f64, bool), Passed> {
+    ) -> Result<(f64, bool), Tunnelling> {
         let solution = take(&mut self.solution);
         let mut position = take(&mut self.position);
         let mut closed = take(&mut self.closed);
         self.lead(&solution, &mut position);
         let ends = self.end_poses(&solution);
-        let end = Placement {
+        let end = Configuration {
             position: &position,
             poses: &ends,
             ..self.start
         };
-        scratch.neighbors.ensure(&end, &[], 0.0);
+        workspace.neighbors.ensure(&end, &[], 0.0);
         let limit = self.inputs.scene.settings.tolerance.gap;
-        let max_overlap = end.overlaps(&scratch.neighbors, limit, &self.pool, &mut closed);
+        let max_overlap = end.overlaps(&workspace.neighbors, limit, &self.pool, &mut closed);
         // The penalty method lets bodies overlap as they like.
         let alm = self.inputs.scene.settings.method == Method::Alm;
         let swept = alm && self.moves && !pass;
@@ -138,9 +138,9 @@ impl Stage<'_> {
         };
         let verdict = if let Some(passed) = struck {
             Err(passed)
-        } else if alm && !as_it_is && self.correct(&end, &closed, (&solution, state), twins) {
+        } else if alm && !as_it_is && self.correct(&end, &closed, (&solution, state), replicas) {
             Ok((max_overlap, false))
-        } else if swept && let Some(passed) = self.passed(&solution, &ends, scratch) {
+        } else if swept && let Some(passed) = self.passed(&solution, &ends, workspace) {
             Err(passed)
         } else {
             Ok((max_overlap, true))
@@ -154,19 +154,20 @@ impl Stage<'_> {
     /// without being candidates. Returns whether anything changed.
     fn correct(
         &mut self,
-        end: &Placement,
+        end: &Configuration,
         closed: &[Candidate],
-        (solution, state): (&[Dof6], &State),
-        twins: &mut [Twin<'_>],
+        (solution, state): (&[SpatialVector], &State),
+        replicas: &mut [ReplicaPair<'_>],
     ) -> bool {
         let settings = &self.inputs.scene.settings;
         let tolerance = settings.tolerance.gap;
         let opening = OPENING.max(3.0 * settings.opening);
         let loaded = |k: usize| self.impulses[k] != Vec3::zeros();
-        let wall = |k: usize| matches!(self.candidates[k].key.partner, Partner::Boundary { .. });
+        let of_boundary =
+            |k: usize| matches!(self.candidates[k].key.partner, Partner::Boundary { .. });
         // Two spheres without load that overlap are among the closed ones below.
         let is_off = |k: usize| {
-            (loaded(k) || wall(k)) && {
+            (loaded(k) || of_boundary(k)) && {
                 let (gap, radius) = (self.true_gap(end, k), self.problem.rows.radius(k));
                 let opens = loaded(k) && !self.impact[k] && gap > opening * radius;
                 gap < -tolerance * radius || opens
@@ -195,29 +196,29 @@ impl Stage<'_> {
             })
             .collect();
         self.relinearise(end, solution, &yields);
-        let told: Vec<bool> = late
+        let known_impact: Vec<bool> = late
             .iter()
             .map(|found| self.insert(*found, (solution, state), None))
             .collect();
-        for stage in twins.iter_mut().flat_map(|twin| &mut twin.stages) {
+        for stage in replicas.iter_mut().flat_map(|pair| &mut pair.stages) {
             let solution = stage.problem.velocities(&stage.impulses);
             let (position, poses) = (stage.moved(&solution), stage.end_poses(&solution));
-            let end = Placement {
+            let end = Configuration {
                 position: &position,
                 poses: &poses,
                 ..stage.start
             };
             let late: Vec<Candidate> = late.iter().map(|found| follow(&end, found)).collect();
             stage.relinearise(&end, &solution, &yields);
-            for (found, told) in late.into_iter().zip(&told) {
-                stage.insert(found, (&solution, state), Some(*told));
+            for (found, known_impact) in late.into_iter().zip(&known_impact) {
+                stage.insert(found, (&solution, state), Some(*known_impact));
             }
         }
         true
     }
 
     /// Lets the gaps of the contacts that yield be the true ones at `end`, where `solution` leads.
-    fn relinearise(&mut self, end: &Placement, solution: &[Dof6], yields: &[bool]) {
+    fn relinearise(&mut self, end: &Configuration, solution: &[SpatialVector], yields: &[bool]) {
         let (step, settings) = (self.inputs.step, &self.inputs.scene.settings);
         for k in (0..yields.len()).filter(|&k| yields[k]) {
             let gap = self.true_gap(end, k);
@@ -237,7 +238,7 @@ impl Stage<'_> {
     }
 
     /// Gap \[m\] of contact `k` at `end`, without the compression of a contact spring, which is not an overlap.
-    fn true_gap(&self, end: &Placement, k: usize) -> f64 {
+    fn true_gap(&self, end: &Configuration, k: usize) -> f64 {
         let gap = end.gap(&self.candidates[k]);
         match self.problem.rows.compliance(k) {
             0.0 => gap,
@@ -246,19 +247,19 @@ impl Stage<'_> {
     }
 
     /// Adds a contact that `solution` closes: its normal is the one it closes with. Returns whether it is an impact, as
-    /// `told` or as it is found.
+    /// `known_impact` or as it is found.
     fn insert(
         &mut self,
         found: Candidate,
-        (solution, state): (&[Dof6], &State),
-        told: Option<bool>,
+        (solution, state): (&[SpatialVector], &State),
+        known_impact: Option<bool>,
     ) -> bool {
         let past = history::find(&state.contacts, found.key);
         let (mut row, impact) = self.inputs.contact(
             &self.problem.free,
             &found,
             past.force(&state.contacts),
-            told,
+            known_impact,
         );
         let linear = self.inputs.step * found.normal.dot(&row.relative_velocity(solution));
         let carried = self.inputs.scene.settings.opening * row.radius;

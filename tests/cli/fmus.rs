@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use sphere_dda::scene::Scene;
 use sphere_dda::simulation::Simulation;
-use sphere_dda_fmu::runtime::state::Saved;
+use sphere_dda_fmu::runtime::state::SavedState;
 use sphere_dda_master::{Fmu, Step};
 
 use crate::command::{done, example, frames, funnel, rows, said};
@@ -174,7 +174,7 @@ fn same_bytes(scene: &Path, steps: u32) {
         let saved = instance.save_state().unwrap();
         let bytes = instance.serialize_state(&saved).unwrap();
         instance.free_state(saved).unwrap();
-        let inside = Saved::decode(&bytes, &guid).unwrap().snapshot.unwrap();
+        let inside = SavedState::decode(&bytes, &guid).unwrap().snapshot.unwrap();
         assert!(
             inside == simulation.snapshot(),
             "they differ after {step} steps"

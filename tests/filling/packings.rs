@@ -154,7 +154,7 @@ fn a_hopper_is_filled_clear_of_its_walls() {
     let packed = good(&format!("{walls}{}", group("grains", keys)));
     assert_eq!(packed.particles.len(), 2000);
     assert!(smallest_gap(&packed) >= 0.0);
-    assert!(Overlaps::of(&packed).walls.is_empty());
+    assert!(Overlaps::of(&packed).boundaries.is_empty());
     for (c, r) in packed.initial.position.iter().zip(&packed.particles.radius) {
         assert!(c.z >= *r && c.z <= 1.4 - r);
         // A side of the cone is hit or passed, never crossed: |distance to the line (0.1, 0)-(0.5, 0.6)| >= R.

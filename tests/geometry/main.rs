@@ -7,7 +7,7 @@ mod refused;
 mod terrain;
 
 use sphere_dda::Vec3;
-use sphere_dda::geometry::{Geometry, Shape, Touch};
+use sphere_dda::geometry::{ClosestPoint, Geometry, Shape};
 
 fn v(x: f64, y: f64, z: f64) -> Vec3 {
     Vec3::new(x, y, z)
@@ -17,9 +17,9 @@ fn geometry(shapes: impl IntoIterator<Item = impl Into<Shape>>) -> Geometry {
     Geometry::new(shapes.into_iter().map(Into::into).collect()).unwrap()
 }
 
-fn touches(geometry: &Geometry, centre: Vec3, radius: f64, reach: f64) -> Vec<Touch> {
+fn closest_points(geometry: &Geometry, centre: Vec3, radius: f64, reach: f64) -> Vec<ClosestPoint> {
     let mut out = Vec::new();
-    geometry.touches(centre, radius, reach, &mut out);
+    geometry.closest_points(centre, radius, reach, &mut out);
     out
 }
 

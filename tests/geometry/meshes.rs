@@ -4,7 +4,7 @@ use rand_chacha::ChaCha8Rng;
 use sphere_dda::Vec3;
 use sphere_dda::geometry::{Facets, Geometry};
 
-use super::{close, geometry, same, touches, v};
+use super::{close, closest_points, geometry, same, v};
 
 /// A jittered grid over the unit square at the height `z(x, y)`, every cell split along a random diagonal, every
 /// triangle turned a random way round.
@@ -74,9 +74,9 @@ proptest! {
         let inner = |p: &&Vec3| local(p).x > 1e-3 && local(p).x < 0.999 && local(p).y > 1e-3 && local(p).y < 0.999;
         let line = (1..200).map(|k| rotation * v(0.005 * f64::from(k), 0.9 - 0.004 * f64::from(k), 0.0) + v(0.3, 0.2, 0.1));
         let feet: Vec<Vec3> = corners.iter().chain(&edges).filter(inner).copied().chain(line).collect();
-        let first = touches(&plane, feet[0] + up * 0.2, 0.2, 0.05);
+        let first = closest_points(&plane, feet[0] + up * 0.2, 0.2, 0.05);
         for foot in feet {
-            let found = touches(&plane, foot + up * 0.2, 0.2, 0.05);
+            let found = closest_points(&plane, foot + up * 0.2, 0.2, 0.05);
             prop_assert_eq!(found.len(), 1, "{:?}: {:?}", local(&foot), found);
             prop_assert_eq!(found[0].feature, first[0].feature);
             prop_assert_eq!(found[0].normal, first[0].normal);
@@ -104,7 +104,7 @@ proptest! {
         }).collect();
         let longest = triangles.iter().map(|[a, b, c]| (b - a).norm().max((c - b).norm()).max((a - c).norm()));
         let h = longest.fold(0.0, f64::max) / f64::from(n);
-        let found = touches(&geometry([sheet]), c, 0.1, 0.5);
+        let found = closest_points(&geometry([sheet]), c, 0.1, 0.5);
 
         // The distance is convex in a triangle: between samples it drops by at most h^2/(2 d).
         let least = samples.iter().map(|s| (s - c).norm()).fold(f64::INFINITY, f64::min);
@@ -154,7 +154,7 @@ fn facets_that_meet_without_sharing_vertices_leave_no_ghost_edge() {
     for k in 0..=100 {
         for x in [0.7, 1.3, 1.3 + 1e-9, 2.0] {
             let y = 0.95 + 0.001 * f64::from(k);
-            let found = touches(&floor, v(x, y, 0.25), 0.25, 0.1);
+            let found = closest_points(&floor, v(x, y, 0.25), 0.25, 0.1);
             let [touch] = found[..] else {
                 panic!("{x} {y}: {found:?}")
             };
@@ -170,9 +170,9 @@ fn a_partition_stands_on_a_floor() {
         |x: f64| Facets::rectangle(v(x, 0.0, 0.0), v(1.0, 0.0, 0.0), v(0.0, 1.0, 0.0)).unwrap();
     let wall = Facets::rectangle(v(1.0, 0.0, 0.0), v(0.0, 1.0, 0.0), v(0.0, 0.0, 1.0)).unwrap();
     let scene = geometry([floor(0.0), floor(1.0), wall]);
-    let found = touches(&scene, v(1.2, 0.5, 0.2), 0.2, 0.05);
+    let found = closest_points(&scene, v(1.2, 0.5, 0.2), 0.2, 0.05);
     assert_eq!(found.len(), 2, "{found:?}");
-    let below = touches(&scene, v(1.0, 0.5, -0.2), 0.2, 0.05);
+    let below = closest_points(&scene, v(1.0, 0.5, -0.2), 0.2, 0.05);
     assert_eq!(below.len(), 1, "{below:?}");
     assert_eq!(below[0].feature, found[0].feature);
 }
@@ -189,12 +189,12 @@ fn a_straight_edge_in_pieces_is_one_feature() {
             .push(Facets::rectangle(v(0.0, y, 0.0), v(0.0, 0.0, -1.0), v(0.0, 1.0, 0.0)).unwrap());
     }
     let step = geometry(shapes);
-    let [first] = touches(&step, v(0.2, 0.5, 0.2), 0.3, 0.1)[..] else {
+    let [first] = closest_points(&step, v(0.2, 0.5, 0.2), 0.3, 0.1)[..] else {
         panic!()
     };
     for k in 1..50 {
         let y = 0.1 * f64::from(k);
-        let [touch] = touches(&step, v(0.2, y, 0.2), 0.3, 0.1)[..] else {
+        let [touch] = closest_points(&step, v(0.2, y, 0.2), 0.3, 0.1)[..] else {
             panic!("{y}")
         };
         assert_eq!(touch.feature, first.feature, "{y}");
@@ -214,7 +214,7 @@ fn crossing_an_edge_changes_nothing_suddenly() {
             a if a < std::f64::consts::FRAC_PI_2 => v(0.1 * a.sin(), 0.0, 0.1 * a.cos()),
             a => v(0.1, 0.0, -0.1 * (a - std::f64::consts::FRAC_PI_2)),
         };
-        let [touch] = touches(&cube, centre, 0.1, 0.05)[..] else {
+        let [touch] = closest_points(&cube, centre, 0.1, 0.05)[..] else {
             panic!("{s}")
         };
         close(touch.gap, 0.0);
@@ -242,9 +242,9 @@ fn duplicate_vertices_slivers_and_flipped_facets_are_mended() {
         repair.dropped_facets,
         [("plate".to_string(), 2), ("plate".to_string(), 3)]
     );
-    let feature = touches(&plate, v(0.5, 0.5, 0.2), 0.2, 0.1)[0].feature;
+    let feature = closest_points(&plate, v(0.5, 0.5, 0.2), 0.2, 0.1)[0].feature;
     for p in [v(0.2, 0.8, 0.2), v(0.8, 0.2, 0.2), v(0.5, 0.5, 0.2)] {
-        let [touch] = touches(&plate, p, 0.2, 0.1)[..] else {
+        let [touch] = closest_points(&plate, p, 0.2, 0.1)[..] else {
             panic!()
         };
         assert_eq!(touch.feature, feature);
@@ -261,8 +261,8 @@ fn a_serialized_geometry_answers_the_same() {
     for k in 0..50 {
         let centre = v(0.02 * f64::from(k), 0.4, 0.3);
         assert_eq!(
-            touches(&copy, centre, 0.2, 0.2),
-            touches(&original, centre, 0.2, 0.2)
+            closest_points(&copy, centre, 0.2, 0.2),
+            closest_points(&original, centre, 0.2, 0.2)
         );
     }
 }
@@ -271,12 +271,12 @@ fn a_serialized_geometry_answers_the_same() {
 fn touches_append_and_an_empty_geometry_has_none() {
     let empty = geometry(Vec::<Facets>::new());
     assert_eq!(empty, Geometry::default());
-    assert!(touches(&empty, Vec3::zeros(), 1.0, 1.0).is_empty());
+    assert!(closest_points(&empty, Vec3::zeros(), 1.0, 1.0).is_empty());
     let plate = geometry([
         Facets::rectangle(v(0.0, 0.0, 0.0), v(1.0, 0.0, 0.0), v(0.0, 1.0, 0.0)).unwrap(),
     ]);
     let mut out = Vec::new();
-    plate.touches(v(0.5, 0.5, 0.1), 0.2, 0.1, &mut out);
-    plate.touches(v(0.5, 0.5, 0.1), 0.2, 0.1, &mut out);
+    plate.closest_points(v(0.5, 0.5, 0.1), 0.2, 0.1, &mut out);
+    plate.closest_points(v(0.5, 0.5, 0.1), 0.2, 0.1, &mut out);
     assert_eq!(out.len(), 2);
 }

@@ -1,19 +1,19 @@
 use sphere_dda::geometry::{Facets, Geometry, HalfSpace, Revolution, Shape};
 
-use super::{close, geometry, same, touches, v};
+use super::{close, closest_points, geometry, same, v};
 
 #[test]
 fn a_half_space_is_one_sided() {
     let floor = geometry([HalfSpace::new(v(0.0, 0.0, 1.0), v(0.0, 0.0, 2.0)).unwrap()]);
     for (z, gap) in [(1.6, 0.1), (1.4, -0.1), (0.5, -1.0)] {
-        let [touch] = touches(&floor, v(3.0, 4.0, z), 0.5, 0.2)[..] else {
+        let [touch] = closest_points(&floor, v(3.0, 4.0, z), 0.5, 0.2)[..] else {
             panic!()
         };
         close(touch.gap, gap);
         same(touch.normal, v(0.0, 0.0, 1.0));
         same(touch.point, v(3.0, 4.0, 1.0));
     }
-    assert!(touches(&floor, v(0.0, 0.0, 1.8), 0.5, 0.2).is_empty());
+    assert!(closest_points(&floor, v(0.0, 0.0, 1.8), 0.5, 0.2).is_empty());
 }
 
 #[test]
@@ -30,7 +30,7 @@ fn a_box_from_outside_gives_one_touch_on_face_edge_or_corner() {
         (v(1.0, 0.5, 1.5), v(1.0, 0.5, 1.0)),
         (v(1.0, 1.0, 1.5), v(1.0, 1.0, 1.0)),
     ] {
-        let found = touches(&cube, centre, 0.5, reach);
+        let found = closest_points(&cube, centre, 0.5, reach);
         let [touch] = found[..] else {
             panic!("{centre:?}: {found:?}")
         };
@@ -43,7 +43,7 @@ fn a_box_from_outside_gives_one_touch_on_face_edge_or_corner() {
 #[test]
 fn a_box_from_inside_gives_a_touch_for_every_wall_in_reach() {
     let cube = geometry([Facets::cuboid(v(0.0, 0.0, 0.0), v(1.0, 1.0, 1.0)).unwrap()]);
-    let in_corner = touches(&cube, v(0.21, 0.2, 0.22), 0.2, 0.1);
+    let in_corner = closest_points(&cube, v(0.21, 0.2, 0.22), 0.2, 0.1);
     assert_eq!(in_corner.len(), 3);
     for (touch, normal) in
         in_corner
@@ -53,8 +53,8 @@ fn a_box_from_inside_gives_a_touch_for_every_wall_in_reach() {
         same(touch.normal, normal);
         assert_eq!(touch.curvature, 0.0);
     }
-    assert_eq!(touches(&cube, v(0.5, 0.2, 0.2), 0.2, 0.1).len(), 2);
-    assert_eq!(touches(&cube, v(0.5, 0.5, 0.5), 0.5, 0.1).len(), 6);
+    assert_eq!(closest_points(&cube, v(0.5, 0.2, 0.2), 0.2, 0.1).len(), 2);
+    assert_eq!(closest_points(&cube, v(0.5, 0.5, 0.5), 0.5, 0.1).len(), 6);
     assert!(in_corner.windows(2).all(|w| w[0].feature < w[1].feature));
 }
 
@@ -65,7 +65,7 @@ fn a_free_border_works_from_all_around() {
     ]);
     for angle in [-1.5f64, -0.7, 0.0, 0.7, 1.5] {
         let centre = v(1.0 + 0.3 * angle.cos(), 0.4, 0.3 * angle.sin());
-        let [touch] = touches(&plate, centre, 0.3, 0.1)[..] else {
+        let [touch] = closest_points(&plate, centre, 0.3, 0.1)[..] else {
             panic!("{angle}")
         };
         same(touch.point, v(1.0, 0.4, 0.0));
@@ -73,7 +73,7 @@ fn a_free_border_works_from_all_around() {
         close(touch.curvature, 1.0 / 0.3);
     }
     // The sheet has two sides, and a face keeps its own when the centre goes through.
-    let [below] = touches(&plate, v(0.5, 0.5, -0.1), 0.3, 0.1)[..] else {
+    let [below] = closest_points(&plate, v(0.5, 0.5, -0.1), 0.3, 0.1)[..] else {
         panic!()
     };
     same(below.normal, v(0.0, 0.0, -1.0));
@@ -92,7 +92,7 @@ fn a_centre_on_the_sheet_has_a_normal() {
         Facets::rectangle(v(0.0, 0.0, 0.0), v(1.0, 0.0, 0.0), v(0.0, 1.0, 0.0)).unwrap(),
     ]);
     for (x, y) in [(0.3, 0.4), (1.0, 0.5), (0.0, 0.0), (0.5, 0.5)] {
-        let [touch] = touches(&plate, v(x, y, 0.0), 0.2, 0.1)[..] else {
+        let [touch] = closest_points(&plate, v(x, y, 0.0), 0.2, 0.1)[..] else {
             panic!()
         };
         close(touch.normal.z.abs(), 1.0);
@@ -110,20 +110,20 @@ fn a_centre_on_the_sheet_has_a_normal() {
 fn a_cylinder_from_inside_and_outside() {
     let tube =
         geometry([Revolution::cylinder(v(1.0, 0.0, 0.0), v(0.0, 0.0, 1.0), 1.0, 2.0).unwrap()]);
-    let [inside] = touches(&tube, v(1.75, 0.0, 1.0), 0.2, 0.1)[..] else {
+    let [inside] = closest_points(&tube, v(1.75, 0.0, 1.0), 0.2, 0.1)[..] else {
         panic!()
     };
     close(inside.gap, 0.05);
     same(inside.normal, v(-1.0, 0.0, 0.0));
     close(inside.curvature, 1.0 / 0.75);
-    let [outside] = touches(&tube, v(1.0, 1.25, 1.0), 0.2, 0.1)[..] else {
+    let [outside] = closest_points(&tube, v(1.0, 1.25, 1.0), 0.2, 0.1)[..] else {
         panic!()
     };
     close(outside.gap, 0.05);
     same(outside.normal, v(0.0, 1.0, 0.0));
     close(outside.curvature, 1.0 / 1.25);
     // The rim: a torus of tube radius |c - P0|.
-    let [rim] = touches(&tube, v(2.0, 0.0, 2.2), 0.2, 0.1)[..] else {
+    let [rim] = closest_points(&tube, v(2.0, 0.0, 2.2), 0.2, 0.1)[..] else {
         panic!()
     };
     same(rim.normal, v(0.0, 0.0, 1.0));
@@ -142,17 +142,17 @@ fn a_cone_inside_outside_and_its_apex() {
     let cone =
         geometry([Revolution::frustum(v(0.0, 0.0, 0.0), v(0.0, 0.0, 1.0), 0.0, 2.0, 2.0).unwrap()]);
     let s = 0.5f64.sqrt();
-    let [inside] = touches(&cone, v(0.4, 0.0, 1.4), 0.6, 0.2)[..] else {
+    let [inside] = closest_points(&cone, v(0.4, 0.0, 1.4), 0.6, 0.2)[..] else {
         panic!()
     };
     close(inside.gap, s - 0.6);
     same(inside.normal, v(-s, 0.0, s));
     close(inside.curvature, s / 0.4);
-    let [outside] = touches(&cone, v(0.0, 1.4, 0.4), 0.6, 0.2)[..] else {
+    let [outside] = closest_points(&cone, v(0.0, 1.4, 0.4), 0.6, 0.2)[..] else {
         panic!()
     };
     same(outside.normal, v(0.0, s, -s));
-    let [apex] = touches(&cone, v(0.1, 0.0, -0.7), 0.6, 0.2)[..] else {
+    let [apex] = closest_points(&cone, v(0.1, 0.0, -0.7), 0.6, 0.2)[..] else {
         panic!()
     };
     same(apex.point, v(0.0, 0.0, 0.0));
@@ -164,7 +164,7 @@ fn a_ball_on_the_axis_is_held_by_a_ring() {
     let cone =
         geometry([Revolution::frustum(v(0.0, 0.0, 0.0), v(0.0, 0.0, 1.0), 0.5, 2.5, 2.0).unwrap()]);
     let s = 0.5f64.sqrt();
-    let ring = touches(&cone, v(0.0, 0.0, 0.9), 1.4 * s, 0.05);
+    let ring = closest_points(&cone, v(0.0, 0.0, 0.9), 1.4 * s, 0.05);
     // The nearest meridian happens to be the first rib.
     assert_eq!(ring.len(), 3);
     let sum = ring.iter().map(|t| t.normal).sum::<sphere_dda::Vec3>();
@@ -178,7 +178,10 @@ fn a_ball_on_the_axis_is_held_by_a_ring() {
         );
     }
     // Off the axis by more than the reach one touch is left.
-    assert_eq!(touches(&cone, v(0.1, 0.0, 0.9), 1.3 * s, 0.05).len(), 1);
+    assert_eq!(
+        closest_points(&cone, v(0.1, 0.0, 0.9), 1.3 * s, 0.05).len(),
+        1
+    );
 }
 
 #[test]
@@ -189,18 +192,21 @@ fn a_hopper_of_one_profile_has_no_ghost_edges() {
     assert_eq!(hopper.profile.len(), 3);
     let hopper = geometry([hopper]);
     // Concave joint: two faces. Seen from outside: the joint itself.
-    assert_eq!(touches(&hopper, v(1.69, 0.0, 1.69), 0.3, 0.1).len(), 2);
-    let [outer] = touches(&hopper, v(2.2, 0.0, 1.4), 0.2, 0.1)[..] else {
+    assert_eq!(
+        closest_points(&hopper, v(1.69, 0.0, 1.69), 0.3, 0.1).len(),
+        2
+    );
+    let [outer] = closest_points(&hopper, v(2.2, 0.0, 1.4), 0.2, 0.1)[..] else {
         panic!()
     };
     same(outer.point, v(2.0, 0.0, 1.5));
     // Beside the wall the joint is in reach too, but the wall is nearer.
-    let [beside] = touches(&hopper, v(2.2, 0.0, 1.7), 0.2, 0.1)[..] else {
+    let [beside] = closest_points(&hopper, v(2.2, 0.0, 1.7), 0.2, 0.1)[..] else {
         panic!()
     };
     same(beside.point, v(2.0, 0.0, 1.7));
     for z in [1.9, 1.95, 2.0, 2.05] {
-        let [wall] = touches(&hopper, v(1.8, 0.0, z), 0.2, 0.01)[..] else {
+        let [wall] = closest_points(&hopper, v(1.8, 0.0, z), 0.2, 0.01)[..] else {
             panic!("{z}")
         };
         same(wall.normal, v(-1.0, 0.0, 0.0));
@@ -211,14 +217,14 @@ fn a_hopper_of_one_profile_has_no_ghost_edges() {
 fn a_disc_and_an_annulus() {
     let disc = geometry([Revolution::disc(v(0.0, 0.0, 0.0), v(0.0, 0.0, 1.0), 0.0, 1.0).unwrap()]);
     for centre in [v(0.0, 0.0, 0.2), v(0.5, 0.1, 0.2), v(0.0, 1.0, 0.2)] {
-        let [touch] = touches(&disc, centre, 0.2, 0.1)[..] else {
+        let [touch] = closest_points(&disc, centre, 0.2, 0.1)[..] else {
             panic!()
         };
         close(touch.gap, 0.0);
         same(touch.normal, v(0.0, 0.0, 1.0));
     }
     let ring = geometry([Revolution::disc(v(0.0, 0.0, 0.0), v(0.0, 0.0, 1.0), 0.5, 1.0).unwrap()]);
-    let [inner] = touches(&ring, v(0.2, 0.0, 0.4), 0.5, 0.02)[..] else {
+    let [inner] = closest_points(&ring, v(0.2, 0.0, 0.4), 0.5, 0.02)[..] else {
         panic!()
     };
     same(inner.point, v(0.5, 0.0, 0.0));
@@ -251,7 +257,7 @@ fn a_cone_and_its_facets_agree() {
         v(0.25, 0.0, -0.2),
     ] {
         let least = |g: &Geometry| {
-            let found = touches(g, centre, 0.2, 0.5);
+            let found = closest_points(g, centre, 0.2, 0.5);
             found
                 .into_iter()
                 .min_by(|a, b| a.gap.total_cmp(&b.gap))
@@ -276,7 +282,7 @@ fn features_count_on_from_shape_to_shape() {
             .into(),
     ])
     .unwrap();
-    let found = touches(&scene, v(0.8, 0.2, 0.2), 0.2, 0.1);
+    let found = closest_points(&scene, v(0.8, 0.2, 0.2), 0.2, 0.1);
     assert_eq!(found.len(), 3, "{found:?}");
     assert!(found.windows(2).all(|w| w[0].feature < w[1].feature));
     for touch in &found {

@@ -1,9 +1,9 @@
 use nalgebra::UnitQuaternion;
 use proptest::prelude::*;
 use sphere_dda::Vec3;
-use sphere_dda::geometry::{Facets, Geometry, HalfSpace, Revolution, Shape, Touch};
+use sphere_dda::geometry::{ClosestPoint, Facets, Geometry, HalfSpace, Revolution, Shape};
 
-use super::{touches, v};
+use super::{closest_points, v};
 
 /// One of each, turned and moved.
 fn zoo(rotation: UnitQuaternion<f64>, translation: Vec3) -> Geometry {
@@ -34,7 +34,13 @@ fn point() -> impl Strategy<Value = Vec3> {
 
 /// Largest principal curvature of the surface of constant gap: of all tangent directions, the largest second
 /// derivative of the gap (its gradient has length 1). Central differences of step `h`.
-fn measured_curvature(geometry: &Geometry, touch: &Touch, c: Vec3, radius: f64, h: f64) -> f64 {
+fn measured_curvature(
+    geometry: &Geometry,
+    touch: &ClosestPoint,
+    c: Vec3,
+    radius: f64,
+    h: f64,
+) -> f64 {
     let e1 = touch
         .normal
         .cross(&Vec3::ith(touch.normal.iamin(), 1.0))
@@ -58,7 +64,7 @@ proptest! {
     #[test]
     fn every_touch_keeps_its_promises(c in point(), radius in 0.05..0.5f64, reach in 0.0..0.3f64) {
         let zoo = zoo(UnitQuaternion::identity(), Vec3::zeros());
-        let found = touches(&zoo, c, radius, reach);
+        let found = closest_points(&zoo, c, radius, reach);
         prop_assert!(found.windows(2).all(|w| w[0].feature < w[1].feature));
         for touch in &found {
             let signed = (c - touch.point).dot(&touch.normal);
@@ -77,7 +83,7 @@ proptest! {
     #[test]
     fn the_normal_is_the_gradient_of_the_gap(c in point(), radius in 0.1..0.4f64) {
         let zoo = zoo(UnitQuaternion::identity(), Vec3::zeros());
-        for touch in touches(&zoo, c, radius, 0.1) {
+        for touch in closest_points(&zoo, c, radius, 0.1) {
             prop_assume!(touch.curvature < 20.0);
             let h = 1e-6;
             let slope = Vec3::from_fn(|k, _| {
@@ -91,7 +97,7 @@ proptest! {
     #[test]
     fn curvature_is_that_of_the_constant_gap_surface(c in point(), radius in 0.1..0.4f64) {
         let zoo = zoo(UnitQuaternion::identity(), Vec3::zeros());
-        for touch in touches(&zoo, c, radius, 0.1) {
+        for touch in closest_points(&zoo, c, radius, 0.1) {
             prop_assume!(touch.curvature < 20.0);
             let errors = [1e-3, 5e-4].map(|h| (measured_curvature(&zoo, &touch, c, radius, h) - touch.curvature).abs());
             // Kinks where a face ends are not smooth: there the closest point is within h of a border.
@@ -103,7 +109,7 @@ proptest! {
                     (0..8).any(|k| {
                         let a = f64::from(k) * std::f64::consts::FRAC_PI_4;
                         let moved = c + (e1 * a.cos() + e2 * a.sin()) * s;
-                        touches(&zoo, moved, radius, 0.2).iter().all(|t| t.feature != touch.feature)
+                        closest_points(&zoo, moved, radius, 0.2).iter().all(|t| t.feature != touch.feature)
                     })
                 };
                 e(2e-3)
@@ -120,10 +126,10 @@ proptest! {
     ) {
         let rotation = UnitQuaternion::from_scaled_axis(Vec3::from(turn));
         let shift = Vec3::from(shift);
-        let still = touches(&zoo(UnitQuaternion::identity(), Vec3::zeros()), c, 0.3, 0.1);
-        let turned = touches(&zoo(rotation, shift), rotation * c + shift, 0.3, 0.1);
+        let still = closest_points(&zoo(UnitQuaternion::identity(), Vec3::zeros()), c, 0.3, 0.1);
+        let turned = closest_points(&zoo(rotation, shift), rotation * c + shift, 0.3, 0.1);
         // The ribs start at another azimuth, where the turned frame differs.
-        let without_ribs = |t: &[Touch]| t.iter().filter(|t| !is_rib(t.feature)).copied().collect::<Vec<_>>();
+        let without_ribs = |t: &[ClosestPoint]| t.iter().filter(|t| !is_rib(t.feature)).copied().collect::<Vec<_>>();
         let (still, turned) = (without_ribs(&still), without_ribs(&turned));
         prop_assert_eq!(still.len(), turned.len());
         for (s, t) in still.iter().zip(&turned) {

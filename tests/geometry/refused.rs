@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use sphere_dda::geometry::{Facets, Geometry, GeometryError, HalfSpace, Revolution};
 
-use super::{geometry, touches, v};
+use super::{closest_points, geometry, v};
 
 fn file(dir: &tempfile::TempDir, name: &str, bytes: impl AsRef<[u8]>) -> PathBuf {
     let path = dir.path().join(name);
@@ -56,7 +56,7 @@ fn every_kind_of_stl_is_read() {
     ] {
         let mesh = Facets::stl(&file(&dir, name, bytes)).unwrap_or_else(|e| panic!("{name}: {e}"));
         assert_eq!(mesh.triangles.len(), 2, "{name}");
-        let found = touches(&geometry([mesh]), v(0.5, 0.5, 0.2), 0.2, 0.1);
+        let found = closest_points(&geometry([mesh]), v(0.5, 0.5, 0.2), 0.2, 0.1);
         assert_eq!(found.len(), 1, "{name}");
     }
 }

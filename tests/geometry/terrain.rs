@@ -3,7 +3,7 @@
 use sphere_dda::Vec3;
 use sphere_dda::geometry::{Facets, Geometry, HeightField};
 
-use super::{close, geometry, same, touches, v};
+use super::{close, closest_points, geometry, same, v};
 
 fn field(text: &str) -> HeightField {
     HeightField::esri_ascii(text.as_bytes()).unwrap_or_else(|e| panic!("{e:?}"))
@@ -36,7 +36,7 @@ fn height(surface: &Geometry, x: f64, y: f64) -> f64 {
     // Rays are not offered, so the sign of the normal's vertical part says on which side a point lies.
     for _ in 0..80 {
         let z = 0.5 * (low + high);
-        let mut found = touches(surface, v(x, y, z), 0.0, 300.0);
+        let mut found = closest_points(surface, v(x, y, z), 0.0, 300.0);
         found.sort_by(|a, b| a.gap.total_cmp(&b.gap));
         if found[0].normal.z > 0.0 {
             high = z;
@@ -80,7 +80,7 @@ fn the_surface_passes_through_its_nodes_and_is_bilinear_along_their_lines() {
     for j in 0..5 {
         for i in 0..6 {
             let (x, y) = (f64::from(i), f64::from(j));
-            let node = touches(&surface, v(x, y, z(x, y)), 0.0, 1e-12);
+            let node = closest_points(&surface, v(x, y, z(x, y)), 0.0, 1e-12);
             assert!(!node.is_empty(), "the node {x} {y} is not on the surface");
             if i < 5 {
                 let between = height(&surface, x + 0.25, y.clamp(1e-9, 4.0 - 1e-9));
@@ -108,7 +108,7 @@ fn a_plane_grid_is_a_plane() {
             (x, y)
         };
         let foot = v(x, y, z(x, y));
-        let found = touches(&surface, foot + normal * 0.9, 1.0, 0.0);
+        let found = closest_points(&surface, foot + normal * 0.9, 1.0, 0.0);
         assert_eq!(found.len(), 1);
         close(found[0].gap, -0.1);
         same(found[0].normal, normal);
@@ -129,7 +129,7 @@ fn a_smooth_slope_has_no_steps() {
         let slope = z(x + 0.5, 0.0) - z(x - 0.5, 0.0);
         let foot = v(x, 1.0, 0.5 * (z(x + 0.5, 0.0) + z(x - 0.5, 0.0)));
         let normal = v(-slope, 0.0, 1.0).normalize();
-        let found = touches(&surface, foot + normal * radius, radius, 1e-6);
+        let found = closest_points(&surface, foot + normal * radius, radius, 1e-6);
         assert_eq!(found.len(), 1);
         assert!(
             found[0].gap.abs() < 1e-6 * radius,
@@ -152,10 +152,13 @@ fn squares_without_data_are_holes() {
     assert_eq!((holed.vertices.len(), holed.triangles.len()), (24, 24));
     let surface = geometry([holed]);
     assert!(
-        touches(&surface, v(2.0, 2.0, 1.2), 0.5, 0.0).is_empty(),
+        closest_points(&surface, v(2.0, 2.0, 1.2), 0.5, 0.0).is_empty(),
         "the hole is open"
     );
-    assert_eq!(touches(&surface, v(0.5, 2.0, 1.2), 0.5, 0.0).len(), 1);
+    assert_eq!(
+        closest_points(&surface, v(0.5, 2.0, 1.2), 0.5, 0.0).len(),
+        1
+    );
     // -9999 unless the file says otherwise.
     let default = grid(3, 2, |x, _| if x == 2.0 { -9999.0 } else { 0.0 });
     assert_eq!(facets(&default).triangles.len(), 2);

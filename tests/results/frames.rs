@@ -4,7 +4,7 @@ use std::fs;
 
 use sphere_dda::Vec3;
 use sphere_dda::formats::vtu::{Array, Cell, Grid, Precision, Values, encode};
-use sphere_dda::observe::loads::{Load, Loads};
+use sphere_dda::observe::loads::{BodyLoad, Loads};
 use sphere_dda::results::Options;
 use sphere_dda::results::frames::{Series, Surface, contacts, frame};
 use sphere_dda::results::writer::Results;
@@ -61,7 +61,7 @@ fn contact_loads_balance() {
     assert_eq!(wrench(1).torque, Vec3::new(0.0, -radius[1], 0.0) - couple);
     assert_eq!(wrench(2).torque, Vec3::new(0.5 * radius[2], 0.0, 0.0));
     // Normal forces 2 and 3 on sphere 0, 3 and 4 on the floor; the candidate on sphere 3 carries nothing.
-    let counted = |load: &Load| (load.count, load.max_normal_force);
+    let counted = |load: &BodyLoad| (load.count, load.max_normal_force);
     assert_eq!(counted(&loads.spheres[0]), (2, 3.0));
     assert_eq!(counted(&loads.boundaries[0]), (2, 4.0));
     assert_eq!(counted(&loads.spheres[3]), (0, 0.0));

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use nalgebra::UnitQuaternion;
 use sphere_dda::Vec3;
-use sphere_dda::contact::{Contact, Key, Partner};
+use sphere_dda::contact::{Contact, ContactId, Partner};
 use sphere_dda::geometry::region::Primitive;
 use sphere_dda::geometry::{Facets, Geometry, HalfSpace, Shape};
 use sphere_dda::integrator::Integrator;
@@ -17,14 +17,14 @@ use sphere_dda::scene::materials::{Material, Pair, PairTable};
 use sphere_dda::scene::particles::{Kinematics, Locks, Particles};
 use sphere_dda::scene::{Measure, Method, Output, Scene, Sensor, Settings};
 use sphere_dda::solver::{SolverKind, Tolerance};
-use sphere_dda::spatial::Dof6;
+use sphere_dda::spatial::SpatialVector;
 use sphere_dda::spatial::Wrench;
 use sphere_dda::spatial::cell::Cell;
 use sphere_dda::spatial::{Pose, Twist};
+use sphere_dda::state::EnergyLedger;
 use sphere_dda::state::JointState;
 use sphere_dda::state::StepReport;
 use sphere_dda::state::Velocities;
-use sphere_dda::state::Work;
 
 /// A row of `n` spheres above a floor and a box, with one sensor of each kind.
 pub(crate) fn scene(n: usize) -> Scene {
@@ -134,7 +134,7 @@ const TWIST: Twist = Twist {
 pub(crate) struct Made {
     pub(crate) kinematics: Kinematics,
     /// What makes the reported twist of each sphere [`TWIST`], if the kinematics' own is zero.
-    pub(crate) persisting: Vec<Dof6>,
+    pub(crate) persisting: Vec<SpatialVector>,
     pub(crate) contacts: Vec<Contact>,
     pub(crate) passed: Vec<f64>,
     pub(crate) emitted: Vec<f64>,
@@ -149,7 +149,7 @@ impl Made {
             kinematics.orientation[i] = UnitQuaternion::from_scaled_axis(Vec3::new(0.0, 0.0, time));
         }
         let contact = |sphere, partner, force| Contact {
-            key: Key { sphere, partner },
+            key: ContactId { sphere, partner },
             point: Vec3::new(0.2 * f64::from(sphere), 0.3, 0.0),
             normal: Vec3::z(),
             gap: -1e-7,
@@ -173,7 +173,7 @@ impl Made {
             gap: 0.01,
             ..contact(3, floor, Vec3::zeros())
         });
-        let persisting = Dof6 {
+        let persisting = SpatialVector {
             linear: TWIST.linear,
             angular: TWIST.angular,
         };
@@ -196,7 +196,7 @@ impl Made {
             kinematics: &self.kinematics,
             velocities: Velocities {
                 kinematics: &self.kinematics,
-                persisting: &self.persisting,
+                smooth: &self.persisting,
                 integrator: Integrator::Moreau,
                 // As long as the scene's: the half-step velocity is then that of the kinematics.
                 last: 2.0,
@@ -224,7 +224,7 @@ impl Made {
             flow: &self.passed,
             emitted: &self.emitted,
             removed: &self.removed,
-            work: Work::default(),
+            work: EnergyLedger::default(),
             report: StepReport::default(),
         }
     }

@@ -191,7 +191,7 @@ struct Case {
 }
 
 /// Which contacts are loaded, and whether they slip.
-fn contacts(simulation: &Simulation) -> Vec<(sphere_dda::contact::Key, bool)> {
+fn contacts(simulation: &Simulation) -> Vec<(sphere_dda::contact::ContactId, bool)> {
     let pair = simulation.scene().pairs.get(0, 0);
     let slips = |c: &sphere_dda::contact::Contact| {
         let normal = c.force.dot(&c.normal);

@@ -310,7 +310,7 @@ fn an_impact_above_the_centre_of_a_plate_balances() {
     let energy = 0.5 * m * mass / (m + mass) * v * v;
     let work = run.simulation.work();
     close(work.impact, (1.0 - e * e) * energy, 1e-12, energy);
-    close(work.residue, 0.0, 1e-12, energy);
+    close(work.numerical_work, 0.0, 1e-12, energy);
 }
 
 /// A plate that falls on three fixed spheres of different size ends on their common tangent plane, `n.c_i + R_i = h` for

@@ -14,7 +14,7 @@ const RADIUS: f64 = 0.1;
 /// What the ledger leaves open of the change of energy since `start` \[J\].
 fn open(run: &Run, start: f64) -> f64 {
     let work = run.simulation.work();
-    run.energy() - start - work.boundaries + work.friction + work.impact - work.residue
+    run.energy() - start - work.boundaries + work.friction + work.impact - work.numerical_work
 }
 
 /// Row 11's sphere slides until it rolls: friction takes `1/2 m v0^2 - 7/10 m (5/7 v0)^2 = 1/7 m v0^2`, all else is nothing.
@@ -35,7 +35,7 @@ fn friction_takes_a_seventh() {
         let scale = run.mass(0) * v0 * v0;
         close(run.simulation.work().friction, scale / 7.0, 1e-3, 0.0);
         assert_eq!(run.simulation.work().impact, 0.0);
-        run.simulation.work().residue.abs() / scale
+        run.simulation.work().numerical_work.abs() / scale
     };
     // Only the step in which slip ends leaves something: less than (mu g dt)^2/v0^2 and its share of a step.
     assert!(residue(1e-3) < 1e-5);
@@ -62,7 +62,7 @@ fn an_impact_takes_its_share() {
         // With e = 0 it lands on the wall within the step, as if it had arrived with its speed.
         if e > 0.0 {
             close(work.impact, (1.0 - e * e) * scale, 1e-9, scale);
-            close(work.residue, 0.0, 1e-12, scale);
+            close(work.numerical_work, 0.0, 1e-12, scale);
         }
         assert!(open(&run, start).abs() < 1e-12 * scale);
         close(start - run.energy(), (1.0 - e * e) * scale, 1e-9, scale);
@@ -90,7 +90,7 @@ fn a_moving_wall_does_work() {
     close(work.boundaries, (1.0 + e) * scale, 1e-9, 0.0);
     close(work.impact, 0.5 * (1.0 - e * e) * scale, 1e-9, 0.0);
     close(run.kinetic(), 0.5 * (1.0 + e).powi(2) * scale, 1e-9, 0.0);
-    close(work.residue, 0.0, 1e-12, scale);
+    close(work.numerical_work, 0.0, 1e-12, scale);
 }
 
 /// Bouncing and rolling to rest under gravity: the ledger closes to rounding in every step, and time stepping adds or takes
@@ -108,7 +108,7 @@ fn the_ledger_closes_while_a_sphere_bounces_to_rest() {
         while run.simulation.time() < 2.0 {
             run.step();
             assert!(open(&run, start).abs() < 1e-9 * start);
-            let residue = run.simulation.work().residue / scale;
+            let residue = run.simulation.work().numerical_work / scale;
             assert!(
                 residue.abs() < 2e-2,
                 "{residue:e} at {} s",
@@ -117,9 +117,9 @@ fn the_ledger_closes_while_a_sphere_bounces_to_rest() {
         }
         let work = run.simulation.work();
         assert!(
-            work.residue.abs() < 1e-3 * scale,
+            work.numerical_work.abs() < 1e-3 * scale,
             "{:e}",
-            work.residue / scale
+            work.numerical_work / scale
         );
         assert!(work.impact > 0.5 * scale && work.friction > 0.0);
     }
@@ -143,7 +143,7 @@ fn the_residue_on_a_curved_path_is_of_second_order() {
         while run.simulation.time() < 2.0 {
             run.step();
             assert!(open(&run, start).abs() < 1e-9 * start.abs());
-            worst = worst.max(run.simulation.work().residue.abs());
+            worst = worst.max(run.simulation.work().numerical_work.abs());
         }
         worst / (run.mass(0) * G * hollow)
     };
@@ -158,7 +158,7 @@ fn the_residue_on_a_curved_path_is_of_second_order() {
 /// What the ledger leaves open of the change of the energy of spheres and driven bodies; springs do work.
 fn open_with_bodies(run: &Run, start: f64) -> f64 {
     let (work, energy) = (run.simulation.work(), run.whole_energy());
-    let gained = work.boundaries + work.loads + work.dampers + work.springs + work.residue;
+    let gained = work.boundaries + work.loads + work.dampers + work.springs + work.numerical_work;
     energy.kinetic() + energy.gravity - start - gained + work.friction + work.impact
 }
 
@@ -212,7 +212,11 @@ fn closes(case: Case) -> Run {
     }
     let work = run.simulation.work();
     assert!(work.impact > 0.0 && work.loads > 0.0 && work.friction > 0.0);
-    assert!(work.residue.abs() < 0.02 * scale, "{:e}", work.residue);
+    assert!(
+        work.numerical_work.abs() < 0.02 * scale,
+        "{:e}",
+        work.numerical_work
+    );
     run
 }
 
@@ -259,7 +263,7 @@ fn the_ledger_closes_with_a_servo_wall() {
     // step before t = 0, `-f dt/2` but for the damper's `c dt/m` of it.
     let (dt, force) = (1e-3, pressure * area);
     assert!(run.simulation.boundary_twist(1).linear.norm() < 1e-9);
-    let way = run.simulation.joint(1).travel - 0.5 * dt * (0.5 * dt * force);
+    let way = run.simulation.joint(1).joint_position - 0.5 * dt * (0.5 * dt * force);
     close(run.simulation.work().loads, force * way, 1e-6, 0.0);
 }
 
@@ -291,7 +295,7 @@ fn the_residue_in_a_swinging_bucket_is_of_second_order() {
             run.step();
             let left = open_with_bodies(&run, start);
             assert!(left.abs() < 1e-9 * start.abs(), "{left:e}");
-            worst = worst.max(run.simulation.work().residue.abs());
+            worst = worst.max(run.simulation.work().numerical_work.abs());
         }
         worst / start.abs()
     };

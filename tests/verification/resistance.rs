@@ -120,7 +120,7 @@ fn a_ball_rolls_out() {
     // The ledger closes.
     let lost = 0.7 * mass * speed * speed;
     let work = run.simulation.work();
-    close(work.dissipated() - work.residue, lost, 1e-6, 0.0);
+    close(work.dissipated() - work.numerical_work, lost, 1e-6, 0.0);
     close(work.dissipated(), lost, 1e-6, 0.0);
 }
 

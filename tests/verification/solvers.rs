@@ -6,25 +6,25 @@ use sphere_dda::linalg::LinearError;
 use sphere_dda::problem::{GROUND, Law, Problem, Row};
 use sphere_dda::scene::body::{Area, Joint, Servo};
 use sphere_dda::simulation::Simulation;
-use sphere_dda::solver::augmented_lagrangian::Workspace;
+use sphere_dda::solver::augmented_lagrangian::SolverWorkspace;
 use sphere_dda::solver::residual::{Scale, evaluate};
 use sphere_dda::solver::{Params, Report, SMOOTHING, newton, solve};
 use sphere_dda::solver::{SolverKind, Tolerance};
-use sphere_dda::spatial::Dof6;
+use sphere_dda::spatial::SpatialVector;
 
 use crate::support::{self, Case};
 
 const R: f64 = 0.1;
 const DT: f64 = 1e-3;
 
-fn body(velocity: Vec3) -> (Dof6, Dof6) {
+fn body(velocity: Vec3) -> (SpatialVector, SpatialVector) {
     let mass = 2.0;
     let inertia = 0.4 * mass * R * R;
-    let free = Dof6 {
+    let free = SpatialVector {
         linear: velocity,
         angular: Vec3::zeros(),
     };
-    let inverse = Dof6 {
+    let inverse = SpatialVector {
         linear: Vec3::repeat(1.0 / mass),
         angular: Vec3::repeat(1.0 / inertia),
     };
@@ -42,7 +42,7 @@ fn row(a: u32, b: u32, normal: Vec3, mu: f64) -> Row {
         } else {
             normal * R
         },
-        drift: Vec3::zeros(),
+        prescribed_velocity: Vec3::zeros(),
         bias: Vec3::zeros(),
         compliance_n: 0.0,
         compliance_t: 0.0,
@@ -115,7 +115,7 @@ fn stiff_pyramid(mu: f64, rolling: f64, twisting: f64) -> Problem {
 
 fn solved(problem: &Problem, kind: SolverKind) -> (Vec<Vec3>, Report) {
     let mut impulses = vec![Vec3::zeros(); problem.rows.len()];
-    let workspace = &mut Workspace::default();
+    let workspace = &mut SolverWorkspace::default();
     let report = solve(problem, &params(kind), workspace, &mut impulses);
     assert!(report.converged, "{kind:?}: {report:?}");
     (impulses, report)
@@ -210,7 +210,7 @@ fn a_part_that_resists_rolling_is_finished() {
     let contacts = pushed.rows.len() / 2;
     let mut both = pushed.clone();
     for free in &mut both.free {
-        *free = Dof6::ZERO;
+        *free = SpatialVector::ZERO;
     }
     both.free.extend(&pushed.free);
     both.inverse_mass.extend(&pushed.inverse_mass);
@@ -252,7 +252,12 @@ fn a_part_that_resists_rolling_is_finished() {
         max_sweeps: 2,
         ..params(SolverKind::Auto)
     };
-    let report = solve(&both, &brief, &mut Workspace::default(), &mut impulses);
+    let report = solve(
+        &both,
+        &brief,
+        &mut SolverWorkspace::default(),
+        &mut impulses,
+    );
     assert!(report.converged && report.factorizations > 0, "{report:?}");
     let (alone, _) = solved(&pushed, SolverKind::GaussSeidel);
     let velocities = both.velocities(&impulses);
@@ -374,7 +379,7 @@ fn a_residual_without_scale_is_a_share() {
     problem.rows.truncate(1);
     problem.rows.update(0, |row| row.impulse_scale = 0.0);
     for free in &mut problem.free {
-        *free = Dof6::ZERO;
+        *free = SpatialVector::ZERO;
     }
     let scales = Scale::of(&problem);
     let pushed = [problem.rows.normal(0) * 1e-60];
@@ -395,7 +400,12 @@ fn a_broken_factorization_is_reported() {
         smoothing: 0,
         ..params(SolverKind::Direct)
     };
-    let report = solve(&problem, &params, &mut Workspace::default(), &mut impulses);
+    let report = solve(
+        &problem,
+        &params,
+        &mut SolverWorkspace::default(),
+        &mut impulses,
+    );
     let rows = 6 * problem.free.len();
     assert_eq!(
         report.broken,
@@ -427,7 +437,12 @@ fn more_work_leaves_no_larger_residual() {
             penalty: 1e9,
             ..params(SolverKind::Direct)
         };
-        solve(&problem, &params, &mut Workspace::default(), &mut impulses);
+        solve(
+            &problem,
+            &params,
+            &mut SolverWorkspace::default(),
+            &mut impulses,
+        );
         let excess = evaluate(&problem, &Scale::of(&problem), &impulses).excess(&params.tolerance);
         assert!(
             excess <= last,

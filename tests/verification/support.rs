@@ -16,7 +16,7 @@ use sphere_dda::scene::particles::{Kinematics, Locks, Particles};
 use sphere_dda::scene::{Belt, Boundary};
 use sphere_dda::scene::{Method, Output, Scene, Settings};
 use sphere_dda::simulation::Simulation;
-use sphere_dda::spatial::Dof6;
+use sphere_dda::spatial::SpatialVector;
 use sphere_dda::spatial::cell::Cell;
 use sphere_dda::spatial::{Pose, Twist};
 
@@ -371,7 +371,7 @@ impl Run {
     }
 
     /// Momentum and angular momentum about the reference point of each driven body, and its pose.
-    fn bodies(&self) -> Vec<(Dof6, Pose)> {
+    fn bodies(&self) -> Vec<(SpatialVector, Pose)> {
         let scene = self.simulation.scene();
         let carried = self.simulation.state().bodies.iter();
         carried
@@ -382,7 +382,7 @@ impl Run {
 
     /// The momentum of driven bodies without damper and outside load changes by weight, loads and the contacts' wrench; of a
     /// free one also the angular momentum. Only in a step that was not cut do all torques act at the start.
-    fn check_bodies(&self, before: &[(Dof6, Pose)], h: f64) {
+    fn check_bodies(&self, before: &[(SpatialVector, Pose)], h: f64) {
         let scene = self.simulation.scene();
         let driven = scene.driven().zip(before).zip(self.bodies());
         for (((b, body), (old, start)), (new, _)) in driven {

@@ -19,7 +19,7 @@ pub(super) const SAVEABLE: Stages = &[
 ];
 
 /// Where a call comes from: instance, function, and the states in which it is allowed.
-pub(super) type Call<'a> = (*mut c_void, &'a str, Stages);
+pub(super) type CallSite<'a> = (*mut c_void, &'a str, Stages);
 
 /// The saved state behind a pointer.
 fn saved<'a>(state: *mut c_void) -> Result<&'a mut Vec<u8>, Refusal> {
@@ -27,7 +27,7 @@ fn saved<'a>(state: *mut c_void) -> Result<&'a mut Vec<u8>, Refusal> {
 }
 
 /// Saves the state; a state that is passed in is overwritten.
-pub(super) fn get<S: Status>((c, function, allowed): Call, state: *mut *mut c_void) -> S {
+pub(super) fn get<S: Status>((c, function, allowed): CallSite, state: *mut *mut c_void) -> S {
     call(c, function, allowed, |component| {
         let place = value_mut(state, "FMUstate")?;
         let bytes = component.instance.save()?;
@@ -40,7 +40,7 @@ pub(super) fn get<S: Status>((c, function, allowed): Call, state: *mut *mut c_vo
 }
 
 /// Restores a state.
-pub(super) fn set<S: Status>((c, function, allowed): Call, state: *mut c_void) -> S {
+pub(super) fn set<S: Status>((c, function, allowed): CallSite, state: *mut c_void) -> S {
     call(c, function, allowed, |component| {
         component.instance.load(saved(state)?)?;
         Ok(S::OK)
@@ -48,7 +48,7 @@ pub(super) fn set<S: Status>((c, function, allowed): Call, state: *mut c_void) -
 }
 
 /// Frees a state and sets the pointer to null; a null state is ignored.
-pub(super) fn free<S: Status>((c, function, allowed): Call, state: *mut *mut c_void) -> S {
+pub(super) fn free<S: Status>((c, function, allowed): CallSite, state: *mut *mut c_void) -> S {
     call(c, function, allowed, |_| {
         let place = value_mut(state, "FMUstate")?;
         if !place.is_null() {
@@ -62,7 +62,7 @@ pub(super) fn free<S: Status>((c, function, allowed): Call, state: *mut *mut c_v
 
 /// Number of bytes of a serialized state.
 pub(super) fn size<S: Status>(
-    (c, function, allowed): Call,
+    (c, function, allowed): CallSite,
     state: *mut c_void,
     size: *mut usize,
 ) -> S {
@@ -74,7 +74,7 @@ pub(super) fn size<S: Status>(
 
 /// Copies the bytes of a state.
 pub(super) fn serialize<S: Status>(
-    (c, function, allowed): Call,
+    (c, function, allowed): CallSite,
     state: *mut c_void,
     serialized: *mut u8,
     size: usize,
@@ -97,7 +97,7 @@ pub(super) fn serialize<S: Status>(
 
 /// Makes a state of bytes; anything that is no state of this model is refused.
 pub(super) fn deserialize<S: Status>(
-    (c, function, allowed): Call,
+    (c, function, allowed): CallSite,
     serialized: *const u8,
     size: usize,
     state: *mut *mut c_void,

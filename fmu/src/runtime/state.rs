@@ -13,8 +13,8 @@
 //! pointers inside, so a state works in another instance and in another process.
 
 use serde::{Deserialize, Serialize};
-use sphere_dda::scene::{Command, Rates};
-use sphere_dda::simulation::Origin;
+use sphere_dda::scene::{Command, CommandDerivatives};
+use sphere_dda::simulation::ReplayRecord;
 use thiserror::Error;
 
 use crate::runtime::life_cycle::LifeCycle;
@@ -26,7 +26,7 @@ const HEADER: usize = 24;
 
 /// Everything an instance holds beside the simulation.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Run {
+pub struct InstanceState {
     /// Place in the life cycle.
     pub stage: LifeCycle,
     /// Time of the experiment's start \[s\]: the scene's t = 0.
@@ -40,7 +40,7 @@ pub struct Run {
     /// Command of every boundary, zero where it is not driven; `[B]`.
     pub commands: Vec<Command>,
     /// Their derivatives by time, for the next step; `[B]`.
-    pub rates: Vec<Rates>,
+    pub rates: Vec<CommandDerivatives>,
     /// Something was set since the simulation was prepared (initialization) or advanced (stepping).
     pub pending: bool,
     /// Length \[s\] of the step that could not be taken from here.
@@ -49,15 +49,15 @@ pub struct Run {
 
 /// A saved state.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Saved {
+pub struct SavedState {
     /// Of the model it belongs to.
     pub guid: String,
     /// The instance's part.
-    pub run: Run,
+    pub run: InstanceState,
     /// The simulation's part; `None` before there is one.
     pub snapshot: Option<Vec<u8>>,
     /// Where its last step came from: what derivatives need.
-    pub origin: Option<Origin>,
+    pub replay: Option<ReplayRecord>,
 }
 
 /// Bytes that are no state of this model.
@@ -84,7 +84,7 @@ pub enum StateError {
     },
 }
 
-impl Saved {
+impl SavedState {
     /// Whether the parts fit each other and a scene of `boundaries` boundaries.
     ///
     /// # Errors

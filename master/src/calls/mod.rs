@@ -17,4 +17,4 @@ pub(crate) use fmi2::Functions as Fmi2;
 pub(crate) use fmi3::{Arrays, Functions as Fmi3};
 pub(crate) use instance::Instance;
 pub(crate) use library::Library;
-pub(crate) use participant::{Load, Participant};
+pub(crate) use participant::{InputValues, Participant};

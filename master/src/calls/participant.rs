@@ -8,7 +8,7 @@ use super::logger::Message;
 use super::state::SavedState;
 
 /// Values for the inputs of one instance.
-pub(crate) type Load = Vec<(Place, Value)>;
+pub(crate) type InputValues = Vec<(Place, Value)>;
 
 /// What became of a step.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -32,7 +32,7 @@ pub(crate) trait Participant {
         tolerance: Option<f64>,
         start: f64,
         stop: f64,
-        values: &Load,
+        values: &InputValues,
     ) -> Result<(), ImportError>;
 
     fn enter_initialization(&mut self) -> Result<(), ImportError>;
@@ -43,7 +43,7 @@ pub(crate) trait Participant {
     fn get(&mut self, places: &[Place]) -> Result<Vec<Value>, ImportError>;
 
     /// Sets values of any types, with one call for each type.
-    fn set(&mut self, values: &Load) -> Result<(), ImportError>;
+    fn set(&mut self, values: &InputValues) -> Result<(), ImportError>;
 
     /// From `time` by `step` \[s\]; `no_rollback` tells that no state saved before will be restored.
     fn step(&mut self, time: f64, step: f64, no_rollback: bool) -> Result<Step, ImportError>;

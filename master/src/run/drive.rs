@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use crate::calls::{Load, Participant};
+use crate::calls::{InputValues, Participant};
 
 use super::accelerate::QuasiNewton;
 use super::components::Components;
@@ -25,7 +25,7 @@ impl Run<'_> {
     /// From the first call to the last.
     pub(super) fn drive(
         &mut self,
-        start_values: &[Load],
+        start_values: &[InputValues],
         observe: &mut impl FnMut(Event<'_>) -> ControlFlow<()>,
     ) -> Result<End, Halt> {
         let points = self.components.points;
@@ -62,11 +62,11 @@ impl Run<'_> {
         Ok(end)
     }
 
-    fn initialize(&mut self, start_values: &[Load]) -> Result<(), Halt> {
+    fn initialize(&mut self, start_values: &[InputValues]) -> Result<(), Halt> {
         let (start, stop) = (self.components.points.start, self.components.points.stop);
         let fmus: Vec<_> = self.components.system.fmus().collect();
         let given = self.options.tolerance;
-        let none = Load::new();
+        let none = InputValues::new();
         self.components.each(|k, instance| {
             let default = fmus
                 .get(k)
@@ -93,7 +93,7 @@ impl Run<'_> {
         let components = 0..self.components.instances.len();
         if self.options.coupling == Coupling::Jacobi {
             // All are read before the first is written: an input may show through to an output at once.
-            let loads: Vec<Load> = components
+            let loads: Vec<InputValues> = components
                 .clone()
                 .map(|target| {
                     self.components

@@ -1,6 +1,6 @@
 //! Carries values from outputs to inputs.
 
-use crate::calls::{Load, Participant};
+use crate::calls::{InputValues, Participant};
 use crate::system::System;
 use crate::value::{Value, ValueType};
 use crate::variable::Place;
@@ -57,7 +57,11 @@ impl Exchange {
     }
 
     /// What the outputs hold now for the inputs of component `target`.
-    pub(super) fn read(&self, target: usize, instances: &mut Instances) -> Result<Load, Halt> {
+    pub(super) fn read(
+        &self,
+        target: usize,
+        instances: &mut Instances,
+    ) -> Result<InputValues, Halt> {
         self.read_from(target, instances, |_| true)
     }
 
@@ -67,8 +71,8 @@ impl Exchange {
         target: usize,
         instances: &mut Instances,
         from: impl Fn(usize) -> bool,
-    ) -> Result<Load, Halt> {
-        let mut load = Load::new();
+    ) -> Result<InputValues, Halt> {
+        let mut load = InputValues::new();
         let own = |channel: &&Channel| channel.target == target && from(channel.source);
         for channel in self.channels.iter().filter(own) {
             let Some(source) = instances.get_mut(channel.source) else {
@@ -109,7 +113,11 @@ impl Exchange {
     }
 
     /// Sets inputs of component `target`.
-    pub(super) fn write(target: usize, load: &Load, instances: &mut Instances) -> Result<(), Halt> {
+    pub(super) fn write(
+        target: usize,
+        load: &InputValues,
+        instances: &mut Instances,
+    ) -> Result<(), Halt> {
         match instances.get_mut(target) {
             Some(instance) => instance.set(load).map_err(Halt::at(target)),
             None => Ok(()),
@@ -119,7 +127,7 @@ impl Exchange {
     /// Carries outputs to inputs until nothing changes, at most as often as there are components: through every
     /// chain of direct feedthrough, but a loop of it is not iterated to its end.
     pub(super) fn settle(&self, instances: &mut Instances) -> Result<(), Halt> {
-        let mut before: Vec<Load> = vec![Load::new(); instances.len()];
+        let mut before: Vec<InputValues> = vec![InputValues::new(); instances.len()];
         for _ in 0..instances.len() {
             let mut changed = false;
             for (target, old) in before.iter_mut().enumerate() {

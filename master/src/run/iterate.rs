@@ -3,7 +3,7 @@
 //! Let x be the values that go back to FMUs which stepped before their source, and G(x) what the sources hold after a
 //! step with x. Sought is x = G(x), as [`accelerate`](super::accelerate) seeks it.
 
-use crate::calls::Load;
+use crate::calls::InputValues;
 use crate::value::Value;
 
 use super::accelerate::{QuasiNewton, Search};
@@ -43,7 +43,7 @@ pub(super) fn iterate(
     } else {
         Vec::new()
     };
-    let mut best: Option<(f64, Vec<Load>)> = None;
+    let mut best: Option<(f64, Vec<InputValues>)> = None;
     let mut last = None;
     for iteration in 1..=settings.max_iterations {
         if let Some(time) = sweep(components, k, &guess, !loops)? {
@@ -98,7 +98,7 @@ pub(super) fn iterate(
 fn sweep(
     components: &mut Components<'_>,
     k: u64,
-    guess: &[Load],
+    guess: &[InputValues],
     no_rollback: bool,
 ) -> Result<Option<f64>, Halt> {
     for (component, guessed) in guess.iter().enumerate() {
@@ -119,7 +119,7 @@ fn sweep(
 }
 
 /// What now goes back to each component from itself and those behind it.
-fn returned(components: &mut Components<'_>) -> Result<Vec<Load>, Halt> {
+fn returned(components: &mut Components<'_>) -> Result<Vec<InputValues>, Halt> {
     let Components {
         exchange,
         instances,
@@ -139,7 +139,7 @@ fn returned_names(components: &Components<'_>) -> Vec<String> {
 }
 
 /// Whether all values are the same that are no real numbers.
-fn others_agree(given: &[Load], found: &[Load]) -> bool {
+fn others_agree(given: &[InputValues], found: &[InputValues]) -> bool {
     let pairs = given.iter().flatten().zip(found.iter().flatten());
     pairs
         .filter(|((_, value), _)| !matches!(value, Value::Real(_)))
@@ -147,7 +147,7 @@ fn others_agree(given: &[Load], found: &[Load]) -> bool {
 }
 
 /// The real values of loads, one after another.
-fn reals(loads: &[Load]) -> Vec<f64> {
+fn reals(loads: &[InputValues]) -> Vec<f64> {
     let values = loads.iter().flatten().map(|(_, value)| value);
     values
         .filter_map(|value| match value {
@@ -158,7 +158,7 @@ fn reals(loads: &[Load]) -> Vec<f64> {
 }
 
 /// Replaces the real values of loads.
-fn put(loads: &mut [Load], values: &[f64]) {
+fn put(loads: &mut [InputValues], values: &[f64]) {
     let mut values = values.iter();
     for (_, value) in loads.iter_mut().flatten() {
         if let Value::Real(old) = value

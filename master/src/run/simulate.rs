@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use crate::calls::Load;
+use crate::calls::InputValues;
 use crate::system::{System, check_settable_at_start, parse};
 
 use super::accelerate::QuasiNewton;
@@ -36,7 +36,7 @@ pub fn simulate(
 ) -> Result<Table, SimulateError> {
     let points = CommunicationPoints::new(system, options)?;
     let mut table = Table::for_outputs(system, options.outputs.as_deref())?;
-    let mut start_values = vec![Load::new(); system.fmus().len()];
+    let mut start_values = vec![InputValues::new(); system.fmus().len()];
     for (name, text) in &options.set {
         let variable = system.find(name)?;
         check_settable_at_start(&variable)?;

@@ -22,11 +22,11 @@ use sphere_dda::error::StepError;
 use sphere_dda::problem::{GROUND, Problem};
 use sphere_dda::scene::{Method, Scene};
 use sphere_dda::simulation::Simulation;
-use sphere_dda::solver::augmented_lagrangian::Workspace;
+use sphere_dda::solver::augmented_lagrangian::SolverWorkspace;
 use sphere_dda::solver::{Params, SMOOTHING, solve};
 use sphere_dda::solver::{SolverKind, Tolerance};
 
-use super::march::Example;
+use super::stepping::Example;
 use crate::error::ReportError;
 
 /// Factors on the paper's penalty.
@@ -168,7 +168,13 @@ impl Column {
                 force,
             };
             let params = Params { tolerance, ..held };
-            solve(&problem, &params, &mut Workspace::default(), &mut impulses).augmentations as u64
+            solve(
+                &problem,
+                &params,
+                &mut SolverWorkspace::default(),
+                &mut impulses,
+            )
+            .augmentations as u64
         };
         let gap = go_on(TOLERANCE, f64::INFINITY);
         let force = gap + go_on(f64::INFINITY, TOLERANCE);
@@ -198,7 +204,12 @@ impl Column {
             adapt_penalty: true,
             smoothing: SMOOTHING,
         };
-        let report = solve(&problem, &params, &mut Workspace::default(), &mut impulses);
+        let report = solve(
+            &problem,
+            &params,
+            &mut SolverWorkspace::default(),
+            &mut impulses,
+        );
         let error = self.force_error(&problem, &impulses);
         Ok((report.augmentations as u64, error))
     }

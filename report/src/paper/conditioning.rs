@@ -6,11 +6,11 @@ use sphere_dda::integrator::Integrator;
 use sphere_dda::linalg::{Condition, Symbolic};
 use sphere_dda::problem::Problem;
 use sphere_dda::scene::Method;
-use sphere_dda::solver::augmented_lagrangian::{Workspace, stiffness};
+use sphere_dda::solver::augmented_lagrangian::{SolverWorkspace, stiffness};
 use sphere_dda::solver::{Params, SMOOTHING, solve};
 use sphere_dda::solver::{SolverKind, Tolerance};
 
-use super::march::{Case, Example, Record, march};
+use super::stepping::{Case, Example, Record, simulate};
 use crate::error::ReportError;
 use crate::{Watch, parallel};
 
@@ -46,7 +46,12 @@ pub fn condition(problem: &Problem, penalty: f64) -> Option<f64> {
         smoothing: SMOOTHING,
     };
     // Which contacts carry load is what is wanted; the last digits of the load are not.
-    solve(problem, &params, &mut Workspace::default(), &mut impulses);
+    solve(
+        problem,
+        &params,
+        &mut SolverWorkspace::default(),
+        &mut impulses,
+    );
     let matrix = stiffness(problem, penalty, &impulses);
     let factor = Symbolic::new(matrix.pattern())
         .and_then(|symbolic| symbolic.factorize(&matrix))
@@ -57,7 +62,7 @@ pub fn condition(problem: &Problem, penalty: f64) -> Option<f64> {
 /// The study of one example; `problem` is the frozen step.
 ///
 /// # Errors
-/// As [`march`].
+/// As [`simulate`].
 pub fn study(
     example: Example,
     problem: &Problem,
@@ -78,7 +83,7 @@ pub fn study(
                         factor,
                         end,
                     };
-                    march(case, watch)
+                    simulate(case, watch)
                 };
                 let point = Point {
                     factor,

@@ -8,7 +8,7 @@ use sphere_dda::scene::materials::{Pair, PairTable};
 use sphere_dda::simulation::Simulation;
 
 use super::column::{Column, Stop};
-use super::march::{Case, Example, Tally};
+use super::stepping::{Case, Example, Tally};
 use crate::Watch;
 use crate::error::ReportError;
 

@@ -5,10 +5,10 @@ pub mod beyond;
 pub mod column;
 pub mod conditioning;
 pub mod held;
-pub mod march;
 pub mod overlap;
 mod pictures;
 mod sections;
+pub mod stepping;
 mod study;
 mod text;
 
@@ -23,7 +23,7 @@ use crate::folder::Folder;
 use crate::{Watch, parallel};
 use column::{Column, Stop};
 use held::{Held, Outcome};
-use march::{Case, Example, Record, march};
+use stepping::{Case, Example, Record, simulate};
 
 /// Runs the study and writes it: `paper.md`, and below `paper/` its drawings (SVG) and tables (CSV).
 ///
@@ -76,7 +76,7 @@ fn records(
                         factor: 1.0,
                         end: end(example),
                     };
-                    let record = march(case, watch)?;
+                    let record = simulate(case, watch)?;
                     watch.note(&format!("{}: {} steps", case.name(), record.steps));
                     Ok(record)
                 });

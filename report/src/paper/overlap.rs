@@ -1,4 +1,4 @@
-//! Overlaps of a placement: true geometry, every pair.
+//! Overlaps of a configuration: true geometry, every pair.
 //!
 //! ```text
 //! o = -g / R       of each pair that overlaps, R the smaller radius of the pair     [-]
@@ -6,7 +6,7 @@
 //! ```
 
 use sphere_dda::detection::broad_phase::NeighborList;
-use sphere_dda::detection::placement::Placement;
+use sphere_dda::detection::configuration::Configuration;
 
 /// Overlaps over radius of some pairs.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -19,14 +19,14 @@ pub struct Overlaps {
 }
 
 impl Overlaps {
-    /// All overlapping pairs of `placement`; `neighbors` is kept between calls for speed.
-    pub fn of(placement: &Placement, neighbors: &mut NeighborList) -> Self {
-        neighbors.ensure(placement, &[], 0.0);
+    /// All overlapping pairs of `configuration`; `neighbors` is kept between calls for speed.
+    pub fn of(configuration: &Configuration, neighbors: &mut NeighborList) -> Self {
+        neighbors.ensure(configuration, &[], 0.0);
         let mut closed = Vec::new();
-        placement.candidates(neighbors, |_, _| 0.0, |_, _| 0.0, &mut closed);
+        configuration.candidates(neighbors, |_, _| 0.0, |_, _| 0.0, &mut closed);
         let mut overlaps = Self::default();
         for pair in &closed {
-            overlaps.include(-pair.gap / placement.scale(pair.key));
+            overlaps.include(-pair.gap / configuration.scale(pair.key));
         }
         overlaps
     }
@@ -40,7 +40,7 @@ impl Overlaps {
         }
     }
 
-    /// Takes in the pairs of another placement.
+    /// Takes in the pairs of another configuration.
     pub fn merge(&mut self, other: &Self) {
         self.pairs += other.pairs;
         self.largest = self.largest.max(other.largest);
@@ -74,7 +74,7 @@ mod tests {
             particles.push(radius, 1000.0, 0, Locks::default());
         }
         let position = [0.0, 2.7, 4.3].map(|x| Vec3::x() * x);
-        let placement = Placement {
+        let configuration = Configuration {
             particles: &particles,
             position: &position,
             present: &[true; 3],
@@ -82,7 +82,7 @@ mod tests {
             poses: &[],
             cell: &Cell::default(),
         };
-        let found = Overlaps::of(&placement, &mut NeighborList::default());
+        let found = Overlaps::of(&configuration, &mut NeighborList::default());
         assert_eq!(found.pairs, 2);
         assert!((found.largest - 0.4).abs() < 1e-14);
         assert!((found.rms() - 0.125f64.sqrt()).abs() < 1e-14);

@@ -2,7 +2,7 @@
 
 use sphere_dda::Vec3;
 
-use super::march::{Example, Moment, Record, method_name};
+use super::stepping::{Example, Moment, Record, method_name};
 use crate::picture::{Ball, Panel, View, sheets, svg};
 
 /// Colour of spheres beyond a boundary.

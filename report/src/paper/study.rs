@@ -2,7 +2,7 @@
 
 use super::conditioning::Point;
 use super::held::{Held, Outcome};
-use super::march::{Example, Record};
+use super::stepping::{Example, Record};
 
 /// How much is run.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,6 +1,6 @@
 //! What the report says without measuring it: the loop, the slips of the print, the reconstruction.
 
-use super::march::Tally;
+use super::stepping::Tally;
 use crate::table::number;
 
 /// The paper's Fig. 2 as implemented.

@@ -8,7 +8,7 @@ use rand_chacha::ChaCha8Rng;
 use serde::{Deserialize, Serialize};
 
 use crate::Vec3;
-use crate::geometry::{Solid, Touch};
+use crate::geometry::{ClosestPoint, Solid};
 use crate::spatial::cell::Cell;
 pub use primitive::Primitive;
 use primitive::SLACK;
@@ -69,16 +69,21 @@ impl Region {
     }
 
     /// Where a sphere \[m\] whose centre lies in the region has to go, to first order, so that the whole of it does.
-    /// `touches` is scratch. A sphere too large for the region finds no such place: ask [`Self::holds`].
+    /// `closest_points` is scratch. A sphere too large for the region finds no such place: ask [`Self::holds`].
     #[must_use]
-    pub fn confine(&self, centre: Vec3, radius: f64, touches: &mut Vec<Touch>) -> Vec3 {
+    pub fn confine(
+        &self,
+        centre: Vec3,
+        radius: f64,
+        closest_points: &mut Vec<ClosestPoint>,
+    ) -> Vec3 {
         match self {
             Self::Primitive(primitive) => primitive.confine(centre, radius),
             Self::Mesh(solid) => {
-                touches.clear();
-                solid.touches(centre, radius, 0.0, touches);
-                touches.iter().fold(centre, |c, touch| {
-                    c - touch.normal * (touch.gap - SLACK * radius)
+                closest_points.clear();
+                solid.closest_points(centre, radius, 0.0, closest_points);
+                closest_points.iter().fold(centre, |c, point| {
+                    c - point.normal * (point.gap - SLACK * radius)
                 })
             }
             Self::Beyond { point, normal } => {

@@ -119,14 +119,14 @@ pub(super) const DRIVEN: [Field<Body>; 2] = [
 /// Of bodies on a slide with stops or a spring.
 #[rustfmt::skip]
 pub(super) const SLIDE: [Field<Body>; 2] = [
-    real("jointTravel", "m", "Displacement along the slide from the scene's placement", |b| b.state.joint.travel),
+    real("jointTravel", "m", "Displacement along the slide from the scene's placement", |b| b.state.joint.joint_position),
     real("jointForce", "N", "Force of the stops and the spring along the slide, last internal step", |b| b.state.joint.force),
 ];
 
 /// Of bodies on a hinge with stops or a spring.
 #[rustfmt::skip]
 pub(super) const HINGE: [Field<Body>; 2] = [
-    real("jointAngle", "rad", "Angle about the hinge from the scene's placement, whole turns included", |b| b.state.joint.travel),
+    real("jointAngle", "rad", "Angle about the hinge from the scene's placement, whole turns included", |b| b.state.joint.joint_position),
     real("jointTorque", "N.m", "Torque of the stops and the spring about the hinge, last internal step", |b| b.state.joint.force),
 ];
 
@@ -184,7 +184,7 @@ pub(super) const WHOLE: [Field<Whole>; 29] = [
     real("dissipatedEnergy", "J", "Energy lost in contacts since the start: friction and impact", |w| w.work.dissipated()),
     real("frictionEnergy", "J", "Energy lost by sliding friction since the start", |w| w.work.friction),
     real("impactEnergy", "J", "Energy lost along the normals of impacts since the start", |w| w.work.impact),
-    real("residualEnergy", "J", "Energy added by time stepping since the start, negative where taken: what no other work explains", |w| w.work.residue),
+    real("residualEnergy", "J", "Energy added by time stepping since the start, negative where taken: what no other work explains", |w| w.work.numerical_work),
     real("boundaryWork", "J", "Work of moving boundaries on the spheres since the start", |w| w.work.boundaries),
     real("gravityWork", "J", "Potential energy gained since the start because gravity changed with time", |w| w.work.gravity),
     real("loadWork", "J", "Work of point loads and of the loads on driven bodies since the start", |w| w.work.loads),
@@ -201,6 +201,6 @@ pub(super) const WHOLE: [Field<Whole>; 29] = [
     number("solver.gapResidual", "Largest gap residual in the communication step", |w| w.report.gap_residual),
     number("solver.slipResidual", "Largest slip residual in the communication step", |w| w.report.slip_residual),
     number("solver.forceResidual", "Largest force residual in the communication step", |w| w.report.force_residual),
-    number("solver.activeSetMargin", "How far the contacts stayed from opening, closing, sticking and slipping in the communication step: 1 far, 0 at a kink, where derivatives are one-sided", |w| 1.0 - w.report.kink),
+    number("solver.activeSetMargin", "How far the contacts stayed from opening, closing, sticking and slipping in the communication step: 1 far, 0 at a active_set_closeness, where derivatives are one-sided", |w| 1.0 - w.report.active_set_closeness),
     real("recommendedStep", "s", "Internal step advised at the present speeds", |w| w.recommended_step),
 ];

@@ -2,13 +2,13 @@
 
 use crate::Vec3;
 use crate::observe::energy::Totals;
-use crate::observe::loads::{Load, Loads};
+use crate::observe::loads::{BodyLoad, Loads};
 use crate::observe::{BoundaryState, Observation};
 use crate::spatial::Twist;
-use crate::state::{StepReport, Work};
+use crate::state::{EnergyLedger, StepReport};
 
 pub(super) struct Body {
-    pub(super) load: Load,
+    pub(super) load: BodyLoad,
     pub(super) state: BoundaryState,
     pub(super) position: Vec3,
     pub(super) orientation: [f64; 4],
@@ -33,14 +33,14 @@ impl Body {
 }
 
 pub(super) struct Sphere {
-    pub(super) load: Load,
+    pub(super) load: BodyLoad,
     pub(super) position: Vec3,
     pub(super) orientation: [f64; 4],
     pub(super) velocity: Twist,
 }
 
 impl Sphere {
-    pub(super) fn of(state: &Observation, load: Load, i: usize) -> Self {
+    pub(super) fn of(state: &Observation, load: BodyLoad, i: usize) -> Self {
         Self {
             load,
             position: state.kinematics.position[i],
@@ -64,7 +64,7 @@ pub(super) struct Flow {
 pub(super) struct Whole {
     pub(super) totals: Totals,
     pub(super) body_force: Vec3,
-    pub(super) work: Work,
+    pub(super) work: EnergyLedger,
     pub(super) contacts: u64,
     pub(super) max_overlap: f64,
     pub(super) report: StepReport,

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use super::{GROUND, Law, Row};
 use crate::Vec3;
 use crate::parallel::Pieces;
-use crate::spatial::Dof6;
+use crate::spatial::SpatialVector;
 
 /// Relative rounding within which a contact's arm is its sphere's radius along the normal.
 const SAME: f64 = 1e-12;
@@ -16,9 +16,9 @@ const SAME: f64 = 1e-12;
 #[serde(from = "Vec<Row>", into = "Vec<Row>")]
 pub struct Rows {
     bodies: Vec<[u32; 2]>,
-    compact: Vec<Compact>,
-    /// Rows that the above does not tell, by [`Compact::whole`].
-    whole: Vec<Row>,
+    compact: Vec<SphereContact>,
+    /// Rows that the above does not tell, by [`SphereContact::general`].
+    general: Vec<Row>,
     /// Radius at which contacts touch each body \[m\]; zero as long as none has told it.
     radius: Vec<f64>,
 }
@@ -26,37 +26,37 @@ pub struct Rows {
 /// What a contact of spheres is beside its bodies: as many numbers as a body has for sweeps, so that both are read alike.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[repr(C, align(64))]
-pub(crate) struct Compact(pub(crate) [f64; 8]);
+pub(crate) struct SphereContact(pub(crate) [f64; 8]);
 
-/// Numbers of [`Compact`] beside the normal, which is first.
+/// Numbers of [`SphereContact`] beside the normal, which is first.
 pub(crate) const BIAS: usize = 3;
 pub(crate) const FRICTION: usize = 4;
 pub(crate) const RADIUS: usize = 5;
 pub(crate) const SCALE: usize = 6;
-const WHOLE: usize = 7;
+const GENERAL: usize = 7;
 /// Of a row that has to be kept whole and is not yet.
 const DUE: f64 = -1.0;
 
 /// Rows to be written, by pieces where there are threads.
-pub(crate) struct Plain<'a> {
+pub(crate) struct RowWriter<'a> {
     bodies: &'a mut [[u32; 2]],
-    compact: &'a mut [Compact],
+    compact: &'a mut [SphereContact],
 }
 
-impl Plain<'_> {
+impl RowWriter<'_> {
     /// Writes row `k` of these; `plain` says that it is a rigid contact whose arms are the radii of its spheres, on ground at rest
     /// if it is on ground.
     #[inline]
     pub(crate) fn write(&mut self, k: usize, row: &Row, plain: bool) {
         self.bodies[k] = [row.a, row.b];
-        self.compact[k] = Compact::of(row, 0);
+        self.compact[k] = SphereContact::of(row, 0);
         if !plain {
-            self.compact[k].0[WHOLE] = DUE;
+            self.compact[k].0[GENERAL] = DUE;
         }
     }
 }
 
-impl Pieces for Plain<'_> {
+impl Pieces for RowWriter<'_> {
     fn count(&self) -> usize {
         self.bodies.len()
     }
@@ -72,8 +72,8 @@ impl Pieces for Plain<'_> {
     }
 }
 
-impl Compact {
-    fn of(row: &Row, whole: usize) -> Self {
+impl SphereContact {
+    fn of(row: &Row, general: usize) -> Self {
         let n = row.normal;
         let mu = match row.law {
             Law::Contact { mu } => mu,
@@ -81,7 +81,7 @@ impl Compact {
         };
         let bias = row.bias.dot(&n);
         let (radius, scale) = (row.radius, row.impulse_scale);
-        Self([n.x, n.y, n.z, bias, mu, radius, scale, whole as f64])
+        Self([n.x, n.y, n.z, bias, mu, radius, scale, general as f64])
     }
 
     #[inline]
@@ -92,8 +92,8 @@ impl Compact {
 
     /// Which row is kept whole for it, if one is.
     #[inline]
-    fn whole(&self) -> Option<usize> {
-        (self.0[WHOLE] as usize).checked_sub(1)
+    fn general(&self) -> Option<usize> {
+        (self.0[GENERAL] as usize).checked_sub(1)
     }
 }
 
@@ -118,8 +118,8 @@ impl Rows {
     #[inline]
     pub fn get(&self, k: usize) -> Row {
         let compact = &self.compact[k];
-        if let Some(whole) = compact.whole() {
-            return self.whole[whole];
+        if let Some(general) = compact.general() {
+            return self.general[general];
         }
         let [a, b] = self.bodies[k];
         let n = compact.normal();
@@ -133,7 +133,7 @@ impl Rows {
                 GROUND => Vec3::zeros(),
                 b => n * self.radius[b as usize],
             },
-            drift: Vec3::zeros(),
+            prescribed_velocity: Vec3::zeros(),
             bias: n * bias,
             compliance_n: 0.0,
             compliance_t: 0.0,
@@ -172,16 +172,20 @@ impl Rows {
     /// Row `k`, if there is one and it is no rigid contact of spheres on each other or on ground at rest.
     #[must_use]
     #[inline]
-    pub fn special(&self, k: usize) -> Option<&Row> {
-        let whole = self.compact.get(k)?.whole()?;
-        Some(&self.whole[whole])
+    pub fn general(&self, k: usize) -> Option<&Row> {
+        let general = self.compact.get(k)?.general()?;
+        Some(&self.general[general])
     }
 
     /// The contacts that have a resistance.
     pub(crate) fn resisted(&self) -> impl Iterator<Item = usize> {
         // Mostly there is nothing to look for.
-        let rows = if self.whole.is_empty() { 0 } else { self.len() };
-        (0..rows).filter_map(|k| match self.special(k)?.law {
+        let rows = if self.general.is_empty() {
+            0
+        } else {
+            self.len()
+        };
+        (0..rows).filter_map(|k| match self.general(k)?.law {
             Law::Resistance { contact, .. } => Some(contact as usize),
             _ => None,
         })
@@ -191,7 +195,7 @@ impl Rows {
     #[must_use]
     #[inline]
     pub(crate) fn is_of_spheres(&self, k: usize) -> bool {
-        let Some(row) = self.special(k) else {
+        let Some(row) = self.general(k) else {
             return true;
         };
         let touches = |body: u32, arm: Vec3| {
@@ -207,14 +211,14 @@ impl Rows {
     #[must_use]
     #[inline]
     pub fn compliance(&self, k: usize) -> f64 {
-        self.special(k).map_or(0.0, |row| row.compliance_n)
+        self.general(k).map_or(0.0, |row| row.compliance_n)
     }
 
     /// Relative velocity \[m/s\] at row `k` where `velocity` tells that of a body.
     #[must_use]
     #[inline]
-    pub fn relative(&self, k: usize, velocity: impl Fn(usize) -> Dof6) -> Vec3 {
-        if let Some(row) = self.special(k) {
+    pub fn relative(&self, k: usize, velocity: impl Fn(usize) -> SpatialVector) -> Vec3 {
+        if let Some(row) = self.general(k) {
             return row.relative(velocity);
         }
         let [a, b] = self.bodies[k];
@@ -239,7 +243,7 @@ impl Rows {
         &self.radius
     }
 
-    pub(crate) fn compact(&self) -> &[Compact] {
+    pub(crate) fn compact(&self) -> &[SphereContact] {
         &self.compact
     }
 
@@ -247,7 +251,7 @@ impl Rows {
     pub fn restart(&mut self, radii: &[f64]) {
         self.bodies.clear();
         self.compact.clear();
-        self.whole.clear();
+        self.general.clear();
         self.radius.clear();
         self.radius.extend_from_slice(radii);
     }
@@ -259,11 +263,11 @@ impl Rows {
     }
 
     /// Adds `count` rows to be written; then [`Self::settle`] is due.
-    pub(crate) fn extend_plain(&mut self, count: usize) -> Plain<'_> {
+    pub(crate) fn extend_plain(&mut self, count: usize) -> RowWriter<'_> {
         let first = self.len();
         self.bodies.resize(first + count, [GROUND; 2]);
-        self.compact.resize(first + count, Compact([0.0; 8]));
-        Plain {
+        self.compact.resize(first + count, SphereContact([0.0; 8]));
+        RowWriter {
             bodies: &mut self.bodies[first..],
             compact: &mut self.compact[first..],
         }
@@ -272,9 +276,9 @@ impl Rows {
     /// Keeps whole, as `row` tells them, the rows that were written as such.
     pub(crate) fn settle(&mut self, row: impl Fn(usize) -> Row) {
         for k in 0..self.len() {
-            if self.compact[k].0[WHOLE] == DUE {
+            if self.compact[k].0[GENERAL] == DUE {
                 let row = row(k);
-                self.compact[k] = Compact::of(&row, self.place(&row));
+                self.compact[k] = SphereContact::of(&row, self.place(&row));
             }
         }
     }
@@ -284,9 +288,9 @@ impl Rows {
     /// # Panics
     /// If there are fewer.
     pub fn insert(&mut self, k: usize, row: Row) {
-        let whole = self.place(&row);
+        let general = self.place(&row);
         self.bodies.insert(k, [row.a, row.b]);
-        self.compact.insert(k, Compact::of(&row, whole));
+        self.compact.insert(k, SphereContact::of(&row, general));
     }
 
     /// Changes row `k`.
@@ -297,14 +301,14 @@ impl Rows {
         let mut row = self.get(k);
         change(&mut row);
         self.bodies[k] = [row.a, row.b];
-        let whole = match self.compact[k].whole() {
-            Some(whole) => {
-                self.whole[whole] = row;
-                whole + 1
+        let general = match self.compact[k].general() {
+            Some(general) => {
+                self.general[general] = row;
+                general + 1
             }
             None => self.place(&row),
         };
-        self.compact[k] = Compact::of(&row, whole);
+        self.compact[k] = SphereContact::of(&row, general);
     }
 
     /// Changes all rows.
@@ -316,7 +320,7 @@ impl Rows {
 
     /// Binds resistances to other contacts.
     pub fn bind(&mut self, mut change: impl FnMut(&mut u32)) {
-        for row in &mut self.whole {
+        for row in &mut self.general {
             if let Law::Resistance { contact, .. } = &mut row.law {
                 change(contact);
             }
@@ -327,8 +331,8 @@ impl Rows {
     pub fn shift(&mut self, k: usize, change: f64) {
         let compact = &mut self.compact[k];
         compact.0[BIAS] += change;
-        if let Some(whole) = compact.whole() {
-            self.whole[whole].bias += compact.normal() * change;
+        if let Some(general) = compact.general() {
+            self.general[general].bias += compact.normal() * change;
         }
     }
 
@@ -344,8 +348,8 @@ impl Rows {
         if spheres && is_still(row) {
             return 0;
         }
-        self.whole.push(*row);
-        self.whole.len()
+        self.general.push(*row);
+        self.general.len()
     }
 
     /// Whether a row's arms are radii of its bodies along the normal; the first contact of a body is where it gets its radius.
@@ -402,7 +406,7 @@ fn radial(arm: Vec3, normal: Vec3, radius: f64) -> bool {
 /// Whether the ground of a row does not move, and its bias is along the normal.
 fn is_still(row: &Row) -> bool {
     let across = row.across();
-    row.drift == Vec3::zeros()
+    row.prescribed_velocity == Vec3::zeros()
         && across.norm_squared() <= (SAME * row.bias.dot(&row.normal)).powi(2)
 }
 

@@ -12,7 +12,7 @@ fn row(b: u32, arm_b: Vec3) -> Row {
         normal,
         arm_a: normal * -0.3,
         arm_b,
-        drift: Vec3::zeros(),
+        prescribed_velocity: Vec3::zeros(),
         bias: normal * 0.1,
         compliance_n: 0.0,
         compliance_t: 0.0,
@@ -35,7 +35,10 @@ fn all() -> Vec<Row> {
             arm_a: n * -0.31,
             ..plain
         },
-        Row { drift: x, ..plain },
+        Row {
+            prescribed_velocity: x,
+            ..plain
+        },
         Row { bias: x, ..plain },
         Row {
             compliance_n: 1.0,
@@ -57,14 +60,22 @@ fn all() -> Vec<Row> {
 }
 
 fn close(found: &Row, expected: &Row) -> bool {
-    let vectors = |row: &Row| [row.normal, row.arm_a, row.arm_b, row.drift, row.bias];
+    let vectors = |row: &Row| {
+        [
+            row.normal,
+            row.arm_a,
+            row.arm_b,
+            row.prescribed_velocity,
+            row.bias,
+        ]
+    };
     let apart = vectors(found).into_iter().zip(vectors(expected));
     let zero = Vec3::zeros();
     let rest = |row: &Row| Row {
         normal: zero,
         arm_a: zero,
         arm_b: zero,
-        drift: zero,
+        prescribed_velocity: zero,
         bias: zero,
         ..*row
     };
@@ -75,8 +86,8 @@ fn close(found: &Row, expected: &Row) -> bool {
 fn rows_come_back_as_they_were_given() {
     let given = all();
     let rows: Rows = given.iter().copied().collect();
-    assert_eq!(rows.whole.len(), 7, "three are plain");
-    let velocity = |i: usize| Dof6 {
+    assert_eq!(rows.general.len(), 7, "three are plain");
+    let velocity = |i: usize| SpatialVector {
         linear: Vec3::new(1.0, i as f64, 0.5),
         angular: Vec3::new(0.3, -2.0, i as f64),
     };
@@ -99,9 +110,9 @@ fn changes_reach_rows_of_either_kind() {
         rows.shift(k, 0.7);
         row.bias += row.normal * 0.7;
     }
-    rows.update_all(|k, row| row.drift.y += (k % 2) as f64);
+    rows.update_all(|k, row| row.prescribed_velocity.y += (k % 2) as f64);
     for (k, row) in given.iter_mut().enumerate() {
-        row.drift.y += (k % 2) as f64;
+        row.prescribed_velocity.y += (k % 2) as f64;
     }
     let keep = [true, false, true];
     rows.retain(&keep);

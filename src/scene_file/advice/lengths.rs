@@ -3,7 +3,7 @@
 use crate::Vec3;
 use crate::geometry::{Facets, Shape};
 use crate::scene::{Boundary, Scene};
-use crate::scene_file::problem::Advice;
+use crate::scene_file::diagnostic::Advice;
 use crate::scene_file::summary::{metres, spheres_extent};
 use crate::spatial::extent::joined;
 

@@ -11,7 +11,7 @@ use std::ops::Range;
 
 use super::Summary;
 use super::decode::SceneFile;
-use super::problem::Advice;
+use super::diagnostic::Advice;
 use crate::scene::Scene;
 
 /// Internal steps longer than this many times the suggested one are warned of.

@@ -9,8 +9,8 @@ use crate::geometry::{Facets, Shape, Solid};
 use crate::scene::gravity::GravityMotion;
 use crate::scene::{Boundary, Scene};
 use crate::scene_file::decode::SceneFile;
+use crate::scene_file::diagnostic::Advice;
 use crate::scene_file::file;
-use crate::scene_file::problem::Advice;
 use crate::spatial::Pose;
 use crate::spatial::extent::passed;
 
@@ -31,7 +31,7 @@ impl Wall<'_> {
     /// Whether the ray from the world point `x` \[m\] along `direction` meets it.
     fn meets(&self, scene: &Scene, x: Vec3, direction: Vec3) -> bool {
         let direction = self.pose.rotation.inverse() * direction;
-        self.rays.meet(self.local(scene, x), direction)
+        self.rays.is_hit(self.local(scene, x), direction)
     }
 }
 
@@ -40,7 +40,7 @@ pub(super) fn advise(
     typed: &SceneFile,
     ranges: &[Option<Range<usize>>],
 ) -> Vec<Advice> {
-    let walls: Vec<Wall<'_>> = scene
+    let boundaries: Vec<Wall<'_>> = scene
         .boundaries
         .iter()
         .map(|boundary| Wall {
@@ -55,7 +55,7 @@ pub(super) fn advise(
     let told = |i: usize| call(scene, typed, ranges, i);
     let mut advice = Vec::new();
     let mut below = vec![false; scene.particles.len()];
-    for (index, wall) in walls.iter().enumerate() {
+    for (index, wall) in boundaries.iter().enumerate() {
         let found: Vec<usize> = present
             .iter()
             .copied()
@@ -75,7 +75,7 @@ pub(super) fn advise(
             )
         }));
     }
-    advice.extend(walls.iter().filter_map(|wall| {
+    advice.extend(boundaries.iter().filter_map(|wall| {
         let inside = enclosed(scene, wall, &present)?;
         let (path, example) = told(*inside.first()?);
         Some(Advice::warning(
@@ -90,7 +90,7 @@ pub(super) fn advise(
     }));
     let lost: Vec<usize> = match downwards(scene) {
         Some(down) => {
-            let around = Surroundings::new(scene, &walls, down);
+            let around = Surroundings::new(scene, &boundaries, down);
             let lost = |&i: &usize| !below[i] && is_free(scene, i, down) && around.loses(i);
             present.iter().copied().filter(lost).collect()
         }
@@ -151,7 +151,7 @@ fn is_terrain(typed: &SceneFile, index: usize) -> bool {
 /// Whether the ground is above the centre of a sphere and not below it.
 fn is_below(scene: &Scene, wall: &Wall<'_>, i: usize) -> bool {
     let x = wall.local(scene, scene.initial.position[i]);
-    wall.rays.meet(x, Vec3::z()) && !wall.rays.meet(x, -Vec3::z())
+    wall.rays.is_hit(x, Vec3::z()) && !wall.rays.is_hit(x, -Vec3::z())
 }
 
 /// The spheres inside a boundary that is one closed mesh, if they are fewer than those outside: a container holds most.
@@ -196,7 +196,7 @@ fn is_free(scene: &Scene, i: usize, down: Vec3) -> bool {
 /// All boundaries seen along gravity.
 struct Surroundings<'a> {
     scene: &'a Scene,
-    walls: &'a [Wall<'a>],
+    boundaries: &'a [Wall<'a>],
     down: Vec3,
     /// Two unit vectors across gravity.
     across: [Vec3; 2],
@@ -205,7 +205,7 @@ struct Surroundings<'a> {
 }
 
 impl<'a> Surroundings<'a> {
-    fn new(scene: &'a Scene, walls: &'a [Wall<'a>], down: Vec3) -> Self {
+    fn new(scene: &'a Scene, boundaries: &'a [Wall<'a>], down: Vec3) -> Self {
         let first = down.cross(&Vec3::ith(down.iamin(), 1.0)).normalize();
         let across = [first, down.cross(&first)];
         let shadow = |wall: &Wall<'_>| {
@@ -232,10 +232,10 @@ impl<'a> Surroundings<'a> {
         };
         Self {
             scene,
-            walls,
+            boundaries,
             down,
             across,
-            shadows: walls.iter().filter_map(shadow).collect(),
+            shadows: boundaries.iter().filter_map(shadow).collect(),
         }
     }
 
@@ -250,10 +250,13 @@ impl<'a> Surroundings<'a> {
             };
             shadow.iter().zip(&self.across).any(apart)
         });
-        !self.walls.is_empty()
+        !self.boundaries.is_empty()
             && self.scene.cell.is_open()
             && beside
-            && !self.walls.iter().any(|w| w.meets(self.scene, x, self.down))
+            && !self
+                .boundaries
+                .iter()
+                .any(|w| w.meets(self.scene, x, self.down))
             && !self.scene.sinks.iter().any(|s| self.catches(&s.region, x))
     }
 

@@ -3,7 +3,7 @@
 use crate::integrator::Integrator;
 use crate::scene::{Method, Scene};
 use crate::scene_file::decode::SceneFile;
-use crate::scene_file::problem::Advice;
+use crate::scene_file::diagnostic::Advice;
 use crate::solver::SolverKind;
 
 /// Threads share the work of scenes of so many spheres and more: below, sweeps are too short to share.

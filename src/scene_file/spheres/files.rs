@@ -2,7 +2,7 @@
 
 use nalgebra::{Quaternion, UnitQuaternion};
 
-use super::start::Start;
+use super::initial_motion::InitialMotion;
 use crate::Vec3;
 use crate::formats::vtu::{Cloud, VtuError};
 use crate::formats::{snapshot, vtu};
@@ -17,15 +17,15 @@ pub(super) fn csv(
     path: &str,
     name: &str,
     content: &[u8],
-) -> Option<(Vec<Start>, Option<Vec<f64>>)> {
+) -> Option<(Vec<InitialMotion>, Option<Vec<f64>>)> {
     let table = Columns::read(document, path, name, content, &COLUMNS, 3)?;
     let starts = table.rows.iter().map(|row| {
         let value = |k: usize| row[k].unwrap_or(0.0);
         let vector = |k: usize| Vec3::new(value(k), value(k + 1), value(k + 2));
-        Start {
+        InitialMotion {
             velocity: vector(4),
             spin: vector(7),
-            ..Start::at(vector(0))
+            ..InitialMotion::at(vector(0))
         }
     });
     let radii: Option<Vec<f64>> = table.rows.iter().map(|row| row[3]).collect();
@@ -48,7 +48,7 @@ pub(super) fn vtu(
     path: &str,
     name: &str,
     content: &[u8],
-) -> Option<(Vec<Start>, Option<Vec<f64>>)> {
+) -> Option<(Vec<InitialMotion>, Option<Vec<f64>>)> {
     match vtu::decode(content).and_then(|cloud| frame(&cloud)) {
         Ok(spheres) => accept(document, path, name, spheres),
         Err(error) => {
@@ -59,7 +59,7 @@ pub(super) fn vtu(
     }
 }
 
-fn frame(cloud: &Cloud) -> Result<(Vec<Start>, Vec<f64>), VtuError> {
+fn frame(cloud: &Cloud) -> Result<(Vec<InitialMotion>, Vec<f64>), VtuError> {
     let (radius, velocity) = (cloud.array::<1>("radius")?, cloud.array::<3>("velocity")?);
     let spin = cloud.array::<3>("angular_velocity")?;
     let orientation = cloud.array::<4>("orientation")?;
@@ -68,7 +68,7 @@ fn frame(cloud: &Cloud) -> Result<(Vec<Start>, Vec<f64>), VtuError> {
     let present = (0..cloud.points.len()).filter(|&k| id[k][0] >= 0.0);
     let spheres = present.map(|k| {
         let [w, i, j, l] = orientation[k];
-        let start = Start {
+        let start = InitialMotion {
             position: cloud.points[k],
             orientation: UnitQuaternion::new_unchecked(Quaternion::new(w, i, j, l)),
             velocity: velocity[k].into(),
@@ -85,7 +85,7 @@ pub(super) fn checkpoint(
     path: &str,
     name: &str,
     content: &[u8],
-) -> Option<(Vec<Start>, Option<Vec<f64>>)> {
+) -> Option<(Vec<InitialMotion>, Option<Vec<f64>>)> {
     let (radius, spheres) = match snapshot::spheres(content) {
         Ok(spheres) => spheres,
         Err(error) => {
@@ -96,7 +96,7 @@ pub(super) fn checkpoint(
     };
     let present = (0..spheres.len().min(radius.len())).filter(|&i| spheres.present[i]);
     let started = present.map(|i| {
-        let start = Start {
+        let start = InitialMotion {
             position: spheres.position[i],
             orientation: spheres.orientation[i],
             velocity: spheres.velocity[i],
@@ -112,9 +112,9 @@ fn accept(
     document: &mut Document<'_>,
     path: &str,
     name: &str,
-    (starts, radii): (Vec<Start>, Vec<f64>),
-) -> Option<(Vec<Start>, Option<Vec<f64>>)> {
-    let usable = |(start, radius): (&Start, &f64)| {
+    (starts, radii): (Vec<InitialMotion>, Vec<f64>),
+) -> Option<(Vec<InitialMotion>, Option<Vec<f64>>)> {
+    let usable = |(start, radius): (&InitialMotion, &f64)| {
         let numbers = start.position.iter().chain(&start.velocity);
         let in_range = numbers.chain(&start.spin).all(|x| x.abs() <= LARGEST);
         let turned = (start.orientation.norm() - 1.0).abs() <= OFF_UNIT;
@@ -126,11 +126,11 @@ fn accept(
         document.demand(false, path, found, expected);
         return None;
     }
-    let starts = starts.into_iter().map(|start| Start {
+    let starts = starts.into_iter().map(|start| InitialMotion {
         orientation: UnitQuaternion::from_quaternion(start.orientation.into_inner()),
         ..start
     });
-    let starts: Vec<Start> = starts.collect();
+    let starts: Vec<InitialMotion> = starts.collect();
     let some = !starts.is_empty();
     document
         .demand(some, path, format!("no sphere in `{name}`"), "at least one")

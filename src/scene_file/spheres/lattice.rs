@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 use rand_chacha::ChaCha8Rng;
 
-use super::start::{MOST_SPHERES, Start};
+use super::initial_motion::{InitialMotion, MOST_SPHERES};
 use crate::Vec3;
 use crate::random::symmetric;
 use crate::scene_file::document::Document;
@@ -16,7 +16,7 @@ pub(super) fn fill(
     path: &str,
     lattice: &file::Lattice,
     random: &mut ChaCha8Rng,
-) -> Option<Vec<Start>> {
+) -> Option<Vec<InitialMotion>> {
     let counts = lattice.count.0;
     let number = counts
         .iter()
@@ -67,7 +67,7 @@ pub(super) fn fill(
                     + axes[0] * local.x
                     + axes[1] * local.y
                     + axes[2] * local.z;
-                placed.push(Start::at(position));
+                placed.push(InitialMotion::at(position));
             }
         }
     }

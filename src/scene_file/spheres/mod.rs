@@ -1,9 +1,9 @@
 //! Groups of spheres: where they lie, how large they are, how they move at t = 0.
 
 mod files;
+mod initial_motion;
 mod lattice;
 mod packing;
-mod start;
 
 use std::ops::Range;
 
@@ -18,8 +18,8 @@ use crate::Vec3;
 use crate::random::symmetric;
 use crate::scene::materials::Material;
 use crate::scene::particles::Locks;
-use start::Start;
-pub(crate) use start::{MOST_SPHERES, Present};
+use initial_motion::InitialMotion;
+pub(crate) use initial_motion::{MOST_SPHERES, Present};
 
 /// Adds the spheres of one group; returns their indices.
 pub(super) fn add(
@@ -42,7 +42,7 @@ pub(super) fn add(
         radius * (1.0 + group.radius_jitter * symmetric(random))
     };
     let (starts, radii) = match origin(document, path, group)? {
-        Origin::Packing(given) => {
+        Generator::Packing(given) => {
             let path_of = format!("{path}.packing");
             let sizes = Radii::drawn(document, path, group);
             let task = packing::Task::new(document, resources, &path_of, given);
@@ -50,7 +50,7 @@ pub(super) fn add(
             let draw = |random: &mut ChaCha8Rng| jittered(sizes.draw(random), random);
             let radii = task.radii(document, draw, material.1.density, &mut random)?;
             let places = task.places(document, &radii, &present, &mut random)?;
-            (places.into_iter().map(Start::at).collect(), radii)
+            (places.into_iter().map(InitialMotion::at).collect(), radii)
         }
         given => {
             let (starts, radii) = given.read(document, resources, path, &mut random)?;
@@ -91,7 +91,7 @@ pub(super) fn add(
 }
 
 /// What places the spheres of a group.
-enum Origin<'a> {
+enum Generator<'a> {
     Lattice(&'a file::Lattice),
     Packing(&'a file::Packing),
     Positions(&'a [file::Vector]),
@@ -105,14 +105,14 @@ fn origin<'a>(
     document: &mut Document<'_>,
     path: &str,
     group: &'a file::Spheres,
-) -> Option<Origin<'a>> {
-    let given: Vec<Origin<'a>> = [
-        group.lattice.as_ref().map(Origin::Lattice),
-        group.packing.as_ref().map(Origin::Packing),
-        group.positions.as_deref().map(Origin::Positions),
-        group.csv.as_deref().map(Origin::Csv),
-        group.vtu.as_deref().map(Origin::Vtu),
-        group.checkpoint.as_deref().map(Origin::Checkpoint),
+) -> Option<Generator<'a>> {
+    let given: Vec<Generator<'a>> = [
+        group.lattice.as_ref().map(Generator::Lattice),
+        group.packing.as_ref().map(Generator::Packing),
+        group.positions.as_deref().map(Generator::Positions),
+        group.csv.as_deref().map(Generator::Csv),
+        group.vtu.as_deref().map(Generator::Vtu),
+        group.checkpoint.as_deref().map(Generator::Checkpoint),
     ]
     .into_iter()
     .flatten()
@@ -130,7 +130,7 @@ fn origin<'a>(
     only
 }
 
-impl Origin<'_> {
+impl Generator<'_> {
     /// The places, and the radii where a file has them.
     fn read(
         &self,
@@ -138,7 +138,7 @@ impl Origin<'_> {
         resources: &mut Resources<'_>,
         path: &str,
         random: &mut ChaCha8Rng,
-    ) -> Option<(Vec<Start>, Option<Vec<f64>>)> {
+    ) -> Option<(Vec<InitialMotion>, Option<Vec<f64>>)> {
         let mut content = |document: &mut Document<'_>, key: &str, name: &str| {
             let content = resources.read(document, &format!("{path}.{key}"), name);
             content.map(<[u8]>::to_owned)
@@ -149,7 +149,7 @@ impl Origin<'_> {
                 Some((starts?, None))
             }
             Self::Positions(list) => {
-                let starts = list.iter().map(|&p| Start::at(p.into())).collect();
+                let starts = list.iter().map(|&p| InitialMotion::at(p.into())).collect();
                 let key = format!("{path}.positions");
                 let some = !list.is_empty();
                 document

@@ -2,37 +2,37 @@
 
 use super::Simulation;
 use crate::Vec3;
-use crate::contact::Load;
+use crate::contact::ContactForce;
 use crate::error::StepError;
-use crate::simulation::impulse_totals::{Account, Before};
+use crate::simulation::impulse_totals::{Before, ImpulseTotals};
 use crate::simulation::replay_record::Step;
-use crate::simulation::trajectory::Course;
+use crate::simulation::trajectory::Trajectory;
 use crate::state::State;
-use crate::step::{Beside, Effort, Scratch, step_beside};
+use crate::step::{Effort, Replica, Workspace, step_with_replicas};
 use std::sync::Arc;
 
-/// A simulation that takes the step of an [`Origin`] again.
-pub(super) struct Companion {
+/// A simulation that takes the step of an [`ReplayRecord`] again.
+pub(super) struct ReplayedSimulation {
     pub(super) simulation: Simulation,
-    pub(super) course: Course,
-    pub(super) account: Account,
+    pub(super) trajectory: Trajectory,
+    pub(super) totals: ImpulseTotals,
 }
 
-impl Companion {
-    pub(super) fn of(of: &Simulation, origin: &Step, course: Course) -> Self {
-        let mut simulation = of.at(origin.state.clone());
-        simulation.state.commands.clone_from(&course.commands);
+impl ReplayedSimulation {
+    pub(super) fn of(of: &Simulation, replay: &Step, trajectory: Trajectory) -> Self {
+        let mut simulation = of.at(replay.state.clone());
+        simulation.state.commands.clone_from(&trajectory.commands);
         Self {
             simulation,
-            course,
-            account: origin.before.clone(),
+            trajectory,
+            totals: replay.before.clone(),
         }
     }
 
     /// Sums up the internal step of `dt` \[s\] that has led to `target` \[s\].
     pub(super) fn book(&mut self, before: &Before, target: f64, dt: f64) {
         self.simulation.state.time = target;
-        self.simulation.book(before, dt, &mut self.account);
+        self.simulation.book(before, dt, &mut self.totals);
     }
 
     /// Lets spheres come and go as in `other`, whose spheres were at `position` before that.
@@ -52,13 +52,13 @@ impl Companion {
             own.kinematics.orientation[i] = now.orientation[i];
             own.kinematics.velocity[i] = now.velocity[i];
             own.kinematics.spin[i] = now.spin[i];
-            own.persisting[i] = other.persisting[i];
+            own.smooth[i] = other.smooth[i];
             if let (Some(own), Some(other)) = (own.external.get_mut(i), other.external.get(i)) {
                 *own = *other;
             }
         }
         own.contacts.retain(|key| {
-            let known = |other: &Load| other.key.cmp(key);
+            let known = |other: &ContactForce| other.key.cmp(key);
             other.contacts.binary_search_by(known).is_ok()
         });
         own.reserves.clone_from(&other.reserves);
@@ -73,27 +73,27 @@ impl Simulation {
         Self {
             scene: Arc::clone(&self.scene),
             state,
-            scratch: Scratch::default(),
-            origin: None,
+            workspace: Workspace::default(),
+            replay: None,
         }
     }
 
-    /// Takes the step of `origin` again, and beside it `pairs`, which start from `origin` with other commands; `see` is called
+    /// Takes the step of `replay` again, and replica it `pairs`, which start from `replay` with other commands; `see` is called
     /// after every internal step, with the state before it.
     pub(super) fn replay(
         &self,
-        origin: &Step,
-        pairs: &mut [[Companion; 2]],
+        replay: &Step,
+        pairs: &mut [[ReplayedSimulation; 2]],
         mut see: impl FnMut(&State, &Self),
     ) -> Result<Self, StepError> {
         let scene = &self.scene;
-        let mut again = Companion::of(self, origin, origin.course.clone());
+        let mut again = ReplayedSimulation::of(self, replay, replay.trajectory.clone());
         let effort = Effort {
             sweeps: None,
             accept: !scene.settings.strict,
             pass: !scene.settings.strict,
         };
-        for &(target, dt) in &origin.taken {
+        for &(target, dt) in &replay.taken {
             let earlier = again.simulation.state.clone();
             let start = earlier.time;
             let before = Before::of(scene, &earlier);
@@ -102,22 +102,24 @@ impl Simulation {
                 .map(|pair| [0, 1].map(|k| Before::of(scene, &pair[k].simulation.state)))
                 .collect();
             let integrator = scene.settings.integrator;
-            let drive = again.course.drive(scene);
-            let input = drive.step_input(integrator, start, (target, dt));
-            let mut beside: Vec<[Beside; 2]> = pairs
+            let paths = again.trajectory.paths(scene);
+            let input = paths.step_input(integrator, start, (target, dt));
+            let mut replica: Vec<[Replica; 2]> = pairs
                 .iter_mut()
                 .map(|pair| {
                     pair.each_mut().map(|companion| {
-                        let drive = companion.course.drive(scene);
-                        Beside {
-                            input: drive.step_input(integrator, start, (target, dt)),
+                        let paths = companion.trajectory.paths(scene);
+                        Replica {
+                            input: paths.step_input(integrator, start, (target, dt)),
                             state: &mut companion.simulation.state,
                         }
                     })
                 })
                 .collect();
-            let Simulation { state, scratch, .. } = &mut again.simulation;
-            step_beside(scene, state, scratch, (&input, effort), &mut beside)
+            let Simulation {
+                state, workspace, ..
+            } = &mut again.simulation;
+            step_with_replicas(scene, state, workspace, (&input, effort), &mut replica)
                 .map_err(|failure| self.explain(failure, dt, 0))?;
             again.book(&before, target, dt);
             let position = again.simulation.state.kinematics.position.clone();
@@ -131,9 +133,9 @@ impl Simulation {
             see(&earlier, &again.simulation);
         }
         for companion in pairs.iter_mut().flatten() {
-            companion.simulation.average(&companion.account);
+            companion.simulation.average(&companion.totals);
         }
-        again.simulation.average(&again.account);
+        again.simulation.average(&again.totals);
         Ok(again.simulation)
     }
 }

@@ -1,16 +1,16 @@
 //! Derivatives by the commands of boundaries held over the last communication step.
 //!
 //! Two companions of the simulation take the step again with a command a little below and above, each internal step through the
-//! tangent of the contact solve ([`crate::step::Beside`]): contacts keep their states, and what is measured at the end is
+//! tangent of the contact solve ([`crate::step::Replica`]): contacts keep their states, and what is measured at the end is
 //! compared. The step is chained with its internal steps: positions, velocities, orientations, persisting forces, driven
 //! bodies and mean wrenches of one go into the next.
 
 use super::Simulation;
-use super::replay::Companion;
+use super::replay::ReplayedSimulation;
 use crate::Vec3;
 use crate::error::StepError;
 use crate::scene::{Command, InputKind, Motion};
-use crate::simulation::Origin;
+use crate::simulation::ReplayRecord;
 use crate::state::State;
 
 /// Displacement of the companions over the smallest radius \[-\]: between rounding and curvature, both below 1e-9.
@@ -35,27 +35,27 @@ impl Simulation {
         directions: &[Direction],
         measure: impl Fn(&Self) -> Vec<f64>,
     ) -> Result<Vec<Vec<f64>>, StepError> {
-        let origin = self.came_from()?;
-        let h = match origin {
-            Origin::Start(_) => self.scene.settings.step,
-            Origin::Step(step) => step.course.length(),
+        let replay = self.came_from()?;
+        let h = match replay {
+            ReplayRecord::Start(_) => self.scene.settings.step,
+            ReplayRecord::Step(step) => step.trajectory.length(),
         };
         let sizes: Vec<f64> = directions
             .iter()
-            .map(|direction| self.size(origin.state(), direction, h))
+            .map(|direction| self.size(replay.state(), direction, h))
             .collect::<Result<_, _>>()?;
         let changed = |k: usize, commands: &mut [Command], sign: f64| {
             let (b, change) = (directions[k].boundary, &directions[k].change);
             commands[b] = commands[b].plus(change, sign * sizes[k]);
         };
-        let ends: Vec<[Self; 2]> = match origin {
-            Origin::Step(step) => {
-                let mut pairs: Vec<[Companion; 2]> = (0..directions.len())
+        let ends: Vec<[Self; 2]> = match replay {
+            ReplayRecord::Step(step) => {
+                let mut pairs: Vec<[ReplayedSimulation; 2]> = (0..directions.len())
                     .map(|k| {
                         [-1.0, 1.0].map(|sign| {
-                            let mut course = step.course.clone();
-                            changed(k, &mut course.commands, sign);
-                            Companion::of(self, step, course)
+                            let mut trajectory = step.trajectory.clone();
+                            changed(k, &mut trajectory.commands, sign);
+                            ReplayedSimulation::of(self, step, trajectory)
                         })
                     })
                     .collect();
@@ -63,7 +63,7 @@ impl Simulation {
                 let pairs = pairs.into_iter();
                 pairs.map(|pair| pair.map(|c| c.simulation)).collect()
             }
-            Origin::Start(state) => {
+            ReplayRecord::Start(state) => {
                 let mut pairs: Vec<[Self; 2]> = (0..directions.len())
                     .map(|k| {
                         [-1.0, 1.0].map(|sign| {

@@ -22,21 +22,21 @@
 //! where there is none the loads over the mass of the spheres. The second term is what the larger of the gap and the slip
 //! tolerance leaves undetermined, the third what a step of free fall adds.
 
-mod course;
 mod error;
-mod load;
 mod pass;
+mod progress;
 mod scenes;
+mod start_loads;
 
 use std::ops::ControlFlow;
 
 use crate::error::StepError;
 use crate::scene::Scene;
-use course::Course;
 pub use error::SettleError;
-use load::Load;
 pub use pass::{Pass, PassKind, SettleProgress};
+use progress::Progress;
 use scenes::{COARSE, FINE, LOOSE, held, still};
+use start_loads::StartLoads;
 
 /// How long a scene settles.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -87,12 +87,12 @@ impl Settled {
             }));
         }
         let still = still(scene);
-        let mut course = Course::new(scene, settle.time, watch);
-        let began = course.begin(held(&still, COARSE), PassKind::Coarse, 0.0)?;
-        let load = Load::of(&began);
-        let length = (LAST * load.patience).max(scene.settings.communication_step);
+        let mut trajectory = Progress::new(scene, settle.time, watch);
+        let began = trajectory.begin(held(&still, COARSE), PassKind::Coarse, 0.0)?;
+        let load = StartLoads::of(&began);
+        let length = (LAST * load.pause).max(scene.settings.communication_step);
         let way_down = settle.time - (FINE_PASSES * length).min(FINE_SHARE * settle.time);
-        let coarse = course.run(began, &load, way_down, settle.until_rest)?;
+        let coarse = trajectory.run(began, &load, way_down, settle.until_rest)?;
 
         let mut near = held(&still, FINE);
         near.settings.step = near.settings.step.min(load.easy_step(scene));
@@ -101,7 +101,7 @@ impl Settled {
         *smallest = smallest.map(|least| least.min(step));
         let mut settled = Self {
             start: Vec::new(),
-            time: course.time,
+            time: trajectory.time,
             passes: 1,
             speed: coarse.speed,
             rest_speed: coarse.rest_speed,
@@ -118,9 +118,9 @@ impl Settled {
         };
         for _ in 0..STRETCHES {
             last.stopped(&mut near);
-            let stretch = course
+            let stretch = trajectory
                 .begin(near.clone(), kind, overlap)
-                .and_then(|began| course.run(began, &load, length, false));
+                .and_then(|began| trajectory.run(began, &load, length, false));
             let fine = match stretch {
                 Ok(fine) => fine,
                 // The pass before has left a start already.
@@ -130,13 +130,13 @@ impl Settled {
                 }
                 Err(error) => return Err(error),
             };
-            settled.time = course.time;
-            settled.passes = course.pass.number;
+            settled.time = trajectory.time;
+            settled.passes = trajectory.pass.number;
             settled.at_rest = fine.speed <= fine.rest_speed;
             (settled.speed, settled.rest_speed) = (fine.speed, fine.rest_speed);
-            last = course.stop(&fine.simulation, &still)?;
+            last = trajectory.stop(&fine.simulation, &still)?;
             settled.unbalanced = load.unbalanced(&last);
-            if settled.unbalanced <= BALANCED || fine.ended || course.is_over() {
+            if settled.unbalanced <= BALANCED || fine.ended || trajectory.is_over() {
                 break;
             }
             near.settings.tolerance.slip = LOOSE.slip;
@@ -146,7 +146,7 @@ impl Settled {
         }
         // Bodies that were held are free from t = 0.
         if scene.driven().any(|(_, body)| body.hold_while_settling) {
-            last = course.stop(&last, scene)?;
+            last = trajectory.stop(&last, scene)?;
         }
         settled.start = last.snapshot();
         Ok(settled)

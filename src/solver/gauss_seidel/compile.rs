@@ -2,10 +2,10 @@
 
 use arrayvec::ArrayVec;
 
-use super::block::{Block, STILL, Vector};
+use super::batch::{Batch, STILL, Vector};
+use super::batches::Group;
 use super::kernel::{Kernel, NONE};
 use super::lanes::{LANES, Real, Sixteen};
-use super::sheet::Group;
 use crate::problem::{GROUND, Problem, Row, Rows};
 use crate::sorting::counting_sort;
 
@@ -59,17 +59,17 @@ impl Kernel {
     }
 
     /// Which rows each of the `blocks` of all groups has.
-    pub(super) fn share_out<T: Real>(&mut self, problem: &Problem, blocks: &mut Vec<Block<T>>) {
+    pub(super) fn share_out<T: Real>(&mut self, problem: &Problem, blocks: &mut Vec<Batch<T>>) {
         let (parts, spheres) = (self.layout.parts(), problem.inverse_mass.len());
         self.rows.clear();
-        self.drifts.clear();
+        self.prescribed_velocities.clear();
         self.turns.iter_mut().for_each(ArrayVec::clear);
         let order = std::mem::take(&mut self.order);
         let mut open = Open {
             used: 0,
             blocks,
             rows: &mut self.rows,
-            drifts: &mut self.drifts,
+            prescribed_velocities: &mut self.prescribed_velocities,
             held: &mut self.held,
         };
         let mut rest = &order[..];
@@ -110,9 +110,9 @@ impl Kernel {
 struct Open<'a, T> {
     /// Blocks in use; beyond are old ones, for their memory.
     used: usize,
-    blocks: &'a mut Vec<Block<T>>,
+    blocks: &'a mut Vec<Batch<T>>,
     rows: &'a mut Vec<Sixteen<u32>>,
-    drifts: &'a mut Vec<Vector<f64>>,
+    prescribed_velocities: &'a mut Vec<Vector<f64>>,
     held: &'a mut [u16],
 }
 
@@ -145,7 +145,7 @@ impl<T: Real> Open<'_, T> {
             self.held[range.still as usize] = 0;
             let lane = self.blocks[block].join(bodies);
             self.rows[block][lane] = k;
-            if let Some(row) = rows.special(k as usize) {
+            if let Some(row) = rows.general(k as usize) {
                 self.move_ground(block, lane, row);
             }
             if lane + 1 == LANES {
@@ -162,11 +162,11 @@ impl<T: Real> Open<'_, T> {
         let at = self.used;
         self.used += 1;
         if at == self.blocks.len() {
-            self.blocks.push(Block::default());
+            self.blocks.push(Batch::default());
         }
         self.rows.push(Sixteen::default());
         let block = &mut self.blocks[at];
-        (block.count, block.drift) = (0, STILL);
+        (block.count, block.prescribed) = (0, STILL);
         block.bodies = [[range.still; LANES]; 2];
         at
     }
@@ -183,13 +183,16 @@ impl<T: Real> Open<'_, T> {
 
     /// Lets a contact of a block have moving ground.
     fn move_ground(&mut self, block: usize, lane: usize, row: &Row) {
-        let drift = &mut self.blocks[block].drift;
-        if *drift == STILL {
-            *drift = self.drifts.len() as u32;
-            self.drifts.push(Default::default());
+        let prescribed = &mut self.blocks[block].prescribed;
+        if *prescribed == STILL {
+            *prescribed = self.prescribed_velocities.len() as u32;
+            self.prescribed_velocities.push(Default::default());
         }
-        let velocity = row.drift + row.across();
-        for (lanes, x) in self.drifts[*drift as usize].iter_mut().zip(&velocity) {
+        let velocity = row.prescribed_velocity + row.across();
+        for (lanes, x) in self.prescribed_velocities[*prescribed as usize]
+            .iter_mut()
+            .zip(&velocity)
+        {
             lanes[lane] = *x;
         }
     }

@@ -3,7 +3,7 @@
 use std::fmt::Debug;
 use std::ops::{Add, Mul, Sub};
 
-use crate::problem::Compact;
+use crate::problem::SphereContact;
 use crate::problem::law::Number;
 
 /// A body as blocks see it: velocity \[m/s\] and inverse mass \[1/kg\], `R w` \[m/s\] and `R^2/I` \[1/kg\].
@@ -24,7 +24,7 @@ impl<T: Copy> Eight<T> for Body<T> {
     }
 }
 
-impl Eight<f64> for Compact {
+impl Eight<f64> for SphereContact {
     #[inline(always)]
     fn eight(&self) -> [f64; 8] {
         self.0

@@ -15,12 +15,12 @@
 
 use std::ops::Range;
 
-use super::block::{Block, Pace, STILL, Vector, Verdict};
+use super::batch::{Batch, BatchResidual, STILL, SweepParams, Vector};
 use super::lanes::{Body, Lanes, Pack, Real, Sixteen, changed};
 use crate::problem::law::onto_cone;
-use crate::problem::{BIAS, Compact, FRICTION, RADIUS, SCALE};
+use crate::problem::{BIAS, FRICTION, RADIUS, SCALE, SphereContact};
 
-/// [`Pace`](super::block::Pace) in lanes.
+/// [`SweepParams`](super::batch::Pace) in lanes.
 pub(super) struct Constants<P> {
     momentum: P,
     /// What of its excess an impulse gets: less than nothing.
@@ -34,7 +34,7 @@ pub(super) struct Constants<P> {
 }
 
 impl<P: Pack> Constants<P> {
-    pub(super) fn of<T: Real, L: Lanes<T, Pack = P>>(l: L, pace: &Pace) -> Self {
+    pub(super) fn of<T: Real, L: Lanes<T, Pack = P>>(l: L, pace: &SweepParams) -> Self {
         let number = |x: f64| l.splat(T::of(x));
         let allowed = |tolerance: f64| number((pace.strictness * tolerance).powi(2));
         Self {
@@ -138,7 +138,7 @@ impl<P: Pack> Seen<P> {
     }
 }
 
-impl<T: Real> Block<T> {
+impl<T: Real> Batch<T> {
     /// Bodies A and B.
     #[inline(always)]
     fn fetch<L: Lanes<R>, R: Real>(
@@ -161,7 +161,7 @@ impl<T: Real> Block<T> {
         pass: usize,
         ab: [[L::Pack; 8]; 2],
         (n, bias): ([L::Pack; 3], L::Pack),
-        drifts: &[Vector<R>],
+        prescribed_velocities: &[Vector<R>],
     ) -> Seen<L::Pack> {
         let [x, y, z, w_n, s_x, s_y, s_z, w_s] = l.between(ab);
         let mut u = [
@@ -169,8 +169,8 @@ impl<T: Real> Block<T> {
             y.less(s_z, n[0]).plus(s_x, n[2]),
             z.less(s_x, n[1]).plus(s_y, n[0]),
         ];
-        if self.drift != STILL {
-            let drift = vector(l, &drifts[self.drift as usize], pass);
+        if self.prescribed != STILL {
+            let drift = vector(l, &prescribed_velocities[self.prescribed as usize], pass);
             u = each(|k| u[k] + drift[k]);
         }
         let along = dot(u, n);
@@ -199,14 +199,14 @@ impl<T: Real> Block<T> {
     }
 
     /// Solves the contacts of a pass, of which `latest` of the impulses are the last: which were within the tolerances, and
-    /// their shares of [`Progress`](super::block::Progress).
+    /// their shares of [`Progress`](super::batch::Progress).
     #[inline(always)]
     pub(super) fn update<L: Lanes<T>>(
         &mut self,
         l: L,
         pass: usize,
         bodies: &mut [Body<T>],
-        drifts: &[Vector<T>],
+        prescribed_velocities: &[Vector<T>],
         latest: usize,
         pace: &Constants<L::Pack>,
     ) -> (u16, L::Pack, L::Pack) {
@@ -214,7 +214,7 @@ impl<T: Real> Block<T> {
         let before = vector(l, &self.impulse[1 - latest], pass);
         let ab = self.fetch(l, pass, bodies);
         let along = (vector(l, &self.normal, pass), l.load(&self.bias, pass));
-        let seen = self.see(l, pass, ab, along, drifts);
+        let seen = self.see(l, pass, ab, along, prescribed_velocities);
         let p = each(|k| old[k].plus(pace.momentum, old[k] - before[k]));
         let friction = l.load(&self.friction, pass);
         let solved = seen.solve(p, friction, (pace.zero, pace.one));
@@ -247,7 +247,7 @@ impl<T: Real> Block<T> {
 /// Where blocks have their contacts from: the numbers of rows, in double precision.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Source<'a> {
-    pub(super) numbers: &'a [Compact],
+    pub(super) numbers: &'a [SphereContact],
     /// Time step \[s\].
     pub(super) step: f64,
     /// Factor on impulses in the blocks.
@@ -280,7 +280,7 @@ impl Source<'_> {
     }
 }
 
-impl<T: Real> Block<T> {
+impl<T: Real> Batch<T> {
     /// Impulses [N s] after the last sweep, in double precision.
     #[inline(always)]
     pub(super) fn exact(&self, latest: usize, unit: f64) -> Vector<f64> {
@@ -339,10 +339,10 @@ impl<T: Real> Block<T> {
         l: L,
         source: &Source,
         rows: &Sixteen<u32>,
-        (bodies, drifts): (&[Body<f64>], &[Vector<f64>]),
+        (bodies, prescribed_velocities): (&[Body<f64>], &[Vector<f64>]),
         latest: usize,
-    ) -> Verdict {
-        let mut verdict = Verdict::default();
+    ) -> BatchResidual {
+        let mut verdict = BatchResidual::default();
         let (zero, one, tiny) = (l.splat(0.0), l.splat(1.0), l.splat(f64::MIN_POSITIVE));
         let impulse = self.exact(latest, source.unit);
         for pass in self.passes::<L, f64>() {
@@ -355,7 +355,7 @@ impl<T: Real> Block<T> {
                 length,
                 scale,
             } = source.contacts(l, rows, pass);
-            let seen = self.see(l, pass, ab, (n, bias), drifts);
+            let seen = self.see(l, pass, ab, (n, bias), prescribed_velocities);
             let solved = seen.solve(p, friction, (zero, one));
             let (over_n, over_t) = (solved.over_n, solved.over_t);
             let (nn, tt) = (over_n * over_n, dot(over_t, over_t));

@@ -12,25 +12,25 @@
 mod avx2;
 #[cfg(target_arch = "x86_64")]
 mod avx512;
-mod block;
+mod batch;
+mod batches;
 mod compile;
 mod dispatch;
 mod kernel;
 mod lanes;
-mod layout;
 mod local;
+mod partition;
 #[cfg(target_arch = "x86_64")]
 mod registers;
-mod sheet;
 
 use super::{Params, Report};
 use crate::Vec3;
 use crate::problem::Problem;
 use crate::solver::Tolerance;
-use block::Pace;
+use batch::SweepParams;
 pub use kernel::Kernel;
-pub use layout::Layout;
-pub(crate) use layout::SMALL;
+pub use partition::Partition;
+pub(crate) use partition::SMALL;
 
 /// Exact Coulomb friction can cycle: from [`CYCLES_FROM`] on, after every [`FREE`] sweeps with momentum come [`DAMPED`] without,
 /// of which each corrects by the share [`DAMPING`] only. Sweeps that stay damped crawl (five times as many at 1e-4).
@@ -56,7 +56,7 @@ pub fn solve(
     let mut report = Report::default();
     let mut momentum = Momentum::default();
     let mut last = f64::INFINITY;
-    let mut pace = Pace {
+    let mut pace = SweepParams {
         momentum: 0.0,
         damping: 1.0,
         strictness: 1.0,
@@ -81,8 +81,8 @@ pub fn solve(
             momentum = Momentum::default();
         }
         last = progress.change;
-        let tired = kernel.is_single() && report.sweeps >= SINGLE_SWEEPS;
-        if (progress.settled && report.sweeps >= params.min_sweeps) || tired {
+        let exhausted = kernel.is_single() && report.sweeps >= SINGLE_SWEEPS;
+        if (progress.settled && report.sweeps >= params.min_sweeps) || exhausted {
             let residual = kernel.judge(problem);
             if residual.within(&params.tolerance) {
                 found = Some(residual);
@@ -91,7 +91,7 @@ pub fn solve(
             // The bodies' last change is gone with the velocities taken anew.
             momentum = Momentum::default();
             last = f64::INFINITY;
-            if tired || (kernel.is_single() && broken == BROKEN) {
+            if exhausted || (kernel.is_single() && broken == BROKEN) {
                 kernel.refine(problem, impulses);
                 pace.strictness = 1.0;
             } else {
@@ -114,7 +114,7 @@ fn is_damped(sweep: usize) -> bool {
 
 /// `sweeps` undamped sweeps: what the augmented-Lagrangian loop uses to bring friction onto the true cone.
 pub(super) fn smooth(problem: &Problem, sweeps: usize, kernel: &mut Kernel, impulses: &mut [Vec3]) {
-    let pace = Pace {
+    let pace = SweepParams {
         momentum: 0.0,
         damping: 1.0,
         strictness: 1.0,

@@ -1,31 +1,31 @@
-//! Rows of contacts: how two bodies meet, whether that is an impact, and the scale of its forces.
+//! Rows of contacts: how two bodies contact_row, whether that is an impact, and the scale of its forces.
 
-use super::Inputs;
+use super::AssemblyInput;
 use crate::Vec3;
 use crate::contact::Partner;
-use crate::detection::placement::Candidate;
+use crate::detection::configuration::Candidate;
 use crate::integrator::Integrator;
 use crate::problem::law::{SHEAR_RATIO, split};
 use crate::problem::{GROUND, Law, Row};
 use crate::scene::Method;
-use crate::spatial::Dof6;
-use crate::step::assemble::Mover;
+use crate::spatial::SpatialVector;
+use crate::step::assemble::SphereMotion;
 
 /// Rounding of a velocity that several impulses have changed, over its size \[-\].
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
-/// How the bodies of a contact meet.
-struct Meeting {
+/// How the bodies of a contact contact_row.
+struct ContactKinematics {
     b: u32,
     arm_b: Vec3,
-    drift: Vec3,
+    prescribed_velocity: Vec3,
     /// Smaller radius of the pair.
     radius: f64,
     /// Velocity of A's surface against B's before the step.
     before: Vec3,
     /// Velocity of the partner at the contact without contacts.
     partner: Vec3,
-    /// Accelerations that act: of the wall, and the largest external one of the spheres, squared.
+    /// Accelerations that act: of the surface, and the largest external one of the spheres, squared.
     acceleration: f64,
     pull: f64,
     lightest: f64,
@@ -34,61 +34,61 @@ struct Meeting {
     stiffness: Option<f64>,
 }
 
-impl Inputs<'_> {
+impl AssemblyInput<'_> {
     /// Square of the external acceleration of a sphere \[m^2/s^4\].
     fn pull(&self, sphere: usize) -> f64 {
         self.external[sphere].linear.norm_squared()
     }
 
     /// Velocity of a boundary's material point at `x` \[m\], over this step and over the previous one.
-    fn wall_velocity(&self, boundary: usize, x: Vec3) -> [Vec3; 2] {
-        let wall = &self.scene.boundaries[boundary];
+    fn boundary_velocity(&self, boundary: usize, x: Vec3) -> [Vec3; 2] {
+        let surface = &self.scene.boundaries[boundary];
         let [start, end] = self.poses.map(|poses| &poses[boundary]);
         let now = if start == end {
             Vec3::zeros()
         } else {
-            (wall.from_frame(end, wall.to_frame(start, x)) - x) / self.step
+            (surface.from_frame(end, surface.to_frame(start, x)) - x) / self.step
         };
         let twist = &self.twists[boundary];
-        let pivot = wall.point_of_action + start.translation;
+        let pivot = surface.point_of_action + start.translation;
         [now, twist.linear + twist.angular.cross(&(x - pivot))]
     }
 
-    /// The row of a candidate, and whether it is an impact: as `told`, or as it finds. `force` \[N\] is the contact's last one.
+    /// The row of a candidate, and whether it is an impact: as `known_impact`, or as it finds. `force` \[N\] is the contact's last one.
     #[must_use]
     pub fn contact(
         &self,
-        free: &[Dof6],
+        free: &[SpatialVector],
         candidate: &Candidate,
         force: Vec3,
-        told: Option<bool>,
+        known_impact: Option<bool>,
     ) -> (Row, bool) {
-        let (row, impact, _) = self.meet(free, candidate, force, told);
+        let (row, impact, _) = self.contact_row(free, candidate, force, known_impact);
         (row, impact)
     }
 
     /// [`Self::contact`], and whether it is rigid and of spheres on each other or on ground at rest.
     #[inline(always)]
-    pub(crate) fn meet(
+    pub(crate) fn contact_row(
         &self,
-        free: &[Dof6],
+        free: &[SpatialVector],
         candidate: &Candidate,
         force: Vec3,
-        told: Option<bool>,
+        known_impact: Option<bool>,
     ) -> (Row, bool, bool) {
         let settings = &self.scene.settings;
         let n = candidate.normal;
         let a = candidate.key.sphere as usize;
-        let own = &self.movers[a];
-        let meeting = match candidate.key.partner {
-            Partner::Sphere { index, .. } => self.meeting_of_spheres(free, n, (a, own), index),
+        let own = &self.spheres[a];
+        let contact = match candidate.key.partner {
+            Partner::Sphere { index, .. } => self.sphere_kinematics(free, n, (a, own), index),
             Partner::Boundary { boundary, .. } => {
-                self.meeting_with_boundary(free, n, (a, own), usize::from(boundary))
+                self.boundary_kinematics(free, n, (a, own), usize::from(boundary))
             }
         };
-        let acceleration = meeting.acceleration.max(meeting.pull.sqrt());
+        let acceleration = contact.acceleration.max(contact.pull.sqrt());
         let pair = self.pair(candidate.key);
-        let (approach, sliding) = split(meeting.before, n);
+        let (approach, sliding) = split(contact.before, n);
         // Only a contact that was loaded can be taken for an approaching one because its normal turns.
         let turning = match force == Vec3::zeros() {
             true => 0.0,
@@ -102,9 +102,9 @@ impl Inputs<'_> {
         let threshold = settings
             .threshold_velocity
             .max(2.0 * self.step * acting.max(turning));
-        let excess = candidate.gap - settings.carried(candidate.gap, meeting.radius);
-        let impact = told.unwrap_or_else(|| {
-            let freely = || n.dot(&(free[a].linear - meeting.partner));
+        let excess = candidate.gap - settings.carried(candidate.gap, contact.radius);
+        let impact = known_impact.unwrap_or_else(|| {
+            let freely = || n.dot(&(free[a].linear - contact.partner));
             approach < -threshold && excess + self.step * freely() < 0.0
         });
         let rebounds =
@@ -120,36 +120,36 @@ impl Inputs<'_> {
             compliance = [1.0, SHEAR_RATIO].map(|ratio| 1.0 / (ratio * penalty * dt2));
             // The shear spring keeps the stretch that carried the last force.
             bias = n * gap_bias - split(force * self.step, n).1 * compliance[1];
-        } else if let Some(stiffness) = meeting.stiffness {
+        } else if let Some(stiffness) = contact.stiffness {
             compliance[0] = 1.0 / (stiffness * dt2);
         }
         let row = Row {
             a: a as u32,
-            b: meeting.b,
+            b: contact.b,
             normal: n,
             arm_a: n * -own.radius,
-            arm_b: meeting.arm_b,
-            drift: meeting.drift,
+            arm_b: contact.arm_b,
+            prescribed_velocity: contact.prescribed_velocity,
             bias,
             compliance_n: compliance[0],
             compliance_t: compliance[1],
             law: Law::Contact { mu: pair.friction },
-            radius: meeting.radius,
-            impulse_scale: self.impulse_scale(&meeting, acceleration, turning),
+            radius: contact.radius,
+            impulse_scale: self.impulse_scale(&contact, acceleration, turning),
         };
-        let sphere = meeting.b == GROUND || (meeting.b as usize) < self.kinematics.len();
-        let plain = sphere && row.drift == Vec3::zeros() && compliance == [0.0; 2];
+        let sphere = contact.b == GROUND || (contact.b as usize) < self.kinematics.len();
+        let plain = sphere && row.prescribed_velocity == Vec3::zeros() && compliance == [0.0; 2];
         (row, impact, plain)
     }
 
     /// Scale of the force residual \[N s\] of a contact on which `acceleration` acts, while its normal turns by `turning`
     /// \[m/s^2\].
     #[inline]
-    fn impulse_scale(&self, meeting: &Meeting, acceleration: f64, turning: f64) -> f64 {
-        let rounding = ROUNDING * meeting.speed.sqrt() / self.scene.settings.tolerance.force;
+    fn impulse_scale(&self, contact: &ContactKinematics, acceleration: f64, turning: f64) -> f64 {
+        let rounding = ROUNDING * contact.speed.sqrt() / self.scene.settings.tolerance.force;
         let mut change = match acceleration.max(turning) {
             // Where nothing accelerates, the speed of approach is a scale as well.
-            0.0 => meeting.before.norm(),
+            0.0 => contact.before.norm(),
             acceleration => acceleration * self.step,
         };
         // Where nothing acts itself, forces are passed on from loads elsewhere.
@@ -157,22 +157,22 @@ impl Inputs<'_> {
             change = change.max(self.mean_acceleration * self.step);
         }
         // Rounding of the speeds is beneath any.
-        meeting.lightest * change.max(rounding)
+        contact.lightest * change.max(rounding)
     }
 
     #[inline(always)]
-    fn meeting_of_spheres(
+    fn sphere_kinematics(
         &self,
-        free: &[Dof6],
+        free: &[SpatialVector],
         n: Vec3,
-        (a, own): (usize, &Mover),
+        (a, own): (usize, &SphereMotion),
         index: u32,
-    ) -> Meeting {
-        let other = &self.movers[index as usize];
-        Meeting {
+    ) -> ContactKinematics {
+        let other = &self.spheres[index as usize];
+        ContactKinematics {
             b: index,
             arm_b: n * other.radius,
-            drift: Vec3::zeros(),
+            prescribed_velocity: Vec3::zeros(),
             radius: own.radius.min(other.radius),
             before: own.velocity - other.velocity - (own.rolling + other.rolling).cross(&n),
             partner: free[index as usize].linear,
@@ -184,21 +184,21 @@ impl Inputs<'_> {
         }
     }
 
-    fn meeting_with_boundary(
+    fn boundary_kinematics(
         &self,
-        free: &[Dof6],
+        free: &[SpatialVector],
         n: Vec3,
-        (a, own): (usize, &Mover),
+        (a, own): (usize, &SphereMotion),
         boundary: usize,
-    ) -> Meeting {
-        let (wall, pose) = (&self.scene.boundaries[boundary], &self.poses[0][boundary]);
-        let centre = wall.copy_near(&self.scene.cell, pose, self.kinematics.position[a]);
+    ) -> ContactKinematics {
+        let (surface, pose) = (&self.scene.boundaries[boundary], &self.poses[0][boundary]);
+        let centre = surface.copy_near(&self.scene.cell, pose, self.kinematics.position[a]);
         let point = centre - n * own.radius;
-        let mut meeting = Meeting {
+        let mut contact = ContactKinematics {
             b: GROUND,
             arm_b: Vec3::zeros(),
             // A belt slides along the shape: it takes no part in the approach.
-            drift: -split(self.surfaces[boundary], n).1,
+            prescribed_velocity: -split(self.surfaces[boundary], n).1,
             radius: own.radius,
             before: own.velocity - own.rolling.cross(&n),
             partner: Vec3::zeros(),
@@ -206,24 +206,24 @@ impl Inputs<'_> {
             pull: self.pull(a),
             lightest: own.mass,
             speed: own.speed(),
-            stiffness: wall.stiffness,
+            stiffness: surface.stiffness,
         };
         let acceleration = if let Some((rank, body)) = self.body(boundary) {
             let (rank, arm) = (self.kinematics.len() + rank, point - body.reference);
-            meeting.b = rank as u32;
-            meeting.arm_b = arm;
-            meeting.before -= body.velocity.at(arm);
-            meeting.lightest = meeting.lightest.min(body.mass());
-            meeting.partner = free[rank].at(arm);
+            contact.b = rank as u32;
+            contact.arm_b = arm;
+            contact.before -= body.velocity.at(arm);
+            contact.lightest = contact.lightest.min(body.mass());
+            contact.partner = free[rank].at(arm);
             body.acceleration_at(arm).norm()
         } else {
-            let [now, previous] = self.wall_velocity(boundary, point);
-            meeting.drift -= now;
-            meeting.before -= previous;
-            meeting.partner = now;
+            let [now, previous] = self.boundary_velocity(boundary, point);
+            contact.prescribed_velocity -= now;
+            contact.before -= previous;
+            contact.partner = now;
             (now - previous).norm() / self.step
         };
-        meeting.acceleration = meeting.acceleration.max(acceleration);
-        meeting
+        contact.acceleration = contact.acceleration.max(acceleration);
+        contact
     }
 }

@@ -1,6 +1,6 @@
 //! Stops and springs of slides and hinges: rows of the step's problem on the joint's one free direction.
 //!
-//! With the travel `q` \[m\] or \[rad\] from the scene's placement, and its rate over the step `q'`:
+//! With the joint_position `q` \[m\] or \[rad\] from the scene's configuration, and its rate over the step `q'`:
 //!
 //! ```text
 //! lower stop   0 <= f  perp  q + dt q' - q_min >= 0        no restitution, no friction
@@ -14,14 +14,14 @@
 use crate::Vec3;
 use crate::scene::Boundary;
 use crate::scene::body::{Body, Joint};
-use crate::step::driven::Ready;
+use crate::step::driven::BodyPrediction;
 
-/// What acts on a joint's travel.
+/// What acts on a joint's joint_position.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Kind {
-    /// A stop that pushes to greater travel.
+    /// A stop that pushes to greater joint_position.
     Lower,
-    /// A stop that pushes to lesser travel.
+    /// A stop that pushes to lesser joint_position.
     Upper,
     /// A spring of this stiffness \[N/m\] at the row's point.
     Spring(f64),
@@ -29,14 +29,14 @@ pub enum Kind {
 
 /// A stop or a spring at the start of a step.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Hold {
+pub struct JointLimit {
     /// Which.
     pub kind: Kind,
     /// Where it holds the body, from its reference point \[m\].
     pub arm: Vec3,
-    /// Unit vector in which that point moves when the travel grows.
+    /// Unit vector in which that point moves when the joint_position grows.
     pub direction: Vec3,
-    /// Velocity of that point over the travel's rate: 1 for a slide \[-\], `L` for a hinge \[m\].
+    /// Velocity of that point over the joint_position's rate: 1 for a slide \[-\], `L` for a hinge \[m\].
     pub lever: f64,
     /// Way to the stop, negative beyond it, or stretch of the spring \[m\] at the point.
     pub distance: f64,
@@ -44,8 +44,8 @@ pub struct Hold {
     pub force: f64,
 }
 
-impl Hold {
-    /// Its place in [`crate::state::BodyState::holds`].
+impl JointLimit {
+    /// Its place in [`crate::state::BodyState::joint_forces`].
     #[must_use]
     pub fn slot(&self) -> usize {
         match self.kind {
@@ -72,8 +72,13 @@ impl Hold {
 }
 
 impl Body {
-    /// Its stops and its spring at `travel`, with what they exerted in the last step.
-    fn holds(&self, boundary: &Boundary, travel: f64, last: &[f64; 3]) -> Vec<Hold> {
+    /// Its stops and its spring at `joint_position`, with what they exerted in the last step.
+    fn joint_limits(
+        &self,
+        boundary: &Boundary,
+        joint_position: f64,
+        last: &[f64; 3],
+    ) -> Vec<JointLimit> {
         let (arm, direction, lever) = match self.joint {
             Joint::Free => return Vec::new(),
             Joint::Slide { axis } => (Vec3::zeros(), axis, 1.0),
@@ -86,17 +91,17 @@ impl Body {
             }
         };
         let [lower, upper] = self.limits;
-        let lower = lower.map(|at| (Kind::Lower, travel - at));
-        let upper = upper.map(|at| (Kind::Upper, at - travel));
+        let lower = lower.map(|at| (Kind::Lower, joint_position - at));
+        let upper = upper.map(|at| (Kind::Upper, at - joint_position));
         let spring = self.spring.map(|spring| {
             let stiffness = spring.stiffness / (lever * lever);
-            (Kind::Spring(stiffness), travel - spring.rest)
+            (Kind::Spring(stiffness), joint_position - spring.rest)
         });
         let found = [lower, upper, spring].into_iter().zip(last);
         found
             .filter_map(|(found, last)| {
                 let (kind, way) = found?;
-                Some(Hold {
+                Some(JointLimit {
                     kind,
                     arm,
                     direction,
@@ -111,15 +116,16 @@ impl Body {
 
 /// A stop or spring of a driven body.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Held {
-    pub(crate) hold: Hold,
+pub(crate) struct JointConstraint {
+    pub(crate) limit: JointLimit,
     pub(crate) impact: bool,
 }
 
-impl Ready<'_> {
+impl BodyPrediction<'_> {
     /// Its stops and its spring.
     #[must_use]
-    pub fn holds(&self) -> Vec<Hold> {
-        self.body.holds(self.wall, self.travel, &self.held)
+    pub fn joint_limits(&self) -> Vec<JointLimit> {
+        self.body
+            .joint_limits(self.surface, self.joint_position, &self.joint_forces)
     }
 }

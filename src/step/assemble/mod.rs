@@ -18,24 +18,24 @@
 //! gap constraint: it lands on the surface instead of stopping above it.
 
 mod contact;
-mod inputs;
+mod input;
 pub mod joint;
-mod mover;
+mod sphere_motion;
 
-pub use inputs::Inputs;
-pub use mover::Mover;
+pub use input::AssemblyInput;
+pub use sphere_motion::SphereMotion;
 
 use crate::Vec3;
-use crate::contact::{Key, Partner};
+use crate::contact::{ContactId, Partner};
 use crate::problem::law::SHEAR_RATIO;
 use crate::problem::{GROUND, Law, Problem, Row};
 use crate::scene::Method;
 use crate::scene::materials::Pair;
-use crate::spatial::Dof6;
-use crate::step::assemble::joint::{Hold, Kind};
-use crate::step::driven::Ready;
+use crate::spatial::SpatialVector;
+use crate::step::assemble::joint::{JointLimit, Kind};
+use crate::step::driven::BodyPrediction;
 
-impl<'a> Inputs<'a> {
+impl<'a> AssemblyInput<'a> {
     /// Makes `problem` one without rows: free velocities and inverse masses.
     pub fn bodies(&self, problem: &mut Problem) {
         let integrator = self.scene.settings.integrator;
@@ -51,7 +51,7 @@ impl<'a> Inputs<'a> {
         // The same in every step.
         if problem.inverse_mass.len() != spheres.len() {
             problem.inverse_mass.clear();
-            problem.inverse_mass.extend(spheres.map(|i| Dof6 {
+            problem.inverse_mass.extend(spheres.map(|i| SpatialVector {
                 linear: self.scene.particles.inverse_mass(i) * integrator.mobility(),
                 angular: self.scene.particles.inverse_inertia(i) * integrator.mobility(),
             }));
@@ -61,8 +61,8 @@ impl<'a> Inputs<'a> {
         problem.operators.extend(operators);
     }
 
-    fn velocity(&self, i: usize) -> Dof6 {
-        Dof6 {
+    fn velocity(&self, i: usize) -> SpatialVector {
+        SpatialVector {
             linear: self.kinematics.velocity[i],
             angular: self.kinematics.spin[i],
         }
@@ -70,7 +70,7 @@ impl<'a> Inputs<'a> {
 
     /// Rank and start of the driven body that a boundary is.
     #[must_use]
-    pub fn body(&self, boundary: usize) -> Option<(usize, &Ready<'a>)> {
+    pub fn body(&self, boundary: usize) -> Option<(usize, &BodyPrediction<'a>)> {
         let rank = self
             .bodies
             .binary_search_by_key(&boundary, |body| body.boundary);
@@ -92,7 +92,7 @@ impl<'a> Inputs<'a> {
         mass * acceleration.linear.norm().max(self.gravity_size)
     }
 
-    fn pair(&self, key: Key) -> Pair {
+    fn pair(&self, key: ContactId) -> Pair {
         let material = &self.scene.particles.material;
         let of_b = match key.partner {
             Partner::Sphere { index, .. } => material[index as usize],
@@ -106,7 +106,7 @@ impl<'a> Inputs<'a> {
     /// The resistance to rolling and twisting of a contact, if it has one: `row` is the contact's row, `rank` its place,
     /// `torque` \[N m\] the last couple.
     #[must_use]
-    pub fn resistance(&self, key: Key, row: &Row, rank: usize, torque: Vec3) -> Option<Row> {
+    pub fn resistance(&self, key: ContactId, row: &Row, rank: usize, torque: Vec3) -> Option<Row> {
         let pair = self.pair(key);
         if pair.rolling_friction == 0.0 && pair.twisting_friction == 0.0 {
             return None;
@@ -114,7 +114,7 @@ impl<'a> Inputs<'a> {
         let particles = &self.scene.particles;
         let locked = |i: u32| particles.inverse_inertia(i as usize) == Vec3::zeros();
         let own = particles.radius[key.sphere as usize];
-        let (reduced, drift) = match key.partner {
+        let (reduced, prescribed_velocity) = match key.partner {
             Partner::Sphere { index, .. } if locked(row.a) && locked(index) => return None,
             Partner::Sphere { index, .. } => {
                 let other = particles.radius[index as usize];
@@ -133,7 +133,7 @@ impl<'a> Inputs<'a> {
         let mut resistance = Row {
             arm_a: Vec3::zeros(),
             arm_b: Vec3::zeros(),
-            drift,
+            prescribed_velocity,
             bias: Vec3::zeros(),
             compliance_n: 0.0,
             compliance_t: 0.0,
@@ -159,12 +159,12 @@ impl<'a> Inputs<'a> {
     /// The row of a stop or spring of driven body `rank`, and whether it is an impact: a stop is met as a wall is, without
     /// restitution.
     #[must_use]
-    pub fn hold(&self, free: &[Dof6], rank: usize, hold: &Hold) -> (Row, bool) {
+    pub fn limit(&self, free: &[SpatialVector], rank: usize, limit: &JointLimit) -> (Row, bool) {
         let (settings, body) = (&self.scene.settings, &self.bodies[rank]);
         let particles = &self.scene.particles;
-        let normal = hold.normal();
+        let normal = limit.normal();
         let dt2 = self.step * self.step;
-        let (law, compliance) = match (hold.kind, settings.method, settings.penalty) {
+        let (law, compliance) = match (limit.kind, settings.method, settings.penalty) {
             (Kind::Spring(stiffness), ..) => (Law::Bilateral, 1.0 / (stiffness * dt2)),
             (_, Method::Penalty, Some(penalty)) => {
                 (Law::Contact { mu: 0.0 }, 1.0 / (penalty * dt2))
@@ -175,10 +175,10 @@ impl<'a> Inputs<'a> {
             a: (self.kinematics.len() + rank) as u32,
             b: GROUND,
             normal,
-            arm_a: hold.arm,
+            arm_a: limit.arm,
             arm_b: Vec3::zeros(),
-            drift: Vec3::zeros(),
-            bias: normal * (hold.distance / self.step),
+            prescribed_velocity: Vec3::zeros(),
+            bias: normal * (limit.distance / self.step),
             compliance_n: compliance,
             compliance_t: compliance,
             law,
@@ -189,8 +189,8 @@ impl<'a> Inputs<'a> {
                 .fold(f64::INFINITY, f64::min),
             impulse_scale: 0.0,
         };
-        let before = body.velocity.at(hold.arm).dot(&normal);
-        let acceleration = body.acceleration_at(hold.arm).norm();
+        let before = body.velocity.at(limit.arm).dot(&normal);
+        let acceleration = body.acceleration_at(limit.arm).norm();
         let acceleration = acceleration.max(self.gravity_size);
         let change = if acceleration > 0.0 {
             acceleration * self.step
@@ -201,8 +201,8 @@ impl<'a> Inputs<'a> {
         let threshold = settings
             .threshold_velocity
             .max(2.0 * self.step * acceleration);
-        let closes = hold.distance + self.step * normal.dot(&row.relative_velocity(free)) < 0.0;
-        (row, hold.stops() && closes && before < -threshold)
+        let closes = limit.distance + self.step * normal.dot(&row.relative_velocity(free)) < 0.0;
+        (row, limit.stops() && closes && before < -threshold)
     }
 
     /// The row of constrained point `s`.
@@ -219,7 +219,7 @@ impl<'a> Inputs<'a> {
             normal: Vec3::z(),
             arm_a: arm,
             arm_b: Vec3::zeros(),
-            drift: Vec3::zeros(),
+            prescribed_velocity: Vec3::zeros(),
             bias: stretch / self.step,
             compliance_n: compliance,
             compliance_t: compliance,

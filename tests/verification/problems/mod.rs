@@ -8,7 +8,7 @@ use std::fs;
 use std::path::PathBuf;
 
 use sphere_dda::problem::{Impulses, Problem};
-use sphere_dda::solver::augmented_lagrangian::Workspace;
+use sphere_dda::solver::augmented_lagrangian::SolverWorkspace;
 use sphere_dda::solver::residual::{Residual, Scale, evaluate};
 use sphere_dda::solver::{Params, Report, SMOOTHING, solve};
 use sphere_dda::solver::{SolverKind, Tolerance};
@@ -77,7 +77,12 @@ fn params(problem: &Problem, kind: SolverKind, max_sweeps: usize, penalty: Optio
 /// Solves from the impulses captured; the verdict is the residual's, never the solver's own.
 fn replay((problem, start): &Captured, params: &Params) -> (Report, Residual) {
     let mut impulses = start.clone();
-    let report = solve(problem, params, &mut Workspace::default(), &mut impulses);
+    let report = solve(
+        problem,
+        params,
+        &mut SolverWorkspace::default(),
+        &mut impulses,
+    );
     let residual = evaluate(problem, &Scale::of(problem), &impulses);
     (report, residual)
 }

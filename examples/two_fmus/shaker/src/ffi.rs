@@ -12,7 +12,7 @@ use sphere_dda_fmi_interface::pointers::{
 };
 
 use crate::export::guid;
-use crate::instance::{Instance, Refusal, Stage};
+use crate::instance::{Instance, LifeCycle, Refusal};
 
 use fmi2Status::{fmi2Discard, fmi2Error, fmi2OK};
 
@@ -152,7 +152,7 @@ extern "C" fn fmi2SetupExperiment(
 }
 
 /// The next part of the life cycle.
-fn enter(c: fmi2Component, function: &str, from: &[Stage], to: Stage) -> fmi2Status {
+fn enter(c: fmi2Component, function: &str, from: &[LifeCycle], to: LifeCycle) -> fmi2Status {
     call(c, function, |component| {
         component.instance.enter(from, to)?;
         Ok(fmi2OK)
@@ -162,18 +162,33 @@ fn enter(c: fmi2Component, function: &str, from: &[Stage], to: Stage) -> fmi2Sta
 #[unsafe(no_mangle)]
 extern "C" fn fmi2EnterInitializationMode(c: fmi2Component) -> fmi2Status {
     let function = "fmi2EnterInitializationMode";
-    enter(c, function, &[Stage::Instantiated], Stage::Initialization)
+    enter(
+        c,
+        function,
+        &[LifeCycle::Instantiated],
+        LifeCycle::Initialization,
+    )
 }
 
 #[unsafe(no_mangle)]
 extern "C" fn fmi2ExitInitializationMode(c: fmi2Component) -> fmi2Status {
     let function = "fmi2ExitInitializationMode";
-    enter(c, function, &[Stage::Initialization], Stage::Stepping)
+    enter(
+        c,
+        function,
+        &[LifeCycle::Initialization],
+        LifeCycle::Stepping,
+    )
 }
 
 #[unsafe(no_mangle)]
 extern "C" fn fmi2Terminate(c: fmi2Component) -> fmi2Status {
-    enter(c, "fmi2Terminate", &[Stage::Stepping], Stage::Terminated)
+    enter(
+        c,
+        "fmi2Terminate",
+        &[LifeCycle::Stepping],
+        LifeCycle::Terminated,
+    )
 }
 
 #[unsafe(no_mangle)]

@@ -22,7 +22,7 @@ const LENGTH: usize = MAGIC.len() + 1 + 8 * (1 + COUNT) + 4;
 
 /// Part of the life cycle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Stage {
+pub enum LifeCycle {
     /// Made; parameters can be set.
     Instantiated,
     /// In initialization mode; parameters can still be set.
@@ -35,15 +35,15 @@ pub enum Stage {
     Broken,
 }
 
-const STAGES: [Stage; 5] = [
-    Stage::Instantiated,
-    Stage::Initialization,
-    Stage::Stepping,
-    Stage::Terminated,
-    Stage::Broken,
+const STAGES: [LifeCycle; 5] = [
+    LifeCycle::Instantiated,
+    LifeCycle::Initialization,
+    LifeCycle::Stepping,
+    LifeCycle::Terminated,
+    LifeCycle::Broken,
 ];
 
-impl fmt::Display for Stage {
+impl fmt::Display for LifeCycle {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::Instantiated => "instantiated",
@@ -63,7 +63,7 @@ pub enum Refusal {
     Argument(#[from] BadArgument),
     /// Not now.
     #[error("not allowed in state {0}")]
-    Stage(Stage),
+    LifeCycle(LifeCycle),
     /// No such variable.
     #[error("value reference {0}, expected one below {COUNT}, of a real")]
     Reference(u32),
@@ -73,7 +73,7 @@ pub enum Refusal {
         /// Its name.
         name: &'static str,
         /// Present state.
-        stage: Stage,
+        stage: LifeCycle,
     },
     /// A value out of bounds.
     #[error("`{name}` = {found}, expected a finite number{}", if *.bounded { " of at least 0, a mass above" } else { "" })]
@@ -111,7 +111,7 @@ pub enum Refusal {
 /// A shaker. The whole of it is its state.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Instance {
-    stage: Stage,
+    stage: LifeCycle,
     /// Where it is \[s\].
     time: f64,
     /// By value reference.
@@ -121,7 +121,7 @@ pub struct Instance {
 impl Default for Instance {
     fn default() -> Self {
         let mut instance = Self {
-            stage: Stage::Instantiated,
+            stage: LifeCycle::Instantiated,
             time: 0.0,
             values: TABLE.map(|variable| variable.start.unwrap_or(0.0)),
         };
@@ -133,7 +133,7 @@ impl Default for Instance {
 impl Instance {
     /// Where it is in its life.
     #[must_use]
-    pub fn stage(&self) -> Stage {
+    pub fn stage(&self) -> LifeCycle {
         self.stage
     }
 
@@ -145,7 +145,7 @@ impl Instance {
 
     /// After a fault of this library nothing can be trusted.
     pub fn fail(&mut self) {
-        self.stage = Stage::Broken;
+        self.stage = LifeCycle::Broken;
     }
 
     /// Start of the experiment \[s\].
@@ -153,7 +153,7 @@ impl Instance {
     /// # Errors
     /// In another state, or a time that is not finite.
     pub fn set_up(&mut self, start: f64) -> Result<(), Refusal> {
-        self.require(&[Stage::Instantiated])?;
+        self.require(&[LifeCycle::Instantiated])?;
         if !start.is_finite() {
             return Err(BadArgument {
                 argument: "startTime",
@@ -171,7 +171,7 @@ impl Instance {
     ///
     /// # Errors
     /// In another state.
-    pub fn enter(&mut self, from: &[Stage], to: Stage) -> Result<(), Refusal> {
+    pub fn enter(&mut self, from: &[LifeCycle], to: LifeCycle) -> Result<(), Refusal> {
         self.require(from)?;
         self.stage = to;
         Ok(())
@@ -197,13 +197,15 @@ impl Instance {
             let Some(variable) = TABLE.get(reference as usize) else {
                 return Err(unknown);
             };
-            let allowed: &[Stage] = match (variable.causality, variable.start) {
-                (Causality::Input, _) => {
-                    &[Stage::Instantiated, Stage::Initialization, Stage::Stepping]
-                }
-                (Causality::Parameter, _) => &[Stage::Instantiated, Stage::Initialization],
+            let allowed: &[LifeCycle] = match (variable.causality, variable.start) {
+                (Causality::Input, _) => &[
+                    LifeCycle::Instantiated,
+                    LifeCycle::Initialization,
+                    LifeCycle::Stepping,
+                ],
+                (Causality::Parameter, _) => &[LifeCycle::Instantiated, LifeCycle::Initialization],
                 // The initial motion.
-                (_, Some(_)) => &[Stage::Instantiated, Stage::Initialization],
+                (_, Some(_)) => &[LifeCycle::Instantiated, LifeCycle::Initialization],
                 (_, None) => &[],
             };
             if !allowed.contains(&self.stage) {
@@ -236,7 +238,7 @@ impl Instance {
     /// # Errors
     /// In another state, from another time, of no positive length.
     pub fn step(&mut self, point: f64, h: f64) -> Result<(), Refusal> {
-        self.require(&[Stage::Stepping])?;
+        self.require(&[LifeCycle::Stepping])?;
         let slack = TIME_TOLERANCE * h.max(self.time.abs() * f64::EPSILON / TIME_TOLERANCE);
         let fits = (point - self.time).abs() <= slack.max(16.0 * f64::EPSILON * self.time.abs());
         if !(h > 0.0 && h.is_finite() && fits) {
@@ -301,11 +303,11 @@ impl Instance {
         })
     }
 
-    fn require(&self, allowed: &[Stage]) -> Result<(), Refusal> {
+    fn require(&self, allowed: &[LifeCycle]) -> Result<(), Refusal> {
         if allowed.contains(&self.stage) {
             return Ok(());
         }
-        Err(Refusal::Stage(self.stage))
+        Err(Refusal::LifeCycle(self.stage))
     }
 
     fn motion(&self) -> Motion {
@@ -346,10 +348,10 @@ mod tests {
     fn stepping() -> Instance {
         let mut instance = Instance::default();
         instance
-            .enter(&[Stage::Instantiated], Stage::Initialization)
+            .enter(&[LifeCycle::Instantiated], LifeCycle::Initialization)
             .unwrap();
         instance
-            .enter(&[Stage::Initialization], Stage::Stepping)
+            .enter(&[LifeCycle::Initialization], LifeCycle::Stepping)
             .unwrap();
         instance
     }

@@ -97,7 +97,11 @@ impl Instance {
 
     fn rates_at(&mut self, ranks: &[usize]) -> Result<Vec<f64>, Refusal> {
         self.look()?;
-        let Some(simulation) = self.simulation.as_ref().filter(|s| s.origin().is_some()) else {
+        let Some(simulation) = self
+            .simulation
+            .as_ref()
+            .filter(|s| s.replay_record().is_some())
+        else {
             return Err(self.no_derivatives());
         };
         if self.measured.rates.is_none() {
@@ -187,7 +191,11 @@ impl Instance {
             .map(|&reference| Ok((reference, self.direction(reference)?)))
             .collect::<Result<_, Refusal>>()?;
         self.look()?;
-        let Some(simulation) = self.simulation.as_ref().filter(|s| s.origin().is_some()) else {
+        let Some(simulation) = self
+            .simulation
+            .as_ref()
+            .filter(|s| s.replay_record().is_some())
+        else {
             return Err(self.no_derivatives());
         };
         let known = &mut self.measured.columns;

@@ -10,31 +10,31 @@
 
 mod arrays;
 mod derivatives;
-mod under_way;
+mod step;
+mod step_in_progress;
 mod values;
-mod walk;
 
 use std::collections::BTreeMap;
 use std::path::Path;
 
 use sphere_dda::error::StepError;
 use sphere_dda::scene::Boundary;
-use sphere_dda::scene::{Command, Rates};
+use sphere_dda::scene::{Command, CommandDerivatives};
 use sphere_dda::simulation::Simulation;
 
 use crate::model::Model;
 use crate::runtime::life_cycle::LifeCycle;
 use crate::runtime::recorder::Recorder;
 use crate::runtime::refusal::{InstantiationError, Refusal};
-use crate::runtime::state::{Run, Saved};
+use crate::runtime::state::{InstanceState, SavedState};
 use crate::table::Parameters;
 use sphere_dda_fmi_interface::log::{Level, Log};
 use sphere_dda_fmi_interface::pointers::BadArgument;
-use under_way::Walk;
+use step_in_progress::StepInProgress;
 
 pub use arrays::Element;
 pub(crate) use arrays::counted;
-pub use walk::Progress;
+pub use step::Progress;
 
 /// Share of the step by which a communication point may miss the end of the last one: masters add up or round their
 /// times, and a mistake of the master is far larger.
@@ -65,10 +65,10 @@ pub struct Instance {
     name: String,
     model: Model,
     log: Log,
-    run: Run,
+    run: InstanceState,
     simulation: Option<Simulation>,
     /// The step under way, if it is taken in pieces.
-    walk: Option<Walk>,
+    step: Option<StepInProgress>,
     measured: Measured,
     recorder: Recorder,
     read_ahead: bool,
@@ -91,7 +91,7 @@ impl Instance {
             log,
             run,
             simulation: None,
-            walk: None,
+            step: None,
             measured: Measured::default(),
             recorder: Recorder::default(),
             read_ahead: false,
@@ -102,7 +102,7 @@ impl Instance {
         name: &str,
         guid: &str,
         resources: &Path,
-    ) -> Result<(Model, Run), InstantiationError> {
+    ) -> Result<(Model, InstanceState), InstantiationError> {
         if name.is_empty() {
             return Err(InstantiationError::Name);
         }
@@ -235,7 +235,7 @@ impl Instance {
                 self.run.failed = None;
                 self.run.pending = false;
                 self.run.stage = LifeCycle::StepComplete;
-                self.run.rates.fill(Rates::default());
+                self.run.rates.fill(CommandDerivatives::default());
                 self.measured = Measured::default();
                 if let Some(simulation) = &self.simulation {
                     self.recorder.record(simulation, &self.log);
@@ -296,8 +296,8 @@ impl Instance {
         let end = end - self.run.start;
         // Derivatives can be asked for after a step that fails.
         let simulation = self.commanded()?;
-        let march = simulation.begin(end)?;
-        simulation.finish(march)
+        let communication = simulation.begin(end)?;
+        simulation.finish(communication)
     }
 
     /// The simulation with gravity and commands of now.
@@ -326,7 +326,7 @@ impl Instance {
         self.recorder.close(&self.log);
         self.run = initial(&self.model);
         self.simulation = None;
-        self.walk = None;
+        self.step = None;
         self.measured = Measured::default();
         self.read_ahead = false;
     }
@@ -335,7 +335,7 @@ impl Instance {
     pub fn fail(&mut self, what: &str) {
         self.run.stage = LifeCycle::Error;
         self.simulation = None;
-        self.walk = None;
+        self.step = None;
         self.measured = Measured::default();
         let text =
             "this is a defect of the library; reset the instance or restore an earlier state";
@@ -354,14 +354,14 @@ impl Instance {
     /// # Errors
     /// [`Refusal::State`] if the serializer fails.
     pub fn save(&self) -> Result<Vec<u8>, Refusal> {
-        let saved = Saved {
+        let saved = SavedState {
             guid: self.model.guid.clone(),
             run: self.run.clone(),
             snapshot: self.simulation.as_ref().map(Simulation::snapshot),
-            origin: self
+            replay: self
                 .simulation
                 .as_ref()
-                .and_then(Simulation::origin)
+                .and_then(Simulation::replay_record)
                 .cloned(),
         };
         Ok(saved.encode()?)
@@ -372,7 +372,7 @@ impl Instance {
     /// # Errors
     /// [`Refusal::State`].
     pub fn verify(&self, bytes: &[u8]) -> Result<(), Refusal> {
-        Ok(Saved::decode(bytes, &self.model.guid)?.check(self.run.commands.len())?)
+        Ok(SavedState::decode(bytes, &self.model.guid)?.check(self.run.commands.len())?)
     }
 
     /// Puts the instance into a saved state, also one of another instance or process.
@@ -380,7 +380,7 @@ impl Instance {
     /// # Errors
     /// [`Refusal::State`], [`Refusal::Snapshot`]: the instance is as before.
     pub fn load(&mut self, bytes: &[u8]) -> Result<(), Refusal> {
-        let saved = Saved::decode(bytes, &self.model.guid)?;
+        let saved = SavedState::decode(bytes, &self.model.guid)?;
         saved.check(self.run.commands.len())?;
         match &saved.snapshot {
             None => self.simulation = None,
@@ -391,10 +391,10 @@ impl Instance {
                     .as_mut()
                     .filter(|s| parameters.fit(s.scene()))
                 {
-                    Some(simulation) => simulation.resume(snapshot, saved.origin)?,
+                    Some(simulation) => simulation.resume(snapshot, saved.replay)?,
                     None => {
                         let mut simulation = self.simulate(parameters)?;
-                        simulation.resume(snapshot, saved.origin)?;
+                        simulation.resume(snapshot, saved.replay)?;
                         self.simulation = Some(simulation);
                     }
                 }
@@ -441,22 +441,22 @@ impl Instance {
 }
 
 /// The state after instantiation: everything as in the scene.
-fn initial(model: &Model) -> Run {
-    Run {
+fn initial(model: &Model) -> InstanceState {
+    InstanceState {
         stage: LifeCycle::Instantiated,
         start: 0.0,
         stop: None,
         time: 0.0,
         parameters: Parameters::of(&model.scene),
         commands: model.scene.boundaries.iter().map(Boundary::rest).collect(),
-        rates: vec![Rates::default(); model.scene.boundaries.len()],
+        rates: vec![CommandDerivatives::default(); model.scene.boundaries.len()],
         pending: false,
         failed: None,
     }
 }
 
 /// Hands the commands of all driven boundaries to the simulation.
-fn command(simulation: &mut Simulation, run: &Run) -> Result<(), StepError> {
+fn command(simulation: &mut Simulation, run: &InstanceState) -> Result<(), StepError> {
     for (b, (&command, &rates)) in run.commands.iter().zip(&run.rates).enumerate() {
         if simulation.scene().boundaries[b].is_commanded() {
             simulation.command_along(b, command, rates)?;

@@ -3,7 +3,7 @@
 use super::abi::Functions;
 use crate::calls::instance::Instance;
 use crate::calls::logger::Message;
-use crate::calls::participant::{Load, Participant, Step};
+use crate::calls::participant::{InputValues, Participant, Step};
 use crate::calls::state::SavedState;
 use crate::error::ImportError;
 use crate::value::{ScalarType, Value};
@@ -15,7 +15,7 @@ impl Participant for Instance<Functions> {
         tolerance: Option<f64>,
         start: f64,
         stop: f64,
-        values: &Load,
+        values: &InputValues,
     ) -> Result<(), ImportError> {
         self.setup_experiment(tolerance, start, Some(stop))?;
         self.set(values)
@@ -60,7 +60,7 @@ impl Participant for Instance<Functions> {
         Ok(found.into_iter().flatten().collect())
     }
 
-    fn set(&mut self, values: &Load) -> Result<(), ImportError> {
+    fn set(&mut self, values: &InputValues) -> Result<(), ImportError> {
         let (mut real, mut integer, mut boolean, mut string) =
             (Lists::new(), Lists::new(), Lists::new(), Lists::new());
         for (place, value) in values {

@@ -7,7 +7,7 @@ use sphere_dda_model_description::fmi3::Causality;
 use super::abi::Functions;
 use crate::calls::instance::Instance;
 use crate::calls::logger::Message;
-use crate::calls::participant::{Load, Participant, Step};
+use crate::calls::participant::{InputValues, Participant, Step};
 use crate::calls::state::SavedState;
 use crate::error::ImportError;
 use crate::value::{ScalarType, Value};
@@ -52,7 +52,7 @@ impl Participant for Arrays {
         tolerance: Option<f64>,
         start: f64,
         stop: f64,
-        values: &Load,
+        values: &InputValues,
     ) -> Result<(), ImportError> {
         self.experiment = (tolerance, start, stop);
         self.set(values)
@@ -98,7 +98,7 @@ impl Participant for Arrays {
         Ok(places.iter().filter_map(value).collect())
     }
 
-    fn set(&mut self, values: &Load) -> Result<(), ImportError> {
+    fn set(&mut self, values: &InputValues) -> Result<(), ImportError> {
         let mut changed: BTreeMap<ScalarType, Vec<u32>> = BTreeMap::new();
         for (place, _) in values {
             let references = changed.entry(place.scalar).or_default();

@@ -5,8 +5,8 @@ mod penalties;
 use sphere_dda::geometry::Shape;
 use sphere_dda::scene::Method;
 
-use super::march::{Example, Moment, Record, integrator_name, method_name};
 use super::pictures::picture;
+use super::stepping::{Example, Moment, Record, integrator_name, method_name};
 use super::study::Study;
 use super::text::{self, mean};
 use crate::document::Document;

@@ -2,7 +2,7 @@
 
 use super::super::column::{FACTORS, TOLERANCE};
 use super::super::held::{MOST, Outcome};
-use super::super::march::{Example, Record};
+use super::super::stepping::{Example, Record};
 use super::super::study::{STACKS, StackRow, Study};
 use super::super::text::mean;
 use crate::error::ReportError;

@@ -1,7 +1,7 @@
 //! Random packings: so many spheres, so much mass or so much of the volume, without overlap.
 
+mod free_space;
 mod relaxation;
-mod room;
 
 use rand_chacha::ChaCha8Rng;
 
@@ -12,8 +12,8 @@ use crate::scene_file::document::Document;
 use crate::scene_file::file;
 use crate::scene_file::regions::filled;
 use crate::scene_file::resources::Resources;
+use free_space::FreeSpace;
 use relaxation::{Bed, Jam};
-use room::Room;
 
 /// Densest packing of equal spheres, pi / sqrt(18): no random packing comes near it.
 const DENSEST: f64 = 0.7405;
@@ -143,7 +143,7 @@ impl Task {
         random: &mut ChaCha8Rng,
     ) -> Option<Vec<Vec3>> {
         // Without all of its boundaries the room is another one; what is wrong with them is reported already.
-        let room = Room::new(&self.region, present.boundaries?)?;
+        let room = FreeSpace::new(&self.region, present.boundaries?)?;
         let obstacles = room.obstacles(present.particles, present.initial);
         match Bed::drop(&room, radii, &obstacles, random).and_then(|bed| bed.relax(&room)) {
             Ok(places) => Some(places),

@@ -11,10 +11,10 @@
 
 use rand_chacha::ChaCha8Rng;
 
-use super::room::Room;
+use super::free_space::FreeSpace;
 use crate::Vec3;
 use crate::detection::grid::sphere_pairs;
-use crate::geometry::Touch;
+use crate::geometry::ClosestPoint;
 
 /// Places tried before a sphere takes the least bad one.
 const TRIES: usize = 30;
@@ -61,7 +61,7 @@ pub(super) struct Bed {
 impl Bed {
     /// Random places for spheres of these radii \[m\] between fixed ones (centre and radius \[m\]).
     pub(super) fn drop(
-        room: &Room<'_>,
+        room: &FreeSpace<'_>,
         radii: &[f64],
         fixed: &[(Vec3, f64)],
         random: &mut ChaCha8Rng,
@@ -95,7 +95,7 @@ impl Bed {
     }
 
     /// Centres \[m\] without overlap, in the order of the task.
-    pub(super) fn relax(mut self, room: &Room<'_>) -> Result<Vec<Vec3>, Jam> {
+    pub(super) fn relax(mut self, room: &FreeSpace<'_>) -> Result<Vec<Vec3>, Jam> {
         if self.settle(room, SWEEPS) {
             self.centre.truncate(self.sphere.len());
             return Ok(self.centre);
@@ -112,7 +112,7 @@ impl Bed {
     }
 
     /// Whether at most `sweeps` sweeps end all overlaps.
-    fn settle(&mut self, room: &Room<'_>, sweeps: usize) -> bool {
+    fn settle(&mut self, room: &FreeSpace<'_>, sweeps: usize) -> bool {
         let smallest = self.radius.iter().copied().fold(f64::INFINITY, f64::min);
         let skin = SKIN * smallest;
         let number = self.sphere.len();
@@ -207,10 +207,10 @@ impl Bed {
     /// Shortens long moves and keeps the spheres in the room; `may_leave` tells whose new place is to be checked.
     fn confine(
         &mut self,
-        room: &Room<'_>,
+        room: &FreeSpace<'_>,
         before: &[Vec3],
         may_leave: impl Fn(usize, Vec3) -> bool,
-        scratch: &mut Vec<Touch>,
+        scratch: &mut Vec<ClosestPoint>,
     ) {
         for (k, &from) in before.iter().enumerate() {
             let (centre, radius) = (&mut self.centre[k], self.radius[k]);
@@ -254,11 +254,11 @@ impl Bed {
 
 /// The best of some random places.
 fn drop_one(
-    room: &Room<'_>,
+    room: &FreeSpace<'_>,
     grid: &Grid,
     radius: f64,
     random: &mut ChaCha8Rng,
-    scratch: &mut Vec<Touch>,
+    scratch: &mut Vec<ClosestPoint>,
 ) -> Option<Vec3> {
     let mut best: Option<(f64, Vec3)> = None;
     let mut tries = 0;

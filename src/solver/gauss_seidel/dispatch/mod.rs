@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::block::{Block, Pace, Progress, Vector};
+use super::batch::{Batch, Progress, SweepParams, Vector};
 use super::lanes::{Body, FUSES, Lanes, Plain, Real, Sixteen};
 use super::local::{Constants, Source};
 use crate::Vec3;
@@ -11,12 +11,12 @@ use crate::solver::residual::Residual;
 /// What a sweep goes over, in one precision: all of one group.
 #[derive(Debug)]
 pub(super) struct Sweep<'a, T> {
-    pub(super) blocks: &'a mut [Block<T>],
+    pub(super) blocks: &'a mut [Batch<T>],
     pub(super) bodies: &'a mut [Body<T>],
-    pub(super) drifts: &'a [Vector<T>],
+    pub(super) prescribed_velocities: &'a [Vector<T>],
     /// Which of the blocks' impulses are the last.
     pub(super) latest: usize,
-    pub(super) pace: Pace,
+    pub(super) pace: SweepParams,
 }
 
 /// Blocks' contacts in double precision.
@@ -41,7 +41,7 @@ impl Exact<'_> {
 #[derive(Debug)]
 pub(super) struct Fill<'a, T> {
     pub(super) exact: Exact<'a>,
-    pub(super) blocks: &'a mut [Block<T>],
+    pub(super) blocks: &'a mut [Batch<T>],
     pub(super) impulses: &'a [Vec3],
 }
 
@@ -49,7 +49,7 @@ pub(super) struct Fill<'a, T> {
 #[derive(Debug)]
 pub(super) struct Push<'a, T> {
     pub(super) exact: Exact<'a>,
-    pub(super) blocks: &'a [Block<T>],
+    pub(super) blocks: &'a [Batch<T>],
     pub(super) bodies: &'a mut [Body<f64>],
     pub(super) latest: usize,
 }
@@ -58,14 +58,14 @@ pub(super) struct Push<'a, T> {
 #[derive(Debug)]
 pub(super) struct Judge<'a, T> {
     pub(super) exact: Exact<'a>,
-    pub(super) blocks: &'a [Block<T>],
+    pub(super) blocks: &'a [Batch<T>],
     pub(super) bodies: &'a [Body<f64>],
-    pub(super) drifts: &'a [Vector<f64>],
+    pub(super) prescribed_velocities: &'a [Vector<f64>],
     pub(super) latest: usize,
 }
 
 /// Work on blocks that goes some numbers at a time.
-pub(super) trait Work: Sized {
+pub(super) trait Task: Sized {
     /// Precision of its numbers.
     type Real: Real;
     /// What it finds.
@@ -78,13 +78,13 @@ pub(super) trait Work: Sized {
 /// A precision with its registers.
 pub(super) trait Precision: Real {
     /// Does `work` with the widest registers that the processor has.
-    fn widest<W: Work<Real = Self>>(work: W) -> W::Output;
+    fn widest<W: Task<Real = Self>>(work: W) -> W::Output;
 }
 
 macro_rules! precision {
     ($real:ty) => {
         impl Precision for $real {
-            fn widest<W: Work<Real = Self>>(work: W) -> W::Output {
+            fn widest<W: Task<Real = Self>>(work: W) -> W::Output {
                 #[cfg(target_arch = "x86_64")]
                 if let Some(lanes) = pulp::x86::V4::try_new() {
                     return lanes.vectorize(Job { work, lanes });
@@ -108,7 +108,7 @@ struct Job<W, L> {
     lanes: L,
 }
 
-impl<W: Work, L: Lanes<W::Real>> pulp::NullaryFnOnce for Job<W, L> {
+impl<W: Task, L: Lanes<W::Real>> pulp::NullaryFnOnce for Job<W, L> {
     type Output = W::Output;
 
     #[inline(always)]
@@ -117,7 +117,7 @@ impl<W: Work, L: Lanes<W::Real>> pulp::NullaryFnOnce for Job<W, L> {
     }
 }
 
-impl<T: Real> Work for Sweep<'_, T> {
+impl<T: Real> Task for Sweep<'_, T> {
     type Real = T;
     type Output = Progress;
 
@@ -130,8 +130,14 @@ impl<T: Real> Work for Sweep<'_, T> {
         let mut change = Sixteen::<T>::default();
         for block in self.blocks {
             for pass in block.passes::<L, T>() {
-                let (within, a, c) =
-                    block.update(l, pass, self.bodies, self.drifts, self.latest, &pace);
+                let (within, a, c) = block.update(
+                    l,
+                    pass,
+                    self.bodies,
+                    self.prescribed_velocities,
+                    self.latest,
+                    &pace,
+                );
                 settled &= within;
                 l.store(l.load(&along, pass) + a, &mut along, pass);
                 l.store(l.load(&change, pass) + c, &mut change, pass);
@@ -154,7 +160,7 @@ pub(super) struct Drift<'a, T> {
     pub(super) momentum: f64,
 }
 
-impl<T: Real> Work for Drift<'_, T> {
+impl<T: Real> Task for Drift<'_, T> {
     type Real = T;
     type Output = ();
 
@@ -172,7 +178,7 @@ impl<T: Real> Work for Drift<'_, T> {
     }
 }
 
-impl<T: Real> Work for Fill<'_, T> {
+impl<T: Real> Task for Fill<'_, T> {
     type Real = f64;
     type Output = ();
 
@@ -193,7 +199,7 @@ impl<T: Real> Work for Fill<'_, T> {
     }
 }
 
-impl<T: Real> Work for Push<'_, T> {
+impl<T: Real> Task for Push<'_, T> {
     type Real = f64;
     type Output = ();
 
@@ -206,7 +212,7 @@ impl<T: Real> Work for Push<'_, T> {
     }
 }
 
-impl<T: Real> Work for Judge<'_, T> {
+impl<T: Real> Task for Judge<'_, T> {
     type Real = f64;
     type Output = Residual;
 
@@ -215,7 +221,7 @@ impl<T: Real> Work for Judge<'_, T> {
         let Exact { source, rows } = self.exact;
         let mut residual = Residual::default();
         for (block, rows) in self.blocks.iter().zip(rows) {
-            let moving = (self.bodies, self.drifts);
+            let moving = (self.bodies, self.prescribed_velocities);
             let [gaps, slips, forces, margins] = block.judge(l, &source, rows, moving, self.latest);
             for (lane, &row) in rows[..block.count as usize].iter().enumerate() {
                 let values = [gaps[lane], slips[lane], forces[lane]];

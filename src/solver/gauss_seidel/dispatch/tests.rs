@@ -3,9 +3,9 @@
 #![cfg(test)]
 
 use super::*;
-use crate::problem::Compact;
+use crate::problem::SphereContact;
 use crate::solver::Tolerance;
-use crate::solver::gauss_seidel::block::STILL;
+use crate::solver::gauss_seidel::batch::STILL;
 use proptest::prelude::*;
 
 /// One kind of lanes.
@@ -44,11 +44,11 @@ run!(pulp::x86::V4, |lanes, work| lanes
 /// Blocks with their bodies.
 #[derive(Debug, Clone)]
 struct Case<T> {
-    numbers: Vec<Compact>,
+    numbers: Vec<SphereContact>,
     rows: Vec<Sixteen<u32>>,
-    blocks: Vec<Block<T>>,
+    blocks: Vec<Batch<T>>,
     bodies: Vec<Body<T>>,
-    drifts: Vec<Vector<T>>,
+    prescribed_velocities: Vec<Vector<T>>,
 }
 
 impl<T> Case<T> {
@@ -62,35 +62,35 @@ impl<T> Case<T> {
         Exact { source, rows }
     }
 
-    fn sweep(&mut self, latest: usize, pace: Pace) -> Sweep<'_, T> {
+    fn sweep(&mut self, latest: usize, pace: SweepParams) -> Sweep<'_, T> {
         Sweep {
             blocks: &mut self.blocks,
             bodies: &mut self.bodies,
-            drifts: &self.drifts,
+            prescribed_velocities: &self.prescribed_velocities,
             latest,
             pace,
         }
     }
 }
 
-/// Two blocks of 32 bodies from numbers in -1..1; the second is not full, and its ground drifts. The last body never moves.
+/// Two blocks of 32 bodies from numbers in -1..1; the second is not full, and its ground prescribed_velocities. The last body never moves.
 fn case<T: Real>(numbers: &[f64]) -> Case<T> {
     let mut source = numbers.iter().cycle().map(|&x| T::of(x));
     let mut sixteen =
         || -> Sixteen<T> { std::array::from_fn(|_| source.next().unwrap_or_default()) };
     let mut vector = || [sixteen(), sixteen(), sixteen()];
-    let mut full = Block {
+    let mut full = Batch {
         normal: vector(),
         impulse: [vector(), vector()],
         friction: std::array::from_fn(|k| T::of(0.1 * k as f64)),
         bodies: [0, 16].map(|first| std::array::from_fn(|k| first + k as u32)),
         count: 16,
-        drift: STILL,
-        ..Block::default()
+        prescribed: STILL,
+        ..Batch::default()
     };
     let mut drift = vector();
     drift.iter_mut().for_each(|x| x[5..].fill(T::of(0.0)));
-    let drifts = vec![drift];
+    let prescribed_velocities = vec![drift];
     [full.bias, full.length, full.scale] = vector();
     full.length = full.length.map(|x| x * x);
     let masses = [0.0, 0.3, 1.0, 2.0].map(T::of);
@@ -101,12 +101,12 @@ fn case<T: Real>(numbers: &[f64]) -> Case<T> {
         Body(body)
     });
     let bodies = bodies.chain([Body::default()]).collect();
-    let compact = (0..21).map(|_| Compact(std::array::from_fn(|k| sixteen()[k].exact())));
+    let compact = (0..21).map(|_| SphereContact(std::array::from_fn(|k| sixteen()[k].exact())));
     let numbers = compact.collect();
     let rows = [0, 16].map(|first| std::array::from_fn(|k| (first + k as u32) % 21));
-    let mut part = Block {
+    let mut part = Batch {
         count: 5,
-        drift: 0,
+        prescribed: 0,
         ..full
     };
     part.clear_from(5);
@@ -118,12 +118,17 @@ fn case<T: Real>(numbers: &[f64]) -> Case<T> {
         rows: rows.to_vec(),
         blocks: vec![full, part],
         bodies,
-        drifts,
+        prescribed_velocities,
     }
 }
 
 /// All that `run` makes of the cases, to the last bit.
-fn outcome(run: impl Run, single: &Case<f32>, double: &Case<f64>, pace: Pace) -> [String; 3] {
+fn outcome(
+    run: impl Run,
+    single: &Case<f32>,
+    double: &Case<f64>,
+    pace: SweepParams,
+) -> [String; 3] {
     let (mut filled, mut moved) = (single.clone(), double.clone());
     run.fill(Fill {
         exact: double.exact(),
@@ -150,7 +155,7 @@ fn outcome(run: impl Run, single: &Case<f32>, double: &Case<f64>, pace: Pace) ->
             exact: double.exact().of(&blocks),
             blocks: &double.blocks[blocks],
             bodies: &moved.bodies,
-            drifts: &double.drifts,
+            prescribed_velocities: &double.prescribed_velocities,
             latest: 1,
         })
     });
@@ -161,13 +166,13 @@ fn outcome(run: impl Run, single: &Case<f32>, double: &Case<f64>, pace: Pace) ->
     ]
 }
 
-fn pace(momentum: f64) -> Pace {
+fn pace(momentum: f64) -> SweepParams {
     let tolerance = Tolerance {
         gap: 0.5,
         slip: 0.5,
         force: 0.5,
     };
-    Pace {
+    SweepParams {
         momentum,
         damping: 0.9,
         strictness: 1.0,
@@ -217,12 +222,12 @@ proptest! {
 /// Contacts of neighbours in a cubic lattice of `side` spheres along an edge, on the ground.
 fn lattice<T: Real>(side: usize) -> Case<T> {
     let n = side * side * side;
-    let still = Block {
+    let still = Batch {
         bodies: [[n as u32; 16]; 2],
-        drift: STILL,
-        ..Block::default()
+        prescribed: STILL,
+        ..Batch::default()
     };
-    let mut blocks: Vec<Block<T>> = Vec::new();
+    let mut blocks: Vec<Batch<T>> = Vec::new();
     // One of two contacts in a line, so that those of a block share no body; then the others.
     for (axis, odd) in (0..3).flat_map(|axis| [(axis, 0), (axis, 1)]) {
         let stride = side.pow(axis);
@@ -254,7 +259,7 @@ fn lattice<T: Real>(side: usize) -> Case<T> {
         rows: Vec::new(),
         blocks,
         bodies,
-        drifts: Vec::new(),
+        prescribed_velocities: Vec::new(),
     }
 }
 
@@ -267,7 +272,7 @@ fn nanoseconds<T: Real>(side: usize, sweep: impl Fn(Sweep<T>) -> Progress) -> f6
         slip: 1e-4,
         force: 0.1,
     };
-    let pace = Pace {
+    let pace = SweepParams {
         momentum: 0.1,
         damping: 1.0,
         strictness: 1.0,

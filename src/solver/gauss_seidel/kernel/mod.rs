@@ -5,25 +5,25 @@ use std::mem::take;
 
 use arrayvec::ArrayVec;
 
-use super::block::{Block, Pace, Progress, Vector};
+use super::batch::{Batch, Progress, SweepParams, Vector};
+use super::batches::{BODIES, Batches, Colours, split};
 use super::dispatch::Exact;
 use super::lanes::{Body, Sixteen};
-use super::layout::{Layout, PARTS};
 use super::local::Source;
-use super::sheet::{BODIES, Sheet, Turns, split};
+use super::partition::{PARTS, Partition};
 use crate::Vec3;
 use crate::parallel::Pool;
 use crate::problem::{Law, Problem, Row};
 use crate::solver::Tolerance;
 use crate::solver::residual::{Residual, Scale};
-use crate::spatial::Dof6;
+use crate::spatial::SpatialVector;
 
 /// Tolerances of gap and slip, and of force, from which single precision finds impulses that double precision confirms.
 const SINGLE: [f64; 2] = [1e-7, 1e-3];
 
 /// A row that is no contact of spheres.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Other {
+pub(super) struct GeneralRow {
     at: u32,
     row: Row,
     scale: Scale,
@@ -36,23 +36,23 @@ pub(super) struct Other {
 pub struct Kernel {
     /// Rows of each block, and velocities \[m/s\] of moving ground under blocks where there is such.
     pub(super) rows: Vec<Sixteen<u32>>,
-    pub(super) drifts: Vec<Vector<f64>>,
+    pub(super) prescribed_velocities: Vec<Vector<f64>>,
     /// Whether sweeps go over `quick`, or over the blocks of `exact`, whose bodies are those that are judged in either case.
     pub(super) single: bool,
-    pub(super) exact: Sheet<f64>,
-    pub(super) quick: Sheet<f32>,
+    pub(super) exact: Batches<f64>,
+    pub(super) quick: Batches<f32>,
     /// Factor on the impulses of `quick`: the largest inverse mass.
     pub(super) unit: f64,
     pub(super) pool: Pool,
-    pub(super) layout: Layout,
-    pub(super) turns: Turns,
+    pub(super) layout: Partition,
+    pub(super) turns: Colours,
     /// Where each body is, `[N + D]`. Each part ends with a body that never moves, and driven bodies are behind them all.
     pub(super) place: Vec<u32>,
     /// Length by which each body's spin is scaled \[m\], `[N + D]`: its radius; zero where no contact gives it.
     pub(super) radius: Vec<f64>,
-    pub(super) others: Vec<Other>,
+    pub(super) others: Vec<GeneralRow>,
     /// Velocities of the bodies that other rows move, while such a row is under way, `[N + D]`; none without such rows.
-    pub(super) velocity: Vec<Dof6>,
+    pub(super) velocity: Vec<SpatialVector>,
     /// Whether a row is a contact with a resistance, `[C]`: both go with the other rows.
     pub(super) resisted: Vec<bool>,
     /// Rows of the blocks by group, and which group each is of.
@@ -150,11 +150,11 @@ impl Kernel {
     /// Leaves single precision behind, after a judgement.
     pub(super) fn refine(&mut self, problem: &Problem, impulses: &mut [Vec3]) {
         self.store(problem, impulses);
-        let emptied = |block: &Block<f32>| Block {
+        let emptied = |block: &Batch<f32>| Batch {
             bodies: block.bodies,
             count: block.count,
-            drift: block.drift,
-            ..Block::default()
+            prescribed: block.prescribed,
+            ..Batch::default()
         };
         self.exact.blocks.clear();
         self.exact
@@ -169,7 +169,9 @@ impl Kernel {
     /// Lets sweeps in double precision start where the bodies are, as if they had not moved before.
     fn start_exact(&mut self) {
         self.exact.before.clone_from(&self.exact.bodies);
-        self.exact.drifts.clone_from(&self.drifts);
+        self.exact
+            .prescribed_velocities
+            .clone_from(&self.prescribed_velocities);
     }
 
     /// Rows that are in no block.
@@ -179,7 +181,7 @@ impl Kernel {
         for (k, &impulse) in impulses.iter().enumerate() {
             if self.group[k] == NONE {
                 let row = problem.rows.get(k);
-                self.others.push(Other {
+                self.others.push(GeneralRow {
                     at: k as u32,
                     scale: Scale::of_row(problem, &row),
                     row,
@@ -189,7 +191,8 @@ impl Kernel {
             }
         }
         if !self.others.is_empty() {
-            self.velocity.resize(problem.free.len(), Dof6::ZERO);
+            self.velocity
+                .resize(problem.free.len(), SpatialVector::ZERO);
         }
     }
 
@@ -205,14 +208,17 @@ impl Kernel {
         }
         self.exact.bodies = bodies;
         for at in 0..self.others.len() {
-            let Other { row, impulse, .. } = self.others[at];
+            let GeneralRow { row, impulse, .. } = self.others[at];
             self.see(&row);
             self.give(problem, &row, impulse);
         }
         match self.single {
-            true => self
-                .quick
-                .place(&self.exact.bodies, &self.drifts, self.unit, &self.pool),
+            true => self.quick.place(
+                &self.exact.bodies,
+                &self.prescribed_velocities,
+                self.unit,
+                &self.pool,
+            ),
             false => self.start_exact(),
         }
     }
@@ -225,7 +231,11 @@ impl Kernel {
         let body = |i: usize| {
             let (v, scale) = (&problem.free[i], scale(&self.radius, i));
             // Driven bodies move by other rows only, which have their own operator.
-            let w = problem.inverse_mass.get(i).copied().unwrap_or(Dof6::ZERO);
+            let w = problem
+                .inverse_mass
+                .get(i)
+                .copied()
+                .unwrap_or(SpatialVector::ZERO);
             let (v, s) = (v.linear, v.angular * scale);
             let (m, k) = (w.linear.x, w.angular.x * scale * scale);
             Body([v.x, v.y, v.z, m, s.x, s.y, s.z, k])
@@ -247,9 +257,9 @@ impl Kernel {
     }
 
     /// Writes the velocities of all bodies \[m/s\], \[rad/s\], `[N + D]`: those of the impulses that were judged last.
-    pub fn velocities_into(&self, velocities: &mut Vec<Dof6>) {
-        velocities.resize(self.place.len(), Dof6::ZERO);
-        let read = |first, velocities: &mut [Dof6]| {
+    pub fn velocities_into(&self, velocities: &mut Vec<SpatialVector>) {
+        velocities.resize(self.place.len(), SpatialVector::ZERO);
+        let read = |first, velocities: &mut [SpatialVector]| {
             for (i, velocity) in (first..).zip(velocities) {
                 *velocity = self.velocity_of(i, self.place[i]);
             }
@@ -259,9 +269,9 @@ impl Kernel {
 
     /// Velocity of body `i` at place `at`.
     #[inline]
-    fn velocity_of(&self, i: usize, at: u32) -> Dof6 {
+    fn velocity_of(&self, i: usize, at: u32) -> SpatialVector {
         let [a, b, c, _, d, e, f, _] = self.exact.bodies[at as usize].0;
-        Dof6 {
+        SpatialVector {
             linear: Vec3::new(a, b, c),
             angular: Vec3::new(d, e, f) / scale(&self.radius, i),
         }
@@ -272,7 +282,7 @@ impl Kernel {
         self.reload(problem);
         let exact = exact(problem, &self.rows, self.unit);
         let (turns, pool) = (&self.turns, &self.pool);
-        let moving = (&self.exact.bodies[..], &self.drifts[..]);
+        let moving = (&self.exact.bodies[..], &self.prescribed_velocities[..]);
         let mut residual = match self.single {
             true => self.quick.judge(exact, moving, turns, pool),
             false => self.exact.judge(exact, moving, turns, pool),
@@ -283,8 +293,8 @@ impl Kernel {
             self.see(row);
             let (u, p) = (row.relative_velocity(&self.velocity), other.impulse);
             let load = self.load(row);
-            let correction = other.scale.correction(row, u, p, load);
-            let values = other.scale.residuals(row, problem.step, &correction);
+            let natural_map = other.scale.natural_map(row, u, p, load);
+            let values = other.scale.residuals(row, problem.step, &natural_map);
             let margin = other.scale.margin(row, u, p, load);
             residual.include(other.at as usize, values, margin);
         }
@@ -302,7 +312,7 @@ impl Kernel {
     fn give(&mut self, problem: &Problem, row: &Row, impulse: Vec3) {
         problem.apply(row, &mut self.velocity, impulse);
         for i in row.bodies() {
-            let Dof6 { linear, angular } = self.velocity[i];
+            let SpatialVector { linear, angular } = self.velocity[i];
             let spin = angular * scale(&self.radius, i);
             let body = &mut self.exact.bodies[self.place[i] as usize].0;
             body[..3].copy_from_slice(linear.as_slice());
@@ -311,7 +321,7 @@ impl Kernel {
     }
 
     /// One sweep: the blocks, then the other rows.
-    pub(super) fn sweep(&mut self, problem: &Problem, pace: Pace) -> Progress {
+    pub(super) fn sweep(&mut self, problem: &Problem, pace: SweepParams) -> Progress {
         if self.single {
             return self.quick.sweep(&self.turns, &self.pool, pace);
         }
@@ -330,7 +340,7 @@ impl Kernel {
     fn other(
         &mut self,
         problem: &Problem,
-        pace: Pace,
+        pace: SweepParams,
         at: usize,
         change: &mut Residual,
     ) -> [f64; 2] {
@@ -340,10 +350,10 @@ impl Kernel {
         let old = other.impulse;
         let p = old + (old - other.previous) * pace.momentum;
         let u = row.relative_velocity(&self.velocity);
-        let correction = other.scale.correction(row, u, p, self.load(row));
-        let values = other.scale.residuals(row, problem.step, &correction);
+        let natural_map = other.scale.natural_map(row, u, p, self.load(row));
+        let values = other.scale.residuals(row, problem.step, &natural_map);
         change.include(other.at as usize, values, 1.0);
-        let full = row.normal * correction.normal + correction.tangential;
+        let full = row.normal * natural_map.normal + natural_map.tangential;
         let delta = full * pace.damping;
         other.impulse = p + delta;
         other.previous = old;
@@ -361,7 +371,7 @@ impl Kernel {
         };
         let found = self.others.binary_search_by_key(&contact, |other| other.at);
         found.map_or(0.0, |at| {
-            let Other { row, impulse, .. } = &self.others[at];
+            let GeneralRow { row, impulse, .. } = &self.others[at];
             impulse.dot(&row.normal).max(0.0)
         })
     }

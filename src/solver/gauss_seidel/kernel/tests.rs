@@ -16,12 +16,12 @@ fn problem() -> Problem {
     for i in 0..23 {
         let x = i as f64;
         let mass = 2e4 * radius(i).powi(3);
-        problem.free.push(Dof6 {
+        problem.free.push(SpatialVector {
             linear: Vector3::new(0.3 - 0.05 * x, 0.1 * (x * 1.7).sin(), -0.1),
             angular: Vector3::new((x * 0.9).cos(), 0.5, (x * 2.3).sin()),
         });
         let inverse = 1.0 / (0.4 * mass * radius(i) * radius(i));
-        problem.inverse_mass.push(Dof6 {
+        problem.inverse_mass.push(SpatialVector {
             linear: Vector3::repeat(1.0 / mass),
             angular: Vector3::repeat(inverse),
         });
@@ -47,7 +47,7 @@ fn problem() -> Problem {
                 } else {
                     normal * rb
                 },
-                drift: Vec3::zeros(),
+                prescribed_velocity: Vec3::zeros(),
                 bias: normal * 0.01,
                 compliance_n: if a == 7 { 0.1 } else { 0.0 },
                 compliance_t: 0.0,
@@ -67,7 +67,7 @@ fn blocks_do_what_rows_do_one_after_the_other() {
     let start: Vec<Vec3> = (0..problem.rows.len())
         .map(|k| problem.rows.normal(k) * (1e-4 * (k % 5) as f64))
         .collect();
-    let pace = Pace {
+    let pace = SweepParams {
         momentum: 0.0,
         damping: 0.8,
         strictness: 1.0,
@@ -96,8 +96,8 @@ fn blocks_do_what_rows_do_one_after_the_other() {
             let row = &problem.rows.get(k as usize);
             let p = &mut expected[k as usize];
             let scale = Scale::of_row(&problem, row);
-            let correction = scale.correction(row, row.relative_velocity(&velocity), *p, 0.0);
-            let full = row.normal * correction.normal + correction.tangential;
+            let natural_map = scale.natural_map(row, row.relative_velocity(&velocity), *p, 0.0);
+            let full = row.normal * natural_map.normal + natural_map.tangential;
             change += full.norm_squared();
             *p += full * pace.damping;
             problem.apply(row, &mut velocity, full * pace.damping);
@@ -119,7 +119,7 @@ fn momentum_moves_impulses_and_velocities_together() {
     kernel.compile(&problem, &Tolerance::default(), &impulses);
     for k in 0..20 {
         let momentum = if k < 3 { 0.0 } else { 0.7 };
-        let pace = Pace {
+        let pace = SweepParams {
             momentum,
             damping: 1.0,
             strictness: 1.0,
@@ -154,7 +154,7 @@ fn a_kernel_that_is_refined_goes_on_in_double_precision() {
     problem.rows.update_all(|k, row| {
         row.compliance_n = 0.0;
         if k % 6 == 1 {
-            row.drift = Vec3::new(0.02, -0.01, 0.0);
+            row.prescribed_velocity = Vec3::new(0.02, -0.01, 0.0);
         }
     });
     let loose = Tolerance {
@@ -167,7 +167,7 @@ fn a_kernel_that_is_refined_goes_on_in_double_precision() {
         slip: 1e-9,
         force: 1e-9,
     };
-    let pace = |momentum| Pace {
+    let pace = |momentum| SweepParams {
         momentum,
         damping: 1.0,
         strictness: 1.0,
@@ -176,7 +176,7 @@ fn a_kernel_that_is_refined_goes_on_in_double_precision() {
     let mut found = vec![Vec3::zeros(); problem.rows.len()];
     let mut kernel = Kernel::default();
     kernel.compile(&problem, &loose, &found);
-    assert!(kernel.single && !kernel.drifts.is_empty());
+    assert!(kernel.single && !kernel.prescribed_velocities.is_empty());
     kernel.sweep(&problem, pace(0.0));
     kernel.judge(&problem);
     kernel.refine(&problem, &mut found);

@@ -5,14 +5,14 @@ use crate::spatial::extent::{around, larger};
 
 /// How far a sphere may move \[m\].
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Reach {
+pub struct DetectionDistance {
     /// Against a motion that all spheres have in common.
     pub pairs: f64,
     /// In all.
-    pub walls: f64,
+    pub boundaries: f64,
 }
 
-impl Reach {
+impl DetectionDistance {
     /// Of every sphere that has one of two `velocities` \[m/s\] for a `step` \[s\], `[N]`, and `more(i)` \[m\]; what all have in
     /// common is the middle of all velocities.
     pub fn of(
@@ -30,7 +30,7 @@ impl Reach {
         reach.clear();
         reach.extend(velocities.enumerate().map(|(i, velocities)| Self {
             pairs: length(velocities.map(|v| v - common)) + more(i),
-            walls: length(velocities) + more(i),
+            boundaries: length(velocities) + more(i),
         }));
     }
 
@@ -39,7 +39,7 @@ impl Reach {
     pub fn largest(reach: &[Self]) -> Self {
         reach.iter().fold(Self::default(), |largest, own| Self {
             pairs: larger(own.pairs, largest.pairs),
-            walls: larger(own.walls, largest.walls),
+            boundaries: larger(own.boundaries, largest.boundaries),
         })
     }
 }

@@ -10,14 +10,14 @@ use crate::scene::particles::{Kinematics, Particles};
 pub(crate) const MOST_SPHERES: usize = 10_000_000;
 
 /// How a sphere starts.
-pub(super) struct Start {
+pub(super) struct InitialMotion {
     pub(super) position: Vec3,
     pub(super) orientation: UnitQuaternion<f64>,
     pub(super) velocity: Vec3,
     pub(super) spin: Vec3,
 }
 
-impl Start {
+impl InitialMotion {
     pub(super) fn at(position: Vec3) -> Self {
         Self {
             position,

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use sphere_dda::Vec3;
 use sphere_dda::detection::broad_phase::NeighborList;
-use sphere_dda::detection::placement::Placement;
+use sphere_dda::detection::configuration::Configuration;
 use sphere_dda::error::StepError;
 use sphere_dda::integrator::Integrator;
 use sphere_dda::problem::Problem;
@@ -225,7 +225,7 @@ pub struct Record {
 ///
 /// # Errors
 /// A damaged scene, an augmented-Lagrangian run that does not start, or [`ReportError::Interrupted`].
-pub fn march(case: Case, watch: &dyn Watch) -> Result<Record, ReportError> {
+pub fn simulate(case: Case, watch: &dyn Watch) -> Result<Record, ReportError> {
     let scene = Arc::new(case.scene()?);
     let mut simulation =
         Simulation::new(Arc::clone(&scene)).map_err(|error| ReportError::Step {
@@ -252,7 +252,7 @@ pub fn march(case: Case, watch: &dyn Watch) -> Result<Record, ReportError> {
         emptied: None,
         failure: None,
     };
-    let mut march = March {
+    let mut observer = Observer {
         record,
         beyond,
         neighbors: NeighborList::default(),
@@ -260,7 +260,7 @@ pub fn march(case: Case, watch: &dyn Watch) -> Result<Record, ReportError> {
             .map(|b| simulation.boundary_pose(b))
             .collect(),
     };
-    march.look(&simulation);
+    observer.look(&simulation);
     let step = scene.settings.communication_step;
     let count = (case.end / step).round() as u64;
     for k in 1..=count {
@@ -269,35 +269,35 @@ pub fn march(case: Case, watch: &dyn Watch) -> Result<Record, ReportError> {
         }
         match simulation.advance_to(k as f64 * step) {
             Ok(report) => {
-                march.record.augmentations.include(report.augmentations);
-                march.record.solves.include(report.factorizations);
-                march.record.steps += 1;
-                march.look(&simulation);
+                observer.record.augmentations.include(report.augmentations);
+                observer.record.solves.include(report.factorizations);
+                observer.record.steps += 1;
+                observer.look(&simulation);
             }
             Err(error) => {
-                march.record.failure = Some(error);
+                observer.record.failure = Some(error);
                 break;
             }
         }
     }
-    Ok(march.record)
+    Ok(observer.record)
 }
 
 /// A run under way.
-struct March {
+struct Observer {
     record: Record,
     beyond: Beyond,
     neighbors: NeighborList,
     poses: Vec<Pose>,
 }
 
-impl March {
+impl Observer {
     /// Takes the state into the record.
     fn look(&mut self, simulation: &Simulation) {
         let record = &mut self.record;
         let position = &simulation.kinematics().position;
         self.beyond.follow(position);
-        let placement = Placement {
+        let configuration = Configuration {
             particles: &record.scene.particles,
             position,
             present: &simulation.kinematics().present,
@@ -305,7 +305,7 @@ impl March {
             poses: &self.poses,
             cell: &record.scene.cell,
         };
-        let overlaps = Overlaps::of(&placement, &mut self.neighbors);
+        let overlaps = Overlaps::of(&configuration, &mut self.neighbors);
         let time = simulation.time();
         let beyond = self.beyond.count();
         record.overlaps.merge(&overlaps);

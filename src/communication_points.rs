@@ -10,13 +10,13 @@ const ROUNDING: f64 = 1e-9;
 
 /// The communication points of a run from t = 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Clock {
+pub struct CommunicationPoints {
     step: f64,
     stop: f64,
     count: u64,
 }
 
-impl Clock {
+impl CommunicationPoints {
     /// A run to `stop` \[s\] in communication steps of `step` \[s\], both greater than 0; the last step may be shorter.
     #[must_use]
     pub fn new(step: f64, stop: f64) -> Self {
@@ -94,7 +94,7 @@ mod tests {
             (0.01, 0.305, 31, 30),
             (0.5, 0.1, 1, 0),
         ] {
-            let clock = Clock::new(step, stop);
+            let clock = CommunicationPoints::new(step, stop);
             assert_eq!((clock.count(), clock.extensible()), (count, extensible));
             assert_eq!(clock.point(count), stop);
             for k in 0..count {
@@ -104,7 +104,7 @@ mod tests {
             assert_eq!(clock.number(stop), Some(count));
             assert_eq!(clock.number(0.5 * step + 0.001), None);
             assert_eq!(clock.number(stop + step), None);
-            let longer = Clock::new(step, stop + 7.0);
+            let longer = CommunicationPoints::new(step, stop + 7.0);
             assert_eq!(longer.point(extensible), clock.point(extensible));
         }
     }

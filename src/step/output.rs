@@ -5,23 +5,23 @@ use crate::solver::Report;
 
 /// Cost and quality of one internal step.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct StepOutcome {
+pub struct StepOutput {
     /// The solver's report, summed over passes.
     pub solver: Report,
     /// Largest true overlap over radius at the end \[-\].
     pub max_overlap: f64,
-    /// How near a contact is to the edge of its state \[-\]: [`crate::state::StepReport::kink`].
-    pub kink: f64,
+    /// How near a contact is to the edge of its state \[-\]: [`crate::state::StepReport::active_set_closeness`].
+    pub active_set_closeness: f64,
     /// Whether the tolerances were not met and the best iterate was taken.
     pub unconverged: bool,
 }
 
-impl StepOutcome {
+impl StepOutput {
     pub(super) fn of(solver: Report, max_overlap: f64) -> Self {
         Self {
             solver,
             max_overlap,
-            kink: solver.residual.kink,
+            active_set_closeness: solver.residual.active_set_closeness,
             unconverged: false,
         }
     }
@@ -37,20 +37,20 @@ pub struct StepFailure {
     /// What was asked for \[-\].
     pub tolerance: f64,
     /// The worst contact, if there is one.
-    pub contact: Option<crate::contact::Key>,
+    pub contact: Option<crate::contact::ContactId>,
     /// A sphere that two rigid boundaries press from opposite sides, and the boundaries.
     pub pinched: Option<(usize, [u16; 2])>,
     /// Two bodies that would pass through each other within the step.
-    pub passed: Option<Passed>,
+    pub passed: Option<Tunnelling>,
     /// The linear system that ended the solver early.
     pub broken: Option<Box<LinearError>>,
 }
 
 /// Two bodies that move so far against each other in a step that contact at its ends does not tell what happens between.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Passed {
+pub struct Tunnelling {
     /// The pair; of a boundary's features none in particular.
-    pub contact: crate::contact::Key,
+    pub contact: crate::contact::ContactId,
     /// Relative motion over the smaller radius \[-\].
     pub motion: f64,
 }

@@ -2,14 +2,14 @@
 
 use crate::scene::Scene;
 use crate::simulation::Simulation;
-use crate::step::driven::Ready;
+use crate::step::driven::BodyPrediction;
 use crate::step::external::external_acceleration;
 
 /// Share of `sqrt(a R)` that counts as rest.
 const STILL: f64 = 1e-3;
 
 /// Loads at t = 0, and the times and lengths that follow from them.
-pub(super) struct Load {
+pub(super) struct StartLoads {
     /// Sum of the weights, inertial and other forces on spheres and driven bodies \[N\].
     force: f64,
     /// Gravity, or without it what `force` gives the spheres \[m/s^2\].
@@ -17,10 +17,10 @@ pub(super) struct Load {
     /// Smallest radius \[m\].
     smallest: f64,
     /// Time for which spheres must be slow to be at rest \[s\].
-    pub(super) patience: f64,
+    pub(super) pause: f64,
 }
 
-impl Load {
+impl StartLoads {
     /// Those of `simulation`, which has not moved yet. What is commanded from outside is not in them.
     pub(super) fn of(simulation: &Simulation) -> Self {
         let (scene, state) = (&simulation.scene, &simulation.state);
@@ -37,7 +37,7 @@ impl Load {
             force += scene.particles.mass[i] * acceleration.norm();
             mass += scene.particles.mass[i];
         }
-        for body in Ready::all(scene, state, &state.commands, scene.settings.step) {
+        for body in BodyPrediction::all(scene, state, &state.commands, scene.settings.step) {
             let bounds = scene.boundaries[body.boundary].geometry.finite_bounds();
             let reach = bounds.map_or(0.0, |(min, max)| 0.5 * (max - min).norm());
             force += body.external.linear.norm();
@@ -51,7 +51,7 @@ impl Load {
         };
         let radius = scene.particles.radius.iter().copied();
         let smallest = radius.fold(f64::INFINITY, f64::min);
-        let patience = if acceleration > 0.0 && smallest.is_finite() {
+        let pause = if acceleration > 0.0 && smallest.is_finite() {
             (smallest / acceleration).sqrt()
         } else {
             scene.settings.communication_step
@@ -60,7 +60,7 @@ impl Load {
             force,
             acceleration,
             smallest,
-            patience,
+            pause,
         }
     }
 
@@ -90,7 +90,7 @@ impl Load {
             return 0.0;
         }
         let forces = simulation.scene.particles.mass.iter();
-        let forces = forces.zip(&simulation.state.persisting);
+        let forces = forces.zip(&simulation.state.smooth);
         forces.map(|(m, a)| m * a.linear.norm()).sum::<f64>() / self.force
     }
 }

@@ -1,11 +1,11 @@
 //! A communication step under way.
 
 use sphere_dda::scene::Command;
-use sphere_dda::simulation::March;
+use sphere_dda::simulation::CommunicationStep;
 
 /// A communication step under way.
-pub(super) struct Walk {
-    pub(super) march: March,
+pub(super) struct StepInProgress {
+    pub(super) communication: CommunicationStep,
     pub(super) point: f64,
     pub(super) h: f64,
     pub(super) end: f64,

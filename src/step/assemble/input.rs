@@ -3,27 +3,27 @@
 use crate::Vec3;
 use crate::scene::Scene;
 use crate::scene::particles::Kinematics;
-use crate::spatial::{Dof6, Pose, Twist};
-use crate::step::assemble::Mover;
-use crate::step::driven::Ready;
+use crate::spatial::{Pose, SpatialVector, Twist};
+use crate::step::assemble::SphereMotion;
+use crate::step::driven::BodyPrediction;
 
 /// What a step's problem is made from.
 #[derive(Debug, Clone, Copy)]
-pub struct Inputs<'a> {
+pub struct AssemblyInput<'a> {
     /// The scene.
     pub scene: &'a Scene,
     /// State at the start; velocities already match `step`.
     pub kinematics: &'a Kinematics,
     /// External acceleration, `[N]`.
-    pub external: &'a [Dof6],
+    pub external: &'a [SpatialVector],
     /// The spheres as contacts see them, `[N]`.
-    pub movers: &'a [Mover],
+    pub spheres: &'a [SphereMotion],
     /// Time step \[s\].
     pub step: f64,
     /// Boundary poses at the start and at the end, `[B]`; those of driven bodies at the end are without contacts.
     pub poses: [&'a [Pose]; 2],
     /// Driven bodies, `[D]`, by ascending boundary; boundaries that are not among them move as prescribed.
-    pub bodies: &'a [Ready<'a>],
+    pub bodies: &'a [BodyPrediction<'a>],
     /// Boundary twists over the previous step, `[B]`.
     pub twists: &'a [Twist],
     /// Velocities of the boundaries' surfaces against their shapes \[m/s\], world axes, `[B]`.

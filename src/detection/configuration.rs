@@ -1,8 +1,8 @@
 //! Where everything is at one instant, and the pairs there.
 
 use crate::Vec3;
-use crate::contact::{Contact, Key, Load, Partner};
-use crate::geometry::Touch;
+use crate::contact::{Contact, ContactForce, ContactId, Partner};
+use crate::geometry::ClosestPoint;
 use crate::scene::particles::{Kinematics, Particles};
 use crate::scene::{Boundary, Scene};
 use crate::spatial::Pose;
@@ -10,7 +10,7 @@ use crate::spatial::cell::{Cell, HERE, Image};
 
 /// Where everything is at one instant.
 #[derive(Debug, Clone, Copy)]
-pub struct Placement<'a> {
+pub struct Configuration<'a> {
     /// The spheres.
     pub particles: &'a Particles,
     /// Their centres \[m\], `[N]`.
@@ -29,7 +29,7 @@ pub struct Placement<'a> {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Candidate {
     /// Identity.
-    pub key: Key,
+    pub key: ContactId,
     /// Unit normal from B to A.
     pub normal: Vec3,
     /// Gap \[m\].
@@ -38,7 +38,7 @@ pub struct Candidate {
     pub curvature: f64,
 }
 
-impl<'a> Placement<'a> {
+impl<'a> Configuration<'a> {
     /// Everything where `kinematics` and `poses` have it.
     #[must_use]
     pub fn of(scene: &'a Scene, kinematics: &'a Kinematics, poses: &'a [Pose]) -> Self {
@@ -53,7 +53,7 @@ impl<'a> Placement<'a> {
     }
 }
 
-impl Placement<'_> {
+impl Configuration<'_> {
     /// Centres of the spheres that are in the scene \[m\].
     pub fn present_positions(&self) -> impl Iterator<Item = Vec3> {
         let spheres = self.position.iter().zip(self.present);
@@ -62,7 +62,7 @@ impl Placement<'_> {
 
     /// Radius of the smaller partner \[m\]: the scale of a pair's overlap.
     #[must_use]
-    pub fn scale(&self, key: Key) -> f64 {
+    pub fn scale(&self, key: ContactId) -> f64 {
         let radius = self.particles.radius[key.sphere as usize];
         match key.partner {
             Partner::Sphere { index, .. } => radius.min(self.particles.radius[index as usize]),
@@ -86,7 +86,7 @@ impl Placement<'_> {
             Vec3::z()
         };
         Candidate {
-            key: Key {
+            key: ContactId {
                 sphere: i,
                 partner: Partner::Sphere { index: j, image },
             },
@@ -96,47 +96,52 @@ impl Placement<'_> {
         }
     }
 
-    pub(super) fn wall(&self, sphere: u32, boundary: u16, touch: &Touch) -> Candidate {
+    pub(super) fn boundary_candidate(
+        &self,
+        sphere: u32,
+        boundary: u16,
+        point: &ClosestPoint,
+    ) -> Candidate {
         let pose = &self.poses[usize::from(boundary)];
         Candidate {
-            key: Key {
+            key: ContactId {
                 sphere,
                 partner: Partner::Boundary {
                     boundary,
-                    feature: touch.feature,
+                    feature: point.feature,
                 },
             },
-            normal: pose.rotation * touch.normal,
-            gap: touch.gap,
-            curvature: touch.curvature,
+            normal: pose.rotation * point.normal,
+            gap: point.gap,
+            curvature: point.curvature,
         }
     }
 
     /// The centre of sphere `i` in the frame of a boundary \[m\], by the copy that is nearest to it.
     pub(super) fn seen_by(&self, boundary: u16, i: u32) -> Vec3 {
         let b = usize::from(boundary);
-        let (wall, pose) = (&self.boundaries[b], &self.poses[b]);
-        wall.to_frame(
+        let (shape, pose) = (&self.boundaries[b], &self.poses[b]);
+        shape.to_frame(
             pose,
-            wall.copy_near(self.cell, pose, self.position[i as usize]),
+            shape.copy_near(self.cell, pose, self.position[i as usize]),
         )
     }
 
-    /// The pair of `candidate`, seen at this placement: the same feature, the same side.
+    /// The pair of `candidate`, seen at this configuration: the same feature, the same side.
     #[must_use]
     pub fn follow(&self, candidate: &Candidate) -> Candidate {
         let i = candidate.key.sphere;
         match candidate.key.partner {
             Partner::Sphere { index, image } => self.pair(i, index, image),
             Partner::Boundary { boundary, feature } => {
-                let touch = self.follow_wall(i, boundary, feature, candidate.normal);
-                self.wall(i, boundary, &touch)
+                let point = self.follow_boundary(i, boundary, feature, candidate.normal);
+                self.boundary_candidate(i, boundary, &point)
             }
         }
     }
 
     /// A feature of a boundary as sphere `i` meets it here, on the side of `normal`; in the boundary's frame.
-    fn follow_wall(&self, i: u32, boundary: u16, feature: u32, normal: Vec3) -> Touch {
+    fn follow_boundary(&self, i: u32, boundary: u16, feature: u32, normal: Vec3) -> ClosestPoint {
         let b = usize::from(boundary);
         let normal = self.poses[b].rotation.inverse() * normal;
         let centre = self.seen_by(boundary, i);
@@ -147,7 +152,7 @@ impl Placement<'_> {
 
     /// Where the contact is that carried `load` and `torque` \[N m\].
     #[must_use]
-    pub fn contact(&self, load: &Load, torque: Vec3) -> Contact {
+    pub fn contact(&self, load: &ContactForce, torque: Vec3) -> Contact {
         let i = load.key.sphere;
         let (point, gap) = match load.key.partner {
             Partner::Sphere { index, image } => {
@@ -157,10 +162,10 @@ impl Placement<'_> {
                 (other + pair.normal * self.particles.radius[b], pair.gap)
             }
             Partner::Boundary { boundary, feature } => {
-                let touch = self.follow_wall(i, boundary, feature, load.normal);
+                let closest = self.follow_boundary(i, boundary, feature, load.normal);
                 let b = usize::from(boundary);
-                let point = self.boundaries[b].from_frame(&self.poses[b], touch.point);
-                (point, touch.gap)
+                let point = self.boundaries[b].from_frame(&self.poses[b], closest.point);
+                (point, closest.gap)
             }
         };
         Contact {
@@ -190,12 +195,12 @@ impl Placement<'_> {
     /// Way \[m\] of the point fixed to boundary `b` that is at `x` while it moves to `to`.
     #[must_use]
     pub fn way_at(&self, b: usize, to: &Pose, x: Vec3) -> f64 {
-        let (wall, from) = (&self.boundaries[b], &self.poses[b]);
+        let (shape, from) = (&self.boundaries[b], &self.poses[b]);
         if from == to {
             return 0.0;
         }
-        let x = wall.copy_near(self.cell, from, x);
-        (wall.from_frame(to, wall.to_frame(from, x)) - x).norm()
+        let x = shape.copy_near(self.cell, from, x);
+        (shape.from_frame(to, shape.to_frame(from, x)) - x).norm()
     }
 
     /// Distance of the centres of spheres `i` and `j` \[m\].
@@ -219,8 +224,8 @@ impl Placement<'_> {
             }
             Partner::Boundary { boundary, feature } => {
                 let i = candidate.key.sphere;
-                let touch = self.follow_wall(i, boundary, feature, candidate.normal);
-                touch.gap
+                let point = self.follow_boundary(i, boundary, feature, candidate.normal);
+                point.gap
             }
         }
     }

@@ -1,56 +1,56 @@
 //! The start of a run: overlaps out by displacement, contact forces at rest.
 
-use super::assemble::joint::Held;
-use super::beside::{self, Twin};
-use super::prediction::{Start, surfaces};
-use super::stage::Stage;
-use super::workspace::Scratch;
+use super::assemble::joint::JointConstraint;
+use super::assembly::Assembly;
+use super::prediction::{Prediction, surfaces};
+use super::replicas::{self, ReplicaPair};
+use super::workspace::Workspace;
 use super::{Effort, StepFailure, external};
 use crate::Vec3;
-use crate::detection::placement::Placement;
+use crate::detection::configuration::Configuration;
 use crate::parallel::Pool;
 use crate::problem::{Law, Row, retain};
 use crate::scene::{Method, Scene};
-use crate::spatial::{Dof6, Twist};
+use crate::spatial::{SpatialVector, Twist};
 use crate::state::State;
-use crate::step::assemble::Mover;
-use crate::step::driven::Ready;
+use crate::step::assemble::SphereMotion;
+use crate::step::driven::BodyPrediction;
 
 /// Force residual at t = 0: forces at rest balance the weight, whatever the steps are asked for \[-\].
 const AT_REST: f64 = 1e-8;
 
 /// Contact forces at t = 0 from the acceleration-level problem: closed contacts that neither approach nor part
-/// must not accelerate into each other. Leaves them and the persisting accelerations in `state`, and beside it in `pairs`.
+/// must not accelerate into each other. Leaves them and the persisting accelerations in `state`, and replica it in `pairs`.
 ///
 /// # Errors
 /// [`StepFailure`] if that problem has no solution within the tolerances.
 pub fn initial_forces(
     scene: &Scene,
     state: &mut State,
-    scratch: &mut Scratch,
+    workspace: &mut Workspace,
     pairs: &mut [[&mut State; 2]],
 ) -> Result<(), StepFailure> {
     let dt = 0.5 * scene.settings.step;
-    let start = Start::at_rest(scene, state, dt);
-    let starts = each(pairs, |state| Start::at_rest(scene, state, dt));
-    let mut stage = Stage::new(start.inputs(scene, dt), state, scratch);
-    let mut twins = twins(&stage, scene, dt, &starts, pairs);
+    let start = Prediction::at_rest(scene, state, dt);
+    let starts = each(pairs, |state| Prediction::at_rest(scene, state, dt));
+    let mut stage = Assembly::new(start.inputs(scene, dt), state, workspace);
+    let mut replicas = replicas(&stage, scene, dt, &starts, pairs);
     let resting = stage.resting(scene);
-    for side in twins.iter_mut().flat_map(|twin| &mut twin.stages) {
+    for side in replicas.iter_mut().flat_map(|pair| &mut pair.stages) {
         side.keep(&resting);
     }
     stage.keep(&resting);
-    let report = stage.solve((state, effort(scene)), scratch, None);
+    let report = stage.solve((state, effort(scene)), workspace, None);
     if scene.settings.method == Method::Alm && scene.settings.strict && !report.converged {
         return Err(stage.failure(&report));
     }
     if scene.settings.method == Method::Alm {
-        stage.polish(state, scratch, AT_REST);
+        stage.polish(state, workspace, AT_REST);
     }
-    beside::follow(&stage, &mut twins).map_err(|broken| stage.broken(&report, broken))?;
-    for ((twin, starts), pair) in twins.iter().zip(&starts).zip(pairs) {
-        for (k, side) in twin.stages.iter().enumerate() {
-            side.store_start(pair[k], &starts[k].external);
+    replicas::follow(&stage, &mut replicas).map_err(|broken| stage.broken(&report, broken))?;
+    for ((pair, starts), states) in replicas.iter().zip(&starts).zip(pairs) {
+        for (k, side) in pair.stages.iter().enumerate() {
+            side.store_start(states[k], &starts[k].external);
         }
     }
     stage.store_start(state, &start.external);
@@ -71,17 +71,17 @@ fn each<T>(pairs: &[[&mut State; 2]], of: impl Fn(&State) -> T) -> Vec<[T; 2]> {
     pairs.iter().map(pair).collect()
 }
 
-fn twins<'a>(
-    stage: &Stage,
+fn replicas<'a>(
+    stage: &Assembly,
     scene: &'a Scene,
     dt: f64,
-    starts: &'a [[Start<'a>; 2]],
+    starts: &'a [[Prediction<'a>; 2]],
     pairs: &[[&mut State; 2]],
-) -> Vec<Twin<'a>> {
-    let twin = |(starts, pair): (&'a [Start<'a>; 2], &[&mut State; 2])| Twin {
-        stages: [0, 1].map(|k| Stage::beside(stage, starts[k].inputs(scene, dt), &*pair[k])),
+) -> Vec<ReplicaPair<'a>> {
+    let pair = |(starts, pair): (&'a [Prediction<'a>; 2], &[&mut State; 2])| ReplicaPair {
+        stages: [0, 1].map(|k| Assembly::replica(stage, starts[k].inputs(scene, dt), &*pair[k])),
     };
-    starts.iter().zip(pairs).map(twin).collect()
+    starts.iter().zip(pairs).map(pair).collect()
 }
 
 /// Removes overlaps at t = 0 by the smallest displacement (in the mass metric) that closes no other gap; leaves the
@@ -92,31 +92,31 @@ fn twins<'a>(
 pub fn remove_overlaps(
     scene: &Scene,
     state: &mut State,
-    scratch: &mut Scratch,
+    workspace: &mut Workspace,
     pairs: &mut [[&mut State; 2]],
 ) -> Result<(), StepFailure> {
-    let placement = Placement::of(scene, &state.kinematics, &state.poses);
-    scratch.neighbors.ensure(&placement, &[], 0.0);
+    let configuration = Configuration::of(scene, &state.kinematics, &state.poses);
+    workspace.neighbors.ensure(&configuration, &[], 0.0);
     let mut closed = Vec::new();
     state.initial_overlap =
-        placement.overlaps(&scratch.neighbors, 0.0, &Pool::default(), &mut closed);
+        configuration.overlaps(&workspace.neighbors, 0.0, &Pool::default(), &mut closed);
     if scene.settings.method == Method::Penalty
         || state.initial_overlap <= scene.settings.tolerance.gap
     {
         return Ok(());
     }
     let dt = scene.settings.step;
-    let start = Start::still(scene, state);
-    let starts = each(pairs, |state| Start::still(scene, state));
-    let mut stage = Stage::new(start.inputs(scene, dt), state, scratch);
-    let mut twins = twins(&stage, scene, dt, &starts, pairs);
-    for side in twins.iter_mut().flat_map(|twin| &mut twin.stages) {
+    let start = Prediction::still(scene, state);
+    let starts = each(pairs, |state| Prediction::still(scene, state));
+    let mut stage = Assembly::new(start.inputs(scene, dt), state, workspace);
+    let mut replicas = replicas(&stage, scene, dt, &starts, pairs);
+    for side in replicas.iter_mut().flat_map(|pair| &mut pair.stages) {
         side.displace();
     }
     stage.displace();
-    stage.resolve((state, effort(scene)), scratch, &mut twins)?;
-    for (twin, pair) in twins.iter().zip(pairs) {
-        for (side, state) in twin.stages.iter().zip(pair) {
+    stage.resolve((state, effort(scene)), workspace, &mut replicas)?;
+    for (pair, states) in replicas.iter().zip(pairs) {
+        for (side, state) in pair.stages.iter().zip(states) {
             let solution = side.problem.velocities(&side.impulses);
             state.kinematics.position = side.moved(&solution);
         }
@@ -125,20 +125,20 @@ pub fn remove_overlaps(
     Ok(())
 }
 
-impl<'s> Start<'s> {
+impl<'s> Prediction<'s> {
     /// For the forces at the time of `state`.
     fn at_rest(scene: &'s Scene, state: &State, dt: f64) -> Self {
         let gravity = state.gravity_at(scene, state.time);
         let external = external::at_start(scene, &state.kinematics, gravity);
         Self {
-            movers: Mover::all(scene, &state.kinematics, Vec::new()),
+            spheres: SphereMotion::all(scene, &state.kinematics, Vec::new()),
             external,
             kinematics: state.kinematics.clone(),
             gravity,
             targets: scene.springs.iter().map(|spring| spring.target).collect(),
             standing: state.poses.clone(),
             ends: state.poses.clone(),
-            bodies: Ready::all(scene, state, &state.commands, dt),
+            bodies: BodyPrediction::all(scene, state, &state.commands, dt),
             twists: state.twists.clone(),
             surfaces: surfaces(scene, state, &state.commands),
         }
@@ -149,9 +149,9 @@ impl<'s> Start<'s> {
         let mut kinematics = state.kinematics.clone();
         kinematics.stop();
         let boundaries = state.poses.len();
-        let external = vec![Dof6::ZERO; kinematics.len()];
+        let external = vec![SpatialVector::ZERO; kinematics.len()];
         Self {
-            movers: Mover::all(scene, &kinematics, Vec::new()),
+            spheres: SphereMotion::all(scene, &kinematics, Vec::new()),
             external,
             kinematics,
             gravity: Vec3::zeros(),
@@ -166,7 +166,7 @@ impl<'s> Start<'s> {
     }
 }
 
-impl Stage<'_> {
+impl Assembly<'_> {
     /// Leaves contacts without friction, for a displacement.
     fn displace(&mut self) {
         self.problem.rows.truncate(self.candidates.len());
@@ -177,16 +177,16 @@ impl Stage<'_> {
     }
 
     /// Forces at t = 0 into `state`.
-    fn store_start(&self, state: &mut State, external: &[Dof6]) {
+    fn store_start(&self, state: &mut State, external: &[SpatialVector]) {
         self.store(state);
         state.springs = self.spring_forces();
         let solution = self.problem.velocities(&self.impulses);
-        self.persisting_acceleration(&solution, &mut state.persisting);
+        self.persisting_acceleration(&solution, &mut state.smooth);
         external::keep(self.inputs.scene, state, external);
         let at_rest = self.finished(&solution, self.inputs.poses[0]);
         for (carried, (found, _)) in state.bodies.iter_mut().zip(at_rest) {
-            carried.persisting = found.persisting;
-            carried.holds = found.holds;
+            carried.smooth = found.smooth;
+            carried.joint_forces = found.joint_forces;
         }
     }
 
@@ -207,15 +207,15 @@ impl Stage<'_> {
             self.candidates[k].gap <= closed * row.radius
                 && row.normal.dot(&row.relative_velocity(&velocity)).abs() <= 1e-3 * creep
         };
-        let stop_rests = |held: &Held, row: &Row| {
-            held.hold.distance <= closed * row.radius
+        let stop_rests = |joint: &JointConstraint, row: &Row| {
+            joint.limit.distance <= closed * row.radius
                 && row.normal.dot(&row.relative_velocity(&velocity)).abs() <= 1e-3 * creep
         };
         (0..self.problem.rows.len())
-            .map(|k| match (self.contact_of(k), self.held(k)) {
+            .map(|k| match (self.contact_of(k), self.joint(k)) {
                 (Some(contact), _) => rests(contact),
-                (None, Some(held)) if held.hold.stops() => {
-                    stop_rests(held, &self.problem.rows.get(k))
+                (None, Some(joint)) if joint.limit.stops() => {
+                    stop_rests(joint, &self.problem.rows.get(k))
                 }
                 _ => true,
             })
@@ -226,21 +226,21 @@ impl Stage<'_> {
     /// surface opens or closes by itself, `g(t) = g + dt n.u + ...`.
     fn keep(&mut self, keep: &[bool]) {
         let velocity = self.before();
-        let first = self.first_hold();
-        for (k, held) in (first..).zip(&mut self.holds) {
-            if held.hold.stops() {
+        let first = self.first_joint();
+        for (k, joint) in (first..).zip(&mut self.joints) {
+            if joint.limit.stops() {
                 self.problem.rows.update(k, |row| row.bias = Vec3::zeros());
-                held.impact = false;
+                joint.impact = false;
             }
         }
-        retain(&mut self.holds, &keep[first..]);
+        retain(&mut self.joints, &keep[first..]);
         self.problem.rows.bind(|contact| {
             let before = &keep[..*contact as usize];
             *contact = before.iter().filter(|kept| **kept).count() as u32;
         });
         let step = self.inputs.step;
         let position = self.moved(&velocity);
-        let slid = Placement {
+        let slid = Configuration {
             position: &position,
             ..self.start
         };

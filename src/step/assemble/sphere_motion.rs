@@ -7,7 +7,7 @@ use crate::scene::particles::Kinematics;
 /// A sphere as its contacts see it before the step.
 #[derive(Debug, Clone, Copy)]
 #[repr(C, align(64))]
-pub struct Mover {
+pub struct SphereMotion {
     /// Velocity \[m/s\].
     pub(super) velocity: Vec3,
     /// Angular velocity times radius \[m/s\].
@@ -18,7 +18,7 @@ pub struct Mover {
     pub(super) mass: f64,
 }
 
-impl Mover {
+impl SphereMotion {
     /// All spheres, `[N]`, in the given memory.
     #[must_use]
     pub fn all(scene: &Scene, kinematics: &Kinematics, mut memory: Vec<Self>) -> Vec<Self> {

@@ -6,17 +6,17 @@ use crate::solver::Tolerance;
 /// A vector of each of sixteen contacts, by components.
 pub(super) type Vector<T> = [Sixteen<T>; 3];
 
-/// [`Block::drift`] where nothing drifts.
+/// [`Batch::drift`] where nothing prescribed_velocities.
 pub(super) const STILL: u32 = u32::MAX;
 
 /// Contacts without a common moving body. What a sweep needs and no more: it lasts as long as memory takes to bring this.
 /// Lanes beyond `count` are contacts of a body that never moves with itself.
 #[derive(Debug, Clone, Copy, Default)]
 #[repr(C, align(64))]
-pub(super) struct Block<T> {
+pub(super) struct Batch<T> {
     /// Normals.
     pub(super) normal: Vector<T>,
-    /// Impulses \[N s\] after the last sweep, at [`Sheet::latest`](super::sheet::Sheet::latest), and after the last but one.
+    /// Impulses \[N s\] after the last sweep, at [`Batches::latest`](super::batches::Sheet::latest), and after the last but one.
     pub(super) impulse: [Vector<T>; 2],
     /// Biases along the normal \[m/s\].
     pub(super) bias: Sixteen<T>,
@@ -30,13 +30,13 @@ pub(super) struct Block<T> {
     pub(super) bodies: [Sixteen<u32>; 2],
     /// How many contacts there are.
     pub(super) count: u32,
-    /// Which of [`Sheet::drifts`](super::sheet::Sheet::drifts) has the velocities of moving ground under these contacts.
-    pub(super) drift: u32,
+    /// Which of [`Batches::prescribed_velocities`](super::batches::Sheet::prescribed_velocities) has the velocities of moving ground under these contacts.
+    pub(super) prescribed: u32,
 }
 
 /// How a sweep goes.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Pace {
+pub(super) struct SweepParams {
     /// Share of the last sweep's change by which a contact's impulse is moved before it is solved.
     pub(super) momentum: f64,
     /// Share of a contact's correction that is applied.
@@ -48,7 +48,7 @@ pub(super) struct Pace {
 }
 
 /// What a block's contacts are off by, each lane: gap, slip and force residual, and margin.
-pub(super) type Verdict = [Sixteen<f64>; 4];
+pub(super) type BatchResidual = [Sixteen<f64>; 4];
 
 /// What a sweep saw.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -79,7 +79,7 @@ impl Progress {
     }
 }
 
-impl<T: Real> Block<T> {
+impl<T: Real> Batch<T> {
     /// Adds a contact of two bodies; its lane.
     pub(super) fn join(&mut self, bodies: [u32; 2]) -> usize {
         let lane = self.count as usize % LANES;

@@ -4,7 +4,7 @@ use crate::Vec3;
 
 /// One place where a sphere may touch a boundary.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Touch {
+pub struct ClosestPoint {
     /// Stable number of the feature inside its boundary; coplanar facets that share an edge share it.
     pub feature: u32,
     /// Closest point `P0` \[m\].
@@ -19,7 +19,7 @@ pub struct Touch {
     pub curvature: f64,
 }
 
-impl Touch {
+impl ClosestPoint {
     /// Touch at a point of an edge or corner; `fallback` is the normal where the centre lies on the point.
     pub(super) fn at_point(
         feature: u32,
@@ -44,18 +44,18 @@ impl Touch {
     }
 }
 
-/// Sorts `out[start..]` by feature and leaves one touch per closest point, that of the lowest number: faces come
+/// Sorts `out[start..]` by feature and leaves one per closest point, that of the lowest number: faces come
 /// before edges, edges before corners.
-pub(super) fn keep_distinct(out: &mut Vec<Touch>, start: usize, tolerance: f64) {
-    out[start..].sort_unstable_by_key(|touch| touch.feature);
+pub(super) fn keep_distinct(out: &mut Vec<ClosestPoint>, start: usize, tolerance: f64) {
+    out[start..].sort_unstable_by_key(|point| point.feature);
     let mut kept = start;
     for i in start..out.len() {
-        let touch = out[i];
+        let point = out[i];
         let repeated = out[start..kept]
             .iter()
-            .any(|k| k.feature == touch.feature || (k.point - touch.point).norm() <= tolerance);
+            .any(|k| k.feature == point.feature || (k.point - point.point).norm() <= tolerance);
         if !repeated {
-            out[kept] = touch;
+            out[kept] = point;
             kept += 1;
         }
     }

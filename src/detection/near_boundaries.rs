@@ -1,7 +1,7 @@
 //! Spheres near boundaries, each with the facets around it.
 
-use super::placement::Placement;
-use super::reach::Reach;
+use super::configuration::Configuration;
+use super::detection_distance::DetectionDistance;
 use crate::Vec3;
 use crate::geometry::{Cube, Vicinity};
 use crate::spatial::extent::around;
@@ -11,7 +11,7 @@ pub(super) const ROUNDING: f64 = 1e-6;
 
 /// A sphere near a boundary.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct NearWall {
+pub struct NearBoundary {
     /// The sphere.
     pub sphere: u32,
     /// The boundary.
@@ -25,33 +25,33 @@ pub struct NearWall {
 
 /// Spheres and boundaries whose gap may be below a skin, ascending.
 #[derive(Debug, Clone, Default)]
-pub struct NearWalls {
-    near: Vec<NearWall>,
+pub struct NearBoundaries {
+    near: Vec<NearBoundary>,
     facets: Vec<u32>,
 }
 
-impl NearWalls {
+impl NearBoundaries {
     /// All of them, ascending.
-    pub fn iter(&self) -> std::slice::Iter<'_, NearWall> {
+    pub fn iter(&self) -> std::slice::Iter<'_, NearBoundary> {
         self.near.iter()
     }
 
     /// The facets of its boundary around a sphere.
     #[must_use]
-    pub fn vicinity(&self, near: &NearWall) -> Vicinity<'_> {
+    pub fn vicinity(&self, near: &NearBoundary) -> Vicinity<'_> {
         let [first, end] = near.facets.map(|k| k as usize);
         Vicinity::new(near.cube, &self.facets[first..end])
     }
 
     /// Finds all that may have a gap of at most the sphere's `skin`, `[N]`, in `now`.
-    pub(super) fn build(&mut self, now: &Placement, skin: &[Reach]) {
+    pub(super) fn build(&mut self, now: &Configuration, skin: &[DetectionDistance]) {
         self.near.clear();
         self.facets.clear();
         let boxes = boxes(now);
-        let mut touches = Vec::new();
+        let mut closest_points = Vec::new();
         let spheres = now.position.iter().zip(&now.particles.radius);
         for (i, (&x, &radius)) in spheres.enumerate().filter(|(i, _)| now.present[*i]) {
-            let skin = skin[i].walls;
+            let skin = skin[i].boundaries;
             let near = radius + skin * (1.0 + ROUNDING);
             for (b, bounds) in boxes.iter().enumerate() {
                 let misses = |(low, high): &(Vec3, Vec3)| {
@@ -67,10 +67,10 @@ impl NearWalls {
                 let first = self.facets.len();
                 let cube = geometry.facets_near(centre, radius + skin, &mut self.facets);
                 let known = Vicinity::new(cube, &self.facets[first..]);
-                let gap = geometry.least_gap(&known, (centre, radius), skin, &mut touches);
+                let gap = geometry.least_gap(&known, (centre, radius), skin, &mut closest_points);
                 match gap <= skin {
                     false => self.facets.truncate(first),
-                    true => self.near.push(NearWall {
+                    true => self.near.push(NearBoundary {
                         sphere,
                         boundary,
                         gap,
@@ -84,7 +84,7 @@ impl NearWalls {
 }
 
 /// Boxes \[m\] around the boundaries, `[B]`: `None` where any sphere may be near.
-fn boxes(now: &Placement) -> Vec<Option<(Vec3, Vec3)>> {
+fn boxes(now: &Configuration) -> Vec<Option<(Vec3, Vec3)>> {
     let boundaries = now.boundaries.iter().zip(now.poses);
     let boxes = boundaries.map(|(boundary, pose)| {
         let (min, max) = boundary.geometry.bounds().filter(|_| now.cell.is_open())?;
@@ -114,7 +114,7 @@ mod tests {
     use super::*;
     use crate::contact::Partner;
     use crate::detection::broad_phase::NeighborList;
-    use crate::detection::placement::Candidate;
+    use crate::detection::configuration::Candidate;
     use crate::geometry::{Facets, Geometry, HalfSpace, Revolution, Shape};
     use crate::scene::Boundary;
     use crate::scene::Motion;
@@ -162,32 +162,32 @@ mod tests {
     }
 
     /// The contacts of every sphere with every boundary, by the whole geometry.
-    fn direct(now: &Placement, reach: impl Fn(u32) -> f64) -> Vec<(u32, u16, u32, f64, Vec3)> {
+    fn direct(now: &Configuration, reach: impl Fn(u32) -> f64) -> Vec<(u32, u16, u32, f64, Vec3)> {
         let mut found = Vec::new();
         for (i, radius) in (0..).zip(&now.particles.radius) {
             for (b, boundary) in (0..).zip(now.boundaries) {
-                let (centre, mut touches) = (now.seen_by(b, i), Vec::new());
+                let (centre, mut closest_points) = (now.seen_by(b, i), Vec::new());
                 let geometry = &boundary.geometry;
-                geometry.touches(centre, *radius, reach(i), &mut touches);
-                touches.sort_by_key(|touch| touch.feature);
+                geometry.closest_points(centre, *radius, reach(i), &mut closest_points);
+                closest_points.sort_by_key(|point| point.feature);
                 let rotation = now.poses[usize::from(b)].rotation;
-                let own = touches
+                let own = closest_points
                     .iter()
-                    .map(|touch| (i, b, touch.feature, touch.gap, rotation * touch.normal));
+                    .map(|point| (i, b, point.feature, point.gap, rotation * point.normal));
                 found.extend(own);
             }
         }
         found
     }
 
-    fn at_walls(found: &[Candidate]) -> Vec<(u32, u16, u32, f64, Vec3)> {
-        let wall = |found: &Candidate| match found.key.partner {
+    fn at_boundaries(found: &[Candidate]) -> Vec<(u32, u16, u32, f64, Vec3)> {
+        let boundary = |found: &Candidate| match found.key.partner {
             Partner::Boundary { boundary, feature } => {
                 Some((found.key.sphere, boundary, feature, found.gap, found.normal))
             }
             Partner::Sphere { .. } => None,
         };
-        found.iter().filter_map(wall).collect()
+        found.iter().filter_map(boundary).collect()
     }
 
     fn vectors(largest: f64, count: usize) -> impl Strategy<Value = Vec<Vec3>> {
@@ -226,7 +226,7 @@ mod tests {
                     let [s, turn] = [2 * b, 2 * b + 1].map(|k| turns[k] * (0.3 * length));
                     *pose = Pose::from_rotation_vector(pose.translation + s, pose.rotation_vector() + turn);
                 }
-                let now = Placement {
+                let now = Configuration {
                     particles: &particles,
                     position: &position,
                     present: &[true; 12],
@@ -235,10 +235,10 @@ mod tests {
                     cell: &cell,
                 };
                 let reach = |i: u32| length * f64::from(i % 4) / 3.0;
-                list.ensure(&now, &[Reach { pairs: 0.0, walls: length }; 12], 0.0);
+                list.ensure(&now, &[DetectionDistance { pairs: 0.0, boundaries: length }; 12], 0.0);
                 let mut found = Vec::new();
                 now.candidates(&list, |_, _| 0.0, |i, _| reach(i), &mut found);
-                prop_assert_eq!(at_walls(&found), direct(&now, reach));
+                prop_assert_eq!(at_boundaries(&found), direct(&now, reach));
             }
         }
     }

@@ -11,15 +11,15 @@
 use super::Simulation;
 use crate::contact::history;
 use crate::error::StepError;
-use crate::simulation::Origin;
+use crate::simulation::ReplayRecord;
 use crate::spatial::{Wrench, turned};
-use crate::state::{State, Work};
+use crate::state::{EnergyLedger, State};
 
 /// How far the state moves on, over the last internal step \[-\].
 const SHARE: f64 = 1e-2;
 
 /// What changes by differences: the state before the last internal step, and which boundaries had an impact.
-struct Past {
+struct BeforeLastStep {
     before: State,
     /// In one of the last two internal steps, `[B]`.
     struck: Vec<bool>,
@@ -52,20 +52,20 @@ impl Simulation {
         Ok(pairs.map(|(a, b)| (b - a) / (2.0 * eta)).collect())
     }
 
-    fn past(&self) -> Result<Option<Past>, StepError> {
-        let Origin::Step(origin) = self.came_from()? else {
+    fn past(&self) -> Result<Option<BeforeLastStep>, StepError> {
+        let ReplayRecord::Step(replay) = self.came_from()? else {
             return Ok(None);
         };
         let boundaries = self.scene.boundaries.len();
-        let struck = |state: &State, b: usize| state.wrenches[b] != state.persisting_wrenches[b];
-        let mut past = Past {
-            before: origin.state.clone(),
+        let struck = |state: &State, b: usize| state.wrenches[b] != state.smooth_wrenches[b];
+        let mut past = BeforeLastStep {
+            before: replay.state.clone(),
             struck: Vec::new(),
             struck_before: vec![false; boundaries],
-            averages: origin.state.mean_wrenches.clone(),
-            h: self.state.time - origin.start,
+            averages: replay.state.mean_wrenches.clone(),
+            h: self.state.time - replay.start,
         };
-        self.replay(origin, &mut [], |before, after| {
+        self.replay(replay, &mut [], |before, after| {
             past.before.clone_from(before);
             for (b, any) in past.struck_before.iter_mut().enumerate() {
                 *any |= struck(&after.state, b);
@@ -77,12 +77,12 @@ impl Simulation {
     }
 
     /// The state `eta` \[s\] later along its rates.
-    fn drifted(&self, past: Option<&Past>, eta: f64) -> State {
+    fn drifted(&self, past: Option<&BeforeLastStep>, eta: f64) -> State {
         let mut state = self.state.clone();
         state.time += eta;
         let kinematics = &mut state.kinematics;
         for i in (0..kinematics.len()).filter(|&i| self.state.kinematics.present[i]) {
-            let (twist, a) = (self.velocity(i), &self.state.persisting[i]);
+            let (twist, a) = (self.velocity(i), &self.state.smooth[i]);
             kinematics.position[i] += twist.linear * eta;
             kinematics.orientation[i] = turned(&kinematics.orientation[i], &twist.angular, eta);
             kinematics.velocity[i] += a.linear * eta;
@@ -92,8 +92,8 @@ impl Simulation {
             *pose = pose.advanced(&self.boundary_twist(b), eta);
         }
         for ((b, body), carried) in self.scene.driven().zip(&mut state.bodies) {
-            carried.momentum = carried.momentum.plus(&carried.persisting, eta);
-            carried.travel = body.travel(&state.poses[b], carried.travel);
+            carried.momentum = carried.momentum.plus(&carried.smooth, eta);
+            carried.joint_position = body.joint_position(&state.poses[b], carried.joint_position);
         }
         let flows = state.passed.iter_mut().zip(&self.state.flow);
         flows.for_each(|(passed, flow)| *passed += flow * eta);
@@ -104,7 +104,7 @@ impl Simulation {
     }
 
     /// Moves forces and work on by their backward differences.
-    fn extrapolate(&self, past: &Past, eta: f64, state: &mut State) {
+    fn extrapolate(&self, past: &BeforeLastStep, eta: f64, state: &mut State) {
         let share = eta / self.state.last_step;
         let before = &past.before;
         let grow = |wrench: &mut Wrench, then: &Wrench, share: f64| {
@@ -133,19 +133,19 @@ impl Simulation {
             });
         }
         for (carried, then) in state.bodies.iter_mut().zip(&before.bodies) {
-            let holds = carried.holds.iter_mut().zip(&then.holds);
-            holds.for_each(|(now, then)| *now += (*now - then) * share);
+            let joint_forces = carried.joint_forces.iter_mut().zip(&then.joint_forces);
+            joint_forces.for_each(|(now, then)| *now += (*now - then) * share);
         }
         state.work = grown(&state.work, &before.work, share);
     }
 }
 
-fn grown(now: &Work, then: &Work, share: f64) -> Work {
-    let grow = |of: fn(&Work) -> f64| of(now) + (of(now) - of(then)) * share;
-    Work {
+fn grown(now: &EnergyLedger, then: &EnergyLedger, share: f64) -> EnergyLedger {
+    let grow = |of: fn(&EnergyLedger) -> f64| of(now) + (of(now) - of(then)) * share;
+    EnergyLedger {
         friction: grow(|w| w.friction),
         impact: grow(|w| w.impact),
-        residue: grow(|w| w.residue),
+        numerical_work: grow(|w| w.numerical_work),
         boundaries: grow(|w| w.boundaries),
         gravity: grow(|w| w.gravity),
         loads: grow(|w| w.loads),

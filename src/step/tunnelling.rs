@@ -12,38 +12,38 @@
 
 use std::mem::take;
 
-use super::Passed;
-use super::stage::Stage;
-use super::workspace::Scratch;
+use super::Tunnelling;
+use super::assembly::Assembly;
+use super::workspace::Workspace;
 use crate::Vec3;
-use crate::contact::{Key, Partner};
-use crate::detection::placement::{Candidate, Placement};
-use crate::detection::reach::Reach;
+use crate::contact::{ContactId, Partner};
+use crate::detection::configuration::{Candidate, Configuration};
+use crate::detection::detection_distance::DetectionDistance;
 use crate::detection::sweep::{least_distance, meets};
 use crate::spatial::cell::{HERE, Image};
 use crate::spatial::extent::smaller;
-use crate::spatial::{Dof6, Pose};
+use crate::spatial::{Pose, SpatialVector};
 
 /// Relative motion over the smaller radius up to which the ends of a step tell all \[-\].
 pub(super) const SMALL_MOTION: f64 = 0.5;
 /// How deep a way may go into another body before it counts as passing, over the smaller radius \[-\].
 const DEPTH: f64 = 0.1;
 
-impl Stage<'_> {
-    /// The first pair, in canonical order, that passes or is held apart without need.
+impl Assembly<'_> {
+    /// The first pair, in canonical order, that passes or is joint apart without need.
     pub(super) fn passed(
         &self,
-        solution: &[Dof6],
+        solution: &[SpatialVector],
         ends: &[Pose],
-        scratch: &mut Scratch,
-    ) -> Option<Passed> {
+        workspace: &mut Workspace,
+    ) -> Option<Tunnelling> {
         let step = self.inputs.step;
         let spheres = self.inputs.kinematics.len();
         let free = &self.problem.free[..spheres];
         let velocities = [&solution[..spheres], free];
         let both = velocities[0].iter().zip(velocities[1]);
-        let mut reach = take(&mut scratch.reach);
-        Reach::of(
+        let mut reach = take(&mut workspace.reach);
+        DetectionDistance::of(
             both.map(|(own, free)| [own.linear, free.linear]),
             step,
             |_| 0.0,
@@ -56,19 +56,19 @@ impl Stage<'_> {
         let carried =
             (0..ends.len()).flat_map(|b| [&ends[b], &freely[b]].map(|to| start.carried(b, to)));
         let carried = carried.fold(0.0, f64::max);
-        let largest = Reach::largest(&reach);
-        let pairs = 2.0 * largest.pairs.min(largest.walls);
-        let small = pairs.max(largest.walls + carried) <= SMALL_MOTION * smallest;
+        let largest = DetectionDistance::largest(&reach);
+        let pairs = 2.0 * largest.pairs.min(largest.boundaries);
+        let small = pairs.max(largest.boundaries + carried) <= SMALL_MOTION * smallest;
         if !small {
-            scratch.neighbors.ensure(start, &reach, carried);
+            workspace.neighbors.ensure(start, &reach, carried);
         }
-        scratch.reach = reach;
+        workspace.reach = reach;
         if small {
             return None;
         }
         let [position, unhindered] = [solution, &self.problem.free].map(|v| self.moved(v));
         let [end, free] =
-            [(&position, ends), (&unhindered, freely)].map(|(position, poses)| Placement {
+            [(&position, ends), (&unhindered, freely)].map(|(position, poses)| Configuration {
                 position,
                 poses,
                 ..*start
@@ -78,7 +78,7 @@ impl Stage<'_> {
             let ways = [&end, &free].map(|to| [start, to].map(|at| at.between(i, index, image)));
             (i, Partner::Sphere { index, image }, ways)
         };
-        let list = &scratch.neighbors;
+        let list = &workspace.neighbors;
         // Most pairs hardly move against each other.
         let far = |&&(i, j): &&(u32, u32)| {
             let [a, b] = [i, j].map(|k| k as usize);
@@ -90,24 +90,24 @@ impl Stage<'_> {
         let here = list.pairs.iter().filter(far);
         let here = here.map(|&(i, j)| apart(i, j, HERE));
         let images = list.images.iter().map(|&(i, j, image)| apart(i, j, image));
-        let walls = list.walls.iter().map(|near| {
+        let boundaries = list.boundaries.iter().map(|near| {
             let (i, boundary) = (near.sphere, near.boundary);
             let ways = [&end, &free].map(|to| start.way(to, i, boundary));
             let feature = 0;
             (i, Partner::Boundary { boundary, feature }, ways)
         });
         here.chain(images)
-            .chain(walls)
+            .chain(boundaries)
             .find_map(|(sphere, partner, [way, free_way])| {
-                let scale = start.scale(Key { sphere, partner });
+                let scale = start.scale(ContactId { sphere, partner });
                 let motion = [way, free_way].map(|[a, b]| (b - a).norm() / scale);
                 let far = motion.map(|m| m > SMALL_MOTION);
                 let failed = (far[0] && through(start, sphere, partner, way, radius, scale))
                     || (far[1]
                         && self.carries(sphere, partner)
                         && !met(start, sphere, partner, free_way, radius));
-                let contact = Key { sphere, partner };
-                failed.then_some(Passed {
+                let contact = ContactId { sphere, partner };
+                failed.then_some(Tunnelling {
                     contact,
                     motion: motion[0].max(motion[1]),
                 })
@@ -115,7 +115,7 @@ impl Stage<'_> {
     }
 
     /// The first pair of `closed` that is no candidate and has moved far.
-    pub(super) fn struck(&self, end: &Placement, closed: &[Candidate]) -> Option<Passed> {
+    pub(super) fn struck(&self, end: &Configuration, closed: &[Candidate]) -> Option<Tunnelling> {
         let start = &self.start;
         closed.iter().find_map(|found| {
             let contact = found.key;
@@ -127,12 +127,13 @@ impl Stage<'_> {
             };
             let motion = (to - from).norm() / start.scale(contact);
             // Rolling on, a sphere finds the next feature of its boundary closed: that is no surprise.
-            (motion > SMALL_MOTION && !self.foreseen(contact)).then_some(Passed { contact, motion })
+            (motion > SMALL_MOTION && !self.foreseen(contact))
+                .then_some(Tunnelling { contact, motion })
         })
     }
 
     /// Whether this sphere and partner, by whatever feature, are a candidate.
-    fn foreseen(&self, key: Key) -> bool {
+    fn foreseen(&self, key: ContactId) -> bool {
         self.contacts_of(key.sphere, key.partner).next().is_some()
     }
 
@@ -160,7 +161,7 @@ impl Stage<'_> {
 
 /// Whether the way goes deeper into the partner than its ends.
 fn through(
-    start: &Placement,
+    start: &Configuration,
     sphere: u32,
     partner: Partner,
     [a, b]: [Vec3; 2],
@@ -183,7 +184,7 @@ fn through(
 
 /// Whether the way touches the partner at all.
 fn met(
-    start: &Placement,
+    start: &Configuration,
     sphere: u32,
     partner: Partner,
     [a, b]: [Vec3; 2],

@@ -4,10 +4,10 @@ use std::ops::Range;
 
 use arrayvec::ArrayVec;
 
-use super::block::{Block, Pace, Progress, Vector};
+use super::batch::{Batch, Progress, SweepParams, Vector};
 use super::dispatch::{Drift, Exact, Fill, Judge, Precision, Push, Sweep};
 use super::lanes::{Body, Real};
-use super::layout::PARTS;
+use super::partition::PARTS;
 use crate::Vec3;
 use crate::parallel::Pool;
 use crate::solver::residual::Residual;
@@ -20,19 +20,19 @@ pub(super) struct Group {
 }
 
 /// Groups in turns: those of a turn share no body, and their blocks and bodies ascend.
-pub(super) type Turns = [ArrayVec<Group, PARTS>; 4];
+pub(super) type Colours = [ArrayVec<Group, PARTS>; 4];
 
 /// Bodies that take as long to move on as a block to sweep.
 pub(super) const BODIES: usize = 50;
 
 /// Blocks and bodies in one precision.
 #[derive(Debug, Default)]
-pub(super) struct Sheet<T> {
-    pub(super) blocks: Vec<Block<T>>,
+pub(super) struct Batches<T> {
+    pub(super) blocks: Vec<Batch<T>>,
     /// Which of the blocks' impulses are the last.
     pub(super) latest: usize,
     /// Velocities of moving ground under the contacts of blocks \[m/s\], where there is such.
-    pub(super) drifts: Vec<Vector<T>>,
+    pub(super) prescribed_velocities: Vec<Vector<T>>,
     pub(super) bodies: Vec<Body<T>>,
     /// Bodies before the last sweep.
     pub(super) before: Vec<Body<T>>,
@@ -61,7 +61,7 @@ pub(super) fn split<X>(
 
 /// Does `work` with every group and its `range` of `items`, those of a turn side by side.
 fn by_group<X: Send>(
-    turns: &Turns,
+    turns: &Colours,
     pool: &Pool,
     items: &mut [X],
     range: impl Fn(&Group) -> Range<usize>,
@@ -74,15 +74,15 @@ fn by_group<X: Send>(
     }
 }
 
-impl<T: Precision> Sheet<T> {
+impl<T: Precision> Batches<T> {
     /// One sweep.
-    pub(super) fn sweep(&mut self, turns: &Turns, pool: &Pool, pace: Pace) -> Progress {
-        self.drift(turns, pool, pace.momentum);
+    pub(super) fn sweep(&mut self, turns: &Colours, pool: &Pool, pace: SweepParams) -> Progress {
+        self.extrapolate(turns, pool, pace.momentum);
         let mut total = Progress::NONE;
         for turn in turns.iter().filter(|turn| !turn.is_empty()) {
             let blocks = split(&mut self.blocks, turn.iter().map(|g| g.blocks.clone()));
             let bodies = split(&mut self.bodies, turn.iter().map(|g| g.bodies.clone()));
-            let (drifts, latest) = (&self.drifts[..], self.latest);
+            let (prescribed_velocities, latest) = (&self.prescribed_velocities[..], self.latest);
             let mut tasks: ArrayVec<_, PARTS> = blocks
                 .into_iter()
                 .zip(bodies)
@@ -92,7 +92,7 @@ impl<T: Precision> Sheet<T> {
                 *found = T::widest(Sweep {
                     blocks,
                     bodies,
-                    drifts,
+                    prescribed_velocities,
                     latest,
                     pace,
                 });
@@ -104,30 +104,30 @@ impl<T: Precision> Sheet<T> {
     }
 
     /// Moves all bodies on by `momentum` times their last change.
-    fn drift(&mut self, turns: &Turns, pool: &Pool, momentum: f64) {
+    fn extrapolate(&mut self, turns: &Colours, pool: &Pool, momentum: f64) {
         let parts = || turns[0].iter().map(|group| group.bodies.clone());
         // Behind the parts are driven bodies.
         let rest = turns[0].last().map_or(0, |group| group.bodies.end);
-        let drift = |bodies: &mut [Body<T>], before: &mut [Body<T>]| {
+        let extrapolate = |bodies: &mut [Body<T>], before: &mut [Body<T>]| {
             T::widest(Drift {
                 bodies,
                 before,
                 momentum,
             });
         };
-        drift(&mut self.bodies[rest..], &mut self.before[rest..]);
+        extrapolate(&mut self.bodies[rest..], &mut self.before[rest..]);
         let bodies = split(&mut self.bodies, parts()).into_iter();
         let pairs = bodies.zip(split(&mut self.before, parts()));
         let mut pairs: ArrayVec<_, PARTS> = pairs.collect();
         pool.each(rest / BODIES, &mut pairs, |(now, before)| {
-            drift(now, before)
+            extrapolate(now, before)
         });
     }
 }
 
-impl<T: Real> Sheet<T> {
+impl<T: Real> Batches<T> {
     /// Fills the blocks, whose bodies are known, from the contacts and `impulses`, `[C]` \[N s\].
-    pub(super) fn fill(&mut self, exact: Exact, impulses: &[Vec3], turns: &Turns, pool: &Pool) {
+    pub(super) fn fill(&mut self, exact: Exact, impulses: &[Vec3], turns: &Colours, pool: &Pool) {
         self.latest = 0;
         let blocks = |group: &Group| group.blocks.clone();
         by_group(turns, pool, &mut self.blocks, blocks, |group, blocks| {
@@ -141,7 +141,13 @@ impl<T: Real> Sheet<T> {
     }
 
     /// Gives the bodies the impulses of all blocks.
-    pub(super) fn push(&self, exact: Exact, turns: &Turns, pool: &Pool, bodies: &mut [Body<f64>]) {
+    pub(super) fn push(
+        &self,
+        exact: Exact,
+        turns: &Colours,
+        pool: &Pool,
+        bodies: &mut [Body<f64>],
+    ) {
         let range = |group: &Group| group.bodies.clone();
         by_group(turns, pool, bodies, range, |group, bodies| {
             f64::widest(Push {
@@ -157,8 +163,8 @@ impl<T: Real> Sheet<T> {
     pub(super) fn judge(
         &self,
         exact: Exact,
-        (bodies, drifts): (&[Body<f64>], &[Vector<f64>]),
-        turns: &Turns,
+        (bodies, prescribed_velocities): (&[Body<f64>], &[Vector<f64>]),
+        turns: &Colours,
         pool: &Pool,
     ) -> Residual {
         let mut residual = Residual::default();
@@ -170,7 +176,7 @@ impl<T: Real> Sheet<T> {
                     exact: exact.of(&group.blocks),
                     blocks: &self.blocks[group.blocks.clone()],
                     bodies: &bodies[group.bodies.clone()],
-                    drifts,
+                    prescribed_velocities,
                     latest: self.latest,
                 });
             });
@@ -189,11 +195,11 @@ impl<T: Real> Sheet<T> {
         }
     }
 
-    /// Takes bodies and drifts from double precision, masses over `unit`, as if bodies had not moved before.
+    /// Takes bodies and prescribed_velocities from double precision, masses over `unit`, as if bodies had not moved before.
     pub(super) fn place(
         &mut self,
         bodies: &[Body<f64>],
-        drifts: &[Vector<f64>],
+        prescribed_velocities: &[Vector<f64>],
         unit: f64,
         pool: &Pool,
     ) {
@@ -214,8 +220,9 @@ impl<T: Real> Sheet<T> {
             before.copy_from_slice(bodies);
         };
         pool.pieces(both, work, |(), ()| ());
-        self.drifts.clear();
+        self.prescribed_velocities.clear();
         let single = |v: &Vector<f64>| [0, 1, 2].map(|k| v[k].map(T::of));
-        self.drifts.extend(drifts.iter().map(single));
+        self.prescribed_velocities
+            .extend(prescribed_velocities.iter().map(single));
     }
 }

@@ -3,7 +3,7 @@
 use rand_chacha::ChaCha8Rng;
 
 use crate::Vec3;
-use crate::geometry::Touch;
+use crate::geometry::ClosestPoint;
 use crate::geometry::region::Region;
 use crate::scene::Boundary;
 use crate::scene::particles::{Kinematics, Particles};
@@ -15,25 +15,25 @@ const PUSHES: usize = 4;
 const SLACK: f64 = 1e-9;
 
 /// The room of a packing.
-pub(super) struct Room<'a> {
+pub(super) struct FreeSpace<'a> {
     region: &'a Region,
-    walls: Vec<(&'a Boundary, Pose)>,
+    boundaries: Vec<(&'a Boundary, Pose)>,
     /// Box around the region \[m\].
     pub(super) low: Vec3,
     pub(super) high: Vec3,
 }
 
-impl<'a> Room<'a> {
+impl<'a> FreeSpace<'a> {
     /// `None` for an unbounded region.
     pub(super) fn new(region: &'a Region, boundaries: &'a [Boundary]) -> Option<Self> {
         let (low, high) = region.bounds()?;
-        let walls = boundaries
+        let boundaries = boundaries
             .iter()
             .map(|b| (b, b.motion.pose_at(0.0)))
             .collect();
         Some(Self {
             region,
-            walls,
+            boundaries,
             low,
             high,
         })
@@ -58,7 +58,7 @@ impl<'a> Room<'a> {
         &self,
         radius: f64,
         random: &mut ChaCha8Rng,
-        scratch: &mut Vec<Touch>,
+        scratch: &mut Vec<ClosestPoint>,
     ) -> Option<Vec3> {
         let place = self.region.random_centre(radius, random)?;
         // Sums may round beyond the border.
@@ -71,7 +71,7 @@ impl<'a> Room<'a> {
         centre: Vec3,
         radius: f64,
         reach: f64,
-        scratch: &mut Vec<Touch>,
+        scratch: &mut Vec<ClosestPoint>,
     ) -> bool {
         if !self.region.holds(centre, radius + reach) {
             return true;
@@ -85,7 +85,7 @@ impl<'a> Room<'a> {
         &self,
         centre: Vec3,
         radius: f64,
-        scratch: &mut Vec<Touch>,
+        scratch: &mut Vec<ClosestPoint>,
     ) -> Option<Vec3> {
         let mut c = centre;
         for _ in 0..PUSHES {
@@ -101,18 +101,23 @@ impl<'a> Room<'a> {
     }
 
     /// Whether a sphere overlaps no wall.
-    pub(super) fn is_clear(&self, centre: Vec3, radius: f64, scratch: &mut Vec<Touch>) -> bool {
+    pub(super) fn is_clear(
+        &self,
+        centre: Vec3,
+        radius: f64,
+        scratch: &mut Vec<ClosestPoint>,
+    ) -> bool {
         self.overlaps(centre, radius, 0.0, scratch);
         scratch.iter().all(|touch| touch.gap >= 0.0)
     }
 
     /// What is within `reach` \[m\] of the sphere, with normals in the world.
-    fn overlaps(&self, centre: Vec3, radius: f64, reach: f64, out: &mut Vec<Touch>) {
+    fn overlaps(&self, centre: Vec3, radius: f64, reach: f64, out: &mut Vec<ClosestPoint>) {
         out.clear();
-        for (boundary, pose) in &self.walls {
+        for (boundary, pose) in &self.boundaries {
             let first = out.len();
             let local = boundary.to_frame(pose, centre);
-            boundary.geometry.touches(local, radius, reach, out);
+            boundary.geometry.closest_points(local, radius, reach, out);
             for touch in &mut out[first..] {
                 touch.normal = pose.rotation * touch.normal;
             }

@@ -8,10 +8,10 @@ use std::collections::BTreeMap;
 
 use crate::Vec3;
 use crate::problem::{GROUND, Law, Problem};
-use crate::spatial::{Dof6, Operator};
+use crate::spatial::{SpatialOperator, SpatialVector};
 
 /// A part of a problem.
-pub(super) struct Part {
+pub(super) struct LocalProblem {
     /// The problem of the bodies that take part and, held, of those they touch.
     pub(super) problem: Problem,
     /// Rank of each of its rows in the whole problem, ascending.
@@ -20,13 +20,13 @@ pub(super) struct Part {
     pub(super) closed: bool,
 }
 
-impl Part {
-    /// The part of `problem` within `hops` contacts of the rows `seeds`; `impulses` give the velocities of what is held.
+impl LocalProblem {
+    /// The part of `problem` within `rings` contacts of the rows `seeds`; `impulses` give the velocities of what is held.
     pub(super) fn around(
         problem: &Problem,
         impulses: &[Vec3],
         seeds: impl Iterator<Item = usize>,
-        hops: usize,
+        rings: usize,
     ) -> Self {
         let bodies = |k: usize| {
             let bodies = problem.rows.bodies(k);
@@ -36,7 +36,7 @@ impl Part {
         seeds
             .flat_map(bodies)
             .for_each(|body| inside[body as usize] = true);
-        for _ in 0..hops {
+        for _ in 0..rings {
             let before = inside.clone();
             for k in 0..problem.rows.len() {
                 if bodies(k).any(|body| before[body as usize]) {
@@ -67,9 +67,9 @@ impl Part {
                     });
                     match (driven, inside[i]) {
                         (false, true) => part.inverse_mass.push(problem.inverse_mass[i]),
-                        (false, false) => part.inverse_mass.push(Dof6::ZERO),
+                        (false, false) => part.inverse_mass.push(SpatialVector::ZERO),
                         (true, true) => part.operators.push(problem.operators[i - spheres]),
-                        (true, false) => part.operators.push(Operator::zero()),
+                        (true, false) => part.operators.push(SpatialOperator::zero()),
                     }
                     part.free.len() as u32 - 1
                 });

@@ -6,18 +6,18 @@
 //! are longer or shorter, and while simulated time gets cheaper that way goes on. What counts are sweeps, which are part of the
 //! state, and not times: the same steps on every machine.
 //!
-//! A scene in which nothing has moved faster than `rest_speed` for [`CALM`] steps comes to rest: velocities are zero and forces
+//! A scene in which nothing has moved faster than `rest_speed` for [`STEPS_TO_SLEEP`] steps comes to rest: velocities are zero and forces
 //! stay until something changes from outside.
 
 use super::Simulation;
-use crate::contact::{Load, Partner};
+use crate::contact::{ContactForce, Partner};
 use crate::scene::gravity::GravityMotion;
 use crate::scene::{Scene, Settings};
-use crate::simulation::trajectory::Drive;
+use crate::simulation::trajectory::BoundaryPaths;
 use crate::solver::SolverKind;
-use crate::spatial::{Dof6, Twist};
-use crate::state::{Pace, State, StepReport};
-use crate::step::{Effort, StepFailure, StepOutcome};
+use crate::spatial::{SpatialVector, Twist};
+use crate::state::{State, StepControl, StepReport};
+use crate::step::{Effort, StepFailure, StepOutput};
 
 /// Sweeps that cost as much as all else in a step (measured on `examples/dropped`).
 const BESIDE: f64 = 48.0;
@@ -42,11 +42,11 @@ const BOUNDED_CUTS: u32 = 2;
 /// Surface speed of a spin that no contact feels, over that of all other motion.
 const SPIN: f64 = 10.0;
 /// Steps without motion after which a scene rests.
-const CALM: u32 = 10;
+const STEPS_TO_SLEEP: u32 = 10;
 
 impl StepReport {
     /// Adds what an internal step cost and reached.
-    pub(super) fn include(&mut self, outcome: &StepOutcome) {
+    pub(super) fn include(&mut self, outcome: &StepOutput) {
         let solver = &outcome.solver;
         self.internal_steps += 1;
         self.unconverged_steps += u64::from(outcome.unconverged);
@@ -54,7 +54,7 @@ impl StepReport {
         self.augmentations += solver.augmentations as u64;
         self.factorizations += solver.factorizations as u64;
         self.max_overlap = self.max_overlap.max(outcome.max_overlap);
-        self.kink = self.kink.max(outcome.kink);
+        self.active_set_closeness = self.active_set_closeness.max(outcome.active_set_closeness);
         self.gap_residual = self.gap_residual.max(solver.residual.gap);
         self.slip_residual = self.slip_residual.max(solver.residual.slip);
         self.force_residual = self.force_residual.max(solver.residual.force);
@@ -72,7 +72,7 @@ pub(super) enum Remedy {
     GiveUp,
 }
 
-impl Pace {
+impl StepControl {
     /// At the start of a run.
     pub(super) fn of(settings: &Settings) -> Self {
         Self {
@@ -114,7 +114,7 @@ impl Pace {
     }
 
     /// After a step of `dt` \[s\].
-    pub(super) fn learn(&mut self, settings: &Settings, dt: f64, outcome: &StepOutcome) {
+    pub(super) fn learn(&mut self, settings: &Settings, dt: f64, outcome: &StepOutput) {
         self.accepting = match outcome.unconverged && settings.sweeps.is_none() {
             true => ACCEPTING,
             false => self.accepting.saturating_sub(1),
@@ -167,7 +167,7 @@ impl Pace {
         *self = Self {
             step,
             rate,
-            calm: self.calm,
+            steps_at_rest: self.steps_at_rest,
             accepting: self.accepting,
             shorter: self.shorter,
             ..Self::default()
@@ -182,14 +182,18 @@ impl Simulation {
         if limit == 0.0 {
             return;
         }
-        let calm = self.is_calm(limit);
-        let pace = &mut self.state.pace;
-        pace.calm = if calm { CALM.min(pace.calm + 1) } else { 0 };
+        let steps_at_rest = self.is_at_rest(limit);
+        let control = &mut self.state.control;
+        control.steps_at_rest = if steps_at_rest {
+            STEPS_TO_SLEEP.min(control.steps_at_rest + 1)
+        } else {
+            0
+        };
     }
 
     /// Whether all centres, and surfaces against each other where contacts carry load, are slower than `limit` \[m/s\]. A spin
     /// that no contact feels, about the normal of its only one, never ends: it may be [`SPIN`] times as fast.
-    fn is_calm(&self, limit: f64) -> bool {
+    fn is_at_rest(&self, limit: f64) -> bool {
         let radius = &self.scene.particles.radius;
         let surface = |i: usize| {
             let velocity = self.velocity(i);
@@ -199,7 +203,7 @@ impl Simulation {
             let (centre, spin) = surface(i);
             centre.norm() <= limit && spin.norm() <= SPIN * limit
         };
-        let slides = |load: &Load| {
+        let slides = |load: &ContactForce| {
             let (own, spin) = surface(load.key.sphere as usize);
             let (apart, turning) = match load.key.partner {
                 Partner::Sphere { index, .. } => {
@@ -214,21 +218,23 @@ impl Simulation {
     }
 
     /// Takes the step to `target` \[s\] at rest, if the scene rests and nothing from outside moves it until then.
-    pub(super) fn rest_to(&mut self, scene: &Scene, drive: &Drive, target: f64) -> bool {
-        if self.state.pace.calm < CALM || !self.is_left_alone(scene, drive, target) {
+    pub(super) fn rest_to(&mut self, scene: &Scene, paths: &BoundaryPaths, target: f64) -> bool {
+        if self.state.control.steps_at_rest < STEPS_TO_SLEEP
+            || !self.is_left_alone(scene, paths, target)
+        {
             return false;
         }
-        if self.state.pace.calm == CALM {
+        if self.state.control.steps_at_rest == STEPS_TO_SLEEP {
             self.stop();
-            self.state.pace.calm += 1;
+            self.state.control.steps_at_rest += 1;
         }
         self.state.last_step = target - self.state.time;
         self.state.time = target;
-        self.state.report.include(&StepOutcome::default());
+        self.state.report.include(&StepOutput::default());
         true
     }
 
-    fn is_left_alone(&self, scene: &Scene, drive: &Drive, target: f64) -> bool {
+    fn is_left_alone(&self, scene: &Scene, paths: &BoundaryPaths, target: f64) -> bool {
         let state = &self.state;
         let still = |b: usize| {
             let surface = scene.boundaries[b].surface_velocity(&state.poses[b], &state.commands[b]);
@@ -243,7 +249,7 @@ impl Simulation {
                 .iter()
                 .all(|reserve| reserve.waiting.is_empty())
             && (0..scene.boundaries.len()).all(still)
-            && drive.poses(target) == state.poses
+            && paths.poses(target) == state.poses
     }
 
     /// Takes all motion out; what it carried is booked as the scheme's.
@@ -253,16 +259,16 @@ impl Simulation {
             let v = self.velocity(i);
             particles.kinetic_energy(i, &v.linear, &v.angular)
         });
-        self.state.work.residue -= kinetic.sum::<f64>();
+        self.state.work.numerical_work -= kinetic.sum::<f64>();
         self.state.kinematics.stop();
-        self.state.persisting.fill(Dof6::ZERO);
+        self.state.smooth.fill(SpatialVector::ZERO);
         self.state.twists.fill(Twist::default());
         let State {
             wrenches,
-            persisting_wrenches,
+            smooth_wrenches,
             ..
         } = &mut self.state;
-        persisting_wrenches.clone_from(wrenches);
+        smooth_wrenches.clone_from(wrenches);
     }
 }
 
@@ -278,18 +284,18 @@ mod tests {
             smallest_step: Some(1e-6),
             ..Settings::default()
         };
-        let mut pace = Pace::of(&settings);
+        let mut control = StepControl::of(&settings);
         let mut lengths = Vec::new();
         for _ in 0..4000 {
-            let outcome = StepOutcome {
+            let outcome = StepOutput {
                 solver: Report {
-                    sweeps: sweeps(pace.step) as usize,
+                    sweeps: sweeps(control.step) as usize,
                     ..Report::default()
                 },
-                ..StepOutcome::default()
+                ..StepOutput::default()
             };
-            lengths.push(pace.step);
-            pace.learn(&settings, pace.step, &outcome);
+            lengths.push(control.step);
+            control.learn(&settings, control.step, &outcome);
         }
         lengths[3000..].iter().sum::<f64>() / 1000.0
     }
@@ -315,8 +321,8 @@ mod tests {
             smallest_step: Some(1e-5),
             ..Settings::default()
         };
-        let pace = Pace::of(&settings);
-        let sweeps = |settings: &Settings, dt, cuts| pace.effort(settings, dt, cuts).sweeps;
+        let control = StepControl::of(&settings);
+        let sweeps = |settings: &Settings, dt, cuts| control.effort(settings, dt, cuts).sweeps;
         assert_eq!(sweeps(&settings, 2e-5, 0), Some(PATIENCE));
         assert_eq!(sweeps(&settings, 1e-5, 0), None);
         assert_eq!(sweeps(&settings, 2e-5, settings.max_cuts), None);
@@ -351,7 +357,7 @@ mod tests {
                 strict,
                 ..Settings::default()
             };
-            let remedy = |cuts| Pace::remedy(&settings, &failure, cuts);
+            let remedy = |cuts| StepControl::remedy(&settings, &failure, cuts);
             assert_eq!(remedy(0), Remedy::Cut);
             let last = match strict {
                 true => Remedy::GiveUp,
@@ -370,19 +376,19 @@ mod tests {
             strict: false,
             ..Settings::default()
         };
-        let mut pace = Pace::of(&settings);
-        pace.cut(&settings, 1e-4);
-        assert_eq!(pace.step, 5e-5);
-        let hard = StepOutcome {
+        let mut control = StepControl::of(&settings);
+        control.cut(&settings, 1e-4);
+        assert_eq!(control.step, 5e-5);
+        let hard = StepOutput {
             solver: Report {
                 sweeps: 5000,
                 ..Report::default()
             },
-            ..StepOutcome::default()
+            ..StepOutput::default()
         };
         for _ in 0..40 {
-            pace.learn(&settings, pace.step, &hard);
+            control.learn(&settings, control.step, &hard);
         }
-        assert!(pace.step >= 1e-3);
+        assert!(control.step >= 1e-3);
     }
 }

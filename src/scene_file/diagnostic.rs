@@ -2,13 +2,13 @@
 
 use std::fmt;
 
-use miette::{Diagnostic, LabeledSpan, NamedSource, Severity, SourceSpan};
+use miette::{LabeledSpan, NamedSource, Severity, SourceSpan};
 use thiserror::Error;
 
 /// One finding about a scene file.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[error("{path}: {message}")]
-pub struct Problem {
+pub struct Diagnostic {
     /// Key path, counted from 0: `boundary[1].faces[0].plane.normal`.
     pub path: String,
     /// Line in the scene file, counted from 1.
@@ -24,7 +24,7 @@ pub struct Problem {
     pub severity: Severity,
 }
 
-impl Diagnostic for Problem {
+impl miette::Diagnostic for Diagnostic {
     fn severity(&self) -> Option<Severity> {
         Some(self.severity)
     }
@@ -48,7 +48,7 @@ pub struct SceneError {
     /// Name and text of the scene file.
     pub source_code: NamedSource<String>,
     /// Every problem found; never empty.
-    pub problems: Vec<Problem>,
+    pub problems: Vec<Diagnostic>,
 }
 
 impl SceneError {
@@ -56,7 +56,7 @@ impl SceneError {
     pub(super) fn unreadable(name: &str, reason: &str, help: &str) -> Self {
         Self {
             source_code: NamedSource::new(name, String::new()),
-            problems: vec![Problem {
+            problems: vec![Diagnostic {
                 path: "scene".to_owned(),
                 line: 1,
                 span: (0..0).into(),
@@ -76,7 +76,7 @@ impl SceneError {
     }
 }
 
-impl Problem {
+impl Diagnostic {
     /// Whether the scene runs, but probably not as meant.
     #[must_use]
     pub fn is_warning(&self) -> bool {
@@ -94,13 +94,15 @@ impl Problem {
     }
 }
 
-impl Diagnostic for SceneError {
+impl miette::Diagnostic for SceneError {
     fn source_code(&self) -> Option<&dyn miette::SourceCode> {
         Some(&self.source_code)
     }
 
-    fn related<'a>(&'a self) -> Option<Box<dyn Iterator<Item = &'a dyn Diagnostic> + 'a>> {
-        Some(Box::new(self.problems.iter().map(|p| p as &dyn Diagnostic)))
+    fn related<'a>(&'a self) -> Option<Box<dyn Iterator<Item = &'a dyn miette::Diagnostic> + 'a>> {
+        Some(Box::new(
+            self.problems.iter().map(|p| p as &dyn miette::Diagnostic),
+        ))
     }
 }
 

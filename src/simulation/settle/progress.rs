@@ -1,9 +1,9 @@
-//! The course of settling, pass after pass.
+//! The trajectory of settling, pass after pass.
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use super::load::Load;
+use super::start_loads::StartLoads;
 use super::{Pass, PassKind, SettleError, SettleProgress};
 use crate::error::StepError;
 use crate::scene::particles::Kinematics;
@@ -11,7 +11,7 @@ use crate::scene::{Motion, Scene};
 use crate::simulation::Simulation;
 use crate::simulation::trajectory::displacement;
 use crate::solver::Tolerance;
-use crate::spatial::{Dof6, Twist};
+use crate::spatial::{SpatialVector, Twist};
 
 /// A time \[s\] in which no body turns: over it a displacement is a speed.
 const INSTANT: f64 = 1e-9;
@@ -20,7 +20,7 @@ const COARSE_DAMPING: f64 = 20.0;
 const FINE_DAMPING: f64 = 2.0;
 
 /// Where settling stands.
-pub(super) struct Course<W> {
+pub(super) struct Progress<W> {
     watch: W,
     /// The pass under way.
     pub(super) pass: Pass,
@@ -41,7 +41,7 @@ pub(super) struct Reached {
     pub(super) ended: bool,
 }
 
-impl<W: FnMut(&SettleProgress<'_>) -> ControlFlow<()>> Course<W> {
+impl<W: FnMut(&SettleProgress<'_>) -> ControlFlow<()>> Progress<W> {
     /// Before the first pass over `scene`, all of which take at most `limit` \[s\].
     pub(super) fn new(scene: &Scene, limit: f64, watch: W) -> Self {
         Self {
@@ -85,7 +85,7 @@ impl<W: FnMut(&SettleProgress<'_>) -> ControlFlow<()>> Course<W> {
     pub(super) fn run(
         &mut self,
         mut simulation: Simulation,
-        load: &Load,
+        load: &StartLoads,
         length: f64,
         until_rest: bool,
     ) -> Result<Reached, SettleError> {
@@ -105,7 +105,7 @@ impl<W: FnMut(&SettleProgress<'_>) -> ControlFlow<()>> Course<W> {
             if speed > rest_speed {
                 moved_at = simulation.time();
             }
-            let at_rest = simulation.time() - moved_at >= load.patience;
+            let at_rest = simulation.time() - moved_at >= load.pause;
             let over = simulation.time() >= length || (until_rest && at_rest);
             let ended = !over
                 && (self.watch)(&SettleProgress {
@@ -134,7 +134,7 @@ impl<W: FnMut(&SettleProgress<'_>) -> ControlFlow<()>> Course<W> {
             simulation
                 .advance_to(end)
                 .map_err(|error| self.failed(error.later(before)))?;
-            simulation.slow((-taken / (damping * load.patience)).exp());
+            simulation.slow((-taken / (damping * load.pause)).exp());
         }
     }
 
@@ -180,8 +180,8 @@ impl Simulation {
             *v *= share;
         }
         for body in &mut self.state.bodies {
-            body.momentum = Dof6::ZERO.plus(&body.momentum, share);
-            body.velocity = Dof6::ZERO.plus(&body.velocity, share);
+            body.momentum = SpatialVector::ZERO.plus(&body.momentum, share);
+            body.velocity = SpatialVector::ZERO.plus(&body.velocity, share);
         }
     }
 

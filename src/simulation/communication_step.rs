@@ -2,38 +2,38 @@
 
 use std::sync::Arc;
 
-use super::pace::Remedy;
 use super::replay_record::Step;
-use super::{Origin, Simulation};
+use super::step_control::Remedy;
+use super::{ReplayRecord, Simulation};
 use crate::Vec3;
 use crate::error::StepError;
 use crate::scene::{Measure, Motion, Scene};
 use crate::simulation::flow::{Gate, crossings};
-use crate::simulation::impulse_totals::{Account, Before};
-use crate::simulation::trajectory::{Course, Drive, displacement};
+use crate::simulation::impulse_totals::{Before, ImpulseTotals};
+use crate::simulation::trajectory::{BoundaryPaths, Trajectory, displacement};
 use crate::spatial::Wrench;
-use crate::state::{Pace, State, StepReport};
+use crate::state::{State, StepControl, StepReport};
 use crate::step::{Effort, StepFailure, step};
 
 /// A communication step under way: see [`Simulation::begin`].
 #[derive(Debug)]
-pub struct March {
+pub struct CommunicationStep {
     before: State,
     /// Where `before` came from, to be given back if the step fails.
-    origin: Option<Box<Origin>>,
+    replay: Option<Box<ReplayRecord>>,
     start: f64,
     /// Length \[s\] of the communication step, of which the internal steps are parts, and how much of it has been taken.
     length: f64,
-    passed: f64,
+    elapsed: f64,
     steps: u64,
     done: u64,
-    course: Course,
-    /// State and account where commands last changed within the step.
-    midway: Option<(State, Account)>,
-    account: Account,
+    trajectory: Trajectory,
+    /// State and totals where commands last changed within the step.
+    midway: Option<(State, ImpulseTotals)>,
+    totals: ImpulseTotals,
 }
 
-impl March {
+impl CommunicationStep {
     /// Whether the end is reached.
     #[must_use]
     pub fn is_done(&self) -> bool {
@@ -65,13 +65,13 @@ impl Simulation {
     ///
     /// # Errors
     /// [`StepError`] if `end` is not a finite time after the present, or a boundary would jump; nothing has changed.
-    pub fn begin(&mut self, end: f64) -> Result<March, StepError> {
+    pub fn begin(&mut self, end: f64) -> Result<CommunicationStep, StepError> {
         self.set_out(end, true)
     }
 
-    /// [`Self::begin`] that keeps the origin of the present state only if it is to come `back` where the step fails; its memory
+    /// [`Self::begin`] that keeps the replay of the present state only if it is to come `back` where the step fails; its memory
     /// is otherwise that of the state kept to go back to, which saves one of three.
-    pub(super) fn set_out(&mut self, end: f64, back: bool) -> Result<March, StepError> {
+    pub(super) fn set_out(&mut self, end: f64, back: bool) -> Result<CommunicationStep, StepError> {
         let start = self.state.time;
         let h = end - start;
         if !(h > 0.0 && h.is_finite()) {
@@ -82,7 +82,7 @@ impl Simulation {
             });
         }
         let state = &self.state;
-        let course = Course {
+        let trajectory = Trajectory {
             from: state.poses.clone(),
             since: start,
             end,
@@ -91,81 +91,92 @@ impl Simulation {
         };
         // The margin keeps a communication step that is n internal steps but for rounding at n.
         let h = unrounded(h, self.scene.settings.step);
-        let steps = pieces(h, state.pace.step);
-        self.check_jump(&course.drive(&self.scene), start, end, steps)?;
-        let origin = self.origin.take();
-        let (origin, memory) = match back {
-            true => (origin, None),
-            false => (None, origin.map(|origin| origin.into_state())),
+        let steps = pieces(h, state.control.step);
+        self.check_jump(&trajectory.paths(&self.scene), start, end, steps)?;
+        let replay = self.replay.take();
+        let (replay, memory) = match back {
+            true => (replay, None),
+            false => (None, replay.map(|replay| replay.into_state())),
         };
         let before = self.state.copied_into(memory);
         self.state.report = StepReport::default();
-        Ok(March {
+        Ok(CommunicationStep {
             before,
-            origin,
+            replay,
             start,
             length: h,
-            passed: 0.0,
+            elapsed: 0.0,
             steps,
             done: 0,
-            course,
+            trajectory,
             midway: None,
-            account: Account::of(self.scene.boundaries.len()),
+            totals: ImpulseTotals::of(self.scene.boundaries.len()),
         })
     }
 
-    /// Takes the next internal step of `march`, halved where it fails. Averages are over what has been taken of the
+    /// Takes the next internal step of `communication`, halved where it fails. Averages are over what has been taken of the
     /// communication step. Commands given since the last internal step hold from here to its end.
     ///
     /// # Errors
-    /// As [`Self::advance_to`]: the state is as before [`Self::begin`], and so is its [`Self::origin`].
-    pub fn internal_step(&mut self, march: &mut March) -> Result<(), StepError> {
-        let result = self.take(march);
+    /// As [`Self::advance_to`]: the state is as before [`Self::begin`], and so is its [`Self::replay_record`].
+    pub fn internal_step(
+        &mut self,
+        communication: &mut CommunicationStep,
+    ) -> Result<(), StepError> {
+        let result = self.take(communication);
         if result.is_err() {
-            self.state.clone_from(&march.before);
-            self.origin = march.origin.take();
+            self.state.clone_from(&communication.before);
+            self.replay = communication.replay.take();
         }
         result
     }
 
-    fn take(&mut self, march: &mut March) -> Result<(), StepError> {
-        if march.is_done() {
+    fn take(&mut self, communication: &mut CommunicationStep) -> Result<(), StepError> {
+        if communication.is_done() {
             return Ok(());
         }
         let scene = Arc::clone(&self.scene);
-        let course = &mut march.course;
-        let changed = course.commands != self.state.commands || course.rates != self.state.rates;
+        let trajectory = &mut communication.trajectory;
+        let changed =
+            trajectory.commands != self.state.commands || trajectory.rates != self.state.rates;
         if changed {
-            course.since = self.state.time;
-            course.from.clone_from(&self.state.poses);
-            course.commands.clone_from(&self.state.commands);
-            course.rates.clone_from(&self.state.rates);
-            let memory = march.midway.take().map(|(state, _)| state);
-            march.midway = Some((self.state.copied_into(memory), march.account.clone()));
+            trajectory.since = self.state.time;
+            trajectory.from.clone_from(&self.state.poses);
+            trajectory.commands.clone_from(&self.state.commands);
+            trajectory.rates.clone_from(&self.state.rates);
+            let memory = communication.midway.take().map(|(state, _)| state);
+            communication.midway =
+                Some((self.state.copied_into(memory), communication.totals.clone()));
         }
-        let drive = march.course.drive(&scene);
-        let (start, end) = (march.start, march.course.end);
+        let paths = communication.trajectory.paths(&scene);
+        let (start, end) = (communication.start, communication.trajectory.end);
         if changed {
-            self.check_jump(&drive, march.course.since, end, march.steps - march.done)?;
+            self.check_jump(
+                &paths,
+                communication.trajectory.since,
+                end,
+                communication.steps - communication.done,
+            )?;
         }
-        march.done += 1;
-        let mut dt = march.length / march.steps as f64;
-        let mut target = start + (end - start) * (march.done as f64 / march.steps as f64);
+        communication.done += 1;
+        let mut dt = communication.length / communication.steps as f64;
+        let mut target =
+            start + (end - start) * (communication.done as f64 / communication.steps as f64);
         if scene.settings.smallest_step.is_some() {
-            let rest = march.length - march.passed;
-            let left = pieces(rest, self.state.pace.step);
-            march.steps = march.done - 1 + left;
+            let rest = communication.length - communication.elapsed;
+            let left = pieces(rest, self.state.control.step);
+            communication.steps = communication.done - 1 + left;
             dt = rest / left as f64;
             target = self.state.time + dt;
         }
-        if march.is_done() {
+        if communication.is_done() {
             target = end;
         }
-        march.passed += dt;
-        self.step_to(&scene, &drive, (target, dt), 0, &mut march.account)?;
-        self.average(&march.account);
-        let h = self.state.time - march.start;
-        let totals = self.state.passed.iter().zip(&march.before.passed);
+        communication.elapsed += dt;
+        self.step_to(&scene, &paths, (target, dt), 0, &mut communication.totals)?;
+        self.average(&communication.totals);
+        let h = self.state.time - communication.start;
+        let totals = self.state.passed.iter().zip(&communication.before.passed);
         self.state.flow = totals.map(|(now, then)| (now - then) / h).collect();
         Ok(())
     }
@@ -174,28 +185,28 @@ impl Simulation {
     ///
     /// # Errors
     /// As [`Self::internal_step`].
-    pub fn finish(&mut self, mut march: March) -> Result<(), StepError> {
-        while !march.is_done() {
-            self.internal_step(&mut march)?;
+    pub fn finish(&mut self, mut communication: CommunicationStep) -> Result<(), StepError> {
+        while !communication.is_done() {
+            self.internal_step(&mut communication)?;
         }
-        self.end(march);
+        self.end(communication);
         Ok(())
     }
 
     /// Ends a communication step where its last internal step has ended. Derivatives of commands end with it, and
     /// [`Self::directional_derivatives`] are those of this step.
-    pub fn end(&mut self, march: March) {
+    pub fn end(&mut self, communication: CommunicationStep) {
         self.state.rates.clear();
-        self.carry_over(&march);
-        let none = Account::of(self.scene.boundaries.len());
-        let (state, before) = march.midway.unwrap_or((march.before, none));
-        let mut account = march.account;
-        account.taken.drain(..before.taken.len());
-        self.origin = Some(Box::new(Origin::Step(Step {
+        self.carry_over(&communication);
+        let none = ImpulseTotals::of(self.scene.boundaries.len());
+        let (state, before) = communication.midway.unwrap_or((communication.before, none));
+        let mut totals = communication.totals;
+        totals.taken.drain(..before.taken.len());
+        self.replay = Some(Box::new(ReplayRecord::Step(Step {
             state,
-            start: march.start,
-            course: march.course,
-            taken: account.taken,
+            start: communication.start,
+            trajectory: communication.trajectory,
+            taken: totals.taken,
             before,
         })));
     }
@@ -203,9 +214,9 @@ impl Simulation {
     /// The remainder of a step is no shock: where a communication step is shorter than [`REMAINDER`] of the internal step before
     /// it, what is left of velocities would come out as a force without bound. The forces before it stand, and what they miss
     /// of the impulse goes into the means of the next step.
-    fn carry_over(&mut self, march: &March) {
-        let (state, before) = (&mut self.state, &march.before);
-        if march.length >= REMAINDER * before.last_step {
+    fn carry_over(&mut self, communication: &CommunicationStep) {
+        let (state, before) = (&mut self.state, &communication.before);
+        if communication.length >= REMAINDER * before.last_step {
             state.owed.fill(Wrench::default());
             return;
         }
@@ -213,54 +224,54 @@ impl Simulation {
         state.mean_wrenches.clone_from(&before.mean_wrenches);
         state.contacts.clone_from(&before.contacts);
         for (b, owed) in state.owed.iter_mut().enumerate() {
-            owed.add(&march.account.impulse[b], 1.0);
-            owed.add(&before.mean_wrenches[b], -march.length);
+            owed.add(&communication.totals.impulse[b], 1.0);
+            owed.add(&before.mean_wrenches[b], -communication.length);
         }
     }
 
     /// Means over what has been taken of the communication step.
-    pub(super) fn average(&mut self, account: &Account) {
-        let h = account.length;
+    pub(super) fn average(&mut self, totals: &ImpulseTotals) {
+        let h = totals.length;
         let means = self.state.mean_wrenches.iter_mut();
-        for (mean, (impulse, owed)) in means.zip(account.impulse.iter().zip(&self.state.owed)) {
+        for (mean, (impulse, owed)) in means.zip(totals.impulse.iter().zip(&self.state.owed)) {
             mean.force = (impulse.force + owed.force) / h;
             mean.torque = (impulse.torque + owed.torque) / h;
         }
-        self.state.mean_body_force = account.body_force / h;
+        self.state.mean_body_force = totals.body_force / h;
     }
 
     /// One internal step of `dt` to `target` \[s\], or two of half its length if it fails.
     fn step_to(
         &mut self,
         scene: &Scene,
-        drive: &Drive,
+        paths: &BoundaryPaths,
         (target, dt): (f64, f64),
         cuts: u32,
-        account: &mut Account,
+        totals: &mut ImpulseTotals,
     ) -> Result<(), StepError> {
         let start = self.state.time;
-        if self.rest_to(scene, drive, target) {
-            for (sum, wrench) in account.impulse.iter_mut().zip(&self.state.wrenches) {
+        if self.rest_to(scene, paths, target) {
+            for (sum, wrench) in totals.impulse.iter_mut().zip(&self.state.wrenches) {
                 sum.add(wrench, dt);
             }
-            account.length += dt;
-            account.body_force += self.state.body_force * dt;
-            account.taken.push((target, dt));
+            totals.length += dt;
+            totals.body_force += self.state.body_force * dt;
+            totals.taken.push((target, dt));
             return Ok(());
         }
         let settings = &scene.settings;
-        let effort = self.state.pace.effort(settings, dt, cuts);
-        let Err(failure) = self.try_step(scene, drive, (target, dt), effort, account)? else {
+        let effort = self.state.control.effort(settings, dt, cuts);
+        let Err(failure) = self.try_step(scene, paths, (target, dt), effort, totals)? else {
             return Ok(());
         };
-        match Pace::remedy(settings, &failure, cuts) {
+        match StepControl::remedy(settings, &failure, cuts) {
             Remedy::GiveUp => Err(self.explain(failure, dt, cuts)),
             Remedy::Cut => {
                 self.state.report.cuts += 1;
-                self.state.pace.cut(settings, dt);
+                self.state.control.cut(settings, dt);
                 let half = 0.5 * dt;
-                self.step_to(scene, drive, (start + half, half), cuts + 1, account)?;
-                self.step_to(scene, drive, (target, half), cuts + 1, account)
+                self.step_to(scene, paths, (start + half, half), cuts + 1, totals)?;
+                self.step_to(scene, paths, (target, half), cuts + 1, totals)
             }
             Remedy::Accept => {
                 let effort = Effort {
@@ -268,7 +279,7 @@ impl Simulation {
                     accept: true,
                     pass: true,
                 };
-                self.try_step(scene, drive, (target, dt), effort, account)?
+                self.try_step(scene, paths, (target, dt), effort, totals)?
                     .map_err(|failure| self.explain(failure, dt, cuts))
             }
         }
@@ -278,43 +289,43 @@ impl Simulation {
     fn try_step(
         &mut self,
         scene: &Scene,
-        drive: &Drive,
+        paths: &BoundaryPaths,
         (target, dt): (f64, f64),
         effort: Effort,
-        account: &mut Account,
+        totals: &mut ImpulseTotals,
     ) -> Result<Result<(), StepFailure>, StepError> {
         let before = Before::of(scene, &self.state);
         let integrator = scene.settings.integrator;
-        let input = drive.step_input(integrator, self.state.time, (target, dt));
-        let taken = step(scene, &mut self.state, &mut self.scratch, &input, effort);
+        let input = paths.step_input(integrator, self.state.time, (target, dt));
+        let taken = step(scene, &mut self.state, &mut self.workspace, &input, effort);
         let outcome = match taken {
             Ok(outcome) => outcome,
             Err(failure) => return Ok(Err(failure)),
         };
         self.state.time = target;
         self.state.report.include(&outcome);
-        self.state.pace.learn(&scene.settings, dt, &outcome);
+        self.state.control.learn(&scene.settings, dt, &outcome);
         self.check_finite()?;
-        self.book(&before, dt, account);
-        account.taken.push((target, dt));
+        self.book(&before, dt, totals);
+        totals.taken.push((target, dt));
         self.exchange();
         self.count_calm();
         Ok(Ok(()))
     }
 
     /// Sums up what an internal step of `dt` \[s\] has done.
-    pub(super) fn book(&mut self, before: &Before, dt: f64, account: &mut Account) {
-        account.length += dt;
+    pub(super) fn book(&mut self, before: &Before, dt: f64, totals: &mut ImpulseTotals) {
+        totals.length += dt;
         let settings = &self.scene.settings;
         let shift = settings.integrator.shift(dt, settings.step);
-        for (b, sum) in account.impulse.iter_mut().enumerate() {
+        for (b, sum) in totals.impulse.iter_mut().enumerate() {
             sum.add(&self.state.wrenches[b], dt);
             // A step of another length moves the half step by persisting forces: their share.
-            sum.add(&self.state.persisting_wrenches[b], shift);
-            sum.add(&before.persisting[b], -shift);
+            sum.add(&self.state.smooth_wrenches[b], shift);
+            sum.add(&before.smooth[b], -shift);
         }
         let now = self.state.body_force;
-        account.body_force += now * dt + (now - before.body_force) * shift;
+        totals.body_force += now * dt + (now - before.body_force) * shift;
         self.count_crossings(&before.position);
     }
 
@@ -374,7 +385,13 @@ impl Simulation {
     }
 
     /// An input boundary must not move farther than the smallest radius in one internal step.
-    fn check_jump(&self, drive: &Drive, start: f64, end: f64, steps: u64) -> Result<(), StepError> {
+    fn check_jump(
+        &self,
+        paths: &BoundaryPaths,
+        start: f64,
+        end: f64,
+        steps: u64,
+    ) -> Result<(), StepError> {
         let limit = self
             .scene
             .particles
@@ -383,10 +400,10 @@ impl Simulation {
             .copied()
             .fold(f64::INFINITY, f64::min);
         // With a constant twist every internal step is as long as the first.
-        let looked_at = if drive.bends() { steps } else { 1 };
+        let looked_at = if paths.bends() { steps } else { 1 };
         let mut before = self.state.poses.clone();
         for k in 1..=looked_at {
-            let poses = drive.poses(start + (end - start) * (k as f64 / steps as f64));
+            let poses = paths.poses(start + (end - start) * (k as f64 / steps as f64));
             let ways = before.iter().zip(&poses);
             for (boundary, (from, to)) in self.scene.boundaries.iter().zip(ways) {
                 if !matches!(boundary.motion, Motion::Input(_)) || from == to {

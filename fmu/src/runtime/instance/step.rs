@@ -2,7 +2,7 @@
 
 use sphere_dda::error::StepError;
 
-use super::under_way::Walk;
+use super::step_in_progress::StepInProgress;
 use super::{Instance, Measured, Step, command};
 use crate::runtime::life_cycle::LifeCycle;
 use crate::runtime::refusal::Refusal;
@@ -28,9 +28,9 @@ impl Instance {
         let end = self.check_step(point, h)?;
         let start = self.run.start;
         let commands = self.run.commands.clone();
-        let march = self.commanded()?.begin(end - start)?;
-        self.walk = Some(Walk {
-            march,
+        let communication = self.commanded()?.begin(end - start)?;
+        self.step = Some(StepInProgress {
+            communication,
             point,
             h,
             end,
@@ -44,29 +44,29 @@ impl Instance {
     /// # Errors
     /// As [`Self::do_step`]: the instance stands at the beginning of the communication step.
     pub fn internal_step(&mut self) -> Result<Progress, Refusal> {
-        let (Some(mut walk), Some(simulation)) = (self.walk.take(), &mut self.simulation) else {
+        let (Some(mut step), Some(simulation)) = (self.step.take(), &mut self.simulation) else {
             return Err(self.no_step());
         };
         self.measured = Measured::default();
-        let taken =
-            command(simulation, &self.run).and_then(|()| simulation.internal_step(&mut walk.march));
+        let taken = command(simulation, &self.run)
+            .and_then(|()| simulation.internal_step(&mut step.communication));
         match taken {
             Ok(()) => {
-                let last = walk.march.is_done();
+                let last = step.communication.is_done();
                 self.run.time = if last {
-                    walk.end
+                    step.end
                 } else {
                     self.run.start + simulation.time()
                 };
                 self.run.stage = LifeCycle::Intermediate;
-                self.walk = Some(walk);
+                self.step = Some(step);
                 Ok(Progress::Taken { last })
             }
             Err(error) => {
                 self.run.stage = LifeCycle::StepComplete;
-                self.run.time = walk.point;
-                self.run.commands = walk.commands;
-                match self.concluded(Err(error), walk.h, walk.end)? {
+                self.run.time = step.point;
+                self.run.commands = step.commands;
+                match self.concluded(Err(error), step.h, step.end)? {
                     Step::Discarded(error) => Ok(Progress::Discarded(error)),
                     Step::Complete => Err(self.no_step()),
                 }
@@ -80,15 +80,15 @@ impl Instance {
     /// # Errors
     /// [`Refusal::Argument`] if no step is under way.
     pub fn end_step(&mut self, final_past: bool) -> Result<(), Refusal> {
-        let Some(walk) = self.walk.take() else {
+        let Some(step) = self.step.take() else {
             return Err(self.no_step());
         };
         if let Some(simulation) = &mut self.simulation {
-            simulation.end(walk.march);
+            simulation.end(step.communication);
         }
-        self.concluded(Ok(()), walk.h, self.run.time)?;
+        self.concluded(Ok(()), step.h, self.run.time)?;
         if final_past {
-            self.recorder.commit(walk.point - self.run.start);
+            self.recorder.commit(step.point - self.run.start);
         }
         Ok(())
     }

@@ -18,12 +18,12 @@ pub(super) fn on_segment(a: Vec3, b: Vec3, p: Vec3) -> Vec3 {
 
 /// Part of a triangle `(a, b, c)` that a closest point lies on: 0 its face; 1, 2, 3 the edges ab, bc, ca;
 /// 4, 5, 6 the vertices a, b, c.
-pub(super) type Part = usize;
+pub(super) type TriangleFeature = usize;
 
 /// The closest point of a triangle to `p`, and the part it lies on.
 ///
 /// Source: C. Ericson, *Real-Time Collision Detection*, 2005, section 5.1.5.
-pub(super) fn on_triangle(&[a, b, c]: &[Vec3; 3], p: Vec3) -> (Vec3, Part) {
+pub(super) fn on_triangle(&[a, b, c]: &[Vec3; 3], p: Vec3) -> (Vec3, TriangleFeature) {
     let (ab, ac, ap) = (b - a, c - a, p - a);
     let (d1, d2) = (ab.dot(&ap), ac.dot(&ap));
     if d1 <= 0.0 && d2 <= 0.0 {

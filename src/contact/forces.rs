@@ -4,18 +4,18 @@ use std::ops::Deref;
 
 use serde::{Deserialize, Serialize};
 
-use super::{Key, Load};
+use super::{ContactForce, ContactId};
 use crate::Vec3;
 
 /// Loads in canonical order, `[C]`, as which this reads, and the couples beside them.
 #[derive(Debug, PartialEq, Default, Serialize, Deserialize)]
-pub struct Carried {
-    loads: Vec<Load>,
+pub struct ContactForces {
+    loads: Vec<ContactForce>,
     /// `[C]`; empty unless pairs of materials resist: most scenes have none.
     torques: Vec<Vec3>,
 }
 
-impl Carried {
+impl ContactForces {
     /// Couple of rolling and twisting resistance of contact `k` on A \[N m\], mean over the step; its opposite acts on B.
     #[must_use]
     pub fn torque(&self, k: usize) -> Vec3 {
@@ -23,7 +23,7 @@ impl Carried {
     }
 
     /// Adds a contact, the last in canonical order; all have a `torque` \[N m\], or none has.
-    pub fn push(&mut self, load: Load, torque: Option<Vec3>) {
+    pub fn push(&mut self, load: ContactForce, torque: Option<Vec3>) {
         self.loads.push(load);
         self.torques.extend(torque);
     }
@@ -35,7 +35,7 @@ impl Carried {
     }
 
     /// Forgets the contacts whose keys are not `kept`.
-    pub fn retain(&mut self, kept: impl Fn(&Key) -> bool) {
+    pub fn retain(&mut self, kept: impl Fn(&ContactId) -> bool) {
         let mut loads = self.loads.iter();
         self.torques
             .retain(|_| loads.next().is_some_and(|load| kept(&load.key)));
@@ -57,15 +57,15 @@ impl Carried {
     }
 }
 
-impl Deref for Carried {
-    type Target = [Load];
+impl Deref for ContactForces {
+    type Target = [ContactForce];
 
-    fn deref(&self) -> &[Load] {
+    fn deref(&self) -> &[ContactForce] {
         &self.loads
     }
 }
 
-impl Clone for Carried {
+impl Clone for ContactForces {
     fn clone(&self) -> Self {
         Self {
             loads: self.loads.clone(),
@@ -87,15 +87,15 @@ mod tests {
 
     #[test]
     fn couples_stay_with_their_contacts() {
-        let load = |sphere| Load {
-            key: Key {
+        let load = |sphere| ContactForce {
+            key: ContactId {
                 sphere,
                 partner: Partner::sphere(9),
             },
             normal: Vec3::z(),
             force: Vec3::z(),
         };
-        let mut carried = Carried::default();
+        let mut carried = ContactForces::default();
         for i in 0..4 {
             carried.push(load(i), Some(Vec3::x() * f64::from(i)));
         }
@@ -107,6 +107,6 @@ mod tests {
         carried.push(load(0), None);
         assert_eq!(carried.torque(0), Vec3::zeros());
         assert!(carried.fits());
-        assert_eq!(size_of::<Load>(), 72);
+        assert_eq!(size_of::<ContactForce>(), 72);
     }
 }

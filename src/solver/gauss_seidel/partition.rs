@@ -19,7 +19,7 @@ const CELLS: f64 = 512.0;
 
 /// The order of the bodies.
 #[derive(Debug, Clone, Default)]
-pub struct Layout {
+pub struct Partition {
     /// Place of each sphere, `[N]`; empty where all are in the order of the scene.
     place: Vec<u32>,
     /// Sphere at each place, `[N]`; likewise.
@@ -32,7 +32,7 @@ pub struct Layout {
     first: Vec<u32>,
 }
 
-impl Layout {
+impl Partition {
     /// Lays out spheres of the given centres \[m\], `[N]`, with cells of `edge` \[m\].
     pub fn arrange(&mut self, centres: &[Vec3], edge: f64) {
         self.forget();
@@ -137,7 +137,7 @@ mod tests {
                 Vec3::new(z + 0.1 * (i % 7) as f64, y, 1.5 * x)
             })
             .collect();
-        let mut layout = Layout::default();
+        let mut layout = Partition::default();
         layout.arrange(&centres, 1.0);
         let n = centres.len();
         let mut seen = vec![false; n];
