@@ -32,7 +32,7 @@
 //! |---|---|---|---|
 //! | `D_i` | displacement increment | `dt * velocity` | m, rad |
 //! | `T_i` | first-order displacement function | [`scene::particles`] | - |
-//! | `K_ij`, `F_i` | stiffness sub-matrix, force sub-vector | [`step::assemble`], [`solver`] | N/m, N |
+//! | `K_ij`, `F_i` | stiffness sub-matrix, force sub-vector | [`step`], [`solver`] | N/m, N |
 //! | `M` | gap before the step | `gap`, [`contact::Contact::gap`] | m |
 //! | `n` | contact normal | [`contact::Contact::normal`] | - |
 //! | `H_i`, `Q_j` | rows of the normal displacement | `normal`, `arm` of [`problem::Row`] | - |
@@ -71,7 +71,7 @@
 //! # Where things are
 //!
 //! [`scene_file`] reads a [`scene`], which never changes in a run. [`simulation`] owns the [`state`] and takes communication
-//! steps. Of each internal [`step`], [`detection`] finds the candidate pairs, [`step::assemble`] writes them as a [`problem`],
+//! steps. Of each internal [`step`], [`detection`] finds the candidate pairs, [`step`] writes them as a [`problem`],
 //! [`solver`] solves it, and the step checks the true gaps and commits. [`observe`] turns a simulation into numbers,
 //! [`results`] numbers into files.
 

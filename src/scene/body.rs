@@ -23,7 +23,7 @@
 //! shi     v_free = (2 P + dt F)/(2 J + c dt),  W = 1/(2 J + c dt)
 //! ```
 //!
-//! Stops and a spring on a slide or hinge are rows of the step's problem, as contacts are: [`JointLimit`](crate::step::assemble::joint::JointLimit).
+//! Stops and a spring on a slide or hinge are rows of the step's problem, as contacts are: [`JointLimit`](crate::step).
 
 use std::f64::consts::TAU;
 

@@ -104,26 +104,16 @@ impl Simulation {
         Ok(simulation)
     }
 
+    /// Overlaps out by displacement, then contact forces at rest.
     fn settle_start(&mut self) -> Result<(), StepError> {
-        let unsettled = self.state.clone();
-        self.settle_beside(&mut [])?;
-        self.replay = Some(Box::new(ReplayRecord::Start(unsettled)));
-        Ok(())
-    }
-
-    /// Overlaps out by displacement, then contact forces at rest; so also in `pairs` of states to either side.
-    fn settle_beside(&mut self, pairs: &mut [[&mut State; 2]]) -> Result<(), StepError> {
         let scene = Arc::clone(&self.scene);
-        let Self {
-            state, workspace, ..
-        } = self;
-        remove_overlaps(&scene, state, workspace, pairs)
-            .and_then(|()| initial_forces(&scene, state, workspace, pairs))
+        let unsettled = self.state.clone();
+        let (state, workspace) = (&mut self.state, &mut self.workspace);
+        remove_overlaps(&scene, state, workspace)
+            .and_then(|()| initial_forces(&scene, state, workspace))
             .map_err(|failure| self.explain(failure, scene.settings.step, 0))?;
-        let both = pairs.iter_mut().flatten().map(|state| &mut **state);
-        for state in both.chain([&mut self.state]) {
-            state.mean_wrenches.clone_from(&state.wrenches);
-        }
+        self.state.mean_wrenches.clone_from(&self.state.wrenches);
+        self.replay = Some(Box::new(ReplayRecord::Start(unsettled)));
         Ok(())
     }
 

@@ -1,33 +1,112 @@
-//! What a step takes from the state before it moves anything.
+//! First stage of a step: everything that it knows before contacts, from the state and the input.
 
 use super::StepInput;
-use super::external;
+use super::driven::BodyPrediction;
+use super::external::{self, mean_acceleration};
+use super::sphere_motion::SphereMotion;
 use crate::Vec3;
+use crate::problem::Problem;
 use crate::scene::particles::Kinematics;
 use crate::scene::{Command, Scene};
 use crate::spatial::{Pose, SpatialVector, Twist};
 use crate::state::State;
-use crate::step::assemble::{AssemblyInput, SphereMotion};
-use crate::step::driven::BodyPrediction;
-use crate::step::external::mean_acceleration;
-use crate::step::workspace::PredictionArrays;
 
-/// What a step takes from the state before it moves anything.
-pub(super) struct Prediction<'a> {
+/// Arrays of a [`Prediction`], kept for their memory alone.
+#[derive(Debug, Default)]
+pub(super) struct PredictionArrays {
     pub(super) kinematics: Kinematics,
-    pub(super) gravity: Vec3,
     pub(super) external: Vec<SpatialVector>,
     pub(super) spheres: Vec<SphereMotion>,
-    pub(super) targets: Vec<Vec3>,
-    pub(super) standing: Vec<Pose>,
-    pub(super) ends: Vec<Pose>,
+}
+
+/// What a step's problem is made from: places and velocities at its start, loads, where boundaries go.
+#[derive(Debug)]
+pub(super) struct Prediction<'a> {
+    pub(super) scene: &'a Scene,
+    /// Time step \[s\].
+    pub(super) step: f64,
+    /// Places at the start, velocities that match `step`.
+    pub(super) kinematics: Kinematics,
+    /// External acceleration, `[N]`.
+    pub(super) external: Vec<SpatialVector>,
+    /// The spheres as contacts see them, `[N]`.
+    pub(super) spheres: Vec<SphereMotion>,
+    /// Boundary poses at the start and at the end, `[B]`; those of driven bodies at the end are without contacts.
+    pub(super) poses: [Vec<Pose>; 2],
+    /// Driven bodies, `[D]`, by ascending boundary; boundaries that are not among them move as prescribed.
     pub(super) bodies: Vec<BodyPrediction<'a>>,
+    /// Boundary twists over the previous step, `[B]`.
     pub(super) twists: Vec<Twist>,
+    /// Velocities of the boundaries' surfaces against their shapes \[m/s\], world axes, `[B]`.
     pub(super) surfaces: Vec<Vec3>,
+    /// Gravity \[m/s^2\].
+    pub(super) gravity: Vec3,
+    /// Its size.
+    pub(super) gravity_size: f64,
+    /// Spring targets at the end of the step \[m\], `[S]`.
+    pub(super) targets: Vec<Vec3>,
+    /// [`mean_acceleration`] \[m/s^2\].
+    pub(super) mean_acceleration: f64,
+}
+
+/// Predicts the step that `input` asks for from `state`, in the memory of `arrays`.
+pub(super) fn predict<'a>(
+    scene: &'a Scene,
+    state: &State,
+    input: &StepInput,
+    arrays: PredictionArrays,
+) -> Prediction<'a> {
+    let dt = input.dt;
+    let bodies = BodyPrediction::all(scene, state, &input.commands, dt);
+    let mut ends = input.poses.clone();
+    for body in &bodies {
+        let b = body.boundary;
+        ends[b] = body.moved(&state.poses[b], &body.free, dt);
+    }
+    let integrator = scene.settings.integrator;
+    let PredictionArrays {
+        mut kinematics,
+        mut external,
+        spheres,
+    } = arrays;
+    let now = &state.kinematics;
+    kinematics.present.clone_from(&now.present);
+    kinematics.position.clone_from(&now.position);
+    kinematics.orientation.clone_from(&now.orientation);
+    kinematics.velocity.clear();
+    kinematics.spin.clear();
+    kinematics.velocity.reserve_exact(now.len());
+    kinematics.spin.reserve_exact(now.len());
+    for (i, smooth) in state.smooth.iter().enumerate() {
+        let v = now.spatial_velocity(i);
+        let v = integrator.shift_half_step(&v, smooth, state.last_step, dt);
+        kinematics.velocity.push(v.linear);
+        kinematics.spin.push(v.angular);
+    }
+    let end_time = state.time + dt;
+    let springs = scene.springs.iter();
+    let target = springs.map(|s| s.target + s.motion.pose_at(end_time).translation);
+    let gravity = state.gravity_at(scene, integrator.middle(state.time, dt));
+    external::acceleration(scene, state, &kinematics, (gravity, dt), &mut external);
+    Prediction {
+        scene,
+        step: dt,
+        gravity,
+        gravity_size: gravity.norm(),
+        mean_acceleration: mean_acceleration(scene, &external, &bodies),
+        spheres: SphereMotion::all(scene, &kinematics, spheres),
+        external,
+        kinematics,
+        targets: target.collect(),
+        poses: [state.poses.clone(), ends],
+        bodies,
+        twists: state.twists.clone(),
+        surfaces: surfaces(scene, state, &input.commands),
+    }
 }
 
 /// Velocities of the boundaries' surfaces against their shapes \[m/s\], world axes, `[B]`.
-pub(super) fn surfaces(scene: &Scene, state: &State, commands: &[Command]) -> Vec<Vec3> {
+fn surfaces(scene: &Scene, state: &State, commands: &[Command]) -> Vec<Vec3> {
     let boundaries = scene.boundaries.iter();
     let driven = boundaries.zip(state.poses.iter().zip(commands));
     driven
@@ -35,76 +114,128 @@ pub(super) fn surfaces(scene: &Scene, state: &State, commands: &[Command]) -> Ve
         .collect()
 }
 
-impl<'s> Prediction<'s> {
-    /// Places of `state`, and its velocities for a step as long as `input` says, in the memory of `kept`.
-    pub(super) fn of(
-        scene: &'s Scene,
-        state: &State,
-        input: &StepInput,
-        kept: &mut PredictionArrays,
-    ) -> Self {
-        let dt = input.dt;
-        let bodies = BodyPrediction::all(scene, state, &input.commands, dt);
-        let mut ends = input.poses.clone();
-        for body in &bodies {
-            let b = body.boundary;
-            ends[b] = body.moved(&state.poses[b], &body.free, dt);
-        }
-        let integrator = scene.settings.integrator;
-        let mut kinematics = std::mem::take(&mut kept.kinematics);
-        let now = &state.kinematics;
-        kinematics.present.clone_from(&now.present);
-        kinematics.position.clone_from(&now.position);
-        kinematics.orientation.clone_from(&now.orientation);
-        kinematics.velocity.clear();
-        kinematics.spin.clear();
-        let count = state.kinematics.len();
-        kinematics.velocity.reserve_exact(count);
-        kinematics.spin.reserve_exact(count);
-        for (i, smooth) in state.smooth.iter().enumerate() {
-            let v = state.kinematics.spatial_velocity(i);
-            let v = integrator.shift_half_step(&v, smooth, state.last_step, dt);
-            kinematics.velocity.push(v.linear);
-            kinematics.spin.push(v.angular);
-        }
-        let end_time = state.time + dt;
-        let springs = scene.springs.iter();
-        let gravity = state.gravity_at(scene, integrator.middle(state.time, dt));
-        let mut external = std::mem::take(&mut kept.external);
-        external::acceleration(scene, state, &kinematics, (gravity, dt), &mut external);
-        let memory = std::mem::take(&mut kept.spheres);
-        let spheres = SphereMotion::all(scene, &kinematics, memory);
+impl<'a> Prediction<'a> {
+    /// For the forces at the time of `state`, of the length `dt` \[s\].
+    pub(super) fn at_rest(scene: &'a Scene, state: &State, dt: f64) -> Self {
+        let gravity = state.gravity_at(scene, state.time);
+        let external = external::at_start(scene, &state.kinematics, gravity);
+        let bodies = BodyPrediction::all(scene, state, &state.commands, dt);
         Self {
+            scene,
+            step: dt,
             gravity,
+            gravity_size: gravity.norm(),
+            mean_acceleration: mean_acceleration(scene, &external, &bodies),
+            spheres: SphereMotion::all(scene, &state.kinematics, Vec::new()),
             external,
-            spheres,
-            kinematics,
-            targets: springs
-                .map(|spring| spring.target + spring.motion.pose_at(end_time).translation)
-                .collect(),
-            standing: state.poses.clone(),
-            ends,
+            kinematics: state.kinematics.clone(),
+            targets: scene.springs.iter().map(|spring| spring.target).collect(),
+            poses: [state.poses.clone(), state.poses.clone()],
             bodies,
             twists: state.twists.clone(),
-            surfaces: surfaces(scene, state, &input.commands),
+            surfaces: surfaces(scene, state, &state.commands),
         }
     }
 
-    pub(super) fn inputs<'a>(&'a self, scene: &'a Scene, dt: f64) -> AssemblyInput<'a> {
-        AssemblyInput {
+    /// For a displacement of spheres without velocities and forces.
+    pub(super) fn still(scene: &'a Scene, state: &State) -> Self {
+        let mut kinematics = state.kinematics.clone();
+        kinematics.stop();
+        let boundaries = state.poses.len();
+        let external = vec![SpatialVector::ZERO; kinematics.len()];
+        Self {
             scene,
-            kinematics: &self.kinematics,
-            external: &self.external,
-            spheres: &self.spheres,
-            step: dt,
-            poses: [&self.standing, &self.ends],
-            bodies: &self.bodies,
-            twists: &self.twists,
-            surfaces: &self.surfaces,
-            gravity: self.gravity,
-            gravity_size: self.gravity.norm(),
-            targets: &self.targets,
-            mean_acceleration: mean_acceleration(scene, &self.external, &self.bodies),
+            step: scene.settings.step,
+            gravity: Vec3::zeros(),
+            gravity_size: 0.0,
+            mean_acceleration: mean_acceleration(scene, &external, &[]),
+            spheres: SphereMotion::all(scene, &kinematics, Vec::new()),
+            external,
+            kinematics,
+            targets: Vec::new(),
+            poses: [state.poses.clone(), state.poses.clone()],
+            // Boundaries give way to no overlap.
+            bodies: Vec::new(),
+            twists: vec![Twist::default(); boundaries],
+            surfaces: vec![Vec3::zeros(); boundaries],
         }
+    }
+
+    /// Makes `problem` one of these bodies without rows: velocities without contacts, inverse masses.
+    pub(super) fn bodies(&self, problem: &mut Problem) {
+        let particles = &self.scene.particles;
+        let integrator = self.scene.settings.integrator;
+        let spheres = 0..self.kinematics.len();
+        problem.step = self.step;
+        problem.rows.restart(&particles.radius);
+        let velocity = |i| self.kinematics.spatial_velocity(i);
+        let free = |i| integrator.free(&velocity(i), &self.external[i], self.step);
+        problem.free.clear();
+        problem.free.extend(spheres.clone().map(free));
+        problem
+            .free
+            .extend(self.bodies.iter().map(|body| body.free));
+        // The same in every step.
+        if problem.inverse_mass.len() != spheres.len() {
+            problem.inverse_mass.clear();
+            problem.inverse_mass.extend(spheres.map(|i| SpatialVector {
+                linear: particles.inverse_mass(i) * integrator.mobility(),
+                angular: particles.inverse_inertia(i) * integrator.mobility(),
+            }));
+        }
+        problem.operators.clear();
+        let operators = self.bodies.iter().map(|body| body.mobility);
+        problem.operators.extend(operators);
+    }
+
+    /// Its arrays, for the next step.
+    pub(super) fn into_arrays(self) -> PredictionArrays {
+        PredictionArrays {
+            kinematics: self.kinematics,
+            external: self.external,
+            spheres: self.spheres,
+        }
+    }
+
+    /// Rank and prediction of the driven body that a boundary is.
+    pub(super) fn body(&self, boundary: usize) -> Option<(usize, &BodyPrediction<'a>)> {
+        let rank = self
+            .bodies
+            .binary_search_by_key(&boundary, |body| body.boundary);
+        rank.ok().map(|rank| (rank, &self.bodies[rank]))
+    }
+
+    /// Velocity of one body before the step, of `[N + D]`.
+    pub(super) fn velocity(&self, i: usize) -> SpatialVector {
+        match i.checked_sub(self.kinematics.len()) {
+            None => self.kinematics.spatial_velocity(i),
+            Some(rank) => self.bodies[rank].velocity,
+        }
+    }
+
+    /// [`Self::velocity`] of all bodies.
+    pub(super) fn velocities(&self) -> Vec<SpatialVector> {
+        let bodies = 0..self.kinematics.len() + self.bodies.len();
+        bodies.map(|i| self.velocity(i)).collect()
+    }
+
+    /// Boundary poses at the end of the step, `[B]`: prescribed ones, and those that driven bodies reach with the
+    /// `velocity` of the bodies, `[N + D]`.
+    pub(super) fn end_poses(&self, velocity: &[SpatialVector]) -> Vec<Pose> {
+        let [start, end] = &self.poses;
+        let mut ends = end.clone();
+        let bodies = &velocity[self.kinematics.len()..];
+        for (body, velocity) in self.bodies.iter().zip(bodies) {
+            let b = body.boundary;
+            ends[b] = body.moved(&start[b], velocity, self.step);
+        }
+        ends
+    }
+
+    /// Into `position` where the `velocity` of the bodies leads the spheres \[m\], `[N]`.
+    pub(super) fn end_positions(&self, velocity: &[SpatialVector], position: &mut Vec<Vec3>) {
+        let start = self.kinematics.position.iter().zip(velocity);
+        position.clear();
+        position.extend(start.map(|(x, v)| x + v.linear * self.step));
     }
 }

@@ -1,19 +1,30 @@
-//! The step replica the step: its derivative along a direction of its data.
+//! A step with replicas: its derivative along directions of its data.
 //!
-//! A [`ReplicaPair`] is the same step from two states, a little to either side. What is smooth and closed-form (geometry, commands,
-//! inertia, the way into the state) is done with each of the two, and half their difference is the derivative: error
-//! of second order in a displacement of `3e-5` radii. The contact solve is not repeated: half the difference of the two problems goes
-//! through the tangent of the solution, [`crate::solver::tangent`], pass by pass as gaps are re-linearised, and both get the
-//! impulses of the solution changed by that.
+//! A [`Pair`] is the same step from two states, a little to either side. What is smooth and closed-form (geometry, commands,
+//! inertia, the commit) is done with each of the two, and half their difference is the derivative: error of second order in
+//! a displacement of `3e-5` radii. The contact solve is not repeated: half the difference of the two problems goes through the
+//! tangent of the solution, [`crate::solver::tangent`], pass by pass as gaps are corrected, and both get the impulses of the
+//! solution changed by that.
 
-use super::StepInput;
-use super::assembly::Assembly;
+use super::assemble::{Assembly, AssemblyArrays, assemble, follow};
+use super::commit::{commit, spread_impacts};
+use super::failure::singular;
+use super::initial::{effort, overlaps, solve_forces};
+use super::linear_problem::linear_problem;
+use super::prediction::{Prediction, PredictionArrays, predict};
+use super::resolve::{Pass, Passes};
+use super::solution::{Solution, Solved};
+use super::workspace::Workspace;
+use super::{Effort, StepFailure, StepInput, StepOutput};
+use crate::detection::configuration::Configuration;
 use crate::linalg::LinearError;
+use crate::parallel::Pool;
+use crate::scene::Scene;
 use crate::solver::tangent::{Change, respond};
 use crate::spatial::SpatialVector;
 use crate::state::State;
 
-/// A state replica the one that takes the step, and its own step.
+/// A state beside the one that takes the step, and its own step.
 #[derive(Debug)]
 pub struct Replica<'a> {
     /// The state; on success it takes the step too.
@@ -22,44 +33,236 @@ pub struct Replica<'a> {
     pub input: StepInput<'a>,
 }
 
-/// The step to either side, below and above.
-pub(super) struct ReplicaPair<'a> {
-    pub(super) stages: [Assembly<'a>; 2],
-}
-
-/// Lets replicas follow the solution of `stage`.
+/// [`super::step`] by an input with an effort, with pairs of states to either side of `state`.
 ///
 /// # Errors
-/// [`LinearError`] if the tangent of the solution is singular.
-pub(super) fn follow(stage: &Assembly, replicas: &mut [ReplicaPair]) -> Result<(), LinearError> {
-    if replicas.is_empty() {
+/// As [`super::step`], and if the tangent of the solution is singular.
+pub fn step_with_replicas(
+    scene: &Scene,
+    state: &mut State,
+    workspace: &mut Workspace,
+    (input, effort): (&StepInput, Effort),
+    replicas: &mut [[Replica<'_>; 2]],
+) -> Result<StepOutput, StepFailure> {
+    let of = |state: &State, input| predict(scene, state, input, PredictionArrays::default());
+    let prediction = of(state, input);
+    let beside = replicas.iter();
+    let beside = beside.map(|pair| {
+        pair.each_ref()
+            .map(|replica| of(replica.state, &replica.input))
+    });
+    let beside: Vec<[Prediction; 2]> = beside.collect();
+    let (mut assembly, mut solution) = linear_problem(&prediction, state, workspace);
+    let states = replicas
+        .iter()
+        .map(|pair| pair.each_ref().map(|replica| &*replica.state));
+    let mut pairs = pairs(&assembly, &beside, states);
+    let output = resolve(
+        &mut assembly,
+        &mut solution,
+        (state, effort),
+        workspace,
+        &mut pairs,
+    )?;
+    spread_impacts(&mut assembly, &solution, state);
+    for (pair, replicas) in pairs.iter_mut().zip(replicas) {
+        for (side, replica) in pair.0.iter_mut().zip(replicas) {
+            side.take_impacts(&assembly);
+            commit(&side.solved(), replica.state, &mut Vec::new());
+        }
+    }
+    let solved = Solved {
+        assembly: &assembly,
+        solution: &solution,
+    };
+    commit(&solved, state, &mut Vec::new());
+    if output.solver.penalty > 0.0 && output.solver.penalty.is_finite() {
+        state.penalty = output.solver.penalty;
+    }
+    Ok(output)
+}
+
+/// [`super::remove_overlaps`] and [`super::initial_forces`], with pairs of states to either side of `state`.
+///
+/// # Errors
+/// As these, and if the tangent of a solution is singular.
+pub fn start_with_replicas(
+    scene: &Scene,
+    state: &mut State,
+    workspace: &mut Workspace,
+    replicas: &mut [[&mut State; 2]],
+) -> Result<(), StepFailure> {
+    if overlaps(scene, state, workspace) {
+        let prediction = Prediction::still(scene, state);
+        let beside = each(replicas, |state| Prediction::still(scene, state));
+        let (mut assembly, mut solution) = linear_problem(&prediction, state, workspace);
+        let mut pairs = pairs(&assembly, &beside, views(replicas));
+        for side in pairs.iter_mut().flat_map(|pair| &mut pair.0) {
+            side.assembly.displace(&mut side.solution.impulses);
+        }
+        assembly.displace(&mut solution.impulses);
+        let how = (&*state, effort(scene));
+        resolve(&mut assembly, &mut solution, how, workspace, &mut pairs)?;
+        for (pair, states) in pairs.iter().zip(&mut *replicas) {
+            for (side, state) in pair.0.iter().zip(states) {
+                let velocity = &side.solution.velocity;
+                let position = &mut state.kinematics.position;
+                side.assembly.prediction.end_positions(velocity, position);
+            }
+        }
+        state.kinematics.position = solution.position;
+    }
+    let dt = 0.5 * scene.settings.step;
+    let prediction = Prediction::at_rest(scene, state, dt);
+    let beside = each(replicas, |state| Prediction::at_rest(scene, state, dt));
+    let (mut assembly, mut solution) = linear_problem(&prediction, state, workspace);
+    let mut pairs = pairs(&assembly, &beside, views(replicas));
+    let resting = assembly.resting();
+    for side in pairs.iter_mut().flat_map(|pair| &mut pair.0) {
+        side.assembly.keep(&resting, &mut side.solution.impulses);
+    }
+    assembly.keep(&resting, &mut solution.impulses);
+    let report = solve_forces(&assembly, &mut solution, state.penalty, workspace)?;
+    respond_all(&assembly, &solution, &mut pairs)
+        .map_err(|error| singular(&assembly, &solution, &report, error))?;
+    for (pair, states) in pairs.iter().zip(replicas) {
+        for (side, state) in pair.0.iter().zip(states) {
+            side.solved().commit_forces(state);
+        }
+    }
+    let solved = Solved {
+        assembly: &assembly,
+        solution: &solution,
+    };
+    solved.commit_forces(state);
+    Ok(())
+}
+
+/// One of something for each state.
+fn each<T>(pairs: &[[&mut State; 2]], of: impl Fn(&State) -> T) -> Vec<[T; 2]> {
+    views(pairs).map(|pair| pair.map(&of)).collect()
+}
+
+fn views<'a>(pairs: &'a [[&mut State; 2]]) -> impl Iterator<Item = [&'a State; 2]> {
+    pairs
+        .iter()
+        .map(|pair| pair.each_ref().map(|state| &**state))
+}
+
+/// The step of one replica.
+struct Side<'a> {
+    assembly: Assembly<'a>,
+    solution: Solution,
+}
+
+/// The steps to either side, below and above.
+struct Pair<'a>([Side<'a>; 2]);
+
+fn pairs<'a, 's>(
+    assembly: &Assembly,
+    predictions: &'a [[Prediction<'a>; 2]],
+    states: impl Iterator<Item = [&'s State; 2]>,
+) -> Vec<Pair<'a>> {
+    let pair = |(predictions, states): (&'a [Prediction<'a>; 2], [&State; 2])| {
+        Pair([0, 1].map(|k| Side::new(assembly, &predictions[k], states[k])))
+    };
+    predictions.iter().zip(states).map(pair).collect()
+}
+
+impl<'a> Side<'a> {
+    /// The problem from slightly other data than that `of` the step: the same contacts, each an impact if it is one there.
+    fn new(of: &Assembly, prediction: &'a Prediction<'a>, state: &State) -> Self {
+        let mut arrays = AssemblyArrays::default();
+        prediction.bodies(&mut arrays.problem);
+        let kinematics = &prediction.kinematics;
+        let start = Configuration::of(prediction.scene, kinematics, &prediction.poses[0]);
+        let candidates = of.candidates.iter();
+        arrays.candidates = candidates.map(|c| follow(&start, c)).collect();
+        let mut solution = Solution::default();
+        let (impact, pool) = (Some(&of.impact[..]), Pool::default());
+        let impulses = &mut solution.impulses;
+        let assembly = assemble(prediction, arrays, pool, state, impact, impulses);
+        Self { assembly, solution }
+    }
+
+    /// Counts as impacts what `assembly` does.
+    fn take_impacts(&mut self, assembly: &Assembly) {
+        let own = &mut self.assembly;
+        own.impact.clone_from(&assembly.impact);
+        for (own, joint) in own.joints.iter_mut().zip(&assembly.joints) {
+            own.impact = joint.impact;
+        }
+    }
+
+    fn solved(&self) -> Solved<'_> {
+        Solved {
+            assembly: &self.assembly,
+            solution: &self.solution,
+        }
+    }
+}
+
+/// As [`super::resolve::resolve`]; every correction is applied to all.
+fn resolve(
+    assembly: &mut Assembly,
+    solution: &mut Solution,
+    (state, effort): (&State, Effort),
+    workspace: &mut Workspace,
+    pairs: &mut [Pair],
+) -> Result<StepOutput, StepFailure> {
+    let mut passes = Passes::new(assembly, solution, (state.penalty, effort));
+    loop {
+        let pass = passes.next(assembly, solution, workspace)?;
+        respond_all(assembly, solution, pairs)
+            .map_err(|error| singular(assembly, solution, passes.report(), error))?;
+        match pass {
+            Pass::Accepted(output) => return Ok(output),
+            Pass::Corrected(correction) => {
+                let impacts = correction.apply(assembly, solution, state, None);
+                for side in pairs.iter_mut().flat_map(|pair| &mut pair.0) {
+                    let (assembly, solution) = (&mut side.assembly, &mut side.solution);
+                    correction.apply(assembly, solution, state, Some(&impacts));
+                }
+            }
+        }
+    }
+}
+
+/// Lets replicas follow the solution by its tangent.
+///
+/// # Errors
+/// [`LinearError`] if that is singular.
+fn respond_all(
+    assembly: &Assembly,
+    solution: &Solution,
+    pairs: &mut [Pair],
+) -> Result<(), LinearError> {
+    if pairs.is_empty() {
         return Ok(());
     }
-    let velocity = stage.problem.velocities(&stage.impulses);
-    let changes: Vec<Change> = replicas
-        .iter()
-        .map(|twin| change(stage, &velocity, twin))
-        .collect();
-    let responses = respond(&stage.problem, &stage.impulses, &changes)?;
-    for (twin, response) in replicas.iter_mut().zip(responses) {
-        for (side, sign) in twin.stages.iter_mut().zip([-1.0, 1.0]) {
-            let changed = stage.impulses.iter().zip(&response);
-            side.impulses = changed.map(|(p, change)| p + change * sign).collect();
+    let (problem, impulses) = (&assembly.problem, &solution.impulses);
+    let velocity = problem.velocities(impulses);
+    let changes = pairs.iter().map(|pair| change(impulses, &velocity, pair));
+    let changes: Vec<Change> = changes.collect();
+    for (pair, response) in pairs.iter_mut().zip(respond(problem, impulses, &changes)?) {
+        for (side, sign) in pair.0.iter_mut().zip([-1.0, 1.0]) {
+            let changed = impulses.iter().zip(&response);
+            let changed = changed.map(|(p, change)| p + change * sign).collect();
+            side.solution = Solution::of(&side.assembly.problem, changed);
         }
     }
     Ok(())
 }
 
-/// Half the difference of the twin's problems.
-fn change(stage: &Assembly, velocity: &[SpatialVector], twin: &ReplicaPair) -> Change {
-    let [below, above] = &twin.stages;
-    let [low, high] = [below, above].map(|side| side.problem.velocities(&stage.impulses));
-    let rows = || below.problem.rows.iter().zip(above.problem.rows.iter());
+/// Half the difference of the problems of a pair, at the solution of the step.
+fn change(impulses: &[crate::Vec3], velocity: &[SpatialVector], pair: &Pair) -> Change {
+    let [below, above] = pair.0.each_ref().map(|side| &side.assembly.problem);
+    let [low, high] = [below, above].map(|problem| problem.velocities(impulses));
+    let rows = || below.rows.iter().zip(above.rows.iter());
     let zero = SpatialVector::ZERO;
+    let velocities = low.iter().zip(&high);
     Change {
-        velocity: low
-            .iter()
-            .zip(&high)
+        velocity: velocities
             .map(|(low, high)| zero.plus(high, 0.5).plus(low, -0.5))
             .collect(),
         normal: rows()
@@ -71,17 +274,5 @@ fn change(stage: &Assembly, velocity: &[SpatialVector], twin: &ReplicaPair) -> C
                 (high - low) * 0.5
             })
             .collect(),
-    }
-}
-
-impl ReplicaPair<'_> {
-    /// Counts as impacts what `stage` does.
-    pub(super) fn agree(&mut self, stage: &Assembly) {
-        for side in &mut self.stages {
-            side.impact.clone_from(&stage.impact);
-            for (own, joint) in side.joints.iter_mut().zip(&stage.joints) {
-                own.impact = joint.impact;
-            }
-        }
     }
 }

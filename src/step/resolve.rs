@@ -1,280 +1,151 @@
-//! The solve that repeats until the true geometry agrees: gaps are re-linearised, late contacts join.
+//! Solve and verify, again and again, until the true geometry agrees.
 
-use std::mem::take;
-use std::ops::Range;
-
-use super::assembly::{Assembly, follow};
-use super::replicas::{self, ReplicaPair};
+use super::assemble::Assembly;
+use super::correction::Correction;
+use super::failure::{failed, failed_to_converge, pinch};
+use super::solution::Solution;
+use super::solve::solve;
+use super::verify::verify;
 use super::workspace::Workspace;
-use super::{Effort, StepFailure, StepOutput, Tunnelling};
-use crate::Vec3;
-use crate::contact::{Partner, history};
-use crate::detection::configuration::{Candidate, Configuration};
-use crate::scene::Method;
+use super::{Effort, StepFailure, StepOutput};
 use crate::solver::Report;
-use crate::spatial::SpatialVector;
 use crate::state::State;
 
 /// Passes of re-linearisation and late contacts before the step is cut.
 const PASSES: usize = 30;
-/// A loaded contact may leave its linearised surface by this share of the radius before its gap is
-/// re-linearised; overlaps are joint to the tolerance whatever this is.
-const OPENING: f64 = 1e-3;
 /// Weights that press a squeezed sphere into a boundary by its radius: a thousand by a hundredth of it.
 const WEIGHTS: f64 = 1e5;
 
-impl Assembly<'_> {
-    /// Solves until the true geometry agrees: gaps are re-linearised, late contacts join.
-    pub(super) fn resolve(
-        &mut self,
-        (state, effort): (&State, Effort),
-        workspace: &mut Workspace,
-        replicas: &mut [ReplicaPair<'_>],
-    ) -> Result<StepOutput, StepFailure> {
-        let mut total = Report::default();
-        let budget = self.inputs.scene.settings.sweeps.filter(|_| self.moves);
-        let sweep_limit = effort.sweeps.filter(|_| self.moves);
-        // What gives way overlaps by more than the tolerance, though its problem is solved.
-        let mut gives_way = effort.accept && self.soften_pinched();
-        let mut reached = 0.0;
-        for _ in 0..PASSES {
-            let left = budget.map(|budget| budget - total.sweeps);
-            total = total.then(self.solve((state, effort), workspace, left.or(sweep_limit)));
-            if !total.converged && effort.accept && self.soften_pinched() {
-                gives_way = true;
-                total = total.then(self.solve((state, effort), workspace, left.or(sweep_limit)));
+/// Solves until the true geometry agrees: gaps are re-linearised, late contacts join.
+///
+/// # Errors
+/// [`StepFailure`] if the tolerances cannot be met within `effort`.
+pub(super) fn resolve(
+    assembly: &mut Assembly,
+    solution: &mut Solution,
+    (state, effort): (&State, Effort),
+    workspace: &mut Workspace,
+) -> Result<StepOutput, StepFailure> {
+    let mut passes = Passes::new(assembly, solution, (state.penalty, effort));
+    loop {
+        match passes.next(assembly, solution, workspace)? {
+            Pass::Accepted(output) => return Ok(output),
+            Pass::Corrected(correction) => {
+                correction.apply(assembly, solution, state, None);
             }
-            let spent = budget.is_some_and(|budget| total.sweeps >= budget);
-            let as_it_is = spent || (effort.accept && !total.converged);
-            if !total.converged && !as_it_is {
-                return Err(self.failure(&total));
-            }
-            replicas::follow(self, replicas).map_err(|broken| self.broken(&total, broken))?;
-            let checked = self.check(state, workspace, replicas, (as_it_is, effort.pass));
-            let (overlap, agrees) = checked.map_err(|passed| self.too_fast(&total, passed))?;
-            if agrees {
-                return Ok(StepOutput {
-                    unconverged: !total.converged || gives_way,
-                    ..StepOutput::of(total, overlap)
-                });
-            }
-            reached = overlap;
         }
-        if effort.accept {
-            return Ok(StepOutput {
-                unconverged: true,
-                ..StepOutput::of(total, reached)
-            });
+    }
+}
+
+/// Passes of solve and verify.
+pub(super) struct Passes {
+    penalty: f64,
+    effort: Effort,
+    count: usize,
+    total: Report,
+    /// Most sweeps of all passes, and of one.
+    budget: Option<usize>,
+    sweep_limit: Option<usize>,
+    /// What gives way overlaps by more than the tolerance, though its problem is solved.
+    gives_way: bool,
+}
+
+/// How a pass ends.
+pub(super) enum Pass {
+    /// The true geometry agrees, or the solution is taken as it is.
+    Accepted(StepOutput),
+    /// The problem is to be corrected before the next pass.
+    Corrected(Correction),
+}
+
+impl Passes {
+    pub(super) fn new(
+        assembly: &mut Assembly,
+        solution: &Solution,
+        (penalty, effort): (f64, Effort),
+    ) -> Self {
+        let settings = &assembly.prediction.scene.settings;
+        Self {
+            penalty,
+            effort,
+            count: 0,
+            total: Report::default(),
+            budget: settings.sweeps.filter(|_| assembly.moves),
+            sweep_limit: effort.sweeps.filter(|_| assembly.moves),
+            gives_way: effort.accept && soften_pinched(assembly, solution),
         }
-        Err(StepFailure {
-            what: "gap",
-            residual: f64::NAN,
-            tolerance: self.inputs.scene.settings.tolerance.gap,
-            contact: None,
-            // Forces without bound satisfy a pinch on paper: then only the geometry refuses it.
-            pinched: (0..self.candidates.len()).find_map(|row| self.pinch(row)),
-            passed: None,
-            broken: None,
-        })
     }
 
-    /// Lets the contacts with boundaries of spheres that two rigid ones squeeze give way, so that there is an answer: `k` such
-    /// that [`WEIGHTS`] weights press a sphere in by a radius. Returns whether there are new ones.
-    fn soften_pinched(&mut self) -> bool {
-        let mut squeezed: Vec<u32> = (0..self.candidates.len())
-            .filter_map(|row| self.pinch(row))
-            .map(|(sphere, _)| sphere as u32)
-            .collect();
-        squeezed.dedup();
-        let scene = self.inputs.scene;
-        for k in 0..self.candidates.len() {
-            let key = self.candidates[k].key;
-            let of_boundary = matches!(key.partner, Partner::Boundary { .. });
-            if of_boundary && squeezed.contains(&key.sphere) {
-                let i = key.sphere as usize;
-                let weight = scene.particles.mass[i] * self.inputs.gravity_size.max(1.0);
-                let stiffness = WEIGHTS * weight / scene.particles.radius[i];
-                let compliance = 1.0 / (stiffness * self.inputs.step * self.inputs.step);
-                self.problem
-                    .rows
-                    .update(k, |row| row.compliance_n = compliance);
-            }
-        }
-        !squeezed.is_empty()
+    /// What the solves have done so far.
+    pub(super) fn report(&self) -> &Report {
+        &self.total
     }
 
-    /// Holds the impulses against the true geometry at the end of the step: the largest overlap over radius there, and whether
-    /// the problem could stay as it is. If they are to be taken `as_it_is` it does, and bodies may `pass` if they may.
+    /// Solves and verifies once more.
     ///
     /// # Errors
-    /// Bodies that pass through each other.
-    fn check(
+    /// As [`resolve`].
+    pub(super) fn next(
         &mut self,
-        state: &State,
+        assembly: &mut Assembly,
+        solution: &mut Solution,
         workspace: &mut Workspace,
-        replicas: &mut [ReplicaPair<'_>],
-        (as_it_is, pass): (bool, bool),
-    ) -> Result<(f64, bool), Tunnelling> {
-        let solution = take(&mut self.solution);
-        let mut position = take(&mut self.position);
-        let mut closed = take(&mut self.closed);
-        self.lead(&solution, &mut position);
-        let ends = self.end_poses(&solution);
-        let end = Configuration {
-            position: &position,
-            poses: &ends,
-            ..self.start
-        };
-        workspace.neighbors.ensure(&end, &[], 0.0);
-        let limit = self.inputs.scene.settings.tolerance.gap;
-        let max_overlap = end.overlaps(&workspace.neighbors, limit, &self.pool, &mut closed);
-        // The penalty method lets bodies overlap as they like.
-        let alm = self.inputs.scene.settings.method == Method::Alm;
-        let swept = alm && self.moves && !pass;
-        let struck = if swept {
-            self.struck(&end, &closed)
-        } else {
-            None
-        };
-        let verdict = if let Some(passed) = struck {
-            Err(passed)
-        } else if alm && !as_it_is && self.correct(&end, &closed, (&solution, state), replicas) {
-            Ok((max_overlap, false))
-        } else if swept && let Some(passed) = self.passed(&solution, &ends, workspace) {
-            Err(passed)
-        } else {
-            Ok((max_overlap, true))
-        };
-        (self.solution, self.position, self.closed) = (solution, position, closed);
-        verdict
+    ) -> Result<Pass, StepFailure> {
+        let accept = self.effort.accept;
+        self.count += 1;
+        let limit = self.budget.map(|budget| budget - self.total.sweeps);
+        let limit = limit.or(self.sweep_limit);
+        let how = (self.penalty, self.effort);
+        let report = solve(assembly, solution, how, &mut workspace.solver, limit);
+        self.total = self.total.then(report);
+        if !self.total.converged && accept && soften_pinched(assembly, solution) {
+            self.gives_way = true;
+            let report = solve(assembly, solution, how, &mut workspace.solver, limit);
+            self.total = self.total.then(report);
+        }
+        let spent = self.budget.is_some_and(|most| self.total.sweeps >= most);
+        let as_it_is = spent || (accept && !self.total.converged);
+        if !self.total.converged && !as_it_is {
+            return Err(failed(assembly, solution, &self.total));
+        }
+        let how = (as_it_is, self.effort.pass);
+        let verdict = verify(assembly, solution, workspace, how);
+        let verdict = verdict.map_err(|passed| StepFailure {
+            passed: Some(passed),
+            ..failed(assembly, solution, &self.total)
+        })?;
+        let output = StepOutput::of(self.total, verdict.max_overlap);
+        match verdict.correction {
+            Some(correction) if self.count < PASSES => Ok(Pass::Corrected(correction)),
+            Some(_) if !accept => Err(failed_to_converge(assembly, solution)),
+            correction => Ok(Pass::Accepted(StepOutput {
+                unconverged: correction.is_some() || !self.total.converged || self.gives_way,
+                ..output
+            })),
+        }
     }
+}
 
-    /// Compares the linear gaps with the true ones at the end of the step. Re-linearises those that are off
-    /// (the gap only: normals and arms keep the start of the step, as in SHAKE) and adds contacts that closed
-    /// without being candidates. Returns whether anything changed.
-    fn correct(
-        &mut self,
-        end: &Configuration,
-        closed: &[Candidate],
-        (solution, state): (&[SpatialVector], &State),
-        replicas: &mut [ReplicaPair<'_>],
-    ) -> bool {
-        let settings = &self.inputs.scene.settings;
-        let tolerance = settings.tolerance.gap;
-        let opening = OPENING.max(3.0 * settings.opening);
-        let loaded = |k: usize| self.impulses[k] != Vec3::zeros();
-        let of_boundary =
-            |k: usize| matches!(self.candidates[k].key.partner, Partner::Boundary { .. });
-        // Two spheres without load that overlap are among the closed ones below.
-        let is_off = |k: usize| {
-            (loaded(k) || of_boundary(k)) && {
-                let (gap, radius) = (self.true_gap(end, k), self.problem.rows.radius(k));
-                let opens = loaded(k) && !self.impact[k] && gap > opening * radius;
-                gap < -tolerance * radius || opens
-            }
-        };
-        let any = |_, range: Range<usize>| range.into_iter().any(is_off);
-        let all = 0..self.candidates.len();
-        let mut off = self.pool.pieces(all, any, |a, b| a | b);
-        let mut late: Vec<Candidate> = Vec::new();
-        for found in closed {
-            match self
-                .candidates
-                .binary_search_by_key(&found.key, |known| known.key)
-            {
-                Ok(k) => off |= !loaded(k),
-                Err(_) => late.push(*found),
-            }
-        }
-        if !off && late.is_empty() {
-            return false;
-        }
-        // A rebound yields only to an overlap.
-        let yields: Vec<bool> = (0..self.candidates.len())
-            .map(|k| {
-                !self.impact[k] || self.true_gap(end, k) < -tolerance * self.problem.rows.radius(k)
-            })
-            .collect();
-        self.relinearise(end, solution, &yields);
-        let known_impact: Vec<bool> = late
-            .iter()
-            .map(|found| self.insert(*found, (solution, state), None))
-            .collect();
-        for stage in replicas.iter_mut().flat_map(|pair| &mut pair.stages) {
-            let solution = stage.problem.velocities(&stage.impulses);
-            let (position, poses) = (stage.moved(&solution), stage.end_poses(&solution));
-            let end = Configuration {
-                position: &position,
-                poses: &poses,
-                ..stage.start
-            };
-            let late: Vec<Candidate> = late.iter().map(|found| follow(&end, found)).collect();
-            stage.relinearise(&end, &solution, &yields);
-            for (found, known_impact) in late.into_iter().zip(&known_impact) {
-                stage.insert(found, (&solution, state), Some(*known_impact));
-            }
-        }
-        true
-    }
-
-    /// Lets the gaps of the contacts that yield be the true ones at `end`, where `solution` leads.
-    fn relinearise(&mut self, end: &Configuration, solution: &[SpatialVector], yields: &[bool]) {
-        let (step, settings) = (self.inputs.step, &self.inputs.scene.settings);
-        for k in (0..yields.len()).filter(|&k| yields[k]) {
-            let gap = self.true_gap(end, k);
-            let row = self.problem.rows.get(k);
-            let n = row.normal;
-            let linear = step * n.dot(&row.relative_velocity(solution));
-            let compression = self.impulses[k].dot(&n) * row.compliance_n * step;
-            let carried = settings.carried(self.candidates[k].gap, row.radius);
-            let wanted = (gap - carried - compression - linear) / step;
-            let now = row.bias.dot(&n);
-            let wanted = match self.impact[k] {
-                true => wanted.min(now),
-                false => wanted,
-            };
-            self.problem.rows.shift(k, wanted - now);
+/// Lets the contacts with boundaries of spheres that two rigid ones squeeze give way, so that there is an answer: `k` such
+/// that [`WEIGHTS`] weights press a sphere in by a radius. Returns whether there are new ones.
+fn soften_pinched(assembly: &mut Assembly, solution: &Solution) -> bool {
+    let mut squeezed: Vec<u32> = (0..assembly.candidates.len())
+        .filter_map(|row| pinch(assembly, solution, row))
+        .map(|(sphere, _)| sphere as u32)
+        .collect();
+    squeezed.dedup();
+    let prediction = assembly.prediction;
+    let particles = &prediction.scene.particles;
+    for k in 0..assembly.candidates.len() {
+        let sphere = assembly.candidates[k].key.sphere;
+        if assembly.is_with_boundary(k) && squeezed.contains(&sphere) {
+            let i = sphere as usize;
+            let weight = particles.mass[i] * prediction.gravity_size.max(1.0);
+            let stiffness = WEIGHTS * weight / particles.radius[i];
+            let compliance = 1.0 / (stiffness * prediction.step * prediction.step);
+            let rows = &mut assembly.problem.rows;
+            rows.update(k, |row| row.compliance_n = compliance);
         }
     }
-
-    /// Gap \[m\] of contact `k` at `end`, without the compression of a contact spring, which is not an overlap.
-    fn true_gap(&self, end: &Configuration, k: usize) -> f64 {
-        let gap = end.gap(&self.candidates[k]);
-        match self.problem.rows.compliance(k) {
-            0.0 => gap,
-            c => gap + self.impulses[k].dot(&self.problem.rows.normal(k)) * c * self.inputs.step,
-        }
-    }
-
-    /// Adds a contact that `solution` closes: its normal is the one it closes with. Returns whether it is an impact, as
-    /// `known_impact` or as it is found.
-    fn insert(
-        &mut self,
-        found: Candidate,
-        (solution, state): (&[SpatialVector], &State),
-        known_impact: Option<bool>,
-    ) -> bool {
-        let past = history::find(&state.contacts, found.key);
-        let (mut row, impact) = self.inputs.contact(
-            &self.problem.free,
-            &found,
-            past.force(&state.contacts),
-            known_impact,
-        );
-        let linear = self.inputs.step * found.normal.dot(&row.relative_velocity(solution));
-        let carried = self.inputs.scene.settings.opening * row.radius;
-        row.bias += row.normal
-            * ((found.gap - carried - linear) / self.inputs.step - row.bias.dot(&row.normal));
-        let at = self.candidates.partition_point(|c| c.key < found.key);
-        self.candidates.insert(at, found);
-        self.problem.rows.insert(at, row);
-        self.impact.insert(at, impact);
-        self.past.insert(at, past);
-        self.impulses.insert(at, Vec3::zeros());
-        self.problem
-            .rows
-            .bind(|contact| *contact += u32::from(*contact as usize >= at));
-        self.resist(state, at);
-        impact
-    }
+    !squeezed.is_empty()
 }

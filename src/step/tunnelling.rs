@@ -13,150 +13,140 @@
 use std::mem::take;
 
 use super::Tunnelling;
-use super::assembly::Assembly;
+use super::assemble::Assembly;
+use super::solution::Solution;
 use super::workspace::Workspace;
 use crate::Vec3;
 use crate::contact::{ContactId, Partner};
 use crate::detection::configuration::{Candidate, Configuration};
 use crate::detection::detection_distance::DetectionDistance;
 use crate::detection::sweep::{least_distance, meets};
+use crate::spatial::Pose;
 use crate::spatial::cell::{HERE, Image};
 use crate::spatial::extent::smaller;
-use crate::spatial::{Pose, SpatialVector};
 
 /// Relative motion over the smaller radius up to which the ends of a step tell all \[-\].
 pub(super) const SMALL_MOTION: f64 = 0.5;
 /// How deep a way may go into another body before it counts as passing, over the smaller radius \[-\].
 const DEPTH: f64 = 0.1;
 
-impl Assembly<'_> {
-    /// The first pair, in canonical order, that passes or is joint apart without need.
-    pub(super) fn passed(
-        &self,
-        solution: &[SpatialVector],
-        ends: &[Pose],
-        workspace: &mut Workspace,
-    ) -> Option<Tunnelling> {
-        let step = self.inputs.step;
-        let spheres = self.inputs.kinematics.len();
-        let free = &self.problem.free[..spheres];
-        let velocities = [&solution[..spheres], free];
-        let both = velocities[0].iter().zip(velocities[1]);
-        let mut reach = take(&mut workspace.reach);
-        DetectionDistance::of(
-            both.map(|(own, free)| [own.linear, free.linear]),
-            step,
-            |_| 0.0,
-            &mut reach,
-        );
-        let start = &self.start;
-        let radii = start.particles.radius.iter().copied();
-        let smallest = radii.fold(f64::INFINITY, smaller);
-        let [_, freely] = self.inputs.poses;
-        let carried =
-            (0..ends.len()).flat_map(|b| [&ends[b], &freely[b]].map(|to| start.carried(b, to)));
-        let carried = carried.fold(0.0, f64::max);
-        let largest = DetectionDistance::largest(&reach);
-        let pairs = 2.0 * largest.pairs.min(largest.boundaries);
-        let small = pairs.max(largest.boundaries + carried) <= SMALL_MOTION * smallest;
-        if !small {
-            workspace.neighbors.ensure(start, &reach, carried);
-        }
-        workspace.reach = reach;
-        if small {
-            return None;
-        }
-        let [position, unhindered] = [solution, &self.problem.free].map(|v| self.moved(v));
-        let [end, free] =
-            [(&position, ends), (&unhindered, freely)].map(|(position, poses)| Configuration {
-                position,
-                poses,
-                ..*start
-            });
-        let radius = &start.particles.radius;
-        let apart = |i: u32, index: u32, image: Image| {
-            let ways = [&end, &free].map(|to| [start, to].map(|at| at.between(i, index, image)));
-            (i, Partner::Sphere { index, image }, ways)
-        };
-        let list = &workspace.neighbors;
-        // Most pairs hardly move against each other.
-        let far = |&&(i, j): &&(u32, u32)| {
-            let [a, b] = [i, j].map(|k| k as usize);
-            let limit = SMALL_MOTION * radius[a].min(radius[b]) * (1.0 - 1e-9);
-            let motion =
-                velocities.map(|v| (v[a].linear - v[b].linear).norm_squared() * step * step);
-            motion[0].max(motion[1]) > limit * limit
-        };
-        let here = list.pairs.iter().filter(far);
-        let here = here.map(|&(i, j)| apart(i, j, HERE));
-        let images = list.images.iter().map(|&(i, j, image)| apart(i, j, image));
-        let boundaries = list.boundaries.iter().map(|near| {
-            let (i, boundary) = (near.sphere, near.boundary);
-            let ways = [&end, &free].map(|to| start.way(to, i, boundary));
-            let feature = 0;
-            (i, Partner::Boundary { boundary, feature }, ways)
+/// The first pair, in canonical order, that passes or is joint apart without need.
+pub(super) fn passed(
+    assembly: &Assembly,
+    solution: &Solution,
+    ends: &[Pose],
+    workspace: &mut Workspace,
+) -> Option<Tunnelling> {
+    let (prediction, start) = (assembly.prediction, &assembly.start());
+    let step = prediction.step;
+    let spheres = prediction.kinematics.len();
+    let free = &assembly.problem.free;
+    let velocities = [&solution.velocity[..spheres], &free[..spheres]];
+    let both = velocities[0].iter().zip(velocities[1]);
+    let mut reach = take(&mut workspace.reach);
+    DetectionDistance::of(
+        both.map(|(own, free)| [own.linear, free.linear]),
+        step,
+        |_| 0.0,
+        &mut reach,
+    );
+    let radii = start.particles.radius.iter().copied();
+    let smallest = radii.fold(f64::INFINITY, smaller);
+    let freely = &prediction.poses[1];
+    let carried =
+        (0..ends.len()).flat_map(|b| [&ends[b], &freely[b]].map(|to| start.carried(b, to)));
+    let carried = carried.fold(0.0, f64::max);
+    let largest = DetectionDistance::largest(&reach);
+    let pairs = 2.0 * largest.pairs.min(largest.boundaries);
+    let small = pairs.max(largest.boundaries + carried) <= SMALL_MOTION * smallest;
+    if !small {
+        workspace.neighbors.ensure(start, &reach, carried);
+    }
+    workspace.reach = reach;
+    if small {
+        return None;
+    }
+    let [position, unhindered] = [&solution.velocity, free].map(|velocity| {
+        let mut position = Vec::new();
+        prediction.end_positions(velocity, &mut position);
+        position
+    });
+    let [end, free] =
+        [(&position, ends), (&unhindered, &freely[..])].map(|(position, poses)| Configuration {
+            position,
+            poses,
+            ..*start
         });
-        here.chain(images)
-            .chain(boundaries)
-            .find_map(|(sphere, partner, [way, free_way])| {
-                let scale = start.scale(ContactId { sphere, partner });
-                let motion = [way, free_way].map(|[a, b]| (b - a).norm() / scale);
-                let far = motion.map(|m| m > SMALL_MOTION);
-                let failed = (far[0] && through(start, sphere, partner, way, radius, scale))
-                    || (far[1]
-                        && self.carries(sphere, partner)
-                        && !met(start, sphere, partner, free_way, radius));
-                let contact = ContactId { sphere, partner };
-                failed.then_some(Tunnelling {
-                    contact,
-                    motion: motion[0].max(motion[1]),
-                })
+    let radius = &start.particles.radius;
+    let apart = |i: u32, index: u32, image: Image| {
+        let ways = [&end, &free].map(|to| [start, to].map(|at| at.between(i, index, image)));
+        (i, Partner::Sphere { index, image }, ways)
+    };
+    let list = &workspace.neighbors;
+    // Most pairs hardly move against each other.
+    let far = |&&(i, j): &&(u32, u32)| {
+        let [a, b] = [i, j].map(|k| k as usize);
+        let limit = SMALL_MOTION * radius[a].min(radius[b]) * (1.0 - 1e-9);
+        let motion = velocities.map(|v| (v[a].linear - v[b].linear).norm_squared() * step * step);
+        motion[0].max(motion[1]) > limit * limit
+    };
+    let here = list.pairs.iter().filter(far);
+    let here = here.map(|&(i, j)| apart(i, j, HERE));
+    let images = list.images.iter().map(|&(i, j, image)| apart(i, j, image));
+    let boundaries = list.boundaries.iter().map(|near| {
+        let (i, boundary) = (near.sphere, near.boundary);
+        let ways = [&end, &free].map(|to| start.way(to, i, boundary));
+        let feature = 0;
+        (i, Partner::Boundary { boundary, feature }, ways)
+    });
+    here.chain(images)
+        .chain(boundaries)
+        .find_map(|(sphere, partner, [way, free_way])| {
+            let scale = start.scale(ContactId { sphere, partner });
+            let motion = [way, free_way].map(|[a, b]| (b - a).norm() / scale);
+            let far = motion.map(|m| m > SMALL_MOTION);
+            let failed = (far[0] && through(start, sphere, partner, way, radius, scale))
+                || (far[1]
+                    && carries(assembly, solution, sphere, partner)
+                    && !met(start, sphere, partner, free_way, radius));
+            let contact = ContactId { sphere, partner };
+            failed.then_some(Tunnelling {
+                contact,
+                motion: motion[0].max(motion[1]),
             })
-    }
-
-    /// The first pair of `closed` that is no candidate and has moved far.
-    pub(super) fn struck(&self, end: &Configuration, closed: &[Candidate]) -> Option<Tunnelling> {
-        let start = &self.start;
-        closed.iter().find_map(|found| {
-            let contact = found.key;
-            let [from, to] = match contact.partner {
-                Partner::Sphere { index, image } => {
-                    [start, end].map(|at| at.between(contact.sphere, index, image))
-                }
-                Partner::Boundary { boundary, .. } => start.way(end, contact.sphere, boundary),
-            };
-            let motion = (to - from).norm() / start.scale(contact);
-            // Rolling on, a sphere finds the next feature of its boundary closed: that is no surprise.
-            (motion > SMALL_MOTION && !self.foreseen(contact))
-                .then_some(Tunnelling { contact, motion })
         })
-    }
+}
 
-    /// Whether this sphere and partner, by whatever feature, are a candidate.
-    fn foreseen(&self, key: ContactId) -> bool {
-        self.contacts_of(key.sphere, key.partner).next().is_some()
-    }
+/// The first pair of `closed` that is no candidate and has moved far.
+pub(super) fn struck(
+    assembly: &Assembly,
+    end: &Configuration,
+    closed: &[Candidate],
+) -> Option<Tunnelling> {
+    let start = &assembly.start();
+    // By whatever feature.
+    let foreseen = |key: ContactId| {
+        let mut contacts = assembly.contacts_between(key.sphere, key.partner);
+        contacts.next().is_some()
+    };
+    closed.iter().find_map(|found| {
+        let contact = found.key;
+        let [from, to] = match contact.partner {
+            Partner::Sphere { index, image } => {
+                [start, end].map(|at| at.between(contact.sphere, index, image))
+            }
+            Partner::Boundary { boundary, .. } => start.way(end, contact.sphere, boundary),
+        };
+        let motion = (to - from).norm() / start.scale(contact);
+        // Rolling on, a sphere finds the next feature of its boundary closed: that is no surprise.
+        (motion > SMALL_MOTION && !foreseen(contact)).then_some(Tunnelling { contact, motion })
+    })
+}
 
-    /// Whether a contact of this sphere and partner, by whatever feature, is loaded.
-    fn carries(&self, sphere: u32, partner: Partner) -> bool {
-        self.contacts_of(sphere, partner)
-            .any(|k| self.impulses[k] != Vec3::zeros())
-    }
-
-    /// The candidates of this sphere and partner, by whatever feature.
-    fn contacts_of(&self, sphere: u32, partner: Partner) -> impl Iterator<Item = usize> {
-        let from = self.candidates.partition_point(|c| c.key.sphere < sphere);
-        let own = self.candidates[from..].iter().zip(from..);
-        own.take_while(move |(c, _)| c.key.sphere == sphere)
-            .filter(move |(c, _)| match (c.key.partner, partner) {
-                (Partner::Sphere { .. }, Partner::Sphere { .. }) => c.key.partner == partner,
-                (Partner::Boundary { boundary: a, .. }, Partner::Boundary { boundary: b, .. }) => {
-                    a == b
-                }
-                _ => false,
-            })
-            .map(|(_, k)| k)
-    }
+/// Whether a contact of this sphere and partner, by whatever feature, is loaded.
+fn carries(assembly: &Assembly, solution: &Solution, sphere: u32, partner: Partner) -> bool {
+    let mut contacts = assembly.contacts_between(sphere, partner);
+    contacts.any(|k| solution.loads(k))
 }
 
 /// Whether the way goes deeper into the partner than its ends.

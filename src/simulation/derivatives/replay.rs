@@ -8,7 +8,7 @@ use crate::simulation::impulse_totals::{Before, ImpulseTotals};
 use crate::simulation::replay_record::Step;
 use crate::simulation::trajectory::Trajectory;
 use crate::state::State;
-use crate::step::{Effort, Replica, Workspace, step_with_replicas};
+use crate::step::{Effort, Replica, Workspace, start_with_replicas, step_with_replicas};
 use std::sync::Arc;
 
 /// A simulation that takes the step of an [`ReplayRecord`] again.
@@ -78,7 +78,23 @@ impl Simulation {
         }
     }
 
-    /// Takes the step of `replay` again, and replica it `pairs`, which start from `replay` with other commands; `see` is called
+    /// Starts the run from `state` again, and with it `pairs` of states to either side.
+    pub(super) fn start_again(
+        &self,
+        state: &State,
+        pairs: &mut [[&mut State; 2]],
+    ) -> Result<(), StepError> {
+        let scene = &self.scene;
+        let (mut state, mut workspace) = (state.clone(), Workspace::default());
+        start_with_replicas(scene, &mut state, &mut workspace, pairs)
+            .map_err(|failure| self.explain(failure, scene.settings.step, 0))?;
+        for state in pairs.iter_mut().flatten() {
+            state.mean_wrenches.clone_from(&state.wrenches);
+        }
+        Ok(())
+    }
+
+    /// Takes the step of `replay` again, and with it `pairs`, which start from `replay` with other commands; `see` is called
     /// after every internal step, with the state before it.
     pub(super) fn replay(
         &self,

@@ -78,7 +78,7 @@ impl Simulation {
                     .iter_mut()
                     .map(|pair| pair.each_mut().map(|simulation| &mut simulation.state))
                     .collect();
-                self.at(state.clone()).settle_beside(&mut states)?;
+                self.start_again(state, &mut states)?;
                 pairs
             }
         };

@@ -1,11 +1,10 @@
-//! From bodies and contacts to algebra: the only place that reads particles and contacts and writes a
-//! [`Problem`].
+//! From bodies and contacts to algebra: the rows of a step's [`Problem`](crate::problem::Problem).
 //!
 //! Terms of the paper's potential energy (eq 6) and where they are:
 //!
 //! | term | here |
 //! |---|---|
-//! | inertia | `inverse_mass`, `free` |
+//! | inertia | `inverse_mass`, `free` of the problem: `Prediction::bodies` |
 //! | body force, point load | `free`, by the external acceleration |
 //! | constrained spring, spring of a joint | a bilateral row of compliance `1/(P_c dt^2)` and bias `(x - target)/dt` |
 //! | normal contact, shear contact, friction | a contact row |
@@ -18,68 +17,21 @@
 //! gap constraint: it lands on the surface instead of stopping above it.
 
 mod contact;
-mod input;
-pub mod joint;
-mod sphere_motion;
-
-pub use input::AssemblyInput;
-pub use sphere_motion::SphereMotion;
+pub(super) mod joint;
 
 use crate::Vec3;
 use crate::contact::{ContactId, Partner};
 use crate::problem::law::SHEAR_RATIO;
-use crate::problem::{GROUND, Law, Problem, Row};
+use crate::problem::{GROUND, Law, Row};
 use crate::scene::Method;
 use crate::scene::materials::Pair;
 use crate::spatial::SpatialVector;
-use crate::step::assemble::joint::{JointLimit, Kind};
-use crate::step::driven::BodyPrediction;
+use crate::step::prediction::Prediction;
+use crate::step::rows::joint::{JointLimit, Kind};
 
-impl<'a> AssemblyInput<'a> {
-    /// Makes `problem` one without rows: free velocities and inverse masses.
-    pub fn bodies(&self, problem: &mut Problem) {
-        let integrator = self.scene.settings.integrator;
-        let spheres = 0..self.kinematics.len();
-        problem.step = self.step;
-        problem.rows.restart(&self.scene.particles.radius);
-        let free = |i| integrator.free(&self.velocity(i), &self.external[i], self.step);
-        problem.free.clear();
-        problem.free.extend(spheres.clone().map(free));
-        problem
-            .free
-            .extend(self.bodies.iter().map(|body| body.free));
-        // The same in every step.
-        if problem.inverse_mass.len() != spheres.len() {
-            problem.inverse_mass.clear();
-            problem.inverse_mass.extend(spheres.map(|i| SpatialVector {
-                linear: self.scene.particles.inverse_mass(i) * integrator.mobility(),
-                angular: self.scene.particles.inverse_inertia(i) * integrator.mobility(),
-            }));
-        }
-        problem.operators.clear();
-        let operators = self.bodies.iter().map(|body| body.mobility);
-        problem.operators.extend(operators);
-    }
-
-    fn velocity(&self, i: usize) -> SpatialVector {
-        SpatialVector {
-            linear: self.kinematics.velocity[i],
-            angular: self.kinematics.spin[i],
-        }
-    }
-
-    /// Rank and start of the driven body that a boundary is.
-    #[must_use]
-    pub fn body(&self, boundary: usize) -> Option<(usize, &BodyPrediction<'a>)> {
-        let rank = self
-            .bodies
-            .binary_search_by_key(&boundary, |body| body.boundary);
-        rank.ok().map(|rank| (rank, &self.bodies[rank]))
-    }
-
+impl Prediction<'_> {
     /// Largest force \[N\] that gravity and loads exert on a body of a row; zero for the ground.
-    #[must_use]
-    pub fn weight(&self, body: u32) -> f64 {
+    pub(super) fn weight(&self, body: u32) -> f64 {
         let (n, i) = (self.kinematics.len(), body as usize);
         let (mass, acceleration) = if body == GROUND {
             return 0.0;
@@ -105,8 +57,13 @@ impl<'a> AssemblyInput<'a> {
 
     /// The resistance to rolling and twisting of a contact, if it has one: `row` is the contact's row, `rank` its place,
     /// `torque` \[N m\] the last couple.
-    #[must_use]
-    pub fn resistance(&self, key: ContactId, row: &Row, rank: usize, torque: Vec3) -> Option<Row> {
+    pub(super) fn resistance(
+        &self,
+        key: ContactId,
+        row: &Row,
+        rank: usize,
+        torque: Vec3,
+    ) -> Option<Row> {
         let pair = self.pair(key);
         if pair.rolling_friction == 0.0 && pair.twisting_friction == 0.0 {
             return None;
@@ -124,7 +81,10 @@ impl<'a> AssemblyInput<'a> {
             Partner::Boundary { .. } if row.b != GROUND => (own, Vec3::zeros()),
             Partner::Boundary { .. } if locked(row.a) => return None,
             Partner::Boundary { boundary, .. } => {
-                let [start, end] = self.poses.map(|poses| &poses[usize::from(boundary)]);
+                let [start, end] = self
+                    .poses
+                    .each_ref()
+                    .map(|poses| &poses[usize::from(boundary)]);
                 let turning = start.twist_to(end, self.step).angular;
                 (own, -turning * row.radius)
             }
@@ -158,8 +118,12 @@ impl<'a> AssemblyInput<'a> {
 
     /// The row of a stop or spring of driven body `rank`, and whether it is an impact: a stop is met as a wall is, without
     /// restitution.
-    #[must_use]
-    pub fn limit(&self, free: &[SpatialVector], rank: usize, limit: &JointLimit) -> (Row, bool) {
+    pub(super) fn limit(
+        &self,
+        free: &[SpatialVector],
+        rank: usize,
+        limit: &JointLimit,
+    ) -> (Row, bool) {
         let (settings, body) = (&self.scene.settings, &self.bodies[rank]);
         let particles = &self.scene.particles;
         let normal = limit.normal();
@@ -206,8 +170,7 @@ impl<'a> AssemblyInput<'a> {
     }
 
     /// The row of constrained point `s`.
-    #[must_use]
-    pub fn spring(&self, s: usize) -> Row {
+    pub(super) fn spring(&self, s: usize) -> Row {
         let spring = &self.scene.springs[s];
         let i = spring.sphere;
         let arm = self.kinematics.orientation[i] * spring.arm;

@@ -7,7 +7,7 @@ use crate::scene::particles::Kinematics;
 /// A sphere as its contacts see it before the step.
 #[derive(Debug, Clone, Copy)]
 #[repr(C, align(64))]
-pub struct SphereMotion {
+pub(super) struct SphereMotion {
     /// Velocity \[m/s\].
     pub(super) velocity: Vec3,
     /// Angular velocity times radius \[m/s\].
@@ -20,8 +20,7 @@ pub struct SphereMotion {
 
 impl SphereMotion {
     /// All spheres, `[N]`, in the given memory.
-    #[must_use]
-    pub fn all(scene: &Scene, kinematics: &Kinematics, mut memory: Vec<Self>) -> Vec<Self> {
+    pub(super) fn all(scene: &Scene, kinematics: &Kinematics, mut memory: Vec<Self>) -> Vec<Self> {
         let sizes = scene.particles.radius.iter().zip(&scene.particles.mass);
         let ways = kinematics.velocity.iter().zip(&kinematics.spin);
         memory.clear();

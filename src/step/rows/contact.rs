@@ -1,6 +1,5 @@
-//! Rows of contacts: how two bodies contact_row, whether that is an impact, and the scale of its forces.
+//! Rows of contacts: how two bodies meet, whether that is an impact, and the scale of its forces.
 
-use super::AssemblyInput;
 use crate::Vec3;
 use crate::contact::Partner;
 use crate::detection::configuration::Candidate;
@@ -9,12 +8,13 @@ use crate::problem::law::{SHEAR_RATIO, split};
 use crate::problem::{GROUND, Law, Row};
 use crate::scene::Method;
 use crate::spatial::SpatialVector;
-use crate::step::assemble::SphereMotion;
+use crate::step::prediction::Prediction;
+use crate::step::sphere_motion::SphereMotion;
 
 /// Rounding of a velocity that several impulses have changed, over its size \[-\].
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
-/// How the bodies of a contact contact_row.
+/// How the bodies of a contact meet.
 struct ContactKinematics {
     b: u32,
     arm_b: Vec3,
@@ -34,7 +34,7 @@ struct ContactKinematics {
     stiffness: Option<f64>,
 }
 
-impl AssemblyInput<'_> {
+impl Prediction<'_> {
     /// Square of the external acceleration of a sphere \[m^2/s^4\].
     fn pull(&self, sphere: usize) -> f64 {
         self.external[sphere].linear.norm_squared()
@@ -43,7 +43,7 @@ impl AssemblyInput<'_> {
     /// Velocity of a boundary's material point at `x` \[m\], over this step and over the previous one.
     fn boundary_velocity(&self, boundary: usize, x: Vec3) -> [Vec3; 2] {
         let surface = &self.scene.boundaries[boundary];
-        let [start, end] = self.poses.map(|poses| &poses[boundary]);
+        let [start, end] = self.poses.each_ref().map(|poses| &poses[boundary]);
         let now = if start == end {
             Vec3::zeros()
         } else {
@@ -55,8 +55,7 @@ impl AssemblyInput<'_> {
     }
 
     /// The row of a candidate, and whether it is an impact: as `known_impact`, or as it finds. `force` \[N\] is the contact's last one.
-    #[must_use]
-    pub fn contact(
+    pub(crate) fn contact(
         &self,
         free: &[SpatialVector],
         candidate: &Candidate,

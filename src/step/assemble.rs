@@ -1,0 +1,235 @@
+//! Third stage of a step: the rows of its problem, who they are, and the impulses that the solve starts from.
+
+use super::prediction::Prediction;
+use super::rows::joint::JointConstraint;
+use crate::Vec3;
+use crate::contact::history::{self, HistoryIndex};
+use crate::contact::{ContactId, Partner};
+use crate::detection::configuration::{Candidate, Configuration};
+use crate::parallel::Pool;
+use crate::problem::{GROUND, Law, Problem, RowWriter};
+use crate::state::State;
+
+/// Arrays of an [`Assembly`], kept for their memory alone.
+#[derive(Debug, Default)]
+pub(super) struct AssemblyArrays {
+    pub(super) problem: Problem,
+    pub(super) candidates: Vec<Candidate>,
+    pub(super) impact: Vec<bool>,
+    pub(super) past: Vec<HistoryIndex>,
+    pub(super) joints: Vec<JointConstraint>,
+}
+
+/// The problem of a step and who its rows are: candidates, then constrained points, stops and springs of joints, resistances.
+pub(super) struct Assembly<'a> {
+    pub(super) prediction: &'a Prediction<'a>,
+    pub(super) pool: Pool,
+    pub(super) problem: Problem,
+    pub(super) candidates: Vec<Candidate>,
+    /// Of the candidates, whether they are impacts.
+    pub(super) impact: Vec<bool>,
+    /// Which contacts of the last step the candidates continue.
+    pub(super) past: Vec<HistoryIndex>,
+    /// Stops and springs of the driven bodies.
+    pub(super) joints: Vec<JointConstraint>,
+    /// Whether bodies move through the step; a displacement that removes overlaps has no path.
+    pub(super) moves: bool,
+}
+
+/// Of pieces of the contacts: their past, whether they are impacts, and their impulses.
+type Others<'a> = (&'a mut [HistoryIndex], (&'a mut [bool], &'a mut [Vec3]));
+
+/// Writes rows and warm-start impulses for the candidates in `arrays`, whose problem has bodies and no rows yet. Candidates
+/// are impacts as they are found, or as in `impact`. Forces of the last step are those of `state`.
+pub(super) fn assemble<'a>(
+    prediction: &'a Prediction<'a>,
+    arrays: AssemblyArrays,
+    pool: Pool,
+    state: &State,
+    impact: Option<&[bool]>,
+    impulses: &mut Vec<Vec3>,
+) -> Assembly<'a> {
+    let mut assembly = Assembly {
+        prediction,
+        pool,
+        problem: arrays.problem,
+        candidates: arrays.candidates,
+        impact: arrays.impact,
+        past: arrays.past,
+        joints: arrays.joints,
+        moves: true,
+    };
+    assembly.write_contacts(state, impact, impulses);
+    let springs = 0..prediction.targets.len();
+    let forces = state.springs.iter().take(springs.len());
+    impulses.extend(forces.map(|f| f * prediction.step));
+    let rows = &mut assembly.problem.rows;
+    rows.extend(springs.map(|s| prediction.spring(s)));
+    assembly.joints.clear();
+    for (rank, body) in prediction.bodies.iter().enumerate() {
+        for limit in body.joint_limits() {
+            let (row, impact) = prediction.limit(&assembly.problem.free, rank, &limit);
+            assembly.problem.rows.push(row);
+            impulses.push(limit.direction * (limit.force * prediction.step));
+            assembly.joints.push(JointConstraint { limit, impact });
+        }
+    }
+    if prediction.scene.pairs.resists() {
+        for k in 0..assembly.candidates.len() {
+            assembly.resist(state, k, impulses);
+        }
+    }
+    assembly
+}
+
+impl Assembly<'_> {
+    /// Rows of the candidates.
+    fn write_contacts(
+        &mut self,
+        state: &State,
+        known_impact: Option<&[bool]>,
+        impulses: &mut Vec<Vec3>,
+    ) {
+        let (prediction, contacts) = (self.prediction, &*state.contacts);
+        let candidates = &self.candidates[..];
+        let Problem { free, rows, .. } = &mut self.problem;
+        let count = candidates.len();
+        self.past.resize(count, HistoryIndex::NONE);
+        self.impact.resize(count, false);
+        impulses.clear();
+        impulses.resize(count, Vec3::zeros());
+        let known_impact = |k: usize| known_impact.map(|known| known[k]);
+        let write = |first: usize, (mut rows, others): (RowWriter, Others)| {
+            let (past, (impact, impulses)) = others;
+            let keys = candidates[first..].iter().map(|candidate| candidate.key);
+            let transferred = history::transfer(contacts, keys);
+            let mut general = false;
+            for (k, (past, transferred)) in past.iter_mut().zip(transferred).enumerate() {
+                *past = transferred;
+                let (candidate, force) = (&candidates[first + k], past.force(contacts));
+                let (row, hits, plain) =
+                    prediction.contact_row(free, candidate, force, known_impact(first + k));
+                rows.write(k, &row, plain);
+                impact[k] = hits;
+                impulses[k] = force * prediction.step;
+                general |= !plain;
+            }
+            general
+        };
+        let others = (&mut self.impact[..], &mut impulses[..]);
+        let all = (rows.extend_plain(count), (&mut self.past[..], others));
+        if self.pool.pieces(all, write, |a, b| a | b) {
+            let past = &self.past;
+            rows.settle(|k| {
+                let force = past[k].force(contacts);
+                prediction
+                    .contact(free, &candidates[k], force, known_impact(k))
+                    .0
+            });
+        }
+    }
+
+    /// Adds the resistance of contact `k`, if it has one, with its last couple.
+    pub(super) fn resist(&mut self, state: &State, k: usize, impulses: &mut Vec<Vec3>) {
+        let (row, torque) = (
+            self.problem.rows.get(k),
+            self.past[k].torque(&state.contacts),
+        );
+        let key = self.candidates[k].key;
+        if let Some(resistance) = self.prediction.resistance(key, &row, k, torque) {
+            let lever = resistance.radius;
+            self.problem.rows.push(resistance);
+            impulses.push(torque * (self.prediction.step / lever));
+        }
+    }
+
+    /// Its arrays, for the next step.
+    pub(super) fn into_arrays(self) -> AssemblyArrays {
+        AssemblyArrays {
+            problem: self.problem,
+            candidates: self.candidates,
+            impact: self.impact,
+            past: self.past,
+            joints: self.joints,
+        }
+    }
+
+    /// Where everything is at the start of the step.
+    pub(super) fn start(&self) -> Configuration<'_> {
+        let prediction = self.prediction;
+        Configuration::of(
+            prediction.scene,
+            &prediction.kinematics,
+            &prediction.poses[0],
+        )
+    }
+
+    /// The contact that row `k` is, or whose resistance it is.
+    pub(super) fn contact_of(&self, k: usize) -> Option<usize> {
+        if k < self.candidates.len() {
+            return Some(k);
+        }
+        match self.problem.rows.general(k)?.law {
+            Law::Resistance { contact, .. } => Some(contact as usize),
+            _ => None,
+        }
+    }
+
+    /// Whether row `k` belongs to an impact.
+    pub(super) fn is_impact(&self, k: usize) -> bool {
+        match self.contact_of(k) {
+            Some(contact) => self.impact[contact],
+            None => self.joint(k).is_some_and(|joint| joint.impact),
+        }
+    }
+
+    /// Row of the first stop or spring of a driven body.
+    pub(super) fn first_joint(&self) -> usize {
+        self.candidates.len() + self.prediction.targets.len()
+    }
+
+    /// The stop or spring that row `k` is.
+    pub(super) fn joint(&self, k: usize) -> Option<&JointConstraint> {
+        self.joints.get(k.checked_sub(self.first_joint())?)
+    }
+
+    /// The driven body that row `k` has as its body B.
+    pub(super) fn driven_side(&self, k: usize) -> Option<usize> {
+        let [_, b] = self.problem.rows.bodies(k);
+        let spheres = self.prediction.kinematics.len();
+        (b != GROUND && b as usize >= spheres).then_some(b as usize)
+    }
+
+    /// Whether candidate `k` is a contact with a boundary.
+    pub(super) fn is_with_boundary(&self, k: usize) -> bool {
+        matches!(self.candidates[k].key.partner, Partner::Boundary { .. })
+    }
+
+    /// The candidates of this sphere and partner, by whatever feature.
+    pub(super) fn contacts_between(
+        &self,
+        sphere: u32,
+        partner: Partner,
+    ) -> impl Iterator<Item = usize> {
+        let same = move |key: ContactId| match (key.partner, partner) {
+            (Partner::Boundary { boundary: a, .. }, Partner::Boundary { boundary: b, .. }) => {
+                a == b
+            }
+            (a, b) => a == b,
+        };
+        let from = self.candidates.partition_point(|c| c.key.sphere < sphere);
+        let own = self.candidates[from..].iter().zip(from..);
+        own.take_while(move |(c, _)| c.key.sphere == sphere)
+            .filter(move |(c, _)| same(c.key))
+            .map(|(_, k)| k)
+    }
+}
+
+/// The pair of `candidate` at another configuration; where that has no such feature, as it was.
+pub(super) fn follow(at: &Configuration, candidate: &Candidate) -> Candidate {
+    let found = at.follow(candidate);
+    match found.gap.is_finite() {
+        true => found,
+        false => *candidate,
+    }
+}

@@ -1,0 +1,109 @@
+//! The problem at t = 0: of displacements that remove overlaps, and of forces at rest.
+
+use super::assemble::Assembly;
+use super::external;
+use super::rows::joint::JointConstraint;
+use super::solution::Solved;
+use crate::Vec3;
+use crate::detection::configuration::Configuration;
+use crate::problem::{Law, Row, retain};
+use crate::state::State;
+
+impl Assembly<'_> {
+    /// Leaves contacts without friction, for a displacement.
+    pub(super) fn displace(&mut self, impulses: &mut Vec<Vec3>) {
+        self.problem.rows.truncate(self.candidates.len());
+        impulses.truncate(self.candidates.len());
+        let frictionless = |_, row: &mut Row| row.law = Law::Contact { mu: 0.0 };
+        self.problem.rows.update_all(frictionless);
+        self.moves = false;
+    }
+
+    /// Whether each row is kept: of the candidates those that are closed and neither approach nor part.
+    pub(super) fn resting(&self) -> Vec<bool> {
+        let velocity = self.prediction.velocities();
+        let settings = &self.prediction.scene.settings;
+        let mut weight = settings.gravity.norm();
+        if settings.rotating_frame.is_some() {
+            let external = self.prediction.external.iter().map(|a| a.linear.norm());
+            weight = external.fold(weight, f64::max);
+        }
+        let creep = weight * self.prediction.step;
+        // A step leaves a loaded contact open by what it may carry, and its own error.
+        let closed = (settings.tolerance.gap + settings.opening).max(1e-9);
+        let rests = |k: usize| {
+            let row = self.problem.rows.get(k);
+            self.candidates[k].gap <= closed * row.radius
+                && row.normal.dot(&row.relative_velocity(&velocity)).abs() <= 1e-3 * creep
+        };
+        let stop_rests = |joint: &JointConstraint, row: &Row| {
+            joint.limit.distance <= closed * row.radius
+                && row.normal.dot(&row.relative_velocity(&velocity)).abs() <= 1e-3 * creep
+        };
+        (0..self.problem.rows.len())
+            .map(|k| match (self.contact_of(k), self.joint(k)) {
+                (Some(contact), _) => rests(contact),
+                (None, Some(joint)) if joint.limit.stops() => {
+                    stop_rests(joint, &self.problem.rows.get(k))
+                }
+                _ => true,
+            })
+            .collect()
+    }
+
+    /// Keeps these rows. Their contacts may not accelerate into each other: with zero gap, less what sliding over a curved
+    /// surface opens or closes by itself, `g(t) = g + dt n.u + ...`.
+    pub(super) fn keep(&mut self, keep: &[bool], impulses: &mut Vec<Vec3>) {
+        let velocity = self.prediction.velocities();
+        let first = self.first_joint();
+        for (k, joint) in (first..).zip(&mut self.joints) {
+            if joint.limit.stops() {
+                self.problem.rows.update(k, |row| row.bias = Vec3::zeros());
+                joint.impact = false;
+            }
+        }
+        retain(&mut self.joints, &keep[first..]);
+        self.problem.rows.bind(|contact| {
+            let before = &keep[..*contact as usize];
+            *contact = before.iter().filter(|kept| **kept).count() as u32;
+        });
+        let step = self.prediction.step;
+        let mut position = Vec::new();
+        self.prediction.end_positions(&velocity, &mut position);
+        let (scene, kinematics) = (self.prediction.scene, &self.prediction.kinematics);
+        let slid = Configuration {
+            position: &position,
+            ..Configuration::of(scene, kinematics, &self.prediction.poses[0])
+        };
+        for (k, candidate) in self.candidates.iter().enumerate() {
+            if self.problem.rows.compliance(k) == 0.0 {
+                self.problem.rows.update(k, |row| {
+                    let linear = step * row.normal.dot(&row.relative_velocity(&velocity));
+                    let curved = slid.follow(candidate).gap - candidate.gap - linear;
+                    row.bias = row.normal * (2.0 * curved / step);
+                });
+            }
+        }
+        self.impact.fill(false);
+        retain(impulses, keep);
+        self.problem.rows.retain(keep);
+        retain(&mut self.candidates, keep);
+        self.impact.truncate(self.candidates.len());
+    }
+}
+
+impl Solved<'_> {
+    /// Forces at t = 0 into `state`.
+    pub(super) fn commit_forces(&self, state: &mut State) {
+        let prediction = self.prediction();
+        self.store(state);
+        state.springs = self.spring_forces();
+        self.smooth_acceleration(&mut state.smooth);
+        external::keep(prediction.scene, state, &prediction.external);
+        let at_rest = self.finished(&prediction.poses[0]);
+        for (carried, (found, _)) in state.bodies.iter_mut().zip(at_rest) {
+            carried.smooth = found.smooth;
+            carried.joint_forces = found.joint_forces;
+        }
+    }
+}

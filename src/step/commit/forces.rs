@@ -1,0 +1,148 @@
+//! Forces of a solved step: of contacts, on boundaries and driven bodies, and the smooth part that the next step continues.
+
+use std::iter::repeat;
+
+use crate::Vec3;
+use crate::contact::{ContactForce, Partner};
+use crate::problem::Law;
+use crate::spatial::{Pose, SpatialVector, Wrench};
+use crate::state::{BodyState, State};
+use crate::step::rows::joint::JointConstraint;
+use crate::step::solution::Solved;
+
+impl Solved<'_> {
+    /// Contact forces and boundary wrenches into `state`.
+    pub(crate) fn store(&self, state: &mut State) {
+        let step = self.prediction().step;
+        let boundaries = &self.prediction().scene.boundaries;
+        state.contacts.clear();
+        state.wrenches = vec![Wrench::default(); boundaries.len()];
+        state.smooth_wrenches.clone_from(&state.wrenches);
+        let couples = self.couples();
+        for (k, candidate) in self.assembly.candidates.iter().enumerate() {
+            let force = self.solution.impulses[k] / step;
+            let couple = couples.get(k).copied();
+            if force == Vec3::zeros() {
+                continue;
+            }
+            let load = ContactForce {
+                key: candidate.key,
+                normal: candidate.normal,
+                force,
+            };
+            state.contacts.push(load, couple);
+            if let Partner::Boundary { boundary, .. } = candidate.key.partner {
+                let b = usize::from(boundary);
+                let row = self.assembly.problem.rows.get(k);
+                let pose = &self.prediction().poses[0][b];
+                let centre = self.prediction().kinematics.position[row.a as usize];
+                let centre = boundaries[b].copy_near(&self.prediction().scene.cell, pose, centre);
+                let point = centre + row.arm_a;
+                let pivot =
+                    boundaries[b].point_of_action + self.prediction().poses[0][b].translation;
+                let wrench = Wrench {
+                    force: -force,
+                    torque: -(point - pivot).cross(&force) - couple.unwrap_or_default(),
+                };
+                state.wrenches[b].add(&wrench, 1.0);
+                if !self.assembly.impact[k] {
+                    state.smooth_wrenches[b].add(&wrench, 1.0);
+                }
+            }
+        }
+    }
+
+    /// Couple \[N m\] of each contact's resistance on A, `[contacts]`; empty where there is no resistance.
+    fn couples(&self) -> Vec<Vec3> {
+        if !self.prediction().scene.pairs.resists() {
+            return Vec::new();
+        }
+        let mut couples = vec![Vec3::zeros(); self.assembly.candidates.len()];
+        for (k, impulse) in self.solution.impulses.iter().enumerate() {
+            if let Some(row) = self.assembly.problem.rows.general(k)
+                && let Law::Resistance { contact, .. } = row.law
+            {
+                couples[contact as usize] = impulse * (row.radius / self.prediction().step);
+            }
+        }
+        couples
+    }
+
+    pub(crate) fn spring_forces(&self) -> Vec<Vec3> {
+        self.solution.impulses[self.assembly.candidates.len()..][..self.prediction().targets.len()]
+            .iter()
+            .map(|p| p / self.prediction().step)
+            .collect()
+    }
+
+    /// What the driven bodies carry on after `solution`, and the work of their dampers \[J\], `[D]`.
+    pub(crate) fn finished(&self, ends: &[Pose]) -> Vec<(BodyState, f64)> {
+        let spheres = self.prediction().kinematics.len();
+        let bodies = self.prediction().bodies.iter().enumerate();
+        bodies
+            .map(|(d, body)| {
+                let [mut contacts, mut smooth] = [SpatialVector::ZERO; 2];
+                let mut joint_forces = [0.0; 3];
+                let rank = (spheres + d) as u32;
+                for (k, &p) in self.solution.impulses.iter().enumerate() {
+                    let bodies = self.assembly.problem.rows.bodies(k);
+                    let Some(side) = bodies.iter().position(|&body| body == rank) else {
+                        continue;
+                    };
+                    let grip = self.assembly.problem.rows.get(k).jacobian()[side];
+                    let push = grip.momentum([p, -p][side]);
+                    if let Some(JointConstraint { limit, .. }) = self.assembly.joint(k) {
+                        let force = p.dot(&limit.direction) / self.prediction().step;
+                        joint_forces[limit.slot()] = force * limit.lever;
+                    }
+                    contacts = contacts.plus(&push, 1.0);
+                    if !self.assembly.is_impact(k) {
+                        smooth = smooth.plus(&push, 1.0);
+                    }
+                }
+                let settings = &self.prediction().scene.settings;
+                let impulses = [&contacts, &smooth];
+                let end = &ends[body.boundary];
+                body.finish(
+                    settings,
+                    &self.solution.velocity[spheres + d],
+                    impulses,
+                    joint_forces,
+                    end,
+                    self.prediction().step,
+                )
+            })
+            .collect()
+    }
+
+    /// Acceleration by external forces and all contacts that are no impacts, `[N]`: what `solution` has over the free motion,
+    /// less what impacts gave.
+    pub(crate) fn smooth_acceleration(&self, acceleration: &mut Vec<SpatialVector>) {
+        let mobility = self.prediction().scene.settings.integrator.mobility();
+        let rate = 1.0 / (mobility * self.prediction().step);
+        // Driven bodies keep their own account.
+        let external = self
+            .prediction()
+            .external
+            .iter()
+            .chain(repeat(&SpatialVector::ZERO));
+        let changes = self
+            .solution
+            .velocity
+            .iter()
+            .zip(&self.assembly.problem.free)
+            .zip(external);
+        acceleration.clear();
+        acceleration
+            .extend(changes.map(|((v, free), external)| external.plus(&v.plus(free, -1.0), rate)));
+        for (k, impulse) in self.solution.impulses.iter().enumerate() {
+            if *impulse != Vec3::zeros() && self.assembly.is_impact(k) {
+                let row = self.assembly.problem.rows.get(k);
+                self.assembly
+                    .problem
+                    .apply(&row, acceleration, impulse * -rate);
+            }
+        }
+        acceleration.truncate(self.prediction().kinematics.len());
+    }
+}

@@ -1,0 +1,112 @@
+//! Last stage of a step: from its solution to the next state.
+
+mod energy;
+mod forces;
+
+use std::mem::swap;
+
+use nalgebra::UnitQuaternion;
+
+use super::assemble::Assembly;
+use super::external;
+use super::solution::{Solution, Solved};
+use crate::Vec3;
+use crate::spatial::{SpatialVector, turned};
+use crate::state::State;
+
+/// Of pieces of the spheres: centres and orientations.
+type Places<'a> = (&'a mut [Vec3], &'a mut [UnitQuaternion<f64>]);
+/// Likewise velocities and spins.
+type Velocities<'a> = (&'a mut [Vec3], &'a mut [Vec3]);
+
+/// Writes a solved step into `state`: motion, contact forces, wrenches, work. The time stays. `spare` is memory.
+pub(super) fn commit(solved: &Solved, state: &mut State, spare: &mut Vec<SpatialVector>) {
+    let prediction = solved.prediction();
+    let (scene, dt) = (prediction.scene, prediction.step);
+    let ends = prediction.end_poses(&solved.solution.velocity);
+    solved.smooth_acceleration(spare);
+    let finished = solved.finished(&ends);
+    solved.work(state);
+    solved.body_work(state, &finished, &ends);
+    solved.store(state);
+    state.springs = solved.spring_forces();
+    solved.advance(state, spare);
+    swap(&mut state.smooth, spare);
+    for (carried, (after, _)) in state.bodies.iter_mut().zip(finished) {
+        *carried = after;
+    }
+    let paths = state.poses.iter().zip(&ends);
+    state.twists = paths.map(|(from, to)| from.twist_to(to, dt)).collect();
+    state.poses = ends;
+    external::keep(scene, state, &prediction.external);
+    solved.gravity_work(state);
+    state.last_step = dt;
+}
+
+/// Counts as impacts the contacts that an impact has hit through others: their impulses are more than twice what they
+/// carried before and what loads bring in a step. As persisting forces they would shift the half step.
+pub(super) fn spread_impacts(assembly: &mut Assembly, solution: &Solution, state: &State) {
+    let struck = |(k, p): (usize, &Vec3)| *p != Vec3::zeros() && assembly.is_impact(k);
+    if !solution.impulses.iter().enumerate().any(struck) {
+        return;
+    }
+    let prediction = assembly.prediction;
+    let step = prediction.step;
+    let first = assembly.first_joint();
+    for (k, joint) in assembly.joints.iter_mut().enumerate() {
+        let load = prediction.weight(assembly.problem.rows.bodies(first + k)[0]);
+        let before = joint.limit.force.abs();
+        let handed_on = solution.impulses[first + k].norm() > 2.0 * step * (before + load);
+        joint.impact |= joint.limit.stops() && handed_on;
+    }
+    for (k, (impact, past)) in assembly.impact.iter_mut().zip(&assembly.past).enumerate() {
+        let size = solution.impulses[k].norm();
+        let before = past.force(&state.contacts).norm();
+        // Most carry what they did.
+        if size <= 2.0 * step * before {
+            continue;
+        }
+        let bodies = assembly.problem.rows.bodies(k);
+        let load = bodies.map(|body| prediction.weight(body));
+        let load = load[0].max(load[1]);
+        *impact |= size > 2.0 * step * (before + load);
+    }
+}
+
+impl Solved<'_> {
+    /// Moves the spheres. What of the change of their kinetic energy external forces and [`Self::work`] do not account for is
+    /// numerical work.
+    fn advance(&self, state: &mut State, smooth: &[SpatialVector]) {
+        let (scene, step) = (self.prediction().scene, self.prediction().step);
+        let (particles, integrator) = (&scene.particles, scene.settings.integrator);
+        let kinetic =
+            |i: usize, v: &SpatialVector| particles.kinetic_energy(i, &v.linear, &v.angular);
+        let (start, end) = (&self.prediction().kinematics, &mut state.kinematics);
+        let places = (&mut end.position[..], &mut end.orientation[..]);
+        let velocities = (&mut end.velocity[..], &mut end.spin[..]);
+        let carried = &state.smooth[..];
+        let advance = |first: usize, (places, velocities): (Places, Velocities)| {
+            let places = places.0.iter_mut().zip(places.1);
+            let velocities = velocities.0.iter_mut().zip(velocities.1);
+            let mut numerical_work = 0.0;
+            for (i, (place, motion)) in (first..).zip(places.zip(velocities)) {
+                let ((position, orientation), (velocity, spin)) = (place, motion);
+                let (v1, external) = (&self.solution.velocity[i], &self.prediction().external[i]);
+                let before = start.spatial_velocity(i);
+                let after = integrator.finish(&before, v1, scene.settings.dynamic_coefficient);
+                let old = integrator.reported(&before, &carried[i], step);
+                let new = integrator.reported(&after, &smooth[i], step);
+                let power = particles.mass[i] * external.linear.dot(&v1.linear)
+                    + particles.inertia(i) * external.angular.dot(&v1.angular);
+                numerical_work += kinetic(i, &new) - kinetic(i, &old) - step * power;
+                *position = start.position[i] + v1.linear * step;
+                *orientation = turned(&start.orientation[i], &v1.angular, step);
+                (*velocity, *spin) = (after.linear, after.angular);
+            }
+            numerical_work
+        };
+        let spheres = (places, velocities);
+        let numerical_work = self.assembly.pool.pieces(spheres, advance, |a, b| a + b);
+        state.work.numerical_work += numerical_work;
+    }
+}

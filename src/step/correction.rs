@@ -1,0 +1,126 @@
+//! What the true geometry corrects in the problem of a step.
+
+use super::assemble::{Assembly, follow};
+use super::solution::Solution;
+use crate::Vec3;
+use crate::contact::history;
+use crate::detection::configuration::{Candidate, Configuration};
+use crate::state::State;
+
+/// What the true geometry corrects in a problem: of gaps alone, normals and arms keep the start of the step, as in SHAKE.
+pub(super) struct Correction {
+    /// Of the candidates, whether their gap is re-linearised.
+    pub(super) yields: Vec<bool>,
+    /// Contacts that close without being candidates, with the normals that they close with.
+    pub(super) late: Vec<Candidate>,
+}
+
+/// Gap \[m\] of contact `k` at `end`, without the compression of a contact spring, which is not an overlap.
+pub(super) fn true_gap(
+    assembly: &Assembly,
+    solution: &Solution,
+    end: &Configuration,
+    k: usize,
+) -> f64 {
+    let gap = end.gap(&assembly.candidates[k]);
+    let rows = &assembly.problem.rows;
+    match rows.compliance(k) {
+        0.0 => gap,
+        c => gap + solution.impulses[k].dot(&rows.normal(k)) * c * assembly.prediction.step,
+    }
+}
+
+impl Correction {
+    /// Applies this to a problem at its `solution`; forces of the last step are those of `state`. Late contacts are impacts as
+    /// found, which is returned, or as in `impact`.
+    pub(super) fn apply(
+        &self,
+        assembly: &mut Assembly,
+        solution: &mut Solution,
+        state: &State,
+        impact: Option<&[bool]>,
+    ) -> Vec<bool> {
+        let prediction = assembly.prediction;
+        let mut position = Vec::new();
+        prediction.end_positions(&solution.velocity, &mut position);
+        let poses = prediction.end_poses(&solution.velocity);
+        let end = Configuration {
+            position: &position,
+            poses: &poses,
+            ..Configuration::of(
+                prediction.scene,
+                &prediction.kinematics,
+                &prediction.poses[0],
+            )
+        };
+        let late: Vec<Candidate> = match impact {
+            None => self.late.clone(),
+            Some(_) => self.late.iter().map(|found| follow(&end, found)).collect(),
+        };
+        for k in (0..self.yields.len()).filter(|&k| self.yields[k]) {
+            let gap = true_gap(assembly, solution, &end, k);
+            relinearise(assembly, solution, k, gap);
+        }
+        let late = late.iter().enumerate();
+        late.map(|(k, found)| {
+            insert(
+                assembly,
+                solution,
+                state,
+                found,
+                impact.map(|known| known[k]),
+            )
+        })
+        .collect()
+    }
+}
+
+/// Lets the gap of contact `k` be the true `gap` \[m\] where the solution leads.
+fn relinearise(assembly: &mut Assembly, solution: &Solution, k: usize, gap: f64) {
+    let (step, settings) = (
+        assembly.prediction.step,
+        &assembly.prediction.scene.settings,
+    );
+    let row = assembly.problem.rows.get(k);
+    let n = row.normal;
+    let linear = step * n.dot(&row.relative_velocity(&solution.velocity));
+    let compression = solution.impulses[k].dot(&n) * row.compliance_n * step;
+    let carried = settings.carried(assembly.candidates[k].gap, row.radius);
+    let wanted = (gap - carried - compression - linear) / step;
+    let now = row.bias.dot(&n);
+    let wanted = match assembly.impact[k] {
+        true => wanted.min(now),
+        false => wanted,
+    };
+    assembly.problem.rows.shift(k, wanted - now);
+}
+
+/// Adds a contact that the solution closes. Returns whether it is an impact, as `known_impact` or as it is found.
+fn insert(
+    assembly: &mut Assembly,
+    solution: &mut Solution,
+    state: &State,
+    found: &Candidate,
+    known_impact: Option<bool>,
+) -> bool {
+    let prediction = assembly.prediction;
+    let past = history::find(&state.contacts, found.key);
+    let force = past.force(&state.contacts);
+    let (mut row, impact) = prediction.contact(&assembly.problem.free, found, force, known_impact);
+    let step = prediction.step;
+    let linear = step * found.normal.dot(&row.relative_velocity(&solution.velocity));
+    let carried = prediction.scene.settings.opening * row.radius;
+    row.bias += row.normal * ((found.gap - carried - linear) / step - row.bias.dot(&row.normal));
+    let at = assembly.candidates.partition_point(|c| c.key < found.key);
+    assembly.candidates.insert(at, *found);
+    assembly.problem.rows.insert(at, row);
+    assembly.impact.insert(at, impact);
+    assembly.past.insert(at, past);
+    solution.impulses.insert(at, Vec3::zeros());
+    assembly
+        .problem
+        .rows
+        .bind(|contact| *contact += u32::from(*contact as usize >= at));
+    assembly.resist(state, at, &mut solution.impulses);
+    impact
+}

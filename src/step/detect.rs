@@ -1,0 +1,54 @@
+//! Second stage of a step: the pairs that may touch within it.
+
+use std::mem::take;
+
+use super::prediction::Prediction;
+use super::workspace::Workspace;
+use crate::detection::configuration::{Candidate, Configuration};
+use crate::detection::detection_distance::DetectionDistance;
+use crate::spatial::SpatialVector;
+use crate::spatial::extent::larger;
+
+/// Contacts with a gap below this share of the radius are candidates even at rest.
+const NEAR: f64 = 1e-3;
+
+/// Into `candidates` the pairs within reach of the step, in canonical order. `free` are velocities without contacts, `[N + D]`.
+///
+/// What a sphere can move is known before contacts change its velocity: [`super::verify`] finds what this misses.
+pub(super) fn detect(
+    prediction: &Prediction,
+    free: &[SpatialVector],
+    workspace: &mut Workspace,
+    candidates: &mut Vec<Candidate>,
+) {
+    let (scene, step) = (prediction.scene, prediction.step);
+    let [start, end] = &prediction.poses;
+    let configuration = Configuration::of(scene, &prediction.kinematics, start);
+    let both = prediction.kinematics.velocity.iter().zip(free);
+    let both = both.map(|(now, free)| [*now, free.linear]);
+    let radii = &scene.particles.radius;
+    let mut reach = take(&mut workspace.reach);
+    DetectionDistance::of(both, step, |i| NEAR * radii[i], &mut reach);
+    let largest = radii.iter().copied().fold(0.0, larger);
+    let diameter = 2.0 * (largest + DetectionDistance::largest(&reach).pairs);
+    workspace
+        .solver
+        .kernel
+        .prepare(configuration.position, diameter);
+    // Of every sphere and boundary: what the list holds already must not decide what it lacks.
+    let carried = (0..scene.boundaries.len()).map(|b| configuration.carried(b, &end[b]));
+    let carried = carried.fold(0.0, f64::max);
+    workspace.neighbors.ensure(&configuration, &reach, carried);
+    // Against other spheres a displacement that all have in common does not count.
+    let of_pair = |i: u32, j: u32| {
+        let [a, b] = [i, j].map(|k| &reach[k as usize]);
+        (a.pairs + b.pairs).min(a.boundaries + b.boundaries)
+    };
+    let of_boundary = |i: u32, b: u16| {
+        let (i, b) = (i as usize, usize::from(b));
+        let x = prediction.kinematics.position[i];
+        reach[i].boundaries + configuration.way_at(b, &end[b], x)
+    };
+    configuration.candidates(&workspace.neighbors, of_pair, of_boundary, candidates);
+    workspace.reach = reach;
+}

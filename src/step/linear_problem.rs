@@ -1,0 +1,28 @@
+//! The problem that a step begins with: candidates, their rows, a warm start.
+
+use std::mem::take;
+
+use super::assemble::{Assembly, assemble};
+use super::detect::detect;
+use super::prediction::Prediction;
+use super::solution::Solution;
+use super::workspace::Workspace;
+use crate::state::State;
+
+/// Candidates and problem of a prediction, with the impulses that the solve starts from.
+pub(super) fn linear_problem<'a>(
+    prediction: &'a Prediction<'a>,
+    state: &State,
+    workspace: &mut Workspace,
+) -> (Assembly<'a>, Solution) {
+    let threads = prediction.scene.settings.threads;
+    let pool = workspace.solver.kernel.pool(threads);
+    let mut arrays = take(&mut workspace.assembly);
+    let mut solution = take(&mut workspace.solution);
+    prediction.bodies(&mut arrays.problem);
+    let (free, candidates) = (&arrays.problem.free, &mut arrays.candidates);
+    detect(prediction, free, workspace, candidates);
+    let impulses = &mut solution.impulses;
+    let assembly = assemble(prediction, arrays, pool, state, None, impulses);
+    (assembly, solution)
+}
