@@ -1,9 +1,10 @@
-//! Internal steps of a communication step: equal, halved where one fails, landing exactly on its end.
+//! Communication steps: internal steps, halved where one fails, and what is summed up over them.
 
 use std::sync::Arc;
 
 use super::replay_record::Step;
 use super::step_control::Remedy;
+use super::step_plan::StepPlan;
 use super::{ReplayRecord, Simulation};
 use crate::Vec3;
 use crate::error::StepError;
@@ -21,12 +22,7 @@ pub struct CommunicationStep {
     before: State,
     /// Where `before` came from, to be given back if the step fails.
     replay: Option<Box<ReplayRecord>>,
-    start: f64,
-    /// Length \[s\] of the communication step, of which the internal steps are parts, and how much of it has been taken.
-    length: f64,
-    elapsed: f64,
-    steps: u64,
-    done: u64,
+    plan: StepPlan,
     trajectory: Trajectory,
     /// State and totals where commands last changed within the step.
     midway: Option<(State, ImpulseTotals)>,
@@ -37,26 +33,12 @@ impl CommunicationStep {
     /// Whether the end is reached.
     #[must_use]
     pub fn is_done(&self) -> bool {
-        self.done == self.steps
+        self.plan.left() == 0
     }
 }
 
 /// A communication step below this share of the last internal step has no forces of its own.
 const REMAINDER: f64 = 0.05;
-
-/// In how many equal steps of at most `step` \[s\] a time `h` \[s\] goes; a margin keeps what is a whole number but for rounding.
-fn pieces(h: f64, step: f64) -> u64 {
-    (h / step * (1.0 - 1e-9)).ceil().max(1.0) as u64
-}
-
-/// `h` \[s\] without the rounding of whoever subtracted two times: the number of six digits, or the whole multiple of `step`
-/// \[s\], that is within 1e-9 of it, so that masters whose times differ by rounding get the same bits.
-fn unrounded(h: f64, step: f64) -> f64 {
-    let near = |value: f64| ((value - h).abs() <= 1e-9 * h).then_some(value);
-    let decimal = format!("{h:.5e}").parse().ok().and_then(near);
-    let whole = near((h / step).round() * step);
-    decimal.or(whole).unwrap_or(h)
-}
 
 impl Simulation {
     /// Begins a step to exactly `end` \[s\] in equal internal steps, which [`Self::internal_step`] takes one by one:
@@ -89,10 +71,8 @@ impl Simulation {
             commands: state.commands.clone(),
             rates: state.rates.clone(),
         };
-        // The margin keeps a communication step that is n internal steps but for rounding at n.
-        let h = unrounded(h, self.scene.settings.step);
-        let steps = pieces(h, state.control.step);
-        self.check_jump(&trajectory.paths(&self.scene), start, end, steps)?;
+        let plan = StepPlan::new(start, end, state.control.step, self.scene.settings.step);
+        self.check_jump(&trajectory.paths(&self.scene), start, end, plan.left())?;
         let replay = self.replay.take();
         let (replay, memory) = match back {
             true => (replay, None),
@@ -103,11 +83,7 @@ impl Simulation {
         Ok(CommunicationStep {
             before,
             replay,
-            start,
-            length: h,
-            elapsed: 0.0,
-            steps,
-            done: 0,
+            plan,
             trajectory,
             midway: None,
             totals: ImpulseTotals::of(self.scene.boundaries.len()),
@@ -136,49 +112,34 @@ impl Simulation {
             return Ok(());
         }
         let scene = Arc::clone(&self.scene);
-        let trajectory = &mut communication.trajectory;
-        let changed =
-            trajectory.commands != self.state.commands || trajectory.rates != self.state.rates;
-        if changed {
-            trajectory.since = self.state.time;
-            trajectory.from.clone_from(&self.state.poses);
-            trajectory.commands.clone_from(&self.state.commands);
-            trajectory.rates.clone_from(&self.state.rates);
-            let memory = communication.midway.take().map(|(state, _)| state);
-            communication.midway =
-                Some((self.state.copied_into(memory), communication.totals.clone()));
-        }
+        self.take_commands(communication)?;
         let paths = communication.trajectory.paths(&scene);
-        let (start, end) = (communication.start, communication.trajectory.end);
-        if changed {
-            self.check_jump(
-                &paths,
-                communication.trajectory.since,
-                end,
-                communication.steps - communication.done,
-            )?;
-        }
-        communication.done += 1;
-        let mut dt = communication.length / communication.steps as f64;
-        let mut target =
-            start + (end - start) * (communication.done as f64 / communication.steps as f64);
-        if scene.settings.smallest_step.is_some() {
-            let rest = communication.length - communication.elapsed;
-            let left = pieces(rest, self.state.control.step);
-            communication.steps = communication.done - 1 + left;
-            dt = rest / left as f64;
-            target = self.state.time + dt;
-        }
-        if communication.is_done() {
-            target = end;
-        }
-        communication.elapsed += dt;
-        self.step_to(&scene, &paths, (target, dt), 0, &mut communication.totals)?;
+        let chosen = scene.settings.smallest_step.is_some();
+        let wanted = chosen.then_some(self.state.control.step);
+        let next = communication.plan.next(self.state.time, wanted);
+        self.step_to(&scene, &paths, next, 0, &mut communication.totals)?;
         self.average(&communication.totals);
-        let h = self.state.time - communication.start;
+        let h = self.state.time - communication.plan.start();
         let totals = self.state.passed.iter().zip(&communication.before.passed);
         self.state.flow = totals.map(|(now, then)| (now - then) / h).collect();
         Ok(())
+    }
+
+    /// Lets commands given since the last internal step hold from here to the end of the communication step.
+    fn take_commands(&self, communication: &mut CommunicationStep) -> Result<(), StepError> {
+        let (state, trajectory) = (&self.state, &mut communication.trajectory);
+        if trajectory.commands == state.commands && trajectory.rates == state.rates {
+            return Ok(());
+        }
+        trajectory.since = state.time;
+        trajectory.from.clone_from(&state.poses);
+        trajectory.commands.clone_from(&state.commands);
+        trajectory.rates.clone_from(&state.rates);
+        let memory = communication.midway.take().map(|(state, _)| state);
+        communication.midway = Some((state.copied_into(memory), communication.totals.clone()));
+        let left = communication.plan.left();
+        let paths = communication.trajectory.paths(&self.scene);
+        self.check_jump(&paths, state.time, communication.trajectory.end, left)
     }
 
     /// All that is left of a communication step, and its end.
@@ -204,7 +165,7 @@ impl Simulation {
         totals.taken.drain(..before.taken.len());
         self.replay = Some(Box::new(ReplayRecord::Step(Step {
             state,
-            start: communication.start,
+            start: communication.plan.start(),
             trajectory: communication.trajectory,
             taken: totals.taken,
             before,
@@ -216,7 +177,7 @@ impl Simulation {
     /// of the impulse goes into the means of the next step.
     fn carry_over(&mut self, communication: &CommunicationStep) {
         let (state, before) = (&mut self.state, &communication.before);
-        if communication.length >= REMAINDER * before.last_step {
+        if communication.plan.length() >= REMAINDER * before.last_step {
             state.owed.fill(Wrench::default());
             return;
         }
@@ -225,7 +186,7 @@ impl Simulation {
         state.contacts.clone_from(&before.contacts);
         for (b, owed) in state.owed.iter_mut().enumerate() {
             owed.add(&communication.totals.impulse[b], 1.0);
-            owed.add(&before.mean_wrenches[b], -communication.length);
+            owed.add(&before.mean_wrenches[b], -communication.plan.length());
         }
     }
 
@@ -249,14 +210,8 @@ impl Simulation {
         cuts: u32,
         totals: &mut ImpulseTotals,
     ) -> Result<(), StepError> {
-        let start = self.state.time;
         if self.rest_to(scene, paths, target) {
-            for (sum, wrench) in totals.impulse.iter_mut().zip(&self.state.wrenches) {
-                sum.add(wrench, dt);
-            }
-            totals.length += dt;
-            totals.body_force += self.state.body_force * dt;
-            totals.taken.push((target, dt));
+            totals.stand(&self.state, (target, dt));
             return Ok(());
         }
         let settings = &scene.settings;
@@ -270,7 +225,8 @@ impl Simulation {
                 self.state.report.cuts += 1;
                 self.state.control.cut(settings, dt);
                 let half = 0.5 * dt;
-                self.step_to(scene, paths, (start + half, half), cuts + 1, totals)?;
+                let middle = self.state.time + half;
+                self.step_to(scene, paths, (middle, half), cuts + 1, totals)?;
                 self.step_to(scene, paths, (target, half), cuts + 1, totals)
             }
             Remedy::Accept => {

@@ -30,6 +30,16 @@ impl ImpulseTotals {
         }
     }
 
+    /// Adds a step of length `dt` to `target` \[s\] in which nothing moves.
+    pub(super) fn stand(&mut self, state: &State, (target, dt): (f64, f64)) {
+        for (sum, wrench) in self.impulse.iter_mut().zip(&state.wrenches) {
+            sum.add(wrench, dt);
+        }
+        self.length += dt;
+        self.body_force += state.body_force * dt;
+        self.taken.push((target, dt));
+    }
+
     pub(super) fn fits(&self, boundaries: usize) -> bool {
         self.impulse.len() == boundaries
     }

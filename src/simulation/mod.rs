@@ -11,6 +11,7 @@ mod running_scene;
 mod settle;
 mod start;
 mod step_control;
+mod step_plan;
 pub mod trajectory;
 
 use std::borrow::Cow;

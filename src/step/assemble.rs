@@ -107,12 +107,12 @@ impl Assembly<'_> {
             for (k, (past, transferred)) in past.iter_mut().zip(transferred).enumerate() {
                 *past = transferred;
                 let (candidate, force) = (&candidates[first + k], past.force(contacts));
-                let (row, hits, plain) =
+                let contact =
                     prediction.contact_row(free, candidate, force, known_impact(first + k));
-                rows.write(k, &row, plain);
-                impact[k] = hits;
+                rows.write(k, &contact.row, contact.is_of_spheres);
+                impact[k] = contact.impact;
                 impulses[k] = force * prediction.step;
-                general |= !plain;
+                general |= !contact.is_of_spheres;
             }
             general
         };
@@ -122,9 +122,10 @@ impl Assembly<'_> {
             let past = &self.past;
             rows.settle(|k| {
                 let force = past[k].force(contacts);
+                let known = known_impact(k);
                 prediction
-                    .contact(free, &candidates[k], force, known_impact(k))
-                    .0
+                    .contact_row(free, &candidates[k], force, known)
+                    .row
             });
         }
     }

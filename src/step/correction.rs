@@ -106,7 +106,8 @@ fn insert(
     let prediction = assembly.prediction;
     let past = history::find(&state.contacts, found.key);
     let force = past.force(&state.contacts);
-    let (mut row, impact) = prediction.contact(&assembly.problem.free, found, force, known_impact);
+    let contact = prediction.contact_row(&assembly.problem.free, found, force, known_impact);
+    let (mut row, impact) = (contact.row, contact.impact);
     let step = prediction.step;
     let linear = step * found.normal.dot(&row.relative_velocity(&solution.velocity));
     let carried = prediction.scene.settings.opening * row.radius;

@@ -14,6 +14,14 @@ use crate::step::sphere_motion::SphereMotion;
 /// Rounding of a velocity that several impulses have changed, over its size \[-\].
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
+/// The row of a contact.
+pub(crate) struct ContactRow {
+    pub(crate) row: Row,
+    pub(crate) impact: bool,
+    /// Whether it is rigid and of spheres on each other or on ground at rest.
+    pub(crate) is_of_spheres: bool,
+}
+
 /// How the bodies of a contact meet.
 struct ContactKinematics {
     b: u32,
@@ -25,9 +33,8 @@ struct ContactKinematics {
     before: Vec3,
     /// Velocity of the partner at the contact without contacts.
     partner: Vec3,
-    /// Accelerations that act: of the surface, and the largest external one of the spheres, squared.
+    /// Largest acceleration that acts: gravity, loads, of the surface.
     acceleration: f64,
-    pull: f64,
     lightest: f64,
     /// Square of the larger speed.
     speed: f64,
@@ -54,19 +61,8 @@ impl Prediction<'_> {
         [now, twist.linear + twist.angular.cross(&(x - pivot))]
     }
 
-    /// The row of a candidate, and whether it is an impact: as `known_impact`, or as it finds. `force` \[N\] is the contact's last one.
-    pub(crate) fn contact(
-        &self,
-        free: &[SpatialVector],
-        candidate: &Candidate,
-        force: Vec3,
-        known_impact: Option<bool>,
-    ) -> (Row, bool) {
-        let (row, impact, _) = self.contact_row(free, candidate, force, known_impact);
-        (row, impact)
-    }
-
-    /// [`Self::contact`], and whether it is rigid and of spheres on each other or on ground at rest.
+    /// The row of a candidate: an impact as `known_impact`, or as it finds. `free` are the velocities without contacts;
+    /// `force` \[N\] is the contact's last one.
     #[inline(always)]
     pub(crate) fn contact_row(
         &self,
@@ -74,8 +70,7 @@ impl Prediction<'_> {
         candidate: &Candidate,
         force: Vec3,
         known_impact: Option<bool>,
-    ) -> (Row, bool, bool) {
-        let settings = &self.scene.settings;
+    ) -> ContactRow {
         let n = candidate.normal;
         let a = candidate.key.sphere as usize;
         let own = &self.spheres[a];
@@ -85,7 +80,6 @@ impl Prediction<'_> {
                 self.boundary_kinematics(free, n, (a, own), usize::from(boundary))
             }
         };
-        let acceleration = contact.acceleration.max(contact.pull.sqrt());
         let pair = self.pair(candidate.key);
         let (approach, sliding) = split(contact.before, n);
         // Only a contact that was loaded can be taken for an approaching one because its normal turns.
@@ -93,35 +87,15 @@ impl Prediction<'_> {
             true => 0.0,
             false => sliding.norm_squared() * candidate.curvature,
         };
-        // Where nothing acts itself, loads elsewhere press the contact.
-        let acting = match acceleration {
-            0.0 => self.mean_acceleration,
-            acceleration => acceleration,
-        };
-        let threshold = settings
-            .threshold_velocity
-            .max(2.0 * self.step * acting.max(turning));
-        let excess = candidate.gap - settings.carried(candidate.gap, contact.radius);
+        let carried = self.scene.settings.carried(candidate.gap, contact.radius);
+        let excess = candidate.gap - carried;
         let impact = known_impact.unwrap_or_else(|| {
             let freely = || n.dot(&(free[a].linear - contact.partner));
-            approach < -threshold && excess + self.step * freely() < 0.0
+            approach < -self.impact_threshold(&contact, turning)
+                && excess + self.step * freely() < 0.0
         });
-        let rebounds =
-            impact && pair.restitution > 0.0 && settings.integrator == Integrator::Moreau;
-        let gap_bias = excess / self.step;
-        let mut bias = n * match rebounds {
-            true => pair.restitution * approach,
-            false => gap_bias,
-        };
-        let mut compliance = [0.0; 2];
-        let dt2 = self.step * self.step;
-        if let (Method::Penalty, Some(penalty)) = (settings.method, settings.penalty) {
-            compliance = [1.0, SHEAR_RATIO].map(|ratio| 1.0 / (ratio * penalty * dt2));
-            // The shear spring keeps the stretch that carried the last force.
-            bias = n * gap_bias - split(force * self.step, n).1 * compliance[1];
-        } else if let Some(stiffness) = contact.stiffness {
-            compliance[0] = 1.0 / (stiffness * dt2);
-        }
+        let rebound = (impact && pair.restitution > 0.0).then_some(pair.restitution * approach);
+        let (bias, compliance) = self.bias(&contact, n, (excess, rebound), force);
         let row = Row {
             a: a as u32,
             b: contact.b,
@@ -134,17 +108,62 @@ impl Prediction<'_> {
             compliance_t: compliance[1],
             law: Law::Contact { mu: pair.friction },
             radius: contact.radius,
-            impulse_scale: self.impulse_scale(&contact, acceleration, turning),
+            impulse_scale: self.impulse_scale(&contact, turning),
         };
         let sphere = contact.b == GROUND || (contact.b as usize) < self.kinematics.len();
-        let plain = sphere && row.prescribed_velocity == Vec3::zeros() && compliance == [0.0; 2];
-        (row, impact, plain)
+        let is_of_spheres =
+            sphere && row.prescribed_velocity == Vec3::zeros() && compliance == [0.0; 2];
+        ContactRow {
+            row,
+            impact,
+            is_of_spheres,
+        }
     }
 
-    /// Scale of the force residual \[N s\] of a contact on which `acceleration` acts, while its normal turns by `turning`
+    /// Speed of approach above which a contact is an impact \[m/s\]: what the loads that act on it bring in two steps.
+    #[inline]
+    fn impact_threshold(&self, contact: &ContactKinematics, turning: f64) -> f64 {
+        // Where nothing acts itself, loads elsewhere press the contact.
+        let acting = match contact.acceleration {
+            0.0 => self.mean_acceleration,
+            acceleration => acceleration,
+        };
+        let threshold = self.scene.settings.threshold_velocity;
+        threshold.max(2.0 * self.step * acting.max(turning))
+    }
+
+    /// Bias \[m/s\] and compliances of a contact whose gap exceeds what it carries by `excess` \[m\], or that parts with the
+    /// speed `-rebound` \[m/s\].
+    #[inline]
+    fn bias(
+        &self,
+        contact: &ContactKinematics,
+        n: Vec3,
+        (excess, rebound): (f64, Option<f64>),
+        force: Vec3,
+    ) -> (Vec3, [f64; 2]) {
+        let settings = &self.scene.settings;
+        let dt2 = self.step * self.step;
+        let gap_bias = excess / self.step;
+        if let (Method::Penalty, Some(penalty)) = (settings.method, settings.penalty) {
+            let compliance = [1.0, SHEAR_RATIO].map(|ratio| 1.0 / (ratio * penalty * dt2));
+            // The shear spring keeps the stretch that carried the last force.
+            let stretch = split(force * self.step, n).1 * compliance[1];
+            return (n * gap_bias - stretch, compliance);
+        }
+        let compliance = contact.stiffness.map_or(0.0, |k| 1.0 / (k * dt2));
+        let bias = match rebound {
+            Some(rebound) if settings.integrator == Integrator::Moreau => rebound,
+            _ => gap_bias,
+        };
+        (n * bias, [compliance, 0.0])
+    }
+
+    /// Scale of the force residual \[N s\] of a contact whose normal turns by `turning`
     /// \[m/s^2\].
     #[inline]
-    fn impulse_scale(&self, contact: &ContactKinematics, acceleration: f64, turning: f64) -> f64 {
+    fn impulse_scale(&self, contact: &ContactKinematics, turning: f64) -> f64 {
+        let acceleration = contact.acceleration;
         let rounding = ROUNDING * contact.speed.sqrt() / self.scene.settings.tolerance.force;
         let mut change = match acceleration.max(turning) {
             // Where nothing accelerates, the speed of approach is a scale as well.
@@ -168,6 +187,7 @@ impl Prediction<'_> {
         index: u32,
     ) -> ContactKinematics {
         let other = &self.spheres[index as usize];
+        let pull = self.pull(a).max(self.pull(index as usize));
         ContactKinematics {
             b: index,
             arm_b: n * other.radius,
@@ -175,8 +195,7 @@ impl Prediction<'_> {
             radius: own.radius.min(other.radius),
             before: own.velocity - other.velocity - (own.rolling + other.rolling).cross(&n),
             partner: free[index as usize].linear,
-            acceleration: self.gravity_size,
-            pull: self.pull(a).max(self.pull(index as usize)),
+            acceleration: self.gravity_size.max(pull.sqrt()),
             lightest: own.mass.min(other.mass),
             speed: own.speed().max(other.speed()),
             stiffness: None,
@@ -202,7 +221,6 @@ impl Prediction<'_> {
             before: own.velocity - own.rolling.cross(&n),
             partner: Vec3::zeros(),
             acceleration: self.gravity_size,
-            pull: self.pull(a),
             lightest: own.mass,
             speed: own.speed(),
             stiffness: surface.stiffness,
@@ -222,7 +240,10 @@ impl Prediction<'_> {
             contact.partner = now;
             (now - previous).norm() / self.step
         };
-        contact.acceleration = contact.acceleration.max(acceleration);
+        contact.acceleration = contact
+            .acceleration
+            .max(acceleration)
+            .max(self.pull(a).sqrt());
         contact
     }
 }
