@@ -1,7 +1,7 @@
 //! Broad phase: the pairs that may touch before the next rebuild.
 //!
 //! Each sphere has a skin of its own. The list keeps every pair whose gap is below the sum of their two, so it serves until
-//! the way of a sphere since, and what it may still move, exceed its skin: one fast sphere costs the others nothing. What is
+//! the path of a sphere since, and what it may still move, exceed its skin: one fast sphere costs the others nothing. What is
 //! in the list never shows in results: the narrow phase takes from it the pairs within reach, in canonical order.
 
 use super::configuration::Configuration;
@@ -66,19 +66,19 @@ impl NeighborList {
     /// Whether no sphere leaves its skin: pairs against what all have moved in common, or against nothing.
     fn serves(&mut self, now: &Configuration, reach: &[DetectionDistance], carried: f64) -> bool {
         let present = || (0..now.position.len()).filter(|&i| now.present[i]);
-        let way = |i: usize| now.position[i] - self.built_at[i];
+        let path = |i: usize| now.position[i] - self.built_at[i];
         let count = present().count().max(1) as f64;
-        let common = present().map(way).sum::<Vec3>() / count;
+        let common = present().map(path).sum::<Vec3>() / count;
         let carried_so_far = self.carried.iter().copied().fold(0.0, f64::max);
         let mut longest = 0.0;
         let (mut against_none, mut against_all, mut at_boundaries) = (false, false, false);
         for i in present() {
-            let (way, skin) = (way(i), self.skin[i]);
+            let (path, skin) = (path(i), self.skin[i]);
             let reach = reach.get(i).copied().unwrap_or_default();
-            let length = way.norm();
+            let length = path.norm();
             longest = larger(longest, length);
             against_none |= length + reach.boundaries > skin.pairs;
-            against_all |= (way - common).norm() + reach.pairs > skin.pairs;
+            against_all |= (path - common).norm() + reach.pairs > skin.pairs;
             at_boundaries |= length + carried_so_far + reach.boundaries + carried > skin.boundaries;
         }
         self.shrunk = longest + carried_so_far;
@@ -100,11 +100,11 @@ impl NeighborList {
             self.carried.iter_mut().zip(now.boundaries).zip(poses)
         {
             if then != pose {
-                let way = |corner: Vec3| {
+                let path = |corner: Vec3| {
                     let x = boundary.to_frame(pose, corner);
                     (boundary.from_frame(then, x) - corner).norm()
                 };
-                *carried = corners.map(way).into_iter().fold(0.0, f64::max);
+                *carried = corners.map(path).into_iter().fold(0.0, f64::max);
             }
         }
     }

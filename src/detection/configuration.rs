@@ -184,17 +184,19 @@ impl Configuration<'_> {
         if &self.poses[b] == to {
             return 0.0;
         }
-        let mut ways = self.present_positions().map(|x| self.way_at(b, to, x));
+        let mut displacements = self
+            .present_positions()
+            .map(|x| self.displacement_at(b, to, x));
         if self.poses[b].rotation == to.rotation {
             // A translation carries all alike, but for rounding.
-            return ways.next().map_or(0.0, |way| way * (1.0 + 1e-9));
+            return displacements.next().map_or(0.0, |way| way * (1.0 + 1e-9));
         }
-        ways.fold(0.0, f64::max)
+        displacements.fold(0.0, f64::max)
     }
 
     /// Way \[m\] of the point fixed to boundary `b` that is at `x` while it moves to `to`.
     #[must_use]
-    pub fn way_at(&self, b: usize, to: &Pose, x: Vec3) -> f64 {
+    pub fn displacement_at(&self, b: usize, to: &Pose, x: Vec3) -> f64 {
         let (shape, from) = (&self.boundaries[b], &self.poses[b]);
         if from == to {
             return 0.0;

@@ -55,9 +55,9 @@ impl Configuration<'_> {
         self.position[i as usize] - self.position[j as usize] - self.cell.shift(image)
     }
 
-    /// The way of sphere `i` from here to `end` in the frame of boundary `b` \[m\], by the copy that is nearest to it here.
+    /// The path of sphere `i` from here to `end` in the frame of boundary `b` \[m\], by the copy that is nearest to it here.
     #[must_use]
-    pub fn way(&self, end: &Self, i: u32, b: u16) -> [Vec3; 2] {
+    pub fn path_in_frame(&self, end: &Self, i: u32, b: u16) -> [Vec3; 2] {
         let (b, i) = (usize::from(b), i as usize);
         let boundary = &self.boundaries[b];
         let near = boundary.copy_near(self.cell, &self.poses[b], self.position[i]);

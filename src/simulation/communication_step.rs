@@ -52,7 +52,7 @@ impl Simulation {
     }
 
     /// [`Self::begin`] that keeps the replay of the present state only if it is to come `back` where the step fails; its memory
-    /// is otherwise that of the state kept to go back to, which saves one of three.
+    /// otherwise serves for the copy that a failed step restores: two states in memory instead of three.
     pub(super) fn set_out(&mut self, end: f64, back: bool) -> Result<CommunicationStep, StepError> {
         let start = self.state.time;
         let h = end - start;
@@ -276,7 +276,7 @@ impl Simulation {
         let shift = settings.integrator.shift(dt, settings.step);
         for (b, sum) in totals.impulse.iter_mut().enumerate() {
             sum.add(&self.state.wrenches[b], dt);
-            // A step of another length moves the half step by persisting forces: their share.
+            // A step of another length moves the half step by smooth forces: their share.
             sum.add(&self.state.smooth_wrenches[b], shift);
             sum.add(&before.smooth[b], -shift);
         }

@@ -135,7 +135,7 @@ impl Simulation {
     }
 }
 
-/// What stands in the way in and around a source's region.
+/// What occupies and surrounds a source's region.
 struct FreeSpace {
     /// Box around the region and the largest sphere that reaches into it \[m\].
     near: Option<(Vec3, Vec3)>,
@@ -164,7 +164,7 @@ impl FreeSpace {
         room
     }
 
-    /// Takes in a sphere, wherever it or a copy of it stands in the way.
+    /// Takes in a sphere, wherever it or a copy of it occupies the region.
     fn add(&mut self, x: Vec3, radius: f64) {
         let (min, max) = self.near.unwrap_or((x, x));
         for image in self.cell.copies(x, (min, max), 0.0) {

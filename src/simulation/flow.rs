@@ -175,7 +175,7 @@ mod tests {
         assert_eq!(one(low + aside, high + aside, 3.0, up), 0.0);
         let above = Vec3::z() * 5.0;
         assert_eq!(one(low + above, high + above, 3.0, up), 0.0);
-        // Corners the other way round: the normal they turn about is -z.
+        // Corners in the opposite order: the normal they turn about is -z.
         let turned: Vec<Vec3> = corners.iter().rev().copied().collect();
         let down = Gate {
             normal: -Vec3::z(),
@@ -243,7 +243,7 @@ mod tests {
             }
             let place = |p: [f64; 2]| Vec3::new(p[0], p[1], slope[0] * p[0] + slope[1] * p[1]);
             let normal = Vec3::new(-slope[0], -slope[1], 1.0).normalize();
-            // A free path; one through an inner node; one through the middle of an edge; one above an edge all the way.
+            // A free path; one through an inner node; one through the middle of an edge; one above an edge from end to end.
             let inner = nodes[1][2];
             let [from, to] = match pick {
                 0 => ends,

@@ -55,7 +55,7 @@ impl Simulation {
                 .map(|b| b.motion.pose_at(t))
                 .collect()
         };
-        // The step before the first: a wall that starts from rest does not meet the spheres with its first step's speed.
+        // The step before the first: a boundary that starts from rest does not hit the spheres with the speed of its first step.
         let (poses, previous) = (pose_at(0.0), pose_at(-settings.step));
         let state = State {
             time: 0.0,

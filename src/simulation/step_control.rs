@@ -3,7 +3,7 @@
 //! Between `smallest_step` and `step` the internal step goes where simulated time is cheapest: a step costs its sweeps, and beside them as
 //! much as [`BESIDE`] sweeps. How sweeps grow with the step depends on the scene (a bed of a thousand spheres: faster than the step;
 //! a deep bed, whose few hardest contacts decide: hardly), so that it is tried: after [`WINDOW`] steps of one length the next ones
-//! are longer or shorter, and while simulated time gets cheaper that way goes on. What counts are sweeps, which are part of the
+//! are longer or shorter, and while simulated time gets cheaper this continues. What counts are sweeps, which are part of the
 //! state, and not times: the same steps on every machine.
 //!
 //! A scene in which nothing has moved faster than `rest_speed` for [`STEPS_TO_SLEEP`] steps comes to rest: velocities are zero and forces
@@ -252,7 +252,7 @@ impl Simulation {
             && paths.poses(target) == state.poses
     }
 
-    /// Takes all motion out; what it carried is booked as the scheme's.
+    /// Stops all motion; its kinetic energy is booked as numerical work.
     fn stop(&mut self) {
         let particles = &self.scene.particles;
         let kinetic = (0..particles.len()).map(|i| {

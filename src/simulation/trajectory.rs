@@ -32,7 +32,7 @@ pub struct BoundaryPath {
     way: Form,
 }
 
-/// How a path goes on.
+/// What a path follows.
 #[derive(Debug, Clone, PartialEq)]
 enum Form {
     /// With a constant twist.
@@ -218,7 +218,7 @@ impl<'a> BoundaryPaths<'a> {
         }
     }
 
-    /// Whether a boundary may go another way than with a constant twist.
+    /// Whether a boundary may move otherwise than with a constant twist.
     #[must_use]
     pub fn bends(&self) -> bool {
         !self.rates.is_empty()

@@ -47,7 +47,7 @@ pub(super) fn detect(
     let of_boundary = |i: u32, b: u16| {
         let (i, b) = (i as usize, usize::from(b));
         let x = prediction.kinematics.position[i];
-        reach[i].boundaries + configuration.way_at(b, &end[b], x)
+        reach[i].boundaries + configuration.displacement_at(b, &end[b], x)
     };
     configuration.candidates(&workspace.neighbors, of_pair, of_boundary, candidates);
     workspace.reach = reach;

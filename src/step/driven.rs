@@ -165,7 +165,7 @@ impl<'a> BodyPrediction<'a> {
             .then(|| (from + to) * (0.5 * self.body.mass))
     }
 
-    /// Work \[J\] of its weight under `gravity` \[m/s^2\] on the way between two poses.
+    /// Work \[J\] of its weight under `gravity` \[m/s^2\] along the path between two poses.
     #[must_use]
     pub fn weight_work(&self, gravity: Vec3, poses: [&Pose; 2]) -> f64 {
         let [from, to] = poses.map(|pose| self.surface.from_frame(pose, self.body.centre));

@@ -73,7 +73,7 @@ fn inertial(scene: &Scene, kinematics: &Kinematics, i: usize) -> SpatialVector {
     }
 }
 
-/// Lets `state` know which part of its persisting accelerations is external.
+/// Writes into `state` which part of its smooth accelerations is external.
 pub(super) fn keep(scene: &Scene, state: &mut State, external: &[SpatialVector]) {
     if scene.settings.rotating_frame.is_some() {
         state.external.clear();

@@ -9,7 +9,7 @@
 //! | verify | `verify`, `tunnelling` | true gaps at the end: accepted, failed, or a `Correction` of the problem |
 //! | commit | `commit` | motion, forces and energy of the next [`State`], which nothing has touched before |
 //!
-//! `initial` does likewise at t = 0; `replicas` takes the same stages with states beside, for derivatives.
+//! `initial` does likewise at t = 0; `replicas` runs the same stages with replicas of the state, for derivatives.
 
 mod assemble;
 mod at_rest;

@@ -46,7 +46,7 @@ pub struct StepFailure {
     pub broken: Option<Box<LinearError>>,
 }
 
-/// Two bodies that move so far against each other in a step that contact at its ends does not tell what happens between.
+/// Two bodies that move so far against each other in a step that the gaps at its ends do not decide what happens between.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Tunnelling {
     /// The pair; of a boundary's features none in particular.

@@ -22,11 +22,11 @@ impl SphereMotion {
     /// All spheres, `[N]`, in the given memory.
     pub(super) fn all(scene: &Scene, kinematics: &Kinematics, mut memory: Vec<Self>) -> Vec<Self> {
         let sizes = scene.particles.radius.iter().zip(&scene.particles.mass);
-        let ways = kinematics.velocity.iter().zip(&kinematics.spin);
+        let velocities = kinematics.velocity.iter().zip(&kinematics.spin);
         memory.clear();
         memory.extend(
             sizes
-                .zip(ways)
+                .zip(velocities)
                 .map(|((&radius, &mass), (velocity, spin))| Self {
                     velocity: *velocity,
                     rolling: spin * radius,

@@ -1,14 +1,14 @@
-//! Bodies that pass through each other within a step: found on their ways, not at the ends.
+//! Bodies that pass through each other within a step: found along their paths, not at the ends.
 //!
 //! Contacts are linear in the step, with the normals of its start. That is right for motions of a fraction of a radius.
-//! Where two bodies move farther against each other, and only there, their straight ways are looked at after the solve:
+//! Where two bodies move farther against each other, and only there, their straight paths are checked after the solve:
 //!
 //! ```text
 //! struck   a contact that was not foreseen is found closed: its normal at the end may be any
-//! passed   the solution's way goes deeper into the other body than its ends do
-//! ghost    a contact carries load that the way without contacts would not have met
+//! passed   the solution's path goes deeper into the other body than its ends do
+//! ghost    a contact carries load that the path without contacts would not have touched
 //! ```
-//! Each fails the step, which is then cut until motions are small or the ways are free.
+//! Each fails the step, which is then cut until motions are small or the paths are free.
 
 use std::mem::take;
 
@@ -25,9 +25,9 @@ use crate::spatial::Pose;
 use crate::spatial::cell::{HERE, Image};
 use crate::spatial::extent::smaller;
 
-/// Relative motion over the smaller radius up to which the ends of a step tell all \[-\].
+/// Relative motion over the smaller radius up to which the gaps at the ends of a step suffice \[-\].
 pub(super) const SMALL_MOTION: f64 = 0.5;
-/// How deep a way may go into another body before it counts as passing, over the smaller radius \[-\].
+/// How deep a path may go into another body before it counts as passing, over the smaller radius \[-\].
 const DEPTH: f64 = 0.1;
 
 /// The first pair, in canonical order, that passes or is joint apart without need.
@@ -79,8 +79,8 @@ pub(super) fn passed(
         });
     let radius = &start.particles.radius;
     let apart = |i: u32, index: u32, image: Image| {
-        let ways = [&end, &free].map(|to| [start, to].map(|at| at.between(i, index, image)));
-        (i, Partner::Sphere { index, image }, ways)
+        let paths = [&end, &free].map(|to| [start, to].map(|at| at.between(i, index, image)));
+        (i, Partner::Sphere { index, image }, paths)
     };
     let list = &workspace.neighbors;
     // Most pairs hardly move against each other.
@@ -95,20 +95,20 @@ pub(super) fn passed(
     let images = list.images.iter().map(|&(i, j, image)| apart(i, j, image));
     let boundaries = list.boundaries.iter().map(|near| {
         let (i, boundary) = (near.sphere, near.boundary);
-        let ways = [&end, &free].map(|to| start.way(to, i, boundary));
+        let paths = [&end, &free].map(|to| start.path_in_frame(to, i, boundary));
         let feature = 0;
-        (i, Partner::Boundary { boundary, feature }, ways)
+        (i, Partner::Boundary { boundary, feature }, paths)
     });
     here.chain(images)
         .chain(boundaries)
-        .find_map(|(sphere, partner, [way, free_way])| {
+        .find_map(|(sphere, partner, [path, free_path])| {
             let scale = start.scale(ContactId { sphere, partner });
-            let motion = [way, free_way].map(|[a, b]| (b - a).norm() / scale);
+            let motion = [path, free_path].map(|[a, b]| (b - a).norm() / scale);
             let far = motion.map(|m| m > SMALL_MOTION);
-            let failed = (far[0] && through(start, sphere, partner, way, radius, scale))
+            let failed = (far[0] && through(start, sphere, partner, path, radius, scale))
                 || (far[1]
                     && carries(assembly, solution, sphere, partner)
-                    && !met(start, sphere, partner, free_way, radius));
+                    && !met(start, sphere, partner, free_path, radius));
             let contact = ContactId { sphere, partner };
             failed.then_some(Tunnelling {
                 contact,
@@ -135,7 +135,9 @@ pub(super) fn struck(
             Partner::Sphere { index, image } => {
                 [start, end].map(|at| at.between(contact.sphere, index, image))
             }
-            Partner::Boundary { boundary, .. } => start.way(end, contact.sphere, boundary),
+            Partner::Boundary { boundary, .. } => {
+                start.path_in_frame(end, contact.sphere, boundary)
+            }
         };
         let motion = (to - from).norm() / start.scale(contact);
         // Rolling on, a sphere finds the next feature of its boundary closed: that is no surprise.
@@ -149,7 +151,7 @@ fn carries(assembly: &Assembly, solution: &Solution, sphere: u32, partner: Partn
     contacts.any(|k| solution.loads(k))
 }
 
-/// Whether the way goes deeper into the partner than its ends.
+/// Whether the path goes deeper into the partner than its ends.
 fn through(
     start: &Configuration,
     sphere: u32,
@@ -172,7 +174,7 @@ fn through(
     }
 }
 
-/// Whether the way touches the partner at all.
+/// Whether the path touches the partner at all.
 fn met(
     start: &Configuration,
     sphere: u32,

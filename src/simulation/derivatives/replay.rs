@@ -123,11 +123,11 @@ impl Simulation {
             let mut replica: Vec<[Replica; 2]> = pairs
                 .iter_mut()
                 .map(|pair| {
-                    pair.each_mut().map(|companion| {
-                        let paths = companion.trajectory.paths(scene);
+                    pair.each_mut().map(|replica| {
+                        let paths = replica.trajectory.paths(scene);
                         Replica {
                             input: paths.step_input(integrator, start, (target, dt)),
-                            state: &mut companion.simulation.state,
+                            state: &mut replica.simulation.state,
                         }
                     })
                 })
@@ -141,15 +141,15 @@ impl Simulation {
             let position = again.simulation.state.kinematics.position.clone();
             again.simulation.exchange();
             for (pair, befores) in pairs.iter_mut().zip(&befores) {
-                for (companion, before) in pair.iter_mut().zip(befores) {
-                    companion.book(before, target, dt);
-                    companion.adopt(&again.simulation.state, &position);
+                for (replica, before) in pair.iter_mut().zip(befores) {
+                    replica.book(before, target, dt);
+                    replica.adopt(&again.simulation.state, &position);
                 }
             }
             see(&earlier, &again.simulation);
         }
-        for companion in pairs.iter_mut().flatten() {
-            companion.simulation.average(&companion.totals);
+        for replica in pairs.iter_mut().flatten() {
+            replica.simulation.average(&replica.totals);
         }
         again.simulation.average(&again.totals);
         Ok(again.simulation)

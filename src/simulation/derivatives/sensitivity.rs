@@ -1,8 +1,8 @@
 //! Derivatives by the commands of boundaries held over the last communication step.
 //!
-//! Two companions of the simulation take the step again with a command a little below and above, each internal step through the
+//! Two replicas of the simulation take the step again with a command a little below and above, each internal step through the
 //! tangent of the contact solve ([`crate::step::Replica`]): contacts keep their states, and what is measured at the end is
-//! compared. The step is chained with its internal steps: positions, velocities, orientations, persisting forces, driven
+//! compared. The step is chained with its internal steps: positions, velocities, orientations, smooth forces, driven
 //! bodies and mean wrenches of one go into the next.
 
 use super::Simulation;
@@ -13,7 +13,7 @@ use crate::scene::{Command, InputKind, Motion};
 use crate::simulation::ReplayRecord;
 use crate::state::State;
 
-/// Displacement of the companions over the smallest radius \[-\]: between rounding and curvature, both below 1e-9.
+/// Displacement of the replicas over the smallest radius \[-\]: between rounding and curvature, both below 1e-9.
 const SMALL: f64 = 3e-5;
 
 /// A direction in which the command of a boundary changes.

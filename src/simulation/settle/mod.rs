@@ -69,7 +69,7 @@ pub struct Settled {
 }
 
 impl Settled {
-    /// Settles `scene`. `watch` is told how far it has come after every communication step and may end it early.
+    /// Settles `scene`. `watch` receives the progress after every communication step and may end it early.
     ///
     /// # Errors
     /// [`SettleError::Step`] with the pass and the step that could not be taken; [`SettleError::Argument`] if the time is not
@@ -111,7 +111,7 @@ impl Settled {
         };
         let mut last = coarse.simulation;
         let mut kind = PassKind::Fine;
-        // A start moves spheres out of overlaps but no walls: between a floor and a body that presses there is no way out.
+        // A start displaces overlapping spheres and no boundaries: between a floor and a body that presses nothing is left to displace.
         let mut overlap = match still.driven().next() {
             Some(_) => COARSE.gap,
             None => 0.0,

@@ -15,7 +15,7 @@ pub struct Pass {
 /// What a pass of settling is for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PassKind {
-    /// The way down, to coarse tolerances.
+    /// First pass, to coarse tolerances.
     Coarse,
     /// To the scene's gaps.
     Fine,

@@ -15,7 +15,7 @@ use crate::spatial::{SpatialVector, Twist};
 
 /// A time \[s\] in which no body turns: over it a displacement is a speed.
 const INSTANT: f64 = 1e-9;
-/// Time in which velocities fall to 1/e on the way down and in the other passes, over the time that counts as rest.
+/// Time in which velocities fall to 1/e in the first pass and in the others, over the time that counts as rest.
 const COARSE_DAMPING: f64 = 20.0;
 const FINE_DAMPING: f64 = 2.0;
 

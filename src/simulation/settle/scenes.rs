@@ -1,10 +1,10 @@
-//! The scenes in which settling goes: everything held, tolerances as the pass wants them.
+//! The scenes of the settling passes: everything fixed, tolerances of the pass.
 
 use crate::scene::gravity::GravityMotion;
 use crate::scene::{Motion, Scene};
 use crate::solver::Tolerance;
 
-/// Tolerances on the way down, and in the passes that bring the gaps to the scene's: the way to rest need not be
+/// Tolerances of the first pass, and of those that bring the gaps to the scene's: the path to rest need not be
 /// exact, and the forces at rest are solved anew.
 pub(super) const COARSE: Tolerance = Tolerance {
     gap: 1e-3,

@@ -44,7 +44,7 @@ pub(super) fn commit(solved: &Solved, state: &mut State, spare: &mut Vec<Spatial
 }
 
 /// Counts as impacts the contacts that an impact has hit through others: their impulses are more than twice what they
-/// carried before and what loads bring in a step. As persisting forces they would shift the half step.
+/// carried before and what loads bring in a step. As smooth forces they would shift the half step.
 pub(super) fn spread_impacts(assembly: &mut Assembly, solution: &Solution, state: &State) {
     let struck = |(k, p): (usize, &Vec3)| *p != Vec3::zeros() && assembly.is_impact(k);
     if !solution.impulses.iter().enumerate().any(struck) {

@@ -38,7 +38,7 @@ pub struct JointLimit {
     pub direction: Vec3,
     /// Velocity of that point over the joint_position's rate: 1 for a slide \[-\], `L` for a hinge \[m\].
     pub lever: f64,
-    /// Way to the stop, negative beyond it, or stretch of the spring \[m\] at the point.
+    /// Distance to the stop, negative beyond it, or stretch of the spring \[m\] at the point.
     pub distance: f64,
     /// Force along `direction` in the last step \[N\] at the point.
     pub force: f64,
@@ -61,7 +61,7 @@ impl JointLimit {
         !matches!(self.kind, Kind::Spring(_))
     }
 
-    /// Unit normal of its row: for a stop the way it pushes.
+    /// Unit normal of its row: for a stop the direction in which it pushes.
     #[must_use]
     pub fn normal(&self) -> Vec3 {
         match self.kind {

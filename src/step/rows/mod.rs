@@ -116,7 +116,7 @@ impl Prediction<'_> {
         Some(resistance)
     }
 
-    /// The row of a stop or spring of driven body `rank`, and whether it is an impact: a stop is met as a wall is, without
+    /// The row of a stop or spring of driven body `rank`, and whether it is an impact: a stop acts as a boundary, without
     /// restitution.
     pub(super) fn limit(
         &self,
