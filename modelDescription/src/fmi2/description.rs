@@ -2,7 +2,7 @@
 
 use super::{CoSimulation, ModelExchange, ModelStructure, ScalarVariable, SimpleType};
 use crate::list::list_element;
-use serde::{Deserialize, Deserializer, Serialize};
+use serde::{Deserialize, Serialize};
 use serde_with_macros::apply;
 
 use crate::lexical;
@@ -24,7 +24,6 @@ list_element!(variable_list, super::ScalarVariable, "ScalarVariable");
 #[apply(
     crate = "serde_with_macros",
     Option => #[serde(skip_serializing_if = "Option::is_none")],
-    Option<u32> => #[serde(default, with = "lexical::optional")],
     Vec<Unit> => #[serde(default, skip_serializing_if = "Vec::is_empty")],
     Vec<SimpleType> => #[serde(default, skip_serializing_if = "Vec::is_empty")],
     Vec<LogCategory> => #[serde(default, skip_serializing_if = "Vec::is_empty")],
@@ -64,9 +63,6 @@ pub struct ModelDescription {
     /// Form of the variable names; [`NamingConvention::Flat`] if absent.
     #[serde(rename = "@variableNamingConvention", default)]
     pub variable_naming_convention: NamingConvention,
-    /// Number of event indicators; of use to model exchange only.
-    #[serde(rename = "@numberOfEventIndicators")]
-    pub number_of_event_indicators: Option<u32>,
     /// The model exchange interface, if offered.
     #[serde(rename = "ModelExchange")]
     pub model_exchange: Option<ModelExchange>,
@@ -85,15 +81,6 @@ pub struct ModelDescription {
     /// Suggested experiment.
     #[serde(rename = "DefaultExperiment")]
     pub default_experiment: Option<DefaultExperiment>,
-    /// Tools that left annotations. Read only: what they contain is skipped, so
-    /// nothing of them is written.
-    #[serde(
-        rename = "VendorAnnotations",
-        default,
-        skip_serializing,
-        deserialize_with = "read_tools"
-    )]
-    pub vendor_annotations: Vec<Tool>,
     /// The variables; the first has the index 1.
     #[serde(rename = "ModelVariables", with = "variable_list")]
     pub model_variables: Vec<ScalarVariable>,
@@ -121,14 +108,12 @@ impl ModelDescription {
             generation_tool: None,
             generation_date_and_time: None,
             variable_naming_convention: NamingConvention::Structured,
-            number_of_event_indicators: None,
             model_exchange: None,
             co_simulation: Some(co_simulation),
             unit_definitions: Vec::new(),
             type_definitions: Vec::new(),
             log_categories: Vec::new(),
             default_experiment: None,
-            vendor_annotations: Vec::new(),
             model_variables: Vec::new(),
             model_structure: ModelStructure::default(),
         }
@@ -160,8 +145,7 @@ impl ModelDescription {
     /// order of the schema, real numbers as the shortest text that reads back to
     /// the same value. The same description always gives the same bytes.
     ///
-    /// Nothing is validated; [`vendor_annotations`](Self::vendor_annotations) are
-    /// left out.
+    /// Nothing is validated.
     ///
     /// # Errors
     ///
@@ -229,21 +213,4 @@ pub struct DefaultExperiment {
     /// Preferred length of a communication step.
     #[serde(rename = "@stepSize")]
     pub step_size: Option<f64>,
-}
-
-/// A tool that left an annotation; the annotation itself is not kept.
-#[derive(Debug, Clone, PartialEq, Eq, Deserialize)]
-pub struct Tool {
-    /// Name of the tool; empty if absent.
-    #[serde(rename = "@name", default)]
-    pub name: String,
-}
-
-fn read_tools<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec<Tool>, D::Error> {
-    #[derive(Deserialize)]
-    struct Annotations {
-        #[serde(rename = "Tool", default)]
-        tools: Vec<Tool>,
-    }
-    Annotations::deserialize(deserializer).map(|annotations| annotations.tools)
 }

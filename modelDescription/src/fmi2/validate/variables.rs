@@ -3,7 +3,6 @@
 use std::collections::BTreeSet;
 use std::fmt::Debug;
 
-use super::super::structure::variable_at;
 use super::super::{
     BaseType, Causality, EnumerationVariable, Initial, IntegerVariable, RealType, RealVariable,
     ScalarVariable, TypeDefinition, Variability, VariableType,
@@ -56,7 +55,7 @@ pub(super) fn check(context: &Context<'_>, report: &mut Report) {
 }
 
 /// Element, index and name of a variable, for messages.
-pub(super) fn place(index: usize, variable: &ScalarVariable) -> String {
+fn place(index: usize, variable: &ScalarVariable) -> String {
     format!("ModelVariables/ScalarVariable {index} `{}`", variable.name)
 }
 
@@ -171,17 +170,8 @@ struct Typed<'a> {
 
 impl Typed<'_> {
     fn check(&self, variable: &ScalarVariable, report: &mut Report) {
-        let exchange = self.context.model.model_exchange.is_some();
-        if variable.can_handle_multiple_set_per_time_instant.is_some() && !exchange {
-            self.exchange_only("canHandleMultipleSetPerTimeInstant", report);
-        }
         match &variable.variable_type {
-            VariableType::Real(real) => {
-                self.real(real, variable, report);
-                if real.reinit.is_some() && !exchange {
-                    self.exchange_only("reinit", report);
-                }
-            }
+            VariableType::Real(real) => self.real(real, report),
             VariableType::Integer(integer) => self.integer(integer, report),
             VariableType::Boolean(boolean) => {
                 self.declared(
@@ -201,16 +191,7 @@ impl Typed<'_> {
         }
     }
 
-    fn exchange_only(&self, attribute: &str, report: &mut Report) {
-        report.error(
-            Rule::ModelExchangeOnly,
-            format!("{}/@{attribute}", self.place),
-            "the attribute",
-            "none in a description without ModelExchange",
-        );
-    }
-
-    fn real(&self, real: &RealVariable, variable: &ScalarVariable, report: &mut Report) {
+    fn real(&self, real: &RealVariable, report: &mut Report) {
         let place = self.place;
         let definition = self.declared(
             real.declared_type.as_deref(),
@@ -246,38 +227,6 @@ impl Typed<'_> {
             ),
         }
         nominal(real.nominal, place, report);
-        if let Some(index) = real.derivative {
-            self.derivative(index, variable, report);
-        }
-    }
-
-    fn derivative(&self, index: u32, variable: &ScalarVariable, report: &mut Report) {
-        let variables = &self.context.model.model_variables;
-        let place = format!("{}/@derivative", self.place);
-        let Some(state) = variable_at(variables, index) else {
-            report.error(
-                Rule::Derivative,
-                place,
-                index.to_string(),
-                format!("an index from 1 to {}", variables.len()),
-            );
-            return;
-        };
-        if std::ptr::eq(state, variable) {
-            report.error(
-                Rule::Derivative,
-                place,
-                "the variable itself",
-                "the variable of which it is the derivative",
-            );
-        } else if state.variable_type.base() != BaseType::Real {
-            report.error(
-                Rule::Derivative,
-                place,
-                format!("`{}`, which is not real", state.name),
-                "a real variable",
-            );
-        }
     }
 
     fn integer(&self, integer: &IntegerVariable, report: &mut Report) {
