@@ -204,7 +204,17 @@ struct Checkpoints<'a> {
     written: Instant,
 }
 
-impl Checkpoints<'_> {
+impl<'a> Checkpoints<'a> {
+    /// None written yet.
+    fn new(clock: &'a CommunicationPoints, simulation: &Simulation) -> Self {
+        Self {
+            clock,
+            interval: simulation.scene().output.checkpoint_interval,
+            last: simulation.time(),
+            written: Instant::now(),
+        }
+    }
+
     /// After communication step `k`, the run going on.
     fn pass(&mut self, k: u64, simulation: &Simulation, results: &mut Results) {
         let time = simulation.time();
@@ -248,12 +258,7 @@ fn run_to_end(
 ) -> (Total, Result<(), Failure>) {
     let begin = simulation.time();
     let mut progress = Progress::new(begin, clock.point(clock.count()));
-    let mut checkpoints = Checkpoints {
-        clock,
-        interval: simulation.scene().output.checkpoint_interval,
-        last: begin,
-        written: Instant::now(),
-    };
+    let mut checkpoints = Checkpoints::new(clock, simulation);
     if start.is_none() {
         results.record(&Observation::of(simulation));
     }

@@ -38,11 +38,8 @@ pub(super) fn iterate(
     let mut search = Search::new(quasi_newton, reals(&guess));
     put(&mut guess, &search.first());
     let loops = guess.iter().any(|values| !values.is_empty());
-    let states = if loops {
-        components.save()?
-    } else {
-        Vec::new()
-    };
+    let states = loops.then(|| components.save()).transpose()?;
+    let states = states.unwrap_or_default();
     let mut best = None;
     for iterations in 1..=settings.max_iterations {
         if let Some(time) = sweep(components, k, &guess, !loops)? {
