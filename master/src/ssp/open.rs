@@ -14,7 +14,9 @@ use crate::fmu::Fmu;
 use crate::open::{Limits, inner_path, text, unpack};
 use crate::system::{System, SystemError};
 
-use super::xml::{Component, Element, ParameterBinding, ParameterSet, Structure, System as Parts};
+use super::xml::{
+    Component, Element, ParameterBinding, ParameterSet, Structure, System as SspSystem,
+};
 
 /// Name of the structure in the archive.
 const STRUCTURE: &str = "SystemStructure.ssd";
@@ -268,7 +270,7 @@ impl Reader<'_> {
     #[expect(clippy::type_complexity, reason = "two lists, named above")]
     fn components(
         &mut self,
-        system: &Parts,
+        system: &SspSystem,
         values: &mut Vec<ParameterValue>,
     ) -> Result<(Vec<(String, usize)>, Vec<PathBuf>), SspError> {
         let (mut components, mut sources) = (Vec::new(), Vec::new());
@@ -291,7 +293,7 @@ impl Reader<'_> {
     }
 
     /// Full names of the connectors at both ends of each connection between components.
-    fn connections(&mut self, system: &Parts) -> Vec<(String, String)> {
+    fn connections(&mut self, system: &SspSystem) -> Vec<(String, String)> {
         let mut connections = Vec::new();
         for wire in system.connections() {
             let (Some(from), Some(to)) = (&wire.start_element, &wire.end_element) else {

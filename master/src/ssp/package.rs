@@ -29,7 +29,7 @@ use crate::variable::Variable;
 
 use super::xml::{
     Component, Connection, Connector, Content, Enumeration, Experiment, Item, Parameter,
-    ParameterSet, Signal, Structure, System as Parts, Text,
+    ParameterSet, Signal, Structure, System as SspSystem, Text,
 };
 
 /// Where the parameters lie in the archive.
@@ -109,7 +109,7 @@ impl System<'_> {
             .connections()
             .iter()
             .map(|wire| self.wire(wire, &names));
-        let system = Parts::new(name, VALUES, components, wires.collect());
+        let system = SspSystem::new(name, VALUES, components, wires.collect());
         let proposed = self.experiment();
         let experiment = Experiment {
             start_time: proposed.start_time,

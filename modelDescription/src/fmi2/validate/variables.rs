@@ -59,15 +59,32 @@ fn place(index: usize, variable: &ScalarVariable) -> String {
     format!("ModelVariables/ScalarVariable {index} `{}`", variable.name)
 }
 
-/// Causality, variability and initial.
+/// What causality and variability ask of the type.
 fn attributes(variable: &ScalarVariable, place: &str, report: &mut Report) {
-    let ScalarVariable {
-        causality,
-        variability,
-        initial,
-        ..
-    } = *variable;
-    match (causality.legal_initial(variability), initial) {
+    combination(variable, place, report);
+    let real = variable.variable_type.base() == BaseType::Real;
+    if !real && variable.variability == Variability::Continuous {
+        report.error(
+            Rule::Variability,
+            format!("{place}/@variability"),
+            "continuous, stated or by default, for a variable that is not real",
+            "another variability",
+        );
+    }
+    if !real && variable.causality == Causality::Independent {
+        report.error(
+            Rule::Independent,
+            place,
+            "an independent variable that is not real",
+            "a real one",
+        );
+    }
+}
+
+/// Causality, variability and initial go together.
+fn combination(variable: &ScalarVariable, place: &str, report: &mut Report) {
+    let (causality, variability) = (variable.causality, variable.variability);
+    match (causality.legal_initial(variability), variable.initial) {
         (None, _) => {
             let legal: Vec<&str> = Variability::ALL
                 .into_iter()
@@ -106,23 +123,6 @@ fn attributes(variable: &ScalarVariable, place: &str, report: &mut Report) {
             );
         }
         _ => {}
-    }
-    let real = variable.variable_type.base() == BaseType::Real;
-    if !real && variability == Variability::Continuous {
-        report.error(
-            Rule::Variability,
-            format!("{place}/@variability"),
-            "continuous, stated or by default, for a variable that is not real",
-            "another variability",
-        );
-    }
-    if !real && causality == Causality::Independent {
-        report.error(
-            Rule::Independent,
-            place,
-            "an independent variable that is not real",
-            "a real one",
-        );
     }
 }
 
