@@ -6,7 +6,7 @@ use clap::Args;
 use miette::{NamedSource, Report, miette};
 use sphere_dda::scene::Scene;
 use sphere_dda::scene_file::{Loaded, Summary};
-use sphere_dda_report::picture::portrait;
+use sphere_dda_picture::portrait::portrait;
 
 use crate::arguments::free;
 use crate::failure::Failure;

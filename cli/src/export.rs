@@ -11,7 +11,7 @@ use sphere_dda::scene::Scene;
 use sphere_dda_export::{
     Contents, Exported, Library, Pictures, Platform, Version, export, find_libraries,
 };
-use sphere_dda_report::picture::portrait;
+use sphere_dda_picture::portrait::portrait;
 
 use package::Package;
 

@@ -71,22 +71,26 @@ fn header(description: &ModelDescription) -> String {
         ("model", description.model_name.clone()),
         ("guid", description.guid.clone()),
     ];
-    let texts = [
-        ("description", &description.description),
-        ("version", &description.version),
-        ("author", &description.author),
-        ("license", &description.license),
-        ("tool", &description.generation_tool),
-    ];
-    for (name, text) in texts {
-        lines.extend(text.iter().map(|text| (name, text.clone())));
-    }
+    lines.extend(texts([
+        &description.description,
+        &description.version,
+        &description.author,
+        &description.license,
+        &description.generation_tool,
+    ]));
     lines.extend(description.default_experiment.map(times));
     if let Some(co_simulation) = &description.co_simulation {
         lines.insert(1, ("library", co_simulation.model_identifier.clone()));
         lines.push(("able to", abilities(co_simulation)));
     }
     list(&lines)
+}
+
+/// What people wrote about the model, as far as they did.
+fn texts(texts: [&Option<String>; 5]) -> impl Iterator<Item = (&'static str, String)> {
+    let names = ["description", "version", "author", "license", "tool"];
+    let named = names.into_iter().zip(texts);
+    named.filter_map(|(name, text)| Some((name, text.clone()?)))
 }
 
 /// The suggested experiment as a line.
@@ -131,10 +135,13 @@ fn abilities(co_simulation: &CoSimulation) -> String {
             "give directional derivatives",
         ),
     ];
-    let able: Vec<&str> = flags
-        .iter()
-        .filter_map(|(flag, text)| flag.then_some(*text))
-        .collect();
+    able(&flags)
+}
+
+/// The abilities that are there, in a sentence.
+fn able(flags: &[(bool, &str)]) -> String {
+    let able = flags.iter().filter(|(flag, _)| *flag);
+    let able: Vec<&str> = able.map(|(_, text)| *text).collect();
     if able.is_empty() {
         return "take steps of one length only".to_owned();
     }
@@ -165,34 +172,25 @@ fn variables(variables: Vec<[String; 6]>) -> String {
 }
 
 fn row(description: &ModelDescription, variable: &ScalarVariable) -> [String; 6] {
+    fn text<T: ToString>(start: Option<T>) -> Option<String> {
+        start.map(|start| start.to_string())
+    }
     let (kind, unit, start) = match &variable.variable_type {
-        VariableType::Real(real) => (
-            "Real",
-            real.unit
-                .clone()
-                .or_else(|| declared_unit(description, real.declared_type.as_deref()?)),
-            real.start.map(|start| start.to_string()),
-        ),
-        VariableType::Integer(integer) => (
-            "Integer",
-            None,
-            integer.start.map(|start| start.to_string()),
-        ),
-        VariableType::Boolean(boolean) => (
-            "Boolean",
-            None,
-            boolean.start.map(|start| start.to_string()),
-        ),
-        VariableType::String(string) => (
-            "String",
-            None,
-            string.start.as_ref().map(|start| format!("{start:?}")),
-        ),
-        VariableType::Enumeration(enumeration) => (
-            &*enumeration.declared_type,
-            None,
-            enumeration.start.map(|start| start.to_string()),
-        ),
+        VariableType::Real(real) => {
+            let declared = || declared_unit(description, real.declared_type.as_deref()?);
+            (
+                "Real",
+                real.unit.clone().or_else(declared),
+                text(real.start),
+            )
+        }
+        VariableType::Integer(integer) => ("Integer", None, text(integer.start)),
+        VariableType::Boolean(boolean) => ("Boolean", None, text(boolean.start)),
+        VariableType::String(string) => {
+            let quoted = string.start.as_ref().map(|start| format!("{start:?}"));
+            ("String", None, quoted)
+        }
+        VariableType::Enumeration(own) => (&*own.declared_type, None, text(own.start)),
     };
     [
         variable.name.clone(),

@@ -1,7 +1,7 @@
 //! `sphere-dda reproduce-paper -o DIR`: the paper's examples and claims as a report.
 
 use clap::Args;
-use sphere_dda_report::paper::{self, Options};
+use sphere_dda_studies::paper::{self, Options};
 
 use crate::arguments::positive;
 use crate::failure::Failure;

@@ -204,7 +204,17 @@ struct Checkpoints<'a> {
     written: Instant,
 }
 
-impl Checkpoints<'_> {
+impl<'a> Checkpoints<'a> {
+    /// None written yet.
+    fn new(clock: &'a CommunicationPoints, simulation: &Simulation) -> Self {
+        Self {
+            clock,
+            interval: simulation.scene().output.checkpoint_interval,
+            last: simulation.time(),
+            written: Instant::now(),
+        }
+    }
+
     /// After communication step `k`, the run going on.
     fn pass(&mut self, k: u64, simulation: &Simulation, results: &mut Results) {
         let time = simulation.time();
@@ -246,25 +256,20 @@ fn run_to_end(
     start: Option<u64>,
     interrupt: &Interrupt,
 ) -> (Total, Result<(), Failure>) {
-    let (begin, stop) = (simulation.time(), clock.point(clock.count()));
-    let mut progress = Progress::new(begin, stop);
-    let mut total = Total::default();
-    let mut checkpoints = Checkpoints {
-        clock,
-        interval: simulation.scene().output.checkpoint_interval,
-        last: begin,
-        written: Instant::now(),
-    };
+    let begin = simulation.time();
+    let mut progress = Progress::new(begin, clock.point(clock.count()));
+    let mut checkpoints = Checkpoints::new(clock, simulation);
     if start.is_none() {
         results.record(&Observation::of(simulation));
     }
+    let mut report = StepReport::default();
     let mut warned = false;
     let mut end = Ok(());
     let mut reached = start.unwrap_or(0);
     while reached < clock.count() {
         let point = clock.point(reached + 1);
         match simulation.advance_to(point) {
-            Ok(report) => total.report.add(&report),
+            Ok(own) => report.add(&own),
             Err(error) => {
                 end = Err(error.into());
                 break;
@@ -273,12 +278,7 @@ fn run_to_end(
         reached += 1;
         let state = Observation::of(simulation);
         results.record(&state);
-        if let (false, Some(why)) = (warned, results.status().first_failure) {
-            warned = true;
-            progress.note(format_args!(
-                "a result was not written, the run goes on: {why}"
-            ));
-        }
+        warned = warned || warn_of_failures(results, &progress);
         progress.show(point, || detail(&state));
         if reached < clock.count() {
             if interrupt.requested() {
@@ -291,15 +291,28 @@ fn run_to_end(
             checkpoints.pass(reached, simulation, results);
         }
     }
-    if end.is_ok() {
-        checkpoints.finish(simulation, results);
-    } else {
-        checkpoints.write(reached, simulation, results, KEPT);
+    match end {
+        Ok(()) => checkpoints.finish(simulation, results),
+        Err(_) => checkpoints.write(reached, simulation, results, KEPT),
     }
-    total.begin = begin;
-    total.time = simulation.time();
-    total.wall = progress.wall_time();
+    let total = Total {
+        begin,
+        time: simulation.time(),
+        wall: progress.wall_time(),
+        report,
+    };
     (total, end)
+}
+
+/// Notes the first result that was not written, if there is one.
+fn warn_of_failures(results: &Results, progress: &Progress) -> bool {
+    let Some(why) = results.status().first_failure else {
+        return false;
+    };
+    progress.note(format_args!(
+        "a result was not written, the run goes on: {why}"
+    ));
+    true
 }
 
 fn detail(state: &Observation) -> String {

@@ -138,23 +138,7 @@ pub(crate) fn assignment(text: &str) -> Result<(String, String), String> {
 /// # Errors
 /// What the importer says, and files that cannot be read or written.
 pub(crate) fn run(arguments: &Simulate, interrupt: &Interrupt) -> Result<(), Failure> {
-    let ssp = match &*arguments.fmus {
-        [path] if is_ssp(path) => Some(Ssp::open(path)?),
-        [_, _, ..] if arguments.fmus.iter().any(|path| is_ssp(path)) => {
-            return Err(Failure::Input(miette!(
-                "found an SSP among several files, expected one SSP alone, or FMUs"
-            )));
-        }
-        _ => None,
-    };
-    let fmus: Vec<Fmu> = match ssp {
-        Some(_) => Vec::new(),
-        None => arguments
-            .fmus
-            .iter()
-            .map(Fmu::open)
-            .collect::<Result<_, _>>()?,
-    };
+    let (ssp, fmus) = open(&arguments.fmus)?;
     let mut system = match (&ssp, &*fmus) {
         (Some(ssp), _) => ssp.system()?,
         (None, [fmu]) => System::of(fmu),
@@ -162,29 +146,7 @@ pub(crate) fn run(arguments: &Simulate, interrupt: &Interrupt) -> Result<(), Fai
     };
     let pairs = arguments.connect.iter();
     system.connect(pairs.map(|(output, input)| (&**output, &**input)))?;
-    let (mut set, (start, stop)) = match &ssp {
-        Some(ssp) => (ssp.set(&system)?, ssp.experiment()),
-        None => (Vec::new(), (None, None)),
-    };
-    set.retain(|(name, _)| arguments.set.iter().all(|(given, _)| given != name));
-    set.extend(arguments.set.iter().cloned());
-    let inputs = match &arguments.input {
-        Some(path) => Some(InputTable::from_csv(path, &system)?),
-        None => None,
-    };
-    let options = Options {
-        start: arguments.start.or(start),
-        stop: arguments.stop.or(stop),
-        step: arguments.step,
-        coupling: arguments.coupling.into(),
-        iteration: iteration(arguments)?,
-        inputs,
-        outputs: (!arguments.record.is_empty()).then(|| arguments.record.clone()),
-        set,
-        logging: arguments.verbose,
-        allow_nan: arguments.allow_nan,
-        ..Options::default()
-    };
+    let options = options(arguments, ssp.as_ref(), &system)?;
     let output = arguments.output.as_deref();
     let file = output
         .map(|path| CsvFile::open(path, arguments.overwrite))
@@ -209,6 +171,52 @@ pub(crate) fn run(arguments: &Simulate, interrupt: &Interrupt) -> Result<(), Fai
         ));
     }
     driven.end
+}
+
+/// One SSP, or FMUs.
+fn open(files: &[PathBuf]) -> Result<(Option<Ssp>, Vec<Fmu>), Failure> {
+    if let [path] = files
+        && is_ssp(path)
+    {
+        return Ok((Some(Ssp::open(path)?), Vec::new()));
+    }
+    if files.iter().any(|path| is_ssp(path)) {
+        return Err(Failure::Input(miette!(
+            "found an SSP among several files, expected one SSP alone, or FMUs"
+        )));
+    }
+    let fmus: Result<_, _> = files.iter().map(Fmu::open).collect();
+    Ok((None, fmus?))
+}
+
+/// What the arguments say; what they leave open, as the SSP says.
+fn options(
+    arguments: &Simulate,
+    ssp: Option<&Ssp>,
+    system: &System<'_>,
+) -> Result<Options, Failure> {
+    let (mut set, (start, stop)) = match ssp {
+        Some(ssp) => (ssp.set(system)?, ssp.experiment()),
+        None => (Vec::new(), (None, None)),
+    };
+    set.retain(|(name, _)| arguments.set.iter().all(|(given, _)| given != name));
+    set.extend(arguments.set.iter().cloned());
+    let input = arguments.input.as_ref();
+    Ok(Options {
+        start: arguments.start.or(start),
+        stop: arguments.stop.or(stop),
+        step: arguments.step,
+        coupling: arguments.coupling.into(),
+        inputs: input
+            .map(|path| InputTable::from_csv(path, system))
+            .transpose()?,
+        iteration: iteration(arguments)?,
+        outputs: (!arguments.record.is_empty()).then(|| arguments.record.clone()),
+        set,
+        logging: arguments.verbose,
+        allow_nan: arguments.allow_nan,
+        ..Options::default()
+    })
 }
 
 /// How to iterate; numbers for it are refused where nothing is iterated.

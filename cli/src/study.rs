@@ -5,9 +5,9 @@ use std::sync::Mutex;
 use std::time::Instant;
 
 use clap::Args;
-use sphere_dda_report::Watch;
-use sphere_dda_report::error::ReportError;
-use sphere_dda_report::folder::Folder;
+use sphere_dda_studies::Watch;
+use sphere_dda_studies::error::ReportError;
+use sphere_dda_studies::folder::Folder;
 
 use crate::failure::Failure;
 use crate::progress::{Interrupt, note, print};

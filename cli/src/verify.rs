@@ -1,7 +1,7 @@
 //! `sphere-dda verify -o DIR`: laws of granular matter, measured and written as a report.
 
 use clap::Args;
-use sphere_dda_report::laws::{self, Options};
+use sphere_dda_studies::laws::{self, Options};
 
 use crate::arguments::positive;
 use crate::failure::Failure;

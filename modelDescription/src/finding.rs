@@ -61,8 +61,6 @@ pub enum Rule {
     StateFlags,
     /// Names of log categories are unique.
     LogCategoryUnique,
-    /// Tool names of vendor annotations are unique.
-    AnnotationUnique,
     /// The default experiment can be run: finite, stop after start, positive
     /// tolerance and step.
     DefaultExperiment,
@@ -113,18 +111,6 @@ pub enum Rule {
     DeclaredType,
     /// The independent variable is real, and there is at most one.
     Independent,
-    /// `derivative` is the index of another real variable.
-    Derivative,
-    /// An attribute for model exchange stands only where that is offered.
-    ModelExchangeOnly,
-
-    // Variables with one value reference.
-    /// At most one of them can be set or has a start value.
-    AliasStart,
-    /// A constant shares its reference only with constants of the same value.
-    AliasConstant,
-    /// They have the same unit, or none.
-    AliasUnit,
 
     // Model structure.
     /// The model has variables.
@@ -135,8 +121,6 @@ pub enum Rule {
     Outputs,
     /// `Outputs` is in the order of the variables.
     OutputsOrder,
-    /// `Derivatives` has derivatives of continuous states, each once.
-    Derivatives,
     /// `InitialUnknowns` has every unknown of the initialization, once, and
     /// nothing else.
     InitialUnknowns,

@@ -5,6 +5,7 @@
 use std::collections::BTreeSet;
 
 use serde::{Deserialize, Serialize};
+use serde_with_macros::apply;
 
 use crate::finding::{Finding, Report, Rule};
 use crate::lexical;
@@ -20,40 +21,36 @@ const ROOT: &str = "fmiTerminalsAndIcons";
 list_element!(terminal_list, super::Terminal, "Terminal");
 
 /// The root element `fmiTerminalsAndIcons`.
+#[apply(
+    crate = "serde_with_macros",
+    Option => #[serde(skip_serializing_if = "Option::is_none")],
+    Vec => #[serde(default, skip_serializing_if = "Vec::is_empty")],
+)]
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct TerminalsAndIcons {
     /// [`FMI_VERSION`].
     #[serde(rename = "@fmiVersion")]
     fmi_version: String,
     /// Where `icon.png` is drawn; `None`: there is no icon.
-    #[serde(
-        rename = "GraphicalRepresentation",
-        default,
-        skip_serializing_if = "Option::is_none"
-    )]
+    #[serde(rename = "GraphicalRepresentation")]
     pub graphical_representation: Option<GraphicalRepresentation>,
     /// The terminals.
-    #[serde(
-        rename = "Terminals",
-        default,
-        skip_serializing_if = "Vec::is_empty",
-        with = "terminal_list"
-    )]
+    #[serde(rename = "Terminals", with = "terminal_list")]
     pub terminals: Vec<Terminal>,
 }
 
 /// The drawing area and the place of the icon in it.
+#[apply(
+    crate = "serde_with_macros",
+    Option => #[serde(skip_serializing_if = "Option::is_none")],
+)]
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct GraphicalRepresentation {
     /// The drawing area.
-    #[serde(
-        rename = "CoordinateSystem",
-        default,
-        skip_serializing_if = "Option::is_none"
-    )]
+    #[serde(rename = "CoordinateSystem")]
     pub coordinate_system: Option<CoordinateSystem>,
     /// The place of `icon.png`.
-    #[serde(rename = "Icon", default, skip_serializing_if = "Option::is_none")]
+    #[serde(rename = "Icon")]
     pub icon: Option<Icon>,
 }
 
@@ -118,6 +115,10 @@ pub struct Icon {
 }
 
 /// Variables that are connected together.
+#[apply(
+    crate = "serde_with_macros",
+    Option => #[serde(skip_serializing_if = "Option::is_none")],
+)]
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Terminal {
     /// Name, unique among its neighbours.
@@ -127,18 +128,10 @@ pub struct Terminal {
     #[serde(rename = "@matchingRule")]
     pub matching_rule: String,
     /// What it is, by the names of another standard.
-    #[serde(
-        rename = "@terminalKind",
-        default,
-        skip_serializing_if = "Option::is_none"
-    )]
+    #[serde(rename = "@terminalKind")]
     pub terminal_kind: Option<String>,
     /// One line for people.
-    #[serde(
-        rename = "@description",
-        default,
-        skip_serializing_if = "Option::is_none"
-    )]
+    #[serde(rename = "@description")]
     pub description: Option<String>,
     /// Its variables.
     #[serde(
@@ -167,17 +160,17 @@ impl Terminal {
 }
 
 /// A variable of a terminal.
+#[apply(
+    crate = "serde_with_macros",
+    Option => #[serde(skip_serializing_if = "Option::is_none")],
+)]
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Member {
     /// Name of the variable.
     #[serde(rename = "@variableName")]
     pub variable_name: String,
     /// Its name in the terminal.
-    #[serde(
-        rename = "@memberName",
-        default,
-        skip_serializing_if = "Option::is_none"
-    )]
+    #[serde(rename = "@memberName")]
     pub member_name: Option<String>,
     /// `signal`, or `inflow` and `outflow` of what adds up to zero where terminals meet.
     #[serde(rename = "@variableKind")]

@@ -6,6 +6,7 @@
 //! 1e-3.
 
 use serde::{Deserialize, Serialize};
+use serde_with_macros::apply;
 
 use crate::finding::{Report, Rule};
 use crate::lexical::{self, is_zero};
@@ -49,71 +50,35 @@ impl Unit {
 /// Exponents of the SI base units, and the way there.
 ///
 /// Value in base units = `factor` * value + `offset`.
+#[apply(
+    crate = "serde_with_macros",
+    i32 => #[serde(default, skip_serializing_if = "is_zero", with = "lexical")],
+)]
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct BaseUnit {
     /// Exponent of the kilogram.
-    #[serde(
-        rename = "@kg",
-        default,
-        skip_serializing_if = "is_zero",
-        with = "lexical"
-    )]
+    #[serde(rename = "@kg")]
     pub kg: i32,
     /// Exponent of the metre.
-    #[serde(
-        rename = "@m",
-        default,
-        skip_serializing_if = "is_zero",
-        with = "lexical"
-    )]
+    #[serde(rename = "@m")]
     pub m: i32,
     /// Exponent of the second.
-    #[serde(
-        rename = "@s",
-        default,
-        skip_serializing_if = "is_zero",
-        with = "lexical"
-    )]
+    #[serde(rename = "@s")]
     pub s: i32,
     /// Exponent of the ampere.
-    #[serde(
-        rename = "@A",
-        default,
-        skip_serializing_if = "is_zero",
-        with = "lexical"
-    )]
+    #[serde(rename = "@A")]
     pub a: i32,
     /// Exponent of the kelvin.
-    #[serde(
-        rename = "@K",
-        default,
-        skip_serializing_if = "is_zero",
-        with = "lexical"
-    )]
+    #[serde(rename = "@K")]
     pub k: i32,
     /// Exponent of the mole.
-    #[serde(
-        rename = "@mol",
-        default,
-        skip_serializing_if = "is_zero",
-        with = "lexical"
-    )]
+    #[serde(rename = "@mol")]
     pub mol: i32,
     /// Exponent of the candela.
-    #[serde(
-        rename = "@cd",
-        default,
-        skip_serializing_if = "is_zero",
-        with = "lexical"
-    )]
+    #[serde(rename = "@cd")]
     pub cd: i32,
     /// Exponent of the radian, which FMI counts as if it were a base unit.
-    #[serde(
-        rename = "@rad",
-        default,
-        skip_serializing_if = "is_zero",
-        with = "lexical"
-    )]
+    #[serde(rename = "@rad")]
     pub rad: i32,
     /// Factor to base units; 1 if absent.
     #[serde(

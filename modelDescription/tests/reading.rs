@@ -42,11 +42,8 @@ fn samples_read_back_after_writing() {
         OPEN_MODELICA,
         SIMULINK,
     ] {
-        let mut model = read(text);
-        let back = read(&model.to_xml().unwrap());
-        // What annotations contain is not kept, so they are not written.
-        model.vendor_annotations.clear();
-        assert_eq!(back, model);
+        let model = read(text);
+        assert_eq!(read(&model.to_xml().unwrap()), model);
     }
 }
 
@@ -55,13 +52,12 @@ fn both_interfaces() {
     let model = read(BOUNCING_BALL);
     assert_eq!(model.validate(), []);
     assert_eq!(model.variable_naming_convention, NamingConvention::Flat);
-    assert_eq!(model.number_of_event_indicators, Some(1));
-    let exchange = model.model_exchange.unwrap();
-    assert!(exchange.can_serialize_fmu_state);
-    assert_eq!(exchange.source_files.len(), 1);
+    assert_eq!(
+        model.model_exchange.unwrap().model_identifier,
+        "BouncingBall"
+    );
     let interface = model.co_simulation.unwrap();
     assert!(interface.can_get_and_set_fmu_state, "`1` is true");
-    assert_eq!(interface.source_files[1].name, "solver/euler.c");
 
     let names: Vec<&str> = model
         .model_variables
@@ -147,12 +143,6 @@ fn every_base_type() {
 fn vendor_annotations_and_comments() {
     let model = read(OPEN_MODELICA);
     assert!(model.co_simulation.is_none());
-    let tools: Vec<&str> = model
-        .vendor_annotations
-        .iter()
-        .map(|tool| tool.name.as_str())
-        .collect();
-    assert_eq!(tools, ["OpenModelica", "Another"]);
     assert_eq!(model.model_variables.len(), 6);
     assert_eq!(model.unit_definitions[0].base_unit, None);
     assert_eq!(model.unit_definitions[1].display_units[0].name, "deg");

@@ -9,7 +9,7 @@ use std::collections::BTreeSet;
 
 use breakages::{Case, cases};
 use sphere_dda_model_description::fmi2::{
-    Causality, Initial, ModelDescription, RealVariable, ScalarVariable, Variability, VariableType,
+    Causality, Initial, ModelDescription, RealVariable, ScalarVariable, Variability,
 };
 use sphere_dda_model_description::{Finding, Rule, Severity};
 
@@ -183,75 +183,6 @@ fn one_variable(
     model.type_definitions.clear();
     model = model.with_variables(vec![variable]);
     model.validate()
-}
-
-#[test]
-fn legal_aliases_are_no_findings() {
-    let local = |name: &str, variability, variable_type: VariableType| {
-        ScalarVariable::new(name, 7, Causality::Local, variability, variable_type)
-    };
-    let cases: [(&str, [ScalarVariable; 2]); 4] = [
-        (
-            "a computed variable follows a parameter",
-            [
-                ScalarVariable::new(
-                    "p",
-                    7,
-                    Causality::Parameter,
-                    Variability::Fixed,
-                    RealVariable::new().with_start(1.0),
-                ),
-                local("q", Variability::Fixed, RealVariable::new().into()),
-            ],
-        ),
-        (
-            "two computed variables with other bounds",
-            [
-                local(
-                    "p",
-                    Variability::Continuous,
-                    RealVariable::new().with_max(1.0).into(),
-                ),
-                local("q", Variability::Continuous, RealVariable::new().into()),
-            ],
-        ),
-        (
-            "equal constants",
-            [
-                local(
-                    "p",
-                    Variability::Constant,
-                    RealVariable::new().with_start(1.0).into(),
-                ),
-                local(
-                    "q",
-                    Variability::Constant,
-                    RealVariable::new().with_start(1.0).into(),
-                ),
-            ],
-        ),
-        (
-            "one reference in two base types",
-            [
-                local(
-                    "p",
-                    Variability::Constant,
-                    RealVariable::new().with_start(1.0).into(),
-                ),
-                local(
-                    "q",
-                    Variability::Constant,
-                    sphere_dda_model_description::fmi2::IntegerVariable::new()
-                        .with_start(2)
-                        .into(),
-                ),
-            ],
-        ),
-    ];
-    for (what, variables) in cases {
-        let model = model::small().with_variables(variables.to_vec());
-        assert_eq!(model.validate(), [], "{what}");
-    }
 }
 
 /// Defaults of a declared type count for the variable.

@@ -87,7 +87,6 @@ fn empty_lists_are_absent() {
         "Outputs",
         "Derivatives",
         "InitialUnknowns",
-        "SourceFiles",
         "VendorAnnotations",
     ] {
         assert!(!text.contains(element), "{text}");

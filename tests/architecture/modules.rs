@@ -7,14 +7,15 @@ use std::collections::{BTreeMap, BTreeSet};
 use crate::{code, names, sources};
 
 /// The crates whose imports are judged.
-const CRATES: [&str; 8] = [
+const CRATES: [&str; 9] = [
     "src",
     "fmu/src",
     "export/src",
     "master/src",
     "interface/src",
     "modelDescription/src",
-    "report/src",
+    "picture/src",
+    "studies/src",
     "cli/src",
 ];
 

@@ -2,7 +2,7 @@
 
 use sphere_dda_model_description::fmi3::{CoSimulation, ModelDescription, Variable};
 
-use super::{list, times, uncapitalized, variables};
+use super::{able, list, texts, times, uncapitalized, variables};
 
 /// Header and variables.
 pub(super) fn page(description: &ModelDescription) -> String {
@@ -11,16 +11,13 @@ pub(super) fn page(description: &ModelDescription) -> String {
         ("standard", "FMI 3.0".to_owned()),
         ("token", description.instantiation_token.clone()),
     ];
-    let texts = [
-        ("description", &description.description),
-        ("version", &description.version),
-        ("author", &description.author),
-        ("license", &description.license),
-        ("tool", &description.generation_tool),
-    ];
-    for (name, text) in texts {
-        lines.extend(text.iter().map(|text| (name, text.clone())));
-    }
+    lines.extend(texts([
+        &description.description,
+        &description.version,
+        &description.author,
+        &description.license,
+        &description.generation_tool,
+    ]));
     lines.extend(description.default_experiment.map(times));
     if let Some(interface) = &description.co_simulation {
         lines.push(("library", interface.model_identifier.clone()));
@@ -59,14 +56,7 @@ fn abilities(interface: &CoSimulation) -> String {
         ),
         (interface.has_event_mode, "handle events"),
     ];
-    let able: Vec<&str> = flags
-        .iter()
-        .filter_map(|(flag, text)| flag.then_some(*text))
-        .collect();
-    if able.is_empty() {
-        return "take steps of one length only".to_owned();
-    }
-    able.join(", ")
+    able(&flags)
 }
 
 fn row(variable: &Variable) -> [String; 6] {

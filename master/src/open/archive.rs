@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 
 use tempfile::TempDir;
 use zip::ZipArchive;
+use zip::read::ZipFile;
 use zip::result::ZipError;
 
 use crate::error::ArchiveError;
@@ -49,14 +50,6 @@ pub(crate) struct Unpacked {
 ///
 /// Every variant of [`ArchiveError`].
 pub(crate) fn unpack(path: &Path, limits: Limits) -> Result<Unpacked, ArchiveError> {
-    let at = |path: &Path| {
-        let path = path.to_owned();
-        move |source| ArchiveError::Io { path, source }
-    };
-    let in_archive = |source| ArchiveError::Zip {
-        place: "archive".to_owned(),
-        source,
-    };
     let file = File::open(path).map_err(ArchiveError::Open)?;
     let packed = file.metadata().map_err(ArchiveError::Open)?.len();
     let mut archive = ZipArchive::new(io::BufReader::new(file)).map_err(in_archive)?;
@@ -69,7 +62,6 @@ pub(crate) fn unpack(path: &Path, limits: Limits) -> Result<Unpacked, ArchiveErr
     if archive.has_duplicate_names() || archive.has_overlapping_files().map_err(in_archive)? {
         return Err(ArchiveError::Overlap);
     }
-
     let folder = TempDir::with_prefix("fmu-").map_err(at(&std::env::temp_dir()))?;
     let mut budget = Budget {
         limits,
@@ -77,37 +69,58 @@ pub(crate) fn unpack(path: &Path, limits: Limits) -> Result<Unpacked, ArchiveErr
         unpacked: 0,
     };
     for index in 0..archive.len() {
-        let mut entry = archive.by_index(index).map_err(in_archive)?;
-        let raw = String::from_utf8_lossy(entry.name_raw()).into_owned();
-        if entry.is_symlink() {
-            return Err(ArchiveError::SymbolicLink { name: raw });
-        }
-        let Some(relative) = inner_path(&raw) else {
-            return Err(ArchiveError::Escape { name: raw });
-        };
-        let target = folder.path().join(relative);
-        if entry.is_dir() || raw.ends_with('\\') {
-            fs::create_dir_all(&target).map_err(at(&target))?;
-            continue;
-        }
-        if let Some(parent) = target.parent() {
-            fs::create_dir_all(parent).map_err(at(parent))?;
-        }
-        let mut out = File::create_new(&target).map_err(at(&target))?;
-        // A declared size can lie: what counts is what comes out.
-        let left = budget.left();
-        let copied = io::copy(&mut entry.by_ref().take(left.saturating_add(1)), &mut out).map_err(
-            |source| ArchiveError::Zip {
-                place: format!("entry {raw:?}"),
-                source: ZipError::Io(source),
-            },
-        )?;
-        budget.take(copied)?;
+        let entry = archive.by_index(index).map_err(in_archive)?;
+        unpack_entry(entry, folder.path(), &mut budget)?;
     }
     Ok(Unpacked {
         folder,
         bytes: budget.unpacked,
     })
+}
+
+fn at(path: &Path) -> impl Fn(io::Error) -> ArchiveError {
+    let path = path.to_owned();
+    move |source| ArchiveError::Io {
+        path: path.clone(),
+        source,
+    }
+}
+
+fn in_archive(source: ZipError) -> ArchiveError {
+    ArchiveError::Zip {
+        place: "archive".to_owned(),
+        source,
+    }
+}
+
+/// Writes a file or folder below `folder`.
+fn unpack_entry<R: Read>(
+    mut entry: ZipFile<'_, R>,
+    folder: &Path,
+    budget: &mut Budget,
+) -> Result<(), ArchiveError> {
+    let raw = String::from_utf8_lossy(entry.name_raw()).into_owned();
+    if entry.is_symlink() {
+        return Err(ArchiveError::SymbolicLink { name: raw });
+    }
+    let Some(relative) = inner_path(&raw) else {
+        return Err(ArchiveError::Escape { name: raw });
+    };
+    let target = folder.join(relative);
+    if entry.is_dir() || raw.ends_with('\\') {
+        return fs::create_dir_all(&target).map_err(at(&target));
+    }
+    if let Some(parent) = target.parent() {
+        fs::create_dir_all(parent).map_err(at(parent))?;
+    }
+    let mut out = File::create_new(&target).map_err(at(&target))?;
+    // A declared size can lie: what counts is what comes out.
+    let most = budget.left().saturating_add(1);
+    let copied = io::copy(&mut entry.by_ref().take(most), &mut out);
+    budget.take(copied.map_err(|source| ArchiveError::Zip {
+        place: format!("entry {raw:?}"),
+        source: ZipError::Io(source),
+    })?)
 }
 
 struct Budget {

@@ -11,6 +11,9 @@ use super::halt::Halt;
 /// Most attempts to come from one communication point to the next with an FMU that discards.
 const MAX_ATTEMPTS: u32 = 12;
 
+const ONE_LENGTH: &str = "the FMU needs steps of one length: give a shorter one";
+const NO_PROGRESS: &str = "see what the FMU logged, or give a shorter step";
+
 /// The instances, what connects them, and when they meet.
 pub(super) struct Components<'a> {
     pub(super) system: &'a System<'a>,
@@ -48,42 +51,29 @@ impl Components<'_> {
         let mut time = self.points.time(k);
         let mut length = self.points.length(k);
         let mut whole = true;
+        let discarded = |time, step, mend| Halt::Discarded {
+            component,
+            time,
+            step,
+            mend,
+        };
         for _ in 0..MAX_ATTEMPTS {
-            let halt = |mend| Halt::Discarded {
-                component,
-                time,
-                step: length,
-                mend,
-            };
-            let step = instance
-                .step(time, length, no_rollback)
-                .map_err(Halt::at(component))?;
-            match step {
+            let step = instance.step(time, length, no_rollback);
+            let reached = match step.map_err(Halt::at(component))? {
                 Step::Done if whole => return Ok(None),
-                Step::Done => {
-                    time += length;
-                    length = target - time;
-                }
+                Step::Done => Some(time + length),
                 Step::Discarded {
-                    last_successful_time,
+                    last_successful_time: last,
                     terminated,
-                } => {
-                    let reached = last_successful_time.unwrap_or(time);
-                    if terminated {
-                        return Ok(Some(reached));
-                    }
-                    if !variable {
-                        return Err(halt(
-                            "the FMU needs steps of one length: give a shorter one",
-                        ));
-                    }
-                    if reached > time && reached < target {
-                        time = reached;
-                        length = target - time;
-                    } else {
-                        length /= 2.0;
-                    }
-                }
+                } => match terminated {
+                    true => return Ok(Some(last.unwrap_or(time))),
+                    false if variable => last.filter(|&last| last > time && last < target),
+                    false => return Err(discarded(time, length, ONE_LENGTH)),
+                },
+            };
+            match reached {
+                Some(reached) => (time, length) = (reached, target - reached),
+                None => length /= 2.0,
             }
             // A sum of parts may miss the target by rounding.
             if length <= STEP_TOLERANCE * self.points.step {
@@ -91,12 +81,7 @@ impl Components<'_> {
             }
             whole = time + length >= target;
         }
-        Err(Halt::Discarded {
-            component,
-            time,
-            step: length,
-            mend: "see what the FMU logged, or give a shorter step",
-        })
+        Err(discarded(time, length, NO_PROGRESS))
     }
 
     /// The states of all, in their order.

@@ -6,7 +6,7 @@
 use crate::calls::InputValues;
 use crate::value::Value;
 
-use super::accelerate::{QuasiNewton, Search};
+use super::accelerate::{Change, QuasiNewton, Search};
 use super::components::Components;
 use super::exchange::Exchange;
 use super::halt::Halt;
@@ -31,21 +31,17 @@ pub(super) enum Outcome {
 pub(super) fn iterate(
     components: &mut Components<'_>,
     settings: Iteration,
-    memory: &mut QuasiNewton,
+    quasi_newton: &mut QuasiNewton,
     k: u64,
 ) -> Result<Outcome, Halt> {
     let mut guess = returned(components)?;
-    let mut search = Search::new(memory, reals(&guess));
+    let mut search = Search::new(quasi_newton, reals(&guess));
     put(&mut guess, &search.first());
-    let loops = guess.iter().any(|load| !load.is_empty());
-    let states = if loops {
-        components.save()?
-    } else {
-        Vec::new()
-    };
-    let mut best: Option<(f64, Vec<InputValues>)> = None;
-    let mut last = None;
-    for iteration in 1..=settings.max_iterations {
+    let loops = guess.iter().any(|values| !values.is_empty());
+    let states = loops.then(|| components.save()).transpose()?;
+    let states = states.unwrap_or_default();
+    let mut best = None;
+    for iterations in 1..=settings.max_iterations {
         if let Some(time) = sweep(components, k, &guess, !loops)? {
             return Ok(Outcome::Ended(time));
         }
@@ -56,7 +52,7 @@ pub(super) fn iterate(
             components.release(states)?;
             search.end();
             return Ok(Outcome::Done {
-                iterations: iteration,
+                iterations,
                 left: None,
                 ended: None,
             });
@@ -64,33 +60,31 @@ pub(super) fn iterate(
         if best.as_ref().is_none_or(|(least, _)| change.size < *least) {
             best = Some((change.size, guess));
         }
-        last = Some(change);
-        if iteration == settings.max_iterations {
-            break;
+        if iterations == settings.max_iterations && !settings.accept_unconverged {
+            return Err(not_converged(components, change));
         }
-        let next = search.next(&x, &g, settings.relaxation);
         guess = found;
-        put(&mut guess, &next);
+        if iterations < settings.max_iterations {
+            put(&mut guess, &search.next(&x, &g, settings.relaxation));
+        }
         components.restore(&states)?;
     }
-    match best {
-        Some((change, guess)) if settings.accept_unconverged => {
-            components.restore(&states)?;
-            let ended = sweep(components, k, &guess, false)?;
-            components.release(states)?;
-            search.end();
-            Ok(Outcome::Done {
-                iterations: settings.max_iterations + 1,
-                left: Some(change),
-                ended,
-            })
-        }
-        _ => Err(Halt::NotConverged {
-            variable: last
-                .and_then(|last| last.worst)
-                .and_then(|worst| returned_names(components).get(worst).cloned()),
-            change: last.map_or(0.0, |last| last.size),
-        }),
+    let (left, guess) = best.unwrap_or((0.0, guess));
+    let ended = sweep(components, k, &guess, false)?;
+    components.release(states)?;
+    search.end();
+    Ok(Outcome::Done {
+        iterations: settings.max_iterations + 1,
+        left: Some(left),
+        ended,
+    })
+}
+
+fn not_converged(components: &Components<'_>, last: Change) -> Halt {
+    let names = returned_names(components);
+    Halt::NotConverged {
+        variable: last.worst.and_then(|worst| names.get(worst).cloned()),
+        change: last.size,
     }
 }
 

@@ -2,7 +2,9 @@
 
 use std::ops::ControlFlow;
 
-use crate::calls::InputValues;
+use crate::calls::{InputValues, Participant};
+use crate::error::ImportError;
+use crate::fmu::Fmu;
 use crate::system::{System, check_settable_at_start, parse};
 
 use super::accelerate::QuasiNewton;
@@ -36,24 +38,8 @@ pub fn simulate(
 ) -> Result<Table, SimulateError> {
     let points = CommunicationPoints::new(system, options)?;
     let mut table = Table::for_outputs(system, options.outputs.as_deref())?;
-    let mut start_values = vec![InputValues::new(); system.fmus().len()];
-    for (name, text) in &options.set {
-        let variable = system.find(name)?;
-        check_settable_at_start(&variable)?;
-        system.check_free(&variable)?;
-        let values = parse(&variable, text)?;
-        if let Some(load) = start_values.get_mut(variable.component) {
-            load.extend(variable.places().into_iter().zip(values));
-        }
-    }
-    let mut instances = Vec::new();
-    for (k, fmu) in system.fmus().enumerate() {
-        let own = options.instance_name.as_deref();
-        let own = own.unwrap_or(fmu.description().model_name());
-        let name = system.component_name(k).unwrap_or(own);
-        instances.push(fmu.participant(name, options.logging).map_err(Box::new)?);
-    }
-
+    let start_values = start_values(system, options)?;
+    let instances = instantiate(system, options)?;
     let exchange = Exchange::new(system, options.allow_nan);
     check_iteration(system, options, &exchange)?;
     let mut run = Run {
@@ -71,17 +57,56 @@ pub fn simulate(
     // What they logged last belongs to the failure.
     let _ended = forward(&run.components.instances, &mut observe);
     drop(run);
-    let time = table.time.last().copied().unwrap_or(points.start);
-    let halt = match result {
-        Ok(end) => {
-            table.end = end;
-            return Ok(table);
+    match result {
+        Ok(end) => Ok(Table { end, ..table }),
+        Err(halt) => {
+            let time = table.time.last().copied().unwrap_or(points.start);
+            Err(halted(halt, system, options, time, table))
         }
-        Err(halt) => halt,
+    }
+}
+
+/// What each component gets before it is initialized.
+fn start_values(system: &System<'_>, options: &Options) -> Result<Vec<InputValues>, SimulateError> {
+    let mut start_values = vec![InputValues::new(); system.fmus().len()];
+    for (name, text) in &options.set {
+        let variable = system.find(name)?;
+        check_settable_at_start(&variable)?;
+        system.check_free(&variable)?;
+        let values = parse(&variable, text)?;
+        if let Some(load) = start_values.get_mut(variable.component) {
+            load.extend(variable.places().into_iter().zip(values));
+        }
+    }
+    Ok(start_values)
+}
+
+/// An instance of every component, in their order.
+fn instantiate(
+    system: &System<'_>,
+    options: &Options,
+) -> Result<Vec<Box<dyn Participant>>, Box<ImportError>> {
+    let fmus = system.fmus().enumerate();
+    let instance = |(k, fmu): (usize, &Fmu)| {
+        let own = options.instance_name.as_deref();
+        let own = own.unwrap_or(fmu.description().model_name());
+        let name = system.component_name(k).unwrap_or(own);
+        fmu.participant(name, options.logging).map_err(Box::new)
     };
+    fmus.map(instance).collect()
+}
+
+/// Why there is no more than `table`, which ends at `time`, in the words of the caller.
+fn halted(
+    halt: Halt,
+    system: &System<'_>,
+    options: &Options,
+    time: f64,
+    table: Table,
+) -> SimulateError {
     let table = Box::new(table);
     let named = |component| system.component_name(component).map(str::to_owned);
-    Err(match halt {
+    match halt {
         Halt::Call(component, failure) => SimulateError::Call {
             time,
             component: named(component),
@@ -113,7 +138,7 @@ pub fn simulate(
             mend,
             table,
         },
-    })
+    }
 }
 
 /// Whether the numbers make sense, and all steps can be repeated.

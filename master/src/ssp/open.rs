@@ -14,7 +14,9 @@ use crate::fmu::Fmu;
 use crate::open::{Limits, inner_path, text, unpack};
 use crate::system::{System, SystemError};
 
-use super::xml::read::{Binding, Component, Element, Parameter, ParameterSet, Structure};
+use super::xml::{
+    Component, Element, ParameterBinding, ParameterSet, Structure, System as SspSystem,
+};
 
 /// Name of the structure in the archive.
 const STRUCTURE: &str = "SystemStructure.ssd";
@@ -80,6 +82,9 @@ fn list(path: &Path, problems: &[String]) -> String {
     lines.join("\n")
 }
 
+/// Name, text and unit of the value of a parameter.
+type ParameterValue = (String, String, Option<String>);
+
 /// An unpacked SSP with its FMUs.
 #[derive(Debug)]
 pub struct Ssp {
@@ -87,8 +92,8 @@ pub struct Ssp {
     /// Name, and number of the FMU.
     components: Vec<(String, usize)>,
     connections: Vec<(String, String)>,
-    /// Name, text and unit of each value, the weaker before the stronger.
-    values: Vec<(String, String, Option<String>)>,
+    /// The weaker before the stronger.
+    values: Vec<ParameterValue>,
     experiment: (Option<f64>, Option<f64>),
     path: PathBuf,
 }
@@ -110,8 +115,7 @@ impl Ssp {
     /// [`SspError`].
     pub fn open_within(path: impl AsRef<Path>, limits: Limits) -> Result<Self, SspError> {
         let path = path.as_ref().to_owned();
-        let unpacked = unpack(&path, limits);
-        let unpacked = unpacked.map_err(|source| SspError::Archive {
+        let unpacked = unpack(&path, limits).map_err(|source| SspError::Archive {
             path: path.clone(),
             source,
         })?;
@@ -121,79 +125,29 @@ impl Ssp {
             problems: Vec::new(),
         };
         let structure = reader.xml(STRUCTURE, Structure::from_xml)?;
-        let mut read = Self {
-            fmus: Vec::new(),
-            components: Vec::new(),
-            connections: Vec::new(),
-            values: Vec::new(),
-            experiment: (
-                structure.experiment.start_time,
-                structure.experiment.stop_time,
-            ),
-            path: path.clone(),
-        };
-        let mut sources: Vec<PathBuf> = Vec::new();
-        for element in &structure.system.elements.items {
-            let Some((component, source)) = reader.component(element) else {
-                continue;
-            };
-            let known = sources.iter().position(|known| *known == source);
-            let number = known.unwrap_or(sources.len());
-            if known.is_none() {
-                sources.push(source);
-            }
-            read.components.push((component.name.clone(), number));
-            for binding in &component.bindings.items {
-                let prefix = format!("{}.{}", component.name, binding.prefix);
-                read.values.extend(reader.values(binding, &prefix)?);
-            }
-        }
+        let (system, experiment) = (&structure.system, &structure.experiment);
+        let mut values = Vec::new();
+        let (components, sources) = reader.components(system, &mut values)?;
         // Values of the system are stronger than those of its components.
-        for binding in &structure.system.bindings.items {
-            read.values.extend(reader.values(binding, &binding.prefix)?);
+        for binding in system.bindings() {
+            values.extend(reader.values(binding, &binding.prefix)?);
         }
-        for wire in &structure.system.connections.items {
-            let (Some(from), Some(to)) = (&wire.start_element, &wire.end_element) else {
-                continue;
-            };
-            let (from, to) = (
-                format!("{from}.{}", wire.start_connector),
-                format!("{to}.{}", wire.end_connector),
-            );
-            if wire.transforms() {
-                reader.refuse(format!(
-                    "connection `{from}` to `{to}`: found a transformation, expected none: values are not converted"
-                ));
-            }
-            read.connections.push((from, to));
-        }
-        if read.components.len() > MAX_COMPONENTS {
-            let found = read.components.len();
-            reader.refuse(format!(
-                "found {found} components, expected at most {MAX_COMPONENTS}"
-            ));
-        }
-        if read.components.is_empty() && reader.problems.is_empty() {
-            reader.refuse("found no component, expected at least one".to_owned());
-        }
+        let connections = reader.connections(system);
+        reader.check_number(components.len());
         let problems = reader.problems;
         if !problems.is_empty() {
             return Err(SspError::Refused { path, problems });
         }
-        let mut left = limits.bytes - unpacked.bytes;
-        for source in sources {
-            let within = Limits {
-                bytes: left,
-                ..limits
-            };
-            let fmu = Fmu::open_within(&source, within).map_err(|source| SspError::Fmu {
-                path: path.clone(),
-                source: Box::new(source),
-            })?;
-            left -= fmu.bytes();
-            read.fmus.push(fmu);
-        }
-        Ok(read)
+        let left = limits.bytes - unpacked.bytes;
+        let fmus = open_fmus(&path, &sources, limits, left)?;
+        Ok(Self {
+            fmus,
+            components,
+            connections,
+            values,
+            experiment: (experiment.start_time, experiment.stop_time),
+            path,
+        })
     }
 
     /// The system: its components in the order of the structure, which is that of their steps.
@@ -249,6 +203,28 @@ impl Ssp {
     }
 }
 
+/// Opens FMUs that have `left` bytes among them.
+fn open_fmus(
+    path: &Path,
+    sources: &[PathBuf],
+    limits: Limits,
+    mut left: u64,
+) -> Result<Vec<Fmu>, SspError> {
+    let mut fmus = Vec::new();
+    for source in sources {
+        let bytes = left;
+        let fmu = Fmu::open_within(source, Limits { bytes, ..limits }).map_err(|source| {
+            SspError::Fmu {
+                path: path.to_owned(),
+                source: Box::new(source),
+            }
+        })?;
+        left -= fmu.bytes();
+        fmus.push(fmu);
+    }
+    Ok(fmus)
+}
+
 /// Reads files of an unpacked archive and collects what is refused.
 struct Reader<'a> {
     path: &'a Path,
@@ -290,6 +266,62 @@ impl Reader<'_> {
         inner.map(|inner| inner.to_string_lossy().into_owned())
     }
 
+    /// Names of the components with the numbers of their FMUs, and the files of these; adds the components' values.
+    #[expect(clippy::type_complexity, reason = "two lists, named above")]
+    fn components(
+        &mut self,
+        system: &SspSystem,
+        values: &mut Vec<ParameterValue>,
+    ) -> Result<(Vec<(String, usize)>, Vec<PathBuf>), SspError> {
+        let (mut components, mut sources) = (Vec::new(), Vec::new());
+        for element in system.elements() {
+            let Some((component, source)) = self.component(element) else {
+                continue;
+            };
+            let known = sources.iter().position(|known| *known == source);
+            let number = known.unwrap_or(sources.len());
+            if known.is_none() {
+                sources.push(source);
+            }
+            components.push((component.name.clone(), number));
+            for binding in component.bindings() {
+                let prefix = format!("{}.{}", component.name, binding.prefix);
+                values.extend(self.values(binding, &prefix)?);
+            }
+        }
+        Ok((components, sources))
+    }
+
+    /// Full names of the connectors at both ends of each connection between components.
+    fn connections(&mut self, system: &SspSystem) -> Vec<(String, String)> {
+        let mut connections = Vec::new();
+        for wire in system.connections() {
+            let (Some(from), Some(to)) = (&wire.start_element, &wire.end_element) else {
+                continue;
+            };
+            let from = format!("{from}.{}", wire.start_connector);
+            let to = format!("{to}.{}", wire.end_connector);
+            if wire.transforms() {
+                self.refuse(format!(
+                    "connection `{from}` to `{to}`: found a transformation, expected none: values are not converted"
+                ));
+            }
+            connections.push((from, to));
+        }
+        connections
+    }
+
+    fn check_number(&mut self, found: usize) {
+        if found > MAX_COMPONENTS {
+            self.refuse(format!(
+                "found {found} components, expected at most {MAX_COMPONENTS}"
+            ));
+        }
+        if found == 0 && self.problems.is_empty() {
+            self.refuse("found no component, expected at least one".to_owned());
+        }
+    }
+
     fn component<'e>(&mut self, element: &'e Element) -> Option<(&'e Component, PathBuf)> {
         match element {
             Element::Component(component) if component.is_fmu() => {
@@ -323,12 +355,12 @@ impl Reader<'_> {
         }
     }
 
-    /// Names, texts and units of the values of a binding.
+    /// The values of a binding; none, with the reason, if it cannot be followed.
     fn values(
         &mut self,
-        binding: &Binding,
+        binding: &ParameterBinding,
         prefix: &str,
-    ) -> Result<Vec<(String, String, Option<String>)>, SspError> {
+    ) -> Result<Vec<ParameterValue>, SspError> {
         if binding.maps() {
             self.refuse(
                 "parameter binding: found a mapping of names, expected the names of variables"
@@ -336,36 +368,32 @@ impl Reader<'_> {
             );
         }
         let inside = binding.source_base.as_deref().unwrap_or("SSD") == "SSD";
-        let file = match &binding.source {
-            None => None,
-            Some(source) if inside => match self.file("parameter binding", source) {
-                Some(file) => Some(file),
+        let set = match (&binding.source, &binding.values) {
+            (Some(source), _) if inside => match self.file("parameter binding", source) {
+                Some(file) => self.xml(&file, ParameterSet::from_xml)?,
                 None => return Ok(Vec::new()),
             },
-            Some(source) => {
+            (Some(source), _) => {
                 self.refuse(format!(
                     "parameter binding: found source {source:?} within a component, expected one beside {STRUCTURE}"
                 ));
                 return Ok(Vec::new());
             }
-        };
-        let set = match (file, &binding.values) {
-            (Some(file), _) => self.xml(&file, ParameterSet::from_xml)?,
             (None, Some(values)) => values.set.clone(),
             (None, None) => return Ok(Vec::new()),
         };
-        let value = |parameter: &Parameter| {
-            let (text, unit) = parameter.value()?;
+        let mut values = Vec::new();
+        for parameter in set.parameters() {
             let name = format!("{prefix}{}", parameter.name);
-            Some((name, text.to_owned(), unit.map(str::to_owned)))
-        };
-        let parameters = &set.parameters.items;
-        for parameter in parameters.iter().filter(|own| own.value().is_none()) {
-            self.refuse(format!(
-                "parameter `{prefix}{}`: found no value, expected one of type Real, Integer, Boolean, String or Enumeration",
-                parameter.name
-            ));
+            match parameter.value() {
+                Some((text, unit)) => {
+                    values.push((name, text.to_owned(), unit.map(str::to_owned)));
+                }
+                None => self.refuse(format!(
+                    "parameter `{name}`: found no value, expected one of type Real, Integer, Boolean, String or Enumeration"
+                )),
+            }
         }
-        Ok(parameters.iter().filter_map(value).collect())
+        Ok(values)
     }
 }

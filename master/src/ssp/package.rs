@@ -16,6 +16,7 @@ use std::{fs, io};
 use sphere_dda_fmi_interface::archive::{self, ArchiveError};
 use sphere_dda_model_description::Error as XmlError;
 use sphere_dda_model_description::fmi3::Causality;
+use sphere_dda_model_description::lexical::Lexical;
 use sphere_dda_model_description::units::Unit;
 use thiserror::Error;
 
@@ -26,9 +27,9 @@ use crate::system::{check_settable_at_start, parse_one};
 use crate::value::{Value, ValueType};
 use crate::variable::Variable;
 
-use super::xml::write::{
-    Component, Connection, Connector, Enumeration, Experiment, Item, Parameter, ParameterSet,
-    ParameterValue, Signal, SystemStructure, TopSystem,
+use super::xml::{
+    Component, Connection, Connector, Content, Enumeration, Experiment, Item, Parameter,
+    ParameterSet, Signal, Structure, System as SspSystem, Text,
 };
 
 /// Where the parameters lie in the archive.
@@ -108,15 +109,14 @@ impl System<'_> {
             .connections()
             .iter()
             .map(|wire| self.wire(wire, &names));
-        let system = TopSystem::new(name, VALUES, components.collect(), wires.collect());
+        let system = SspSystem::new(name, VALUES, components, wires.collect());
         let proposed = self.experiment();
         let experiment = Experiment {
             start_time: proposed.start_time,
             stop_time: proposed.stop_time,
         };
         let set = ParameterSet::new(name, TOOL, parameters, &units).to_xml()?;
-        let structure =
-            SystemStructure::new(name, TOOL, system, &units, enumerations, experiment).to_xml()?;
+        let structure = Structure::new(TOOL, system, &units, enumerations, experiment).to_xml()?;
         let archives = self.archives(&names)?;
         let mut files: Vec<(String, &[u8])> = vec![
             ("SystemStructure.ssd".to_owned(), structure.as_bytes()),
@@ -203,10 +203,7 @@ impl System<'_> {
             ) {
                 list.push(connector);
             }
-            parameters.extend(value.map(|value| Parameter {
-                name: variable.name.clone(),
-                value,
-            }));
+            parameters.extend(value.map(|value| Parameter::new(variable.name.clone(), value)));
         }
         (connectors, parameters)
     }
@@ -232,17 +229,13 @@ impl System<'_> {
                 Some(own) => full.get(own.len() + 1..).unwrap_or_default().to_owned(),
                 None => full,
             };
-            let element = names.get(component).map(|&name| name.to_owned());
-            (element.unwrap_or_default(), name)
+            let element = names.get(component).copied().unwrap_or_default();
+            (element.to_owned(), name)
         };
-        let (start_element, start_connector) = end(wire.source.0, self.source_name(wire));
-        let (end_element, end_connector) = end(wire.target.0, self.target_name(wire));
-        Connection {
-            start_element,
-            start_connector,
-            end_element,
-            end_connector,
-        }
+        Connection::new(
+            end(wire.source.0, self.source_name(wire)),
+            end(wire.target.0, self.target_name(wire)),
+        )
     }
 }
 
@@ -300,7 +293,7 @@ fn unit(variable: &Variable) -> Option<String> {
 }
 
 /// The entry of a parameter in the set, if it needs one.
-fn parameter(variable: &SystemVariable<'_>, given: Option<&Value>) -> Option<ParameterValue> {
+fn parameter(variable: &SystemVariable<'_>, given: Option<&Value>) -> Option<Content> {
     let declared = variable.declared;
     let start = declared.start.first();
     let value = match (declared.scalar.value_type(), &declared.items) {
@@ -308,22 +301,17 @@ fn parameter(variable: &SystemVariable<'_>, given: Option<&Value>) -> Option<Par
         _ => given.filter(|given| Some(*given) != start)?,
     };
     Some(match (value, &declared.items) {
-        (Value::Integer(value), Some(items)) => ParameterValue::Enumeration {
-            value: items
-                .items
-                .iter()
-                .find(|(_, item)| item == value)
-                .map(|(name, _)| name.clone())?,
-        },
-        (Value::Real(value), _) => ParameterValue::Real {
-            value: *value,
+        (Value::Integer(value), Some(items)) => {
+            let (name, _) = items.items.iter().find(|(_, item)| item == value)?;
+            Content::Enumeration(name.clone().into())
+        }
+        (Value::Real(value), _) => Content::Real(Text {
+            value: value.print(),
             unit: unit(declared),
-        },
-        (Value::Integer(value), None) => ParameterValue::Integer { value: *value },
-        (Value::Boolean(value), _) => ParameterValue::Boolean { value: *value },
-        (Value::String(value), _) => ParameterValue::String {
-            value: value.clone(),
-        },
+        }),
+        (Value::Integer(value), None) => Content::Integer(value.print().into()),
+        (Value::Boolean(value), _) => Content::Boolean(value.print().into()),
+        (Value::String(value), _) => Content::String(value.clone().into()),
         (Value::Binary(_), _) => return None,
     })
 }

@@ -201,15 +201,13 @@ impl<'f> System<'f> {
 
     /// Name of the value in a place: several variables of FMI 2.0 can share one, so the causality decides.
     fn name_of(&self, (component, place): (usize, Place), causality: Causality) -> String {
-        let is = |variable: &SystemVariable<'_>| {
-            variable.component == component
-                && variable.declared.place(place.element) == place
-                && variable.declared.causality == causality
+        let Some(component) = self.components.get(component) else {
+            return String::new();
         };
-        let variable = self.variables().find(is);
-        let own = self.components.get(component);
-        own.zip(variable)
-            .map(|(own, variable)| own.full_name(&variable.declared.element_name(place.element)))
+        let mut declared = component.fmu.variables().iter();
+        declared
+            .find(|own| own.place(place.element) == place && own.causality == causality)
+            .map(|own| component.full_name(&own.element_name(place.element)))
             .unwrap_or_default()
     }
 

@@ -2,7 +2,8 @@
 
 use super::{CoSimulation, ModelExchange, ModelStructure, ScalarVariable, SimpleType};
 use crate::list::list_element;
-use serde::{Deserialize, Deserializer, Serialize};
+use serde::{Deserialize, Serialize};
+use serde_with_macros::apply;
 
 use crate::lexical;
 use crate::units::Unit;
@@ -20,6 +21,13 @@ list_element!(category_list, super::LogCategory, "Category");
 list_element!(variable_list, super::ScalarVariable, "ScalarVariable");
 
 /// The root element `fmiModelDescription`.
+#[apply(
+    crate = "serde_with_macros",
+    Option => #[serde(skip_serializing_if = "Option::is_none")],
+    Vec<Unit> => #[serde(default, skip_serializing_if = "Vec::is_empty")],
+    Vec<SimpleType> => #[serde(default, skip_serializing_if = "Vec::is_empty")],
+    Vec<LogCategory> => #[serde(default, skip_serializing_if = "Vec::is_empty")],
+)]
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ModelDescription {
     /// Version of the standard: [`FMI_VERSION`].
@@ -32,107 +40,47 @@ pub struct ModelDescription {
     #[serde(rename = "@guid")]
     pub guid: String,
     /// One line about the model.
-    #[serde(
-        rename = "@description",
-        default,
-        skip_serializing_if = "Option::is_none"
-    )]
+    #[serde(rename = "@description")]
     pub description: Option<String>,
     /// Who made the model.
-    #[serde(rename = "@author", default, skip_serializing_if = "Option::is_none")]
+    #[serde(rename = "@author")]
     pub author: Option<String>,
     /// Version of the model.
-    #[serde(rename = "@version", default, skip_serializing_if = "Option::is_none")]
+    #[serde(rename = "@version")]
     pub version: Option<String>,
     /// Copyright notice.
-    #[serde(
-        rename = "@copyright",
-        default,
-        skip_serializing_if = "Option::is_none"
-    )]
+    #[serde(rename = "@copyright")]
     pub copyright: Option<String>,
     /// License of the model.
-    #[serde(rename = "@license", default, skip_serializing_if = "Option::is_none")]
+    #[serde(rename = "@license")]
     pub license: Option<String>,
     /// Tool that wrote the description.
-    #[serde(
-        rename = "@generationTool",
-        default,
-        skip_serializing_if = "Option::is_none"
-    )]
+    #[serde(rename = "@generationTool")]
     pub generation_tool: Option<String>,
     /// When it was written: `2009-12-08T14:33:22Z`.
-    #[serde(
-        rename = "@generationDateAndTime",
-        default,
-        skip_serializing_if = "Option::is_none"
-    )]
+    #[serde(rename = "@generationDateAndTime")]
     pub generation_date_and_time: Option<String>,
     /// Form of the variable names; [`NamingConvention::Flat`] if absent.
     #[serde(rename = "@variableNamingConvention", default)]
     pub variable_naming_convention: NamingConvention,
-    /// Number of event indicators; of use to model exchange only.
-    #[serde(
-        rename = "@numberOfEventIndicators",
-        default,
-        skip_serializing_if = "Option::is_none",
-        with = "lexical::optional"
-    )]
-    pub number_of_event_indicators: Option<u32>,
     /// The model exchange interface, if offered.
-    #[serde(
-        rename = "ModelExchange",
-        default,
-        skip_serializing_if = "Option::is_none"
-    )]
+    #[serde(rename = "ModelExchange")]
     pub model_exchange: Option<ModelExchange>,
     /// The co-simulation interface, if offered.
-    #[serde(
-        rename = "CoSimulation",
-        default,
-        skip_serializing_if = "Option::is_none"
-    )]
+    #[serde(rename = "CoSimulation")]
     pub co_simulation: Option<CoSimulation>,
     /// Units that variables and types refer to.
-    #[serde(
-        rename = "UnitDefinitions",
-        default,
-        skip_serializing_if = "Vec::is_empty",
-        with = "unit_list"
-    )]
+    #[serde(rename = "UnitDefinitions", with = "unit_list")]
     pub unit_definitions: Vec<Unit>,
     /// Types that variables refer to.
-    #[serde(
-        rename = "TypeDefinitions",
-        default,
-        skip_serializing_if = "Vec::is_empty",
-        with = "type_list"
-    )]
+    #[serde(rename = "TypeDefinitions", with = "type_list")]
     pub type_definitions: Vec<SimpleType>,
     /// Categories of log messages.
-    #[serde(
-        rename = "LogCategories",
-        default,
-        skip_serializing_if = "Vec::is_empty",
-        with = "category_list"
-    )]
+    #[serde(rename = "LogCategories", with = "category_list")]
     pub log_categories: Vec<LogCategory>,
     /// Suggested experiment.
-    #[serde(
-        rename = "DefaultExperiment",
-        default,
-        skip_serializing_if = "Option::is_none"
-    )]
+    #[serde(rename = "DefaultExperiment")]
     pub default_experiment: Option<DefaultExperiment>,
-    /// Tools that left annotations. Read only: what they contain is skipped, so
-    /// nothing of them is written.
-    #[serde(
-        rename = "VendorAnnotations",
-        default,
-        skip_serializing,
-        deserialize_with = "read_tools"
-    )]
-    pub vendor_annotations: Vec<Tool>,
     /// The variables; the first has the index 1.
     #[serde(rename = "ModelVariables", with = "variable_list")]
     pub model_variables: Vec<ScalarVariable>,
@@ -160,14 +108,12 @@ impl ModelDescription {
             generation_tool: None,
             generation_date_and_time: None,
             variable_naming_convention: NamingConvention::Structured,
-            number_of_event_indicators: None,
             model_exchange: None,
             co_simulation: Some(co_simulation),
             unit_definitions: Vec::new(),
             type_definitions: Vec::new(),
             log_categories: Vec::new(),
             default_experiment: None,
-            vendor_annotations: Vec::new(),
             model_variables: Vec::new(),
             model_structure: ModelStructure::default(),
         }
@@ -199,8 +145,7 @@ impl ModelDescription {
     /// order of the schema, real numbers as the shortest text that reads back to
     /// the same value. The same description always gives the same bytes.
     ///
-    /// Nothing is validated; [`vendor_annotations`](Self::vendor_annotations) are
-    /// left out.
+    /// Nothing is validated.
     ///
     /// # Errors
     ///
@@ -223,17 +168,17 @@ pub enum NamingConvention {
 }
 
 /// A category of log messages.
+#[apply(
+    crate = "serde_with_macros",
+    Option => #[serde(skip_serializing_if = "Option::is_none")],
+)]
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct LogCategory {
     /// Name, as the logger passes it; for example `logStatusError`.
     #[serde(rename = "@name")]
     pub name: String,
     /// What is logged under it.
-    #[serde(
-        rename = "@description",
-        default,
-        skip_serializing_if = "Option::is_none"
-    )]
+    #[serde(rename = "@description")]
     pub description: Option<String>,
 }
 
@@ -249,55 +194,23 @@ impl LogCategory {
 
 /// Suggested experiment. Times are in the unit of the independent variable, `[s]`
 /// unless the description defines another.
+#[apply(
+    crate = "serde_with_macros",
+    Option => #[serde(skip_serializing_if = "Option::is_none")],
+    Option<f64> => #[serde(default, with = "lexical::optional")],
+)]
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct DefaultExperiment {
     /// Start; importers take 0 if absent.
-    #[serde(
-        rename = "@startTime",
-        default,
-        skip_serializing_if = "Option::is_none",
-        with = "lexical::optional"
-    )]
+    #[serde(rename = "@startTime")]
     pub start_time: Option<f64>,
     /// Stop.
-    #[serde(
-        rename = "@stopTime",
-        default,
-        skip_serializing_if = "Option::is_none",
-        with = "lexical::optional"
-    )]
+    #[serde(rename = "@stopTime")]
     pub stop_time: Option<f64>,
     /// Relative tolerance, dimensionless.
-    #[serde(
-        rename = "@tolerance",
-        default,
-        skip_serializing_if = "Option::is_none",
-        with = "lexical::optional"
-    )]
+    #[serde(rename = "@tolerance")]
     pub tolerance: Option<f64>,
     /// Preferred length of a communication step.
-    #[serde(
-        rename = "@stepSize",
-        default,
-        skip_serializing_if = "Option::is_none",
-        with = "lexical::optional"
-    )]
+    #[serde(rename = "@stepSize")]
     pub step_size: Option<f64>,
-}
-
-/// A tool that left an annotation; the annotation itself is not kept.
-#[derive(Debug, Clone, PartialEq, Eq, Deserialize)]
-pub struct Tool {
-    /// Name of the tool; empty if absent.
-    #[serde(rename = "@name", default)]
-    pub name: String,
-}
-
-fn read_tools<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec<Tool>, D::Error> {
-    #[derive(Deserialize)]
-    struct Annotations {
-        #[serde(rename = "Tool", default)]
-        tools: Vec<Tool>,
-    }
-    Annotations::deserialize(deserializer).map(|annotations| annotations.tools)
 }

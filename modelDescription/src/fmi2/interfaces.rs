@@ -1,108 +1,53 @@
 //! Interfaces that a unit offers, with their capabilities.
 
 use serde::{Deserialize, Serialize};
+use serde_with_macros::apply;
 
 use crate::lexical::{self, is_false, is_zero};
-use crate::list::list_element;
-
-list_element!(source_file_list, super::SourceFile, "File");
 
 /// The co-simulation interface and what it is able to do.
 ///
 /// Every flag is false and every number 0 if absent.
+#[apply(
+    crate = "serde_with_macros",
+    bool => #[serde(default, skip_serializing_if = "is_false", with = "lexical")],
+    u32 => #[serde(default, skip_serializing_if = "is_zero", with = "lexical")],
+)]
 #[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub struct CoSimulation {
     /// Name of the shared library without suffix: a C identifier.
     #[serde(rename = "@modelIdentifier")]
     pub model_identifier: String,
     /// A tool must be installed to run the unit.
-    #[serde(
-        rename = "@needsExecutionTool",
-        default,
-        skip_serializing_if = "is_false",
-        with = "lexical"
-    )]
+    #[serde(rename = "@needsExecutionTool")]
     pub needs_execution_tool: bool,
     /// Communication steps need not all have one length.
-    #[serde(
-        rename = "@canHandleVariableCommunicationStepSize",
-        default,
-        skip_serializing_if = "is_false",
-        with = "lexical"
-    )]
+    #[serde(rename = "@canHandleVariableCommunicationStepSize")]
     pub can_handle_variable_communication_step_size: bool,
     /// Time derivatives of inputs can be set.
-    #[serde(
-        rename = "@canInterpolateInputs",
-        default,
-        skip_serializing_if = "is_false",
-        with = "lexical"
-    )]
+    #[serde(rename = "@canInterpolateInputs")]
     pub can_interpolate_inputs: bool,
     /// Highest order of the time derivatives of outputs; 0 for none.
-    #[serde(
-        rename = "@maxOutputDerivativeOrder",
-        default,
-        skip_serializing_if = "is_zero",
-        with = "lexical"
-    )]
+    #[serde(rename = "@maxOutputDerivativeOrder")]
     pub max_output_derivative_order: u32,
     /// A step may return before it is done. The standard spells it this way.
-    #[serde(
-        rename = "@canRunAsynchronuously",
-        default,
-        skip_serializing_if = "is_false",
-        with = "lexical"
-    )]
+    #[serde(rename = "@canRunAsynchronuously")]
     pub can_run_asynchronuously: bool,
     /// A process can hold one instance only.
-    #[serde(
-        rename = "@canBeInstantiatedOnlyOncePerProcess",
-        default,
-        skip_serializing_if = "is_false",
-        with = "lexical"
-    )]
+    #[serde(rename = "@canBeInstantiatedOnlyOncePerProcess")]
     pub can_be_instantiated_only_once_per_process: bool,
     /// The unit does not use the importer's memory functions.
-    #[serde(
-        rename = "@canNotUseMemoryManagementFunctions",
-        default,
-        skip_serializing_if = "is_false",
-        with = "lexical"
-    )]
+    #[serde(rename = "@canNotUseMemoryManagementFunctions")]
     pub can_not_use_memory_management_functions: bool,
     /// The state can be saved and restored.
-    #[serde(
-        rename = "@canGetAndSetFMUstate",
-        default,
-        skip_serializing_if = "is_false",
-        with = "lexical"
-    )]
+    #[serde(rename = "@canGetAndSetFMUstate")]
     pub can_get_and_set_fmu_state: bool,
     /// The state can be turned into bytes and back.
-    #[serde(
-        rename = "@canSerializeFMUstate",
-        default,
-        skip_serializing_if = "is_false",
-        with = "lexical"
-    )]
+    #[serde(rename = "@canSerializeFMUstate")]
     pub can_serialize_fmu_state: bool,
     /// Directional derivatives are available at communication points.
-    #[serde(
-        rename = "@providesDirectionalDerivative",
-        default,
-        skip_serializing_if = "is_false",
-        with = "lexical"
-    )]
+    #[serde(rename = "@providesDirectionalDerivative")]
     pub provides_directional_derivative: bool,
-    /// Source files, if the unit is shipped as source.
-    #[serde(
-        rename = "SourceFiles",
-        default,
-        skip_serializing_if = "Vec::is_empty",
-        with = "source_file_list"
-    )]
-    pub source_files: Vec<SourceFile>,
 }
 
 impl CoSimulation {
@@ -115,84 +60,10 @@ impl CoSimulation {
     }
 }
 
-/// The model exchange interface and what it is able to do.
-///
-/// Every flag is false if absent.
-#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize)]
+/// The model exchange interface: that it is offered, not what it is able to do.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct ModelExchange {
     /// Name of the shared library without suffix: a C identifier.
     #[serde(rename = "@modelIdentifier")]
     pub model_identifier: String,
-    /// A tool must be installed to run the unit.
-    #[serde(
-        rename = "@needsExecutionTool",
-        default,
-        skip_serializing_if = "is_false",
-        with = "lexical"
-    )]
-    pub needs_execution_tool: bool,
-    /// The unit need not be told of completed integrator steps.
-    #[serde(
-        rename = "@completedIntegratorStepNotNeeded",
-        default,
-        skip_serializing_if = "is_false",
-        with = "lexical"
-    )]
-    pub completed_integrator_step_not_needed: bool,
-    /// A process can hold one instance only.
-    #[serde(
-        rename = "@canBeInstantiatedOnlyOncePerProcess",
-        default,
-        skip_serializing_if = "is_false",
-        with = "lexical"
-    )]
-    pub can_be_instantiated_only_once_per_process: bool,
-    /// The unit does not use the importer's memory functions.
-    #[serde(
-        rename = "@canNotUseMemoryManagementFunctions",
-        default,
-        skip_serializing_if = "is_false",
-        with = "lexical"
-    )]
-    pub can_not_use_memory_management_functions: bool,
-    /// The state can be saved and restored.
-    #[serde(
-        rename = "@canGetAndSetFMUstate",
-        default,
-        skip_serializing_if = "is_false",
-        with = "lexical"
-    )]
-    pub can_get_and_set_fmu_state: bool,
-    /// The state can be turned into bytes and back.
-    #[serde(
-        rename = "@canSerializeFMUstate",
-        default,
-        skip_serializing_if = "is_false",
-        with = "lexical"
-    )]
-    pub can_serialize_fmu_state: bool,
-    /// Directional derivatives are available.
-    #[serde(
-        rename = "@providesDirectionalDerivative",
-        default,
-        skip_serializing_if = "is_false",
-        with = "lexical"
-    )]
-    pub provides_directional_derivative: bool,
-    /// Source files, if the unit is shipped as source.
-    #[serde(
-        rename = "SourceFiles",
-        default,
-        skip_serializing_if = "Vec::is_empty",
-        with = "source_file_list"
-    )]
-    pub source_files: Vec<SourceFile>,
-}
-
-/// A source file of a unit shipped as source.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
-pub struct SourceFile {
-    /// Path below `sources/`, with forward slashes.
-    #[serde(rename = "@name")]
-    pub name: String,
 }

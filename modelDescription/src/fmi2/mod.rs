@@ -16,9 +16,9 @@ mod values;
 mod variables;
 
 pub use description::{
-    DefaultExperiment, FMI_VERSION, LogCategory, ModelDescription, NamingConvention, Tool,
+    DefaultExperiment, FMI_VERSION, LogCategory, ModelDescription, NamingConvention,
 };
-pub use interfaces::{CoSimulation, ModelExchange, SourceFile};
+pub use interfaces::{CoSimulation, ModelExchange};
 pub use structure::{DependencyKind, ModelStructure, Unknown};
 pub use types::{
     EnumerationItem, EnumerationType, IntegerType, RealType, SimpleType, TypeDefinition,

@@ -5,6 +5,7 @@
 use std::collections::BTreeSet;
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use serde_with_macros::apply;
 
 use super::variables::{Causality, Initial, ScalarVariable};
 use crate::lexical;
@@ -13,31 +14,20 @@ use crate::list::list_element;
 list_element!(unknown_list, super::Unknown, "Unknown");
 
 /// The element `ModelStructure`.
+#[apply(
+    crate = "serde_with_macros",
+    Vec => #[serde(default, skip_serializing_if = "Vec::is_empty")],
+)]
 #[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub struct ModelStructure {
     /// Every variable with causality output.
-    #[serde(
-        rename = "Outputs",
-        default,
-        skip_serializing_if = "Vec::is_empty",
-        with = "unknown_list"
-    )]
+    #[serde(rename = "Outputs", with = "unknown_list")]
     pub outputs: Vec<Unknown>,
     /// Exposed derivatives of continuous states; co-simulation need not expose any.
-    #[serde(
-        rename = "Derivatives",
-        default,
-        skip_serializing_if = "Vec::is_empty",
-        with = "unknown_list"
-    )]
+    #[serde(rename = "Derivatives", with = "unknown_list")]
     pub derivatives: Vec<Unknown>,
     /// Every variable that the initialization computes.
-    #[serde(
-        rename = "InitialUnknowns",
-        default,
-        skip_serializing_if = "Vec::is_empty",
-        with = "unknown_list"
-    )]
+    #[serde(rename = "InitialUnknowns", with = "unknown_list")]
     pub initial_unknowns: Vec<Unknown>,
 }
 
@@ -63,6 +53,11 @@ impl ModelStructure {
 }
 
 /// A variable that the unit computes, and what it depends on.
+#[apply(
+    crate = "serde_with_macros",
+    Option => #[serde(skip_serializing_if = "Option::is_none")],
+    Option<Vec<u32>> => #[serde(default, with = "lexical::optional")],
+)]
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Unknown {
     /// Index of the variable, from 1.
@@ -70,20 +65,10 @@ pub struct Unknown {
     pub index: u32,
     /// Indices of the variables it depends on, ascending. `None`: on everything it
     /// can; empty: on nothing.
-    #[serde(
-        rename = "@dependencies",
-        default,
-        skip_serializing_if = "Option::is_none",
-        with = "lexical::optional"
-    )]
+    #[serde(rename = "@dependencies")]
     pub dependencies: Option<Vec<u32>>,
     /// How it depends on each of them.
-    #[serde(
-        rename = "@dependenciesKind",
-        default,
-        skip_serializing_if = "Option::is_none",
-        with = "kinds"
-    )]
+    #[serde(rename = "@dependenciesKind", default, with = "kinds")]
     pub dependencies_kind: Option<Vec<DependencyKind>>,
 }
 

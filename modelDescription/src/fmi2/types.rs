@@ -1,11 +1,16 @@
 //! Type definitions: defaults that several variables share.
 
 use serde::{Deserialize, Serialize};
+use serde_with_macros::apply;
 
 use super::values::BaseType;
 use crate::lexical;
 
 /// A named type.
+#[apply(
+    crate = "serde_with_macros",
+    Option => #[serde(skip_serializing_if = "Option::is_none")],
+)]
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(try_from = "Read")]
 pub struct SimpleType {
@@ -13,11 +18,7 @@ pub struct SimpleType {
     #[serde(rename = "@name")]
     pub name: String,
     /// What the type is for.
-    #[serde(
-        rename = "@description",
-        default,
-        skip_serializing_if = "Option::is_none"
-    )]
+    #[serde(rename = "@description")]
     pub description: Option<String>,
     /// Base type and defaults.
     #[serde(rename = "$value")]
@@ -78,84 +79,56 @@ impl TypeDefinition {
 }
 
 /// Defaults of real variables.
+#[apply(
+    crate = "serde_with_macros",
+    Option => #[serde(skip_serializing_if = "Option::is_none")],
+    Option<bool> => #[serde(default, with = "lexical::optional")],
+    Option<f64> => #[serde(default, with = "lexical::optional")],
+)]
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct RealType {
     /// Physical quantity, for example `Force`.
-    #[serde(rename = "@quantity", default, skip_serializing_if = "Option::is_none")]
+    #[serde(rename = "@quantity")]
     pub quantity: Option<String>,
     /// Name of a unit definition.
-    #[serde(rename = "@unit", default, skip_serializing_if = "Option::is_none")]
+    #[serde(rename = "@unit")]
     pub unit: Option<String>,
     /// Name of a display unit of that unit.
-    #[serde(
-        rename = "@displayUnit",
-        default,
-        skip_serializing_if = "Option::is_none"
-    )]
+    #[serde(rename = "@displayUnit")]
     pub display_unit: Option<String>,
     /// Offsets of units do not apply, as for a difference of temperatures.
-    #[serde(
-        rename = "@relativeQuantity",
-        default,
-        skip_serializing_if = "Option::is_none",
-        with = "lexical::optional"
-    )]
+    #[serde(rename = "@relativeQuantity")]
     pub relative_quantity: Option<bool>,
     /// Least value, in `unit`.
-    #[serde(
-        rename = "@min",
-        default,
-        skip_serializing_if = "Option::is_none",
-        with = "lexical::optional"
-    )]
+    #[serde(rename = "@min")]
     pub min: Option<f64>,
     /// Greatest value, in `unit`.
-    #[serde(
-        rename = "@max",
-        default,
-        skip_serializing_if = "Option::is_none",
-        with = "lexical::optional"
-    )]
+    #[serde(rename = "@max")]
     pub max: Option<f64>,
     /// Typical size, in `unit`, greater than 0; importers take 1 if absent.
-    #[serde(
-        rename = "@nominal",
-        default,
-        skip_serializing_if = "Option::is_none",
-        with = "lexical::optional"
-    )]
+    #[serde(rename = "@nominal")]
     pub nominal: Option<f64>,
     /// The value grows far beyond `nominal`, as the angle of a turning shaft.
-    #[serde(
-        rename = "@unbounded",
-        default,
-        skip_serializing_if = "Option::is_none",
-        with = "lexical::optional"
-    )]
+    #[serde(rename = "@unbounded")]
     pub unbounded: Option<bool>,
 }
 
 /// Defaults of integer variables.
+#[apply(
+    crate = "serde_with_macros",
+    Option => #[serde(skip_serializing_if = "Option::is_none")],
+    Option<i32> => #[serde(default, with = "lexical::optional")],
+)]
 #[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub struct IntegerType {
     /// Physical quantity.
-    #[serde(rename = "@quantity", default, skip_serializing_if = "Option::is_none")]
+    #[serde(rename = "@quantity")]
     pub quantity: Option<String>,
     /// Least value.
-    #[serde(
-        rename = "@min",
-        default,
-        skip_serializing_if = "Option::is_none",
-        with = "lexical::optional"
-    )]
+    #[serde(rename = "@min")]
     pub min: Option<i32>,
     /// Greatest value.
-    #[serde(
-        rename = "@max",
-        default,
-        skip_serializing_if = "Option::is_none",
-        with = "lexical::optional"
-    )]
+    #[serde(rename = "@max")]
     pub max: Option<i32>,
 }
 
@@ -171,6 +144,10 @@ pub struct EnumerationType {
 }
 
 /// One named value of an enumeration.
+#[apply(
+    crate = "serde_with_macros",
+    Option => #[serde(skip_serializing_if = "Option::is_none")],
+)]
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct EnumerationItem {
     /// Name, unique in the enumeration.
@@ -180,11 +157,7 @@ pub struct EnumerationItem {
     #[serde(rename = "@value", with = "lexical")]
     pub value: i32,
     /// What it means.
-    #[serde(
-        rename = "@description",
-        default,
-        skip_serializing_if = "Option::is_none"
-    )]
+    #[serde(rename = "@description")]
     pub description: Option<String>,
 }
 

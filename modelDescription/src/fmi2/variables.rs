@@ -34,14 +34,6 @@ pub struct ScalarVariable {
     /// variability: see [`effective_initial`](Self::effective_initial).
     #[serde(rename = "@initial", skip_serializing_if = "Option::is_none")]
     pub initial: Option<Initial>,
-    /// For inputs of model exchange: whether the input may be set more than once at
-    /// one instant.
-    #[serde(
-        rename = "@canHandleMultipleSetPerTimeInstant",
-        skip_serializing_if = "Option::is_none",
-        with = "lexical::optional"
-    )]
-    pub can_handle_multiple_set_per_time_instant: Option<bool>,
     /// Type of the value and what belongs to it.
     #[serde(rename = "$value")]
     pub variable_type: VariableType,
@@ -64,7 +56,6 @@ impl ScalarVariable {
             causality,
             variability,
             initial: None,
-            can_handle_multiple_set_per_time_instant: None,
             variable_type: variable_type.into(),
         }
     }
@@ -251,12 +242,6 @@ struct Read {
     variability: Variability,
     #[serde(rename = "@initial", default)]
     initial: Option<Initial>,
-    #[serde(
-        rename = "@canHandleMultipleSetPerTimeInstant",
-        default,
-        with = "lexical::optional"
-    )]
-    can_handle_multiple_set_per_time_instant: Option<bool>,
     #[serde(rename = "Real", default)]
     real: Option<RealVariable>,
     #[serde(rename = "Integer", default)]
@@ -288,7 +273,6 @@ impl TryFrom<Read> for ScalarVariable {
             causality: read.causality,
             variability: read.variability,
             initial: read.initial,
-            can_handle_multiple_set_per_time_instant: read.can_handle_multiple_set_per_time_instant,
         })
     }
 }

@@ -5,6 +5,7 @@ use super::{
     NamingConvention, OtherInterface, Variable, variables,
 };
 use serde::{Deserialize, Serialize};
+use serde_with_macros::apply;
 
 use crate::list::list_element;
 use crate::units::Unit;
@@ -21,6 +22,13 @@ list_element!(type_list, super::EnumerationType, "EnumerationType");
 list_element!(category_list, crate::fmi2::LogCategory, "Category");
 
 /// The root element `fmiModelDescription`.
+#[apply(
+    crate = "serde_with_macros",
+    Option => #[serde(skip_serializing_if = "Option::is_none")],
+    Vec<Unit> => #[serde(default, skip_serializing_if = "Vec::is_empty")],
+    Vec<EnumerationType> => #[serde(default, skip_serializing_if = "Vec::is_empty")],
+    Vec<LogCategory> => #[serde(default, skip_serializing_if = "Vec::is_empty")],
+)]
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ModelDescription {
     /// Version of the standard: [`FMI_VERSION`].
@@ -33,96 +41,49 @@ pub struct ModelDescription {
     #[serde(rename = "@instantiationToken")]
     pub instantiation_token: String,
     /// One line about the model.
-    #[serde(
-        rename = "@description",
-        default,
-        skip_serializing_if = "Option::is_none"
-    )]
+    #[serde(rename = "@description")]
     pub description: Option<String>,
     /// Who made the model.
-    #[serde(rename = "@author", default, skip_serializing_if = "Option::is_none")]
+    #[serde(rename = "@author")]
     pub author: Option<String>,
     /// Version of the model.
-    #[serde(rename = "@version", default, skip_serializing_if = "Option::is_none")]
+    #[serde(rename = "@version")]
     pub version: Option<String>,
     /// Copyright notice.
-    #[serde(
-        rename = "@copyright",
-        default,
-        skip_serializing_if = "Option::is_none"
-    )]
+    #[serde(rename = "@copyright")]
     pub copyright: Option<String>,
     /// License of the model.
-    #[serde(rename = "@license", default, skip_serializing_if = "Option::is_none")]
+    #[serde(rename = "@license")]
     pub license: Option<String>,
     /// Tool that wrote the description.
-    #[serde(
-        rename = "@generationTool",
-        default,
-        skip_serializing_if = "Option::is_none"
-    )]
+    #[serde(rename = "@generationTool")]
     pub generation_tool: Option<String>,
     /// When it was written: `2009-12-08T14:33:22Z`.
-    #[serde(
-        rename = "@generationDateAndTime",
-        default,
-        skip_serializing_if = "Option::is_none"
-    )]
+    #[serde(rename = "@generationDateAndTime")]
     pub generation_date_and_time: Option<String>,
     /// Form of the variable names; [`NamingConvention::Flat`] if absent.
     #[serde(rename = "@variableNamingConvention", default)]
     pub variable_naming_convention: NamingConvention,
     /// The model exchange interface, if offered.
-    #[serde(
-        rename = "ModelExchange",
-        default,
-        skip_serializing_if = "Option::is_none"
-    )]
+    #[serde(rename = "ModelExchange")]
     pub model_exchange: Option<OtherInterface>,
     /// The co-simulation interface, if offered.
-    #[serde(
-        rename = "CoSimulation",
-        default,
-        skip_serializing_if = "Option::is_none"
-    )]
+    #[serde(rename = "CoSimulation")]
     pub co_simulation: Option<CoSimulation>,
     /// The scheduled execution interface, if offered.
-    #[serde(
-        rename = "ScheduledExecution",
-        default,
-        skip_serializing_if = "Option::is_none"
-    )]
+    #[serde(rename = "ScheduledExecution")]
     pub scheduled_execution: Option<OtherInterface>,
     /// Units that variables refer to.
-    #[serde(
-        rename = "UnitDefinitions",
-        default,
-        skip_serializing_if = "Vec::is_empty",
-        with = "unit_list"
-    )]
+    #[serde(rename = "UnitDefinitions", with = "unit_list")]
     pub unit_definitions: Vec<Unit>,
     /// Enumerations that variables refer to.
-    #[serde(
-        rename = "TypeDefinitions",
-        default,
-        skip_serializing_if = "Vec::is_empty",
-        with = "type_list"
-    )]
+    #[serde(rename = "TypeDefinitions", with = "type_list")]
     pub type_definitions: Vec<EnumerationType>,
     /// Categories of log messages.
-    #[serde(
-        rename = "LogCategories",
-        default,
-        skip_serializing_if = "Vec::is_empty",
-        with = "category_list"
-    )]
+    #[serde(rename = "LogCategories", with = "category_list")]
     pub log_categories: Vec<LogCategory>,
     /// Suggested experiment.
-    #[serde(
-        rename = "DefaultExperiment",
-        default,
-        skip_serializing_if = "Option::is_none"
-    )]
+    #[serde(rename = "DefaultExperiment")]
     pub default_experiment: Option<DefaultExperiment>,
     /// The variables.
     #[serde(rename = "ModelVariables", with = "variables::list")]

@@ -1,136 +1,69 @@
 //! Interfaces that a unit offers, with their capabilities.
 
 use serde::{Deserialize, Serialize};
+use serde_with_macros::apply;
 
 use crate::lexical::{self, is_false, is_zero};
 
 /// The co-simulation interface and what it is able to do.
 ///
 /// Every flag is false and every number 0 if absent.
+#[apply(
+    crate = "serde_with_macros",
+    bool => #[serde(default, skip_serializing_if = "is_false", with = "lexical")],
+    Option => #[serde(skip_serializing_if = "Option::is_none")],
+    Option<f64> => #[serde(default, with = "lexical::optional")],
+    u32 => #[serde(default, skip_serializing_if = "is_zero", with = "lexical")],
+)]
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct CoSimulation {
     /// Name of the shared library without suffix: a C identifier.
     #[serde(rename = "@modelIdentifier")]
     pub model_identifier: String,
     /// A tool must be installed to run the unit.
-    #[serde(
-        rename = "@needsExecutionTool",
-        default,
-        skip_serializing_if = "is_false",
-        with = "lexical"
-    )]
+    #[serde(rename = "@needsExecutionTool")]
     pub needs_execution_tool: bool,
     /// A process can hold one instance only.
-    #[serde(
-        rename = "@canBeInstantiatedOnlyOncePerProcess",
-        default,
-        skip_serializing_if = "is_false",
-        with = "lexical"
-    )]
+    #[serde(rename = "@canBeInstantiatedOnlyOncePerProcess")]
     pub can_be_instantiated_only_once_per_process: bool,
     /// The state can be saved and restored.
-    #[serde(
-        rename = "@canGetAndSetFMUState",
-        default,
-        skip_serializing_if = "is_false",
-        with = "lexical"
-    )]
+    #[serde(rename = "@canGetAndSetFMUState")]
     pub can_get_and_set_fmu_state: bool,
     /// The state can be turned into bytes and back.
-    #[serde(
-        rename = "@canSerializeFMUState",
-        default,
-        skip_serializing_if = "is_false",
-        with = "lexical"
-    )]
+    #[serde(rename = "@canSerializeFMUState")]
     pub can_serialize_fmu_state: bool,
     /// Directional derivatives are available.
-    #[serde(
-        rename = "@providesDirectionalDerivatives",
-        default,
-        skip_serializing_if = "is_false",
-        with = "lexical"
-    )]
+    #[serde(rename = "@providesDirectionalDerivatives")]
     pub provides_directional_derivatives: bool,
     /// Adjoint derivatives are available.
-    #[serde(
-        rename = "@providesAdjointDerivatives",
-        default,
-        skip_serializing_if = "is_false",
-        with = "lexical"
-    )]
+    #[serde(rename = "@providesAdjointDerivatives")]
     pub provides_adjoint_derivatives: bool,
     /// Dependencies are known for each element of an array.
-    #[serde(
-        rename = "@providesPerElementDependencies",
-        default,
-        skip_serializing_if = "is_false",
-        with = "lexical"
-    )]
+    #[serde(rename = "@providesPerElementDependencies")]
     pub provides_per_element_dependencies: bool,
     /// Communication steps need not all have one length.
-    #[serde(
-        rename = "@canHandleVariableCommunicationStepSize",
-        default,
-        skip_serializing_if = "is_false",
-        with = "lexical"
-    )]
+    #[serde(rename = "@canHandleVariableCommunicationStepSize")]
     pub can_handle_variable_communication_step_size: bool,
     /// Length of the internal steps, if all have one \[s\].
-    #[serde(
-        rename = "@fixedInternalStepSize",
-        default,
-        skip_serializing_if = "Option::is_none",
-        with = "lexical::optional"
-    )]
+    #[serde(rename = "@fixedInternalStepSize")]
     pub fixed_internal_step_size: Option<f64>,
     /// Highest order of the time derivatives of outputs; 0 for none.
-    #[serde(
-        rename = "@maxOutputDerivativeOrder",
-        default,
-        skip_serializing_if = "is_zero",
-        with = "lexical"
-    )]
+    #[serde(rename = "@maxOutputDerivativeOrder")]
     pub max_output_derivative_order: u32,
     /// The importer is called within a step.
-    #[serde(
-        rename = "@providesIntermediateUpdate",
-        default,
-        skip_serializing_if = "is_false",
-        with = "lexical"
-    )]
+    #[serde(rename = "@providesIntermediateUpdate")]
     pub provides_intermediate_update: bool,
     /// A step may end early without being asked to.
-    #[serde(
-        rename = "@mightReturnEarlyFromDoStep",
-        default,
-        skip_serializing_if = "is_false",
-        with = "lexical"
-    )]
+    #[serde(rename = "@mightReturnEarlyFromDoStep")]
     pub might_return_early_from_do_step: bool,
     /// A step ends early if the importer asks for it when it is called within the step.
-    #[serde(
-        rename = "@canReturnEarlyAfterIntermediateUpdate",
-        default,
-        skip_serializing_if = "is_false",
-        with = "lexical"
-    )]
+    #[serde(rename = "@canReturnEarlyAfterIntermediateUpdate")]
     pub can_return_early_after_intermediate_update: bool,
     /// There is an event mode.
-    #[serde(
-        rename = "@hasEventMode",
-        default,
-        skip_serializing_if = "is_false",
-        with = "lexical"
-    )]
+    #[serde(rename = "@hasEventMode")]
     pub has_event_mode: bool,
     /// Discrete states can be evaluated without an update.
-    #[serde(
-        rename = "@providesEvaluateDiscreteStates",
-        default,
-        skip_serializing_if = "is_false",
-        with = "lexical"
-    )]
+    #[serde(rename = "@providesEvaluateDiscreteStates")]
     pub provides_evaluate_discrete_states: bool,
 }
 

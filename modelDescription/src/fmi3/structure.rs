@@ -1,6 +1,7 @@
 //! Model structure: which variables are outputs and which the initialization computes, by value reference.
 
 use serde::{Deserialize, Serialize};
+use serde_with_macros::apply;
 
 use super::variables::{Causality, Variable};
 use crate::fmi2::Initial;
@@ -48,25 +49,21 @@ pub(super) fn is_initial_unknown(variable: &Variable) -> bool {
 }
 
 /// A variable that the unit computes, and what it depends on.
+#[apply(
+    crate = "serde_with_macros",
+    Option => #[serde(skip_serializing_if = "Option::is_none")],
+    Option<Vec<u32>> => #[serde(default, with = "lexical::optional")],
+)]
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Unknown {
     /// Value reference of the variable.
     #[serde(rename = "@valueReference", with = "lexical")]
     pub value_reference: u32,
     /// Value references of the variables it depends on. `None`: on everything it can; empty: on nothing.
-    #[serde(
-        rename = "@dependencies",
-        default,
-        skip_serializing_if = "Option::is_none",
-        with = "lexical::optional"
-    )]
+    #[serde(rename = "@dependencies")]
     pub dependencies: Option<Vec<u32>>,
     /// How it depends on each of them: as written, names separated by blanks.
-    #[serde(
-        rename = "@dependenciesKind",
-        default,
-        skip_serializing_if = "Option::is_none"
-    )]
+    #[serde(rename = "@dependenciesKind")]
     pub dependencies_kind: Option<String>,
 }
 

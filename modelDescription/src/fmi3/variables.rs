@@ -3,6 +3,7 @@
 use std::fmt;
 
 use serde::{Deserialize, Serialize};
+use serde_with_macros::apply;
 
 use crate::fmi2::{Initial, Variability};
 use crate::lexical::{self, Lexical};
@@ -110,6 +111,13 @@ pub(super) mod list {
 /// Numbers of all fifteen types are kept as they are written, so that none is narrowed; [`validate`] judges them.
 ///
 /// [`validate`]: super::ModelDescription::validate
+#[apply(
+    crate = "serde_with_macros",
+    Option => #[serde(skip_serializing_if = "Option::is_none")],
+    Option<Vec<u32>> => #[serde(default, with = "lexical::optional")],
+    bool => #[serde(default, skip_serializing_if = "lexical::is_false", with = "lexical")],
+    Option<u32> => #[serde(default, with = "lexical::optional")],
+)]
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Variable {
     /// Type of the elements.
@@ -122,85 +130,54 @@ pub struct Variable {
     #[serde(rename = "@valueReference", with = "lexical")]
     pub value_reference: u32,
     /// What the values mean.
-    #[serde(
-        rename = "@description",
-        default,
-        skip_serializing_if = "Option::is_none"
-    )]
+    #[serde(rename = "@description")]
     pub description: Option<String>,
     /// Who provides the values; [`Causality::Local`] if absent.
     #[serde(rename = "@causality", default)]
     pub causality: Causality,
     /// When the values can change; `None` leaves it to type and causality: see
     /// [`effective_variability`](Self::effective_variability).
-    #[serde(
-        rename = "@variability",
-        default,
-        skip_serializing_if = "Option::is_none"
-    )]
+    #[serde(rename = "@variability")]
     pub variability: Option<Variability>,
     /// Clocks, by value reference, at whose ticks the values change.
-    #[serde(
-        rename = "@clocks",
-        default,
-        skip_serializing_if = "Option::is_none",
-        with = "lexical::optional"
-    )]
+    #[serde(rename = "@clocks")]
     pub clocks: Option<Vec<u32>>,
     /// Whether the variable can be read, or an input set, in intermediate update mode.
-    #[serde(
-        rename = "@intermediateUpdate",
-        default,
-        skip_serializing_if = "lexical::is_false",
-        with = "lexical"
-    )]
+    #[serde(rename = "@intermediateUpdate")]
     pub intermediate_update: bool,
     /// Name of a type definition.
-    #[serde(
-        rename = "@declaredType",
-        default,
-        skip_serializing_if = "Option::is_none"
-    )]
+    #[serde(rename = "@declaredType")]
     pub declared_type: Option<String>,
     /// How the values are initialized; `None` leaves it to causality and variability: see
     /// [`effective_initial`](Self::effective_initial).
-    #[serde(rename = "@initial", default, skip_serializing_if = "Option::is_none")]
+    #[serde(rename = "@initial")]
     pub initial: Option<Initial>,
     /// Physical quantity.
-    #[serde(rename = "@quantity", default, skip_serializing_if = "Option::is_none")]
+    #[serde(rename = "@quantity")]
     pub quantity: Option<String>,
     /// Name of a unit.
-    #[serde(rename = "@unit", default, skip_serializing_if = "Option::is_none")]
+    #[serde(rename = "@unit")]
     pub unit: Option<String>,
     /// Name of a display unit of the unit.
-    #[serde(
-        rename = "@displayUnit",
-        default,
-        skip_serializing_if = "Option::is_none"
-    )]
+    #[serde(rename = "@displayUnit")]
     pub display_unit: Option<String>,
     /// Least value.
-    #[serde(rename = "@min", default, skip_serializing_if = "Option::is_none")]
+    #[serde(rename = "@min")]
     pub min: Option<String>,
     /// Greatest value.
-    #[serde(rename = "@max", default, skip_serializing_if = "Option::is_none")]
+    #[serde(rename = "@max")]
     pub max: Option<String>,
     /// Typical magnitude.
-    #[serde(rename = "@nominal", default, skip_serializing_if = "Option::is_none")]
+    #[serde(rename = "@nominal")]
     pub nominal: Option<String>,
     /// Values before the initialization, separated by blanks; texts and binaries have [`starts`](Self::starts).
-    #[serde(rename = "@start", default, skip_serializing_if = "Option::is_none")]
+    #[serde(rename = "@start")]
     pub start: Option<String>,
     /// Media type of a binary; `application/octet-stream` if absent.
-    #[serde(rename = "@mimeType", default, skip_serializing_if = "Option::is_none")]
+    #[serde(rename = "@mimeType")]
     pub mime_type: Option<String>,
     /// Most bytes of a binary.
-    #[serde(
-        rename = "@maxSize",
-        default,
-        skip_serializing_if = "Option::is_none",
-        with = "lexical::optional"
-    )]
+    #[serde(rename = "@maxSize")]
     pub max_size: Option<u32>,
     /// Extents of an array, the slowest first; empty: one value.
     #[serde(rename = "Dimension", default)]
@@ -285,23 +262,19 @@ impl Variable {
 }
 
 /// Extent of an array in one direction: a number or the value of a variable.
+#[apply(
+    crate = "serde_with_macros",
+    Option => #[serde(skip_serializing_if = "Option::is_none")],
+    Option<u64> => #[serde(default, with = "lexical::optional")],
+    Option<u32> => #[serde(default, with = "lexical::optional")],
+)]
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Dimension {
     /// The number.
-    #[serde(
-        rename = "@start",
-        default,
-        skip_serializing_if = "Option::is_none",
-        with = "lexical::optional"
-    )]
+    #[serde(rename = "@start")]
     pub start: Option<u64>,
     /// Value reference of the variable.
-    #[serde(
-        rename = "@valueReference",
-        default,
-        skip_serializing_if = "Option::is_none",
-        with = "lexical::optional"
-    )]
+    #[serde(rename = "@valueReference")]
     pub value_reference: Option<u32>,
 }
 
@@ -323,24 +296,20 @@ pub struct StartValue {
 }
 
 /// Another name of a variable.
+#[apply(
+    crate = "serde_with_macros",
+    Option => #[serde(skip_serializing_if = "Option::is_none")],
+)]
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Alias {
     /// The name, unique in the description.
     #[serde(rename = "@name")]
     pub name: String,
     /// What it means.
-    #[serde(
-        rename = "@description",
-        default,
-        skip_serializing_if = "Option::is_none"
-    )]
+    #[serde(rename = "@description")]
     pub description: Option<String>,
     /// Name of a display unit of the variable's unit.
-    #[serde(
-        rename = "@displayUnit",
-        default,
-        skip_serializing_if = "Option::is_none"
-    )]
+    #[serde(rename = "@displayUnit")]
     pub display_unit: Option<String>,
 }
 

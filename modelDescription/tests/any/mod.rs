@@ -5,8 +5,7 @@ use sphere_dda_model_description::fmi2::{
     BooleanVariable, Causality, CoSimulation, DefaultExperiment, DependencyKind, EnumerationItem,
     EnumerationType, EnumerationVariable, Initial, IntegerType, IntegerVariable, LogCategory,
     ModelDescription, ModelExchange, ModelStructure, NamingConvention, RealType, RealVariable,
-    ScalarVariable, SimpleType, SourceFile, StringVariable, TypeDefinition, Unknown, Variability,
-    VariableType,
+    ScalarVariable, SimpleType, StringVariable, TypeDefinition, Unknown, Variability, VariableType,
 };
 use sphere_dda_model_description::units::{BaseUnit, DisplayUnit, Unit};
 
@@ -209,7 +208,7 @@ fn variable() -> impl Strategy<Value = ScalarVariable> {
     ]));
     (
         (text(), any::<u32>(), maybe_text()),
-        (causality, variability, initial, any::<Option<bool>>()),
+        (causality, variability, initial),
         variable_type(),
     )
         .prop_map(|(naming, attributes, variable_type)| ScalarVariable {
@@ -219,7 +218,6 @@ fn variable() -> impl Strategy<Value = ScalarVariable> {
             causality: attributes.0,
             variability: attributes.1,
             initial: attributes.2,
-            can_handle_multiple_set_per_time_instant: attributes.3,
             variable_type,
         })
 }
@@ -249,22 +247,9 @@ fn unknowns() -> impl Strategy<Value = Vec<Unknown>> {
 }
 
 pub(crate) fn description() -> impl Strategy<Value = ModelDescription> {
-    let sources = || proptest::collection::vec(text().prop_map(|name| SourceFile { name }), 0..2);
-    let exchange = (text(), any::<[bool; 7]>(), sources()).prop_map(
-        |(model_identifier, flags, source_files)| ModelExchange {
-            model_identifier,
-            needs_execution_tool: flags[0],
-            completed_integrator_step_not_needed: flags[1],
-            can_be_instantiated_only_once_per_process: flags[2],
-            can_not_use_memory_management_functions: flags[3],
-            can_get_and_set_fmu_state: flags[4],
-            can_serialize_fmu_state: flags[5],
-            provides_directional_derivative: flags[6],
-            source_files,
-        },
-    );
-    let co_simulation = (text(), any::<[bool; 9]>(), any::<u32>(), sources()).prop_map(
-        |(model_identifier, flags, max_output_derivative_order, source_files)| CoSimulation {
+    let exchange = text().prop_map(|model_identifier| ModelExchange { model_identifier });
+    let co_simulation = (text(), any::<[bool; 9]>(), any::<u32>()).prop_map(
+        |(model_identifier, flags, max_output_derivative_order)| CoSimulation {
             model_identifier,
             needs_execution_tool: flags[0],
             can_handle_variable_communication_step_size: flags[1],
@@ -276,7 +261,6 @@ pub(crate) fn description() -> impl Strategy<Value = ModelDescription> {
             can_get_and_set_fmu_state: flags[6],
             can_serialize_fmu_state: flags[7],
             provides_directional_derivative: flags[8],
-            source_files,
         },
     );
     let header = (
@@ -284,7 +268,6 @@ pub(crate) fn description() -> impl Strategy<Value = ModelDescription> {
         text(),
         proptest::array::uniform7(maybe_text()),
         any::<bool>(),
-        any::<Option<u32>>(),
     );
     let experiment = proptest::array::uniform4(maybe_number()).prop_map(
         |[start_time, stop_time, tolerance, step_size]| DefaultExperiment {
@@ -328,7 +311,7 @@ pub(crate) fn description() -> impl Strategy<Value = ModelDescription> {
                 variables,
                 structure,
             )| {
-                let (model_name, guid, texts, structured, number_of_event_indicators) = header;
+                let (model_name, guid, texts, structured) = header;
                 let [description, author, version, copyright, license, tool, date] = texts;
                 ModelDescription {
                     fmi_version: "2.0".to_owned(),
@@ -346,14 +329,12 @@ pub(crate) fn description() -> impl Strategy<Value = ModelDescription> {
                     } else {
                         NamingConvention::Flat
                     },
-                    number_of_event_indicators,
                     model_exchange: exchange,
                     co_simulation,
                     unit_definitions: units,
                     type_definitions: types,
                     log_categories: categories,
                     default_experiment: experiment,
-                    vendor_annotations: Vec::new(),
                     model_variables: variables,
                     model_structure: structure,
                 }

@@ -83,31 +83,6 @@ pub(crate) const CASES: &[Case] = &[
         },
     ),
     case(
-        "a tool twice",
-        Error,
-        Rule::AnnotationUnique,
-        "`Editor`",
-        |m| {
-            m.vendor_annotations = vec![
-                Tool {
-                    name: "Editor".into()
-                };
-                2
-            ];
-        },
-    ),
-    case(
-        "a tool without name",
-        Error,
-        Rule::RequiredAttribute,
-        "VendorAnnotations",
-        |m| {
-            m.vendor_annotations = vec![Tool {
-                name: String::new(),
-            }];
-        },
-    ),
-    case(
         "stop before start",
         Error,
         Rule::DefaultExperiment,

@@ -4,7 +4,7 @@ use sphere_dda_model_description::Rule;
 use sphere_dda_model_description::Severity::{self, Error, Warning};
 use sphere_dda_model_description::fmi2::{
     Causality, DependencyKind, EnumerationItem, Initial, IntegerVariable, ModelDescription,
-    RealType, RealVariable, ScalarVariable, SimpleType, Tool, TypeDefinition, Unknown, Variability,
+    RealType, RealVariable, ScalarVariable, SimpleType, TypeDefinition, Unknown, Variability,
     VariableType,
 };
 use sphere_dda_model_description::units::{BaseUnit, Unit};
@@ -98,10 +98,6 @@ fn expose_a_state(m: &mut Model, state: ScalarVariable, derivative: RealVariable
     add(m, local("der(x)", 21, derivative));
     m.model_structure.derivatives = vec![Unknown::new(12)];
     m.model_structure.initial_unknowns.push(Unknown::new(12));
-}
-
-fn state() -> ScalarVariable {
-    local("x", 20, RealVariable::new().with_start(0.0)).with_initial(Initial::Exact)
 }
 
 /// All of them.

@@ -72,65 +72,6 @@ pub(crate) const CASES: &[Case] = &[
         |m| m.model_structure.outputs.reverse(),
     ),
     case(
-        "a derivative of no state",
-        Error,
-        Rule::Derivatives,
-        "Derivatives/Unknown 1, index 12",
-        |m| {
-            expose_a_state(m, state(), RealVariable::new());
-        },
-    ),
-    case(
-        "a derivative that is discrete",
-        Error,
-        Rule::Derivatives,
-        "Derivatives/Unknown 1",
-        |m| {
-            expose_a_state(m, state(), RealVariable::new().with_derivative(11));
-            variable(m, 12).variability = Variability::Discrete;
-        },
-    ),
-    case(
-        "a state that is fixed",
-        Error,
-        Rule::Derivatives,
-        "Derivatives/Unknown 1",
-        |m| {
-            let mut state = local("x", 20, RealVariable::new());
-            state.variability = Variability::Fixed;
-            expose_a_state(m, state, RealVariable::new().with_derivative(11));
-            m.model_structure
-                .initial_unknowns
-                .insert(3, Unknown::new(11));
-        },
-    ),
-    case(
-        "a derivative twice",
-        Error,
-        Rule::Derivatives,
-        "Derivatives/Unknown 2",
-        |m| {
-            expose_a_state(m, state(), RealVariable::new().with_derivative(11));
-            m.model_structure.derivatives.push(Unknown::new(12));
-        },
-    ),
-    case(
-        "a state that is an input",
-        Error,
-        Rule::Derivatives,
-        "Derivatives/Unknown 1",
-        |m| {
-            let input = ScalarVariable::new(
-                "x",
-                20,
-                Causality::Input,
-                Variability::Continuous,
-                RealVariable::new().with_start(0.0),
-            );
-            expose_a_state(m, input, RealVariable::new().with_derivative(11));
-        },
-    ),
-    case(
         "a calculated state is missing",
         Error,
         Rule::InitialUnknowns,

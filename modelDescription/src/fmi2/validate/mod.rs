@@ -1,7 +1,6 @@
 //! The rules of FMI 2.0: header, units and types here, then the variables and
 //! the model structure.
 
-mod aliases;
 mod context;
 mod structure;
 mod variables;
@@ -26,9 +25,7 @@ fn validate(model: &ModelDescription) -> Vec<Finding> {
     if let Some(experiment) = &model.default_experiment {
         default_experiment(experiment, &mut report);
     }
-    annotations(model, &mut report);
     variables::check(&context, &mut report);
-    aliases::check(&context, &mut report);
     structure::check(model, &mut report);
     report.findings
 }
@@ -64,23 +61,13 @@ fn header(model: &ModelDescription, report: &mut Report) {
             "CoSimulation, ModelExchange or both",
         );
     }
-    let exchange = model.model_exchange.as_ref().map(|interface| {
-        (
-            "ModelExchange",
-            &interface.model_identifier,
-            interface.can_get_and_set_fmu_state,
-            interface.can_serialize_fmu_state,
-        )
-    });
-    let co_simulation = model.co_simulation.as_ref().map(|interface| {
-        (
-            "CoSimulation",
-            &interface.model_identifier,
-            interface.can_get_and_set_fmu_state,
-            interface.can_serialize_fmu_state,
-        )
-    });
-    for (element, identifier, get_and_set, serialize) in exchange.into_iter().chain(co_simulation) {
+    let own = model.co_simulation.as_ref();
+    let exchange = model.model_exchange.as_ref();
+    let interfaces = [
+        exchange.map(|interface| ("ModelExchange", &interface.model_identifier)),
+        own.map(|interface| ("CoSimulation", &interface.model_identifier)),
+    ];
+    for (element, identifier) in interfaces.into_iter().flatten() {
         if !names::is_c_identifier(identifier) {
             report.error(
                 Rule::ModelIdentifier,
@@ -89,14 +76,14 @@ fn header(model: &ModelDescription, report: &mut Report) {
                 "a C identifier",
             );
         }
-        if serialize && !get_and_set {
-            report.error(
-                Rule::StateFlags,
-                format!("{element}/@canSerializeFMUstate"),
-                "`true` without canGetAndSetFMUstate",
-                "canGetAndSetFMUstate also `true`",
-            );
-        }
+    }
+    if own.is_some_and(|own| own.can_serialize_fmu_state && !own.can_get_and_set_fmu_state) {
+        report.error(
+            Rule::StateFlags,
+            "CoSimulation/@canSerializeFMUstate",
+            "`true` without canGetAndSetFMUstate",
+            "canGetAndSetFMUstate also `true`",
+        );
     }
 }
 
@@ -191,22 +178,6 @@ fn log_categories(model: &ModelDescription, report: &mut Report) {
                 Rule::LogCategoryUnique,
                 place,
                 "a second category of this name",
-                "one",
-            );
-        }
-    }
-}
-
-fn annotations(model: &ModelDescription, report: &mut Report) {
-    let mut names = BTreeSet::new();
-    for tool in &model.vendor_annotations {
-        let place = format!("VendorAnnotations/Tool `{}`", tool.name);
-        required(&tool.name, format!("{place}/@name"), report);
-        if !names.insert(tool.name.as_str()) {
-            report.error(
-                Rule::AnnotationUnique,
-                place,
-                "a second tool of this name",
                 "one",
             );
         }

@@ -5,16 +5,18 @@ use std::collections::BTreeSet;
 use super::super::structure::{exposed_states, indexed, initial_unknowns, variable_at};
 use super::super::{
     BaseType, Causality, DependencyKind, Initial, ModelDescription, ScalarVariable, Unknown,
-    Variability,
 };
 use crate::finding::{Report, Rule};
 
 pub(super) fn check(model: &ModelDescription, report: &mut Report) {
+    outputs(model, report);
+    initial(model, report);
+}
+
+fn outputs(model: &ModelDescription, report: &mut Report) {
     let variables = &model.model_variables;
     let structure = &model.model_structure;
-    let states = exposed_states(variables, &structure.derivatives);
-
-    let outputs = List {
+    let list = List {
         element: "Outputs",
         unknowns: &structure.outputs,
         variables,
@@ -23,9 +25,9 @@ pub(super) fn check(model: &ModelDescription, report: &mut Report) {
         .filter(|(_, variable)| variable.causality == Causality::Output)
         .map(|(index, _)| index)
         .collect();
-    outputs.indices(Rule::Outputs, report);
-    outputs.complete(Rule::Outputs, &expected, "an output", report);
-    if !outputs.ascends() {
+    list.indices(Rule::Outputs, report);
+    list.complete(Rule::Outputs, &expected, "an output", report);
+    if !list.ascends() {
         // The standard leaves the order to the exporter and advises this one.
         report.warning(
             Rule::OutputsOrder,
@@ -34,40 +36,27 @@ pub(super) fn check(model: &ModelDescription, report: &mut Report) {
             "ascending indices",
         );
     }
-    let known_while_running = |index: u32, variable: &ScalarVariable| {
-        matches!(
-            variable.causality,
-            Causality::Input | Causality::Independent
-        ) || states.contains(&index)
-    };
+    let states = exposed_states(variables, &structure.derivatives);
+    let known =
+        |index: u32, variable: &ScalarVariable| is_given(variable) || states.contains(&index);
     let inputs = "an input, an exposed state or the independent variable";
-    outputs.dependencies(&known_while_running, inputs, &[], report);
+    list.dependencies(&known, inputs, &[], report);
+}
 
-    let derivatives = List {
-        element: "Derivatives",
-        unknowns: &structure.derivatives,
-        variables,
-    };
-    derivatives.indices(Rule::Derivatives, report);
-    derivatives.are_state_derivatives(report);
-    derivatives.dependencies(&known_while_running, inputs, &[], report);
-
-    let initial = List {
+fn initial(model: &ModelDescription, report: &mut Report) {
+    let variables = &model.model_variables;
+    let structure = &model.model_structure;
+    let list = List {
         element: "InitialUnknowns",
         unknowns: &structure.initial_unknowns,
         variables,
     };
-    let expected = initial_unknowns(variables, &structure.derivatives)
-        .into_iter()
-        .collect();
-    initial.indices(Rule::InitialUnknowns, report);
-    initial.complete(
-        Rule::InitialUnknowns,
-        &expected,
-        "computed by the initialization",
-        report,
-    );
-    if !initial.ascends() {
+    let expected = initial_unknowns(variables, &structure.derivatives);
+    let expected = expected.into_iter().collect();
+    let what = "computed by the initialization";
+    list.indices(Rule::InitialUnknowns, report);
+    list.complete(Rule::InitialUnknowns, &expected, what, report);
+    if !list.ascends() {
         report.error(
             Rule::InitialUnknownsOrder,
             "ModelStructure/InitialUnknowns",
@@ -75,25 +64,27 @@ pub(super) fn check(model: &ModelDescription, report: &mut Report) {
             "ascending indices",
         );
     }
-    let known_at_start = |_: u32, variable: &ScalarVariable| {
-        matches!(
-            variable.causality,
-            Causality::Input | Causality::Independent
-        ) || variable.effective_initial() == Some(Initial::Exact)
+    let known = |_: u32, variable: &ScalarVariable| {
+        is_given(variable) || variable.effective_initial() == Some(Initial::Exact)
     };
-    initial.dependencies(
-        &known_at_start,
-        "an input, a variable with initial exact or the independent variable",
-        &[
-            DependencyKind::Fixed,
-            DependencyKind::Tunable,
-            DependencyKind::Discrete,
-        ],
-        report,
-    );
+    let kinds = [
+        DependencyKind::Fixed,
+        DependencyKind::Tunable,
+        DependencyKind::Discrete,
+    ];
+    let given = "an input, a variable with initial exact or the independent variable";
+    list.dependencies(&known, given, &kinds, report);
 }
 
-/// One of the three lists.
+/// Whether the importer gives the value at any time.
+fn is_given(variable: &ScalarVariable) -> bool {
+    matches!(
+        variable.causality,
+        Causality::Input | Causality::Independent
+    )
+}
+
+/// `Outputs` or `InitialUnknowns`.
 struct List<'a> {
     element: &'static str,
     unknowns: &'a [Unknown],
@@ -158,54 +149,6 @@ impl List<'_> {
 
     fn ascends(&self) -> bool {
         self.unknowns.is_sorted_by_key(|unknown| unknown.index)
-    }
-
-    /// Every entry is a continuous real variable that says of what it is the
-    /// derivative, and that is a state.
-    fn are_state_derivatives(&self, report: &mut Report) {
-        for (position, unknown) in (1..).zip(self.unknowns) {
-            let Some(variable) = variable_at(self.variables, unknown.index) else {
-                continue;
-            };
-            let place = self.place(position, unknown);
-            let Some(state) = variable.derivative() else {
-                report.error(
-                    Rule::Derivatives,
-                    place,
-                    "a variable without the attribute derivative",
-                    "a state derivative",
-                );
-                continue;
-            };
-            if variable.variability != Variability::Continuous {
-                report.error(
-                    Rule::Derivatives,
-                    &place,
-                    format!(
-                        "a derivative of variability {}",
-                        variable.variability.name()
-                    ),
-                    "a continuous one",
-                );
-            }
-            // A wrong index is reported with the variable itself.
-            if let Some(state) = variable_at(self.variables, state)
-                && (!matches!(state.causality, Causality::Local | Causality::Output)
-                    || state.variability != Variability::Continuous)
-            {
-                report.error(
-                    Rule::Derivatives,
-                    place,
-                    format!(
-                        "a state `{}` of causality {} and variability {}",
-                        state.name,
-                        state.causality.name(),
-                        state.variability.name()
-                    ),
-                    "a continuous state of causality local or output",
-                );
-            }
-        }
     }
 
     fn dependencies(

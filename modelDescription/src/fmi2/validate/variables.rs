@@ -3,7 +3,6 @@
 use std::collections::BTreeSet;
 use std::fmt::Debug;
 
-use super::super::structure::variable_at;
 use super::super::{
     BaseType, Causality, EnumerationVariable, Initial, IntegerVariable, RealType, RealVariable,
     ScalarVariable, TypeDefinition, Variability, VariableType,
@@ -56,19 +55,36 @@ pub(super) fn check(context: &Context<'_>, report: &mut Report) {
 }
 
 /// Element, index and name of a variable, for messages.
-pub(super) fn place(index: usize, variable: &ScalarVariable) -> String {
+fn place(index: usize, variable: &ScalarVariable) -> String {
     format!("ModelVariables/ScalarVariable {index} `{}`", variable.name)
 }
 
-/// Causality, variability and initial.
+/// What causality and variability ask of the type.
 fn attributes(variable: &ScalarVariable, place: &str, report: &mut Report) {
-    let ScalarVariable {
-        causality,
-        variability,
-        initial,
-        ..
-    } = *variable;
-    match (causality.legal_initial(variability), initial) {
+    combination(variable, place, report);
+    let real = variable.variable_type.base() == BaseType::Real;
+    if !real && variable.variability == Variability::Continuous {
+        report.error(
+            Rule::Variability,
+            format!("{place}/@variability"),
+            "continuous, stated or by default, for a variable that is not real",
+            "another variability",
+        );
+    }
+    if !real && variable.causality == Causality::Independent {
+        report.error(
+            Rule::Independent,
+            place,
+            "an independent variable that is not real",
+            "a real one",
+        );
+    }
+}
+
+/// Causality, variability and initial go together.
+fn combination(variable: &ScalarVariable, place: &str, report: &mut Report) {
+    let (causality, variability) = (variable.causality, variable.variability);
+    match (causality.legal_initial(variability), variable.initial) {
         (None, _) => {
             let legal: Vec<&str> = Variability::ALL
                 .into_iter()
@@ -107,23 +123,6 @@ fn attributes(variable: &ScalarVariable, place: &str, report: &mut Report) {
             );
         }
         _ => {}
-    }
-    let real = variable.variable_type.base() == BaseType::Real;
-    if !real && variability == Variability::Continuous {
-        report.error(
-            Rule::Variability,
-            format!("{place}/@variability"),
-            "continuous, stated or by default, for a variable that is not real",
-            "another variability",
-        );
-    }
-    if !real && causality == Causality::Independent {
-        report.error(
-            Rule::Independent,
-            place,
-            "an independent variable that is not real",
-            "a real one",
-        );
     }
 }
 
@@ -171,17 +170,8 @@ struct Typed<'a> {
 
 impl Typed<'_> {
     fn check(&self, variable: &ScalarVariable, report: &mut Report) {
-        let exchange = self.context.model.model_exchange.is_some();
-        if variable.can_handle_multiple_set_per_time_instant.is_some() && !exchange {
-            self.exchange_only("canHandleMultipleSetPerTimeInstant", report);
-        }
         match &variable.variable_type {
-            VariableType::Real(real) => {
-                self.real(real, variable, report);
-                if real.reinit.is_some() && !exchange {
-                    self.exchange_only("reinit", report);
-                }
-            }
+            VariableType::Real(real) => self.real(real, report),
             VariableType::Integer(integer) => self.integer(integer, report),
             VariableType::Boolean(boolean) => {
                 self.declared(
@@ -201,16 +191,7 @@ impl Typed<'_> {
         }
     }
 
-    fn exchange_only(&self, attribute: &str, report: &mut Report) {
-        report.error(
-            Rule::ModelExchangeOnly,
-            format!("{}/@{attribute}", self.place),
-            "the attribute",
-            "none in a description without ModelExchange",
-        );
-    }
-
-    fn real(&self, real: &RealVariable, variable: &ScalarVariable, report: &mut Report) {
+    fn real(&self, real: &RealVariable, report: &mut Report) {
         let place = self.place;
         let definition = self.declared(
             real.declared_type.as_deref(),
@@ -246,38 +227,6 @@ impl Typed<'_> {
             ),
         }
         nominal(real.nominal, place, report);
-        if let Some(index) = real.derivative {
-            self.derivative(index, variable, report);
-        }
-    }
-
-    fn derivative(&self, index: u32, variable: &ScalarVariable, report: &mut Report) {
-        let variables = &self.context.model.model_variables;
-        let place = format!("{}/@derivative", self.place);
-        let Some(state) = variable_at(variables, index) else {
-            report.error(
-                Rule::Derivative,
-                place,
-                index.to_string(),
-                format!("an index from 1 to {}", variables.len()),
-            );
-            return;
-        };
-        if std::ptr::eq(state, variable) {
-            report.error(
-                Rule::Derivative,
-                place,
-                "the variable itself",
-                "the variable of which it is the derivative",
-            );
-        } else if state.variable_type.base() != BaseType::Real {
-            report.error(
-                Rule::Derivative,
-                place,
-                format!("`{}`, which is not real", state.name),
-                "a real variable",
-            );
-        }
     }
 
     fn integer(&self, integer: &IntegerVariable, report: &mut Report) {

@@ -7,7 +7,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::description::ROOT;
 use super::structure::is_initial_unknown;
 use super::{
-    Causality, FMI_VERSION, Kind, ModelDescription, NamingConvention, Unknown, Variable, types,
+    Causality, CoSimulation, FMI_VERSION, Kind, ModelDescription, NamingConvention, Unknown,
+    Variable, types,
 };
 use crate::finding::{Finding, Report, Rule};
 use crate::fmi2::DependencyKind;
@@ -89,9 +90,13 @@ fn interfaces(model: &ModelDescription, report: &mut Report) {
             );
         }
     }
-    let Some(own) = &model.co_simulation else {
-        return;
-    };
+    if let Some(own) = &model.co_simulation {
+        capabilities(own, report);
+    }
+}
+
+/// Capabilities that need others.
+fn capabilities(own: &CoSimulation, report: &mut Report) {
     let needs = [
         (
             Rule::StateFlags,

@@ -3,7 +3,7 @@
 use plotters::coord::Shift;
 use plotters::prelude::*;
 
-use crate::error::ReportError;
+use crate::error::DrawingError;
 
 /// Size \[px\].
 const SIZE: (u32, u32) = (760, 440);
@@ -166,9 +166,9 @@ impl Plot {
     /// The plot as SVG.
     ///
     /// # Errors
-    /// [`ReportError::Drawing`] if there is no point that the axes can show.
-    pub fn svg(&self) -> Result<String, ReportError> {
-        let refuse = |found: String| ReportError::Drawing {
+    /// [`DrawingError`] if there is no point that the axes can show.
+    pub fn svg(&self) -> Result<String, DrawingError> {
+        let refuse = |found: String| DrawingError {
             name: self.title.clone(),
             found,
             expected: "finite points, positive on logarithmic axes",
@@ -340,6 +340,6 @@ mod tests {
         plot.series.clear();
         plot.add("zero", Style::Line, vec![(1.0, 0.0), (f64::NAN, 1.0)]);
         assert!(powers().shows() && !plot.shows());
-        assert!(matches!(plot.svg(), Err(ReportError::Drawing { .. })));
+        assert!(matches!(plot.svg(), Err(DrawingError { .. })));
     }
 }

@@ -1,9 +1,10 @@
 //! A report under construction: its document and, in a folder of its own name, drawings and tables.
 
+use sphere_dda_picture::plot::Plot;
+
 use crate::document::Document;
 use crate::error::ReportError;
 use crate::folder::Folder;
-use crate::plot::Plot;
 use crate::table::Table;
 
 /// A report under construction.

@@ -13,6 +13,7 @@ use sphere_dda::scene::{Method, Scene};
 use sphere_dda::simulation::Simulation;
 use sphere_dda::solver::SolverKind;
 use sphere_dda::spatial::Pose;
+use sphere_dda_picture::error::DrawingError;
 
 use super::beyond::Beyond;
 use super::overlap::Overlaps;
@@ -233,7 +234,7 @@ pub fn simulate(case: Case, watch: &dyn Watch) -> Result<Record, ReportError> {
             error,
         })?;
     let start = &simulation.kinematics().position;
-    let beyond = Beyond::new(&scene.boundaries, start).map_err(|error| ReportError::Drawing {
+    let beyond = Beyond::new(&scene.boundaries, start).map_err(|error| DrawingError {
         name: case.name(),
         found: error.to_string(),
         expected: "boundaries that can be triangulated",

@@ -1,12 +1,13 @@
 //! What depends on the penalty: conditioning, statics, augmentations at a held penalty.
 
+use sphere_dda_picture::plot::{Axis, Plot, Style};
+
 use super::super::column::{FACTORS, TOLERANCE};
 use super::super::held::{MOST, Outcome};
 use super::super::stepping::{Example, Record};
 use super::super::study::{STACKS, StackRow, Study};
 use super::super::text::mean;
 use crate::error::ReportError;
-use crate::plot::{Axis, Plot, Style};
 use crate::report::Report;
 use crate::table::{Table, number};
 

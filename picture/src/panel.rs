@@ -1,18 +1,12 @@
-//! Pictures as SVG or PNG: spheres and boundaries in orthographic projection, far things first.
+//! Pictures as SVG: spheres and boundaries in orthographic projection, far things first.
 //!
 //! A view looks along `direction`; with `right = direction x up` and `top = right x direction` a point `x` \[m\] lies at
 //! `(x . right, x . top)` of the picture and at depth `x . direction`. Spheres are discs with a highlight at the depth of
 //! their centre; boundaries are translucent triangles at the depth of their centroid.
 
-mod bitmap;
-mod portrait;
-
 use std::fmt::Write as _;
 
 use sphere_dda::Vec3;
-
-pub use portrait::portrait;
-pub(crate) use portrait::sheets;
 
 /// From where a picture is seen.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -88,7 +82,7 @@ const MARGIN: f64 = 12.0;
 const TITLE: f64 = 22.0;
 
 impl Panel {
-    fn height(&self) -> f64 {
+    pub(crate) fn height(&self) -> f64 {
         let [(x0, y0), (x1, y1)] = self.window;
         self.width * (y1 - y0) / (x1 - x0)
     }
@@ -107,7 +101,7 @@ impl Panel {
     }
 
     /// Everything that is seen in the panel, far things first.
-    fn items(&self) -> Vec<Item> {
+    pub(crate) fn items(&self) -> Vec<Item> {
         let mut items: Vec<(f64, Item)> = Vec::new();
         let (width, height) = (self.width, self.height());
         for triangle in &self.triangles {
@@ -177,7 +171,7 @@ impl Panel {
 }
 
 /// What is drawn, in pixels from the panel's upper left corner.
-enum Item {
+pub(crate) enum Item {
     Wall([(f64, f64); 3]),
     Line([(f64, f64); 2]),
     Disc {

@@ -1,7 +1,7 @@
 //! Reports: what the solver does, measured by running it, as Markdown with plots and pictures.
 //!
-//! [`document`] and [`table`] hold the text, [`plot`] and [`picture`] draw SVG, [`folder`] puts all of it on the disk,
-//! [`report`] keeps the three together, [`parallel`] runs the cases. [`paper`] is the study of Beyabanaki and Bagtzoglou (2020), [`laws`] that of
+//! [`document`] and [`table`] hold the text, [`folder`] puts it on the disk with the drawings, [`report`] keeps them
+//! together, [`parallel`] runs the cases. [`paper`] is the study of Beyabanaki and Bagtzoglou (2020), [`laws`] that of
 //! the laws of granular matter. Nothing in a report depends on
 //! the clock, the number of threads or the machine's load.
 
@@ -11,8 +11,6 @@ pub mod folder;
 pub mod laws;
 pub mod paper;
 pub mod parallel;
-pub mod picture;
-pub mod plot;
 pub mod report;
 pub mod table;
 

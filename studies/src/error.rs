@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 use sphere_dda::error::StepError;
 use sphere_dda::scene_file::SceneError;
+use sphere_dda_picture::error::DrawingError;
 use thiserror::Error;
 
 /// Why a report could not be made.
@@ -23,15 +24,8 @@ pub enum ReportError {
         error: StepError,
     },
     /// A number that a drawing needs is missing or not finite.
-    #[error("`{name}`: found {found}, expected {expected}")]
-    Drawing {
-        /// Which plot or picture.
-        name: String,
-        /// What was found.
-        found: String,
-        /// What is needed.
-        expected: &'static str,
-    },
+    #[error(transparent)]
+    Drawing(#[from] DrawingError),
     /// A table that cannot be written as CSV.
     #[error("table `{name}`: {reason}")]
     Table {

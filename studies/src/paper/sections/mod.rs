@@ -4,6 +4,7 @@ mod penalties;
 
 use sphere_dda::geometry::Shape;
 use sphere_dda::scene::Method;
+use sphere_dda_picture::plot::{Axis, Plot, Style};
 
 use super::pictures::picture;
 use super::stepping::{Example, Moment, Record, integrator_name, method_name};
@@ -12,7 +13,6 @@ use super::text::{self, mean};
 use crate::document::Document;
 use crate::error::ReportError;
 use crate::folder::Folder;
-use crate::plot::{Axis, Plot, Style};
 use crate::report::Report;
 use crate::table::{Table, number};
 

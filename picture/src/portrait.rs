@@ -4,7 +4,7 @@ use sphere_dda::Vec3;
 use sphere_dda::geometry::{Geometry, Shape};
 use sphere_dda::scene::Scene;
 
-use super::{Ball, COLOURS, Panel, View};
+use crate::panel::{Ball, COLOURS, Panel, View};
 
 /// Rim around what is shown, share of its larger side.
 const RIM: f64 = 0.04;
@@ -58,7 +58,8 @@ pub fn portrait(scene: &Scene, width: f64) -> Panel {
 }
 
 /// Triangles of all sheets of the scene; half-spaces would hide everything.
-pub(crate) fn sheets(scene: &Scene) -> Vec<[Vec3; 3]> {
+#[must_use]
+pub fn sheets(scene: &Scene) -> Vec<[Vec3; 3]> {
     let mut triangles = Vec::new();
     for boundary in &scene.boundaries {
         let shapes = boundary.geometry.shapes().iter();

@@ -5,8 +5,8 @@ use tiny_skia::{
     Shader, SpreadMode, Stroke, Transform,
 };
 
-use super::{COLOURS, Item, Panel};
-use crate::error::ReportError;
+use crate::error::DrawingError;
+use crate::panel::{COLOURS, Item, Panel};
 
 /// Background, walls and lines: red, green, blue, alpha.
 const PAPER: [u8; 4] = [251, 252, 253, 255];
@@ -17,9 +17,9 @@ impl Panel {
     /// The panel as PNG of `width` pixels; the same panel gives the same bytes.
     ///
     /// # Errors
-    /// [`ReportError::Drawing`] if the window has no area or more than a bitmap can have.
-    pub fn png(&self) -> Result<Vec<u8>, ReportError> {
-        let refused = |found: String| ReportError::Drawing {
+    /// [`DrawingError`] if the window has no area or more than a bitmap can have.
+    pub fn png(&self) -> Result<Vec<u8>, DrawingError> {
+        let refused = |found: String| DrawingError {
             name: self.title.clone(),
             found,
             expected: "a window with an area of at most 10000 x 10000 px",
@@ -121,8 +121,8 @@ fn hexadecimal(text: &str) -> Color {
 mod tests {
     use sphere_dda::Vec3;
 
-    use super::super::{Ball, View};
     use super::*;
+    use crate::panel::{Ball, View};
 
     fn panel(window: [(f64, f64); 2]) -> Panel {
         Panel {

@@ -1,12 +1,13 @@
 //! The report's sections: a table of all laws, then each with its plot.
 
+use sphere_dda_picture::plot::{Axis, Plot, Style};
+
 use super::beverloo::Outflow;
 use super::collapse::CHANGE;
 use super::study::Study;
 use super::{beverloo, collapse, repose};
 use crate::error::ReportError;
 use crate::folder::Folder;
-use crate::plot::{Axis, Plot, Style};
 use crate::report::Report;
 use crate::table::{Table, number};
 

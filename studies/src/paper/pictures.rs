@@ -1,9 +1,10 @@
 //! Pictures of the examples: ALM above, penalty below, seen as the paper shows them.
 
 use sphere_dda::Vec3;
+use sphere_dda_picture::panel::{Ball, Panel, View, svg};
+use sphere_dda_picture::portrait::sheets;
 
 use super::stepping::{Example, Moment, Record, method_name};
-use crate::picture::{Ball, Panel, View, sheets, svg};
 
 /// Colour of spheres beyond a boundary.
 const BEYOND: usize = 3;
