@@ -6,12 +6,11 @@
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 
-use super::super::{
-    BaseType, Causality, ScalarVariable, TypeDefinition, Variability, VariableType,
-};
+use super::super::{Causality, ScalarVariable, TypeDefinition, Variability, VariableType};
 use super::context::Context;
 use super::variables::place;
 use crate::finding::{Report, Rule, Severity};
+use crate::value::ScalarType;
 
 /// Variables of one base type and one value reference.
 struct Aliases<'a> {
@@ -21,9 +20,14 @@ struct Aliases<'a> {
 }
 
 pub(super) fn check(context: &Context<'_>, report: &mut Report) {
-    let mut sets: BTreeMap<(BaseType, u32), Aliases<'_>> = BTreeMap::new();
+    let mut sets: BTreeMap<(ScalarType, u32), Aliases<'_>> = BTreeMap::new();
     for (index, variable) in (1..).zip(&context.model.model_variables) {
-        let handle = (variable.variable_type.base(), variable.value_reference);
+        // Enumerations pass through the C interface as integers.
+        let passed = match variable.variable_type.scalar() {
+            ScalarType::Enumeration => ScalarType::Int32,
+            other => other,
+        };
+        let handle = (passed, variable.value_reference);
         match sets.entry(handle) {
             Entry::Vacant(entry) => {
                 entry.insert(Aliases {
