@@ -5,10 +5,9 @@ use sphere_dda::integrator::Integrator;
 use sphere_dda::scene::Method;
 
 use sphere_dda_fmu::model::Model;
-use sphere_dda_fmu::table::{Array, Enumeration, Parameter, Parameters, Value, Variable};
-use sphere_dda_fmu::version::VERSION;
-
-use crate::version::Version;
+use sphere_dda_fmu::table::{Entry, Enumeration, solver_value};
+use sphere_dda_fmu::version::{VERSION, Version};
+use sphere_dda_model_description::value::Value;
 
 /// License of the library in the FMU.
 pub const LICENSE: &str = "\
@@ -124,8 +123,7 @@ fn settings(model: &Model) -> Markup {
         Method::Alm => "augmented Lagrangian",
         Method::Penalty => "contact springs",
     };
-    let choice = Parameters::of(&model.scene).get(Parameter::Solver);
-    let solver = named(&choice, Some(&Enumeration::SOLVER));
+    let solver = Enumeration::SOLVER.item(solver_value(s.solver));
     let integrator = match s.integrator {
         Integrator::Moreau => "Moreau-Jean, velocity level",
         Integrator::Shi => "constant acceleration over the step",
@@ -136,7 +134,7 @@ fn settings(model: &Model) -> Markup {
         ("Duration", format!("{} s", s.duration)),
         ("Contact enforcement", method.to_owned()),
         ("Integrator", integrator.to_owned()),
-        ("Solver", solver.to_owned()),
+        ("Solver", solver.unwrap_or_default().to_owned()),
         ("Penalty number", penalty),
         (
             "Tolerances of gap, slip, force",
@@ -165,43 +163,24 @@ fn settings(model: &Model) -> Markup {
 
 /// Name, causality, type, unit, start and meaning of every variable.
 fn rows(model: &Model, version: Version) -> Vec<[String; 6]> {
-    let unit = |unit: Option<&str>| unit.unwrap_or("-").to_owned();
-    match version {
-        Version::Two => {
-            let row = |v: &Variable| {
-                [
-                    v.name.clone(),
-                    format!("{:?}", v.causality).to_lowercase(),
-                    match v.choices {
-                        Some(_) => "Enumeration".to_owned(),
-                        None => format!("{:?}", v.base),
-                    },
-                    unit(v.unit),
-                    v.start
-                        .as_ref()
-                        .map(|s| named(s, v.choices))
-                        .unwrap_or_default(),
-                    v.description.clone(),
-                ]
-            };
-            model.table.variables().iter().map(row).collect()
-        }
-        Version::Three => {
-            let row = |a: &Array| {
-                let extents: String = a.dimensions.iter().map(|n| format!("[{n}]")).collect();
-                let starts: Vec<String> = a.start.iter().map(|s| named(s, a.choices)).collect();
-                [
-                    a.name.clone(),
-                    format!("{:?}", a.causality).to_lowercase(),
-                    format!("{:?}{extents}", a.kind),
-                    unit(a.unit),
-                    starts.join(" "),
-                    a.description.clone(),
-                ]
-            };
-            model.arrays.list().iter().map(row).collect()
-        }
-    }
+    let row = |entry: Entry| {
+        let variable = entry.variable;
+        let start = entry.start().iter().map(|s| named(s, variable.choices));
+        let extents = variable.dims.iter().map(|n| format!("[{n}]"));
+        [
+            entry.name(),
+            format!("{:?}", variable.causality).to_lowercase(),
+            match version {
+                Version::Two => variable.scalar.name_2(),
+                Version::Three => format!("{}{}", variable.scalar, extents.collect::<String>()),
+            },
+            variable.unit.unwrap_or("-").to_owned(),
+            start.collect::<Vec<_>>().join(" "),
+            entry.description(),
+        ]
+    };
+    let entries = model.table.entries(version);
+    entries.into_iter().map(row).collect()
 }
 
 /// A value as people read it; one of an enumeration by its name.
@@ -211,8 +190,7 @@ fn named(value: &Value, choices: Option<&Enumeration>) -> String {
             name.to_owned()
         }
         Value::Real(value) => value.to_string(),
-        Value::Integer(value) => value.to_string(),
-        Value::Boolean(value) => value.to_string(),
         Value::String(value) => format!("\"{value}\""),
+        other => other.to_string(),
     }
 }

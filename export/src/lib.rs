@@ -12,10 +12,9 @@ mod error;
 mod library;
 mod pack;
 mod terminals;
-mod version;
 
 pub use error::{ExportError, LIBRARY_VARIABLE};
 pub use library::{Library, check_library, find_libraries, find_library};
 pub use pack::{Contents, Exported, Pictures, export};
 pub use sphere_dda_fmi_interface::platform::Platform;
-pub use version::Version;
+pub use sphere_dda_fmu::version::Version;

@@ -19,16 +19,18 @@ use std::path::Path;
 
 use sphere_dda::scene::Scene;
 use sphere_dda_fmi_interface::archive;
+use sphere_dda_fmi_interface::platform::Platform;
 use sphere_dda_model_description::names::is_c_identifier;
 
 use sphere_dda_fmu::model::{Model, SCENE_FILE, START_FILE};
+use sphere_dda_fmu::table::Entry;
+use sphere_dda_fmu::version::Version;
 
 use crate::description::{version2, version3};
 use crate::documentation;
 use crate::error::ExportError;
 use crate::library::Library;
 use crate::terminals::terminals;
-use crate::version::Version;
 
 /// Where FMI 3.0, and FMI 2.0.4, expect the terminals.
 const TERMINALS_FILE: &str = "terminalsAndIcons/terminalsAndIcons.xml";
@@ -94,7 +96,7 @@ pub fn export(contents: Contents<'_>, fmu: &Path) -> Result<Exported, ExportErro
             path: path.clone(),
             source,
         })?;
-        files.push((version.library_path(platform, &identifier), code.into()));
+        files.push((library_path(version, platform, &identifier), code.into()));
     }
     files.extend(resources(&model)?);
     files.extend(documented(&model, version, pictures));
@@ -104,10 +106,7 @@ pub fn export(contents: Contents<'_>, fmu: &Path) -> Result<Exported, ExportErro
         .collect();
     archive::write(fmu, &files)?;
 
-    let variables = match version {
-        Version::Two => model.table.variables().len(),
-        Version::Three => model.arrays.list().len(),
-    };
+    let variables = model.table.entries(version).len();
     let mut warnings = model.warnings;
     if variables > MANY_VARIABLES {
         warnings.push(format!("{variables} variables: some importers take long above {MANY_VARIABLES}; probe fewer spheres"));
@@ -120,6 +119,14 @@ pub fn export(contents: Contents<'_>, fmu: &Path) -> Result<Exported, ExportErro
     })
 }
 
+/// Path of the library for a platform inside the archive.
+fn library_path(version: Version, platform: &Platform, identifier: &str) -> String {
+    match version {
+        Version::Two => platform.path_2(identifier),
+        Version::Three => platform.path_3(identifier),
+    }
+}
+
 /// Files of an archive, by their paths in it.
 type Files<'m> = Vec<(String, Cow<'m, [u8]>)>;
 
@@ -130,20 +137,21 @@ fn described(
     version: Version,
     icon: bool,
 ) -> Result<Files<'static>, ExportError> {
-    let (xml, mut findings, names) = match version {
+    let (scene, table, guid) = (&model.scene, &model.table, &model.guid);
+    let (xml, mut findings) = match version {
         Version::Two => {
-            let own = version2::describe(&model.scene, &model.table, identifier, &model.guid);
-            let names = model.table.variables().iter().map(|v| v.name.as_str());
-            (own.to_xml(), own.validate(), names.collect::<Vec<_>>())
+            let own = version2::describe(scene, table, identifier, guid);
+            (own.to_xml(), own.validate())
         }
         Version::Three => {
-            let own = version3::describe(&model.scene, &model.arrays, identifier, &model.guid);
-            let names = model.arrays.list().iter().map(|a| a.name.as_str());
-            (own.to_xml(), own.validate(), names.collect())
+            let own = version3::describe(scene, table, identifier, guid);
+            (own.to_xml(), own.validate())
         }
     };
-    let terminals = terminals(&model.scene, &names, icon);
-    findings.extend(terminals.validate(names));
+    let entries = table.entries(version);
+    let terminals = terminals(scene, &entries, icon);
+    let names: Vec<String> = entries.iter().map(Entry::name).collect();
+    findings.extend(terminals.validate(names.iter().map(String::as_str)));
     if !findings.is_empty() {
         return Err(ExportError::Invalid(findings));
     }

@@ -4,6 +4,7 @@
 //! driver that names its variables alike, connect by member name.
 
 use sphere_dda::scene::Scene;
+use sphere_dda_fmu::table::Entry;
 use sphere_dda_model_description::terminals::{
     GraphicalRepresentation, Member, Terminal, TerminalsAndIcons,
 };
@@ -42,31 +43,36 @@ const PARTS: [(&str, &str, &[&str]); 4] = [
 /// Side of the icon \[mm\].
 const ICON: f64 = 20.0;
 
-/// The terminals of a scene, in its order, with its `variables` by name, and the place of `icon.png`, if there is one.
+/// The terminals of a scene, in its order, with its variables, and the place of `icon.png`, if there is one.
 #[must_use]
-pub(crate) fn terminals(scene: &Scene, variables: &[&str], icon: bool) -> TerminalsAndIcons {
+pub(crate) fn terminals(scene: &Scene, variables: &[Entry], icon: bool) -> TerminalsAndIcons {
     let boundaries = scene.boundaries.iter();
-    let mut document =
-        TerminalsAndIcons::new(boundaries.map(|b| terminal(&b.name, variables)).collect());
+    let all = boundaries.enumerate();
+    let all = all.map(|(b, boundary)| terminal(b, &boundary.name, variables));
+    let mut document = TerminalsAndIcons::new(all.collect());
     document.graphical_representation = icon.then(|| GraphicalRepresentation::square(ICON));
     document
 }
 
-fn terminal(boundary: &str, variables: &[&str]) -> Terminal {
+fn terminal(b: usize, boundary: &str, variables: &[Entry]) -> Terminal {
     let mut whole = Terminal::bus(boundary, format!("Boundary {boundary}"));
     let mut parts = PARTS.map(|(name, text, _)| Terminal::bus(name, text));
-    let prefix = format!("boundary.{boundary}.");
-    for variable in variables {
-        let Some(name) = variable.strip_prefix(&prefix) else {
+    for entry in variables {
+        let (Some((owner, field)), Some((_, name))) = (entry.variable.boundary, entry.member())
+        else {
             continue;
         };
-        let stem = name.split('[').next().unwrap_or(name);
-        let part = PARTS.iter().position(|(_, _, stems)| stems.contains(&stem));
+        if owner != b {
+            continue;
+        }
+        let part = PARTS
+            .iter()
+            .position(|(_, _, fields)| fields.contains(&field));
         let members = match part {
             Some(part) => &mut parts[part].members,
             None => &mut whole.members,
         };
-        members.push(Member::signal(*variable, name));
+        members.push(Member::signal(entry.name(), name));
     }
     whole.terminals = parts.into();
     whole.terminals.retain(|part| !part.members.is_empty());

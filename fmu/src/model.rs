@@ -5,12 +5,12 @@ use std::sync::Arc;
 use std::{fs, io};
 
 use sphere_dda::error::SnapshotError;
-use sphere_dda::scene::Scene;
+use sphere_dda::scene::{Scene, Settings};
 use sphere_dda::scene_file::{Attachment, SceneError};
 use sphere_dda_fmi_interface::guid::guid;
 use thiserror::Error;
 
-use crate::table::{Arrays, Table};
+use crate::table::Table;
 use crate::version::VERSION;
 
 /// Name of the scene file inside `resources/` of an FMU.
@@ -25,9 +25,7 @@ pub struct Model {
     /// The scene.
     pub scene: Arc<Scene>,
     /// Its variables.
-    pub table: Table,
-    /// The same, gathered into the arrays of FMI 3.0.
-    pub arrays: Arrays,
+    pub table: Arc<Table>,
     /// Fingerprint of version, scene and variables, which is also the instantiation token of FMI 3.0.
     pub guid: String,
     /// Text of the scene file.
@@ -65,13 +63,12 @@ impl Model {
             loaded.scene.start_from(start)?;
         }
         let table = Table::new(&loaded.scene);
-        let arrays = Arrays::new(&loaded.scene, &table);
-        // One for both versions, so that a saved state of one is a state of the other.
-        let variables = postcard::to_stdvec(&(&table, &arrays))?;
-        let guid = guid(&[VERSION.as_bytes(), loaded.scene.hash.as_bytes(), &variables]);
+        // One for both versions, so that a saved state of one is a state of the other. States hold settings: where these have
+        // another field, the model is another.
+        let layout = postcard::to_stdvec(&(&table, Settings::default()))?;
+        let guid = guid(&[VERSION.as_bytes(), loaded.scene.hash.as_bytes(), &layout]);
         Ok(Self {
-            table,
-            arrays,
+            table: Arc::new(table),
             guid,
             start,
             warnings: loaded

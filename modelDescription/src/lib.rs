@@ -11,6 +11,7 @@
 //! | [`fmi3`]   | the FMI 3.0 description: arrays, aliases, intermediate update | FMI 3.0      |
 //! | [`units`]  | units as exponents of the SI base units, display units        | any version  |
 //! | [`names`]  | the grammar of structured variable names, C identifiers       | any version  |
+//! | [`value`]  | values and their types                                       | any version  |
 //! | [`xml`], [`lexical`] | texts of any such file to typed data and back       | any version  |
 //! | [`Finding`]| one broken rule: where, what was found, what was expected     | any version  |
 //! | [`Error`]  | why a text could not be read or a description not be written  | any version  |
@@ -65,6 +66,7 @@ mod list;
 pub mod names;
 pub mod terminals;
 pub mod units;
+pub mod value;
 pub mod xml;
 
 pub use finding::{Finding, Rule, Severity};

@@ -11,9 +11,11 @@ use crate::scene::Scene;
 /// Header of the history of `scene`.
 #[must_use]
 pub fn columns(scene: &Scene) -> Vec<String> {
-    let columns = quantities(scene)
-        .into_iter()
-        .map(|quantity| format!("{} [{}]", quantity.name, quantity.unit.unwrap_or("-")));
+    let columns = quantities(scene).into_iter().flat_map(|quantity| {
+        let unit = quantity.unit.unwrap_or("-");
+        let names = quantity.names().into_iter();
+        names.map(move |name| format!("{name} [{unit}]"))
+    });
     std::iter::once("time [s]".to_owned())
         .chain(columns)
         .collect()

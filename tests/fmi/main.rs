@@ -5,6 +5,7 @@ mod licences;
 mod refusals;
 mod rollback;
 mod states;
+mod table;
 
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
@@ -17,8 +18,9 @@ use sphere_dda::results::history::columns;
 use sphere_dda::simulation::Simulation;
 use sphere_dda_export::description::version2::describe;
 use sphere_dda_fmu::model::Model;
-use sphere_dda_fmu::table::Binding;
-use sphere_dda_model_description::fmi2::{BaseType, Causality};
+use sphere_dda_fmu::version::Version;
+use sphere_dda_model_description::fmi2::Causality;
+use sphere_dda_model_description::value::ScalarType;
 
 /// 18 balls fall on a floor that can be driven, beside a wall that can be pushed.
 const BOX: &str = r#"
@@ -80,10 +82,10 @@ impl Scene {
 
     /// Value reference of a name.
     pub(crate) fn reference(&self, name: &str) -> u32 {
-        let variables = self.model.table.variables();
+        let variables = self.model.table.entries(Version::Two);
         variables
             .iter()
-            .find(|v| v.name == name)
+            .find(|v| v.name() == name)
             .unwrap_or_else(|| panic!("no variable `{name}`"))
             .reference
     }
@@ -126,16 +128,17 @@ fn the_table_is_the_description() {
         let description = describe(&model.scene, &model.table, "box", &model.guid);
         assert_eq!(description.validate(), []);
         assert_eq!(description.guid, model.guid);
-        let variables = model.table.variables();
+        let variables = model.table.entries(Version::Two);
         for (rank, (own, written)) in variables
             .iter()
             .zip(&description.model_variables)
             .enumerate()
         {
-            assert_eq!((own.reference as usize, &own.name), (rank, &written.name));
-            assert_eq!(own.base, written.variable_type.base());
-            let settable = matches!(own.causality, Causality::Input | Causality::Parameter);
-            assert_eq!(own.start.is_some(), settable, "{}", own.name);
+            assert_eq!((own.reference as usize, &own.name()), (rank, &written.name));
+            assert_eq!(own.variable.scalar, written.variable_type.scalar());
+            let causality = own.variable.causality;
+            let settable = matches!(causality, Causality::Input | Causality::Parameter);
+            assert_eq!(own.start().len(), usize::from(settable), "{}", own.name());
         }
     }
 }
@@ -144,10 +147,10 @@ fn the_table_is_the_description() {
 #[test]
 fn the_history_and_the_fmu_name_the_same_quantities() {
     let model = box_scene().model;
-    let outputs = model.table.variables().iter();
-    let outputs = outputs.filter(|variable| variable.causality == Causality::Output);
+    let outputs = model.table.entries(Version::Two).into_iter();
+    let outputs = outputs.filter(|entry| entry.variable.causality == Causality::Output);
     let names: Vec<String> = outputs
-        .map(|variable| format!("{} [{}]", variable.name, variable.unit.unwrap_or("-")))
+        .map(|entry| format!("{} [{}]", entry.name(), entry.variable.unit.unwrap_or("-")))
         .collect();
     assert_eq!(columns(&model.scene)[1..], names);
     let of_sensor: Vec<&str> = names
@@ -209,15 +212,16 @@ fn all_functions_exist() {
 /// Every real output of the instance equals the library's, bit for bit.
 fn assert_same_outputs(scene: &Scene, instance: &Instance, simulation: &Simulation) {
     let outputs = values(&Observation::of(simulation));
-    for variable in scene.model.table.variables() {
-        if let (Binding::Output(rank), BaseType::Real) = (variable.binding, variable.base) {
+    for entry in scene.model.table.entries(Version::Two) {
+        let rank = entry.variable.rank(entry.index.unwrap_or(0));
+        if let (Some(rank), ScalarType::Float64) = (rank, entry.variable.scalar) {
             let expected = outputs[rank];
-            let found = instance.real(variable.reference);
+            let found = instance.real(entry.reference);
             assert_eq!(
                 found.to_bits(),
                 expected.to_bits(),
                 "{}: {found} {expected}",
-                variable.name
+                entry.name()
             );
         }
     }
@@ -384,7 +388,7 @@ fn gravity_from_a_table_cannot_be_set() {
     let table = "gravity_motion = { table = { time = [0, 1], gravity = [[0, 0, -9], [0, 0, 0]] } }";
     let scene = Scene::new(&BOX.replacen("step = 1e-3", &format!("step = 1e-3\n{table}"), 1));
     let variables = scene.model.table.variables();
-    assert!(!variables.iter().any(|v| v.name.starts_with("gravity[")));
+    assert!(!variables.iter().any(|v| v.name == "gravity"));
 }
 
 #[test]

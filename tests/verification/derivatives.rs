@@ -63,7 +63,8 @@ fn measured(simulation: &Simulation) -> BTreeMap<String, f64> {
 }
 
 fn named(simulation: &Simulation, values: Vec<f64>) -> BTreeMap<String, f64> {
-    let names = quantities(simulation.scene()).into_iter().map(|q| q.name);
+    let all = quantities(simulation.scene());
+    let names = all.iter().flat_map(|quantity| quantity.names());
     names.zip(values).collect()
 }
 

@@ -73,7 +73,7 @@ fn row(variable: &Variable) -> [String; 6] {
     [
         variable.name.clone(),
         uncapitalized(&format!("{:?}", variable.causality)),
-        format!("{}{}", variable.kind, extents.collect::<String>()),
+        format!("{}{}", variable.scalar, extents.collect::<String>()),
         variable.unit.clone().unwrap_or_default(),
         starts.join(" "),
         variable.description.clone().unwrap_or_default(),

@@ -3,13 +3,14 @@
 use sphere_dda::scene::Scene;
 use sphere_dda_fmi_interface::log::Category;
 use sphere_dda_model_description::fmi2::{
-    BaseType, BooleanVariable, CoSimulation, DefaultExperiment, EnumerationVariable,
-    IntegerVariable, LogCategory, ModelDescription, RealVariable, ScalarVariable, SimpleType,
-    StringVariable, VariableType,
+    BooleanVariable, CoSimulation, DefaultExperiment, EnumerationVariable, IntegerVariable,
+    LogCategory, ModelDescription, RealVariable, ScalarVariable, SimpleType, StringVariable,
+    VariableType,
 };
+use sphere_dda_model_description::value::{ScalarType, Value};
 
-use sphere_dda_fmu::table::{Enumeration, Table, Value, Variable};
-use sphere_dda_fmu::version::VERSION;
+use sphere_dda_fmu::table::{Entry, Enumeration, Table};
+use sphere_dda_fmu::version::{VERSION, Version};
 
 use super::definitions::{choices, units};
 
@@ -28,7 +29,8 @@ pub fn describe(scene: &Scene, table: &Table, identifier: &str, guid: &str) -> M
         max_output_derivative_order: 1,
         ..CoSimulation::new(identifier)
     };
-    let variables = table.variables().iter().map(scalar_variable).collect();
+    let entries = table.entries(Version::Two);
+    let variables = entries.iter().map(scalar_variable).collect();
     let mut model = ModelDescription::new(&scene.title, guid, interface).with_variables(variables);
     model.description =
         Some("Spheres and moving boundaries by discontinuous deformation analysis".to_owned());
@@ -36,7 +38,7 @@ pub fn describe(scene: &Scene, table: &Table, identifier: &str, guid: &str) -> M
     model.license = Some("MIT OR Apache-2.0".to_owned());
     model.generation_tool = Some(format!("sphere-dda {VERSION}"));
     model.unit_definitions = units();
-    let used = choices(table.variables().iter().map(|v| v.choices));
+    let used = choices(entries.iter().map(|entry| entry.variable.choices));
     let definition = |c: &Enumeration| SimpleType::enumeration(c.name, c.items.iter().copied());
     model.type_definitions = used.into_values().map(definition).collect();
     model.log_categories = Category::ALL
@@ -52,29 +54,47 @@ pub fn describe(scene: &Scene, table: &Table, identifier: &str, guid: &str) -> M
     model
 }
 
-fn scalar_variable(variable: &Variable) -> ScalarVariable {
+fn scalar_variable(entry: &Entry) -> ScalarVariable {
+    let variable = entry.variable;
     ScalarVariable::new(
-        &variable.name,
-        variable.reference,
+        entry.name(),
+        entry.reference,
         variable.causality,
         variable.variability,
-        variable_type(variable),
+        variable_type(entry),
     )
-    .with_description(&variable.description)
+    .with_description(&entry.description())
 }
 
-fn variable_type(variable: &Variable) -> VariableType {
+fn variable_type(entry: &Entry) -> VariableType {
+    let variable = entry.variable;
+    let start = entry.start().first();
+    let integer = match start {
+        Some(Value::Integer(start)) => i32::try_from(*start).ok(),
+        _ => None,
+    };
     if let Some(choices) = variable.choices {
         return VariableType::Enumeration(EnumerationVariable {
-            start: match variable.start {
-                Some(Value::Integer(start)) => Some(start),
-                _ => None,
-            },
+            start: integer,
             ..EnumerationVariable::new(choices.name)
         });
     }
-    match variable.base {
-        BaseType::Real => VariableType::Real(RealVariable {
+    match variable.scalar {
+        ScalarType::Int32 => VariableType::Integer(IntegerVariable {
+            // Bounds of counts: the only integers of the table.
+            min: variable.min.map(|_| 0),
+            start: integer,
+            ..IntegerVariable::new()
+        }),
+        ScalarType::Boolean => VariableType::Boolean(match start {
+            Some(Value::Boolean(start)) => BooleanVariable::new().with_start(*start),
+            _ => BooleanVariable::new(),
+        }),
+        ScalarType::String => VariableType::String(match start {
+            Some(Value::String(start)) => StringVariable::new().with_start(start),
+            _ => StringVariable::new(),
+        }),
+        _ => VariableType::Real(RealVariable {
             unit: variable.unit.map(str::to_owned),
             display_unit: match variable.unit {
                 Some("rad") => Some("deg".to_owned()),
@@ -82,28 +102,11 @@ fn variable_type(variable: &Variable) -> VariableType {
             },
             min: variable.min,
             max: variable.max,
-            start: match variable.start {
-                Some(Value::Real(start)) => Some(start),
+            start: match start {
+                Some(Value::Real(start)) => Some(*start),
                 _ => None,
             },
             ..RealVariable::new()
-        }),
-        BaseType::Integer => VariableType::Integer(IntegerVariable {
-            // Bounds of counts: the only integers of the table.
-            min: variable.min.map(|_| 0),
-            start: match variable.start {
-                Some(Value::Integer(start)) => Some(start),
-                _ => None,
-            },
-            ..IntegerVariable::new()
-        }),
-        BaseType::Boolean => VariableType::Boolean(match variable.start {
-            Some(Value::Boolean(start)) => BooleanVariable::new().with_start(start),
-            _ => BooleanVariable::new(),
-        }),
-        BaseType::String => VariableType::String(match &variable.start {
-            Some(Value::String(start)) => StringVariable::new().with_start(start),
-            _ => StringVariable::new(),
         }),
     }
 }

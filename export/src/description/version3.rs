@@ -3,19 +3,20 @@
 use sphere_dda::scene::Scene;
 use sphere_dda_fmi_interface::log::Category;
 use sphere_dda_model_description::fmi3::{
-    Causality, CoSimulation, DefaultExperiment, EnumerationType, Kind, LogCategory,
-    ModelDescription, StartValue, Variable,
+    Causality, CoSimulation, DefaultExperiment, EnumerationType, LogCategory, ModelDescription,
+    StartValue, Variable,
 };
+use sphere_dda_model_description::value::{ScalarType, Value};
 
 use sphere_dda_fmu::runtime::document::{self, MEDIA_TYPE};
-use sphere_dda_fmu::table::{Array, Arrays, Enumeration, Source, Value};
-use sphere_dda_fmu::version::VERSION;
+use sphere_dda_fmu::table::{Binding, Entry, Enumeration, Table};
+use sphere_dda_fmu::version::{VERSION, Version};
 
 use super::definitions::{choices, units};
 
 /// The description with the instantiation token `guid`: the same scene, identifier and version give the same bytes.
 #[must_use]
-pub fn describe(scene: &Scene, arrays: &Arrays, identifier: &str, guid: &str) -> ModelDescription {
+pub fn describe(scene: &Scene, table: &Table, identifier: &str, guid: &str) -> ModelDescription {
     let interface = CoSimulation {
         can_get_and_set_fmu_state: true,
         can_serialize_fmu_state: true,
@@ -28,7 +29,8 @@ pub fn describe(scene: &Scene, arrays: &Arrays, identifier: &str, guid: &str) ->
         ..CoSimulation::new(identifier)
     };
     let spheres = scene.particles.len();
-    let variables = arrays.list().iter().map(|a| variable(a, spheres)).collect();
+    let entries = table.entries(Version::Three);
+    let variables = entries.iter().map(|e| variable(e, spheres)).collect();
     let mut model = ModelDescription::new(&scene.title, guid, interface).with_variables(variables);
     model.description =
         Some("Spheres and moving boundaries by discontinuous deformation analysis".to_owned());
@@ -36,7 +38,7 @@ pub fn describe(scene: &Scene, arrays: &Arrays, identifier: &str, guid: &str) ->
     model.license = Some("MIT OR Apache-2.0".to_owned());
     model.generation_tool = Some(format!("sphere-dda {VERSION}"));
     model.unit_definitions = units();
-    let used = choices(arrays.list().iter().map(|a| a.choices));
+    let used = choices(entries.iter().map(|entry| entry.variable.choices));
     let definition = |c: &Enumeration| {
         let items = c.items.iter();
         EnumerationType::new(
@@ -57,50 +59,52 @@ pub fn describe(scene: &Scene, arrays: &Arrays, identifier: &str, guid: &str) ->
     });
     // Of the spheres' rows and radii nothing that an importer sets decides anything.
     for unknown in &mut model.model_structure.initial_unknowns {
-        let known = arrays.get(unknown.value_reference);
-        if known.is_some_and(|array| array.causality == Causality::CalculatedParameter) {
+        let known = table.get(Version::Three, unknown.value_reference);
+        if known.is_some_and(|entry| {
+            Causality::from(entry.variable.causality) == Causality::CalculatedParameter
+        }) {
             unknown.dependencies = Some(Vec::new());
         }
     }
     model
 }
 
-fn variable(array: &Array, spheres: usize) -> Variable {
-    let extents: Vec<u64> = array.dimensions.iter().map(|&n| n as u64).collect();
+fn variable(entry: &Entry, spheres: usize) -> Variable {
+    let own = entry.variable;
+    let extents: Vec<u64> = own.dims.iter().map(|&n| n as u64).collect();
     let mut variable = Variable::new(
-        array.kind,
-        &array.name,
-        array.reference,
-        array.causality,
-        array.variability,
+        own.scalar,
+        &own.name,
+        entry.reference,
+        own.causality.into(),
+        own.variability,
     )
     .with_dimensions(&extents);
-    variable.description = Some(array.description.clone());
-    variable.intermediate_update = matches!(array.causality, Causality::Input | Causality::Output);
-    variable.unit = array.unit.map(str::to_owned);
-    variable.declared_type = array.choices.map(|choices| choices.name.to_owned());
-    variable.display_unit = (array.unit == Some("rad")).then(|| "deg".to_owned());
+    variable.description = Some(own.description.clone());
+    variable.intermediate_update =
+        matches!(variable.causality, Causality::Input | Causality::Output);
+    variable.unit = own.unit.map(str::to_owned);
+    variable.declared_type = own.choices.map(|choices| choices.name.to_owned());
+    variable.display_unit = (own.unit == Some("rad")).then(|| "deg".to_owned());
     let bound = |value: Option<f64>| {
-        value.map(|value| match array.kind {
-            Kind::Float64 => format!("{value:?}"),
+        value.map(|value| match own.scalar {
+            ScalarType::Float64 => format!("{value:?}"),
             // Bounds of counts: the only integers of the table.
             _ => format!("{value}"),
         })
     };
-    (variable.min, variable.max) = (bound(array.min), bound(array.max));
-    let mut numbers = Vec::new();
-    for start in &array.start {
-        match start {
-            Value::Real(value) => numbers.push(format!("{value:?}")),
-            Value::Integer(value) => numbers.push(value.to_string()),
-            Value::Boolean(value) => numbers.push(value.to_string()),
-            Value::String(value) => variable.starts.push(StartValue {
-                value: value.clone(),
-            }),
+    (variable.min, variable.max) = (bound(own.min), bound(own.max));
+    let texts = own.start.iter().map(Value::to_string);
+    match own.scalar {
+        ScalarType::String => {
+            variable.starts = texts.map(|value| StartValue { value }).collect();
         }
+        _ if !own.start.is_empty() => {
+            variable.start = Some(texts.collect::<Vec<_>>().join(" "));
+        }
+        _ => {}
     }
-    variable.start = (!numbers.is_empty()).then(|| numbers.join(" "));
-    if array.source == Source::Document {
+    if own.binding == Binding::Document {
         variable.mime_type = Some(MEDIA_TYPE.to_owned());
         variable.max_size = u32::try_from(document::size(spheres)).ok();
     }

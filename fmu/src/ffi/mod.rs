@@ -16,6 +16,7 @@ mod fmi3;
 mod guard;
 mod logging;
 mod saved;
+mod values;
 
 use crate::version::BUILD_ID;
 

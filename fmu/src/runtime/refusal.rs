@@ -3,8 +3,6 @@
 use sphere_dda::error::{SnapshotError, StepError};
 use sphere_dda::formats::error::OutputError;
 use sphere_dda_fmi_interface::pointers::BadArgument;
-use sphere_dda_model_description::fmi2::BaseType;
-use sphere_dda_model_description::fmi3::Kind;
 use thiserror::Error;
 
 use crate::model::ModelError;
@@ -28,24 +26,14 @@ pub enum Refusal {
     #[error(transparent)]
     Argument(#[from] BadArgument),
     /// No such variable, or one of another type.
-    #[error("value reference {reference} is no {expected:?} variable{}", .found.as_ref().map(|f| format!(", it is {f}")).unwrap_or_default())]
+    #[error("value reference {reference} is no {expected} variable{}", .found.as_ref().map(|f| format!(", it is {f}")).unwrap_or_default())]
     Reference {
         /// Value reference.
         reference: u32,
         /// The variable that has it, with its type.
         found: Option<String>,
         /// Type of the call.
-        expected: BaseType,
-    },
-    /// No such variable of FMI 3.0, or one of another type.
-    #[error("value reference {reference} is no {expected} variable{}", .found.as_ref().map(|f| format!(", it is {f}")).unwrap_or_default())]
-    ArrayReference {
-        /// Value reference.
-        reference: u32,
-        /// The variable that has it, with its type.
-        found: Option<String>,
-        /// Type of the call.
-        expected: Kind,
+        expected: String,
     },
     /// The variable cannot be set, or not now.
     #[error("`{name}` cannot be set in state {stage}: it is {kind}; {allowed}")]

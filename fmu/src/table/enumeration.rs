@@ -12,7 +12,7 @@ pub struct Enumeration {
 }
 
 /// The solvers in the order of their values, from 1.
-pub(super) const SOLVERS: [SolverKind; 3] = [
+const SOLVERS: [SolverKind; 3] = [
     SolverKind::Auto,
     SolverKind::Direct,
     SolverKind::GaussSeidel,
@@ -35,8 +35,21 @@ impl Enumeration {
 
     /// Name of a value.
     #[must_use]
-    pub fn item(&self, value: i32) -> Option<&'static str> {
-        let found = self.items.iter().find(|item| item.1 == value);
+    pub fn item(&self, value: i64) -> Option<&'static str> {
+        let found = self.items.iter().find(|item| i64::from(item.1) == value);
         found.map(|item| item.0)
     }
+}
+
+/// Value of a solver in [`Enumeration::SOLVER`].
+#[must_use]
+pub fn solver_value(kind: SolverKind) -> i64 {
+    let found = (1..).zip(SOLVERS).find(|(_, solver)| *solver == kind);
+    found.map_or(0, |(value, _)| value)
+}
+
+/// The solver of a value.
+pub(super) fn solver_of(value: i64) -> Option<SolverKind> {
+    let found = (1..).zip(SOLVERS).find(|(known, _)| *known == value);
+    found.map(|(_, solver)| solver)
 }

@@ -1,9 +1,20 @@
-//! The variable table: names, references, types, units, start values and what each variable means.
+//! The table of variables: names, types, shapes, units, start values and what each variable means.
 //!
-//! One table is built from a [scene](sphere_dda::scene::Scene). The XML of the model description and the dispatch of every get and set
-//! come from it, so they cannot disagree. Its outputs are the solver's own list of what is measured,
-//! [`sphere_dda::observe::quantities`]. Names of the scene are identifiers, so they need no quotes. The value reference of a
-//! variable is its rank in the table, from 0.
+//! One table is built from a [scene](sphere_dda::scene::Scene). FMI 3.0 has its rows as they are; FMI 2.0 has the elements of
+//! each vector as scalars `x[1]`, `x[2]` ..., and nothing of boundaries and spheres as a whole. The XML of the model
+//! descriptions and the dispatch of every get and set come from it, so they cannot disagree. Its outputs are the solver's own
+//! list of what is measured, [`sphere_dda::observe::quantities`]. Names of the scene are identifiers, so they need no quotes.
+//! The value reference is the rank in the list of the version, from 0.
+//!
+//! | name               | shape             | is                                                              |
+//! |--------------------|-------------------|-----------------------------------------------------------------|
+//! | `x`                | `[k]` or none     | time, a parameter, an input or an output                        |
+//! | `boundaries.x`     | `[B, k]` or `[B]` | the outputs `boundary.NAME.x` of all boundaries, in their order |
+//! | `spheres.*`        | `[N, k]` or `[N]` | all spheres: [`Field`]                                          |
+//! | `spheres.document` | none              | all spheres as one binary: [`crate::runtime::document`]         |
+//!
+//! `N` is the number of spheres the scene has room for, and a sphere keeps its row. A row whose `spheres.present` is
+//! false belongs to a sphere that waits in a source or has left through a sink: it rests where it was.
 //!
 //! # When a command holds
 //!
@@ -12,15 +23,143 @@
 //! communication step. Speeds, forces and torques are held over the step. The start values mean "as in the scene": zero,
 //! and for a belt or a servo wall the scene's surface velocity or pressure.
 
-mod arrays;
 mod enumeration;
+mod inputs;
 mod parameters;
-mod rows;
-mod scalars;
+mod spheres;
 mod variable;
 
-pub use arrays::{Array, Arrays, Field, Source};
-pub use enumeration::Enumeration;
-pub use parameters::Parameters;
-pub use scalars::Table;
-pub use variable::{Binding, Input, Parameter, Value, Variable, component};
+use std::collections::BTreeMap;
+
+use serde::Serialize;
+use sphere_dda::observe::quantities::{Quantity, quantities};
+use sphere_dda::scene::Scene;
+use sphere_dda_model_description::fmi2::Causality;
+use sphere_dda_model_description::value::ScalarType;
+
+use crate::version::Version;
+
+pub use enumeration::{Enumeration, solver_value};
+pub use inputs::Input;
+pub use parameters::{PARAMETERS, Parameter, Parameters};
+pub use spheres::Field;
+pub use variable::{Binding, Entry, Variable};
+
+/// The variables of a scene.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Table {
+    variables: Vec<Variable>,
+    /// Number of components in the list of what is measured.
+    measured: usize,
+    /// Those of FMI 2.0: rank of the variable, element of a vector.
+    scalars: Vec<(usize, Option<usize>)>,
+}
+
+impl Table {
+    /// Builds the table: time, parameters, inputs of driven boundaries, everything that is measured; then the arrays over all
+    /// boundaries and spheres.
+    #[must_use]
+    pub fn new(scene: &Scene) -> Self {
+        let (real, time) = (ScalarType::Float64, Causality::Independent);
+        let mut variables = vec![Variable {
+            unit: Some("s"),
+            ..Variable::new("time", real, time, Binding::Time, "Simulated time")
+        }];
+        variables.extend(parameters::parameters(scene));
+        for (b, boundary) in scene.boundaries.iter().enumerate() {
+            variables.extend(inputs::inputs(b, boundary));
+        }
+        let mut measured = 0;
+        for quantity in quantities(scene) {
+            variables.push(output(measured, &quantity));
+            measured += quantity.count();
+        }
+        let scalars = (0..).zip(&variables).flat_map(|(row, variable)| {
+            let whole = variable.dims.is_empty();
+            (0..variable.count()).map(move |k| (row, (!whole).then_some(k)))
+        });
+        let scalars = scalars.collect();
+        variables.extend(over_boundaries(&variables, scene.boundaries.len()));
+        variables.extend(spheres::spheres(scene.particles.len()));
+        Self {
+            variables,
+            measured,
+            scalars,
+        }
+    }
+
+    /// All rows: the variables of FMI 3.0.
+    #[must_use]
+    pub fn variables(&self) -> &[Variable] {
+        &self.variables
+    }
+
+    /// Number of values in [`sphere_dda::observe::quantities::values`].
+    #[must_use]
+    pub fn measured(&self) -> usize {
+        self.measured
+    }
+
+    /// The variables of a version, by reference.
+    #[must_use]
+    pub fn entries(&self, version: Version) -> Vec<Entry<'_>> {
+        (0..).map_while(|k| self.get(version, k)).collect()
+    }
+
+    /// The variable with a value reference.
+    #[must_use]
+    pub fn get(&self, version: Version, reference: u32) -> Option<Entry<'_>> {
+        let rank = usize::try_from(reference).ok()?;
+        let (row, index) = match version {
+            Version::Two => *self.scalars.get(rank)?,
+            Version::Three => (rank, None),
+        };
+        Some(Entry {
+            reference,
+            row,
+            variable: self.variables.get(row)?,
+            index,
+        })
+    }
+}
+
+fn output(rank: usize, quantity: &Quantity) -> Variable {
+    let scalar = match quantity.is_count {
+        true => ScalarType::Int32,
+        false => ScalarType::Float64,
+    };
+    let (name, text) = (&*quantity.name, quantity.description);
+    Variable {
+        boundary: quantity.boundary.map(|b| (b, quantity.field)),
+        unit: quantity.unit,
+        min: quantity.is_count.then_some(0.0),
+        ..Variable::new(name, scalar, Causality::Output, Binding::Output(rank), text)
+    }
+    .vector(quantity.components)
+}
+
+/// `boundaries.x` for every output `x` that all boundaries have.
+fn over_boundaries(variables: &[Variable], boundaries: usize) -> Vec<Variable> {
+    let outputs = variables.iter().filter_map(|variable| {
+        let owner = variable.boundary?;
+        Some((owner, variable, variable.rank(0)?))
+    });
+    let ranks: BTreeMap<(usize, &str), usize> = outputs
+        .clone()
+        .map(|(owner, _, rank)| (owner, rank))
+        .collect();
+    let gather = |((_, field), variable, _): ((usize, &'static str), &Variable, usize)| {
+        let ranks = (0..boundaries).map(|b| ranks.get(&(b, field)).copied());
+        let mut whole = Variable {
+            name: format!("boundaries.{field}"),
+            boundary: None,
+            binding: Binding::Boundaries(ranks.collect::<Option<_>>()?),
+            ..variable.clone()
+        };
+        whole.dims.insert(0, boundaries);
+        whole.description += "; all boundaries in the scene's order";
+        Some(whole)
+    };
+    let of_first = outputs.filter(|((boundary, _), ..)| *boundary == 0);
+    of_first.filter_map(gather).collect()
+}

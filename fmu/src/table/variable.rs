@@ -1,128 +1,65 @@
-//! One variable: its name, type and start, and what it stands for.
+//! One variable: its name, type, shape and start, and what it stands for.
+
+use std::ops::Range;
 
 use serde::Serialize;
-use sphere_dda::scene::Command;
-use sphere_dda_model_description::fmi2::{BaseType, Causality, Variability};
+use sphere_dda_model_description::fmi2::{Causality, Variability};
+use sphere_dda_model_description::value::{ScalarType, Value};
 
 use super::enumeration::Enumeration;
-
-/// A value of one of the four types of the C interface.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub enum Value {
-    /// A real number, in the variable's unit.
-    Real(f64),
-    /// An integer.
-    Integer(i32),
-    /// A truth value.
-    Boolean(bool),
-    /// A text.
-    String(String),
-}
-
-impl Value {
-    /// The type in the C interface.
-    #[must_use]
-    pub fn base(&self) -> BaseType {
-        match self {
-            Self::Real(_) => BaseType::Real,
-            Self::Integer(_) => BaseType::Integer,
-            Self::Boolean(_) => BaseType::Boolean,
-            Self::String(_) => BaseType::String,
-        }
-    }
-}
+use super::inputs::Input;
+use super::spheres::Field;
 
 /// What a variable stands for: the getter, and for inputs and parameters the setter.
-/// `axis` counts components from 0.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub enum Binding {
     /// Time at the last communication point \[s\].
     Time,
-    /// A setting of the run.
-    Parameter(Parameter),
-    /// A component of the command of a driven boundary.
+    /// A setting of the run: its rank in [`super::PARAMETERS`].
+    Parameter(usize),
+    /// A part of the command of a driven boundary.
     Input {
         /// Index of the boundary.
         boundary: usize,
         /// Which part of the command.
         input: Input,
-        /// Component.
-        axis: usize,
     },
-    /// A measured quantity: its rank in [`sphere_dda::observe::quantities::values`].
+    /// A measured quantity: rank of its first component in [`sphere_dda::observe::quantities::values`].
     Output(usize),
+    /// The same quantity of every boundary: the rank of each first component.
+    Boundaries(Vec<usize>),
+    /// A field of all spheres.
+    Spheres(Field),
+    /// All spheres as one binary.
+    Document,
 }
 
-/// Settings that an importer may change.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-pub enum Parameter {
-    /// A component of gravity \[m/s^2\]; tunable.
-    Gravity(usize),
-    /// Where result files go; empty: nowhere.
-    OutputDirectory,
-    /// Whether an earlier run in that place may be replaced.
-    OutputOverwrite,
-    /// Time between VTU frames \[s\].
-    OutputInterval,
-    /// Tolerance of the gap \[-\].
-    ToleranceGap,
-    /// Tolerance of the slip \[-\].
-    ToleranceSlip,
-    /// Tolerance of the force \[-\].
-    ToleranceForce,
-    /// Most sweeps of an internal step; 0: as many as the tolerances need.
-    Sweeps,
-    /// Largest internal time step \[s\].
-    Step,
-    /// Which solver takes the step's problem: an item of [`Enumeration::SOLVER`].
-    Solver,
-}
-
-/// Parts of a [`Command`].
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-pub enum Input {
-    /// Total translation \[m\].
-    Translation,
-    /// Total rotation vector \[rad\].
-    Rotation,
-    /// Velocity \[m/s\].
-    Velocity,
-    /// Angular velocity \[rad/s\].
-    AngularVelocity,
-    /// Force \[N\] on a driven body.
-    Force,
-    /// Torque \[N m\] on a driven body.
-    Torque,
-    /// Displacement, speed, angle, angular speed, force or torque of a slide or hinge.
-    Scalar,
-    /// Velocity of the surface against the boundary \[m/s\].
-    SurfaceVelocity,
-    /// Pressure of a servo wall \[Pa\].
-    Pressure,
-}
-
-/// One variable.
+/// One variable, a number or an array.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Variable {
     /// Structured name, unique.
     pub name: String,
-    /// Value reference: rank in the table.
-    pub reference: u32,
-    /// Type in the C interface.
-    pub base: BaseType,
-    /// Who provides the value.
+    /// The boundary that it belongs to, and its name there.
+    pub boundary: Option<(usize, &'static str)>,
+    /// Type of the elements.
+    pub scalar: ScalarType,
+    /// Extents, the slowest first; empty: one value.
+    pub dims: Vec<usize>,
+    /// Letters of the components of a vector, which end the descriptions of its elements.
+    pub components: &'static [&'static str],
+    /// Who provides the values.
     pub causality: Causality,
-    /// When it may change.
+    /// When they may change.
     pub variability: Variability,
-    /// Unit, one that the exporter defines; `None`: a number without unit.
+    /// Unit, one that the exporter defines; `None`: numbers without unit.
     pub unit: Option<&'static str>,
-    /// Start value: of inputs and parameters.
-    pub start: Option<Value>,
+    /// Start values of inputs and parameters, one for each element.
+    pub start: Vec<Value>,
     /// Smallest allowed value.
     pub min: Option<f64>,
     /// Largest allowed value.
     pub max: Option<f64>,
-    /// The named values of an integer that has no others.
+    /// The items of an enumeration.
     pub choices: Option<&'static Enumeration>,
     /// One line for people.
     pub description: String,
@@ -130,18 +67,138 @@ pub struct Variable {
     pub binding: Binding,
 }
 
-/// The component of a command that an input drives.
-#[must_use]
-pub fn component(command: &mut Command, input: Input, axis: usize) -> &mut f64 {
-    match input {
-        Input::Translation => &mut command.translation[axis],
-        Input::Rotation => &mut command.rotation[axis],
-        Input::Velocity => &mut command.velocity[axis],
-        Input::AngularVelocity => &mut command.angular_velocity[axis],
-        Input::Force => &mut command.force[axis],
-        Input::Torque => &mut command.torque[axis],
-        Input::Scalar => &mut command.scalar,
-        Input::Pressure => &mut command.pressure,
-        Input::SurfaceVelocity => &mut command.surface_velocity[axis],
+impl Variable {
+    /// One value without unit and bounds.
+    pub(super) fn new(
+        name: impl Into<String>,
+        scalar: ScalarType,
+        causality: Causality,
+        binding: Binding,
+        description: impl Into<String>,
+    ) -> Self {
+        Self {
+            name: name.into(),
+            boundary: None,
+            scalar,
+            dims: Vec::new(),
+            components: &[],
+            causality,
+            variability: match causality {
+                Causality::Parameter | Causality::CalculatedParameter => Variability::Fixed,
+                _ if scalar.is_float() => Variability::Continuous,
+                _ => Variability::Discrete,
+            },
+            unit: None,
+            start: Vec::new(),
+            min: None,
+            max: None,
+            choices: None,
+            description: description.into(),
+            binding,
+        }
+    }
+
+    /// The same with the components of a vector; none: one value.
+    pub(super) fn vector(mut self, components: &'static [&'static str]) -> Self {
+        self.components = components;
+        self.dims = (!components.is_empty())
+            .then_some(components.len())
+            .into_iter()
+            .collect();
+        self
+    }
+
+    /// Number of elements.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        self.dims.iter().product()
+    }
+
+    /// Whether its values are known from initialization mode on only.
+    #[must_use]
+    pub fn is_computed(&self) -> bool {
+        !matches!(
+            self.binding,
+            Binding::Time | Binding::Parameter(_) | Binding::Input { .. }
+        )
+    }
+
+    /// Place of an element in the list of what is measured.
+    #[must_use]
+    pub fn rank(&self, element: usize) -> Option<usize> {
+        match &self.binding {
+            Binding::Output(first) => Some(first + element),
+            Binding::Boundaries(firsts) => {
+                let width = self.count() / firsts.len();
+                Some(firsts[element / width] + element % width)
+            }
+            _ => None,
+        }
+    }
+
+    /// Name of an element of a vector, which counts from 1, or of the one value.
+    #[must_use]
+    pub fn element(&self, element: usize) -> String {
+        let index = (!self.dims.is_empty()).then_some(element);
+        indexed(&self.name, index)
+    }
+}
+
+/// A variable as a version of the standard has it: FMI 3.0 whole, FMI 2.0 each element of a vector by itself.
+#[derive(Debug, Clone, Copy)]
+pub struct Entry<'t> {
+    /// Value reference.
+    pub reference: u32,
+    /// Rank of the variable in the table.
+    pub row: usize,
+    /// The variable.
+    pub variable: &'t Variable,
+    /// The element, if it stands for one only.
+    pub index: Option<usize>,
+}
+
+impl Entry<'_> {
+    /// The elements of the variable that it stands for.
+    #[must_use]
+    pub fn elements(&self) -> Range<usize> {
+        self.index
+            .map_or(0..self.variable.count(), |index| index..index + 1)
+    }
+
+    /// Structured name.
+    #[must_use]
+    pub fn name(&self) -> String {
+        indexed(&self.variable.name, self.index)
+    }
+
+    /// Index of its boundary, and its name without that of the boundary.
+    #[must_use]
+    pub fn member(&self) -> Option<(usize, String)> {
+        let (boundary, field) = self.variable.boundary?;
+        Some((boundary, indexed(field, self.index)))
+    }
+
+    /// One line for people; of an element it ends with the letter of the component.
+    #[must_use]
+    pub fn description(&self) -> String {
+        let text = &self.variable.description;
+        let components = self.variable.components;
+        match self.index.and_then(|index| components.get(index)) {
+            Some(letter) => format!("{text}; {letter}"),
+            None => text.clone(),
+        }
+    }
+
+    /// Start values of its elements; none: the variable is no input and no parameter.
+    #[must_use]
+    pub fn start(&self) -> &[Value] {
+        self.variable.start.get(self.elements()).unwrap_or_default()
+    }
+}
+
+fn indexed(name: &str, index: Option<usize>) -> String {
+    match index {
+        Some(index) => format!("{name}[{}]", index + 1),
+        None => name.to_owned(),
     }
 }

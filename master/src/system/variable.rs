@@ -212,7 +212,7 @@ pub(crate) fn parse_one(variable: &SystemVariable<'_>, text: &str) -> Result<Val
         Some((_, value)) => Some(Value::Integer(*value)),
         None => Value::read(declared.scalar, text).filter(|value| match value {
             Value::Real(value) => value.is_finite(),
-            Value::Integer(value) => declared.scalar.range().contains(value),
+            Value::Integer(value) => declared.scalar.range().contains(&i128::from(*value)),
             _ => true,
         }),
     };

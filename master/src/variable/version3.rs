@@ -2,7 +2,7 @@
 
 use sphere_dda_model_description::fmi2::{Initial, Variability};
 use sphere_dda_model_description::fmi3::{
-    Causality, Dimension, Kind, ModelDescription, StartValue, Variable as Element,
+    Causality, Dimension, ModelDescription, StartValue, Variable as Element,
 };
 
 use crate::value::{ScalarType, Value};
@@ -18,8 +18,10 @@ pub(crate) fn variables(description: &ModelDescription) -> Result<Vec<Variable>,
     let mut variables = Vec::new();
     let mut total = 0_u64;
     for variable in &description.model_variables {
-        let Some(scalar) = ScalarType::of(variable.kind) else {
-            continue;
+        let scalar = match variable.scalar {
+            ScalarType::Clock => continue,
+            ScalarType::Enumeration => ScalarType::Int64,
+            other => other,
         };
         let extents: Vec<u64> = variable
             .dimensions
@@ -54,7 +56,10 @@ fn declared(
     scalar: ScalarType,
     extents: &[u64],
 ) -> Variable {
-    let unit = variable.unit.as_ref().filter(|_| variable.kind.is_float());
+    let unit = variable
+        .unit
+        .as_ref()
+        .filter(|_| variable.scalar.is_float());
     let units = &description.unit_definitions;
     let types = &description.type_definitions;
     let variability = variable.effective_variability();
@@ -85,7 +90,7 @@ fn declared(
                 .find(|unit| unit.name == *name)
                 .and_then(|unit| unit.base_unit),
         }),
-        items: (variable.kind == Kind::Enumeration).then(|| {
+        items: (variable.scalar == ScalarType::Enumeration).then(|| {
             let name = variable.declared_type.clone().unwrap_or_default();
             let known = types.iter().find(|known| known.name == name);
             let items = known.iter().flat_map(|known| &known.items);

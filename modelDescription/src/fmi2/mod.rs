@@ -24,7 +24,7 @@ pub use types::{
     EnumerationItem, EnumerationType, IntegerType, RealType, SimpleType, TypeDefinition,
 };
 pub use values::{
-    BaseType, BooleanVariable, EnumerationVariable, IntegerVariable, RealVariable, StringVariable,
+    BooleanVariable, EnumerationVariable, IntegerVariable, RealVariable, StringVariable,
     VariableType,
 };
 pub use variables::{Causality, Initial, ScalarVariable, Variability};

@@ -3,8 +3,8 @@
 use serde::{Deserialize, Serialize};
 use serde_with_macros::apply;
 
-use super::values::BaseType;
 use crate::lexical;
+use crate::value::ScalarType;
 
 /// A named type.
 #[apply(
@@ -66,14 +66,14 @@ pub enum TypeDefinition {
 }
 
 impl TypeDefinition {
-    /// The base type and whether it is an enumeration.
-    pub(crate) fn base(&self) -> (BaseType, bool) {
+    /// The type of the values.
+    pub(crate) fn scalar(&self) -> ScalarType {
         match self {
-            Self::Real(_) => (BaseType::Real, false),
-            Self::Integer(_) => (BaseType::Integer, false),
-            Self::Boolean => (BaseType::Boolean, false),
-            Self::String => (BaseType::String, false),
-            Self::Enumeration(_) => (BaseType::Integer, true),
+            Self::Real(_) => ScalarType::Float64,
+            Self::Integer(_) => ScalarType::Int32,
+            Self::Boolean => ScalarType::Boolean,
+            Self::String => ScalarType::String,
+            Self::Enumeration(_) => ScalarType::Enumeration,
         }
     }
 }

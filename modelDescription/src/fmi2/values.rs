@@ -3,19 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::lexical;
-
-/// The four types of values in the C interface.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
-pub enum BaseType {
-    /// `fmi2Real`.
-    Real,
-    /// `fmi2Integer`, also for enumerations.
-    Integer,
-    /// `fmi2Boolean`.
-    Boolean,
-    /// `fmi2String`.
-    String,
-}
+use crate::value::ScalarType;
 
 /// Type of a value and what belongs to it.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -33,13 +21,14 @@ pub enum VariableType {
 }
 
 impl VariableType {
-    /// The type in the C interface.
-    pub fn base(&self) -> BaseType {
+    /// The type of the value.
+    pub fn scalar(&self) -> ScalarType {
         match self {
-            Self::Real(_) => BaseType::Real,
-            Self::Integer(_) | Self::Enumeration(_) => BaseType::Integer,
-            Self::Boolean(_) => BaseType::Boolean,
-            Self::String(_) => BaseType::String,
+            Self::Real(_) => ScalarType::Float64,
+            Self::Integer(_) => ScalarType::Int32,
+            Self::Boolean(_) => ScalarType::Boolean,
+            Self::String(_) => ScalarType::String,
+            Self::Enumeration(_) => ScalarType::Enumeration,
         }
     }
 }

@@ -17,7 +17,7 @@ pub struct ScalarVariable {
     #[serde(rename = "@name")]
     pub name: String,
     /// Handle of the value. Variables of one
-    /// [`BaseType`](super::BaseType) with one handle always
+    /// type of the C interface with one handle always
     /// have the same value.
     #[serde(rename = "@valueReference", with = "lexical")]
     pub value_reference: u32,

@@ -18,4 +18,4 @@ pub use description::{FMI_VERSION, ModelDescription};
 pub use interfaces::{CoSimulation, OtherInterface};
 pub use structure::{ModelStructure, Unknown};
 pub use types::{EnumerationItem, EnumerationType};
-pub use variables::{Alias, Causality, Dimension, Kind, StartValue, Variable};
+pub use variables::{Alias, Causality, Dimension, StartValue, Variable};

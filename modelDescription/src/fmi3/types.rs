@@ -4,10 +4,11 @@ use std::collections::BTreeSet;
 
 use serde::{Deserialize, Serialize};
 
-use super::{Kind, Variable};
+use super::Variable;
 use crate::finding::{Report, Rule};
 use crate::fmi2::validate::required;
 use crate::lexical;
+use crate::value::ScalarType;
 
 /// A named set of named integers.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
@@ -106,7 +107,7 @@ pub(super) fn declared(
     place: &str,
     report: &mut Report,
 ) {
-    if variable.kind != Kind::Enumeration {
+    if variable.scalar != ScalarType::Enumeration {
         return;
     }
     let name = variable.declared_type.as_deref();

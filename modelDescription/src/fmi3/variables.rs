@@ -1,33 +1,24 @@
 //! Variables: scalars and arrays of one type.
 
-use std::fmt;
-
 use serde::{Deserialize, Serialize};
 use serde_with_macros::apply;
 
-use crate::fmi2::{Initial, Variability};
+use crate::fmi2::{self, Initial, Variability};
 use crate::lexical::{self, Lexical};
+use crate::value::{ScalarType, scalar_types};
 
-/// Type of a variable and the element that holds it: one list for both.
-macro_rules! kinds {
-    ($($kind:ident),*) => {
-        /// Type of the elements of a variable: the name of its XML element.
-        #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
-        #[allow(missing_docs, reason = "the names say it")]
-        pub enum Kind {
-            #[default]
-            $($kind),*
-        }
-
+/// The XML elements: one for each type.
+macro_rules! elements {
+    ($($scalar:ident),*) => {
         #[derive(Serialize, Deserialize)]
         enum Element {
-            $($kind(Variable)),*
+            $($scalar(Variable)),*
         }
 
         impl From<&Variable> for Element {
             fn from(variable: &Variable) -> Self {
-                match variable.kind {
-                    $(Kind::$kind => Self::$kind(variable.clone())),*
+                match variable.scalar {
+                    $(ScalarType::$scalar => Self::$scalar(variable.clone())),*
                 }
             }
         }
@@ -35,47 +26,13 @@ macro_rules! kinds {
         impl From<Element> for Variable {
             fn from(element: Element) -> Self {
                 match element {
-                    $(Element::$kind(variable) => Self { kind: Kind::$kind, ..variable }),*
+                    $(Element::$scalar(variable) => Self { scalar: ScalarType::$scalar, ..variable }),*
                 }
             }
         }
     };
 }
-kinds!(
-    Float64,
-    Float32,
-    Int8,
-    UInt8,
-    Int16,
-    UInt16,
-    Int32,
-    UInt32,
-    Int64,
-    UInt64,
-    Boolean,
-    String,
-    Binary,
-    Enumeration,
-    Clock
-);
-
-impl Kind {
-    /// Whether the values are real numbers: only they can be continuous and have units.
-    pub fn is_float(self) -> bool {
-        matches!(self, Self::Float64 | Self::Float32)
-    }
-
-    /// Whether start values are children, not an attribute.
-    pub(super) fn starts_in_elements(self) -> bool {
-        matches!(self, Self::String | Self::Binary)
-    }
-}
-
-impl fmt::Display for Kind {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(formatter, "{self:?}")
-    }
-}
+scalar_types!(elements);
 
 /// Reads and writes the children of `ModelVariables`.
 pub(super) mod list {
@@ -122,7 +79,7 @@ pub(super) mod list {
 pub struct Variable {
     /// Type of the elements.
     #[serde(skip)]
-    pub kind: Kind,
+    pub scalar: ScalarType,
     /// Name, unique in the description.
     #[serde(rename = "@name")]
     pub name: String,
@@ -193,14 +150,14 @@ pub struct Variable {
 impl Variable {
     /// A scalar without start value.
     pub fn new(
-        kind: Kind,
+        scalar: ScalarType,
         name: impl Into<String>,
         value_reference: u32,
         causality: Causality,
         variability: Variability,
     ) -> Self {
         Self {
-            kind,
+            scalar,
             name: name.into(),
             value_reference,
             causality,
@@ -236,7 +193,7 @@ impl Variable {
             Causality::Parameter
             | Causality::CalculatedParameter
             | Causality::StructuralParameter => Variability::Fixed,
-            _ if self.kind.is_float() => Variability::Continuous,
+            _ if self.scalar.is_float() => Variability::Continuous,
             _ => Variability::Discrete,
         })
     }
@@ -253,7 +210,7 @@ impl Variable {
 
     /// Number of start values given.
     pub fn start_count(&self) -> usize {
-        if self.kind.starts_in_elements() {
+        if matches!(self.scalar, ScalarType::String | ScalarType::Binary) {
             return self.starts.len();
         }
         let texts = self.start.iter();
@@ -332,6 +289,19 @@ pub enum Causality {
     Local,
     /// The variable of which all others are functions: time.
     Independent,
+}
+
+impl From<fmi2::Causality> for Causality {
+    fn from(causality: fmi2::Causality) -> Self {
+        match causality {
+            fmi2::Causality::Parameter => Self::Parameter,
+            fmi2::Causality::CalculatedParameter => Self::CalculatedParameter,
+            fmi2::Causality::Input => Self::Input,
+            fmi2::Causality::Output => Self::Output,
+            fmi2::Causality::Local => Self::Local,
+            fmi2::Causality::Independent => Self::Independent,
+        }
+    }
 }
 
 impl Causality {

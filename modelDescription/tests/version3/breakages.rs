@@ -2,19 +2,20 @@
 
 use sphere_dda_model_description::Rule;
 use sphere_dda_model_description::fmi3::{
-    Alias, Causality, CoSimulation, EnumerationType, Kind, ModelDescription, OtherInterface,
-    StartValue, Variability, Variable,
+    Alias, Causality, CoSimulation, EnumerationType, ModelDescription, OtherInterface, StartValue,
+    Variability, Variable,
 };
 use sphere_dda_model_description::units::{BaseUnit, Unit};
+use sphere_dda_model_description::value::ScalarType;
 
 use Causality::{CalculatedParameter, Independent, Input, Output, Parameter};
 use Variability::{Continuous, Discrete, Fixed};
 
 /// A description with a variable of every kind of use, without findings.
 pub(crate) fn small() -> ModelDescription {
-    let mut time = Variable::new(Kind::Float64, "time", 0, Independent, Continuous);
+    let mut time = Variable::new(ScalarType::Float64, "time", 0, Independent, Continuous);
     time.unit = Some("s".to_owned());
-    let mut velocity = Variable::new(Kind::Float64, "gate.velocity", 1, Input, Continuous)
+    let mut velocity = Variable::new(ScalarType::Float64, "gate.velocity", 1, Input, Continuous)
         .with_dimensions(&[3])
         .with_reals(&[0.0, -0.5, 1e-9]);
     velocity.unit = Some("m/s".to_owned());
@@ -26,21 +27,27 @@ pub(crate) fn small() -> ModelDescription {
         description: None,
         display_unit: Some("mm/s".to_owned()),
     }];
-    let places = Variable::new(Kind::Float64, "spheres.position", 2, Output, Continuous)
-        .with_dimensions(&[100, 3]);
-    let mut folder = Variable::new(Kind::String, "folder", 3, Parameter, Fixed);
+    let places = Variable::new(
+        ScalarType::Float64,
+        "spheres.position",
+        2,
+        Output,
+        Continuous,
+    )
+    .with_dimensions(&[100, 3]);
+    let mut folder = Variable::new(ScalarType::String, "folder", 3, Parameter, Fixed);
     folder.starts = vec![StartValue {
         value: "a <b> & \"c\"".to_owned(),
     }];
-    let mut bytes = Variable::new(Kind::Binary, "spheres.document", 4, Output, Discrete);
+    let mut bytes = Variable::new(ScalarType::Binary, "spheres.document", 4, Output, Discrete);
     bytes.mime_type = Some("application/x-spheres".to_owned());
-    let count = Variable::new(Kind::Int32, "count", 5, Output, Discrete);
-    let radius =
-        Variable::new(Kind::Float64, "radius", 6, CalculatedParameter, Fixed).with_dimensions(&[2]);
+    let count = Variable::new(ScalarType::Int32, "count", 5, Output, Discrete);
+    let radius = Variable::new(ScalarType::Float64, "radius", 6, CalculatedParameter, Fixed)
+        .with_dimensions(&[2]);
     let mut interface = CoSimulation::new("gate");
     interface.provides_intermediate_update = true;
     interface.can_return_early_after_intermediate_update = true;
-    let mut choice = Variable::new(Kind::Enumeration, "choice", 7, Parameter, Fixed);
+    let mut choice = Variable::new(ScalarType::Enumeration, "choice", 7, Parameter, Fixed);
     choice.declared_type = Some("Choice".to_owned());
     choice.start = Some("2".to_owned());
     let variables = vec![time, velocity, places, folder, bytes, count, radius, choice];

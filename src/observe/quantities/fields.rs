@@ -1,6 +1,6 @@
 //! The fields of each kind of reading: name, unit, meaning, and how to read the value.
 
-use super::Kind;
+use super::XYZ;
 use super::readings::{Body, Flow, Sphere, Whole};
 use crate::Vec3;
 use crate::observe::sensors::region::Reading;
@@ -11,10 +11,10 @@ pub(super) struct Field<T> {
     pub(super) name: &'static str,
     pub(super) unit: Option<&'static str>,
     pub(super) text: &'static str,
-    value: Value<T>,
+    value: Read<T>,
 }
 
-enum Value<T> {
+enum Read<T> {
     Real(fn(&T) -> f64),
     Count(fn(&T) -> u64),
     Vector(fn(&T) -> Vec3),
@@ -26,28 +26,25 @@ impl<T> Field<T> {
     /// Letters of the components; none for a single number.
     pub(super) fn components(&self) -> &'static [&'static str] {
         match self.value {
-            Value::Real(_) | Value::Count(_) => &[],
-            Value::Vector(_) => &["x", "y", "z"],
-            Value::Quaternion(_) => &["w", "x", "y", "z"],
-            Value::Tensor(_) => &["xx", "yy", "zz", "xy", "yz", "xz"],
+            Read::Real(_) | Read::Count(_) => &[],
+            Read::Vector(_) => XYZ,
+            Read::Quaternion(_) => &["w", "x", "y", "z"],
+            Read::Tensor(_) => &["xx", "yy", "zz", "xy", "yz", "xz"],
         }
     }
 
-    pub(super) fn kind(&self) -> Kind {
-        match self.value {
-            Value::Count(_) => Kind::Count,
-            _ => Kind::Real,
-        }
+    pub(super) fn is_count(&self) -> bool {
+        matches!(self.value, Read::Count(_))
     }
 
     /// Appends the value, or the components.
     pub(super) fn read(&self, reading: &T, list: &mut Vec<f64>) {
         match self.value {
-            Value::Real(of) => list.push(of(reading)),
-            Value::Count(of) => list.push(of(reading) as f64),
-            Value::Vector(of) => list.extend_from_slice(of(reading).as_slice()),
-            Value::Quaternion(of) => list.extend(of(reading)),
-            Value::Tensor(of) => list.extend(of(reading)),
+            Read::Real(of) => list.push(of(reading)),
+            Read::Count(of) => list.push(of(reading) as f64),
+            Read::Vector(of) => list.extend_from_slice(of(reading).as_slice()),
+            Read::Quaternion(of) => list.extend(of(reading)),
+            Read::Tensor(of) => list.extend(of(reading)),
         }
     }
 }
@@ -55,30 +52,30 @@ impl<T> Field<T> {
 type Text = &'static str;
 
 const fn real<T>(name: Text, unit: Text, text: Text, of: fn(&T) -> f64) -> Field<T> {
-    field(name, Some(unit), text, Value::Real(of))
+    field(name, Some(unit), text, Read::Real(of))
 }
 
 const fn number<T>(name: Text, text: Text, of: fn(&T) -> f64) -> Field<T> {
-    field(name, None, text, Value::Real(of))
+    field(name, None, text, Read::Real(of))
 }
 
 const fn count<T>(name: Text, text: Text, of: fn(&T) -> u64) -> Field<T> {
-    field(name, None, text, Value::Count(of))
+    field(name, None, text, Read::Count(of))
 }
 
 const fn vector<T>(name: Text, unit: Text, text: Text, of: fn(&T) -> Vec3) -> Field<T> {
-    field(name, Some(unit), text, Value::Vector(of))
+    field(name, Some(unit), text, Read::Vector(of))
 }
 
 const fn turn<T>(name: Text, text: Text, of: fn(&T) -> [f64; 4]) -> Field<T> {
-    field(name, None, text, Value::Quaternion(of))
+    field(name, None, text, Read::Quaternion(of))
 }
 
 const fn tensor<T>(name: Text, unit: Text, text: Text, of: fn(&T) -> [f64; 6]) -> Field<T> {
-    field(name, Some(unit), text, Value::Tensor(of))
+    field(name, Some(unit), text, Read::Tensor(of))
 }
 
-const fn field<T>(name: Text, unit: Option<Text>, text: Text, value: Value<T>) -> Field<T> {
+const fn field<T>(name: Text, unit: Option<Text>, text: Text, value: Read<T>) -> Field<T> {
     Field {
         name,
         unit,

@@ -1,7 +1,8 @@
 //! The one table of what is measured: names, units, meanings and values.
 //!
-//! [`quantities`] lists the scalars of a scene, [`values`] gives their values for a state, in the same order. The
-//! columns of `history.csv` and the output variables of the FMU are this list; `docs/results.md` describes it.
+//! [`quantities`] lists what is measured of a scene, numbers and vectors; [`values`] gives their components for a state, in
+//! the same order. The columns of `history.csv` and the output variables of the FMU are this list; `docs/results.md`
+//! describes it.
 //!
 //! ```text
 //! boundary.NAME.*   every boundary       source.NAME.mass   every source
@@ -10,7 +11,6 @@
 //! ```
 
 mod fields;
-mod kind;
 mod readings;
 
 use super::Observation;
@@ -19,52 +19,81 @@ use super::sensors::region;
 use crate::scene::body::Joint;
 use crate::scene::{Measure, Motion, Scene};
 use fields::{BODY, DRIVEN, FLOW, Field, HINGE, PROBE, REGION, SINK, SLIDE, SOURCE, WHOLE, WRENCH};
-pub use kind::Kind;
 use readings::{Body, Flow, Sphere, Whole};
 
-/// One scalar.
+/// Components of a vector.
+pub const XYZ: &[&str] = &["x", "y", "z"];
+
+/// A number or several components.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Quantity {
-    /// Structured name, unique; components count from 1.
+    /// Structured name, unique.
     pub name: String,
+    /// The part of the name that all owners of its kind share.
+    pub field: &'static str,
+    /// The boundary that it is measured of.
+    pub boundary: Option<usize>,
+    /// Letters of the components; none: a single number.
+    pub components: &'static [&'static str],
     /// Unit; `None`: a number without unit.
     pub unit: Option<&'static str>,
-    /// Kind of number.
-    pub kind: Kind,
+    /// Whether it is a count, 0 or more.
+    pub is_count: bool,
     /// One line for people.
-    pub description: String,
+    pub description: &'static str,
+}
+
+impl Quantity {
+    /// How many of [`values`] it is.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        self.components.len().max(1)
+    }
+
+    /// A name for each of its values; components count from 1.
+    #[must_use]
+    pub fn names(&self) -> Vec<String> {
+        match self.components.len() {
+            0 => vec![self.name.clone()],
+            count => (1..=count).map(|k| format!("{}[{k}]", self.name)).collect(),
+        }
+    }
 }
 
 /// All quantities of a scene, in the order of [`values`].
 #[must_use]
 pub fn quantities(scene: &Scene) -> Vec<Quantity> {
     let mut list = Vec::new();
-    for boundary in &scene.boundaries {
-        let prefix = format!("boundary.{}.", boundary.name);
-        describe(&mut list, &prefix, &BODY);
+    for (b, boundary) in scene.boundaries.iter().enumerate() {
+        let owner = ("boundary", &*boundary.name);
+        let first = list.len();
+        describe(&mut list, owner, &BODY);
         if matches!(boundary.motion, Motion::Driven(_)) {
-            describe(&mut list, &prefix, &DRIVEN);
+            describe(&mut list, owner, &DRIVEN);
         }
-        describe(&mut list, &prefix, joint(&boundary.motion));
+        describe(&mut list, owner, joint(&boundary.motion));
+        for quantity in &mut list[first..] {
+            quantity.boundary = Some(b);
+        }
     }
     for probe in &scene.probes {
-        describe(&mut list, &format!("probe.{}.", probe.name), &PROBE);
+        describe(&mut list, ("probe", &probe.name), &PROBE);
     }
     for sensor in &scene.sensors {
-        let prefix = format!("sensor.{}.", sensor.name);
+        let owner = ("sensor", &*sensor.name);
         match &sensor.measure {
-            Measure::Region(_) => describe(&mut list, &prefix, &REGION),
-            Measure::Wrench { .. } => describe(&mut list, &prefix, &WRENCH),
-            Measure::MassFlow { .. } => describe(&mut list, &prefix, &FLOW),
+            Measure::Region(_) => describe(&mut list, owner, &REGION),
+            Measure::Wrench { .. } => describe(&mut list, owner, &WRENCH),
+            Measure::MassFlow { .. } => describe(&mut list, owner, &FLOW),
         }
     }
     for source in &scene.sources {
-        describe(&mut list, &format!("source.{}.", source.name), &SOURCE);
+        describe(&mut list, ("source", &source.name), &SOURCE);
     }
     for sink in &scene.sinks {
-        describe(&mut list, &format!("sink.{}.", sink.name), &SINK);
+        describe(&mut list, ("sink", &sink.name), &SINK);
     }
-    describe(&mut list, "", &WHOLE);
+    describe(&mut list, ("", ""), &WHOLE);
     list
 }
 
@@ -121,27 +150,19 @@ pub fn values(state: &Observation) -> Vec<f64> {
     list
 }
 
-fn describe<T>(list: &mut Vec<Quantity>, prefix: &str, fields: &[Field<T>]) {
-    for field in fields {
-        let parts = field.components();
-        let kind = field.kind();
-        if parts.is_empty() {
-            list.push(Quantity {
-                name: format!("{prefix}{}", field.name),
-                unit: field.unit,
-                kind,
-                description: field.text.to_owned(),
-            });
-        }
-        for (k, part) in parts.iter().enumerate() {
-            list.push(Quantity {
-                name: format!("{prefix}{}[{}]", field.name, k + 1),
-                unit: field.unit,
-                kind,
-                description: format!("{}; {part}", field.text),
-            });
-        }
-    }
+fn describe<T>(list: &mut Vec<Quantity>, (kind, owner): (&str, &str), fields: &[Field<T>]) {
+    list.extend(fields.iter().map(|field| Quantity {
+        name: match owner {
+            "" => field.name.to_owned(),
+            _ => format!("{kind}.{owner}.{}", field.name),
+        },
+        field: field.name,
+        boundary: None,
+        components: field.components(),
+        unit: field.unit,
+        is_count: field.is_count(),
+        description: field.text,
+    }));
 }
 
 fn measure<T>(list: &mut Vec<f64>, fields: &[Field<T>], reading: &T) {

@@ -5,6 +5,7 @@ use sphere_dda_fmi_interface::pointers::{array, array_mut};
 
 use super::super::guard::{KNOWN, STEPPED, call};
 use super::SETTABLE;
+use crate::version::Version;
 
 use fmi2Status::fmi2OK;
 
@@ -42,7 +43,9 @@ extern "C" fn fmi2GetRealOutputDerivatives(
     call(c, "fmi2GetRealOutputDerivatives", STEPPED, |component| {
         let references = array(vr, nvr, "vr")?;
         let orders = array(order, nvr, "order")?;
-        let rates = component.instance.output_derivatives(references, orders)?;
+        let rates = component
+            .instance
+            .output_derivatives(Version::Two, references, orders, nvr)?;
         array_mut(value, nvr, "value")?.copy_from_slice(&rates);
         Ok(fmi2OK)
     })
@@ -64,7 +67,8 @@ extern "C" fn fmi2GetDirectionalDerivative(
         let knowns = array(vKnown_ref, nKnown, "vKnown_ref")?;
         let seed = array(dvKnown, nKnown, "dvKnown")?;
         let instance = &mut component.instance;
-        let changes = instance.directional_derivative(unknowns, knowns, seed)?;
+        let pair = (unknowns, knowns);
+        let changes = instance.directional_derivative(Version::Two, pair, seed, nUnknown)?;
         array_mut(dvUnknown, nUnknown, "dvUnknown")?.copy_from_slice(&changes);
         Ok(fmi2OK)
     })

@@ -4,8 +4,9 @@ use sphere_dda_fmi_interface::abi3::*;
 use sphere_dda_fmi_interface::pointers::{array, array_mut};
 
 use super::super::guard::{KNOWN, STEPPED, call};
-use crate::runtime::instance::{Instance, counted};
+use crate::runtime::instance::Instance;
 use crate::runtime::refusal::Refusal;
+use crate::version::Version;
 
 use fmi3Status::fmi3OK;
 
@@ -20,17 +21,15 @@ fn product(
     (instance, function): (fmi3Instance, &str),
     (unknowns, knowns): (References, References),
     (seed, sensitivity): (Seed, Places),
-    of: impl FnOnce(&mut Instance, &[u32], &[u32], &[f64]) -> Result<Vec<f64>, Refusal>,
+    of: impl FnOnce(&mut Instance, (&[u32], &[u32]), &[f64], usize) -> Result<Vec<f64>, Refusal>,
 ) -> fmi3Status {
     call(instance, function, KNOWN, |component| {
         let unknowns = array(unknowns.0, unknowns.1, "unknowns")?;
         let knowns = array(knowns.0, knowns.1, "knowns")?;
         let seed = array(seed.0, seed.1, "seed")?;
-        let changes = of(&mut component.instance, unknowns, knowns, seed)?;
-        if changes.len() != sensitivity.1 {
-            return Err(counted(sensitivity.1, changes.len()));
-        }
-        array_mut(sensitivity.0, sensitivity.1, "sensitivity")?.copy_from_slice(&changes);
+        let count = sensitivity.1;
+        let changes = of(&mut component.instance, (unknowns, knowns), seed, count)?;
+        array_mut(sensitivity.0, count, "sensitivity")?.copy_from_slice(&changes);
         Ok(fmi3OK)
     })
 }
@@ -52,7 +51,9 @@ extern "C" fn fmi3GetDirectionalDerivative(
         (instance, "fmi3GetDirectionalDerivative"),
         ((unknowns, nUnknowns), (knowns, nKnowns)),
         ((seed, nSeed), (sensitivity, nSensitivity)),
-        Instance::array_directional_derivative,
+        |instance, pair, seed, count| {
+            instance.directional_derivative(Version::Three, pair, seed, count)
+        },
     )
 }
 
@@ -73,7 +74,7 @@ extern "C" fn fmi3GetAdjointDerivative(
         (instance, "fmi3GetAdjointDerivative"),
         ((unknowns, nUnknowns), (knowns, nKnowns)),
         ((seed, nSeed), (sensitivity, nSensitivity)),
-        Instance::array_adjoint_derivative,
+        Instance::adjoint_derivative,
     )
 }
 
@@ -90,10 +91,8 @@ extern "C" fn fmi3GetOutputDerivatives(
     call(instance, "fmi3GetOutputDerivatives", STEPPED, |component| {
         let references = array(valueReferences, nValueReferences, "valueReferences")?;
         let orders = array(orders, nValueReferences, "orders")?;
-        let rates = component.instance.array_derivatives(references, orders)?;
-        if rates.len() != nValues {
-            return Err(counted(nValues, rates.len()));
-        }
+        let instance = &mut component.instance;
+        let rates = instance.output_derivatives(Version::Three, references, orders, nValues)?;
         array_mut(values, nValues, "values")?.copy_from_slice(&rates);
         Ok(fmi3OK)
     })

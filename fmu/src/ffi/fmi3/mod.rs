@@ -17,6 +17,7 @@ use super::logging;
 use crate::runtime::instance::Instance;
 use crate::runtime::refusal::InstantiationError;
 use crate::runtime::resource;
+use crate::version::Version;
 use sphere_dda_fmi_interface::abi3::*;
 use sphere_dda_fmi_interface::log::{Level, Log};
 use sphere_dda_fmi_interface::pointers::{array, message_sink, panic_text, str_from};
@@ -114,9 +115,10 @@ fn known(
     (references, count): (*const fmi3ValueReference, usize),
 ) -> Result<(), InstantiationError> {
     let required = array(references, count, "requiredIntermediateVariables")?;
+    let table = &instance.model().table;
     let unknown = required
         .iter()
-        .find(|&&reference| instance.model().arrays.get(reference).is_none());
+        .find(|&&reference| table.get(Version::Three, reference).is_none());
     match unknown {
         Some(&reference) => Err(InstantiationError::Intermediate { reference }),
         None => Ok(()),

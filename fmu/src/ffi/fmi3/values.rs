@@ -1,16 +1,15 @@
 //! Getting and setting values.
 
-use std::ffi::CString;
-
 use sphere_dda_fmi_interface::abi3::*;
-use sphere_dda_fmi_interface::pointers::{BadArgument, array, array_mut, c_string, str_from};
-use sphere_dda_model_description::fmi3::Kind;
+use sphere_dda_fmi_interface::pointers::{array, array_mut};
+use sphere_dda_model_description::value::{ScalarType, Value};
 
-use super::super::guard::{Component, Stages, call};
-use crate::runtime::instance::{Element, counted};
+use super::super::guard::{Stages, call};
+use super::super::values::Function;
+use crate::runtime::instance::Call;
 use crate::runtime::life_cycle::LifeCycle;
 use crate::runtime::refusal::Refusal;
-use crate::table::Value;
+use crate::version::Version;
 
 use fmi3Status::fmi3OK;
 
@@ -31,61 +30,24 @@ const SETTABLE: Stages = &[
     LifeCycle::Intermediate,
 ];
 
-/// References and values as they come from C.
-type Pairs<T> = (*const fmi3ValueReference, usize, T, usize);
-
-/// The elements of the variables, exactly as many as the importer has room for.
-fn elements(
-    component: &mut Component,
-    kind: Kind,
-    references: &[u32],
-    room: usize,
-) -> Result<Vec<Element>, Refusal> {
-    let found = component.instance.get_arrays(kind, references)?;
-    if found.len() == room {
-        return Ok(found);
+fn function(
+    component: fmi3Instance,
+    name: &'static str,
+    allowed: Stages,
+    scalar: ScalarType,
+) -> Function {
+    Function {
+        component,
+        name,
+        allowed,
+        version: Version::Three,
+        scalar,
     }
-    Err(counted(room, found.len()))
 }
 
-/// Reads values of one type; `convert` takes them out of their envelope.
-fn get<T>(
-    (c, function): (fmi3Instance, &str),
-    kind: Kind,
-    (vr, nvr, value, room): Pairs<*mut T>,
-    convert: impl Fn(Element) -> Option<T>,
-) -> fmi3Status {
-    call(c, function, READABLE, |component| {
-        let found = elements(component, kind, array(vr, nvr, "valueReferences")?, room)?;
-        let places = array_mut(value, room, "values")?;
-        for (place, value) in places.iter_mut().zip(found.into_iter().filter_map(convert)) {
-            *place = value;
-        }
-        Ok(fmi3OK)
-    })
-}
-
-/// Sets values of one type; `convert` puts them into an envelope, or knows that no variable takes them.
-fn set<T: Copy>(
-    (c, function): (fmi3Instance, &str),
-    kind: Kind,
-    (vr, nvr, value, count): Pairs<*const T>,
-    convert: impl Fn(T) -> Result<Value, Refusal>,
-) -> fmi3Status {
-    call(c, function, SETTABLE, |component| {
-        let values = array(value, count, "values")?.iter();
-        let values = values
-            .map(|&value| convert(value))
-            .collect::<Result<_, _>>()?;
-        let references = array(vr, nvr, "valueReferences")?;
-        component.instance.set_arrays(kind, references, values)?;
-        Ok(fmi3OK)
-    })
-}
-
-/// A getter and a setter of numbers: their names, type in C, kind of variable, and the two conversions.
+/// A getter and a setter of numbers: their names, type in C, type of the variables, and the two conversions.
 macro_rules! numbers {
-    ($($get:ident $set:ident $type:ty, $kind:ident, $out:expr, $in:expr;)*) => {$(
+    ($($get:ident $set:ident $type:ty, $scalar:ident, $out:expr, $in:expr;)*) => {$(
         #[unsafe(no_mangle)]
         extern "C" fn $get(
             instance: fmi3Instance,
@@ -94,8 +56,8 @@ macro_rules! numbers {
             values: *mut $type,
             nValues: usize,
         ) -> fmi3Status {
-            let pairs = (valueReferences, nValueReferences, values, nValues);
-            get((instance, stringify!($get)), Kind::$kind, pairs, $out)
+            let get = function(instance, stringify!($get), READABLE, ScalarType::$scalar);
+            get.get((valueReferences, nValueReferences), (values, nValues), $out)
         }
 
         #[unsafe(no_mangle)]
@@ -106,25 +68,15 @@ macro_rules! numbers {
             values: *const $type,
             nValues: usize,
         ) -> fmi3Status {
-            let pairs = (valueReferences, nValueReferences, values, nValues);
-            set((instance, stringify!($set)), Kind::$kind, pairs, $in)
+            let set = function(instance, stringify!($set), SETTABLE, ScalarType::$scalar);
+            set.set((valueReferences, nValueReferences), (values, nValues), $in)
         }
     )*};
 }
 
 /// No variable has the type: whatever is asked for is refused, by its reference.
-fn never<T>(_: Element) -> Option<T> {
+fn never<T>(_: Value) -> Option<T> {
     None
-}
-
-/// The value of an item: enumerations are the only integers of 64 bits that can be set.
-fn item(value: i64) -> Result<Value, Refusal> {
-    let narrow = i32::try_from(value).map_err(|_| BadArgument {
-        argument: "values",
-        found: value.to_string(),
-        expected: "the value of an item of the enumeration",
-    })?;
-    Ok(Value::Integer(narrow))
 }
 
 /// As [`never`]: the value is not looked at.
@@ -135,15 +87,16 @@ fn any<T>(_: T) -> Result<Value, Refusal> {
 
 numbers! {
     fmi3GetFloat64 fmi3SetFloat64 f64, Float64,
-        |element| match element { Element::Plain(Value::Real(value)) => Some(value), _ => None },
+        |value| match value { Value::Real(value) => Some(value), _ => None },
         |value| Ok(Value::Real(value));
     fmi3GetInt32 fmi3SetInt32 i32, Int32,
-        |element| match element { Element::Plain(Value::Integer(value)) => Some(value), _ => None },
-        |value| Ok(Value::Integer(value));
+        |value| match value { Value::Integer(value) => i32::try_from(value).ok(), _ => None },
+        |value| Ok(Value::Integer(value.into()));
     fmi3GetInt64 fmi3SetInt64 i64, Int64,
-        |element| match element { Element::Long(value) => Some(value), _ => None }, item;
+        |value| match value { Value::Integer(value) => Some(value), _ => None },
+        |value| Ok(Value::Integer(value));
     fmi3GetBoolean fmi3SetBoolean fmi3Boolean, Boolean,
-        |element| match element { Element::Plain(Value::Boolean(value)) => Some(value.into()), _ => None },
+        |value| match value { Value::Boolean(value) => Some(value.into()), _ => None },
         |value| Ok(Value::Boolean(value != 0));
     fmi3GetFloat32 fmi3SetFloat32 f32, Float32, never, any;
     fmi3GetInt8 fmi3SetInt8 i8, Int8, never, any;
@@ -163,20 +116,8 @@ extern "C" fn fmi3GetString(
     values: *mut fmi3String,
     nValues: usize,
 ) -> fmi3Status {
-    call(instance, "fmi3GetString", READABLE, |component| {
-        let references = array(valueReferences, nValueReferences, "valueReferences")?;
-        let found = elements(component, Kind::String, references, nValues)?;
-        let places = array_mut(values, nValues, "values")?;
-        let text = |element| match element {
-            Element::Plain(Value::String(text)) => c_string(&text),
-            _ => CString::default(),
-        };
-        component.strings = found.into_iter().map(text).collect();
-        for (place, text) in places.iter_mut().zip(&component.strings) {
-            *place = text.as_ptr();
-        }
-        Ok(fmi3OK)
-    })
+    let get = function(instance, "fmi3GetString", READABLE, ScalarType::String);
+    get.get_texts((valueReferences, nValueReferences), (values, nValues))
 }
 
 /// Sets texts.
@@ -188,10 +129,8 @@ extern "C" fn fmi3SetString(
     values: *const fmi3String,
     nValues: usize,
 ) -> fmi3Status {
-    let pairs = (valueReferences, nValueReferences, values, nValues);
-    set((instance, "fmi3SetString"), Kind::String, pairs, |value| {
-        Ok(Value::String(str_from(value, "values")?.to_owned()))
-    })
+    let set = function(instance, "fmi3SetString", SETTABLE, ScalarType::String);
+    set.set_texts((valueReferences, nValueReferences), (values, nValues))
 }
 
 /// Reads binaries; they live until the next `fmi3GetBinary` of the instance.
@@ -206,14 +145,18 @@ extern "C" fn fmi3GetBinary(
 ) -> fmi3Status {
     call(instance, "fmi3GetBinary", READABLE, |component| {
         let references = array(valueReferences, nValueReferences, "valueReferences")?;
-        let found = elements(component, Kind::Binary, references, nValues)?;
+        let (version, scalar) = (Version::Three, ScalarType::Binary);
+        let mut found = Vec::new();
+        let mut give = |value| {
+            if let Value::Binary(bytes) = value {
+                found.push(bytes);
+            }
+        };
+        let of = Call { version, scalar };
+        component.instance.get(of, references, nValues, &mut give)?;
         let sizes = array_mut(valueSizes, nValues, "valueSizes")?;
         let places = array_mut(values, nValues, "values")?;
-        let bytes = |element| match element {
-            Element::Binary(bytes) => Some(bytes),
-            _ => None,
-        };
-        component.binaries = found.into_iter().filter_map(bytes).collect();
+        component.binaries = found;
         let pairs = places.iter_mut().zip(sizes);
         for ((place, size), bytes) in pairs.zip(&component.binaries) {
             (*place, *size) = (bytes.as_ptr(), bytes.len());
@@ -232,6 +175,6 @@ extern "C" fn fmi3SetBinary(
     values: *const fmi3Binary,
     nValues: usize,
 ) -> fmi3Status {
-    let pairs = (valueReferences, nValueReferences, values, nValues);
-    set((instance, "fmi3SetBinary"), Kind::Binary, pairs, any)
+    let set = function(instance, "fmi3SetBinary", SETTABLE, ScalarType::Binary);
+    set.set((valueReferences, nValueReferences), (values, nValues), any)
 }

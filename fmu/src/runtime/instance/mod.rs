@@ -8,7 +8,6 @@
 //! The time of the scene counts from the start time of the experiment. A step ends exactly at `tc + h`; nothing is
 //! accumulated, the simulation is asked for what is left to that point. A refused call changes nothing.
 
-mod arrays;
 mod derivatives;
 mod step;
 mod step_in_progress;
@@ -32,9 +31,8 @@ use sphere_dda_fmi_interface::log::{Level, Log};
 use sphere_dda_fmi_interface::pointers::BadArgument;
 use step_in_progress::StepInProgress;
 
-pub use arrays::Element;
-pub(crate) use arrays::counted;
 pub use step::Progress;
+pub use values::Call;
 
 /// Share of the step by which a communication point may miss the end of the last one: masters add up or round their
 /// times, and a mistake of the master is far larger.
@@ -56,8 +54,8 @@ struct Measured {
     outputs: Option<Vec<f64>>,
     /// Derivatives by time of all that [`derivatives`] measures.
     rates: Option<Vec<f64>>,
-    /// Its derivatives by inputs, by reference.
-    columns: BTreeMap<u32, Vec<f64>>,
+    /// Its derivatives by inputs, by row of the table and element.
+    columns: BTreeMap<(usize, usize), Vec<f64>>,
 }
 
 /// A running FMU.
@@ -310,7 +308,7 @@ impl Instance {
                 expected: "one",
             });
         };
-        simulation.set_gravity(self.run.parameters.gravity)?;
+        simulation.set_gravity(self.run.parameters.settings.gravity)?;
         command(simulation, &self.run)?;
         Ok(simulation)
     }
@@ -425,7 +423,7 @@ impl Instance {
     fn prepare(&mut self) -> Result<(), Refusal> {
         self.measured = Measured::default();
         let mut simulation = self.simulate(&self.run.parameters)?;
-        let gravity = self.run.parameters.gravity;
+        let gravity = self.run.parameters.settings.gravity;
         // A start that is the scene's own is left alone: the FMU then gives the bytes that the library gives.
         if gravity != simulation.state().gravity
             || self.run.commands.iter().any(|c| *c != Command::default())

@@ -1,59 +1,129 @@
 //! Getting and setting values: dispatch by the variable table.
 
+use std::sync::Arc;
+
 use sphere_dda::observe::Observation;
 use sphere_dda::observe::quantities::values;
-use sphere_dda_model_description::fmi2::{BaseType, Causality, Variability};
+use sphere_dda_fmi_interface::log::Level;
+use sphere_dda_fmi_interface::pointers::BadArgument;
+use sphere_dda_model_description::fmi2::{Causality, Variability};
+use sphere_dda_model_description::value::{ScalarType, Value};
 
 use super::Instance;
+use crate::runtime::document;
 use crate::runtime::life_cycle::LifeCycle;
 use crate::runtime::refusal::Refusal;
-use crate::table::{Binding, Value, Variable, component};
-use sphere_dda_fmi_interface::log::Level;
+use crate::table::{Binding, Entry, Table, Variable};
+use crate::version::Version;
 
-impl Instance {
-    /// Values of variables of one type, in the order of `references`.
-    ///
-    /// # Errors
-    /// [`Refusal::Reference`], [`Refusal::NoValue`]; in initialization mode also [`Refusal::Step`].
-    pub fn get(&mut self, base: BaseType, references: &[u32]) -> Result<Vec<Value>, Refusal> {
-        let mut outputs = false;
-        for &reference in references {
-            let binding = self.variable(base, reference)?.binding;
-            outputs |= matches!(binding, Binding::Output(_));
-        }
-        if outputs {
-            self.look()?;
-            if let (None, Some(simulation)) = (&self.measured.outputs, &self.simulation) {
-                self.measured.outputs = Some(values(&Observation::of(simulation)));
-            }
-        }
-        let variables = references.iter().map(|&r| self.variable(base, r));
-        variables.map(|found| self.value(found?)).collect()
+/// Which value references a call uses, and the type of its values in C.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Call {
+    /// Version of the standard.
+    pub version: Version,
+    /// Type of the values.
+    pub scalar: ScalarType,
+}
+
+impl Call {
+    /// A call that passes real numbers.
+    #[must_use]
+    pub fn reals(version: Version) -> Self {
+        let scalar = ScalarType::Float64;
+        Self { version, scalar }
     }
 
-    fn value(&self, variable: &Variable) -> Result<Value, Refusal> {
-        let rank = match variable.binding {
-            Binding::Time => return Ok(Value::Real(self.run.time)),
-            Binding::Parameter(parameter) => return Ok(self.run.parameters.get(parameter)),
-            Binding::Input {
-                boundary,
-                input,
-                axis,
-            } => {
-                let mut command = self.run.commands[boundary];
-                return Ok(Value::Real(*component(&mut command, input, axis)));
+    /// Whether values of a variable of this type pass; enumerations do as integers.
+    fn passes(self, scalar: ScalarType) -> bool {
+        self.scalar
+            == match (scalar, self.version) {
+                (ScalarType::Enumeration, Version::Two) => ScalarType::Int32,
+                (ScalarType::Enumeration, Version::Three) => ScalarType::Int64,
+                (other, _) => other,
             }
-            Binding::Output(rank) => rank,
-        };
-        let outputs = self.measured.outputs.as_ref();
-        match outputs.and_then(|values| values.get(rank)) {
-            // A cast keeps within the range: the C interface has no integer beyond 2^31.
-            Some(&value) if variable.base == BaseType::Integer => Ok(Value::Integer(value as i32)),
-            Some(&value) => Ok(Value::Real(value)),
-            None => Err(Refusal::NoValue {
-                name: variable.name.clone(),
+    }
+
+    fn name(self, scalar: ScalarType) -> String {
+        match self.version {
+            Version::Two => scalar.name_2(),
+            Version::Three => scalar.to_string(),
+        }
+    }
+}
+
+impl Instance {
+    /// Gives the values of variables of one type, all elements of one after the other, which must be `count` together.
+    ///
+    /// # Errors
+    /// [`Refusal::Reference`], [`Refusal::Argument`] of the number, [`Refusal::NoValue`]; in initialization mode also
+    /// [`Refusal::Step`]. Nothing has been given then.
+    pub fn get(
+        &mut self,
+        call: Call,
+        references: &[u32],
+        count: usize,
+        give: &mut dyn FnMut(Value),
+    ) -> Result<(), Refusal> {
+        let table = Arc::clone(&self.model.table);
+        let entries = self.entries(&table, call, references)?;
+        counted(count, &entries)?;
+        if let Some(computed) = entries.iter().find(|entry| entry.variable.is_computed()) {
+            self.observe(computed, &entries)?;
+        }
+        for entry in &entries {
+            self.read(entry, give);
+        }
+        Ok(())
+    }
+
+    /// Brings what is measured up to date, as far as it is asked for.
+    fn observe(&mut self, computed: &Entry<'_>, entries: &[Entry<'_>]) -> Result<(), Refusal> {
+        self.look()?;
+        let Some(simulation) = &self.simulation else {
+            return Err(Refusal::NoValue {
+                name: computed.name(),
                 stage: self.run.stage,
-            }),
+            });
+        };
+        let measured = entries.iter().any(|entry| entry.variable.rank(0).is_some());
+        if measured && self.measured.outputs.is_none() {
+            self.measured.outputs = Some(values(&Observation::of(simulation)));
+        }
+        Ok(())
+    }
+
+    fn read(&self, entry: &Entry<'_>, give: &mut dyn FnMut(Value)) {
+        let variable = entry.variable;
+        match (&variable.binding, &self.simulation) {
+            (Binding::Spheres(field), Some(simulation)) => {
+                document::field(simulation, *field, give);
+            }
+            (Binding::Document, Some(simulation)) => {
+                give(Value::Binary(document::of(simulation, self.run.time)));
+            }
+            _ => entry
+                .elements()
+                .for_each(|k| give(self.element(variable, k))),
+        }
+    }
+
+    fn element(&self, variable: &Variable, k: usize) -> Value {
+        match variable.binding {
+            Binding::Parameter(rank) => self.run.parameters.get(rank, k),
+            Binding::Input { boundary, input } => {
+                let mut command = self.run.commands[boundary];
+                Value::Real(*input.of(&mut command, k))
+            }
+            Binding::Time => Value::Real(self.run.time),
+            _ => {
+                let outputs = self.measured.outputs.as_deref().unwrap_or_default();
+                let value = variable.rank(k).map_or(f64::NAN, |rank| outputs[rank]);
+                match variable.scalar {
+                    // A cast keeps within the range: the C interface has no count beyond 2^31.
+                    ScalarType::Int32 => Value::Integer((value as i32).into()),
+                    _ => Value::Real(value),
+                }
+            }
         }
     }
 
@@ -71,28 +141,38 @@ impl Instance {
         Ok(())
     }
 
-    /// Sets variables; all or none.
+    /// Sets variables of one type, all elements of each; all or none.
     ///
     /// # Errors
-    /// [`Refusal::Reference`], [`Refusal::NotSettable`], [`Refusal::Range`].
-    pub fn set(&mut self, values: Vec<(u32, Value)>) -> Result<(), Refusal> {
-        for (reference, value) in &values {
-            self.check(*reference, value)?;
+    /// [`Refusal::Reference`], [`Refusal::NotSettable`], [`Refusal::Argument`] if there are more or fewer values than
+    /// elements, [`Refusal::Item`], [`Refusal::Range`].
+    pub fn set(
+        &mut self,
+        call: Call,
+        references: &[u32],
+        values: Vec<Value>,
+    ) -> Result<(), Refusal> {
+        let table = Arc::clone(&self.model.table);
+        let entries = self.entries(&table, call, references)?;
+        for entry in &entries {
+            self.settable(entry)?;
         }
-        for (reference, value) in values {
-            match (self.variable(value.base(), reference)?.binding, value) {
-                (Binding::Parameter(parameter), value) => self.run.parameters.set(parameter, value),
-                (
-                    Binding::Input {
-                        boundary,
-                        input,
-                        axis,
-                    },
-                    Value::Real(value),
-                ) => {
-                    *component(&mut self.run.commands[boundary], input, axis) = value;
-                    for rate in &mut self.run.rates[boundary] {
-                        *component(rate, input, axis) = 0.0;
+        counted(values.len(), &entries)?;
+        let elements = |entry: &Entry<'_>| {
+            let variable = &table.variables()[entry.row];
+            entry.elements().map(move |k| (variable, k))
+        };
+        let places: Vec<_> = entries.iter().flat_map(elements).collect();
+        for ((variable, k), value) in places.iter().zip(&values) {
+            within(variable, *k, value)?;
+        }
+        for ((variable, k), value) in places.into_iter().zip(values) {
+            match (&variable.binding, value) {
+                (Binding::Parameter(rank), value) => self.run.parameters.set(*rank, k, value),
+                (Binding::Input { boundary, input }, Value::Real(value)) => {
+                    *input.of(&mut self.run.commands[*boundary], k) = value;
+                    for rate in &mut self.run.rates[*boundary] {
+                        *input.of(rate, k) = 0.0;
                     }
                 }
                 _ => continue,
@@ -102,8 +182,9 @@ impl Instance {
         Ok(())
     }
 
-    fn check(&self, reference: u32, value: &Value) -> Result<(), Refusal> {
-        let variable = self.variable(value.base(), reference)?;
+    /// Whether a variable can be set now.
+    fn settable(&self, entry: &Entry<'_>) -> Result<(), Refusal> {
+        let variable = entry.variable;
         let before = matches!(
             self.run.stage,
             LifeCycle::Instantiated | LifeCycle::Initialization
@@ -115,67 +196,101 @@ impl Instance {
             (Causality::Parameter, _) => before,
             _ => false,
         };
-        if !allowed {
-            return Err(Refusal::NotSettable {
-                name: variable.name.clone(),
-                kind: format!("{:?}, {:?}", variable.causality, variable.variability)
-                    .to_lowercase(),
-                stage: self.run.stage,
-                allowed: match variable.causality {
-                    Causality::Parameter => "set it before or in initialization mode",
-                    _ => "only parameters and inputs can be set",
-                },
-            });
+        if allowed {
+            return Ok(());
         }
-        if let (Some(choices), Value::Integer(found)) = (variable.choices, value)
-            && choices.item(*found).is_none()
-        {
+        Err(Refusal::NotSettable {
+            name: entry.name(),
+            kind: format!("{:?}, {:?}", variable.causality, variable.variability).to_lowercase(),
+            stage: self.run.stage,
+            allowed: match variable.causality {
+                Causality::Parameter => "set it before or in initialization mode",
+                _ => "only parameters and inputs can be set",
+            },
+        })
+    }
+
+    /// The variables of a call's references, which must be of its type.
+    pub(super) fn entries<'t>(
+        &self,
+        table: &'t Table,
+        call: Call,
+        references: &[u32],
+    ) -> Result<Vec<Entry<'t>>, Refusal> {
+        let entry = |&reference: &u32| {
+            let found = table.get(call.version, reference);
+            found
+                .filter(|entry| call.passes(entry.variable.scalar))
+                .ok_or_else(|| Refusal::Reference {
+                    reference,
+                    found: found.map(|entry| {
+                        let of = call.name(entry.variable.scalar);
+                        format!("`{}` of type {of}", entry.name())
+                    }),
+                    expected: call.name(call.scalar),
+                })
+        };
+        references.iter().map(entry).collect()
+    }
+}
+
+/// Whether a call has as many values as its variables have elements.
+pub(super) fn counted(found: usize, entries: &[Entry<'_>]) -> Result<(), Refusal> {
+    let expected = entries.iter().map(|entry| entry.elements().len()).sum();
+    elements(found, expected)
+}
+
+/// Whether there are as many values as elements.
+pub(super) fn elements(found: usize, expected: usize) -> Result<(), Refusal> {
+    if found == expected {
+        return Ok(());
+    }
+    Err(BadArgument {
+        argument: "nValues",
+        found: format!("{found}, for {expected} elements"),
+        expected: "the number of elements of all variables",
+    }
+    .into())
+}
+
+/// Whether a value is one that the variable may have.
+fn within(variable: &Variable, k: usize, value: &Value) -> Result<(), Refusal> {
+    let found = match (variable.choices, value) {
+        (Some(choices), Value::Integer(found)) if choices.item(*found).is_none() => {
             let items = choices.items.iter();
             let items: Vec<String> = items
                 .map(|(name, value, _)| format!("{value} ({name})"))
                 .collect();
             return Err(Refusal::Item {
-                name: variable.name.clone(),
-                found: (*found).into(),
+                name: variable.element(k),
+                found: *found,
                 expected: items.join(", "),
             });
         }
-        let Value::Real(found) = *value else {
-            return Ok(());
-        };
-        let (min, max) = (
-            variable.min.unwrap_or(f64::MIN),
-            variable.max.unwrap_or(f64::MAX),
-        );
-        if found.is_finite() && (min..=max).contains(&found) {
-            return Ok(());
-        }
-        let expected = match (variable.min, variable.max) {
-            (None, None) => "a finite number".to_owned(),
-            // The least positive number is how a model description says "not 0".
-            (Some(min), None) if min == f64::MIN_POSITIVE => "a number > 0".to_owned(),
-            (Some(min), None) => format!("a number >= {min}"),
-            (None, Some(_)) => format!("a number <= {max}"),
-            (Some(_), Some(_)) => format!("a number from {} to {}", short(min), short(max)),
-        };
-        Err(Refusal::Range {
-            name: variable.name.clone(),
-            found,
-            expected,
-        })
+        (_, Value::Real(found)) => *found,
+        (_, Value::Integer(found)) => *found as f64,
+        _ => return Ok(()),
+    };
+    let (min, max) = (
+        variable.min.unwrap_or(f64::MIN),
+        variable.max.unwrap_or(f64::MAX),
+    );
+    if found.is_finite() && (min..=max).contains(&found) {
+        return Ok(());
     }
-
-    pub(super) fn variable(&self, base: BaseType, reference: u32) -> Result<&Variable, Refusal> {
-        let found = self.model.table.get(reference);
-        found
-            .filter(|variable| variable.base == base)
-            .ok_or_else(|| Refusal::Reference {
-                reference,
-                found: found
-                    .map(|variable| format!("`{}` of type {:?}", variable.name, variable.base)),
-                expected: base,
-            })
-    }
+    let expected = match (variable.min, variable.max) {
+        (None, None) => "a finite number".to_owned(),
+        // The least positive number is how a model description says "not 0".
+        (Some(min), None) if min == f64::MIN_POSITIVE => "a number > 0".to_owned(),
+        (Some(min), None) => format!("a number >= {min}"),
+        (None, Some(_)) => format!("a number <= {max}"),
+        (Some(_), Some(_)) => format!("a number from {} to {}", short(min), short(max)),
+    };
+    Err(Refusal::Range {
+        name: variable.element(k),
+        found,
+        expected,
+    })
 }
 
 /// A bound as a person writes it.

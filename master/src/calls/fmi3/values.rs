@@ -83,7 +83,9 @@ impl Instance<Functions> {
             ScalarType::UInt16 => self.numbers("fmi3GetUInt16", |f| f.get_uint16, numbers),
             ScalarType::Int32 => self.numbers("fmi3GetInt32", |f| f.get_int32, numbers),
             ScalarType::UInt32 => self.numbers("fmi3GetUInt32", |f| f.get_uint32, numbers),
-            ScalarType::Int64 => self.numbers("fmi3GetInt64", |f| f.get_int64, numbers),
+            ScalarType::Int64 | ScalarType::Enumeration => {
+                self.numbers("fmi3GetInt64", |f| f.get_int64, numbers)
+            }
             ScalarType::UInt64 => self.numbers("fmi3GetUInt64", |f| f.get_uint64, numbers),
             ScalarType::Boolean => {
                 let bytes = self.raw("fmi3GetBoolean", |f| f.get_boolean, numbers, 0)?;
@@ -91,6 +93,8 @@ impl Instance<Functions> {
             }
             ScalarType::String => self.texts(numbers),
             ScalarType::Binary => self.binaries(numbers),
+            // No variable of the master is a clock.
+            ScalarType::Clock => Ok(Vec::new()),
         }
     }
 
@@ -111,11 +115,14 @@ impl Instance<Functions> {
             ScalarType::UInt16 => self.assign("fmi3SetUInt16", |f| f.set_uint16, scalar, all),
             ScalarType::Int32 => self.assign("fmi3SetInt32", |f| f.set_int32, scalar, all),
             ScalarType::UInt32 => self.assign("fmi3SetUInt32", |f| f.set_uint32, scalar, all),
-            ScalarType::Int64 => self.assign("fmi3SetInt64", |f| f.set_int64, scalar, all),
+            ScalarType::Int64 | ScalarType::Enumeration => {
+                self.assign("fmi3SetInt64", |f| f.set_int64, scalar, all)
+            }
             ScalarType::UInt64 => self.assign("fmi3SetUInt64", |f| f.set_uint64, scalar, all),
             ScalarType::Boolean => self.assign("fmi3SetBoolean", |f| f.set_boolean, scalar, all),
             ScalarType::String => self.set_texts(all),
             ScalarType::Binary => self.set_binaries(all),
+            ScalarType::Clock => Ok(()),
         }
     }
 

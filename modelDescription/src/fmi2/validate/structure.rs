@@ -3,10 +3,9 @@
 use std::collections::BTreeSet;
 
 use super::super::structure::{exposed_states, indexed, initial_unknowns, variable_at};
-use super::super::{
-    BaseType, Causality, DependencyKind, Initial, ModelDescription, ScalarVariable, Unknown,
-};
+use super::super::{Causality, DependencyKind, Initial, ModelDescription, ScalarVariable, Unknown};
 use crate::finding::{Report, Rule};
+use crate::value::ScalarType;
 
 pub(super) fn check(model: &ModelDescription, report: &mut Report) {
     outputs(model, report);
@@ -230,7 +229,7 @@ impl List<'_> {
         }
         let is_real = |index: u32| {
             variable_at(self.variables, index)
-                .is_none_or(|variable| variable.variable_type.base() == BaseType::Real)
+                .is_none_or(|variable| variable.variable_type.scalar() == ScalarType::Float64)
         };
         for (kind, &index) in kinds.iter().zip(dependencies) {
             if forbidden.contains(kind) {

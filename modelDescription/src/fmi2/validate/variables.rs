@@ -4,11 +4,12 @@ use std::collections::BTreeSet;
 use std::fmt::Debug;
 
 use super::super::{
-    BaseType, Causality, EnumerationVariable, Initial, IntegerVariable, RealType, RealVariable,
+    Causality, EnumerationVariable, Initial, IntegerVariable, RealType, RealVariable,
     ScalarVariable, TypeDefinition, Variability, VariableType,
 };
 use super::context::Context;
 use crate::finding::{Report, Rule};
+use crate::value::ScalarType;
 
 pub(super) fn check(context: &Context<'_>, report: &mut Report) {
     let variables = &context.model.model_variables;
@@ -62,7 +63,7 @@ fn place(index: usize, variable: &ScalarVariable) -> String {
 /// What causality and variability ask of the type.
 fn attributes(variable: &ScalarVariable, place: &str, report: &mut Report) {
     combination(variable, place, report);
-    let real = variable.variable_type.base() == BaseType::Real;
+    let real = variable.variable_type.scalar() == ScalarType::Float64;
     if !real && variable.variability == Variability::Continuous {
         report.error(
             Rule::Variability,
@@ -176,16 +177,12 @@ impl Typed<'_> {
             VariableType::Boolean(boolean) => {
                 self.declared(
                     boolean.declared_type.as_deref(),
-                    (BaseType::Boolean, false),
+                    ScalarType::Boolean,
                     report,
                 );
             }
             VariableType::String(string) => {
-                self.declared(
-                    string.declared_type.as_deref(),
-                    (BaseType::String, false),
-                    report,
-                );
+                self.declared(string.declared_type.as_deref(), ScalarType::String, report);
             }
             VariableType::Enumeration(enumeration) => self.enumeration(enumeration, report),
         }
@@ -193,11 +190,7 @@ impl Typed<'_> {
 
     fn real(&self, real: &RealVariable, report: &mut Report) {
         let place = self.place;
-        let definition = self.declared(
-            real.declared_type.as_deref(),
-            (BaseType::Real, false),
-            report,
-        );
+        let definition = self.declared(real.declared_type.as_deref(), ScalarType::Float64, report);
         let defaults = match definition {
             Some(TypeDefinition::Real(defaults)) => defaults,
             _ => &RealType::default(),
@@ -230,11 +223,7 @@ impl Typed<'_> {
     }
 
     fn integer(&self, integer: &IntegerVariable, report: &mut Report) {
-        let definition = self.declared(
-            integer.declared_type.as_deref(),
-            (BaseType::Integer, false),
-            report,
-        );
+        let definition = self.declared(integer.declared_type.as_deref(), ScalarType::Int32, report);
         let (min, max) = match definition {
             Some(TypeDefinition::Integer(defaults)) => (defaults.min, defaults.max),
             _ => (None, None),
@@ -251,7 +240,7 @@ impl Typed<'_> {
     fn enumeration(&self, enumeration: &EnumerationVariable, report: &mut Report) {
         let definition = self.declared(
             Some(&enumeration.declared_type),
-            (BaseType::Integer, true),
+            ScalarType::Enumeration,
             report,
         );
         range(
@@ -278,7 +267,7 @@ impl Typed<'_> {
     fn declared(
         &self,
         name: Option<&str>,
-        base: (BaseType, bool),
+        scalar: ScalarType,
         report: &mut Report,
     ) -> Option<&TypeDefinition> {
         let name = name?;
@@ -288,7 +277,7 @@ impl Typed<'_> {
             .get(name)
             .map(|simple| &simple.definition);
         let found = match definition {
-            Some(definition) if definition.base() == base => return Some(definition),
+            Some(definition) if definition.scalar() == scalar => return Some(definition),
             Some(_) => format!("`{name}`, a type of another base type"),
             None => format!("`{name}`"),
         };

@@ -7,14 +7,15 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::description::ROOT;
 use super::structure::is_initial_unknown;
 use super::{
-    Causality, CoSimulation, FMI_VERSION, Kind, ModelDescription, NamingConvention, Unknown,
-    Variable, types,
+    Causality, CoSimulation, FMI_VERSION, ModelDescription, NamingConvention, Unknown, Variable,
+    types,
 };
 use crate::finding::{Finding, Report, Rule};
 use crate::fmi2::DependencyKind;
 use crate::fmi2::validate::{default_experiment, is_date_and_time, required};
 use crate::names;
 use crate::units::{self, Unit};
+use crate::value::ScalarType;
 
 /// All broken rules, in the order of the document.
 fn validate(model: &ModelDescription) -> Vec<Finding> {
@@ -152,7 +153,7 @@ fn variables(model: &ModelDescription, report: &mut Report) {
     let mut references = BTreeSet::new();
     let mut independents = 0;
     for variable in &model.model_variables {
-        let place = format!("ModelVariables/{} `{}`", variable.kind, variable.name);
+        let place = format!("ModelVariables/{} `{}`", variable.scalar, variable.name);
         let aliases = variable.aliases.iter().map(|alias| alias.name.as_str());
         for name in std::iter::once(variable.name.as_str()).chain(aliases) {
             form(model.variable_naming_convention, name, &place, report);
@@ -171,7 +172,7 @@ fn variables(model: &ModelDescription, report: &mut Report) {
         }
         if variable.causality == Causality::Independent {
             independents += 1;
-            if independents > 1 || !variable.kind.is_float() || !variable.dimensions.is_empty() {
+            if independents > 1 || !variable.scalar.is_float() || !variable.dimensions.is_empty() {
                 report.error(
                     Rule::Independent,
                     &place,
@@ -219,7 +220,7 @@ fn dimensions(
         let good = match (dimension.start, dimension.value_reference) {
             (Some(extent), None) => extent > 0,
             (None, Some(reference)) => by_reference.get(&reference).is_some_and(|size| {
-                size.kind == Kind::UInt64
+                size.scalar == ScalarType::UInt64
                     && (size.causality == Causality::StructuralParameter
                         || size.effective_variability() == super::Variability::Constant)
             }),
@@ -244,7 +245,7 @@ fn clocks(
 ) {
     for reference in variable.clocks.iter().flatten() {
         let clock = by_reference.get(reference);
-        if clock.is_none_or(|clock| clock.kind != Kind::Clock) {
+        if clock.is_none_or(|clock| clock.scalar != ScalarType::Clock) {
             report.error(
                 Rule::Clocks,
                 format!("{place}/@clocks"),
@@ -266,7 +267,7 @@ fn unit(variable: &Variable, units: &BTreeMap<&str, &Unit>, place: &str, report:
             "the name of a unit in UnitDefinitions",
         );
     }
-    if unit.is_some() && !variable.kind.is_float() {
+    if unit.is_some() && !variable.scalar.is_float() {
         let expected = "none: only real numbers have units";
         report.error(Rule::UnitDefined, place, "a unit", expected);
     }

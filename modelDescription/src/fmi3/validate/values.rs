@@ -2,8 +2,9 @@
 
 use crate::finding::{Report, Rule};
 use crate::fmi2::{Initial, Variability};
-use crate::fmi3::{Causality, Kind, Variable};
+use crate::fmi3::{Causality, Variable};
 use crate::lexical::Lexical;
+use crate::value::ScalarType;
 
 pub(super) fn check(variable: &Variable, place: &str, report: &mut Report) {
     combination(variable, place, report);
@@ -28,10 +29,10 @@ fn combination(variable: &Variable, place: &str, report: &mut Report) {
     let variability = variable.effective_variability();
     let causality = variable.causality;
     // A clock has no variability of its own: it ticks.
-    if variable.kind == Kind::Clock {
+    if variable.scalar == ScalarType::Clock {
         return;
     }
-    if variability == Variability::Continuous && !variable.kind.is_float() {
+    if variability == Variability::Continuous && !variable.scalar.is_float() {
         report.error(
             Rule::Variability,
             format!("{place}/@variability"),
@@ -62,36 +63,28 @@ fn combination(variable: &Variable, place: &str, report: &mut Report) {
 }
 
 /// A number as far as bounds need it.
-fn number(kind: Kind, text: &str) -> Option<f64> {
-    let integer = |low: i128, high: i128| {
-        let value: i128 = text.parse().ok()?;
-        (low..=high).contains(&value).then_some(value as f64)
-    };
-    match kind {
-        Kind::Float64 | Kind::Float32 => f64::parse(text),
-        Kind::Int8 => integer(i8::MIN.into(), i8::MAX.into()),
-        Kind::UInt8 => integer(0, u8::MAX.into()),
-        Kind::Int16 => integer(i16::MIN.into(), i16::MAX.into()),
-        Kind::UInt16 => integer(0, u16::MAX.into()),
-        Kind::Int32 => integer(i32::MIN.into(), i32::MAX.into()),
-        Kind::UInt32 => integer(0, u32::MAX.into()),
-        Kind::Int64 | Kind::Enumeration => integer(i64::MIN.into(), i64::MAX.into()),
-        Kind::UInt64 => integer(0, u64::MAX.into()),
-        Kind::Boolean => bool::parse(text).map(f64::from),
-        Kind::String | Kind::Binary | Kind::Clock => None,
+fn number(scalar: ScalarType, text: &str) -> Option<f64> {
+    match scalar {
+        ScalarType::Float64 | ScalarType::Float32 => f64::parse(text),
+        ScalarType::Boolean => bool::parse(text).map(f64::from),
+        ScalarType::String | ScalarType::Binary | ScalarType::Clock => None,
+        integer => {
+            let value: i128 = text.parse().ok()?;
+            integer.range().contains(&value).then_some(value as f64)
+        }
     }
 }
 
 fn bounds(variable: &Variable, place: &str, report: &mut Report) {
     let mut read = |attribute: &str, text: &Option<String>| {
         let text = text.as_ref()?;
-        let value = number(variable.kind, text.trim_ascii()).filter(|value| !value.is_nan());
+        let value = number(variable.scalar, text.trim_ascii()).filter(|value| !value.is_nan());
         if value.is_none() {
             report.error(
                 Rule::ValueType,
                 format!("{place}/@{attribute}"),
                 format!("`{text}`"),
-                format!("a value of type {}", variable.kind),
+                format!("a value of type {}", variable.scalar),
             );
         }
         value
@@ -121,13 +114,13 @@ fn bounds(variable: &Variable, place: &str, report: &mut Report) {
         .iter()
         .flat_map(|text| text.split_ascii_whitespace());
     for text in texts {
-        let Some(value) = number(variable.kind, text) else {
-            let expected = format!("values of type {}", variable.kind);
+        let Some(value) = number(variable.scalar, text) else {
+            let expected = format!("values of type {}", variable.scalar);
             let found = format!("`{text}`");
             report.error(Rule::ValueType, format!("{place}/@start"), found, expected);
             continue;
         };
-        if variable.kind.is_float() && !value.is_finite() {
+        if variable.scalar.is_float() && !value.is_finite() {
             let place = format!("{place}/@start");
             report.error(Rule::StartFinite, place, format!("`{text}`"), "a number");
         } else if min.is_some_and(|min| value < min) || max.is_some_and(|max| value > max) {
@@ -142,7 +135,7 @@ fn bounds(variable: &Variable, place: &str, report: &mut Report) {
 }
 
 fn starts(variable: &Variable, place: &str, report: &mut Report) {
-    if variable.kind == Kind::Clock {
+    if variable.scalar == ScalarType::Clock {
         return;
     }
     let count = variable.start_count();
@@ -170,7 +163,7 @@ fn starts(variable: &Variable, place: &str, report: &mut Report) {
     }
     for start in &variable.starts {
         let digits = start.value.bytes().all(|byte| byte.is_ascii_hexdigit());
-        if variable.kind == Kind::Binary && (!digits || start.value.len() % 2 == 1) {
+        if variable.scalar == ScalarType::Binary && (!digits || start.value.len() % 2 == 1) {
             report.error(
                 Rule::ValueType,
                 format!("{place}/Start"),

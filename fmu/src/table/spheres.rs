@@ -1,0 +1,92 @@
+//! The spheres as a whole: arrays that FMI 3.0 has.
+
+use std::ops::Range;
+
+use serde::Serialize;
+use sphere_dda_model_description::fmi2::Causality;
+use sphere_dda_model_description::value::ScalarType;
+
+use super::variable::{Binding, Variable};
+
+/// What is known of every sphere.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub enum Field {
+    /// Row, from 0.
+    Id,
+    /// Whether it is in the scene.
+    Present,
+    /// Radius \[m\].
+    Radius,
+    /// Centre \[m\].
+    Position,
+    /// Orientation, unit quaternion w, x, y, z.
+    Orientation,
+    /// Velocity of the centre \[m/s\].
+    Velocity,
+    /// Angular velocity \[rad/s\], world axes.
+    AngularVelocity,
+}
+
+impl Field {
+    /// Where it stands among the numbers of a sphere's motion: position, orientation, velocity, angular velocity.
+    #[must_use]
+    pub fn columns(self) -> Option<Range<usize>> {
+        match self {
+            Self::Id | Self::Present | Self::Radius => None,
+            Self::Position => Some(0..3),
+            Self::Orientation => Some(3..7),
+            Self::Velocity => Some(7..10),
+            Self::AngularVelocity => Some(10..13),
+        }
+    }
+}
+
+/// Field, name, type, unit and meaning.
+type Row = (
+    Field,
+    &'static str,
+    ScalarType,
+    Option<&'static str>,
+    &'static str,
+);
+
+#[rustfmt::skip]
+const ROWS: [Row; 7] = [
+    (Field::Id, "id", ScalarType::Int64, None, "Row of the sphere, from 0"),
+    (Field::Radius, "radius", ScalarType::Float64, Some("m"), "Radius"),
+    (Field::Present, "present", ScalarType::Boolean, None, "Whether the sphere is in the scene; the row of one that is not rests where it was"),
+    (Field::Position, "position", ScalarType::Float64, Some("m"), "Centre"),
+    (Field::Orientation, "orientation", ScalarType::Float64, None, "Orientation, unit quaternion w, x, y, z"),
+    (Field::Velocity, "velocity", ScalarType::Float64, Some("m/s"), "Velocity of the centre"),
+    (Field::AngularVelocity, "angularVelocity", ScalarType::Float64, Some("rad/s"), "Angular velocity, world axes"),
+];
+
+/// The arrays over `spheres` spheres.
+pub(super) fn spheres(spheres: usize) -> Vec<Variable> {
+    if spheres == 0 {
+        return Vec::new();
+    }
+    let variable = |(field, name, scalar, unit, text): Row| {
+        let causality = match field {
+            Field::Id | Field::Radius => Causality::CalculatedParameter,
+            _ => Causality::Output,
+        };
+        let (name, binding) = (format!("spheres.{name}"), Binding::Spheres(field));
+        Variable {
+            unit,
+            dims: [spheres]
+                .into_iter()
+                .chain(field.columns().map(|columns| columns.len()))
+                .collect(),
+            ..Variable::new(name, scalar, causality, binding, text)
+        }
+    };
+    let document = Variable::new(
+        "spheres.document",
+        ScalarType::Binary,
+        Causality::Output,
+        Binding::Document,
+        "All spheres in one binary",
+    );
+    ROWS.into_iter().map(variable).chain([document]).collect()
+}
