@@ -63,7 +63,7 @@ fn scalar_variable(entry: &Entry) -> ScalarVariable {
         variable.variability,
         variable_type(entry),
     )
-    .with_description(&entry.description())
+    .with_description(entry.description())
 }
 
 fn variable_type(entry: &Entry) -> VariableType {

@@ -1,60 +1,11 @@
-//! The inputs of boundaries: parts of a [`Command`].
+//! The inputs of boundaries: parts of a [`Command`](sphere_dda::scene::Command).
 
-use serde::Serialize;
-use sphere_dda::observe::quantities::XYZ;
-use sphere_dda::scene::{Boundary, Command, InputKind};
+use sphere_dda::scene::{Boundary, InputKind};
 use sphere_dda_model_description::fmi2::Causality;
 use sphere_dda_model_description::value::{ScalarType, Value};
 
-use super::variable::{Binding, Variable};
-
-/// Parts of a [`Command`].
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-pub enum Input {
-    /// Total translation \[m\].
-    Translation,
-    /// Total rotation vector \[rad\].
-    Rotation,
-    /// Velocity \[m/s\].
-    Velocity,
-    /// Angular velocity \[rad/s\].
-    AngularVelocity,
-    /// Force \[N\] on a driven body.
-    Force,
-    /// Torque \[N m\] on a driven body.
-    Torque,
-    /// Displacement, speed, angle, angular speed, force or torque of a slide or hinge.
-    Scalar,
-    /// Velocity of the surface against the boundary \[m/s\].
-    SurfaceVelocity,
-    /// Pressure of a servo wall \[Pa\].
-    Pressure,
-}
-
-impl Input {
-    /// A component of this part, from 0.
-    #[must_use]
-    pub fn of(self, command: &mut Command, component: usize) -> &mut f64 {
-        match self {
-            Self::Translation => &mut command.translation[component],
-            Self::Rotation => &mut command.rotation[component],
-            Self::Velocity => &mut command.velocity[component],
-            Self::AngularVelocity => &mut command.angular_velocity[component],
-            Self::Force => &mut command.force[component],
-            Self::Torque => &mut command.torque[component],
-            Self::Scalar => &mut command.scalar,
-            Self::Pressure => &mut command.pressure,
-            Self::SurfaceVelocity => &mut command.surface_velocity[component],
-        }
-    }
-
-    fn components(self) -> &'static [&'static str] {
-        match self {
-            Self::Scalar | Self::Pressure => &[],
-            _ => XYZ,
-        }
-    }
-}
+use super::binding::{Binding, Input};
+use super::variable::Variable;
 
 /// Part, name, unit and meaning of an input.
 type Row = (Input, &'static str, &'static str, &'static str);

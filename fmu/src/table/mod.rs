@@ -23,6 +23,7 @@
 //! communication step. Speeds, forces and torques are held over the step. The start values mean "as in the scene": zero,
 //! and for a belt or a servo wall the scene's surface velocity or pressure.
 
+mod binding;
 mod enumeration;
 mod inputs;
 mod parameters;
@@ -39,11 +40,10 @@ use sphere_dda_model_description::value::ScalarType;
 
 use crate::version::Version;
 
+pub use binding::{Binding, Field, Input};
 pub use enumeration::{Enumeration, solver_value};
-pub use inputs::Input;
 pub use parameters::{PARAMETERS, Parameter, Parameters};
-pub use spheres::Field;
-pub use variable::{Binding, Entry, Variable};
+pub use variable::{Entry, Variable};
 
 /// The variables of a scene.
 #[derive(Debug, Clone, PartialEq, Serialize)]

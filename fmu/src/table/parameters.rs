@@ -8,8 +8,9 @@ use sphere_dda::scene::{Scene, Settings};
 use sphere_dda_model_description::fmi2::{Causality, Variability};
 use sphere_dda_model_description::value::{ScalarType, Value};
 
+use super::binding::Binding;
 use super::enumeration::{Enumeration, solver_of, solver_value};
-use super::variable::{Binding, Variable};
+use super::variable::Variable;
 
 /// What parameters set: the settings of the scene and where results go.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

@@ -1,45 +1,10 @@
 //! The spheres as a whole: arrays that FMI 3.0 has.
 
-use std::ops::Range;
-
-use serde::Serialize;
 use sphere_dda_model_description::fmi2::Causality;
 use sphere_dda_model_description::value::ScalarType;
 
-use super::variable::{Binding, Variable};
-
-/// What is known of every sphere.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-pub enum Field {
-    /// Row, from 0.
-    Id,
-    /// Whether it is in the scene.
-    Present,
-    /// Radius \[m\].
-    Radius,
-    /// Centre \[m\].
-    Position,
-    /// Orientation, unit quaternion w, x, y, z.
-    Orientation,
-    /// Velocity of the centre \[m/s\].
-    Velocity,
-    /// Angular velocity \[rad/s\], world axes.
-    AngularVelocity,
-}
-
-impl Field {
-    /// Where it stands among the numbers of a sphere's motion: position, orientation, velocity, angular velocity.
-    #[must_use]
-    pub fn columns(self) -> Option<Range<usize>> {
-        match self {
-            Self::Id | Self::Present | Self::Radius => None,
-            Self::Position => Some(0..3),
-            Self::Orientation => Some(3..7),
-            Self::Velocity => Some(7..10),
-            Self::AngularVelocity => Some(10..13),
-        }
-    }
-}
+use super::binding::{Binding, Field};
+use super::variable::Variable;
 
 /// Field, name, type, unit and meaning.
 type Row = (

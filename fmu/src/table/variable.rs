@@ -6,33 +6,8 @@ use serde::Serialize;
 use sphere_dda_model_description::fmi2::{Causality, Variability};
 use sphere_dda_model_description::value::{ScalarType, Value};
 
+use super::binding::Binding;
 use super::enumeration::Enumeration;
-use super::inputs::Input;
-use super::spheres::Field;
-
-/// What a variable stands for: the getter, and for inputs and parameters the setter.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
-pub enum Binding {
-    /// Time at the last communication point \[s\].
-    Time,
-    /// A setting of the run: its rank in [`super::PARAMETERS`].
-    Parameter(usize),
-    /// A part of the command of a driven boundary.
-    Input {
-        /// Index of the boundary.
-        boundary: usize,
-        /// Which part of the command.
-        input: Input,
-    },
-    /// A measured quantity: rank of its first component in [`sphere_dda::observe::quantities::values`].
-    Output(usize),
-    /// The same quantity of every boundary: the rank of each first component.
-    Boundaries(Vec<usize>),
-    /// A field of all spheres.
-    Spheres(Field),
-    /// All spheres as one binary.
-    Document,
-}
 
 /// One variable, a number or an array.
 #[derive(Debug, Clone, PartialEq, Serialize)]

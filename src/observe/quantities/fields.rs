@@ -1,10 +1,12 @@
 //! The fields of each kind of reading: name, unit, meaning, and how to read the value.
 
-use super::XYZ;
 use super::readings::{Body, Flow, Sphere, Whole};
 use crate::Vec3;
 use crate::observe::sensors::region::Reading;
 use crate::spatial::Wrench;
+
+/// Components of a vector.
+pub const XYZ: &[&str] = &["x", "y", "z"];
 
 /// One quantity of a reading `T`, a number or several components.
 pub(super) struct Field<T> {

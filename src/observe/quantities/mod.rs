@@ -18,11 +18,9 @@ use super::loads::Loads;
 use super::sensors::region;
 use crate::scene::body::Joint;
 use crate::scene::{Measure, Motion, Scene};
+pub use fields::XYZ;
 use fields::{BODY, DRIVEN, FLOW, Field, HINGE, PROBE, REGION, SINK, SLIDE, SOURCE, WHOLE, WRENCH};
 use readings::{Body, Flow, Sphere, Whole};
-
-/// Components of a vector.
-pub const XYZ: &[&str] = &["x", "y", "z"];
 
 /// A number or several components.
 #[derive(Debug, Clone, PartialEq)]
