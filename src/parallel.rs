@@ -70,7 +70,6 @@ impl Drop for Workers {
 
 impl Pool {
     /// A pool of so many threads; one or none: the caller's alone.
-    #[must_use]
     pub(crate) fn new(threads: usize) -> Self {
         Self(Arc::new(Threads {
             count: threads,
@@ -79,7 +78,6 @@ impl Pool {
     }
 
     /// How many threads.
-    #[must_use]
     pub(crate) fn threads(&self) -> usize {
         self.0.count
     }

@@ -1,7 +1,7 @@
 //! Contacts: who touches whom, with which force, and what goes on from step to step.
 
-pub mod forces;
-pub mod history;
+pub(crate) mod forces;
+pub(crate) mod history;
 
 use serde::{Deserialize, Serialize};
 

@@ -51,8 +51,7 @@ impl NeighborList {
 
     /// Whether a sphere, in the configuration where the list was ensured last, may be within `reach` \[m\] of the boundary: false
     /// only if it is clearly not, so that what follows does not depend on when the list was built.
-    #[must_use]
-    pub fn may_touch(&self, now: &Configuration, near: &NearBoundary, reach: f64) -> bool {
+    pub(crate) fn may_touch(&self, now: &Configuration, near: &NearBoundary, reach: f64) -> bool {
         // In a periodic cell another copy of the sphere may be the nearest by now.
         let shrunk = if now.cell.is_open() {
             let i = near.sphere as usize;

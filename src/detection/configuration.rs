@@ -55,7 +55,7 @@ impl<'a> Configuration<'a> {
 
 impl Configuration<'_> {
     /// Centres of the spheres that are in the scene \[m\].
-    pub fn present_positions(&self) -> impl Iterator<Item = Vec3> {
+    pub(crate) fn present_positions(&self) -> impl Iterator<Item = Vec3> {
         let spheres = self.position.iter().zip(self.present);
         spheres.filter(|(_, present)| **present).map(|(x, _)| *x)
     }
@@ -128,8 +128,7 @@ impl Configuration<'_> {
     }
 
     /// The pair of `candidate`, seen at this configuration: the same feature, the same side.
-    #[must_use]
-    pub fn follow(&self, candidate: &Candidate) -> Candidate {
+    pub(crate) fn follow(&self, candidate: &Candidate) -> Candidate {
         let i = candidate.key.sphere;
         match candidate.key.partner {
             Partner::Sphere { index, image } => self.pair(i, index, image),
@@ -151,8 +150,7 @@ impl Configuration<'_> {
     }
 
     /// Where the contact is that carried `load` and `torque` \[N m\].
-    #[must_use]
-    pub fn contact(&self, load: &ContactForce, torque: Vec3) -> Contact {
+    pub(crate) fn contact(&self, load: &ContactForce, torque: Vec3) -> Contact {
         let i = load.key.sphere;
         let (point, gap) = match load.key.partner {
             Partner::Sphere { index, image } => {
@@ -179,8 +177,7 @@ impl Configuration<'_> {
     }
 
     /// The longest way \[m\] of points fixed to boundary `b`, where spheres are, while it moves to `to`.
-    #[must_use]
-    pub fn carried(&self, b: usize, to: &Pose) -> f64 {
+    pub(crate) fn carried(&self, b: usize, to: &Pose) -> f64 {
         if &self.poses[b] == to {
             return 0.0;
         }
@@ -193,8 +190,7 @@ impl Configuration<'_> {
     }
 
     /// Way \[m\] of the point fixed to boundary `b` that is at `x` while it moves to `to`.
-    #[must_use]
-    pub fn way_at(&self, b: usize, to: &Pose, x: Vec3) -> f64 {
+    pub(crate) fn way_at(&self, b: usize, to: &Pose, x: Vec3) -> f64 {
         let (shape, from) = (&self.boundaries[b], &self.poses[b]);
         if from == to {
             return 0.0;
@@ -210,8 +206,7 @@ impl Configuration<'_> {
     }
 
     /// Gap \[m\] of [`Self::follow`].
-    #[must_use]
-    pub fn gap(&self, candidate: &Candidate) -> f64 {
+    pub(crate) fn gap(&self, candidate: &Candidate) -> f64 {
         match candidate.key.partner {
             Partner::Sphere { index, image } => {
                 let i = candidate.key.sphere;

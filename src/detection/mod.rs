@@ -3,8 +3,8 @@
 pub mod broad_phase;
 pub mod configuration;
 pub mod detection_distance;
-pub mod grid;
-pub mod narrow_phase;
-pub mod near_boundaries;
-pub mod periodic;
-pub mod sweep;
+pub(crate) mod grid;
+pub(crate) mod narrow_phase;
+pub(crate) mod near_boundaries;
+pub(crate) mod periodic;
+pub(crate) mod sweep;

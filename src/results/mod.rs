@@ -3,7 +3,7 @@
 //! waiting for the disk.
 
 pub mod checkpoint;
-pub mod directory;
+pub(crate) mod directory;
 mod disk;
 pub mod frames;
 pub mod history;

@@ -13,7 +13,6 @@
 //! does not stop the simulation: it is counted and told in [`Status`].
 
 use std::collections::VecDeque;
-use std::path::Path;
 use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
 use std::sync::{Arc, Mutex};
 use std::thread::JoinHandle;
@@ -273,12 +272,6 @@ impl Results {
     #[must_use]
     pub fn status(&self) -> Status {
         lock(&self.status).clone()
-    }
-
-    /// The directory.
-    #[must_use]
-    pub fn directory(&self) -> &Path {
-        &self.options.directory
     }
 
     /// Writes everything, joins the thread, and says how it went.

@@ -47,8 +47,7 @@ impl Accuracy {
     }
 
     /// Tolerances of every step \[-\].
-    #[must_use]
-    pub fn tolerance(self) -> Tolerance {
+    pub(crate) fn tolerance(self) -> Tolerance {
         let (gap, force) = match self {
             Self::Fast => (5e-4, 1e-1),
             Self::Standard => (1e-4, 1e-1),
@@ -62,8 +61,7 @@ impl Accuracy {
     }
 
     /// Largest opening of a loaded contact over the gap tolerance \[-\].
-    #[must_use]
-    pub fn opening(self) -> f64 {
+    pub(crate) fn opening(self) -> f64 {
         match self {
             Self::Fast => 2.0,
             Self::Standard => 3.0,
@@ -82,8 +80,7 @@ impl Accuracy {
 
     /// Longest and shortest internal step \[s\] where the loads move a sphere by half its radius in the time `fall` \[s\]; if
     /// they never do, a hundredth of `duration` \[s\] and its parts.
-    #[must_use]
-    pub fn step_range(self, fall: f64, duration: f64) -> (f64, f64) {
+    pub(crate) fn step_range(self, fall: f64, duration: f64) -> (f64, f64) {
         let (share, range) = self.steps();
         let longest = match fall.is_finite() && fall > 0.0 {
             true => (share * fall).min(duration),
@@ -94,7 +91,6 @@ impl Accuracy {
 }
 
 /// The largest of 1, 2 and 5 times a power of ten that is not above `time` \[s\].
-#[must_use]
 pub(crate) fn round_time(time: f64) -> f64 {
     let exponent = time.log10().floor() as i32;
     let candidates = (exponent - 1..=exponent + 1).flat_map(|e| [1, 2, 5].map(|m| (m, e)));

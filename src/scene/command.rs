@@ -77,8 +77,7 @@ pub type CommandDerivatives = [Command; 2];
 
 impl Command {
     /// The command `s` \[s\] later, `u + u' s + u'' s^2/2`.
-    #[must_use]
-    pub fn along(&self, [first, second]: &CommandDerivatives, s: f64) -> Self {
+    pub(crate) fn along(&self, [first, second]: &CommandDerivatives, s: f64) -> Self {
         self.plus(first, s).plus(second, 0.5 * s * s)
     }
 

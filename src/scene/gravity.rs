@@ -38,8 +38,7 @@ pub enum GravityMotion {
 
 impl GravityMotion {
     /// Gravity \[m/s^2\] at time `t` \[s\]; `set` \[m/s^2\] is what it is without motion.
-    #[must_use]
-    pub fn at(&self, set: Vec3, t: f64) -> Vec3 {
+    pub(crate) fn at(&self, set: Vec3, t: f64) -> Vec3 {
         match self {
             Self::Fixed => set,
             // Total angle times axis, never a sum of turns: no drift in an hour.

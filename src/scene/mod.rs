@@ -133,9 +133,8 @@ pub struct Settings {
 impl Settings {
     /// Gap \[m\] at which a contact carries load that a step finds at `gap` \[m\], `radius` \[m\] being the smaller one: its own
     /// between touching and the largest opening, so that what rests keeps its place and its forces.
-    #[must_use]
     #[inline]
-    pub fn carried(&self, gap: f64, radius: f64) -> f64 {
+    pub(crate) fn carried(&self, gap: f64, radius: f64) -> f64 {
         gap.max(0.0).min(self.opening * radius)
     }
 }

@@ -15,7 +15,7 @@ pub(super) const LARGEST: f64 = 1e30;
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum Step {
     /// A key of a table.
-    ContactId(String),
+    Key(String),
     /// An index of an array, counted from 0.
     Index(usize),
 }
@@ -25,8 +25,8 @@ pub(super) fn join(path: &str, steps: &[Step]) -> String {
     let mut joined = path.to_owned();
     for step in steps {
         match step {
-            Step::ContactId(key) if joined.is_empty() => joined.push_str(key),
-            Step::ContactId(key) => {
+            Step::Key(key) if joined.is_empty() => joined.push_str(key),
+            Step::Key(key) => {
                 joined.push('.');
                 joined.push_str(key);
             }
@@ -41,7 +41,7 @@ pub(super) fn split(path: &str) -> Vec<Step> {
     let mut steps = Vec::new();
     for part in path.split('.').filter(|part| !part.is_empty()) {
         let (key, indices) = part.split_at(part.find('[').unwrap_or(part.len()));
-        steps.push(Step::ContactId(key.to_owned()));
+        steps.push(Step::Key(key.to_owned()));
         let numbers = indices.split(['[', ']']).filter_map(|n| n.parse().ok());
         steps.extend(numbers.map(Step::Index));
     }
@@ -229,7 +229,7 @@ pub(super) fn child<'a, 't>(
     step: &Step,
 ) -> Option<&'a Spanned<DeValue<'t>>> {
     match step {
-        Step::ContactId(key) => value.get_ref().get(key.as_str()),
+        Step::Key(key) => value.get_ref().get(key.as_str()),
         Step::Index(index) => value.get_ref().get(*index),
     }
 }

@@ -82,14 +82,12 @@ impl Overlaps {
     }
 
     /// The largest overlap between spheres.
-    #[must_use]
-    pub fn worst_pair(&self) -> Option<&Overlap> {
+    pub(crate) fn worst_pair(&self) -> Option<&Overlap> {
         self.pairs.iter().max_by(|a, b| a.ratio.total_cmp(&b.ratio))
     }
 
     /// The largest overlap with a boundary.
-    #[must_use]
-    pub fn worst_boundary(&self) -> Option<&Overlap> {
+    pub(crate) fn worst_boundary(&self) -> Option<&Overlap> {
         self.boundaries
             .iter()
             .max_by(|a, b| a.ratio.total_cmp(&b.ratio))

@@ -58,7 +58,7 @@ pub struct Summary {
     /// Suggested penalty \[N/m\], see [`suggested_penalty`](Self::suggested_penalty).
     pub suggested_penalty: f64,
     /// Estimated CPU time of one simulated second \[s/s\], see [`cpu_per_second`](Self::cpu_per_second).
-    pub cpu_per_second: f64,
+    pub(crate) cpu_per_second: f64,
 }
 
 /// Where a boundary is at t = 0.
@@ -106,8 +106,7 @@ impl Summary {
     /// about three: `N` spheres, those that wait in sources included, `dt` the step, `dt_s` the suggested one. What every sphere costs
     /// in every step is `a`; sweeps cost `b`, and more of them are needed in longer steps. Rolling and twisting resistance
     /// multiply `b`.
-    #[must_use]
-    pub fn cpu_per_second(scene: &Scene) -> f64 {
+    pub(crate) fn cpu_per_second(scene: &Scene) -> f64 {
         let step = scene.settings.step.min(scene.settings.communication_step);
         let longer = (step / Self::suggested_step(scene)).clamp(1.0, MOST_LONGER);
         let sweeps = match scene.pairs.resists() {
@@ -120,8 +119,7 @@ impl Summary {
     /// `dt = min( sqrt(tol R / (c g)), 0.15 R / v )` \[s\], the cheapest step that meets the gap tolerance `tol`
     /// with forces that mean something: `c = 0.2`, `R` the smallest radius, `g` gravity, `v` the largest speed of
     /// a sphere or wall in the scene plus that of a fall through the spheres' extent along gravity.
-    #[must_use]
-    pub fn suggested_step(scene: &Scene) -> f64 {
+    pub(crate) fn suggested_step(scene: &Scene) -> f64 {
         Self::step_for(scene, scene.settings.tolerance.gap)
     }
 
@@ -147,8 +145,7 @@ impl Summary {
 
     /// `P = 10 m / dt^2` \[N/m\] with the heaviest sphere `m`: an augmentation then shrinks the gap of every sphere
     /// that rests alone on a wall by `1/(1 + P dt^2/m) <= 1/11`.
-    #[must_use]
-    pub fn suggested_penalty(scene: &Scene, step: f64) -> f64 {
+    pub(crate) fn suggested_penalty(scene: &Scene, step: f64) -> f64 {
         10.0 * scene.particles.mass.iter().copied().fold(0.0, f64::max) / (step * step)
     }
 }

@@ -155,7 +155,7 @@ impl<'a> Inner<'a> {
 }
 
 /// Solves `problem` from the impulses given; see [`super::solve`].
-pub fn solve(
+pub(crate) fn solve(
     problem: &Problem,
     params: &Params,
     workspace: &mut SolverWorkspace,

@@ -14,7 +14,7 @@ pub mod newton;
 mod params;
 mod report;
 pub mod residual;
-pub mod tangent;
+pub(crate) mod tangent;
 
 use crate::Vec3;
 use crate::problem::Problem;

@@ -27,7 +27,7 @@ pub struct StepReport {
     pub force_residual: f64,
     /// How near a contact came to the edge of its state (open, stick, slip) in any internal step: 1 is at the edge, where
     /// derivatives are one-sided, 0 far from it \[-\].
-    pub active_set_closeness: f64,
+    pub(crate) active_set_closeness: f64,
 }
 
 impl StepReport {

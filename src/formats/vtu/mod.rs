@@ -18,7 +18,8 @@ mod read;
 
 use std::fmt::Write as _;
 
-pub use read::{Cloud, VtuError, decode};
+pub use read::decode;
+pub(crate) use read::{Cloud, VtuError};
 
 use super::error::OutputError;
 use crate::Vec3;
@@ -36,8 +37,7 @@ pub enum Cell {
 
 impl Cell {
     /// Points of one cell.
-    #[must_use]
-    pub fn points(self) -> usize {
+    pub(crate) fn points(self) -> usize {
         match self {
             Self::Vertex => 1,
             Self::Line => 2,

@@ -71,7 +71,7 @@ impl Cloud {
     ///
     /// # Errors
     /// [`VtuError::Form`] if there is none, or one with other components.
-    pub fn array<const N: usize>(&self, name: &str) -> Result<Vec<[f64; N]>, VtuError> {
+    pub(crate) fn array<const N: usize>(&self, name: &str) -> Result<Vec<[f64; N]>, VtuError> {
         let what = format!("array `{name}` over the points");
         let expected = format!("{N} components");
         let Some((components, values)) = self.arrays.get(name) else {

@@ -40,8 +40,7 @@ const POINTS: NonZeroUsize = NonZeroUsize::MIN.saturating_add(23);
 static RULE: LazyLock<GaussLegendre> = LazyLock::new(|| GaussLegendre::new(POINTS));
 
 /// Volume \[m^3\] of the part of a sphere (`centre`, `radius` \[m\]) that lies in a box or a cylinder.
-#[must_use]
-pub fn volume_inside(region: &Primitive, centre: Vec3, radius: f64) -> f64 {
+pub(crate) fn volume_inside(region: &Primitive, centre: Vec3, radius: f64) -> f64 {
     let share = match region {
         Primitive::Box { min, max } => in_box((min - centre) / radius, (max - centre) / radius),
         Primitive::Cylinder {

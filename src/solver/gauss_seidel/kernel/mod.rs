@@ -257,7 +257,7 @@ impl Kernel {
     }
 
     /// Writes the velocities of all bodies \[m/s\], \[rad/s\], `[N + D]`: those of the impulses that were judged last.
-    pub fn velocities_into(&self, velocities: &mut Vec<SpatialVector>) {
+    pub(crate) fn velocities_into(&self, velocities: &mut Vec<SpatialVector>) {
         velocities.resize(self.place.len(), SpatialVector::ZERO);
         let read = |first, velocities: &mut [SpatialVector]| {
             for (i, velocity) in (first..).zip(velocities) {
