@@ -69,6 +69,12 @@ impl Accuracy {
         }
     }
 
+    /// Largest opening of a loaded contact \[-\] with the gap tolerance `gap` \[-\].
+    #[must_use]
+    pub fn opening_of(self, gap: f64) -> f64 {
+        (self.opening() * gap).min(0.1)
+    }
+
     /// Longest internal step over `sqrt(R/g)`, and the longest over the shortest that is chosen \[-\].
     fn steps(self) -> (f64, f64) {
         match self {

@@ -57,7 +57,7 @@ impl Boundary {
     }
 
     /// Where the point `x_0` \[m\] of the boundary's own frame lies in the world: `a + s + Q (x_0 - a)`.
-    pub(crate) fn from_frame(&self, pose: &Pose, x_0: Vec3) -> Vec3 {
+    pub fn from_frame(&self, pose: &Pose, x_0: Vec3) -> Vec3 {
         pose.apply(self.point_of_action, x_0)
     }
 

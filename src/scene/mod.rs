@@ -43,8 +43,11 @@ pub enum Method {
     Penalty,
 }
 
+/// What holds unless a scene file says otherwise. Steps and duration, which a file chooses from its spheres or must give, are
+/// those of small tests.
 impl Default for Settings {
     fn default() -> Self {
+        let accuracy = Accuracy::default();
         Self {
             gravity: Vec3::new(0.0, 0.0, -9.81),
             gravity_motion: GravityMotion::Fixed,
@@ -52,7 +55,7 @@ impl Default for Settings {
             duration: 1.0,
             step: 1e-3,
             smallest_step: None,
-            accuracy: Accuracy::default(),
+            accuracy,
             rest_speed: 0.0,
             sweeps: None,
             communication_step: 1e-3,
@@ -61,14 +64,14 @@ impl Default for Settings {
             solver: SolverKind::default(),
             penalty: None,
             adapt_penalty: true,
-            tolerance: Tolerance::default(),
-            opening: 0.0,
-            strict: true,
+            tolerance: accuracy.tolerance(),
+            opening: accuracy.opening_of(accuracy.tolerance().gap),
+            strict: false,
             max_initial_overlap: 0.05,
             threshold_velocity: 0.0,
             dynamic_coefficient: 1.0,
-            max_iterations: 4000,
-            max_cuts: 6,
+            max_iterations: 20_000,
+            max_cuts: 10,
             threads: 1,
         }
     }
@@ -246,17 +249,33 @@ pub struct Probe {
     pub sphere: usize,
 }
 
-/// Which result files are written, and how often.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+/// `[output]`: result files.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
 pub struct Output {
     /// Seconds between VTU frames \[s\]; 0: none.
+    #[schemars(extend("minimum" = 0))]
     pub vtu_interval: f64,
     /// Seconds between rows of the CSV history \[s\]; 0: every communication step.
+    #[schemars(extend("minimum" = 0))]
     pub csv_interval: f64,
     /// Write Float64 instead of Float32 arrays.
     pub float64: bool,
-    /// Simulated seconds between checkpoints of a run \[s\]; 0: none for the sake of simulated time.
+    /// Simulated seconds between checkpoints of `run` \[s\]; 0: only those every five minutes of wall time, on Ctrl-C and at
+    /// the end.
+    #[schemars(extend("minimum" = 0))]
     pub checkpoint_interval: f64,
+}
+
+impl Default for Output {
+    fn default() -> Self {
+        Self {
+            vtu_interval: 0.1,
+            csv_interval: 0.0,
+            float64: false,
+            checkpoint_interval: 0.0,
+        }
+    }
 }
 
 /// A validated scene: every index in range, every number finite, units SI.

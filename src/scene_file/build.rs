@@ -15,7 +15,7 @@ use super::names::{Context, Names};
 use super::overlap::Overlaps;
 use super::pairs::pairs;
 use super::regions::measured;
-use super::resources::{Resources, hash};
+use super::resources::hash;
 use super::settings::{choose_steps, fall, materials, settings};
 use super::sources::{sinks, source};
 use super::spheres::{self, Present};
@@ -29,20 +29,18 @@ use crate::scene::{Measure, Motion, Output, PointLoad, Probe, Scene, Sensor, Spr
 
 /// Reads, checks and builds; `name` is what problems call the file, `folder` where its files lie.
 pub(super) fn load(name: &str, text: &str, folder: &Path) -> Result<Loaded, SceneError> {
-    let mut document = Document::parse(text);
-    let mut resources = Resources::new(folder);
+    let mut document = Document::parse(text, folder);
     // A broken syntax shifts keys into wrong tables: its consequences would only hide it.
     let scene = if document.refused() {
         None
     } else {
         let file = SceneFile::decode(&mut document);
-        build(&mut document, &mut resources, &file)
+        build(&mut document, &file)
     };
     let refused = document.refused();
-    let (errors, warnings) = document.into_problems();
+    let (errors, warnings, attachments) = document.into_parts();
     match scene {
         Some(mut scene) if !refused => {
-            let attachments = resources.into_attachments();
             scene.hash = hash(text, &attachments);
             if scene.title.is_empty() {
                 scene.title = stem(name);
@@ -71,11 +69,7 @@ fn stem(name: &str) -> String {
     }
 }
 
-fn build(
-    document: &mut Document<'_>,
-    resources: &mut Resources<'_>,
-    file: &SceneFile,
-) -> Option<Scene> {
+fn build(document: &mut Document<'_>, file: &SceneFile) -> Option<Scene> {
     let groups = file.spheres.iter().map(Entry::declaration);
     let mut context = Context {
         materials: Names::declare(document, "material", &file.materials),
@@ -98,10 +92,7 @@ fn build(
             &format!("at most {most} of them"),
         );
     }
-    let settings = file
-        .simulation
-        .as_ref()
-        .and_then(|s| settings(document, resources, s));
+    let settings = file.simulation.as_ref().and_then(|s| settings(document, s));
     let materials = materials(document, file);
     let pairs = pairs(document, &context, file);
     let boundary_names = Names::declare(document, "boundary", &file.boundaries);
@@ -110,14 +101,7 @@ fn build(
         .iter()
         .map(|b| {
             let value = b.value.as_ref()?;
-            boundary(
-                document,
-                resources,
-                &context,
-                &boundary_names,
-                &b.path,
-                value,
-            )
+            boundary(document, &context, &boundary_names, &b.path, value)
         })
         .collect();
     let boundaries: Option<Vec<_>> = boundaries.into_iter().collect();
@@ -129,7 +113,6 @@ fn build(
                 sphere_material(document, &context, file, &materials, group, &value.material)?;
             spheres::add(
                 document,
-                resources,
                 &group.path,
                 value,
                 material,
@@ -154,7 +137,7 @@ fn build(
                 &value.material,
             )?;
             let store = (&mut particles, &mut initial);
-            source(document, resources, &element.path, value, material, store)
+            source(document, &element.path, value, material, store)
         });
         context
             .ranges
@@ -183,12 +166,12 @@ fn build(
         // Known when all files have been read.
         hash: String::new(),
         loads: loads(document, &context, &file.loads, &initial),
-        springs: springs(document, resources, &context, &file.springs, &initial),
-        sinks: sinks(document, resources, &source_names, &file.sinks),
+        springs: springs(document, &context, &file.springs, &initial),
+        sinks: sinks(document, &source_names, &file.sinks),
         sources,
         sensors: sensors(document, &boundary_names, &file.sensors),
         probes: probes(document, &context, &file.probes, particles.len()),
-        output: output(document, &file.output),
+        output: output(document, file.output),
         settings: settings?,
         materials,
         pairs,
@@ -270,7 +253,6 @@ fn held(
 
 fn springs(
     document: &mut Document<'_>,
-    resources: &mut Resources<'_>,
     context: &Context,
     elements: &[Entry<file::Spring>],
     initial: &Kinematics,
@@ -278,14 +260,9 @@ fn springs(
     let springs = elements.iter().filter_map(|element| {
         let (path, value) = (&element.path, element.value.as_ref()?);
         let stiffness = value.stiffness;
-        document.demand(
-            stiffness > 0.0,
-            format!("{path}.stiffness"),
-            stiffness,
-            "a stiffness > 0 [N/m]",
-        );
+        document.positive((path, "stiffness"), stiffness, "a stiffness > 0 [N/m]");
         let motion = match &value.motion {
-            Some(given) => motion(document, resources, &format!("{path}.motion"), given),
+            Some(given) => motion(document, &format!("{path}.motion"), given),
             None => Some(Motion::Fixed),
         };
         let sphere = held(document, context, initial, path, &value.sphere)?;
@@ -402,23 +379,14 @@ fn probes(
     probes.collect()
 }
 
-fn output(document: &mut Document<'_>, output: &file::Output) -> Output {
-    for (key, value) in [
+fn output(document: &mut Document<'_>, output: Output) -> Output {
+    let intervals = [
         ("vtu_interval", output.vtu_interval),
         ("csv_interval", output.csv_interval),
         ("checkpoint_interval", output.checkpoint_interval),
-    ] {
-        document.demand(
-            value >= 0.0,
-            format!("output.{key}"),
-            value,
-            "a time >= 0 [s]",
-        );
+    ];
+    for (key, value) in intervals {
+        document.within(("output", key), value, 0.0.., "a time >= 0 [s]");
     }
-    Output {
-        vtu_interval: output.vtu_interval,
-        csv_interval: output.csv_interval,
-        float64: output.float64,
-        checkpoint_interval: output.checkpoint_interval,
-    }
+    output
 }

@@ -31,9 +31,9 @@ pub(super) fn body(
             "a damping >= 0 [N m s/rad]",
         ),
     ] {
-        document.demand(value >= 0.0, at(key), value, unit);
+        document.within(at(key), value, 0.0.., unit);
     }
-    let heavy = document.demand(given.mass > 0.0, at("mass"), given.mass, "a mass > 0 [kg]");
+    let heavy = document.positive(at("mass"), given.mass, "a mass > 0 [kg]");
     let joint = match given.joint {
         file::Joint::Free => Some(Joint::Free),
         file::Joint::Slide(v) => {
@@ -126,9 +126,8 @@ fn spring(document: &mut Document<'_>, path: &str, given: &file::Body) -> Option
         return Some(None);
     };
     let guided = guided(document, path, given.joint);
-    let stiff = document.demand(
-        stiffness > 0.0,
-        format!("{path}.stiffness"),
+    let stiff = document.positive(
+        (path, "stiffness"),
         stiffness,
         "a stiffness > 0 [N/m or N m/rad]",
     );
@@ -179,12 +178,7 @@ fn starts(document: &mut Document<'_>, path: &str, body: &Body) -> bool {
         false => ["zero: a hinge stays in its place", "about the hinge"],
     };
     let show = |v: Vec3| format!("{:?}", v.as_slice());
-    let good = document.demand(
-        linear,
-        format!("{path}.velocity"),
-        show(body.twist.linear),
-        slides,
-    );
+    let good = document.demand(linear, (path, "velocity"), show(body.twist.linear), slides);
     let key = format!("{path}.angular_velocity");
     document.demand(angular, key, show(body.twist.angular), turns) && good
 }
@@ -266,12 +260,7 @@ fn servo(
     );
     let area = match (given.area, &given.between) {
         (Some(area), None) => document
-            .demand(
-                area > 0.0,
-                format!("{path}.area"),
-                area,
-                "an area > 0 [m^2]",
-            )
+            .positive((path, "area"), area, "an area > 0 [m^2]")
             .then_some(Area::Constant(area)),
         (None, Some(pairs)) => between(document, names, &format!("{path}.between"), pairs),
         _ => {

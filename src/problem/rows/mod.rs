@@ -104,6 +104,12 @@ impl Rows {
         self.compact.len()
     }
 
+    /// Whether there is none.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.compact.is_empty()
+    }
+
     /// Row `k`.
     ///
     /// # Panics

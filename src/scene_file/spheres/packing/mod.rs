@@ -11,7 +11,6 @@ use crate::geometry::region::Region;
 use crate::scene_file::document::Document;
 use crate::scene_file::file;
 use crate::scene_file::regions::filled;
-use crate::scene_file::resources::Resources;
 use free_space::FreeSpace;
 use relaxation::{Bed, Jam};
 
@@ -39,12 +38,11 @@ impl Task {
     /// Checks the keys.
     pub(super) fn new(
         document: &mut Document<'_>,
-        resources: &mut Resources<'_>,
         path: &str,
         given: &file::Packing,
     ) -> Option<Self> {
         let key = format!("{path}.region");
-        let region = filled(document, resources, &key, &given.region);
+        let region = filled(document, &key, &given.region);
         let amount = match (given.count, given.mass, given.solid_fraction) {
             (Some(count), None, None) => {
                 let key = format!("{path}.count");
@@ -55,7 +53,7 @@ impl Task {
                     .then_some(Amount::Count(count as usize))
             }
             (None, Some(mass), None) => document
-                .demand(mass > 0.0, format!("{path}.mass"), mass, "a mass > 0 [kg]")
+                .positive((path, "mass"), mass, "a mass > 0 [kg]")
                 .then_some(Amount::Mass(mass)),
             (None, None, Some(fraction)) => {
                 let in_range = fraction > 0.0 && fraction < DENSEST;
