@@ -62,7 +62,7 @@ impl Drop for Workers {
         // Workers end when their pool goes.
         drop(self.pool.take());
         for thread in self.threads.drain(..) {
-            // One that panicked has told so where its work was waited for.
+            // A panic was reported where its work was waited for.
             let _ = thread.join();
         }
     }

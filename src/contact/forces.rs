@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use super::{ContactForce, ContactId};
 use crate::Vec3;
 
-/// Loads in canonical order, `[C]`, as which this reads, and the couples beside them.
+/// Loads in canonical order, `[C]`, as which this reads, and the couples that go with them.
 #[derive(Debug, PartialEq, Default, Serialize, Deserialize)]
 pub struct ContactForces {
     loads: Vec<ContactForce>,

@@ -139,7 +139,7 @@ impl Configuration<'_> {
         }
     }
 
-    /// A feature of a boundary as sphere `i` meets it here, on the side of `normal`; in the boundary's frame.
+    /// A feature of a boundary as sphere `i` touches it here, on the side of `normal`; in the boundary's frame.
     fn follow_boundary(&self, i: u32, boundary: u16, feature: u32, normal: Vec3) -> ClosestPoint {
         let b = usize::from(boundary);
         let normal = self.poses[b].rotation.inverse() * normal;
@@ -176,7 +176,7 @@ impl Configuration<'_> {
         }
     }
 
-    /// The longest way \[m\] of points fixed to boundary `b`, where spheres are, while it moves to `to`.
+    /// The longest displacement \[m\] of points fixed to boundary `b`, where spheres are, while it moves to `to`.
     pub(crate) fn carried(&self, b: usize, to: &Pose) -> f64 {
         if &self.poses[b] == to {
             return 0.0;

@@ -1,4 +1,4 @@
-//! Contact detection: broad phase over a grid, spheres near boundaries, narrow phase, sweep (ways through a step).
+//! Contact detection: broad phase over a grid, spheres near boundaries, narrow phase, sweep (paths through a step).
 
 pub mod broad_phase;
 pub mod configuration;

@@ -1,13 +1,13 @@
-//! Swept contact: whether two bodies meet on straight ways through a step, wherever they are at its ends.
+//! Swept contact: whether two bodies touch on straight paths through a step, wherever they are at its ends.
 
 use super::configuration::Configuration;
 use crate::Vec3;
 use crate::geometry::{ClosestPoint, Geometry};
 use crate::spatial::cell::Image;
 
-/// A gap below this share of the radius counts as met.
+/// A gap below this share of the radius counts as contact.
 const MET: f64 = 1e-3;
-/// Most advances along a way; one that grazes a surface for longer counts as met.
+/// Most advances along a path; one that grazes a surface for longer counts as contact.
 const ADVANCES: usize = 1000;
 
 /// Smallest distance from the origin on the segment `a`-`b` \[m\].
@@ -21,7 +21,7 @@ pub(crate) fn least_distance(a: Vec3, b: Vec3) -> f64 {
 }
 
 /// Whether a sphere of `radius` \[m\] that goes from `a` to `b` in the geometry's frame touches it, by conservative
-/// advancement: the gap is a way it can go without touching.
+/// advancement: the gap is a distance it can go without touching.
 pub(crate) fn meets(geometry: &Geometry, a: Vec3, b: Vec3, radius: f64) -> bool {
     let length = (b - a).norm();
     if length == 0.0 {
@@ -52,7 +52,7 @@ impl Configuration<'_> {
         self.position[i as usize] - self.position[j as usize] - self.cell.shift(image)
     }
 
-    /// The way of sphere `i` from here to `end` in the frame of boundary `b` \[m\], by the copy that is nearest to it here.
+    /// The path of sphere `i` from here to `end` in the frame of boundary `b` \[m\], by the copy that is nearest to it here.
     pub(crate) fn way(&self, end: &Self, i: u32, b: u16) -> [Vec3; 2] {
         let (b, i) = (usize::from(b), i as usize);
         let boundary = &self.boundaries[b];

@@ -29,7 +29,7 @@ pub(crate) const VERSION: u32 = 10;
 const SPHERES_SINCE: u32 = 2;
 const HASH: usize = 64;
 const HEADER: usize = MAGIC.len() + 4 + HASH + 8 + 8;
-/// Digits of a hash that tell scenes apart in messages.
+/// Digits of a hash that distinguish scenes in messages.
 const SHOWN: usize = 12;
 
 /// Writes the snapshot of a scene with the given hash (hexadecimal, 64 characters; shorter ones are padded).

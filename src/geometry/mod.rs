@@ -75,7 +75,7 @@ impl From<Revolution> for Shape {
 
 /// The faces of a boundary in its own frame (the scene's at t = 0).
 ///
-/// Serialized as its shapes; what the queries need beside them is built anew. Clones share everything.
+/// Serialized as its shapes; what else the queries need is built anew. Clones share everything.
 #[derive(Debug, Clone, Default, Serialize, Deserialize)]
 #[serde(try_from = "Vec<Shape>", into = "Vec<Shape>")]
 pub struct Geometry {

@@ -22,7 +22,7 @@ use crate::Vec3;
 use crate::random::unit;
 use crate::spatial::extent::around;
 
-/// Random points tried to find room for a sphere.
+/// Random points tried to place a sphere.
 const POINTS: usize = 10_000;
 
 /// A closed mesh ready for queries. Serialized as its facets.

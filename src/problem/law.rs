@@ -314,7 +314,7 @@ mod tests {
             prop_assert!(((high.energy - low.energy) / (2.0 * h) - here.value).abs() < 1e-6);
         }
 
-        /// Bounds grow as told.
+        /// Bounds have the given derivative.
         #[test]
         fn bounds_grow_with_the_normal_impulse((law, _, _, load) in cases()) {
             let [low, high] = [0.0, load].map(|load| law.bounds(load));

@@ -103,7 +103,7 @@ impl Row {
         self.relative(|body| velocity[body])
     }
 
-    /// [`Self::relative_velocity`] where `velocity` tells that of a body.
+    /// [`Self::relative_velocity`] where `velocity` gives that of a body.
     #[inline]
     pub(crate) fn relative(&self, velocity: impl Fn(usize) -> SpatialVector) -> Vec3 {
         let [a, b] = self.jacobian();

@@ -1,9 +1,10 @@
 //! What stands behind `accuracy`: tolerances, and the lengths between which internal steps are chosen.
 //!
-//! With the smallest radius `R` and gravity `g`, a step is at most a share `c` of the time in which a sphere falls by half its
-//! radius, `c sqrt(R/g)`, and at least a part of that; only what fails is cut below. Centrifugal acceleration adds to `g`, and
-//! the pressure `p` of a servo wall gives a sphere of mass `m` on it `a = p pi R^2 / m` in place of `g`, where that is more. Between them it goes where simulated time
-//! costs least ([`crate::simulation`]).
+//! With the smallest radius `R` and gravity `g`, a step is at most a share `c` of the time in which a
+//! sphere falls by half its radius, `c sqrt(R/g)`, and at least a part of that; only steps that fail are
+//! cut further. Centrifugal acceleration adds to `g`, and the pressure `p` of a servo boundary gives a
+//! sphere of mass `m` on it `a = p pi R^2 / m` in place of `g`, where that is more. Between the two
+//! bounds the step with the least cost of simulated time is chosen ([`crate::simulation`]).
 //!
 //! | | overlap `gap` | `opening` | `slip` | `force` | longest step |
 //! |---|---|---|---|---|---|

@@ -51,7 +51,7 @@ pub enum Joint {
     },
 }
 
-/// The area on which a servo wall's pressure acts \[m^2\].
+/// The area on which a servo boundary's pressure acts \[m^2\].
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub enum Area {
     /// Constant \[m^2\].

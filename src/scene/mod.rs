@@ -77,7 +77,7 @@ impl Default for Settings {
     }
 }
 
-/// Everything a run needs beside bodies and boundaries.
+/// Everything a run needs but bodies and boundaries.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Settings {
     /// Gravity \[m/s^2\], at t = 0 if it moves.
@@ -97,7 +97,7 @@ pub struct Settings {
     pub accuracy: Accuracy,
     /// Speed below which all centres, and surfaces where they touch, must be for the scene to come to rest \[m/s\]; 0: never.
     pub rest_speed: f64,
-    /// Most sweeps of a step, which is then as good as it is; `None`: until the tolerances are met.
+    /// Most sweeps of a step, which is then as good as it is; `None`: until the tolerances are reached.
     pub sweeps: Option<usize>,
     /// Communication step of `run` and of the FMU's DefaultExperiment \[s\].
     pub communication_step: f64,

@@ -64,6 +64,16 @@ impl Particles {
         self.radius.len()
     }
 
+    /// Smallest radius \[m\]; infinite without spheres.
+    pub(crate) fn smallest_radius(&self) -> f64 {
+        self.radius.iter().copied().fold(f64::INFINITY, f64::min)
+    }
+
+    /// Largest radius \[m\]; zero without spheres.
+    pub(crate) fn largest_radius(&self) -> f64 {
+        self.radius.iter().copied().fold(0.0, f64::max)
+    }
+
     /// Whether there is no sphere at all.
     #[must_use]
     pub fn is_empty(&self) -> bool {

@@ -49,21 +49,19 @@ pub(super) fn boundary(
         }
         (_, _, Some(_)) => {
             let help = "keep `body`, with `input = \"load\"` if the outside pushes it, or what prescribes its motion";
-            document.error(
+            document.reject(
                 (path, "body"),
                 "found `body` and what prescribes the motion, expected one of them",
                 help,
-            );
-            None
+            )
         }
         (Some(_), Some(_), None) => {
             let help = "keep `motion` if the scene moves it, `input` if the outside does";
-            document.error(
+            document.reject(
                 (path, "input"),
                 "found both `motion` and `input`, expected one of them",
                 help,
-            );
-            None
+            )
         }
     };
     let geometry = geometry(document, &format!("{path}.faces"), &value.faces);
@@ -86,7 +84,7 @@ fn belt(value: &file::Boundary) -> Option<Belt> {
     })
 }
 
-/// A driven motion.
+/// A motion that is an input.
 fn input(document: &mut Document<'_>, path: &str, given: file::Input) -> Option<Motion> {
     let mut axis = |key: &str, v| direction(document, &format!("{path}.{key}"), v);
     let kind = match given {
@@ -107,8 +105,7 @@ fn input(document: &mut Document<'_>, path: &str, given: file::Input) -> Option<
         },
         file::Input::Load => {
             let help = "add `body = { mass = ..., ... }`: only a body is moved by force";
-            document.error(path, "found `load` for a boundary without `body`", help);
-            return None;
+            return document.reject(path, "found `load` for a boundary without `body`", help);
         }
     };
     Some(Motion::Input(kind))
@@ -144,12 +141,11 @@ pub(super) fn motion(
                 (None, Some(time)) => typed_table(document, &path, time, table),
                 _ => {
                     let help = "give `csv = \"file\"` alone, or `time` with `translation`, `rotation` or both";
-                    document.error(
+                    document.reject(
                         path,
                         "found an incomplete or doubled table, expected `csv` or `time`",
                         help,
-                    );
-                    None
+                    )
                 }
             }
         }
@@ -340,8 +336,7 @@ fn terrain(document: &mut Document<'_>, path: &str, grid: &file::Terrain) -> Opt
             let facets = field.facets(&grid.file, scale?, grid.translate.into());
             if facets.triangles.is_empty() {
                 let message = format!("`{}` has no four neighbouring heights", grid.file);
-                document.error(key, message, "check NODATA_value");
-                return None;
+                return document.reject(key, message, "check NODATA_value");
             }
             Some(facets.into())
         }

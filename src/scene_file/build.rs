@@ -25,7 +25,9 @@ use crate::contact::forces::ContactForces;
 use crate::geometry::Facets;
 use crate::scene::materials::Material;
 use crate::scene::particles::{Kinematics, Particles};
-use crate::scene::{Measure, Motion, Output, PointLoad, Probe, Scene, Sensor, Spring};
+use crate::scene::{
+    Boundary, Measure, Motion, Output, PointLoad, Probe, Scene, Sensor, Source, Spring,
+};
 
 /// Reads, checks and builds; `name` is what problems call the file, `folder` where its files lie.
 pub(super) fn load(name: &str, text: &str, folder: &Path) -> Result<Loaded, SceneError> {
@@ -96,56 +98,20 @@ fn build(document: &mut Document<'_>, file: &SceneFile) -> Option<Scene> {
     let materials = materials(document, file);
     let pairs = pairs(document, &context, file);
     let boundary_names = Names::declare(document, "boundary", &file.boundaries);
-    let boundaries: Vec<_> = file
-        .boundaries
-        .iter()
+    let boundaries: Vec<_> = (file.boundaries.iter())
         .map(|b| {
             let value = b.value.as_ref()?;
             boundary(document, &context, &boundary_names, &b.path, value)
         })
         .collect();
     let boundaries: Option<Vec<_>> = boundaries.into_iter().collect();
-    let mut particles = Particles::default();
-    let mut initial = Kinematics::default();
-    for group in &file.spheres {
-        let range = group.value.as_ref().and_then(|value| {
-            let material =
-                sphere_material(document, &context, file, &materials, group, &value.material)?;
-            spheres::add(
-                document,
-                &group.path,
-                value,
-                material,
-                Present {
-                    particles: &mut particles,
-                    initial: &mut initial,
-                    boundaries: boundaries.as_deref(),
-                },
-            )
-        });
-        context.ranges.push(range);
-    }
-    let mut sources = Vec::with_capacity(file.sources.len());
-    for element in &file.sources {
-        let source = element.value.as_ref().and_then(|value| {
-            let material = sphere_material(
-                document,
-                &context,
-                file,
-                &materials,
-                element,
-                &value.material,
-            )?;
-            let store = (&mut particles, &mut initial);
-            source(document, &element.path, value, material, store)
-        });
-        context
-            .ranges
-            .push(source.as_ref().map(|source| source.spheres.clone()));
-        sources.extend(source);
-    }
-    particles.shrink_to_fit();
-    initial.shrink_to_fit();
+    let (particles, initial, sources) = populate(
+        document,
+        &mut context,
+        file,
+        &materials,
+        boundaries.as_deref(),
+    );
     if file.spheres.is_empty() && file.sources.is_empty() {
         document.error(
             "spheres",
@@ -193,6 +159,45 @@ fn build(document: &mut Document<'_>, file: &SceneFile) -> Option<Scene> {
         }
     }
     Some(scene)
+}
+
+/// The spheres of the groups, then those that wait in sources, and the sources.
+fn populate(
+    document: &mut Document<'_>,
+    context: &mut Context,
+    file: &SceneFile,
+    materials: &[Material],
+    boundaries: Option<&[Boundary]>,
+) -> (Particles, Kinematics, Vec<Source>) {
+    let (mut particles, mut initial) = (Particles::default(), Kinematics::default());
+    for group in &file.spheres {
+        let range = group.value.as_ref().and_then(|value| {
+            let material =
+                sphere_material(document, context, file, materials, group, &value.material)?;
+            let present = Present {
+                particles: &mut particles,
+                initial: &mut initial,
+                boundaries,
+            };
+            spheres::add(document, &group.path, value, material, present)
+        });
+        context.ranges.push(range);
+    }
+    let mut sources = Vec::with_capacity(file.sources.len());
+    for element in &file.sources {
+        let source = element.value.as_ref().and_then(|value| {
+            let material =
+                sphere_material(document, context, file, materials, element, &value.material)?;
+            let store = (&mut particles, &mut initial);
+            source(document, &element.path, value, material, store)
+        });
+        let range = source.as_ref().map(|source| source.spheres.clone());
+        context.ranges.push(range);
+        sources.extend(source);
+    }
+    particles.shrink_to_fit();
+    initial.shrink_to_fit();
+    (particles, initial, sources)
 }
 
 /// The material of a group or a source of spheres; it must have a density.
@@ -300,13 +305,11 @@ fn sensors(
             (region, flow, wrench) => {
                 let given = [region.is_some(), flow.is_some(), wrench.is_some()];
                 let n = given.into_iter().filter(|is| *is).count();
-                document.demand(
-                    false,
+                return document.refuse(
                     path,
                     format!("{n} measures"),
                     "exactly one of region, mass_flow, wrench",
                 );
-                return None;
             }
         };
         Some(Sensor {

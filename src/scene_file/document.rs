@@ -227,6 +227,28 @@ impl<'t> Document<'t> {
         in_range
     }
 
+    /// [`Self::error`] where the value is all that is wanted.
+    pub(super) fn reject<T>(
+        &mut self,
+        path: impl Place,
+        message: impl Into<String>,
+        help: impl Into<String>,
+    ) -> Option<T> {
+        self.error(path, message, help);
+        None
+    }
+
+    /// Refuses what was found, whatever it is.
+    pub(super) fn refuse<T>(
+        &mut self,
+        path: impl Place,
+        found: impl Display,
+        expected: &str,
+    ) -> Option<T> {
+        self.demand(false, path, found, expected);
+        None
+    }
+
     /// Refuses a number that is not above zero; an absent one is right.
     pub(super) fn positive(
         &mut self,

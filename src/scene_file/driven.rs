@@ -13,7 +13,7 @@ use crate::spatial::{Pose, Twist};
 /// Largest asymmetry of an inertia, and how far a moment may exceed the sum of the others, over the largest \[-\].
 const ROUNDING: f64 = 1e-9;
 
-/// Builds a body; `None` if a part of it was refused. `input` tells whether the outside adds loads.
+/// Builds a body; `None` if a part of it was refused. `input`: whether loads are inputs as well.
 pub(super) fn body(
     document: &mut Document<'_>,
     names: &Names,
@@ -204,13 +204,11 @@ fn principal(
         (3, 9) if typed.iter().all(|row| row.len() == 3) => Matrix3::from_row_slice(&flat),
         _ => {
             let found = format!("{} entries in {} rows", flat.len(), typed.len());
-            document.demand(
-                false,
+            return document.refuse(
                 path,
                 found,
                 "[Ixx, Iyy, Izz] or three rows of three [kg m^2]",
             );
-            return None;
         }
     };
     let largest = matrix.amax();
@@ -265,12 +263,11 @@ fn servo(
         (None, Some(pairs)) => between(document, names, &format!("{path}.between"), pairs),
         _ => {
             let help = "give `area = ...` in m^2, or `between = [[a, b], [c, d]]` with the names of four boundaries";
-            document.error(
+            document.reject(
                 path,
                 "found none or both of `area` and `between`, expected one of them",
                 help,
-            );
-            None
+            )
         }
     };
     let area = area.filter(|_| slides)?;

@@ -70,8 +70,7 @@ fn table(
             let message =
                 "found an incomplete or doubled table, expected `csv`, or `time` and `gravity`";
             let help = "give `csv = \"file\"` alone, or `time` with as many vectors `gravity`";
-            document.error(path, message, help);
-            return None;
+            return document.reject(path, message, help);
         }
     };
     increasing(document, &key, &time).then_some((time, gravity))

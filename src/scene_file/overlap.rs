@@ -1,6 +1,6 @@
-//! Overlaps at t = 0: spheres that start inside each other or inside a wall.
+//! Overlaps at t = 0: spheres that start inside each other or inside a boundary.
 //!
-//! The overlap of a pair is `-g / min(R_i, R_j)`, of a sphere and a wall `-g / R`, with the true gap `g` \[m\].
+//! The overlap of a pair is `-g / min(R_i, R_j)`, of a sphere and a boundary `-g / R`, with the true gap `g` \[m\].
 
 use std::ops::Range;
 

@@ -41,8 +41,7 @@ pub(super) fn filled(
 ) -> Option<Region> {
     if matches!(given, file::Region::Beyond(_)) {
         let expected = "a bounded region: box, cylinder or mesh";
-        document.demand(false, path, "`beyond`", expected);
-        return None;
+        return document.refuse(path, "`beyond`", expected);
     }
     emptied(document, path, given)
 }
@@ -59,8 +58,7 @@ pub(super) fn measured(
         file::Region::Mesh(_) => "`mesh`",
         file::Region::Beyond(_) => "`beyond`",
     };
-    document.demand(false, path, found, "`box` or `cylinder`");
-    None
+    document.refuse(path, found, "`box` or `cylinder`")
 }
 
 fn boxed(document: &mut Document<'_>, path: &str, cuboid: &file::Cuboid) -> Option<Primitive> {

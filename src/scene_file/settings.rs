@@ -143,7 +143,7 @@ fn tolerances(document: &mut Document<'_>, s: &file::Simulation) -> (Tolerance, 
     (tolerance, opening)
 }
 
-/// Shortest time \[s\] in which gravity, the centrifugal force or the pressure of a servo wall moves a sphere by half its radius.
+/// Shortest time \[s\] in which gravity, the centrifugal force or the pressure of a servo boundary moves a sphere by half its radius.
 pub(super) fn fall(
     settings: &Settings,
     (particles, initial): (&Particles, &Kinematics),

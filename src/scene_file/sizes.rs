@@ -58,14 +58,12 @@ impl Sizes {
             (None, Some(size)) => Self::drawn(document, &format!("{path}.size"), size),
             (None, None) => {
                 let help = "add `radius = ...` in metres, or `size = { ... }`";
-                document.error(path, "missing key `radius`", help);
-                None
+                document.reject(path, "missing key `radius`", help)
             }
             (Some(_), Some(_)) => {
                 let help = "keep `radius` for equal spheres, `size` for a distribution";
                 let message = "found both `radius` and `size`, expected one of them";
-                document.error((path, "size"), message, help);
-                None
+                document.reject((path, "size"), message, help)
             }
         }
     }
@@ -184,7 +182,7 @@ impl Sizes {
     }
 }
 
-/// Draws until the bounds are met.
+/// Draws until a value lies within the bounds.
 fn within(min: f64, max: f64, mut draw: impl FnMut() -> f64) -> f64 {
     loop {
         let radius = draw();
@@ -202,7 +200,7 @@ fn ordered(document: &mut Document<'_>, path: String, max: f64, of: &str, min: f
     document.demand(max >= min, path, max, &format!("at least {of} = {min} [m]"))
 }
 
-/// `0 < min <= centre <= max`, and wide enough to be met by draws.
+/// `0 < min <= centre <= max`, and wide enough for draws to fall within.
 fn bounds(
     document: &mut Document<'_>,
     path: &str,

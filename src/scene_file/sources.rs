@@ -47,12 +47,11 @@ pub(super) fn source(
         let radius = sizes.draw(&mut random);
         if region.random_centre(radius, &mut random).is_none() {
             let message = format!("found no room for a sphere of radius {radius} m");
-            document.error(
+            return document.reject(
                 (path, "region"),
                 message,
                 "make the region wider than the largest sphere, twice its radius and more",
             );
-            return None;
         }
         particles.push(radius, material.1.density, material.0, Locks::default());
         initial.push_absent((low + high) / 2.0);
@@ -88,8 +87,7 @@ fn supply(document: &mut Document<'_>, path: &str, given: &file::Source) -> Opti
             let found = if count.is_some() { "both" } else { "none" };
             let message = format!("found {found} of rate, mass_rate, expected one");
             let help = "`rate` counts spheres per second, `mass_rate` kilograms per second";
-            document.error(path, message, help);
-            None
+            document.reject(path, message, help)
         }
     }
 }

@@ -8,7 +8,7 @@
 //! A contact of spheres i and j therefore says which copy of j it is with, `x_j + k L`, and `k` stays the same for as long
 //! as the contact lasts, wherever the two have gone. A pair may touch through several faces at once.
 //!
-//! What else is bounded (boundaries with edges, regions, gates) stands in the cell and has copies as well: a sphere meets the
+//! What else is bounded (boundaries with edges, regions, gates) stands in the cell and has copies as well: a sphere touches the
 //! one nearest to it. Half-spaces along a periodic axis are their own copies.
 //!
 //! Without periodic axes (the default) everything is its only copy.
@@ -106,7 +106,7 @@ impl Cell {
         })
     }
 
-    /// Whole edges in an arm \[m\], rounded as told.
+    /// Whole edges in an arm \[m\], rounded by the function given.
     fn count(&self, arm: Vec3, round: impl Fn(f64) -> f64) -> Image {
         std::array::from_fn(|k| match self.edge[k] > 0.0 {
             true => round(arm[k] / self.edge[k]) as i32,

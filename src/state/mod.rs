@@ -65,7 +65,7 @@ pub struct State {
     pub bodies: Vec<BodyState>,
     /// Commands in force, `[B]`.
     pub commands: Vec<Command>,
-    /// Their derivatives by time over the next communication step, `[B]`; empty where all are held.
+    /// Their derivatives by time over the next communication step, `[B]`; empty where all are constant.
     pub rates: Vec<CommandDerivatives>,
     /// Wrench on each boundary over the last internal step, `[B]`.
     pub wrenches: Vec<Wrench>,

@@ -9,7 +9,7 @@ pub struct StepReport {
     pub internal_steps: u64,
     /// How often a step was halved.
     pub cuts: u64,
-    /// Internal steps that did not meet the tolerances and whose best iterate was taken.
+    /// Internal steps that did not reach the tolerances and whose best iterate was taken.
     pub unconverged_steps: u64,
     /// Gauss-Seidel sweeps.
     pub sweeps: u64,

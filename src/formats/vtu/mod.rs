@@ -10,7 +10,7 @@
 //! Three readers' habits shape the bytes. meshio cuts the appended data at its last newline, so one is
 //! written before the end tag. meshio walks the blocks without gaps, so there are none. meshio replaces the
 //! offsets one by one and looks the next one up among replaced and unreplaced alike, first match in document
-//! order; so the blocks are stored in **reverse** order of their tags: the unreplaced one is then met first.
+//! order; so the blocks are stored in **reverse** order of their tags: the unreplaced one then comes first.
 //!
 //! Source: VTK file formats, <https://docs.vtk.org/en/latest/design_documents/VTKFileFormats.html>.
 

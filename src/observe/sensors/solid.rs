@@ -313,7 +313,7 @@ mod tests {
 
     #[test]
     fn a_wide_cylinder_is_a_plane() {
-        // The wall of a cylinder of radius q bends away from the plane by less than 1 / (2 q).
+        // The surface of a cylinder of radius q bends away from the plane by less than 1 / (2 q).
         for distance in [-0.9, -0.2, 0.0, 0.5, 0.99] {
             let q = 1e7;
             close(

@@ -17,18 +17,18 @@ const SAME: f64 = 1e-12;
 pub struct Rows {
     bodies: Vec<[u32; 2]>,
     compact: Vec<SphereContact>,
-    /// Rows that the above does not tell, by [`SphereContact::general`].
+    /// Rows that are no plain contact of spheres, by [`SphereContact::general`].
     general: Vec<Row>,
-    /// Radius at which contacts touch each body \[m\]; zero as long as none has told it.
+    /// Radius at which contacts touch each body \[m\]; zero as long as no contact has set it.
     radius: Vec<f64>,
 }
 
-/// What a contact of spheres is beside its bodies: as many numbers as a body has for sweeps, so that both are read alike.
+/// A contact of spheres without its bodies: as many numbers as a body has for sweeps, so that both are read alike.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[repr(C, align(64))]
 pub(crate) struct SphereContact(pub(crate) [f64; 8]);
 
-/// Numbers of [`SphereContact`] beside the normal, which is first.
+/// Numbers of [`SphereContact`] after the normal.
 pub(crate) const BIAS: usize = 3;
 pub(crate) const FRICTION: usize = 4;
 pub(crate) const RADIUS: usize = 5;
@@ -209,7 +209,7 @@ impl Rows {
         self.general(k).map_or(0.0, |row| row.compliance_n)
     }
 
-    /// Relative velocity \[m/s\] at row `k` where `velocity` tells that of a body.
+    /// Relative velocity \[m/s\] at row `k` where `velocity` gives that of a body.
     #[inline]
     pub(crate) fn relative(&self, k: usize, velocity: impl Fn(usize) -> SpatialVector) -> Vec3 {
         if let Some(row) = self.general(k) {
@@ -231,7 +231,7 @@ impl Rows {
         }
     }
 
-    /// Radius at which contacts touch each body \[m\]: zero where none has told it, and bodies beyond have none.
+    /// Radius at which contacts touch each body \[m\]: zero where no contact has set it, and bodies beyond have none.
     pub(crate) fn radii(&self) -> &[f64] {
         &self.radius
     }
@@ -266,7 +266,7 @@ impl Rows {
         }
     }
 
-    /// Keeps whole, as `row` tells them, the rows that were written as such.
+    /// Keeps whole, as `row` gives them, the rows that were written as such.
     pub(crate) fn settle(&mut self, row: impl Fn(usize) -> Row) {
         for k in 0..self.len() {
             if self.compact[k].0[GENERAL] == DUE {

@@ -66,8 +66,7 @@ pub(super) fn add(
     if first + starts.len() > MOST_SPHERES {
         let found = first + starts.len();
         let message = format!("found {found} spheres, expected at most {MOST_SPHERES}");
-        document.error(path, message, "");
-        return None;
+        return document.reject(path, message, "");
     }
     let locks = locks(group.lock.as_ref());
     for (i, (start, radius)) in (first..).zip(starts.iter().zip(radii)) {
@@ -81,8 +80,7 @@ pub(super) fn add(
                 "radius {radius} m and density {} kg/m^3 give no usable mass",
                 material.1.density
             );
-            document.error(path, message, "lengths are in metres, densities in kg/m^3");
-            return None;
+            return document.reject(path, message, "lengths are in metres, densities in kg/m^3");
         }
     }
     Some(first..particles.len())
@@ -194,8 +192,7 @@ impl Radii {
             (given, Some(_)) => {
                 let key = given.as_ref().map_or(format!("{path}.size"), |_| key);
                 let message = "found both this key and radii in the file, expected one of them";
-                document.error(key, message, "remove one of the two");
-                None
+                document.reject(key, message, "remove one of the two")
             }
             (Some(OneOrMany::Many(list)), None) if group.size.is_none() => {
                 let expected = format!("one radius, or {number} of them");
@@ -217,10 +214,9 @@ impl Radii {
             Some(OneOrMany::Many(list)) if group.size.is_none() => {
                 let found = format!("a list of {} radii", list.len());
                 let expected = "one radius for all, or `size` instead of it";
-                document.demand(false, (path, "radius"), found, expected);
-                return None;
+                return document.refuse((path, "radius"), found, expected);
             }
-            // With `size` beside it the number does not matter: one of the two is too many.
+            // With `size` given too the number does not matter: one of the two is too many.
             Some(OneOrMany::Many(_)) => Some(1.0),
             Some(OneOrMany::One(radius)) => Some(*radius),
             None => None,

@@ -51,7 +51,7 @@ pub struct Kernel {
     /// Length by which each body's spin is scaled \[m\], `[N + D]`: its radius; zero where no contact gives it.
     pub(super) radius: Vec<f64>,
     pub(super) others: Vec<GeneralRow>,
-    /// Velocities of the bodies that other rows move, while such a row is under way, `[N + D]`; none without such rows.
+    /// Velocities of the bodies that other rows move, while such a row is solved, `[N + D]`; none without such rows.
     pub(super) velocity: Vec<SpatialVector>,
     /// Whether a row is a contact with a resistance, `[C]`: both go with the other rows.
     pub(super) resisted: Vec<bool>,
