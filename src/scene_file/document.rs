@@ -257,7 +257,7 @@ impl<'t> Document<'t> {
         expected: &str,
     ) -> bool {
         let value = value.into();
-        value.is_none_or(|value| self.positive(path, value, expected))
+        value.is_none_or(|value| self.demand(value > 0.0, path, value, expected))
     }
 
     /// Refuses a number outside `range`; an absent one is right.
