@@ -44,7 +44,7 @@ pub enum Partner {
     },
 }
 
-/// What a contact carried in the last step, but for a couple: [`forces::ContactForces`].
+/// What a contact carried in the last step, but for a couple: `forces::ContactForces`.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct ContactForce {
     /// Identity.

@@ -8,7 +8,7 @@
 //!
 //! A step takes gravity at the middle of the interval over which it changes its velocity, so that both integrators stay of
 //! second order: Moreau's velocities are half a step off its positions: for it that is the start of the step
-//! ([`crate::integrator::Integrator::middle`]).
+//! (`integrator::Integrator::middle`).
 
 use serde::{Deserialize, Serialize};
 

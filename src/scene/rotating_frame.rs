@@ -12,7 +12,7 @@
 //! terms are normal to the velocity and do no work; the first has the potential `-m |W x (x - p)|^2 / 2`.
 //!
 //! A step takes the gyroscopic terms at the mean of its velocities before and after, found with the contact forces of the
-//! last step (see [`gyroscopic`]): without contacts that is the implicit midpoint rule, which turns the velocity by a Cayley
+//! last step (see `gyroscopic`): without contacts that is the implicit midpoint rule, which turns the velocity by a Cayley
 //! transform and keeps its length; with them it is of second order where they change smoothly.
 
 use nalgebra::Matrix3;

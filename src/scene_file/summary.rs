@@ -53,9 +53,9 @@ pub struct Summary {
     pub tolerance: Tolerance,
     /// Step of the scene \[s\].
     pub step: f64,
-    /// Suggested step \[s\], see [`suggested_step`](Self::suggested_step).
+    /// Suggested step \[s\], see `suggested_step`.
     pub suggested_step: f64,
-    /// Suggested penalty \[N/m\], see [`suggested_penalty`](Self::suggested_penalty).
+    /// Suggested penalty \[N/m\], see `suggested_penalty`.
     pub suggested_penalty: f64,
     /// Estimated CPU time of one simulated second \[s/s\], see [`cpu_per_second`](Self::cpu_per_second).
     pub(crate) cpu_per_second: f64,

@@ -2,7 +2,7 @@
 //!
 //! [`gauss_seidel`] updates one contact's multiplier at a time with its closed-form local solution;
 //! [`augmented_lagrangian`] is the paper's loop: `K D = F` by sparse Cholesky, open-close iterations inside,
-//! multiplier updates outside; [`newton`] works on the true friction cone and finishes what both leave; [`tangent`] gives the
+//! multiplier updates outside; [`newton`] works on the true friction cone and finishes what both leave; `tangent` gives the
 //! derivative of a solution. All leave
 //! impulses that satisfy the same conditions ([`crate::problem`]); a faster solver is one more function of the same shape.
 

@@ -150,7 +150,7 @@ impl Scale {
     }
 
     /// Change of the row's impulse by its law at relative velocity `u` and impulse `p`: normal first, then
-    /// tangential on the disc of the updated normal impulse; `load` bounds a resistance ([`Row::load`]). Zero at a
+    /// tangential on the disc of the updated normal impulse; `load` bounds a resistance (`Row::load`). Zero at a
     /// solution.
     ///
     /// A row that nothing can move (`w = 0`) keeps its impulse.

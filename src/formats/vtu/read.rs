@@ -97,7 +97,7 @@ struct Block {
 /// Reads a file.
 ///
 /// # Errors
-/// [`VtuError`] for anything that is not a whole file of this form.
+/// `VtuError` for anything that is not a whole file of this form.
 pub fn decode(file: &[u8]) -> Result<Cloud, VtuError> {
     let expected = "`<AppendedData encoding=\"raw\">`: the spheres frame of a run";
     let at = file.windows(APPENDED.len()).position(|w| w == APPENDED);
