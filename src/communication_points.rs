@@ -63,8 +63,7 @@ impl CommunicationPoints {
 }
 
 /// Number of the interval \[s\] that `time` \[s\] lies in.
-#[must_use]
-pub fn tick(time: f64, interval: f64) -> u64 {
+pub(crate) fn tick(time: f64, interval: f64) -> u64 {
     (time / interval + EARLY).floor().max(0.0) as u64
 }
 

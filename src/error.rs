@@ -6,7 +6,7 @@ use thiserror::Error;
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum StepError {
-    /// The tolerances were not met, also after the step had been cut as often as allowed.
+    /// The tolerances were not reached, also after the step had been cut as often as allowed.
     #[error(
         "step from t = {time} s, dt = {step:e} s: {what} {residual:e} stays above {tolerance:e} at {contact} after {cuts} cuts{broken}; \
          loosen tolerance.{what}, or remove `strict = true` to take the best iterate and go on"

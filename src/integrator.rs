@@ -28,8 +28,7 @@ pub enum Integrator {
 
 impl Integrator {
     /// The state velocity for a step of `dt` \[s\] after one of `last` \[s\].
-    #[must_use]
-    pub fn shift_half_step(
+    pub(crate) fn shift_half_step(
         self,
         velocity: &SpatialVector,
         smooth: &SpatialVector,
@@ -44,8 +43,7 @@ impl Integrator {
 
     /// Middle \[s\] of the interval over which a step of `dt` \[s\] from `start` \[s\] changes the state velocity: there
     /// forces of time count, so that the scheme is of second order.
-    #[must_use]
-    pub fn middle(self, start: f64, dt: f64) -> f64 {
+    pub(crate) fn middle(self, start: f64, dt: f64) -> f64 {
         match self {
             Self::Moreau => start,
             Self::Shi => start + 0.5 * dt,
@@ -53,8 +51,7 @@ impl Integrator {
     }
 
     /// Velocity without contacts.
-    #[must_use]
-    pub fn free(
+    pub(crate) fn free(
         self,
         velocity: &SpatialVector,
         external: &SpatialVector,
@@ -68,8 +65,7 @@ impl Integrator {
     }
 
     /// Factor on the inverse mass in the step's problem.
-    #[must_use]
-    pub fn mobility(self) -> f64 {
+    pub(crate) fn mobility(self) -> f64 {
         match self {
             Self::Moreau => 1.0,
             Self::Shi => 0.5,
@@ -77,8 +73,7 @@ impl Integrator {
     }
 
     /// State velocity after the step, from the one before it and the solution `v1` of its problem.
-    #[must_use]
-    pub fn finish(
+    pub(crate) fn finish(
         self,
         before: &SpatialVector,
         v1: &SpatialVector,
@@ -93,8 +88,7 @@ impl Integrator {
     }
 
     /// Velocity at the time of the state, from the state velocity after a step of `last` \[s\].
-    #[must_use]
-    pub fn reported(
+    pub(crate) fn reported(
         self,
         velocity: &SpatialVector,
         smooth: &SpatialVector,
@@ -107,8 +101,7 @@ impl Integrator {
     }
 
     /// Time \[s\] by which the half step after a step of `last` \[s\] lies earlier than half of `step` \[s\] before its end.
-    #[must_use]
-    pub fn shift(self, last: f64, step: f64) -> f64 {
+    pub(crate) fn shift(self, last: f64, step: f64) -> f64 {
         match self {
             Self::Moreau => 0.5 * (last - step),
             Self::Shi => 0.0,

@@ -86,7 +86,7 @@ pub mod linalg;
 pub mod observe;
 mod parallel;
 pub mod problem;
-pub mod random;
+mod random;
 pub mod results;
 pub mod scene;
 pub mod scene_file;

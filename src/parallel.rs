@@ -62,7 +62,7 @@ impl Drop for Workers {
         // Workers end when their pool goes.
         drop(self.pool.take());
         for thread in self.threads.drain(..) {
-            // One that panicked has told so where its work was waited for.
+            // A panic was reported where its work was waited for.
             let _ = thread.join();
         }
     }
@@ -70,7 +70,6 @@ impl Drop for Workers {
 
 impl Pool {
     /// A pool of so many threads; one or none: the caller's alone.
-    #[must_use]
     pub(crate) fn new(threads: usize) -> Self {
         Self(Arc::new(Threads {
             count: threads,
@@ -79,7 +78,6 @@ impl Pool {
     }
 
     /// How many threads.
-    #[must_use]
     pub(crate) fn threads(&self) -> usize {
         self.0.count
     }

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use super::{ContactForce, ContactId};
 use crate::Vec3;
 
-/// Loads in canonical order, `[C]`, as which this reads, and the couples beside them.
+/// Loads in canonical order, `[C]`, as which this reads, and the couples that go with them.
 #[derive(Debug, PartialEq, Default, Serialize, Deserialize)]
 pub struct ContactForces {
     loads: Vec<ContactForce>,
@@ -17,25 +17,24 @@ pub struct ContactForces {
 
 impl ContactForces {
     /// Couple of rolling and twisting resistance of contact `k` on A \[N m\], mean over the step; its opposite acts on B.
-    #[must_use]
-    pub fn torque(&self, k: usize) -> Vec3 {
+    pub(crate) fn torque(&self, k: usize) -> Vec3 {
         self.torques.get(k).copied().unwrap_or_default()
     }
 
     /// Adds a contact, the last in canonical order; all have a `torque` \[N m\], or none has.
-    pub fn push(&mut self, load: ContactForce, torque: Option<Vec3>) {
+    pub(crate) fn push(&mut self, load: ContactForce, torque: Option<Vec3>) {
         self.loads.push(load);
         self.torques.extend(torque);
     }
 
     /// Forgets all contacts, but keeps the memory.
-    pub fn clear(&mut self) {
+    pub(crate) fn clear(&mut self) {
         self.loads.clear();
         self.torques.clear();
     }
 
     /// Forgets the contacts whose keys are not `kept`.
-    pub fn retain(&mut self, kept: impl Fn(&ContactId) -> bool) {
+    pub(crate) fn retain(&mut self, kept: impl Fn(&ContactId) -> bool) {
         let mut loads = self.loads.iter();
         self.torques
             .retain(|_| loads.next().is_some_and(|load| kept(&load.key)));
@@ -43,7 +42,7 @@ impl ContactForces {
     }
 
     /// Lets `change` change force and couple of each contact.
-    pub fn change(&mut self, mut change: impl FnMut(&mut Vec3, Option<&mut Vec3>)) {
+    pub(crate) fn change(&mut self, mut change: impl FnMut(&mut Vec3, Option<&mut Vec3>)) {
         let mut torques = self.torques.iter_mut();
         for load in &mut self.loads {
             change(&mut load.force, torques.next());
@@ -51,8 +50,7 @@ impl ContactForces {
     }
 
     /// Whether the couples belong to the contacts.
-    #[must_use]
-    pub fn fits(&self) -> bool {
+    pub(crate) fn fits(&self) -> bool {
         self.torques.is_empty() || self.torques.len() == self.loads.len()
     }
 }

@@ -6,29 +6,27 @@ use crate::Vec3;
 
 /// Which of the last step's contacts a candidate goes on with, if any.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct HistoryIndex(u32);
+pub(crate) struct HistoryIndex(u32);
 
 impl HistoryIndex {
     /// A contact that was not there.
     pub(crate) const NONE: Self = Self(u32::MAX);
 
     /// Its force on A \[N\] in those `contacts`; zero without one.
-    #[must_use]
     #[inline]
-    pub fn force(self, contacts: &[ContactForce]) -> Vec3 {
+    pub(crate) fn force(self, contacts: &[ContactForce]) -> Vec3 {
         let load = contacts.get(self.0 as usize);
         load.map_or_else(Vec3::zeros, |load| load.force)
     }
 
     /// Likewise the couple of its resistance on A \[N m\].
-    #[must_use]
-    pub fn torque(self, contacts: &ContactForces) -> Vec3 {
+    pub(crate) fn torque(self, contacts: &ContactForces) -> Vec3 {
         contacts.torque(self.0 as usize)
     }
 }
 
 /// Which of `contacts` each of `keys` goes on with. Both are in canonical order.
-pub fn transfer(
+pub(crate) fn transfer(
     contacts: &[ContactForce],
     keys: impl Iterator<Item = ContactId>,
 ) -> impl Iterator<Item = HistoryIndex> {
@@ -48,8 +46,7 @@ pub fn transfer(
 }
 
 /// Which of `contacts`, which are in canonical order, `key` goes on with.
-#[must_use]
-pub fn find(contacts: &[ContactForce], key: ContactId) -> HistoryIndex {
+pub(crate) fn find(contacts: &[ContactForce], key: ContactId) -> HistoryIndex {
     let at = contacts.binary_search_by_key(&key, |load| load.key);
     at.map_or(HistoryIndex::NONE, |at| HistoryIndex(at as u32))
 }

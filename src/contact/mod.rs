@@ -1,7 +1,7 @@
 //! Contacts: who touches whom, with which force, and what goes on from step to step.
 
-pub mod forces;
-pub mod history;
+pub(crate) mod forces;
+pub(crate) mod history;
 
 use serde::{Deserialize, Serialize};
 
@@ -44,7 +44,7 @@ pub enum Partner {
     },
 }
 
-/// What a contact carried in the last step, but for a couple: [`forces::ContactForces`].
+/// What a contact carried in the last step, but for a couple: `forces::ContactForces`.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct ContactForce {
     /// Identity.

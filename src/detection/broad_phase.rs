@@ -1,7 +1,7 @@
 //! Broad phase: the pairs that may touch before the next rebuild.
 //!
 //! Each sphere has a skin of its own. The list keeps every pair whose gap is below the sum of their two, so it serves until
-//! the path of a sphere since, and what it may still move, exceed its skin: one fast sphere costs the others nothing. What is
+//! the displacement of a sphere since, and what it may still move, exceed its skin: one fast sphere costs the others nothing. What is
 //! in the list never shows in results: the narrow phase takes from it the pairs within reach, in canonical order.
 
 use super::configuration::Configuration;
@@ -51,8 +51,7 @@ impl NeighborList {
 
     /// Whether a sphere, in the configuration where the list was ensured last, may be within `reach` \[m\] of the boundary: false
     /// only if it is clearly not, so that what follows does not depend on when the list was built.
-    #[must_use]
-    pub fn may_touch(&self, now: &Configuration, near: &NearBoundary, reach: f64) -> bool {
+    pub(crate) fn may_touch(&self, now: &Configuration, near: &NearBoundary, reach: f64) -> bool {
         // In a periodic cell another copy of the sphere may be the nearest by now.
         let shrunk = if now.cell.is_open() {
             let i = near.sphere as usize;
@@ -111,7 +110,7 @@ impl NeighborList {
 
     fn build(&mut self, now: &Configuration, reach: &[DetectionDistance], carried: f64) {
         let radius = &now.particles.radius;
-        let smallest = radius.iter().copied().fold(f64::INFINITY, f64::min);
+        let smallest = now.particles.smallest_radius();
         // Pairs by the smaller reaches: all move alike, or most stand still.
         let [alike, still] = [
             |own: &DetectionDistance| own.pairs,

@@ -55,7 +55,7 @@ impl<'a> Configuration<'a> {
 
 impl Configuration<'_> {
     /// Centres of the spheres that are in the scene \[m\].
-    pub fn present_positions(&self) -> impl Iterator<Item = Vec3> {
+    pub(crate) fn present_positions(&self) -> impl Iterator<Item = Vec3> {
         let spheres = self.position.iter().zip(self.present);
         spheres.filter(|(_, present)| **present).map(|(x, _)| *x)
     }
@@ -128,8 +128,7 @@ impl Configuration<'_> {
     }
 
     /// The pair of `candidate`, seen at this configuration: the same feature, the same side.
-    #[must_use]
-    pub fn follow(&self, candidate: &Candidate) -> Candidate {
+    pub(crate) fn follow(&self, candidate: &Candidate) -> Candidate {
         let i = candidate.key.sphere;
         match candidate.key.partner {
             Partner::Sphere { index, image } => self.pair(i, index, image),
@@ -140,7 +139,7 @@ impl Configuration<'_> {
         }
     }
 
-    /// A feature of a boundary as sphere `i` meets it here, on the side of `normal`; in the boundary's frame.
+    /// A feature of a boundary as sphere `i` touches it here, on the side of `normal`; in the boundary's frame.
     fn follow_boundary(&self, i: u32, boundary: u16, feature: u32, normal: Vec3) -> ClosestPoint {
         let b = usize::from(boundary);
         let normal = self.poses[b].rotation.inverse() * normal;
@@ -151,8 +150,7 @@ impl Configuration<'_> {
     }
 
     /// Where the contact is that carried `load` and `torque` \[N m\].
-    #[must_use]
-    pub fn contact(&self, load: &ContactForce, torque: Vec3) -> Contact {
+    pub(crate) fn contact(&self, load: &ContactForce, torque: Vec3) -> Contact {
         let i = load.key.sphere;
         let (point, gap) = match load.key.partner {
             Partner::Sphere { index, image } => {
@@ -178,9 +176,8 @@ impl Configuration<'_> {
         }
     }
 
-    /// The longest way \[m\] of points fixed to boundary `b`, where spheres are, while it moves to `to`.
-    #[must_use]
-    pub fn carried(&self, b: usize, to: &Pose) -> f64 {
+    /// The longest displacement \[m\] of points fixed to boundary `b`, where spheres are, while it moves to `to`.
+    pub(crate) fn carried(&self, b: usize, to: &Pose) -> f64 {
         if &self.poses[b] == to {
             return 0.0;
         }
@@ -195,8 +192,7 @@ impl Configuration<'_> {
     }
 
     /// Way \[m\] of the point fixed to boundary `b` that is at `x` while it moves to `to`.
-    #[must_use]
-    pub fn displacement_at(&self, b: usize, to: &Pose, x: Vec3) -> f64 {
+    pub(crate) fn displacement_at(&self, b: usize, to: &Pose, x: Vec3) -> f64 {
         let (shape, from) = (&self.boundaries[b], &self.poses[b]);
         if from == to {
             return 0.0;
@@ -212,8 +208,7 @@ impl Configuration<'_> {
     }
 
     /// Gap \[m\] of [`Self::follow`].
-    #[must_use]
-    pub fn gap(&self, candidate: &Candidate) -> f64 {
+    pub(crate) fn gap(&self, candidate: &Candidate) -> f64 {
         match candidate.key.partner {
             Partner::Sphere { index, image } => {
                 let i = candidate.key.sphere;

@@ -15,7 +15,7 @@ pub struct DetectionDistance {
 impl DetectionDistance {
     /// Of every sphere that has one of two `velocities` \[m/s\] for a `step` \[s\], `[N]`, and `more(i)` \[m\]; what all have in
     /// common is the middle of all velocities.
-    pub fn of(
+    pub(crate) fn of(
         velocities: impl Iterator<Item = [Vec3; 2]> + Clone,
         step: f64,
         more: impl Fn(usize) -> f64,
@@ -35,8 +35,7 @@ impl DetectionDistance {
     }
 
     /// The largest of each.
-    #[must_use]
-    pub fn largest(reach: &[Self]) -> Self {
+    pub(crate) fn largest(reach: &[Self]) -> Self {
         reach.iter().fold(Self::default(), |largest, own| Self {
             pairs: larger(own.pairs, largest.pairs),
             boundaries: larger(own.boundaries, largest.boundaries),

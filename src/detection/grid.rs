@@ -14,8 +14,7 @@ const CELLS: f64 = 1e6;
 const LEVELS: usize = 40;
 
 /// All pairs `i < j` of present spheres whose distance is below the sum of their `size` \[m\], `[N]`, ascending.
-#[must_use]
-pub fn sphere_pairs(position: &[Vec3], present: &[bool], size: &[f64]) -> Vec<(u32, u32)> {
+pub(crate) fn sphere_pairs(position: &[Vec3], present: &[bool], size: &[f64]) -> Vec<(u32, u32)> {
     let spheres = || (0..position.len()).filter(|&i| present[i]);
     let smallest = spheres().map(|i| size[i]).fold(f64::INFINITY, f64::min);
     let mut levels: Vec<Vec<u32>> = Vec::new();

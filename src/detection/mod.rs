@@ -1,10 +1,10 @@
-//! Contact detection: broad phase over a grid, spheres near boundaries, narrow phase, sweep (ways through a step).
+//! Contact detection: broad phase over a grid, spheres near boundaries, narrow phase, sweep (paths through a step).
 
 pub mod broad_phase;
 pub mod configuration;
 pub mod detection_distance;
-pub mod grid;
-pub mod narrow_phase;
-pub mod near_boundaries;
-pub mod periodic;
-pub mod sweep;
+pub(crate) mod grid;
+pub(crate) mod narrow_phase;
+pub(crate) mod near_boundaries;
+pub(crate) mod periodic;
+pub(crate) mod sweep;

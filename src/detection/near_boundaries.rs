@@ -11,7 +11,7 @@ pub(super) const ROUNDING: f64 = 1e-6;
 
 /// A sphere near a boundary.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct NearBoundary {
+pub(crate) struct NearBoundary {
     /// The sphere.
     pub sphere: u32,
     /// The boundary.
@@ -32,13 +32,12 @@ pub struct NearBoundaries {
 
 impl NearBoundaries {
     /// All of them, ascending.
-    pub fn iter(&self) -> std::slice::Iter<'_, NearBoundary> {
+    pub(crate) fn iter(&self) -> std::slice::Iter<'_, NearBoundary> {
         self.near.iter()
     }
 
     /// The facets of its boundary around a sphere.
-    #[must_use]
-    pub fn vicinity(&self, near: &NearBoundary) -> Vicinity<'_> {
+    pub(crate) fn vicinity(&self, near: &NearBoundary) -> Vicinity<'_> {
         let [first, end] = near.facets.map(|k| k as usize);
         Vicinity::new(near.cube, &self.facets[first..end])
     }

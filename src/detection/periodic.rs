@@ -7,8 +7,7 @@ use crate::spatial::cell::{Cell, HERE, Image};
 /// All pairs `i < j` of present spheres and the image `k` of `j` (copy `x_j + k L`) whose distance is below the sum
 /// of their `size` \[m\], `[N]`, ascending.
 /// A sphere and its own copies are no pair: they never move against each other.
-#[must_use]
-pub fn periodic_pairs(
+pub(crate) fn periodic_pairs(
     cell: &Cell,
     position: &[Vec3],
     present: &[bool],

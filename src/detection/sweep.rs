@@ -1,18 +1,17 @@
-//! Swept contact: whether two bodies meet on straight ways through a step, wherever they are at its ends.
+//! Swept contact: whether two bodies touch on straight paths through a step, wherever they are at its ends.
 
 use super::configuration::Configuration;
 use crate::Vec3;
 use crate::geometry::{ClosestPoint, Geometry};
 use crate::spatial::cell::Image;
 
-/// A gap below this share of the radius counts as met.
+/// A gap below this share of the radius counts as contact.
 const MET: f64 = 1e-3;
-/// Most advances along a way; one that grazes a surface for longer counts as met.
+/// Most advances along a path; one that grazes a surface for longer counts as contact.
 const ADVANCES: usize = 1000;
 
 /// Smallest distance from the origin on the segment `a`-`b` \[m\].
-#[must_use]
-pub fn least_distance(a: Vec3, b: Vec3) -> f64 {
+pub(crate) fn least_distance(a: Vec3, b: Vec3) -> f64 {
     let way = b - a;
     let length2 = way.norm_squared();
     if length2 == 0.0 {
@@ -22,9 +21,8 @@ pub fn least_distance(a: Vec3, b: Vec3) -> f64 {
 }
 
 /// Whether a sphere of `radius` \[m\] that goes from `a` to `b` in the geometry's frame touches it, by conservative
-/// advancement: the gap is a way it can go without touching.
-#[must_use]
-pub fn meets(geometry: &Geometry, a: Vec3, b: Vec3, radius: f64) -> bool {
+/// advancement: the gap is a distance it can go without touching.
+pub(crate) fn meets(geometry: &Geometry, a: Vec3, b: Vec3, radius: f64) -> bool {
     let length = (b - a).norm();
     if length == 0.0 {
         return false;
@@ -50,14 +48,12 @@ pub fn meets(geometry: &Geometry, a: Vec3, b: Vec3, radius: f64) -> bool {
 
 impl Configuration<'_> {
     /// Centre of sphere `i` from that of image `image` of sphere `j` \[m\].
-    #[must_use]
-    pub fn between(&self, i: u32, j: u32, image: Image) -> Vec3 {
+    pub(crate) fn between(&self, i: u32, j: u32, image: Image) -> Vec3 {
         self.position[i as usize] - self.position[j as usize] - self.cell.shift(image)
     }
 
     /// The path of sphere `i` from here to `end` in the frame of boundary `b` \[m\], by the copy that is nearest to it here.
-    #[must_use]
-    pub fn path_in_frame(&self, end: &Self, i: u32, b: u16) -> [Vec3; 2] {
+    pub(crate) fn path_in_frame(&self, end: &Self, i: u32, b: u16) -> [Vec3; 2] {
         let (b, i) = (usize::from(b), i as usize);
         let boundary = &self.boundaries[b];
         let near = boundary.copy_near(self.cell, &self.poses[b], self.position[i]);

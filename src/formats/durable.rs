@@ -6,14 +6,14 @@ use std::path::Path;
 use super::error::OutputError;
 
 /// Ending of a file that is being written.
-pub const DRAFT: &str = ".tmp";
+pub(crate) const DRAFT: &str = ".tmp";
 
 /// Writes `bytes` to `path` such that a reader finds the old file or the whole new one, never a part:
 /// `path.tmp` first, then a rename.
 ///
 /// # Errors
 /// [`OutputError::Io`].
-pub fn replace(path: &Path, bytes: &[u8]) -> Result<(), OutputError> {
+pub(crate) fn replace(path: &Path, bytes: &[u8]) -> Result<(), OutputError> {
     put(path, bytes, |_| Ok(()))
 }
 
@@ -21,7 +21,7 @@ pub fn replace(path: &Path, bytes: &[u8]) -> Result<(), OutputError> {
 ///
 /// # Errors
 /// [`OutputError::Io`].
-pub fn replace_durably(path: &Path, bytes: &[u8]) -> Result<(), OutputError> {
+pub(crate) fn replace_durably(path: &Path, bytes: &[u8]) -> Result<(), OutputError> {
     put(path, bytes, sync)
 }
 
@@ -42,7 +42,7 @@ fn put(
 ///
 /// # Errors
 /// [`OutputError::Io`].
-pub fn sync(path: &Path) -> Result<(), OutputError> {
+pub(crate) fn sync(path: &Path) -> Result<(), OutputError> {
     File::open(path)
         .and_then(|file| file.sync_all())
         .map_err(OutputError::io("write", path))

@@ -1,8 +1,8 @@
 //! Files and bytes: VTU, PVD, the table of a history, snapshots, and what can go wrong with them.
 
-pub mod durable;
+pub(crate) mod durable;
 pub mod error;
-pub mod pvd;
+pub(crate) mod pvd;
 pub mod snapshot;
-pub mod table;
+pub(crate) mod table;
 pub mod vtu;

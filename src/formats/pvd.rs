@@ -37,7 +37,7 @@ impl Entry {
 
 /// A series of frames in one folder, times strictly increasing.
 #[derive(Debug)]
-pub struct Collection {
+pub(crate) struct Collection {
     path: PathBuf,
     entries: Vec<Entry>,
     /// Files of the frames written since the last [`Self::sync`].
@@ -46,8 +46,7 @@ pub struct Collection {
 
 impl Collection {
     /// An empty collection that will be written to `path`.
-    #[must_use]
-    pub fn new(path: PathBuf) -> Self {
+    pub(crate) fn new(path: PathBuf) -> Self {
         Self {
             path,
             entries: Vec::new(),
@@ -59,7 +58,7 @@ impl Collection {
     ///
     /// # Errors
     /// [`OutputError::Io`]; [`OutputError::Changed`] if it is not as [`Self::push`] writes it.
-    pub fn open(path: PathBuf) -> Result<Self, OutputError> {
+    pub(crate) fn open(path: PathBuf) -> Result<Self, OutputError> {
         let text = match fs::read_to_string(&path) {
             Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Self::new(path)),
             text => text.map_err(OutputError::io("read", &path))?,
@@ -83,7 +82,7 @@ impl Collection {
     ///
     /// # Errors
     /// [`OutputError::Io`]; the collection on disk then still lists complete frames only.
-    pub fn push(&mut self, time: f64, file: &str, bytes: &[u8]) -> Result<(), OutputError> {
+    pub(crate) fn push(&mut self, time: f64, file: &str, bytes: &[u8]) -> Result<(), OutputError> {
         self.drop_from(|entry| entry.time >= time)?;
         let path = self.folder().join(file);
         replace(&path, bytes)?;
@@ -99,7 +98,7 @@ impl Collection {
     ///
     /// # Errors
     /// [`OutputError::Io`].
-    pub fn rollback(&mut self, time: f64) -> Result<(), OutputError> {
+    pub(crate) fn rollback(&mut self, time: f64) -> Result<(), OutputError> {
         self.drop_from(|entry| entry.time > time)
     }
 
@@ -107,7 +106,7 @@ impl Collection {
     ///
     /// # Errors
     /// [`OutputError::Io`].
-    pub fn sync(&mut self) -> Result<(), OutputError> {
+    pub(crate) fn sync(&mut self) -> Result<(), OutputError> {
         for path in std::mem::take(&mut self.fresh) {
             sync(&path)?;
         }
@@ -118,12 +117,12 @@ impl Collection {
     }
 
     /// Times \[s\] of the frames.
-    pub fn times(&self) -> impl Iterator<Item = f64> {
+    pub(crate) fn times(&self) -> impl Iterator<Item = f64> {
         self.entries.iter().map(|entry| entry.time)
     }
 
     /// Names of the frames' files.
-    pub fn files(&self) -> impl Iterator<Item = &str> {
+    pub(crate) fn files(&self) -> impl Iterator<Item = &str> {
         self.entries.iter().map(|entry| entry.file.as_str())
     }
 

@@ -29,14 +29,13 @@ pub(crate) const VERSION: u32 = 10;
 const SPHERES_SINCE: u32 = 2;
 const HASH: usize = 64;
 const HEADER: usize = MAGIC.len() + 4 + HASH + 8 + 8;
-/// Digits of a hash that tell scenes apart in messages.
+/// Digits of a hash that distinguish scenes in messages.
 const SHOWN: usize = 12;
 
 /// Writes the snapshot of a scene with the given hash (hexadecimal, 64 characters; shorter ones are padded).
 /// `radius` \[m\], `[N]`; `kinematics` of that moment, with the velocities reported for it; `state` is what
 /// [`restore`] gives back.
-#[must_use]
-pub fn take(
+pub(crate) fn take(
     scene_hash: &str,
     radius: &[f64],
     kinematics: &Kinematics,
@@ -62,7 +61,10 @@ pub fn take(
 ///
 /// # Errors
 /// [`SnapshotError`] for anything that is not a whole, undamaged snapshot of this scene and version.
-pub fn restore<S: DeserializeOwned>(blob: &[u8], scene_hash: &str) -> Result<S, SnapshotError> {
+pub(crate) fn restore<S: DeserializeOwned>(
+    blob: &[u8],
+    scene_hash: &str,
+) -> Result<S, SnapshotError> {
     let parts = Parts::of(blob)?;
     if parts.version != VERSION {
         return Err(version(parts.version));

@@ -8,7 +8,7 @@ use super::error::OutputError;
 
 /// A CSV file that can be taken back to an earlier time.
 #[derive(Debug)]
-pub struct Table {
+pub(crate) struct Table {
     path: PathBuf,
     file: File,
     columns: Vec<String>,
@@ -23,7 +23,7 @@ impl Table {
     ///
     /// # Errors
     /// [`OutputError::Io`].
-    pub fn create(path: &Path, columns: Vec<String>) -> Result<Self, OutputError> {
+    pub(crate) fn create(path: &Path, columns: Vec<String>) -> Result<Self, OutputError> {
         let mut file = File::create(path).map_err(OutputError::io("create", path))?;
         let header = record(&columns).map_err(OutputError::io("write", path))?;
         file.write_all(&header)
@@ -42,7 +42,7 @@ impl Table {
     ///
     /// # Errors
     /// [`OutputError::Io`]; [`OutputError::Changed`] if it has another header.
-    pub fn open(path: &Path, columns: Vec<String>) -> Result<Self, OutputError> {
+    pub(crate) fn open(path: &Path, columns: Vec<String>) -> Result<Self, OutputError> {
         let refuse = OutputError::io("read", path);
         let file = OpenOptions::new().read(true).write(true).open(path);
         let file = file.map_err(OutputError::io("open", path))?;
@@ -84,7 +84,7 @@ impl Table {
     }
 
     /// Times \[s\] of the rows.
-    pub fn times(&self) -> impl Iterator<Item = f64> {
+    pub(crate) fn times(&self) -> impl Iterator<Item = f64> {
         self.rows.iter().map(|row| row.0)
     }
 
@@ -92,7 +92,7 @@ impl Table {
     ///
     /// # Errors
     /// [`OutputError::Shape`], [`OutputError::NotFinite`], [`OutputError::Io`]; then no part of the row stays.
-    pub fn push(&mut self, values: &[f64]) -> Result<(), OutputError> {
+    pub(crate) fn push(&mut self, values: &[f64]) -> Result<(), OutputError> {
         if values.len() != self.columns.len() {
             return Err(OutputError::Shape {
                 place: self.path.display().to_string(),
@@ -124,7 +124,7 @@ impl Table {
     ///
     /// # Errors
     /// [`OutputError::Io`].
-    pub fn rollback(&mut self, time: f64) -> Result<(), OutputError> {
+    pub(crate) fn rollback(&mut self, time: f64) -> Result<(), OutputError> {
         self.cut(|row| row <= time)
     }
 
@@ -132,7 +132,7 @@ impl Table {
     ///
     /// # Errors
     /// [`OutputError::Io`].
-    pub fn sync(&self) -> Result<(), OutputError> {
+    pub(crate) fn sync(&self) -> Result<(), OutputError> {
         self.file
             .sync_data()
             .map_err(OutputError::io("write", &self.path))

@@ -32,13 +32,13 @@ use serde::{Deserialize, Serialize};
 pub use closest_point::ClosestPoint;
 pub use error::GeometryError;
 pub use facets::Facets;
-pub use features::Repair;
+pub(crate) use features::Repair;
 pub use plane::HalfSpace;
 pub use revolution::Revolution;
 pub use solid::Solid;
-pub use terrain::{GridProblem, HeightField};
+pub use terrain::HeightField;
 pub use tessellate::Triangulation;
-pub use vicinity::{Cube, Vicinity};
+pub(crate) use vicinity::{Cube, Vicinity};
 
 use crate::Vec3;
 use crate::spatial::extent::joined;
@@ -75,7 +75,7 @@ impl From<Revolution> for Shape {
 
 /// The faces of a boundary in its own frame (the scene's at t = 0).
 ///
-/// Serialized as its shapes; what the queries need beside them is built anew. Clones share everything.
+/// Serialized as its shapes; what else the queries need is built anew. Clones share everything.
 #[derive(Debug, Clone, Default, Serialize, Deserialize)]
 #[serde(try_from = "Vec<Shape>", into = "Vec<Shape>")]
 pub struct Geometry {
@@ -162,7 +162,7 @@ impl Geometry {
 
     /// [`Self::closest_points`], exactly, by facets that were found before: faster while the centre stays so near that its
     /// reach lies in their cube.
-    pub fn touches_near(
+    pub(crate) fn touches_near(
         &self,
         known: &Vicinity,
         (centre, radius): (Vec3, f64),
@@ -173,7 +173,7 @@ impl Geometry {
     }
 
     /// Appends the facets that [`Self::touches_near`] needs for places up to `range` \[m\] from `centre`; their cube.
-    pub fn facets_near(&self, centre: Vec3, range: f64, out: &mut Vec<u32>) -> Cube {
+    pub(crate) fn facets_near(&self, centre: Vec3, range: f64, out: &mut Vec<u32>) -> Cube {
         match &self.mesh {
             Some(mesh) => mesh.facets_near(centre, range, out),
             None => Cube::empty(),
@@ -195,7 +195,7 @@ impl Geometry {
 
     /// A bound below the gaps up to `reach` \[m\] of a sphere \[m\], infinite if there are clearly none; `spare` is used for
     /// its memory.
-    pub fn least_gap(
+    pub(crate) fn least_gap(
         &self,
         known: &Vicinity,
         (centre, radius): (Vec3, f64),
@@ -286,8 +286,7 @@ impl Geometry {
     }
 
     /// Smallest axis-parallel box `(min, max)` \[m\] around everything but half-spaces; `None` if there is nothing else.
-    #[must_use]
-    pub fn finite_bounds(&self) -> Option<(Vec3, Vec3)> {
+    pub(crate) fn finite_bounds(&self) -> Option<(Vec3, Vec3)> {
         self.bounds
     }
 }

@@ -327,7 +327,7 @@ impl Revolution {
     /// Which side of a piece (+1 or -1 along its left normal) a sphere keeps that had `normal` there.
     ///
     /// Seen from the new azimuth the old normal points against the present side in two cases: the centre went through
-    /// the wall, which is then near, or it passed the axis, which is then near. The nearer one decides.
+    /// the surface, which is then near, or it passed the axis, which is then near. The nearer one decides.
     fn kept_side(&self, piece: usize, frame: &HalfPlane, normal: Vec3) -> f64 {
         let outward = self.outward(piece, frame);
         let distance = self.signed_distance(piece, frame.centre);

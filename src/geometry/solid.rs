@@ -22,7 +22,7 @@ use crate::Vec3;
 use crate::random::unit;
 use crate::spatial::extent::around;
 
-/// Random points tried to find room for a sphere.
+/// Random points tried to place a sphere.
 const POINTS: usize = 10_000;
 
 /// A closed mesh ready for queries. Serialized as its facets.
@@ -99,7 +99,7 @@ impl Solid {
     }
 
     /// Appends the places of the surface within `reach` \[m\] of gap, as [`super::Geometry::closest_points`] does.
-    pub fn closest_points(
+    pub(crate) fn closest_points(
         &self,
         centre: Vec3,
         radius: f64,
@@ -111,7 +111,7 @@ impl Solid {
 
     /// Centre \[m\], uniform in space, of a sphere of `radius` \[m\] that lies wholly inside; `None` if many random
     /// points find no such place.
-    pub fn random_centre(&self, radius: f64, random: &mut ChaCha8Rng) -> Option<Vec3> {
+    pub(crate) fn random_centre(&self, radius: f64, random: &mut ChaCha8Rng) -> Option<Vec3> {
         let low = self.bounds.0.add_scalar(radius);
         let side = self.bounds.1.add_scalar(-radius) - low;
         if side.iter().any(|side| *side < 0.0) {

@@ -57,7 +57,7 @@ impl Facets {
 }
 
 /// Some binary files begin with `solid`, and some ASCII files with `solid` and no name; `stl_io` takes the
-/// first for ASCII and the second for binary. The length tells them apart.
+/// first for ASCII and the second for binary. The length distinguishes them.
 fn normalise_header(bytes: &mut Vec<u8>) {
     let count = bytes
         .get(80..84)

@@ -9,7 +9,7 @@ use crate::Vec3;
 
 /// A cube along the axes \[m\].
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Cube(pub(super) AABB<[f64; 3]>);
+pub(crate) struct Cube(pub(super) AABB<[f64; 3]>);
 
 impl Cube {
     /// All points within `range` \[m\] of `middle` \[m\] along every axis.
@@ -26,15 +26,14 @@ impl Cube {
 
 /// All facets of a mesh that meet a cube.
 #[derive(Debug, Clone, Copy)]
-pub struct Vicinity<'f> {
+pub(crate) struct Vicinity<'f> {
     cube: Cube,
     facets: &'f [u32],
 }
 
 impl<'f> Vicinity<'f> {
     /// `facets` as [`super::Geometry::facets_near`] found them in `cube`.
-    #[must_use]
-    pub fn new(cube: Cube, facets: &'f [u32]) -> Self {
+    pub(crate) fn new(cube: Cube, facets: &'f [u32]) -> Self {
         Self { cube, facets }
     }
 

@@ -15,8 +15,7 @@ pub struct BlockPattern {
 
 impl BlockPattern {
     /// The pattern of `n` bodies coupled by `pairs` (in any order, repeats allowed, diagonal ignored).
-    #[must_use]
-    pub fn new(n: usize, pairs: impl IntoIterator<Item = (u32, u32)>) -> Self {
+    pub(crate) fn new(n: usize, pairs: impl IntoIterator<Item = (u32, u32)>) -> Self {
         let mut lower: Vec<(u32, u32)> = pairs
             .into_iter()
             .filter(|(a, b)| a != b)
@@ -39,15 +38,8 @@ impl BlockPattern {
     }
 
     /// Number of block columns.
-    #[must_use]
-    pub fn len(&self) -> usize {
+    pub(crate) fn len(&self) -> usize {
         self.starts.len() - 1
-    }
-
-    /// Whether the matrix has no block at all.
-    #[must_use]
-    pub fn is_empty(&self) -> bool {
-        self.len() == 0
     }
 
     /// Block rows stored in column `c`.
@@ -66,8 +58,7 @@ pub struct BlockMatrix {
 
 impl BlockMatrix {
     /// The zero matrix on `pattern`.
-    #[must_use]
-    pub fn zeros(pattern: Arc<BlockPattern>) -> Self {
+    pub(crate) fn zeros(pattern: Arc<BlockPattern>) -> Self {
         let values = vec![0.0; 36 * pattern.rows.len()];
         Self { pattern, values }
     }
@@ -84,13 +75,13 @@ impl BlockMatrix {
     }
 
     /// Sets every value to zero, keeping the pattern.
-    pub fn clear(&mut self) {
+    pub(crate) fn clear(&mut self) {
         self.values.fill(0.0);
     }
 
     /// Adds `block` at block row `row`, column `column`; of the pair `(row, column)`, `(column, row)` only
     /// one must be added, the matrix is symmetric. Blocks outside the pattern are a programming error.
-    pub fn add(&mut self, row: usize, column: usize, block: &Matrix6<f64>) {
+    pub(crate) fn add(&mut self, row: usize, column: usize, block: &Matrix6<f64>) {
         if row < column {
             self.add(column, row, &block.transpose());
             return;
@@ -113,8 +104,7 @@ impl BlockMatrix {
     }
 
     /// `K x`; `x` has `6 n` entries.
-    #[must_use]
-    pub fn multiply(&self, x: &[f64]) -> Vec<f64> {
+    pub(crate) fn multiply(&self, x: &[f64]) -> Vec<f64> {
         let mut y = vec![0.0; x.len()];
         for column in 0..self.pattern.len() {
             let rows = self.pattern.column(column);

@@ -47,8 +47,7 @@ impl Symbolic {
     }
 
     /// The pattern analysed.
-    #[must_use]
-    pub fn pattern(&self) -> &Arc<BlockPattern> {
+    pub(crate) fn pattern(&self) -> &Arc<BlockPattern> {
         &self.pattern
     }
 
@@ -74,7 +73,7 @@ pub struct Factor(Llt<usize, f64>);
 
 impl Factor {
     /// Solves `K x = b` in place; `x` has `6 n` entries.
-    pub fn solve(&self, x: &mut [f64]) {
+    pub(crate) fn solve(&self, x: &mut [f64]) {
         self.0
             .solve_in_place(ColMut::from_slice_mut(x).as_mat_mut());
     }

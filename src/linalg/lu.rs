@@ -11,7 +11,7 @@ use super::LinearError;
 
 /// A block matrix over pairs of bodies: each pair has both of its off-diagonal blocks. Keeps its symbolic analysis.
 #[derive(Debug, Clone)]
-pub struct GeneralMatrix {
+pub(crate) struct GeneralMatrix {
     /// Block rows of each block column, ascending.
     columns: Vec<Vec<u32>>,
     /// Where the values of each block column start.
@@ -27,7 +27,10 @@ impl GeneralMatrix {
     ///
     /// # Errors
     /// [`LinearError::Memory`] if the analysis does not fit into memory.
-    pub fn new(n: usize, pairs: impl IntoIterator<Item = (u32, u32)>) -> Result<Self, LinearError> {
+    pub(crate) fn new(
+        n: usize,
+        pairs: impl IntoIterator<Item = (u32, u32)>,
+    ) -> Result<Self, LinearError> {
         let mut columns: Vec<Vec<u32>> = (0..n as u32).map(|i| vec![i]).collect();
         for (a, b) in pairs {
             columns[a as usize].push(b);
@@ -61,12 +64,12 @@ impl GeneralMatrix {
     }
 
     /// Sets every value to zero.
-    pub fn clear(&mut self) {
+    pub(crate) fn clear(&mut self) {
         self.values.fill(0.0);
     }
 
     /// Adds `block` at block row `row`, column `column`. Blocks outside the pattern are a programming error.
-    pub fn add(&mut self, row: usize, column: usize, block: &Matrix6<f64>) {
+    pub(crate) fn add(&mut self, row: usize, column: usize, block: &Matrix6<f64>) {
         let rows = &self.columns[column];
         let found = rows.binary_search(&(row as u32));
         debug_assert!(
@@ -86,7 +89,7 @@ impl GeneralMatrix {
     ///
     /// # Errors
     /// [`LinearError::Singular`] or [`LinearError::Memory`].
-    pub fn factorize(&self) -> Result<GeneralFactor, LinearError> {
+    pub(crate) fn factorize(&self) -> Result<GeneralFactor, LinearError> {
         let rows = 6 * self.columns.len();
         let view = SparseColMatRef::new(self.scalar.as_ref(), &self.values);
         let factor =
@@ -103,14 +106,14 @@ impl GeneralMatrix {
     ///
     /// # Errors
     /// [`LinearError::Singular`] or [`LinearError::Memory`].
-    pub fn solve(&self, x: &mut [f64]) -> Result<(), LinearError> {
+    pub(crate) fn solve(&self, x: &mut [f64]) -> Result<(), LinearError> {
         self.factorize()?.solve(x)
     }
 }
 
 /// LU factor of a [`GeneralMatrix`].
 #[derive(Debug, Clone)]
-pub struct GeneralFactor {
+pub(crate) struct GeneralFactor {
     factor: Lu<usize, f64>,
     rows: usize,
 }
@@ -120,7 +123,7 @@ impl GeneralFactor {
     ///
     /// # Errors
     /// [`LinearError::Singular`].
-    pub fn solve(&self, x: &mut [f64]) -> Result<(), LinearError> {
+    pub(crate) fn solve(&self, x: &mut [f64]) -> Result<(), LinearError> {
         self.factor
             .solve_in_place(ColMut::from_slice_mut(x).as_mat_mut());
         match x.iter().all(|x| x.is_finite()) {

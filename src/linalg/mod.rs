@@ -7,10 +7,10 @@ mod cholesky;
 mod condition;
 mod lu;
 
-pub use block_matrix::{BlockMatrix, BlockPattern};
+pub(crate) use block_matrix::{BlockMatrix, BlockPattern};
 pub use cholesky::{Factor, Symbolic};
 pub use condition::Condition;
-pub use lu::{GeneralFactor, GeneralMatrix};
+pub(crate) use lu::{GeneralFactor, GeneralMatrix};
 
 use thiserror::Error;
 

@@ -18,7 +18,7 @@ impl Simulation {
 
     /// Derivative of all quantities ([`crate::observe::quantities`]) at the end of the last communication step by each of
     /// `directions`, in their units over that of the direction. Counts and the solver's report have none, which is
-    /// given as 0. At a active_set_closeness, where a contact is at the edge of its state, it is one-sided.
+    /// given as 0. Where a contact is at the edge of its state, it is one-sided.
     ///
     /// # Errors
     /// [`StepError::Argument`] where there is no [`Self::replay_record`] or if a direction is of no such boundary,

@@ -106,7 +106,7 @@ impl Momentum {
 
 /// Sums over all spheres in the scene, formed in one pass: a master reads them after every step.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Totals {
+pub(crate) struct Totals {
     /// Mass \[kg\].
     pub mass: f64,
     /// Number of spheres.
@@ -116,15 +116,14 @@ pub struct Totals {
     /// Momentum.
     pub momentum: Momentum,
     /// Smallest radius \[m\]; infinite where there is no sphere.
-    pub smallest_radius: f64,
+    pub(crate) smallest_radius: f64,
     /// Largest reported speed of a centre \[m/s\].
-    pub largest_speed: f64,
+    pub(crate) largest_speed: f64,
 }
 
 impl Totals {
     /// Sums of the state.
-    #[must_use]
-    pub fn of(state: &Observation) -> Self {
+    pub(crate) fn of(state: &Observation) -> Self {
         let particles = &state.scene.particles;
         let frame = state.scene.settings.rotating_frame.as_ref();
         let (mut energy, mut momentum) = (Energy::default(), Momentum::default());
@@ -170,8 +169,7 @@ fn material_point(state: &Observation, sphere: usize, arm: Vec3) -> Vec3 {
 impl Observation<'_> {
     /// Internal step \[s\] at which the gap tolerance also makes forces mean something:
     /// `min(sqrt(tol R / (0.2 g)), 0.15 R / v)` with the smallest radius and the largest speed, at most the scene's.
-    #[must_use]
-    pub fn recommended_step(&self, totals: &Totals) -> f64 {
+    pub(crate) fn recommended_step(&self, totals: &Totals) -> f64 {
         let (scene, radius) = (self.scene, totals.smallest_radius);
         let of_boundaries = self.boundaries.iter().map(|b| b.twist.linear.norm());
         let speed = of_boundaries.fold(totals.largest_speed, f64::max);

@@ -19,7 +19,7 @@ pub struct BodyLoad {
     /// Largest normal force of one of them \[N\].
     pub max_normal_force: f64,
     /// Power \[W\] of the forces on a boundary's belt; zero for spheres.
-    pub belt_power: f64,
+    pub(crate) belt_power: f64,
 }
 
 impl BodyLoad {

@@ -114,8 +114,7 @@ impl<'a> Observation<'a> {
     }
 
     /// From the centre of body B, or the closest point on a boundary, to the centre of body A \[m\]: the copies that touch.
-    #[must_use]
-    pub fn branch(&self, contact: &Contact) -> [Vec3; 2] {
+    pub(crate) fn branch(&self, contact: &Contact) -> [Vec3; 2] {
         let (centre, cell) = (&self.kinematics.position, &self.scene.cell);
         let own = centre[contact.key.sphere as usize];
         match contact.key.partner {

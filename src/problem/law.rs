@@ -24,7 +24,7 @@ use serde::{Deserialize, Serialize};
 use crate::Vec3;
 
 /// Shear penalty over normal penalty, `P_t = P_n / 2.5` (Shi's constant).
-pub const SHEAR_RATIO: f64 = 0.4;
+pub(crate) const SHEAR_RATIO: f64 = 0.4;
 
 /// The law a row obeys.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -49,7 +49,7 @@ pub enum Law {
 
 /// What a law admits: impulses \[N s\] between two bounds along the normal, within a disc across it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Bounds {
+pub(crate) struct Bounds {
     /// Least and greatest impulse along the normal.
     pub along: [f64; 2],
     /// Radius of the disc across it.
@@ -58,7 +58,7 @@ pub struct Bounds {
 
 /// The projection on an interval.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Along {
+pub(crate) struct Along {
     /// The projection.
     pub value: f64,
     /// Whether `y` is inside: the derivative of the projection.
@@ -71,13 +71,13 @@ pub struct Along {
 
 /// The projection on a disc.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Across {
+pub(crate) struct Across {
     /// The projection.
     pub value: Vec3,
     /// Its derivative.
     pub tangent: Matrix3<f64>,
     /// Its derivative by the radius.
-    pub outward: Vec3,
+    pub(crate) outward: Vec3,
     /// The potential of which the projection is the gradient.
     pub energy: f64,
 }
@@ -130,9 +130,8 @@ fn onto_disc<N: Number>(squared: N, radius: N, one: N) -> N {
 impl Law {
     /// What it admits where a contact presses with `normal` \[N s\]: its own normal impulse, or that of the contact to which a
     /// resistance belongs.
-    #[must_use]
     #[inline]
-    pub fn bounds(&self, normal: f64) -> Bounds {
+    pub(crate) fn bounds(&self, normal: f64) -> Bounds {
         match *self {
             Self::Contact { mu } => Bounds {
                 along: [0.0, f64::INFINITY],
@@ -152,8 +151,7 @@ impl Law {
     }
 
     /// How the bounds grow with the normal impulse \[-\]: the upper one along the normal, and the radius across it.
-    #[must_use]
-    pub fn growth(&self) -> [f64; 2] {
+    pub(crate) fn growth(&self) -> [f64; 2] {
         match *self {
             Self::Contact { mu } => [0.0, mu],
             Self::Bilateral => [0.0; 2],
@@ -164,9 +162,8 @@ impl Law {
     }
 
     /// The impulse \[N s\] that is admitted nearest to a trial, along the normal and across it; `load` bounds a resistance.
-    #[must_use]
     #[inline]
-    pub fn project(&self, y_n: f64, y_t: Vec3, load: f64) -> (f64, Vec3) {
+    pub(crate) fn project(&self, y_n: f64, y_t: Vec3, load: f64) -> (f64, Vec3) {
         let (normal, share) = match *self {
             Self::Contact { mu } => onto_cone(y_n, y_t.norm_squared(), mu, (0.0, 1.0)),
             _ => {
@@ -182,9 +179,8 @@ impl Law {
 
     /// Distance of a trial impulse \[N s\] to the nearest edge between two states of the row (open, stick, slip) over its
     /// size: 1 or more is far. `normal` presses ([`Law::bounds`]), `size` is that of the row's impulse.
-    #[must_use]
     #[inline]
-    pub fn margin(&self, y_n: f64, y_t: f64, normal: f64, size: f64) -> f64 {
+    pub(crate) fn margin(&self, y_n: f64, y_t: f64, normal: f64, size: f64) -> f64 {
         let edge = |size: f64, bound: f64| match bound > 0.0 && bound.is_finite() {
             true => (size - bound).abs() / bound,
             false => 1.0,
@@ -200,9 +196,8 @@ impl Law {
 
 impl Bounds {
     /// The projection along the normal.
-    #[must_use]
     #[inline]
-    pub fn along(&self, y: f64) -> Along {
+    pub(crate) fn along(&self, y: f64) -> Along {
         let [least, most] = self.along;
         let value = y.max(least).min(most);
         Along {
@@ -214,8 +209,7 @@ impl Bounds {
     }
 
     /// The projection across the normal, where `identity` is that of the tangent plane.
-    #[must_use]
-    pub fn across(&self, y: Vec3, identity: &Matrix3<f64>) -> Across {
+    pub(crate) fn across(&self, y: Vec3, identity: &Matrix3<f64>) -> Across {
         let (length, radius) = (y.norm(), self.across);
         if length < radius {
             return Across {
@@ -240,8 +234,7 @@ impl Bounds {
 }
 
 /// The part of `x` along the unit normal `n`, and the rest across it.
-#[must_use]
-pub fn split(x: Vec3, n: Vec3) -> (f64, Vec3) {
+pub(crate) fn split(x: Vec3, n: Vec3) -> (f64, Vec3) {
     let along = n.dot(&x);
     (along, x - n * along)
 }
@@ -321,7 +314,7 @@ mod tests {
             prop_assert!(((high.energy - low.energy) / (2.0 * h) - here.value).abs() < 1e-6);
         }
 
-        /// Bounds grow as told.
+        /// Bounds have the given derivative.
         #[test]
         fn bounds_grow_with_the_normal_impulse((law, _, _, load) in cases()) {
             let [low, high] = [0.0, load].map(|load| law.bounds(load));

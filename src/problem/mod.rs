@@ -17,13 +17,14 @@
 //! (`c = 0`: rigid). Moreau has `W = M^-1`, Shi `W = (2M)^-1` and `v1` the mean velocity of the step.
 //! The penalty method is the rigid problem with `k = P` on every contact.
 
-pub mod law;
+pub(crate) mod law;
 mod row;
 mod rows;
 
 pub use law::Law;
 use nalgebra::Matrix3;
-pub use row::{GROUND, JacobianBlock, Row};
+pub(crate) use row::JacobianBlock;
+pub use row::{GROUND, Row};
 pub use rows::Rows;
 pub(crate) use rows::{BIAS, FRICTION, RADIUS, RowWriter, SCALE, SphereContact, retain};
 use serde::{Deserialize, Serialize};
@@ -74,7 +75,7 @@ impl Problem {
     }
 
     /// [`Self::velocities`] into `velocity`.
-    pub fn velocities_into(&self, impulses: &[Vec3], velocity: &mut Vec<SpatialVector>) {
+    pub(crate) fn velocities_into(&self, impulses: &[Vec3], velocity: &mut Vec<SpatialVector>) {
         velocity.clone_from(&self.free);
         for (row, &impulse) in self.rows.iter().zip(impulses) {
             if impulse != Vec3::zeros() {
@@ -107,8 +108,7 @@ impl Problem {
 
     /// Scale of a row's Delassus operator \[1/kg\]: `(w_n, w_t)` such that the operator is at most
     /// `w_n n n^T + w_t (1 - n n^T)`. Exact for free spheres, where normal and tangent do not couple: `w_t = 3.5 w_n`.
-    #[must_use]
-    pub fn delassus(&self, row: &Row) -> (f64, f64) {
+    pub(crate) fn delassus(&self, row: &Row) -> (f64, f64) {
         if let Some(closed) = self.sphere_delassus(row) {
             return closed;
         }

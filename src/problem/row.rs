@@ -10,7 +10,7 @@ pub const GROUND: u32 = u32::MAX;
 
 /// How a row holds a body.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum JacobianBlock {
+pub(crate) enum JacobianBlock {
     /// At the point that lies there from the centre \[m\].
     Point(Vec3),
     /// By its rotation alone, with this lever \[m\].
@@ -19,8 +19,7 @@ pub enum JacobianBlock {
 
 impl JacobianBlock {
     /// What the row sees of a body's velocity \[m/s\].
-    #[must_use]
-    pub fn velocity(self, body: &SpatialVector) -> Vec3 {
+    pub(crate) fn velocity(self, body: &SpatialVector) -> Vec3 {
         match self {
             Self::Point(arm) => body.at(arm),
             Self::Couple(lever) => body.angular * lever,
@@ -28,8 +27,7 @@ impl JacobianBlock {
     }
 
     /// Momentum \[N s\], \[N m s\] that the row's impulse \[N s\] gives a body.
-    #[must_use]
-    pub fn momentum(self, impulse: Vec3) -> SpatialVector {
+    pub(crate) fn momentum(self, impulse: Vec3) -> SpatialVector {
         match self {
             Self::Point(arm) => SpatialVector {
                 linear: impulse,
@@ -74,8 +72,7 @@ pub struct Row {
 
 impl Row {
     /// How it holds A and B.
-    #[must_use]
-    pub fn jacobian(&self) -> [JacobianBlock; 2] {
+    pub(crate) fn jacobian(&self) -> [JacobianBlock; 2] {
         match self.law {
             Law::Resistance { .. } => [JacobianBlock::Couple(self.radius); 2],
             _ => [self.arm_a, self.arm_b].map(JacobianBlock::Point),
@@ -94,7 +91,7 @@ impl Row {
     }
 
     /// The bodies that it moves.
-    pub fn bodies(&self) -> impl Iterator<Item = usize> + use<> {
+    pub(crate) fn bodies(&self) -> impl Iterator<Item = usize> + use<> {
         let bodies = [self.a, self.b].into_iter();
         bodies.filter(|&body| body != GROUND).map(|b| b as usize)
     }
@@ -106,10 +103,9 @@ impl Row {
         self.relative(|body| velocity[body])
     }
 
-    /// [`Self::relative_velocity`] where `velocity` tells that of a body.
-    #[must_use]
+    /// [`Self::relative_velocity`] where `velocity` gives that of a body.
     #[inline]
-    pub fn relative(&self, velocity: impl Fn(usize) -> SpatialVector) -> Vec3 {
+    pub(crate) fn relative(&self, velocity: impl Fn(usize) -> SpatialVector) -> Vec3 {
         let [a, b] = self.jacobian();
         let u = a.velocity(&velocity(self.a as usize)) + self.prescribed_velocity;
         if self.b == GROUND {

@@ -20,7 +20,7 @@ const PATIENCE: Duration = Duration::from_secs(1);
 
 /// A run's directory, in which no other process writes while this lives.
 #[derive(Debug)]
-pub struct Directory {
+pub(crate) struct Directory {
     path: PathBuf,
     /// Held open: the system lets go of the lock when the process ends, however it does.
     _lock: File,
@@ -32,7 +32,7 @@ impl Directory {
     ///
     /// # Errors
     /// [`OutputError::Busy`] if another run writes to it; [`OutputError::Io`].
-    pub fn claim(path: &Path) -> Result<Self, OutputError> {
+    pub(crate) fn claim(path: &Path) -> Result<Self, OutputError> {
         fs::create_dir_all(path).map_err(OutputError::io("create", path))?;
         let name = path.join(".lock");
         let lock = File::create(&name).map_err(OutputError::io("create", &name))?;
@@ -52,8 +52,7 @@ impl Directory {
     }
 
     /// Where it is.
-    #[must_use]
-    pub fn path(&self) -> &Path {
+    pub(crate) fn path(&self) -> &Path {
         &self.path
     }
 
@@ -61,7 +60,7 @@ impl Directory {
     ///
     /// # Errors
     /// [`OutputError::OtherRun`], [`OutputError::Io`]; [`OutputError::Changed`] if `run.json` is no JSON.
-    pub fn holds(&self, about: &Value) -> Result<bool, OutputError> {
+    pub(crate) fn holds(&self, about: &Value) -> Result<bool, OutputError> {
         let path = self.path.join(ABOUT);
         let text = match fs::read(&path) {
             Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(false),
@@ -89,7 +88,7 @@ impl Directory {
     ///
     /// # Errors
     /// [`OutputError::Io`].
-    pub fn read(&self, name: &str) -> Result<Vec<u8>, OutputError> {
+    pub(crate) fn read(&self, name: &str) -> Result<Vec<u8>, OutputError> {
         let path = self.path.join(name);
         fs::read(&path).map_err(OutputError::io("read", &path))
     }
@@ -98,7 +97,7 @@ impl Directory {
     ///
     /// # Errors
     /// [`OutputError::Io`].
-    pub fn describe(&self, about: &Value) -> Result<(), OutputError> {
+    pub(crate) fn describe(&self, about: &Value) -> Result<(), OutputError> {
         let path = self.path.join(ABOUT);
         let text = serde_json::to_vec_pretty(about)
             .map_err(|error| OutputError::io("describe the run in", &path)(error.into()))?;
@@ -109,7 +108,7 @@ impl Directory {
     ///
     /// # Errors
     /// [`OutputError::Exists`], [`OutputError::Io`].
-    pub fn expect_empty(&self) -> Result<(), OutputError> {
+    pub(crate) fn expect_empty(&self) -> Result<(), OutputError> {
         // Drafts are what a run leaves that was killed before it wrote anything.
         match self
             .names()?
@@ -128,7 +127,7 @@ impl Directory {
     ///
     /// # Errors
     /// [`OutputError::Io`].
-    pub fn clear(&self, about: &Value) -> Result<(), OutputError> {
+    pub(crate) fn clear(&self, about: &Value) -> Result<(), OutputError> {
         // A run killed in here must neither be resumed from the old run's checkpoints, nor be taken for the old run,
         // nor leave a collection that lists frames which are gone: they go first, in this order.
         let (checkpoints, others): (Vec<String>, _) = self
@@ -149,7 +148,7 @@ impl Directory {
     ///
     /// # Errors
     /// [`OutputError::Io`].
-    pub fn sweep(&self, listed: &[&str]) -> Result<(), OutputError> {
+    pub(crate) fn sweep(&self, listed: &[&str]) -> Result<(), OutputError> {
         let mut loose = self.names()?;
         loose.retain(|name| {
             let frame = name.ends_with(".vtu") && !listed.contains(&name.as_str());
@@ -162,7 +161,7 @@ impl Directory {
     ///
     /// # Errors
     /// [`OutputError::Io`].
-    pub fn remove(&self, names: &[String]) -> Result<(), OutputError> {
+    pub(crate) fn remove(&self, names: &[String]) -> Result<(), OutputError> {
         if names.is_empty() {
             return Ok(());
         }
@@ -177,7 +176,7 @@ impl Directory {
     ///
     /// # Errors
     /// [`OutputError::Io`].
-    pub fn sync(&self) -> Result<(), OutputError> {
+    pub(crate) fn sync(&self) -> Result<(), OutputError> {
         // Elsewhere directories cannot be opened; renaming is all there is.
         if cfg!(unix) { sync(&self.path) } else { Ok(()) }
     }
@@ -186,7 +185,7 @@ impl Directory {
     ///
     /// # Errors
     /// [`OutputError::Io`].
-    pub fn names(&self) -> Result<Vec<String>, OutputError> {
+    pub(crate) fn names(&self) -> Result<Vec<String>, OutputError> {
         let list = |entries: fs::ReadDir| -> io::Result<Vec<String>> {
             let mut names = Vec::new();
             for entry in entries {
@@ -224,8 +223,7 @@ fn is_result(name: &str) -> bool {
 }
 
 /// What `run.json` says about a run.
-#[must_use]
-pub fn about(scene: &Scene, options: &Options) -> Value {
+pub(crate) fn about(scene: &Scene, options: &Options) -> Value {
     json!({
         "generator": env!("CARGO_PKG_NAME"),
         "version": env!("CARGO_PKG_VERSION"),

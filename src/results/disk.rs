@@ -28,7 +28,7 @@ pub struct Status {
     pub first_failure: Option<String>,
 }
 
-/// A frame or a row on its way to the disk.
+/// A frame or a row for the disk.
 pub(super) enum Item {
     Frame {
         number: u64,
@@ -175,7 +175,7 @@ impl Disk {
         Ok(())
     }
 
-    /// Does what it is told until nobody is left who could tell; says after each frame that it is off its hands.
+    /// Handles messages until all senders are gone; returns a permit after each frame.
     pub(super) fn serve(mut self, messages: &Receiver<Message>, written: &SyncSender<()>) {
         while let Ok(message) = messages.recv() {
             let outcome = match message {

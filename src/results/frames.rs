@@ -51,8 +51,7 @@ impl Series {
 
 /// The series that a scene has, in the order of [`Series::ALL`]: one without anything to show (no sphere, no boundary)
 /// is left out in all frames.
-#[must_use]
-pub fn series(scene: &Scene, surface: &Surface) -> Vec<Series> {
+pub(crate) fn series(scene: &Scene, surface: &Surface) -> Vec<Series> {
     let shown = |series: &Series| match series {
         Series::Spheres | Series::Contacts => !scene.particles.is_empty(),
         Series::Boundaries => !surface.triangles.is_empty(),
@@ -256,8 +255,7 @@ fn slip(state: &Observation, contact: &Contact) -> f64 {
 
 impl BoundaryState {
     /// Velocity \[m/s\] of the boundary's material point now at `x` \[m\]; `point_of_action` \[m\] as in the scene.
-    #[must_use]
-    pub fn velocity_at(&self, x: Vec3, point_of_action: Vec3) -> Vec3 {
+    pub(crate) fn velocity_at(&self, x: Vec3, point_of_action: Vec3) -> Vec3 {
         let arm = x - (point_of_action + self.pose.translation);
         self.twist.linear + self.twist.angular.cross(&arm)
     }
@@ -296,8 +294,7 @@ impl Surface {
     }
 
     /// The surface at the poses of `state`.
-    #[must_use]
-    pub fn grid(&self, state: &Observation) -> Grid {
+    pub(crate) fn grid(&self, state: &Observation) -> Grid {
         let pivot = |b: u16| state.scene.boundaries[usize::from(b)].point_of_action;
         let of = |b: u16| &state.boundaries[usize::from(b)];
         let points: Vec<Vec3> = self

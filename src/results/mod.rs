@@ -1,9 +1,9 @@
 //! Results as files: the [`frames`] of grids (VTU files listed by PVD collections), the rows of the [`history`] (CSV),
-//! [`checkpoint`]s, `run.json` and `view.py`, which [`writer::Results`] puts into a [`directory`] without keeping the solver
+//! [`checkpoint`]s, `run.json` and `view.py`, which [`writer::Results`] puts into a `directory` without keeping the solver
 //! waiting for the disk.
 
 pub mod checkpoint;
-pub mod directory;
+pub(crate) mod directory;
 mod disk;
 pub mod frames;
 pub mod history;

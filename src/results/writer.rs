@@ -10,10 +10,9 @@
 //! ```
 //!
 //! Frames are numbered by time, so a run that goes back and comes again writes the same names. An error of the disk
-//! does not stop the simulation: it is counted and told in [`Status`].
+//! does not stop the simulation: it is counted and reported in [`Status`].
 
 use std::collections::VecDeque;
-use std::path::Path;
 use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
 use std::sync::{Arc, Mutex};
 use std::thread::JoinHandle;
@@ -35,11 +34,11 @@ pub use super::disk::Status;
 
 /// Rows and other messages that may wait for the disk before the simulation waits too.
 const QUEUE: usize = 64;
-/// Frames on their way to the disk, the one that is being written included: each holds some 0.6 kB per sphere in a heap.
+/// Frames queued for the disk, the one that is being written included: each holds some 0.6 kB per sphere in a heap.
 const FRAMES: usize = 2;
-/// Frames that may be held back; older ones are written although they may yet be rolled back.
+/// Frames that may wait; older ones are written although they may yet be rolled back.
 const HELD_FRAMES: usize = 16;
-/// Rows that may be held back, likewise.
+/// Rows that may wait, likewise.
 const HELD_ROWS: usize = 4096;
 
 /// Where a run that was resumed goes on.
@@ -51,7 +50,7 @@ pub struct Resumed {
     pub damaged: Vec<String>,
 }
 
-/// A session of results. Dropping it writes what is held and joins the thread.
+/// A session of results. Dropping it writes what waits and joins the thread.
 pub struct Results {
     options: Options,
     surface: Surface,
@@ -203,7 +202,7 @@ impl Results {
         let (sender, receiver) = sync_channel(QUEUE);
         let (written, permits) = sync_channel(FRAMES);
         for _ in 0..FRAMES {
-            // There is room for all of them.
+            // The queue takes all of them.
             let _ = written.send(());
         }
         let worker = std::thread::Builder::new()
@@ -261,7 +260,7 @@ impl Results {
         self.send(Message::Checkpoint(checkpoint));
     }
 
-    /// Waits until everything that is not held has been written.
+    /// Waits until everything that was sent has been written.
     pub fn flush(&mut self) {
         let (done, wait) = sync_channel(1);
         self.send(Message::Flush(done));
@@ -273,12 +272,6 @@ impl Results {
     #[must_use]
     pub fn status(&self) -> Status {
         lock(&self.status).clone()
-    }
-
-    /// The directory.
-    #[must_use]
-    pub fn directory(&self) -> &Path {
-        &self.options.directory
     }
 
     /// Writes everything, joins the thread, and says how it went.
@@ -303,7 +296,7 @@ impl Results {
         }
     }
 
-    /// Sends the oldest item that is held.
+    /// Sends the oldest item that waits.
     fn release(&mut self) {
         if let Some(item) = self.held.pop_front() {
             if let Item::Frame { .. } = item {

@@ -1,9 +1,10 @@
 //! What stands behind `accuracy`: tolerances, and the lengths between which internal steps are chosen.
 //!
-//! With the smallest radius `R` and gravity `g`, a step is at most a share `c` of the time in which a sphere falls by half its
-//! radius, `c sqrt(R/g)`, and at least a part of that; only what fails is cut below. Centrifugal acceleration adds to `g`, and
-//! the pressure `p` of a servo wall gives a sphere of mass `m` on it `a = p pi R^2 / m` in place of `g`, where that is more. Between them it goes where simulated time
-//! costs least ([`crate::simulation`]).
+//! With the smallest radius `R` and gravity `g`, a step is at most a share `c` of the time in which a
+//! sphere falls by half its radius, `c sqrt(R/g)`, and at least a part of that; only steps that fail are
+//! cut further. Centrifugal acceleration adds to `g`, and the pressure `p` of a servo boundary gives a
+//! sphere of mass `m` on it `a = p pi R^2 / m` in place of `g`, where that is more. Between the two
+//! bounds the step with the least cost of simulated time is chosen ([`crate::simulation`]).
 //!
 //! | | overlap `gap` | `opening` | `slip` | `force` | longest step |
 //! |---|---|---|---|---|---|
@@ -47,8 +48,7 @@ impl Accuracy {
     }
 
     /// Tolerances of every step \[-\].
-    #[must_use]
-    pub fn tolerance(self) -> Tolerance {
+    pub(crate) fn tolerance(self) -> Tolerance {
         let (gap, force) = match self {
             Self::Fast => (5e-4, 1e-1),
             Self::Standard => (1e-4, 1e-1),
@@ -62,13 +62,18 @@ impl Accuracy {
     }
 
     /// Largest opening of a loaded contact over the gap tolerance \[-\].
-    #[must_use]
-    pub fn opening(self) -> f64 {
+    pub(crate) fn opening(self) -> f64 {
         match self {
             Self::Fast => 2.0,
             Self::Standard => 3.0,
             Self::Reference => 9.0,
         }
+    }
+
+    /// Largest opening of a loaded contact \[-\] with the gap tolerance `gap` \[-\].
+    #[must_use]
+    pub fn opening_of(self, gap: f64) -> f64 {
+        (self.opening() * gap).min(0.1)
     }
 
     /// Longest internal step over `sqrt(R/g)`, and the longest over the shortest that is chosen \[-\].
@@ -82,8 +87,7 @@ impl Accuracy {
 
     /// Longest and shortest internal step \[s\] where the loads move a sphere by half its radius in the time `fall` \[s\]; if
     /// they never do, a hundredth of `duration` \[s\] and its parts.
-    #[must_use]
-    pub fn step_range(self, fall: f64, duration: f64) -> (f64, f64) {
+    pub(crate) fn step_range(self, fall: f64, duration: f64) -> (f64, f64) {
         let (share, range) = self.steps();
         let longest = match fall.is_finite() && fall > 0.0 {
             true => (share * fall).min(duration),
@@ -94,7 +98,6 @@ impl Accuracy {
 }
 
 /// The largest of 1, 2 and 5 times a power of ten that is not above `time` \[s\].
-#[must_use]
 pub(crate) fn round_time(time: f64) -> f64 {
     let exponent = time.log10().floor() as i32;
     let candidates = (exponent - 1..=exponent + 1).flat_map(|e| [1, 2, 5].map(|m| (m, e)));

@@ -51,7 +51,7 @@ pub enum Joint {
     },
 }
 
-/// The area on which a servo wall's pressure acts \[m^2\].
+/// The area on which a servo boundary's pressure acts \[m^2\].
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub enum Area {
     /// Constant \[m^2\].
@@ -130,8 +130,7 @@ pub(crate) fn along(modes: &Modes, f: impl Fn(f64) -> f64) -> Matrix3<f64> {
 
 impl Body {
     /// Pressure \[Pa\] that its servo has in the scene; `None` unless that is from outside.
-    #[must_use]
-    pub fn pressure_input(&self) -> Option<f64> {
+    pub(crate) fn pressure_input(&self) -> Option<f64> {
         let servo = self.servo.as_ref().filter(|servo| servo.input);
         servo.map(|servo| servo.pressure)
     }
@@ -196,8 +195,7 @@ impl Body {
     }
 
     /// Velocity of the point of action when the body has `momentum`, about the reference point.
-    #[must_use]
-    pub fn twist_of(&self, pivot: Vec3, pose: &Pose, momentum: &SpatialVector) -> Twist {
+    pub(crate) fn twist_of(&self, pivot: Vec3, pose: &Pose, momentum: &SpatialVector) -> Twist {
         let mobility = self.operator(pivot, pose.rotation, f64::recip);
         let velocity = mobility.times(momentum);
         Twist {
@@ -207,8 +205,7 @@ impl Body {
     }
 
     /// Momentum \[N s\] and angular momentum about the reference point \[N m s\] when the point of action has `twist`.
-    #[must_use]
-    pub fn momentum_of(&self, pivot: Vec3, pose: &Pose, twist: &Twist) -> SpatialVector {
+    pub(crate) fn momentum_of(&self, pivot: Vec3, pose: &Pose, twist: &Twist) -> SpatialVector {
         let arm = self.action(pivot, pose);
         let velocity = SpatialVector {
             linear: twist.linear - twist.angular.cross(&arm),
@@ -219,8 +216,7 @@ impl Body {
     }
 
     /// Linear and angular kinetic energy \[J\] when the point of action has `twist`; of a hinge all is angular.
-    #[must_use]
-    pub fn kinetic_energy(&self, pivot: Vec3, pose: &Pose, twist: &Twist) -> [f64; 2] {
+    pub(crate) fn kinetic_energy(&self, pivot: Vec3, pose: &Pose, twist: &Twist) -> [f64; 2] {
         let momentum = self.momentum_of(pivot, pose, twist);
         let mobility = self.operator(pivot, pose.rotation, f64::recip);
         let velocity = mobility.times(&momentum);
@@ -231,8 +227,7 @@ impl Body {
     }
 
     /// What the outside may command.
-    #[must_use]
-    pub fn input_kind(&self) -> Option<InputKind> {
+    pub(crate) fn input_kind(&self) -> Option<InputKind> {
         self.input.then_some(match self.joint {
             Joint::Free => InputKind::Load,
             Joint::Slide { axis } => InputKind::SlideForce { axis },
@@ -241,8 +236,7 @@ impl Body {
     }
 
     /// Whether stops or a spring act on its joint.
-    #[must_use]
-    pub fn is_held(&self) -> bool {
+    pub(crate) fn is_held(&self) -> bool {
         self.spring.is_some() || self.limits != [None; 2]
     }
 

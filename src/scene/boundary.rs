@@ -40,15 +40,13 @@ pub struct Belt {
 impl Boundary {
     /// Where the world point `x` \[m\] lies in the boundary's own frame, when it is displaced by `pose`:
     /// `a + Q^T (x - a - s)`.
-    #[must_use]
-    pub fn to_frame(&self, pose: &Pose, x: Vec3) -> Vec3 {
+    pub(crate) fn to_frame(&self, pose: &Pose, x: Vec3) -> Vec3 {
         pose.inverse_apply(self.point_of_action, x)
     }
 
     /// The copy of the world point `x` \[m\] that is nearest to the boundary at `pose`. One without bounds is the same for
     /// all copies.
-    #[must_use]
-    pub fn copy_near(&self, cell: &Cell, pose: &Pose, x: Vec3) -> Vec3 {
+    pub(crate) fn copy_near(&self, cell: &Cell, pose: &Pose, x: Vec3) -> Vec3 {
         if cell.is_open() {
             return x;
         }
@@ -59,15 +57,13 @@ impl Boundary {
     }
 
     /// Where the point `x_0` \[m\] of the boundary's own frame lies in the world: `a + s + Q (x_0 - a)`.
-    #[must_use]
     pub fn from_frame(&self, pose: &Pose, x_0: Vec3) -> Vec3 {
         pose.apply(self.point_of_action, x_0)
     }
 
     /// Velocity \[m/s\] of the surface against the shape when the boundary is displaced by `pose`, world axes; contacts
     /// take the part across their normal.
-    #[must_use]
-    pub fn surface_velocity(&self, pose: &Pose, command: &Command) -> Vec3 {
+    pub(crate) fn surface_velocity(&self, pose: &Pose, command: &Command) -> Vec3 {
         match &self.belt {
             None => Vec3::zeros(),
             Some(belt) if belt.input => pose.rotation * command.surface_velocity,

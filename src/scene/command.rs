@@ -1,17 +1,17 @@
-//! What a boundary is told from outside, held or changing over a communication step.
+//! What is commanded of a boundary from outside, constant or changing over a communication step.
 
 use serde::{Deserialize, Serialize};
 
 use crate::Vec3;
 
-/// Which quantity an FMU input (or a caller of the library) drives.
+/// Which quantity an FMU input (or a caller of the library) sets.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub enum InputKind {
     /// Total translation \[m\] and rotation vector \[rad\], reached at the end of the communication step.
     Pose,
     /// Pose and twist together: reaches `pose + twist * h`, no lag.
     Motion,
-    /// Velocity \[m/s\] and angular velocity \[rad/s\], held over the step and integrated inside.
+    /// Velocity \[m/s\] and angular velocity \[rad/s\], constant over the step and integrated inside.
     Twist,
     /// Displacement \[m\] along a unit axis.
     Slide {
@@ -33,21 +33,22 @@ pub enum InputKind {
         /// Unit axis, world.
         axis: Vec3,
     },
-    /// Force \[N\] and torque \[N m\] on a free body, held over the step.
+    /// Force \[N\] and torque \[N m\] on a free body, constant over the step.
     Load,
-    /// Force \[N\] along the slide of a body, held over the step.
+    /// Force \[N\] along the slide of a body, constant over the step.
     SlideForce {
         /// Unit axis, world.
         axis: Vec3,
     },
-    /// Torque \[N m\] about the hinge of a body, held over the step.
+    /// Torque \[N m\] about the hinge of a body, constant over the step.
     HingeTorque {
         /// Unit axis, world.
         axis: Vec3,
     },
 }
 
-/// A command for a boundary with a [`Motion::input`](crate::scene::Motion::input), a belt or a servo pressure driven from outside, held until the next one.
+/// A command for a boundary with a [`Motion::input`](crate::scene::Motion::input), a belt or a servo
+/// pressure that is set from outside, constant until the next one.
 /// Components that the boundary's [`InputKind`] does not use are ignored.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct Command {
@@ -68,7 +69,7 @@ pub struct Command {
     pub scalar: f64,
     /// Velocity of the surface against the boundary \[m/s\], its own axes ([`crate::scene::Belt`]).
     pub surface_velocity: Vec3,
-    /// Pressure of a servo wall \[Pa\] ([`crate::scene::body::Servo::input`]).
+    /// Pressure of a servo boundary \[Pa\] ([`crate::scene::body::Servo::input`]).
     pub pressure: f64,
 }
 
@@ -77,8 +78,7 @@ pub type CommandDerivatives = [Command; 2];
 
 impl Command {
     /// The command `s` \[s\] later, `u + u' s + u'' s^2/2`.
-    #[must_use]
-    pub fn along(&self, [first, second]: &CommandDerivatives, s: f64) -> Self {
+    pub(crate) fn along(&self, [first, second]: &CommandDerivatives, s: f64) -> Self {
         self.plus(first, s).plus(second, 0.5 * s * s)
     }
 

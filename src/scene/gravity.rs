@@ -7,8 +7,8 @@
 //! ```
 //!
 //! A step takes gravity at the middle of the interval over which it changes its velocity, so that both integrators stay of
-//! second order: Moreau's velocities stand half a step beside its positions, there that is the start of the step
-//! ([`crate::integrator::Integrator::middle`]).
+//! second order: Moreau's velocities are half a step off its positions: for it that is the start of the step
+//! (`integrator::Integrator::middle`).
 
 use serde::{Deserialize, Serialize};
 
@@ -38,8 +38,7 @@ pub enum GravityMotion {
 
 impl GravityMotion {
     /// Gravity \[m/s^2\] at time `t` \[s\]; `set` \[m/s^2\] is what it is without motion.
-    #[must_use]
-    pub fn at(&self, set: Vec3, t: f64) -> Vec3 {
+    pub(crate) fn at(&self, set: Vec3, t: f64) -> Vec3 {
         match self {
             Self::Fixed => set,
             // Total angle times axis, never a sum of turns: no drift in an hour.

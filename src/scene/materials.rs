@@ -49,14 +49,12 @@ impl PairTable {
     }
 
     /// Whether any pair rebounds.
-    #[must_use]
-    pub fn rebounds(&self) -> bool {
+    pub(crate) fn rebounds(&self) -> bool {
         self.pairs.iter().any(|pair| pair.restitution > 0.0)
     }
 
     /// Whether any pair resists rolling or twisting.
-    #[must_use]
-    pub fn resists(&self) -> bool {
+    pub(crate) fn resists(&self) -> bool {
         let mut pairs = self.pairs.iter();
         pairs.any(|pair| pair.rolling_friction > 0.0 || pair.twisting_friction > 0.0)
     }

@@ -43,8 +43,11 @@ pub enum Method {
     Penalty,
 }
 
+/// What holds unless a scene file says otherwise. Steps and duration, which a file chooses from its spheres or must give, are
+/// those of small tests.
 impl Default for Settings {
     fn default() -> Self {
+        let accuracy = Accuracy::default();
         Self {
             gravity: Vec3::new(0.0, 0.0, -9.81),
             gravity_motion: GravityMotion::Fixed,
@@ -52,7 +55,7 @@ impl Default for Settings {
             duration: 1.0,
             step: 1e-3,
             smallest_step: None,
-            accuracy: Accuracy::default(),
+            accuracy,
             rest_speed: 0.0,
             sweeps: None,
             communication_step: 1e-3,
@@ -61,20 +64,20 @@ impl Default for Settings {
             solver: SolverKind::default(),
             penalty: None,
             adapt_penalty: true,
-            tolerance: Tolerance::default(),
-            opening: 0.0,
-            strict: true,
+            tolerance: accuracy.tolerance(),
+            opening: accuracy.opening_of(accuracy.tolerance().gap),
+            strict: false,
             max_initial_overlap: 0.05,
             threshold_velocity: 0.0,
             dynamic_coefficient: 1.0,
-            max_iterations: 4000,
-            max_cuts: 6,
+            max_iterations: 20_000,
+            max_cuts: 10,
             threads: 1,
         }
     }
 }
 
-/// Everything a run needs beside bodies and boundaries.
+/// Everything a run needs but bodies and boundaries.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Settings {
     /// Gravity \[m/s^2\], at t = 0 if it moves.
@@ -94,7 +97,7 @@ pub struct Settings {
     pub accuracy: Accuracy,
     /// Speed below which all centres, and surfaces where they touch, must be for the scene to come to rest \[m/s\]; 0: never.
     pub rest_speed: f64,
-    /// Most sweeps of a step, which is then as good as it is; `None`: until the tolerances are met.
+    /// Most sweeps of a step, which is then as good as it is; `None`: until the tolerances are reached.
     pub sweeps: Option<usize>,
     /// Communication step of `run` and of the FMU's DefaultExperiment \[s\].
     pub communication_step: f64,
@@ -133,9 +136,8 @@ pub struct Settings {
 impl Settings {
     /// Gap \[m\] at which a contact carries load that a step finds at `gap` \[m\], `radius` \[m\] being the smaller one: its own
     /// between touching and the largest opening, so that what rests keeps its place and its forces.
-    #[must_use]
     #[inline]
-    pub fn carried(&self, gap: f64, radius: f64) -> f64 {
+    pub(crate) fn carried(&self, gap: f64, radius: f64) -> f64 {
         gap.max(0.0).min(self.opening * radius)
     }
 }
@@ -247,17 +249,33 @@ pub struct Probe {
     pub sphere: usize,
 }
 
-/// Which result files are written, and how often.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+/// `[output]`: result files.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
 pub struct Output {
     /// Seconds between VTU frames \[s\]; 0: none.
+    #[schemars(extend("minimum" = 0))]
     pub vtu_interval: f64,
     /// Seconds between rows of the CSV history \[s\]; 0: every communication step.
+    #[schemars(extend("minimum" = 0))]
     pub csv_interval: f64,
     /// Write Float64 instead of Float32 arrays.
     pub float64: bool,
-    /// Simulated seconds between checkpoints of a run \[s\]; 0: none for the sake of simulated time.
+    /// Simulated seconds between checkpoints of `run` \[s\]; 0: only those every five minutes of wall time, on Ctrl-C and at
+    /// the end.
+    #[schemars(extend("minimum" = 0))]
     pub checkpoint_interval: f64,
+}
+
+impl Default for Output {
+    fn default() -> Self {
+        Self {
+            vtu_interval: 0.1,
+            csv_interval: 0.0,
+            float64: false,
+            checkpoint_interval: 0.0,
+        }
+    }
 }
 
 /// A validated scene: every index in range, every number finite, units SI.

@@ -71,8 +71,7 @@ impl Motion {
     /// t = 0 for a driven body.
     ///
     /// A table interpolates its rotation vectors linearly, so that several turns about one axis are kept.
-    #[must_use]
-    pub fn pose_at(&self, t: f64) -> Pose {
+    pub(crate) fn pose_at(&self, t: f64) -> Pose {
         match self {
             Self::Fixed | Self::Input(_) => Pose::default(),
             Self::Driven(body) => body.pose,

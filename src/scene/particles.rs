@@ -64,6 +64,16 @@ impl Particles {
         self.radius.len()
     }
 
+    /// Smallest radius \[m\]; infinite without spheres.
+    pub(crate) fn smallest_radius(&self) -> f64 {
+        self.radius.iter().copied().fold(f64::INFINITY, f64::min)
+    }
+
+    /// Largest radius \[m\]; zero without spheres.
+    pub(crate) fn largest_radius(&self) -> f64 {
+        self.radius.iter().copied().fold(0.0, f64::max)
+    }
+
     /// Whether there is no sphere at all.
     #[must_use]
     pub fn is_empty(&self) -> bool {
@@ -100,21 +110,18 @@ impl Particles {
     }
 
     /// Translations and rotations of sphere `i`: one where it is free, zero where locked.
-    #[must_use]
-    pub fn free(&self, i: usize) -> [Vec3; 2] {
+    pub(crate) fn free(&self, i: usize) -> [Vec3; 2] {
         let locks = &self.locks[i];
         [locks.translation, locks.rotation].map(Locks::free)
     }
 
     /// Inverse mass \[1/kg\] of sphere `i` along x, y, z; zero where locked.
-    #[must_use]
-    pub fn inverse_mass(&self, i: usize) -> Vec3 {
+    pub(crate) fn inverse_mass(&self, i: usize) -> Vec3 {
         Locks::free(self.locks[i].translation) / self.mass[i]
     }
 
     /// Inverse inertia \[1/(kg m^2)\] of sphere `i` about x, y, z; zero where locked.
-    #[must_use]
-    pub fn inverse_inertia(&self, i: usize) -> Vec3 {
+    pub(crate) fn inverse_inertia(&self, i: usize) -> Vec3 {
         Locks::free(self.locks[i].rotation) / self.inertia(i)
     }
 }
@@ -138,9 +145,8 @@ impl Clone for Kinematics {
 
 impl Kinematics {
     /// Velocity \[m/s\] and angular velocity \[rad/s\] of sphere `i`, the integrator's own.
-    #[must_use]
     #[inline]
-    pub fn spatial_velocity(&self, i: usize) -> SpatialVector {
+    pub(crate) fn spatial_velocity(&self, i: usize) -> SpatialVector {
         SpatialVector {
             linear: self.velocity[i],
             angular: self.spin[i],
@@ -157,7 +163,7 @@ impl Kinematics {
     }
 
     /// Adds a sphere that waits outside the scene; `position` \[m\] is where drawings would put it.
-    pub fn push_absent(&mut self, position: Vec3) {
+    pub(crate) fn push_absent(&mut self, position: Vec3) {
         self.push(position, Vec3::zeros(), Vec3::zeros());
         if let Some(present) = self.present.last_mut() {
             *present = false;

@@ -12,7 +12,7 @@
 //! terms are normal to the velocity and do no work; the first has the potential `-m |W x (x - p)|^2 / 2`.
 //!
 //! A step takes the gyroscopic terms at the mean of its velocities before and after, found with the contact forces of the
-//! last step (see [`gyroscopic`]): without contacts that is the implicit midpoint rule, which turns the velocity by a Cayley
+//! last step (see `gyroscopic`): without contacts that is the implicit midpoint rule, which turns the velocity by a Cayley
 //! transform and keeps its length; with them it is of second order where they change smoothly.
 
 use nalgebra::Matrix3;
@@ -31,15 +31,13 @@ pub struct RotatingFrame {
 
 impl RotatingFrame {
     /// Centrifugal acceleration `-W x (W x (x - p))` \[m/s^2\].
-    #[must_use]
-    pub fn centrifugal(&self, x: Vec3) -> Vec3 {
+    pub(crate) fn centrifugal(&self, x: Vec3) -> Vec3 {
         let w = &self.angular_velocity;
         -w.cross(&w.cross(&(x - self.point)))
     }
 
     /// Centrifugal potential per mass `-|W x (x - p)|^2 / 2` \[J/kg\].
-    #[must_use]
-    pub fn potential(&self, x: Vec3) -> f64 {
+    pub(crate) fn potential(&self, x: Vec3) -> f64 {
         -0.5 * self
             .angular_velocity
             .cross(&(x - self.point))
@@ -55,8 +53,7 @@ impl RotatingFrame {
 ///
 /// `rate` \[rad/s\] is `2 W` for centres and `W` for spins; `others` is the acceleration by everything else; `free` is 1
 /// along free axes and 0 along locked ones.
-#[must_use]
-pub fn gyroscopic(rate: Vec3, before: Vec3, others: Vec3, free: Vec3, dt: f64) -> Vec3 {
+pub(crate) fn gyroscopic(rate: Vec3, before: Vec3, others: Vec3, free: Vec3, dt: f64) -> Vec3 {
     let turn = Matrix3::from_diagonal(&free) * rate.cross_matrix();
     let known = before + others * (0.5 * dt);
     // One plus a part of a skew matrix: its determinant is at least 1.

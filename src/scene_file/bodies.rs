@@ -8,7 +8,6 @@ use super::document::Document;
 use super::driven::body;
 use super::file;
 use super::names::{Context, Names};
-use super::resources::Resources;
 use crate::Vec3;
 use crate::geometry::{Facets, Geometry, GeometryError, HalfSpace, HeightField, Revolution, Shape};
 use crate::scene::{Belt, Boundary, InputKind, Motion};
@@ -17,7 +16,6 @@ use crate::spatial::Twist;
 /// Builds one boundary; `None` if a part of it was refused.
 pub(super) fn boundary(
     document: &mut Document<'_>,
-    resources: &mut Resources<'_>,
     context: &Context,
     boundaries: &Names,
     path: &str,
@@ -27,17 +25,14 @@ pub(super) fn boundary(
         context
             .materials
             .resolve(document, &format!("{path}.material"), &value.material);
-    if let Some(k) = value.stiffness {
-        document.demand(
-            k > 0.0,
-            format!("{path}.stiffness"),
-            k,
-            "a stiffness > 0 [N/m]",
-        );
-    }
+    document.positive(
+        (path, "stiffness"),
+        value.stiffness,
+        "a stiffness > 0 [N/m]",
+    );
     let motion = match (&value.motion, value.input, &value.body) {
         (None, None, None) => Some(Motion::Fixed),
-        (Some(given), None, None) => motion(document, resources, &format!("{path}.motion"), given),
+        (Some(given), None, None) => motion(document, &format!("{path}.motion"), given),
         (None, Some(given), None) => input(document, &format!("{path}.input"), given),
         (None, None | Some(file::Input::Load), Some(given)) => {
             let at = value.point_of_action.into();
@@ -54,24 +49,22 @@ pub(super) fn boundary(
         }
         (_, _, Some(_)) => {
             let help = "keep `body`, with `input = \"load\"` if the outside pushes it, or what prescribes its motion";
-            document.error(
-                format!("{path}.body"),
+            document.reject(
+                (path, "body"),
                 "found `body` and what prescribes the motion, expected one of them",
                 help,
-            );
-            None
+            )
         }
         (Some(_), Some(_), None) => {
             let help = "keep `motion` if the scene moves it, `input` if the outside does";
-            document.error(
-                format!("{path}.input"),
+            document.reject(
+                (path, "input"),
                 "found both `motion` and `input`, expected one of them",
                 help,
-            );
-            None
+            )
         }
     };
-    let geometry = geometry(document, resources, &format!("{path}.faces"), &value.faces);
+    let geometry = geometry(document, &format!("{path}.faces"), &value.faces);
     Some(Boundary {
         name: value.name.clone(),
         material: u16::try_from(material?).ok()?,
@@ -91,7 +84,7 @@ fn belt(value: &file::Boundary) -> Option<Belt> {
     })
 }
 
-/// A driven motion.
+/// A motion that is an input.
 fn input(document: &mut Document<'_>, path: &str, given: file::Input) -> Option<Motion> {
     let mut axis = |key: &str, v| direction(document, &format!("{path}.{key}"), v);
     let kind = match given {
@@ -112,8 +105,7 @@ fn input(document: &mut Document<'_>, path: &str, given: file::Input) -> Option<
         },
         file::Input::Load => {
             let help = "add `body = { mass = ..., ... }`: only a body is moved by force";
-            document.error(path, "found `load` for a boundary without `body`", help);
-            return None;
+            return document.reject(path, "found `load` for a boundary without `body`", help);
         }
     };
     Some(Motion::Input(kind))
@@ -122,7 +114,6 @@ fn input(document: &mut Document<'_>, path: &str, given: file::Input) -> Option<
 /// A prescribed motion.
 pub(super) fn motion(
     document: &mut Document<'_>,
-    resources: &mut Resources<'_>,
     path: &str,
     given: &file::Motion,
 ) -> Option<Motion> {
@@ -133,7 +124,7 @@ pub(super) fn motion(
         })),
         file::Motion::Sinusoid(s) => {
             let key = format!("{path}.sinusoid.frequency");
-            let good = document.demand(s.frequency > 0.0, key, s.frequency, "a frequency > 0 [Hz]");
+            let good = document.positive(key, s.frequency, "a frequency > 0 [Hz]");
             good.then_some(Motion::Sinusoid {
                 translation: s.translation.into(),
                 rotation: s.rotation.into(),
@@ -145,17 +136,16 @@ pub(super) fn motion(
             let path = format!("{path}.table");
             match (&table.csv, &table.time) {
                 (Some(csv), None) if table.translation.is_none() && table.rotation.is_none() => {
-                    read_table(document, resources, &format!("{path}.csv"), csv)
+                    read_table(document, &format!("{path}.csv"), csv)
                 }
                 (None, Some(time)) => typed_table(document, &path, time, table),
                 _ => {
                     let help = "give `csv = \"file\"` alone, or `time` with `translation`, `rotation` or both";
-                    document.error(
+                    document.reject(
                         path,
                         "found an incomplete or doubled table, expected `csv` or `time`",
                         help,
-                    );
-                    None
+                    )
                 }
             }
         }
@@ -192,13 +182,8 @@ fn typed_table(
     })
 }
 
-fn read_table(
-    document: &mut Document<'_>,
-    resources: &mut Resources<'_>,
-    path: &str,
-    csv: &str,
-) -> Option<Motion> {
-    let content = resources.read(document, path, csv)?.to_owned();
+fn read_table(document: &mut Document<'_>, path: &str, csv: &str) -> Option<Motion> {
+    let content = document.read(path, csv)?.to_owned();
     let names = ["time", "x", "y", "z", "rx", "ry", "rz"];
     let table = Columns::read(document, path, csv, &content, &names, 4)?;
     let vector = |row: &[Option<f64>; 7], k: usize| Vec3::from_fn(|i, _| row[k + i].unwrap_or(0.0));
@@ -211,12 +196,7 @@ fn read_table(
 }
 
 /// Builds every face, so that each faulty one is reported, then joins them.
-fn geometry(
-    document: &mut Document<'_>,
-    resources: &mut Resources<'_>,
-    path: &str,
-    faces: &[file::Face],
-) -> Option<Geometry> {
+fn geometry(document: &mut Document<'_>, path: &str, faces: &[file::Face]) -> Option<Geometry> {
     document
         .demand(
             !faces.is_empty(),
@@ -228,7 +208,7 @@ fn geometry(
     let mut shapes = Vec::with_capacity(faces.len());
     for (i, face) in faces.iter().enumerate() {
         let path = format!("{path}[{i}]");
-        shapes.push(shape(document, resources, &path, face));
+        shapes.push(shape(document, &path, face));
     }
     let shapes: Vec<Shape> = shapes.into_iter().collect::<Option<_>>()?;
     let geometry = accept(document, path, Geometry::new(shapes))?;
@@ -257,12 +237,7 @@ fn geometry(
 }
 
 /// One face as a shape.
-fn shape(
-    document: &mut Document<'_>,
-    resources: &mut Resources<'_>,
-    path: &str,
-    face: &file::Face,
-) -> Option<Shape> {
+fn shape(document: &mut Document<'_>, path: &str, face: &file::Face) -> Option<Shape> {
     let corners = |list: &[file::Vector]| list.iter().map(|&v| v.into()).collect::<Vec<Vec3>>();
     let (key, built) = match face {
         file::Face::Plane(p) => {
@@ -302,9 +277,9 @@ fn shape(
         }
         file::Face::Cylinder(c) => ("cylinder", cylinder(c).map(Shape::from)),
         file::Face::Terrain(grid) => {
-            return terrain(document, resources, &format!("{path}.terrain"), grid);
+            return terrain(document, &format!("{path}.terrain"), grid);
         }
-        file::Face::Stl(mesh) => return stl(document, resources, &format!("{path}.stl"), mesh),
+        file::Face::Stl(mesh) => return stl(document, &format!("{path}.stl"), mesh),
     };
     accept(document, &format!("{path}.{key}"), built)
 }
@@ -319,13 +294,8 @@ fn cylinder(c: &file::Cylinder) -> Result<Revolution, GeometryError> {
     Revolution::cylinder(base, axis, c.radius, c.height)
 }
 
-fn stl(
-    document: &mut Document<'_>,
-    resources: &mut Resources<'_>,
-    path: &str,
-    mesh: &file::Stl,
-) -> Option<Shape> {
-    let facets = facets(document, resources, path, mesh)?;
+fn stl(document: &mut Document<'_>, path: &str, mesh: &file::Stl) -> Option<Shape> {
+    let facets = facets(document, path, mesh)?;
     // Welding and non-manifold edges are judged per file, so that the message points at it.
     let built = Geometry::new(vec![facets.clone().into()]);
     accept(document, &format!("{path}.file"), built)?;
@@ -333,21 +303,11 @@ fn stl(
 }
 
 /// The facets of an STL file where the scene puts them.
-pub(super) fn facets(
-    document: &mut Document<'_>,
-    resources: &mut Resources<'_>,
-    path: &str,
-    mesh: &file::Stl,
-) -> Option<Facets> {
-    let scaled = document.demand(
-        mesh.scale > 0.0,
-        format!("{path}.scale"),
-        mesh.scale,
-        "a factor > 0 [-]",
-    );
+pub(super) fn facets(document: &mut Document<'_>, path: &str, mesh: &file::Stl) -> Option<Facets> {
+    let scaled = document.positive((path, "scale"), mesh.scale, "a factor > 0 [-]");
     let key = format!("{path}.file");
-    resources.read(document, &key, &mesh.file)?;
-    let mut facets = accept(document, &key, Facets::stl(&resources.place(&mesh.file)))?;
+    document.read(&key, &mesh.file)?;
+    let mut facets = accept(document, &key, Facets::stl(&document.place(&mesh.file)))?;
     // The scene must not depend on where its folder lies.
     facets.name.clone_from(&mesh.file);
     scaled.then(|| {
@@ -359,12 +319,7 @@ pub(super) fn facets(
     })
 }
 
-fn terrain(
-    document: &mut Document<'_>,
-    resources: &mut Resources<'_>,
-    path: &str,
-    grid: &file::Terrain,
-) -> Option<Shape> {
+fn terrain(document: &mut Document<'_>, path: &str, grid: &file::Terrain) -> Option<Shape> {
     let scale = match &grid.scale {
         file::OneOrMany::One(s) => vec![*s; 3],
         file::OneOrMany::Many(list) => list.clone(),
@@ -373,16 +328,15 @@ fn terrain(
     let scale = <[f64; 3]>::try_from(scale).ok();
     let scale = scale.filter(|s| s.iter().all(|&s| s > 0.0));
     let expected = "one or three factors > 0 [-]";
-    document.demand(scale.is_some(), format!("{path}.scale"), found, expected);
+    document.demand(scale.is_some(), (path, "scale"), found, expected);
     let key = format!("{path}.file");
-    let content = resources.read(document, &key, &grid.file)?;
+    let content = document.read(&key, &grid.file)?;
     match HeightField::esri_ascii(content) {
         Ok(field) => {
             let facets = field.facets(&grid.file, scale?, grid.translate.into());
             if facets.triangles.is_empty() {
                 let message = format!("`{}` has no four neighbouring heights", grid.file);
-                document.error(key, message, "check NODATA_value");
-                return None;
+                return document.reject(key, message, "check NODATA_value");
             }
             Some(facets.into())
         }

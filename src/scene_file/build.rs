@@ -15,7 +15,7 @@ use super::names::{Context, Names};
 use super::overlap::Overlaps;
 use super::pairs::pairs;
 use super::regions::measured;
-use super::resources::{Resources, hash};
+use super::resources::hash;
 use super::settings::{choose_steps, fall, materials, settings};
 use super::sources::{sinks, source};
 use super::spheres::{self, Present};
@@ -25,24 +25,24 @@ use crate::contact::forces::ContactForces;
 use crate::geometry::Facets;
 use crate::scene::materials::Material;
 use crate::scene::particles::{Kinematics, Particles};
-use crate::scene::{Measure, Motion, Output, PointLoad, Probe, Scene, Sensor, Spring};
+use crate::scene::{
+    Boundary, Measure, Motion, Output, PointLoad, Probe, Scene, Sensor, Source, Spring,
+};
 
 /// Reads, checks and builds; `name` is what problems call the file, `folder` where its files lie.
 pub(super) fn load(name: &str, text: &str, folder: &Path) -> Result<Loaded, SceneError> {
-    let mut document = Document::parse(text);
-    let mut resources = Resources::new(folder);
+    let mut document = Document::parse(text, folder);
     // A broken syntax shifts keys into wrong tables: its consequences would only hide it.
     let scene = if document.refused() {
         None
     } else {
         let file = SceneFile::decode(&mut document);
-        build(&mut document, &mut resources, &file)
+        build(&mut document, &file)
     };
     let refused = document.refused();
-    let (errors, warnings) = document.into_problems();
+    let (errors, warnings, attachments) = document.into_parts();
     match scene {
         Some(mut scene) if !refused => {
-            let attachments = resources.into_attachments();
             scene.hash = hash(text, &attachments);
             if scene.title.is_empty() {
                 scene.title = stem(name);
@@ -71,11 +71,7 @@ fn stem(name: &str) -> String {
     }
 }
 
-fn build(
-    document: &mut Document<'_>,
-    resources: &mut Resources<'_>,
-    file: &SceneFile,
-) -> Option<Scene> {
+fn build(document: &mut Document<'_>, file: &SceneFile) -> Option<Scene> {
     let groups = file.spheres.iter().map(Entry::declaration);
     let mut context = Context {
         materials: Names::declare(document, "material", &file.materials),
@@ -98,71 +94,24 @@ fn build(
             &format!("at most {most} of them"),
         );
     }
-    let settings = file
-        .simulation
-        .as_ref()
-        .and_then(|s| settings(document, resources, s));
+    let settings = file.simulation.as_ref().and_then(|s| settings(document, s));
     let materials = materials(document, file);
     let pairs = pairs(document, &context, file);
     let boundary_names = Names::declare(document, "boundary", &file.boundaries);
-    let boundaries: Vec<_> = file
-        .boundaries
-        .iter()
+    let boundaries: Vec<_> = (file.boundaries.iter())
         .map(|b| {
             let value = b.value.as_ref()?;
-            boundary(
-                document,
-                resources,
-                &context,
-                &boundary_names,
-                &b.path,
-                value,
-            )
+            boundary(document, &context, &boundary_names, &b.path, value)
         })
         .collect();
     let boundaries: Option<Vec<_>> = boundaries.into_iter().collect();
-    let mut particles = Particles::default();
-    let mut initial = Kinematics::default();
-    for group in &file.spheres {
-        let range = group.value.as_ref().and_then(|value| {
-            let material =
-                sphere_material(document, &context, file, &materials, group, &value.material)?;
-            spheres::add(
-                document,
-                resources,
-                &group.path,
-                value,
-                material,
-                Present {
-                    particles: &mut particles,
-                    initial: &mut initial,
-                    boundaries: boundaries.as_deref(),
-                },
-            )
-        });
-        context.ranges.push(range);
-    }
-    let mut sources = Vec::with_capacity(file.sources.len());
-    for element in &file.sources {
-        let source = element.value.as_ref().and_then(|value| {
-            let material = sphere_material(
-                document,
-                &context,
-                file,
-                &materials,
-                element,
-                &value.material,
-            )?;
-            let store = (&mut particles, &mut initial);
-            source(document, resources, &element.path, value, material, store)
-        });
-        context
-            .ranges
-            .push(source.as_ref().map(|source| source.spheres.clone()));
-        sources.extend(source);
-    }
-    particles.shrink_to_fit();
-    initial.shrink_to_fit();
+    let (particles, initial, sources) = populate(
+        document,
+        &mut context,
+        file,
+        &materials,
+        boundaries.as_deref(),
+    );
     if file.spheres.is_empty() && file.sources.is_empty() {
         document.error(
             "spheres",
@@ -183,12 +132,12 @@ fn build(
         // Known when all files have been read.
         hash: String::new(),
         loads: loads(document, &context, &file.loads, &initial),
-        springs: springs(document, resources, &context, &file.springs, &initial),
-        sinks: sinks(document, resources, &source_names, &file.sinks),
+        springs: springs(document, &context, &file.springs, &initial),
+        sinks: sinks(document, &source_names, &file.sinks),
         sources,
         sensors: sensors(document, &boundary_names, &file.sensors),
         probes: probes(document, &context, &file.probes, particles.len()),
-        output: output(document, &file.output),
+        output: output(document, file.output),
         settings: settings?,
         materials,
         pairs,
@@ -210,6 +159,45 @@ fn build(
         }
     }
     Some(scene)
+}
+
+/// The spheres of the groups, then those that wait in sources, and the sources.
+fn populate(
+    document: &mut Document<'_>,
+    context: &mut Context,
+    file: &SceneFile,
+    materials: &[Material],
+    boundaries: Option<&[Boundary]>,
+) -> (Particles, Kinematics, Vec<Source>) {
+    let (mut particles, mut initial) = (Particles::default(), Kinematics::default());
+    for group in &file.spheres {
+        let range = group.value.as_ref().and_then(|value| {
+            let material =
+                sphere_material(document, context, file, materials, group, &value.material)?;
+            let present = Present {
+                particles: &mut particles,
+                initial: &mut initial,
+                boundaries,
+            };
+            spheres::add(document, &group.path, value, material, present)
+        });
+        context.ranges.push(range);
+    }
+    let mut sources = Vec::with_capacity(file.sources.len());
+    for element in &file.sources {
+        let source = element.value.as_ref().and_then(|value| {
+            let material =
+                sphere_material(document, context, file, materials, element, &value.material)?;
+            let store = (&mut particles, &mut initial);
+            source(document, &element.path, value, material, store)
+        });
+        let range = source.as_ref().map(|source| source.spheres.clone());
+        context.ranges.push(range);
+        sources.extend(source);
+    }
+    particles.shrink_to_fit();
+    initial.shrink_to_fit();
+    (particles, initial, sources)
 }
 
 /// The material of a group or a source of spheres; it must have a density.
@@ -270,7 +258,6 @@ fn held(
 
 fn springs(
     document: &mut Document<'_>,
-    resources: &mut Resources<'_>,
     context: &Context,
     elements: &[Entry<file::Spring>],
     initial: &Kinematics,
@@ -278,14 +265,9 @@ fn springs(
     let springs = elements.iter().filter_map(|element| {
         let (path, value) = (&element.path, element.value.as_ref()?);
         let stiffness = value.stiffness;
-        document.demand(
-            stiffness > 0.0,
-            format!("{path}.stiffness"),
-            stiffness,
-            "a stiffness > 0 [N/m]",
-        );
+        document.positive((path, "stiffness"), stiffness, "a stiffness > 0 [N/m]");
         let motion = match &value.motion {
-            Some(given) => motion(document, resources, &format!("{path}.motion"), given),
+            Some(given) => motion(document, &format!("{path}.motion"), given),
             None => Some(Motion::Fixed),
         };
         let sphere = held(document, context, initial, path, &value.sphere)?;
@@ -323,13 +305,11 @@ fn sensors(
             (region, flow, wrench) => {
                 let given = [region.is_some(), flow.is_some(), wrench.is_some()];
                 let n = given.into_iter().filter(|is| *is).count();
-                document.demand(
-                    false,
+                return document.refuse(
                     path,
                     format!("{n} measures"),
                     "exactly one of region, mass_flow, wrench",
                 );
-                return None;
             }
         };
         Some(Sensor {
@@ -402,23 +382,14 @@ fn probes(
     probes.collect()
 }
 
-fn output(document: &mut Document<'_>, output: &file::Output) -> Output {
-    for (key, value) in [
+fn output(document: &mut Document<'_>, output: Output) -> Output {
+    let intervals = [
         ("vtu_interval", output.vtu_interval),
         ("csv_interval", output.csv_interval),
         ("checkpoint_interval", output.checkpoint_interval),
-    ] {
-        document.demand(
-            value >= 0.0,
-            format!("output.{key}"),
-            value,
-            "a time >= 0 [s]",
-        );
+    ];
+    for (key, value) in intervals {
+        document.within(("output", key), value, 0.0.., "a time >= 0 [s]");
     }
-    Output {
-        vtu_interval: output.vtu_interval,
-        csv_interval: output.csv_interval,
-        float64: output.float64,
-        checkpoint_interval: output.checkpoint_interval,
-    }
+    output
 }

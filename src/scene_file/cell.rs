@@ -9,7 +9,7 @@ use crate::scene::body::Joint;
 use crate::scene::{Boundary, InputKind, Measure, Motion, Scene};
 use crate::spatial::cell::Cell;
 
-/// Smallest edge over the largest diameter: a sphere never meets its own copy \[-\].
+/// Smallest edge over the largest diameter: a sphere never touches its own copy \[-\].
 const ROOM: f64 = 1.001;
 /// How far a direction may lean from an axis that it should be square to \[-\].
 const LEAN: f64 = 1e-9;
@@ -37,7 +37,7 @@ pub(super) fn judge(
     boundaries: &[Entry<file::Boundary>],
     sensors: &[Entry<file::Sensor>],
 ) {
-    let largest = scene.particles.radius.iter().copied().fold(0.0, f64::max);
+    let largest = scene.particles.largest_radius();
     let room = 2.0 * largest * ROOM;
     for (axis, name) in AXES.iter().enumerate() {
         let Some([low, high]) = scene.cell.faces(axis) else {

@@ -44,9 +44,6 @@ pub(super) fn accept<T>(
 ) -> Option<T> {
     match built {
         Ok(built) => Some(built),
-        Err(error) => {
-            document.error(path, error.to_string(), "");
-            None
-        }
+        Err(error) => document.reject(path, error.to_string(), ""),
     }
 }

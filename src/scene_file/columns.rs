@@ -30,8 +30,7 @@ impl<const N: usize> Columns<N> {
         let header = match reader.headers() {
             Ok(header) => header.clone(),
             Err(error) => {
-                document.error(path, format!("`{file}` is not a CSV file: {error}"), "");
-                return None;
+                return document.reject(path, format!("`{file}` is not a CSV file: {error}"), "");
             }
         };
         let mut good = true;

@@ -111,7 +111,7 @@ fn simulation(
     document: &mut Document<'_>,
     root: &Spanned<DeValue<'_>>,
 ) -> Option<file::Simulation> {
-    if child(root, &Step::ContactId("simulation".into())).is_none() {
+    if child(root, &Step::Key("simulation".into())).is_none() {
         let help = "add `[simulation]` with `duration` in seconds";
         document.error("simulation", "missing table `[simulation]`", help);
     }
@@ -123,7 +123,7 @@ fn optional<T: DeserializeOwned>(
     root: &Spanned<DeValue<'_>>,
     key: &str,
 ) -> Option<T> {
-    let value = child(root, &Step::ContactId(key.into()))?;
+    let value = child(root, &Step::Key(key.into()))?;
     element(document, value, key)
 }
 
@@ -132,7 +132,7 @@ fn list<T: DeserializeOwned>(
     root: &Spanned<DeValue<'_>>,
     key: &str,
 ) -> Vec<Entry<T>> {
-    let Some(value) = child(root, &Step::ContactId(key.into())) else {
+    let Some(value) = child(root, &Step::Key(key.into())) else {
         return Vec::new();
     };
     let Some(array) = value.get_ref().as_array() else {
@@ -147,7 +147,7 @@ fn list<T: DeserializeOwned>(
     };
     let elements = array.iter().enumerate().map(|(i, value)| {
         let path = format!("{key}[{i}]");
-        let name = child(value, &Step::ContactId("name".into()));
+        let name = child(value, &Step::Key("name".into()));
         Entry {
             name: name.and_then(|n| n.get_ref().as_str()).map(str::to_owned),
             value: element(document, value, &path),
@@ -177,8 +177,8 @@ fn element<T: DeserializeOwned>(
         let message = error.inner().message();
         let unknown = between_ticks(message, "unknown field `");
         if let Some(key) = unknown {
-            if steps.last() != Some(&Step::ContactId(key.to_owned())) {
-                steps.push(Step::ContactId(key.to_owned()));
+            if steps.last() != Some(&Step::Key(key.to_owned())) {
+                steps.push(Step::Key(key.to_owned()));
             }
             let place = original(value, &rest, &steps);
             let span = error.inner().span().unwrap_or(value.span());
@@ -194,9 +194,7 @@ fn element<T: DeserializeOwned>(
             sound = false;
             let missing = between_ticks(message, "missing field `");
             let follows = cut.iter().any(|c| match missing {
-                Some(key) => {
-                    c.split_last() == Some((&Step::ContactId(key.to_owned()), place.as_slice()))
-                }
+                Some(key) => c.split_last() == Some((&Step::Key(key.to_owned()), place.as_slice())),
                 None => c.len() > place.len() && c.starts_with(&place),
             });
             if !follows {
@@ -299,8 +297,8 @@ fn between_ticks<'m>(message: &'m str, before: &str) -> Option<&'m str> {
 
 fn steps_of(path: &serde_path_to_error::Path) -> Vec<Step> {
     let steps = path.iter().filter_map(|segment| match segment {
-        Segment::Map { key } => Some(Step::ContactId(key.clone())),
-        Segment::Enum { variant } => Some(Step::ContactId(variant.clone())),
+        Segment::Map { key } => Some(Step::Key(key.clone())),
+        Segment::Enum { variant } => Some(Step::Key(variant.clone())),
         Segment::Seq { index } => Some(Step::Index(*index)),
         Segment::Unknown => None,
     });
@@ -343,7 +341,7 @@ fn remove(value: &mut Spanned<DeValue<'_>>, steps: &[Step]) -> bool {
         return false;
     };
     match (value.get_mut(), step) {
-        (DeValue::Table(table), Step::ContactId(key)) => match table.get_mut(key.as_str()) {
+        (DeValue::Table(table), Step::Key(key)) => match table.get_mut(key.as_str()) {
             Some(next) => remove(next, below) || table.remove(key.as_str()).is_some(),
             None => false,
         },

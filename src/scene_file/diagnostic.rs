@@ -21,7 +21,7 @@ pub struct Diagnostic {
     pub help: Option<String>,
     /// `Error`: the scene is refused. `Warning`: it runs, but probably not as meant. `Advice`: it runs as meant, and could be
     /// simpler.
-    pub severity: Severity,
+    pub(crate) severity: Severity,
 }
 
 impl miette::Diagnostic for Diagnostic {
@@ -46,7 +46,7 @@ impl miette::Diagnostic for Diagnostic {
 #[error("scene `{}`: {}", source_code.name(), count(problems.len()))]
 pub struct SceneError {
     /// Name and text of the scene file.
-    pub source_code: NamedSource<String>,
+    pub(crate) source_code: NamedSource<String>,
     /// Every problem found; never empty.
     pub problems: Vec<Diagnostic>,
 }

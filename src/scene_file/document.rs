@@ -1,12 +1,15 @@
 //! A TOML text with the place of every value, and the list of problems found in it.
 
-use std::ops::Range;
+use std::fmt::Display;
+use std::ops::{Range, RangeBounds};
+use std::path::{Path, PathBuf};
 
 use miette::Severity;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::diagnostic::{Advice, Diagnostic};
+use super::resources::{Attachment, Resources};
 
 /// Largest magnitude of a number in a scene: beyond it products of a few of them stop being finite.
 pub(super) const LARGEST: f64 = 1e30;
@@ -15,7 +18,7 @@ pub(super) const LARGEST: f64 = 1e30;
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum Step {
     /// A key of a table.
-    ContactId(String),
+    Key(String),
     /// An index of an array, counted from 0.
     Index(usize),
 }
@@ -25,8 +28,8 @@ pub(super) fn join(path: &str, steps: &[Step]) -> String {
     let mut joined = path.to_owned();
     for step in steps {
         match step {
-            Step::ContactId(key) if joined.is_empty() => joined.push_str(key),
-            Step::ContactId(key) => {
+            Step::Key(key) if joined.is_empty() => joined.push_str(key),
+            Step::Key(key) => {
                 joined.push('.');
                 joined.push_str(key);
             }
@@ -41,29 +44,61 @@ pub(super) fn split(path: &str) -> Vec<Step> {
     let mut steps = Vec::new();
     for part in path.split('.').filter(|part| !part.is_empty()) {
         let (key, indices) = part.split_at(part.find('[').unwrap_or(part.len()));
-        steps.push(Step::ContactId(key.to_owned()));
+        steps.push(Step::Key(key.to_owned()));
         let numbers = indices.split(['[', ']']).filter_map(|n| n.parse().ok());
         steps.extend(numbers.map(Step::Index));
     }
     steps
 }
 
-/// The text, its values and what is wrong with them.
+/// Where a value stands: its path, or that of its table and its key.
+pub(super) trait Place {
+    /// The path as messages show it.
+    fn path(self) -> String;
+}
+
+impl Place for String {
+    fn path(self) -> String {
+        self
+    }
+}
+
+impl Place for &String {
+    fn path(self) -> String {
+        self.clone()
+    }
+}
+
+impl Place for &str {
+    fn path(self) -> String {
+        self.to_owned()
+    }
+}
+
+impl<T: Display> Place for (T, &str) {
+    fn path(self) -> String {
+        format!("{}.{}", self.0, self.1)
+    }
+}
+
+/// The text, its values, what is wrong with them, and the files that they name.
 pub(super) struct Document<'t> {
     text: &'t str,
     root: Spanned<DeValue<'t>>,
     problems: Vec<Diagnostic>,
+    resources: Resources<'t>,
 }
 
 impl<'t> Document<'t> {
-    /// Parses `text`; syntax errors become problems, all of them.
-    pub(super) fn parse(text: &'t str) -> Self {
+    /// Parses `text`, whose files lie in `folder`; syntax errors become problems, all of them.
+    pub(super) fn parse(text: &'t str, folder: &'t Path) -> Self {
         let (table, errors) = DeTable::parse_recoverable(text);
         let span = table.span();
         let mut document = Self {
             text,
             root: Spanned::new(span, DeValue::Table(table.into_inner())),
             problems: Vec::new(),
+            resources: Resources::new(folder),
         };
         for error in errors {
             let span = error.span().unwrap_or(0..0);
@@ -113,12 +148,28 @@ impl<'t> Document<'t> {
         self.problems.iter().any(|p| p.severity == Severity::Error)
     }
 
-    /// The problems in the order of the file: errors, warnings.
-    pub(super) fn into_problems(mut self) -> (Vec<Diagnostic>, Vec<Diagnostic>) {
+    /// The errors and the warnings in the order of the file, and the files read.
+    pub(super) fn into_parts(mut self) -> (Vec<Diagnostic>, Vec<Diagnostic>, Vec<Attachment>) {
         self.problems.sort_by_key(|p| p.span.offset());
-        self.problems
-            .into_iter()
-            .partition(|p| p.severity == Severity::Error)
+        let problems = self.problems.into_iter();
+        let (errors, warnings) = problems.partition(|p| p.severity == Severity::Error);
+        (errors, warnings, self.resources.into_attachments())
+    }
+
+    /// Reads `file`, named at the key path `path`.
+    pub(super) fn read(&mut self, path: &str, file: &str) -> Option<&[u8]> {
+        match self.resources.load(file) {
+            Ok(name) => self.resources.get(&name),
+            Err((message, help)) => {
+                self.error(path, message, help);
+                None
+            }
+        }
+    }
+
+    /// Where `file` lies on disk, for readers that open it themselves; only of use after [`Self::read`].
+    pub(super) fn place(&self, file: &str) -> PathBuf {
+        self.resources.place(file)
     }
 
     /// The top-level table.
@@ -129,11 +180,11 @@ impl<'t> Document<'t> {
     /// Refuses the scene because of the value at `path`. An empty `help` is none.
     pub(super) fn error(
         &mut self,
-        path: impl Into<String>,
+        path: impl Place,
         message: impl Into<String>,
         help: impl Into<String>,
     ) {
-        let path = path.into();
+        let path = path.path();
         let span = self.locate(&path);
         self.report(Severity::Error, path, span, message.into(), help.into());
     }
@@ -141,11 +192,11 @@ impl<'t> Document<'t> {
     /// Warns of the value at `path`.
     pub(super) fn warn(
         &mut self,
-        path: impl Into<String>,
+        path: impl Place,
         message: impl Into<String>,
         help: impl Into<String>,
     ) {
-        let path = path.into();
+        let path = path.path();
         let span = self.locate(&path);
         self.report(Severity::Warning, path, span, message.into(), help.into());
     }
@@ -166,14 +217,59 @@ impl<'t> Document<'t> {
     pub(super) fn demand(
         &mut self,
         in_range: bool,
-        path: impl Into<String>,
-        found: impl std::fmt::Display,
+        path: impl Place,
+        found: impl Display,
         expected: &str,
     ) -> bool {
         if !in_range {
             self.error(path, format!("found {found}, expected {expected}"), "");
         }
         in_range
+    }
+
+    /// [`Self::error`] where the value is all that is wanted.
+    pub(super) fn reject<T>(
+        &mut self,
+        path: impl Place,
+        message: impl Into<String>,
+        help: impl Into<String>,
+    ) -> Option<T> {
+        self.error(path, message, help);
+        None
+    }
+
+    /// Refuses what was found, whatever it is.
+    pub(super) fn refuse<T>(
+        &mut self,
+        path: impl Place,
+        found: impl Display,
+        expected: &str,
+    ) -> Option<T> {
+        self.demand(false, path, found, expected);
+        None
+    }
+
+    /// Refuses a number that is not above zero; an absent one is right.
+    pub(super) fn positive(
+        &mut self,
+        path: impl Place,
+        value: impl Into<Option<f64>>,
+        expected: &str,
+    ) -> bool {
+        let value = value.into();
+        value.is_none_or(|value| self.demand(value > 0.0, path, value, expected))
+    }
+
+    /// Refuses a number outside `range`; an absent one is right.
+    pub(super) fn within<T: PartialOrd + Display>(
+        &mut self,
+        path: impl Place,
+        value: impl Into<Option<T>>,
+        range: impl RangeBounds<T>,
+        expected: &str,
+    ) -> bool {
+        let value = value.into();
+        value.is_none_or(|value| self.demand(range.contains(&value), path, value, expected))
     }
 
     /// Adds a problem at a known place.
@@ -229,7 +325,7 @@ pub(super) fn child<'a, 't>(
     step: &Step,
 ) -> Option<&'a Spanned<DeValue<'t>>> {
     match step {
-        Step::ContactId(key) => value.get_ref().get(key.as_str()),
+        Step::Key(key) => value.get_ref().get(key.as_str()),
         Step::Index(index) => value.get_ref().get(*index),
     }
 }

@@ -13,7 +13,7 @@ use crate::spatial::{Pose, Twist};
 /// Largest asymmetry of an inertia, and how far a moment may exceed the sum of the others, over the largest \[-\].
 const ROUNDING: f64 = 1e-9;
 
-/// Builds a body; `None` if a part of it was refused. `input` tells whether the outside adds loads.
+/// Builds a body; `None` if a part of it was refused. `input`: whether loads are inputs as well.
 pub(super) fn body(
     document: &mut Document<'_>,
     names: &Names,
@@ -31,9 +31,9 @@ pub(super) fn body(
             "a damping >= 0 [N m s/rad]",
         ),
     ] {
-        document.demand(value >= 0.0, at(key), value, unit);
+        document.within(at(key), value, 0.0.., unit);
     }
-    let heavy = document.demand(given.mass > 0.0, at("mass"), given.mass, "a mass > 0 [kg]");
+    let heavy = document.positive(at("mass"), given.mass, "a mass > 0 [kg]");
     let joint = match given.joint {
         file::Joint::Free => Some(Joint::Free),
         file::Joint::Slide(v) => {
@@ -126,9 +126,8 @@ fn spring(document: &mut Document<'_>, path: &str, given: &file::Body) -> Option
         return Some(None);
     };
     let guided = guided(document, path, given.joint);
-    let stiff = document.demand(
-        stiffness > 0.0,
-        format!("{path}.stiffness"),
+    let stiff = document.positive(
+        (path, "stiffness"),
         stiffness,
         "a stiffness > 0 [N/m or N m/rad]",
     );
@@ -179,12 +178,7 @@ fn starts(document: &mut Document<'_>, path: &str, body: &Body) -> bool {
         false => ["zero: a hinge stays in its place", "about the hinge"],
     };
     let show = |v: Vec3| format!("{:?}", v.as_slice());
-    let good = document.demand(
-        linear,
-        format!("{path}.velocity"),
-        show(body.twist.linear),
-        slides,
-    );
+    let good = document.demand(linear, (path, "velocity"), show(body.twist.linear), slides);
     let key = format!("{path}.angular_velocity");
     document.demand(angular, key, show(body.twist.angular), turns) && good
 }
@@ -210,13 +204,11 @@ fn principal(
         (3, 9) if typed.iter().all(|row| row.len() == 3) => Matrix3::from_row_slice(&flat),
         _ => {
             let found = format!("{} entries in {} rows", flat.len(), typed.len());
-            document.demand(
-                false,
+            return document.refuse(
                 path,
                 found,
                 "[Ixx, Iyy, Izz] or three rows of three [kg m^2]",
             );
-            return None;
         }
     };
     let largest = matrix.amax();
@@ -266,22 +258,16 @@ fn servo(
     );
     let area = match (given.area, &given.between) {
         (Some(area), None) => document
-            .demand(
-                area > 0.0,
-                format!("{path}.area"),
-                area,
-                "an area > 0 [m^2]",
-            )
+            .positive((path, "area"), area, "an area > 0 [m^2]")
             .then_some(Area::Constant(area)),
         (None, Some(pairs)) => between(document, names, &format!("{path}.between"), pairs),
         _ => {
             let help = "give `area = ...` in m^2, or `between = [[a, b], [c, d]]` with the names of four boundaries";
-            document.error(
+            document.reject(
                 path,
                 "found none or both of `area` and `between`, expected one of them",
                 help,
-            );
-            None
+            )
         }
     };
     let area = area.filter(|_| slides)?;

@@ -5,22 +5,17 @@ use super::columns::Columns;
 use super::decode::Entry;
 use super::document::Document;
 use super::file;
-use super::resources::Resources;
 use crate::Vec3;
 use crate::scene::gravity::GravityMotion;
 use crate::scene::rotating_frame::RotatingFrame;
-use crate::scene::{Motion, Scene};
-
-/// Gravity where a scene says nothing \[m/s^2\].
-const EARTH: Vec3 = Vec3::new(0.0, 0.0, -9.81);
+use crate::scene::{Motion, Scene, Settings};
 
 /// Gravity at t = 0 \[m/s^2\], and how it moves.
 pub(super) fn gravity(
     document: &mut Document<'_>,
-    resources: &mut Resources<'_>,
     s: &file::Simulation,
 ) -> Option<(Vec3, GravityMotion)> {
-    let set = s.gravity.map_or(EARTH, Vec3::from);
+    let set = s.gravity.map_or(Settings::default().gravity, Vec3::from);
     let path = "simulation.gravity_motion";
     match &s.gravity_motion {
         None => Some((set, GravityMotion::Fixed)),
@@ -36,7 +31,7 @@ pub(super) fn gravity(
                 let message = "found both `gravity` and a table of it, expected one of them";
                 document.error("simulation.gravity", message, help);
             }
-            let (time, gravity) = table(document, resources, &path, given)?;
+            let (time, gravity) = table(document, &path, given)?;
             let motion = GravityMotion::Table { time, gravity };
             Some((motion.at(set, 0.0), motion))
         }
@@ -45,14 +40,13 @@ pub(super) fn gravity(
 
 fn table(
     document: &mut Document<'_>,
-    resources: &mut Resources<'_>,
     path: &str,
     given: &file::GravityTable,
 ) -> Option<(Vec<f64>, Vec<Vec3>)> {
     let (key, time, gravity) = match (&given.csv, &given.time, &given.gravity) {
         (Some(csv), None, None) => {
             let key = format!("{path}.csv");
-            let content = resources.read(document, &key, csv)?.to_owned();
+            let content = document.read(&key, csv)?.to_owned();
             let names = ["time", "x", "y", "z"];
             let columns = Columns::read(document, &key, csv, &content, &names, 4)?;
             let rows = columns
@@ -76,8 +70,7 @@ fn table(
             let message =
                 "found an incomplete or doubled table, expected `csv`, or `time` and `gravity`";
             let help = "give `csv = \"file\"` alone, or `time` with as many vectors `gravity`";
-            document.error(path, message, help);
-            return None;
+            return document.reject(path, message, help);
         }
     };
     increasing(document, &key, &time).then_some((time, gravity))

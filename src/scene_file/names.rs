@@ -85,8 +85,7 @@ impl Names {
                 list.join(", ")
             };
             let help = format!("{}known: {list}", did_you_mean(name, known()));
-            document.error(path, format!("unknown {} `{name}`", self.kind), help);
-            return None;
+            return document.reject(path, format!("unknown {} `{name}`", self.kind), help);
         };
         self.usable[index].then_some(index)
     }
@@ -112,12 +111,11 @@ impl Context {
             Some((group, rest)) => {
                 let Some(index) = rest.strip_suffix(']').and_then(|k| k.parse::<usize>().ok())
                 else {
-                    document.error(
+                    return document.reject(
                         path,
                         format!("found `{text}`, expected `group[k]`"),
                         "k counts the spheres of the group from 0",
                     );
-                    return None;
                 };
                 (group, Some(index))
             }
@@ -128,15 +126,14 @@ impl Context {
             None if range.len() == 1 => Some(range.start),
             None => {
                 let help = format!("write `{group}[k]` with k from 0 to {}", range.len() - 1);
-                document.error(
+                document.reject(
                     path,
                     format!(
                         "`{group}` has {} spheres, expected one of them",
                         range.len()
                     ),
                     help,
-                );
-                None
+                )
             }
             Some(k) => {
                 let expected = format!(

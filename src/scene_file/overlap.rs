@@ -1,6 +1,6 @@
-//! Overlaps at t = 0: spheres that start inside each other or inside a wall.
+//! Overlaps at t = 0: spheres that start inside each other or inside a boundary.
 //!
-//! The overlap of a pair is `-g / min(R_i, R_j)`, of a sphere and a wall `-g / R`, with the true gap `g` \[m\].
+//! The overlap of a pair is `-g / min(R_i, R_j)`, of a sphere and a boundary `-g / R`, with the true gap `g` \[m\].
 
 use std::ops::Range;
 
@@ -82,14 +82,12 @@ impl Overlaps {
     }
 
     /// The largest overlap between spheres.
-    #[must_use]
-    pub fn worst_pair(&self) -> Option<&Overlap> {
+    pub(crate) fn worst_pair(&self) -> Option<&Overlap> {
         self.pairs.iter().max_by(|a, b| a.ratio.total_cmp(&b.ratio))
     }
 
     /// The largest overlap with a boundary.
-    #[must_use]
-    pub fn worst_boundary(&self) -> Option<&Overlap> {
+    pub(crate) fn worst_boundary(&self) -> Option<&Overlap> {
         self.boundaries
             .iter()
             .max_by(|a, b| a.ratio.total_cmp(&b.ratio))

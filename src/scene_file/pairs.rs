@@ -128,19 +128,14 @@ fn checked(document: &mut Document<'_>, path: &str, given: Given, angle: Option<
     ];
     for (key, coefficient) in coefficients {
         if let Some(mu) = coefficient {
-            document.demand(
-                mu >= 0.0,
-                format!("{path}.{key}"),
-                mu,
-                "a coefficient >= 0 [-]",
-            );
+            document.within(format!("{path}.{key}"), mu, 0.0.., "a coefficient >= 0 [-]");
         }
     }
     if let Some(angle) = angle {
         let range = (0.0..90.0).contains(&angle);
         document.demand(
             range,
-            format!("{path}.friction_angle"),
+            (path, "friction_angle"),
             angle,
             "0 <= friction_angle < 90 [degrees]",
         );
@@ -148,16 +143,16 @@ fn checked(document: &mut Document<'_>, path: &str, given: Given, angle: Option<
     if given.friction.is_some() && angle.is_some() {
         let message = "found both `friction` and `friction_angle`, expected one of them";
         document.error(
-            format!("{path}.friction_angle"),
+            (path, "friction_angle"),
             message,
             "friction is the tangent of the angle",
         );
     }
     if let Some(e) = given.restitution {
-        document.demand(
-            (0.0..=1.0).contains(&e),
-            format!("{path}.restitution"),
+        document.within(
+            (path, "restitution"),
             e,
+            0.0..=1.0,
             "0 <= restitution <= 1 [-]",
         );
     }

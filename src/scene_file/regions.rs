@@ -6,7 +6,6 @@ use super::bodies::facets;
 use super::checks::{accept, direction};
 use super::document::Document;
 use super::file;
-use super::resources::Resources;
 use crate::Vec3;
 use crate::geometry::Solid;
 use crate::geometry::region::{Primitive, Region};
@@ -14,7 +13,6 @@ use crate::geometry::region::{Primitive, Region};
 /// A region that spheres are taken out of: any.
 pub(super) fn emptied(
     document: &mut Document<'_>,
-    resources: &mut Resources<'_>,
     path: &str,
     given: &file::Region,
 ) -> Option<Region> {
@@ -23,7 +21,7 @@ pub(super) fn emptied(
         file::Region::Cylinder(tube) => cylinder(document, path, tube).map(Region::from),
         file::Region::Mesh(mesh) => {
             let path = format!("{path}.mesh");
-            let facets = facets(document, resources, &path, mesh)?;
+            let facets = facets(document, &path, mesh)?;
             let solid = accept(document, &format!("{path}.file"), Solid::new(facets))?;
             Some(Region::Mesh(Arc::new(solid)))
         }
@@ -38,16 +36,14 @@ pub(super) fn emptied(
 /// A region that spheres are put into: a bounded one.
 pub(super) fn filled(
     document: &mut Document<'_>,
-    resources: &mut Resources<'_>,
     path: &str,
     given: &file::Region,
 ) -> Option<Region> {
     if matches!(given, file::Region::Beyond(_)) {
         let expected = "a bounded region: box, cylinder or mesh";
-        document.demand(false, path, "`beyond`", expected);
-        return None;
+        return document.refuse(path, "`beyond`", expected);
     }
-    emptied(document, resources, path, given)
+    emptied(document, path, given)
 }
 
 /// A region that is measured: one that sensors know the volumes of.
@@ -62,8 +58,7 @@ pub(super) fn measured(
         file::Region::Mesh(_) => "`mesh`",
         file::Region::Beyond(_) => "`beyond`",
     };
-    document.demand(false, path, found, "`box` or `cylinder`");
-    None
+    document.refuse(path, found, "`box` or `cylinder`")
 }
 
 fn boxed(document: &mut Document<'_>, path: &str, cuboid: &file::Cuboid) -> Option<Primitive> {
@@ -72,7 +67,7 @@ fn boxed(document: &mut Document<'_>, path: &str, cuboid: &file::Cuboid) -> Opti
     let found = format!("min {:?} and max {:?}", cuboid.min.0, cuboid.max.0);
     let expected = "min < max in every coordinate [m]";
     document
-        .demand(proper, format!("{path}.box"), found, expected)
+        .demand(proper, (path, "box"), found, expected)
         .then_some(Primitive::Box { min, max })
 }
 
@@ -81,7 +76,7 @@ fn cylinder(document: &mut Document<'_>, path: &str, tube: &file::Tube) -> Optio
     let axis = direction(document, &format!("{path}.axis"), tube.axis);
     let mut positive = |key: &str, value: f64| {
         let path = format!("{path}.{key}");
-        document.demand(value > 0.0, path, value, "a length > 0 [m]")
+        document.positive(path, value, "a length > 0 [m]")
     };
     let proper = positive("radius", tube.radius) & positive("height", tube.height);
     let cylinder = Primitive::Cylinder {

@@ -7,8 +7,6 @@ use std::path::{Component, Path, PathBuf};
 
 use sha2::{Digest, Sha256};
 
-use super::document::Document;
-
 /// A file a scene refers to.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Attachment {
@@ -32,46 +30,31 @@ impl<'a> Resources<'a> {
         }
     }
 
-    /// Reads `file`, named at the key path `path`.
-    pub(super) fn read(
-        &mut self,
-        document: &mut Document<'_>,
-        path: &str,
-        file: &str,
-    ) -> Option<&[u8]> {
-        let Some(name) = inside(file) else {
-            let message =
-                format!("found `{file}`, expected a relative path below the scene's folder");
-            document.error(
-                path,
-                message,
+    /// Reads `file` and gives its normal name, or says what is wrong and what helps.
+    pub(super) fn load(&mut self, file: &str) -> Result<String, (String, &'static str)> {
+        let name = inside(file).ok_or_else(|| {
+            (
+                format!("found `{file}`, expected a relative path below the scene's folder"),
                 "put the file beside the scene, so that both travel together",
-            );
-            return None;
-        };
+            )
+        })?;
         if !self.files.contains_key(&name) {
-            match std::fs::read(self.folder.join(&name)) {
-                Ok(content) => {
-                    self.files.insert(name.clone(), content);
-                }
-                Err(error) => {
-                    let message = format!(
-                        "cannot read `{}`: {error}",
-                        self.folder.join(&name).display()
-                    );
-                    document.error(
-                        path,
-                        message,
-                        "paths count from the folder of the scene file",
-                    );
-                    return None;
-                }
-            }
+            let place = self.folder.join(&name);
+            let content = std::fs::read(&place).map_err(|error| {
+                let message = format!("cannot read `{}`: {error}", place.display());
+                (message, "paths count from the folder of the scene file")
+            })?;
+            self.files.insert(name.clone(), content);
         }
-        self.files.get(&name).map(Vec::as_slice)
+        Ok(name)
     }
 
-    /// Where `file` lies on disk, for readers that open it themselves; only of use after [`Self::read`].
+    /// The content of a file by its normal name.
+    pub(super) fn get(&self, name: &str) -> Option<&[u8]> {
+        self.files.get(name).map(Vec::as_slice)
+    }
+
+    /// Where `file` lies on disk.
     pub(super) fn place(&self, file: &str) -> PathBuf {
         self.folder.join(file)
     }

@@ -1,7 +1,7 @@
 //! The JSON schema of scene files, for editors and for the reference.
 //!
 //! It comes from the types of [`super::file`]: keys, types, which are required and defaults from serde; meanings from the
-//! doc comments; ranges from attributes. Draft 7, which TOML editors (Taplo) read. Keys of our own beside the draft's:
+//! doc comments; ranges from attributes. Draft 7, which TOML editors (Taplo) read. Keys that are not of the draft:
 //!
 //! | key | of | holds |
 //! |---|---|---|

@@ -6,7 +6,6 @@ use super::decode::SceneFile;
 use super::document::Document;
 use super::file;
 use super::frame::{gravity, rotating_frame};
-use super::resources::Resources;
 use crate::integrator::Integrator;
 use crate::scene::accuracy::round_time;
 use crate::scene::materials::Material;
@@ -14,144 +13,16 @@ use crate::scene::particles::{Kinematics, Particles};
 use crate::scene::{Boundary, Method, Motion, Settings};
 use crate::solver::Tolerance;
 
+/// Path of the table.
+const TABLE: &str = "simulation";
+
 /// `[simulation]`, checked.
-pub(super) fn settings(
-    document: &mut Document<'_>,
-    resources: &mut Resources<'_>,
-    s: &file::Simulation,
-) -> Option<Settings> {
-    let at = |key: &str| format!("simulation.{key}");
-    document.demand(
-        s.duration > 0.0,
-        at("duration"),
-        s.duration,
-        "a time > 0 [s]",
-    );
-    for (key, value) in [
-        ("step", s.step),
-        ("communication_step", s.communication_step),
-    ] {
-        if let Some(value) = value {
-            document.demand(value > 0.0, at(key), value, "a time > 0 [s]");
-        }
-    }
-    if let Some(smallest) = s.smallest_step {
-        document.demand(
-            smallest > 0.0 && s.step.is_none_or(|step| smallest <= step),
-            at("smallest_step"),
-            smallest,
-            "0 < smallest_step <= step [s]",
-        );
-    }
-    if s.fixed_step && s.step.is_none() {
-        document.error(
-            "simulation",
-            "missing key `step`, which fixed_step = true needs",
-            "add `step = ...` in s, or remove `fixed_step`",
-        );
-    }
-    document.demand(
-        s.rest_speed >= 0.0 && s.rest_speed.is_finite(),
-        at("rest_speed"),
-        s.rest_speed,
-        "a speed >= 0 [m/s]",
-    );
-    if let Some(sweeps) = s.sweeps {
-        document.demand(sweeps > 0, at("sweeps"), sweeps, "a whole number > 0");
-    }
-    if let Some(penalty) = s.penalty {
-        document.demand(
-            penalty > 0.0,
-            at("penalty"),
-            penalty,
-            "a stiffness > 0 [N/m]",
-        );
-    } else if s.method == Method::Penalty {
-        let help =
-            "add `penalty = ...` in N/m; `sphere-dda check` suggests one, or use method = \"alm\"";
-        document.error(
-            "simulation",
-            "missing key `penalty`, which method = \"penalty\" needs",
-            help,
-        );
-    }
-    let overlap = s.max_initial_overlap;
-    document.demand(
-        (0.0..=0.5).contains(&overlap),
-        at("max_initial_overlap"),
-        overlap,
-        "0 <= max_initial_overlap <= 0.5 [-]",
-    );
-    let threshold = s.threshold_velocity;
-    document.demand(
-        threshold >= 0.0,
-        at("threshold_velocity"),
-        threshold,
-        "a speed >= 0 [m/s]",
-    );
-    let kept = s.dynamic_coefficient;
-    document.demand(
-        (0.0..=1.0).contains(&kept),
-        at("dynamic_coefficient"),
-        kept,
-        "0 <= dynamic_coefficient <= 1 [-]",
-    );
-    if s.integrator == Integrator::Moreau && kept != 1.0 {
-        document.warn(
-            at("dynamic_coefficient"),
-            "has no effect with integrator = \"moreau\"",
-            "remove it or use \"shi\"",
-        );
-    }
-    document.demand(
-        s.max_iterations >= 1,
-        at("max_iterations"),
-        s.max_iterations,
-        "a count >= 1",
-    );
-    document.demand(
-        s.max_cuts <= 20,
-        at("max_cuts"),
-        s.max_cuts,
-        "0 <= max_cuts <= 20",
-    );
-    document.demand(
-        (1..=256).contains(&s.threads),
-        at("threads"),
-        s.threads,
-        "1 <= threads <= 256",
-    );
-    let own = s.accuracy.tolerance();
-    let tolerance = Tolerance {
-        gap: s.tolerance.gap.unwrap_or(own.gap),
-        slip: s.tolerance.slip.unwrap_or(own.slip),
-        force: s.tolerance.force.unwrap_or(own.force),
-    };
-    for (key, value) in [
-        ("gap", tolerance.gap),
-        ("slip", tolerance.slip),
-        ("force", tolerance.force),
-    ] {
-        let path = format!("simulation.tolerance.{key}");
-        document.demand(
-            (1e-12..=1e-1).contains(&value),
-            path,
-            format!("{value:e}"),
-            "1e-12 to 1e-1 [-]",
-        );
-    }
-    let opening = s.tolerance.opening;
-    let opening = opening.unwrap_or_else(|| (s.accuracy.opening() * tolerance.gap).min(0.1));
-    document.demand(
-        (0.0..=1e-1).contains(&opening),
-        at("tolerance.opening"),
-        format!("{opening:e}"),
-        "0 to 1e-1 [-]",
-    );
-    let gravity = gravity(document, resources, s);
-    let frame = s
-        .rotating_frame
-        .map(|frame| rotating_frame(document, frame));
+pub(super) fn settings(document: &mut Document<'_>, s: &file::Simulation) -> Option<Settings> {
+    ranges(document, s);
+    together(document, s);
+    let (tolerance, opening) = tolerances(document, s);
+    let gravity = gravity(document, s);
+    let frame = s.rotating_frame.map(|f| rotating_frame(document, f));
     let (gravity, gravity_motion) = gravity?;
     Some(Settings {
         gravity,
@@ -176,16 +47,103 @@ pub(super) fn settings(
         tolerance,
         opening,
         strict: s.strict,
-        max_initial_overlap: overlap,
-        threshold_velocity: threshold,
-        dynamic_coefficient: kept,
+        max_initial_overlap: s.max_initial_overlap,
+        threshold_velocity: s.threshold_velocity,
+        dynamic_coefficient: s.dynamic_coefficient,
         max_iterations: s.max_iterations as usize,
         max_cuts: s.max_cuts,
         threads: s.threads as usize,
     })
 }
 
-/// Shortest time \[s\] in which gravity, the centrifugal force or the pressure of a servo wall moves a sphere by half its radius.
+/// Numbers out of their range.
+fn ranges(document: &mut Document<'_>, s: &file::Simulation) {
+    let above = [
+        ("duration", Some(s.duration), "a time > 0 [s]"),
+        ("step", s.step, "a time > 0 [s]"),
+        ("communication_step", s.communication_step, "a time > 0 [s]"),
+        ("penalty", s.penalty, "a stiffness > 0 [N/m]"),
+    ];
+    for (key, value, expected) in above {
+        document.positive((TABLE, key), value, expected);
+    }
+    let speeds = [
+        ("rest_speed", s.rest_speed),
+        ("threshold_velocity", s.threshold_velocity),
+    ];
+    for (key, value) in speeds {
+        document.within((TABLE, key), value, 0.0.., "a speed >= 0 [m/s]");
+    }
+    let counts = [
+        ("sweeps", s.sweeps, 1..=u32::MAX, "a whole number > 0"),
+        (
+            "max_iterations",
+            Some(s.max_iterations),
+            1..=u32::MAX,
+            "a count >= 1",
+        ),
+        ("max_cuts", Some(s.max_cuts), 0..=20, "0 <= max_cuts <= 20"),
+        ("threads", Some(s.threads), 1..=256, "1 <= threads <= 256"),
+    ];
+    for (key, value, range, expected) in counts {
+        document.within((TABLE, key), value, range, expected);
+    }
+    let (key, expected) = ("max_initial_overlap", "0 <= max_initial_overlap <= 0.5 [-]");
+    document.within((TABLE, key), s.max_initial_overlap, 0.0..=0.5, expected);
+    let (key, expected) = ("dynamic_coefficient", "0 <= dynamic_coefficient <= 1 [-]");
+    document.within((TABLE, key), s.dynamic_coefficient, 0.0..=1.0, expected);
+}
+
+/// Keys that need, or exclude, one another.
+fn together(document: &mut Document<'_>, s: &file::Simulation) {
+    if let Some(smallest) = s.smallest_step {
+        let good = smallest > 0.0 && s.step.is_none_or(|step| smallest <= step);
+        let expected = "0 < smallest_step <= step [s]";
+        document.demand(good, (TABLE, "smallest_step"), smallest, expected);
+    }
+    if s.fixed_step && s.step.is_none() {
+        let message = "missing key `step`, which fixed_step = true needs";
+        let help = "add `step = ...` in s, or remove `fixed_step`";
+        document.error(TABLE, message, help);
+    }
+    if s.method == Method::Penalty && s.penalty.is_none() {
+        let message = "missing key `penalty`, which method = \"penalty\" needs";
+        let help =
+            "add `penalty = ...` in N/m; `sphere-dda check` suggests one, or use method = \"alm\"";
+        document.error(TABLE, message, help);
+    }
+    if s.integrator == Integrator::Moreau && s.dynamic_coefficient != 1.0 {
+        let message = "has no effect with integrator = \"moreau\"";
+        let help = "remove it or use \"shi\"";
+        document.warn((TABLE, "dynamic_coefficient"), message, help);
+    }
+}
+
+/// Tolerances and opening \[-\]: as given, else those of the accuracy.
+fn tolerances(document: &mut Document<'_>, s: &file::Simulation) -> (Tolerance, f64) {
+    let own = s.accuracy.tolerance();
+    let tolerance = Tolerance {
+        gap: s.tolerance.gap.unwrap_or(own.gap),
+        slip: s.tolerance.slip.unwrap_or(own.slip),
+        force: s.tolerance.force.unwrap_or(own.force),
+    };
+    let opening = s.tolerance.opening;
+    let opening = opening.unwrap_or_else(|| s.accuracy.opening_of(tolerance.gap));
+    let keys = [
+        ("gap", tolerance.gap, 1e-12, "1e-12 to 1e-1 [-]"),
+        ("slip", tolerance.slip, 1e-12, "1e-12 to 1e-1 [-]"),
+        ("force", tolerance.force, 1e-12, "1e-12 to 1e-1 [-]"),
+        ("opening", opening, 0.0, "0 to 1e-1 [-]"),
+    ];
+    for (key, value, least, expected) in keys {
+        let good = (least..=1e-1).contains(&value);
+        let path = format!("{TABLE}.tolerance.{key}");
+        document.demand(good, path, format!("{value:e}"), expected);
+    }
+    (tolerance, opening)
+}
+
+/// Shortest time \[s\] in which gravity, the centrifugal force or the pressure of a servo boundary moves a sphere by half its radius.
 pub(super) fn fall(
     settings: &Settings,
     (particles, initial): (&Particles, &Kinematics),
@@ -241,14 +199,8 @@ pub(super) fn choose_steps(settings: &mut Settings, file: &file::Simulation, fal
 pub(super) fn materials(document: &mut Document<'_>, file: &SceneFile) -> Vec<Material> {
     let materials = file.materials.iter().map(|element| {
         let density = element.value.as_ref().and_then(|m| m.density);
-        if let Some(density) = density {
-            document.demand(
-                density > 0.0,
-                format!("{}.density", element.path),
-                density,
-                "a density > 0 [kg/m^3]",
-            );
-        }
+        let expected = "a density > 0 [kg/m^3]";
+        document.positive((&element.path, "density"), density, expected);
         // A material of boundaries only has no density; 1 keeps an unusable element's spheres finite until the
         // scene is refused.
         Material {

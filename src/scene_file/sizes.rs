@@ -58,14 +58,12 @@ impl Sizes {
             (None, Some(size)) => Self::drawn(document, &format!("{path}.size"), size),
             (None, None) => {
                 let help = "add `radius = ...` in metres, or `size = { ... }`";
-                document.error(path, "missing key `radius`", help);
-                None
+                document.reject(path, "missing key `radius`", help)
             }
             (Some(_), Some(_)) => {
                 let help = "keep `radius` for equal spheres, `size` for a distribution";
                 let message = "found both `radius` and `size`, expected one of them";
-                document.error(format!("{path}.size"), message, help);
-                None
+                document.reject((path, "size"), message, help)
             }
         }
     }
@@ -83,12 +81,7 @@ impl Sizes {
                 let path = format!("{path}.normal");
                 let (mean, deviation) = (given.mean, given.deviation);
                 let good = positive(document, format!("{path}.mean"), mean)
-                    & document.demand(
-                        deviation > 0.0,
-                        format!("{path}.deviation"),
-                        deviation,
-                        "a length > 0 [m]",
-                    );
+                    & document.positive((&path, "deviation"), deviation, "a length > 0 [m]");
                 let min = given
                     .min
                     .unwrap_or((mean - 3.0 * deviation).max(0.1 * mean));
@@ -107,12 +100,7 @@ impl Sizes {
                 let (median, sigma) = (given.median, given.sigma);
                 let in_range = sigma > 0.0 && sigma <= 10.0;
                 let good = positive(document, format!("{path}.median"), median)
-                    & document.demand(
-                        in_range,
-                        format!("{path}.sigma"),
-                        sigma,
-                        "0 < sigma <= 10 [-]",
-                    );
+                    & document.demand(in_range, (&path, "sigma"), sigma, "0 < sigma <= 10 [-]");
                 let min = given.min.unwrap_or(median * libm::exp(-3.0 * sigma));
                 let max = given.max.unwrap_or(median * libm::exp(3.0 * sigma));
                 let wide = libm::log(max / min) >= NARROWEST * sigma;
@@ -132,14 +120,14 @@ impl Sizes {
         let (radius, mass) = (&given.radius, &given.mass);
         let mut good = document.demand(
             !radius.is_empty(),
-            format!("{path}.radius"),
+            (path, "radius"),
             "an empty list",
             "at least one radius > 0 [m]",
         );
         let expected = format!("one share for each of the {} radii", radius.len());
         good &= document.demand(
             mass.len() == radius.len(),
-            format!("{path}.mass"),
+            (path, "mass"),
             format!("{} shares", mass.len()),
             &expected,
         );
@@ -151,7 +139,7 @@ impl Sizes {
             good &= document.demand(*m >= 0.0, key, m, "a share of the mass >= 0");
         }
         let some = mass.is_empty() || mass.iter().any(|m| *m > 0.0);
-        good &= document.demand(some, format!("{path}.mass"), "only zeros", "a share > 0");
+        good &= document.demand(some, (path, "mass"), "only zeros", "a share > 0");
         if !good {
             return None;
         }
@@ -194,7 +182,7 @@ impl Sizes {
     }
 }
 
-/// Draws until the bounds are met.
+/// Draws until a value lies within the bounds.
 fn within(min: f64, max: f64, mut draw: impl FnMut() -> f64) -> f64 {
     loop {
         let radius = draw();
@@ -205,14 +193,14 @@ fn within(min: f64, max: f64, mut draw: impl FnMut() -> f64) -> f64 {
 }
 
 fn positive(document: &mut Document<'_>, path: String, value: f64) -> bool {
-    document.demand(value > 0.0, path, value, "a radius > 0 [m]")
+    document.positive(path, value, "a radius > 0 [m]")
 }
 
 fn ordered(document: &mut Document<'_>, path: String, max: f64, of: &str, min: f64) -> bool {
     document.demand(max >= min, path, max, &format!("at least {of} = {min} [m]"))
 }
 
-/// `0 < min <= centre <= max`, and wide enough to be met by draws.
+/// `0 < min <= centre <= max`, and wide enough for draws to fall within.
 fn bounds(
     document: &mut Document<'_>,
     path: &str,
@@ -222,11 +210,11 @@ fn bounds(
 ) -> bool {
     let low = min > 0.0 && min <= centre;
     let expected = format!("0 < min <= {name} = {centre} [m]");
-    document.demand(low, format!("{path}.min"), min, &expected)
+    document.demand(low, (path, "min"), min, &expected)
         & ordered(document, format!("{path}.max"), max, name, centre)
         && document.demand(
             wide,
-            format!("{path}.max"),
+            (path, "max"),
             max,
             "bounds at least a tenth of a deviation apart; use `radius` for equal spheres",
         )
@@ -327,7 +315,7 @@ mod tests {
     #[test]
     fn classes_share_the_mass_as_the_table_says() {
         let (radius, mass) = (vec![0.01, 0.02, 0.04, 0.03], vec![20.0, 50.0, 30.0, 0.0]);
-        let mut document = Document::parse("");
+        let mut document = Document::parse("", std::path::Path::new(""));
         let table = file::Size::Table(file::MassTable {
             radius: radius.clone(),
             mass: mass.clone(),

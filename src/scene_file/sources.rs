@@ -8,7 +8,6 @@ use super::document::Document;
 use super::file;
 use super::names::Names;
 use super::regions::{emptied, filled};
-use super::resources::Resources;
 use super::sizes::Sizes;
 use super::spheres::MOST_SPHERES;
 use crate::scene::materials::Material;
@@ -19,39 +18,23 @@ use crate::spatial::Twist;
 /// Adds a source and its spheres.
 pub(super) fn source(
     document: &mut Document<'_>,
-    resources: &mut Resources<'_>,
     path: &str,
     given: &file::Source,
     material: (u16, &Material),
     (particles, initial): (&mut Particles, &mut Kinematics),
 ) -> Option<Source> {
     let sizes = Sizes::new(document, path, given.radius, given.size.as_ref());
-    let region = filled(
-        document,
-        resources,
-        &format!("{path}.region"),
-        &given.region,
-    );
+    let region = filled(document, &format!("{path}.region"), &given.region);
     let supply = supply(document, path, given);
     let most = MOST_SPHERES - particles.len();
     let expected = format!("1..={most} spheres");
     let capacity = given.capacity as usize;
-    let mut good = document.demand(
-        (1..=most).contains(&capacity),
-        format!("{path}.capacity"),
-        capacity,
-        &expected,
-    );
+    let mut good = document.within((path, "capacity"), capacity, 1..=most, &expected);
     let start = given.start;
-    good &= document.demand(
-        start >= 0.0,
-        format!("{path}.start"),
-        start,
-        "a time >= 0 [s]",
-    );
+    good &= document.within((path, "start"), start, 0.0.., "a time >= 0 [s]");
     if let Some(stop) = given.stop {
         let expected = format!("a time after the start, {start} [s]");
-        good &= document.demand(stop > start, format!("{path}.stop"), stop, &expected);
+        good &= document.demand(stop > start, (path, "stop"), stop, &expected);
     }
     let (sizes, region, supply) = (sizes?, region?, supply?);
     if !good {
@@ -64,12 +47,11 @@ pub(super) fn source(
         let radius = sizes.draw(&mut random);
         if region.random_centre(radius, &mut random).is_none() {
             let message = format!("found no room for a sphere of radius {radius} m");
-            document.error(
-                format!("{path}.region"),
+            return document.reject(
+                (path, "region"),
                 message,
                 "make the region wider than the largest sphere, twice its radius and more",
             );
-            return None;
         }
         particles.push(radius, material.1.density, material.0, Locks::default());
         initial.push_absent((low + high) / 2.0);
@@ -93,20 +75,19 @@ fn supply(document: &mut Document<'_>, path: &str, given: &file::Source) -> Opti
     match (given.rate, given.mass_rate) {
         (Some(rate), None) => {
             let key = format!("{path}.rate");
-            let good = document.demand(rate > 0.0, key, rate, "a rate > 0 [1/s]");
+            let good = document.positive(key, rate, "a rate > 0 [1/s]");
             good.then_some(Supply::Spheres(rate))
         }
         (None, Some(rate)) => {
             let key = format!("{path}.mass_rate");
-            let good = document.demand(rate > 0.0, key, rate, "a rate > 0 [kg/s]");
+            let good = document.positive(key, rate, "a rate > 0 [kg/s]");
             good.then_some(Supply::Mass(rate))
         }
         (count, _) => {
             let found = if count.is_some() { "both" } else { "none" };
             let message = format!("found {found} of rate, mass_rate, expected one");
             let help = "`rate` counts spheres per second, `mass_rate` kilograms per second";
-            document.error(path, message, help);
-            None
+            document.reject(path, message, help)
         }
     }
 }
@@ -114,19 +95,13 @@ fn supply(document: &mut Document<'_>, path: &str, given: &file::Source) -> Opti
 /// The sinks; `sources` are the names of the sources.
 pub(super) fn sinks(
     document: &mut Document<'_>,
-    resources: &mut Resources<'_>,
     sources: &Names,
     elements: &[Entry<file::Sink>],
 ) -> Vec<Sink> {
     Names::declare(document, "sink", elements);
     let sinks = elements.iter().filter_map(|element| {
         let (path, value) = (&element.path, element.value.as_ref()?);
-        let region = emptied(
-            document,
-            resources,
-            &format!("{path}.region"),
-            &value.region,
-        );
+        let region = emptied(document, &format!("{path}.region"), &value.region);
         let recycle = match &value.recycle {
             Some(name) => Some(sources.resolve(document, &format!("{path}.recycle"), name)?),
             None => None,

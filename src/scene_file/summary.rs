@@ -9,11 +9,11 @@ use crate::scene::{Boundary, Motion, Scene};
 use crate::solver::Tolerance;
 use crate::spatial::extent::joined;
 
-/// CPU time of one sphere in one step beside its sweeps \[s\]: neighbours, closest points, rows, motion.
+/// CPU time of one sphere in one step without its sweeps \[s\]: neighbours, closest points, rows, motion.
 ///
 /// Measured, as the next two, by `time sphere-dda run examples/hopper/hopper.toml -o results --stop 0.3` and likewise for
 /// the funnel, slopes, feeder, landslide, conveyor, dropped and study/bin: user time over spheres and internal steps, on one
-/// thread of a two-core 2.6 GHz x86-64 server. All are met within a factor of two.
+/// thread of a two-core 2.6 GHz x86-64 server. All agree within a factor of two.
 const SPHERE_COST: f64 = 1e-6;
 /// CPU time of the sweeps of one sphere in one step as long as the suggested one \[s\].
 const SWEEPS_COST: f64 = 0.2e-6;
@@ -53,12 +53,12 @@ pub struct Summary {
     pub tolerance: Tolerance,
     /// Step of the scene \[s\].
     pub step: f64,
-    /// Suggested step \[s\], see [`suggested_step`](Self::suggested_step).
+    /// Suggested step \[s\], see `suggested_step`.
     pub suggested_step: f64,
-    /// Suggested penalty \[N/m\], see [`suggested_penalty`](Self::suggested_penalty).
+    /// Suggested penalty \[N/m\], see `suggested_penalty`.
     pub suggested_penalty: f64,
     /// Estimated CPU time of one simulated second \[s/s\], see [`cpu_per_second`](Self::cpu_per_second).
-    pub cpu_per_second: f64,
+    pub(crate) cpu_per_second: f64,
 }
 
 /// Where a boundary is at t = 0.
@@ -76,7 +76,7 @@ impl Summary {
     /// Summarises a scene.
     #[must_use]
     pub fn of(scene: &Scene) -> Self {
-        let radius = &scene.particles.radius;
+        let particles = &scene.particles;
         let step = scene.settings.step.min(scene.settings.communication_step);
         let driven = scene.boundaries.iter().filter(|b| b.is_commanded());
         Self {
@@ -87,10 +87,7 @@ impl Summary {
             materials: scene.materials.len(),
             sensors: scene.sensors.len(),
             probes: scene.probes.len(),
-            radius: (
-                radius.iter().copied().fold(f64::INFINITY, f64::min),
-                radius.iter().copied().fold(0.0, f64::max),
-            ),
+            radius: (particles.smallest_radius(), particles.largest_radius()),
             mass: scene.particles.mass.iter().sum(),
             extent: spheres_extent(scene),
             overlaps: Overlaps::of(scene),
@@ -106,8 +103,7 @@ impl Summary {
     /// about three: `N` spheres, those that wait in sources included, `dt` the step, `dt_s` the suggested one. What every sphere costs
     /// in every step is `a`; sweeps cost `b`, and more of them are needed in longer steps. Rolling and twisting resistance
     /// multiply `b`.
-    #[must_use]
-    pub fn cpu_per_second(scene: &Scene) -> f64 {
+    pub(crate) fn cpu_per_second(scene: &Scene) -> f64 {
         let step = scene.settings.step.min(scene.settings.communication_step);
         let longer = (step / Self::suggested_step(scene)).clamp(1.0, MOST_LONGER);
         let sweeps = match scene.pairs.resists() {
@@ -117,22 +113,16 @@ impl Summary {
         scene.particles.len() as f64 / step * (SPHERE_COST + sweeps * longer)
     }
 
-    /// `dt = min( sqrt(tol R / (c g)), 0.15 R / v )` \[s\], the cheapest step that meets the gap tolerance `tol`
+    /// `dt = min( sqrt(tol R / (c g)), 0.15 R / v )` \[s\], the cheapest step that satisfies the gap tolerance `tol`
     /// with forces that mean something: `c = 0.2`, `R` the smallest radius, `g` gravity, `v` the largest speed of
-    /// a sphere or wall in the scene plus that of a fall through the spheres' extent along gravity.
-    #[must_use]
-    pub fn suggested_step(scene: &Scene) -> f64 {
+    /// a sphere or boundary in the scene plus that of a fall through the spheres' extent along gravity.
+    pub(crate) fn suggested_step(scene: &Scene) -> f64 {
         Self::step_for(scene, scene.settings.tolerance.gap)
     }
 
     /// [`suggested_step`](Self::suggested_step) for another gap tolerance \[-\].
     pub(super) fn step_for(scene: &Scene, gap: f64) -> f64 {
-        let radius = scene
-            .particles
-            .radius
-            .iter()
-            .copied()
-            .fold(f64::INFINITY, f64::min);
+        let radius = scene.particles.smallest_radius();
         let g = scene.settings.gravity;
         let spheres = scene.initial.velocity.iter().map(|v| v.norm());
         let boundaries = scene.boundaries.iter().map(|b| top_speed(&b.motion));
@@ -146,9 +136,8 @@ impl Summary {
     }
 
     /// `P = 10 m / dt^2` \[N/m\] with the heaviest sphere `m`: an augmentation then shrinks the gap of every sphere
-    /// that rests alone on a wall by `1/(1 + P dt^2/m) <= 1/11`.
-    #[must_use]
-    pub fn suggested_penalty(scene: &Scene, step: f64) -> f64 {
+    /// that rests alone on a boundary by `1/(1 + P dt^2/m) <= 1/11`.
+    pub(crate) fn suggested_penalty(scene: &Scene, step: f64) -> f64 {
         10.0 * scene.particles.mass.iter().copied().fold(0.0, f64::max) / (step * step)
     }
 }
@@ -202,48 +191,48 @@ impl fmt::Display for Summary {
             [] => "none driven from outside".to_owned(),
             names => format!("driven from outside: {}", names.join(", ")),
         };
+        let extent = match self.extent {
+            Some(extent) => Extent(extent).to_string(),
+            None => "none: all spheres wait in sources".to_owned(),
+        };
+        let [smallest, largest] = [self.radius.0, self.radius.1].map(metres);
+        let (step, suggested, gap) = (self.step, self.suggested_step, self.tolerance.gap);
+        let row = |label: &str, value: String| format!("  {label:<17} {value}");
+        let mut lines = vec![
+            row(
+                "spheres",
+                format!("{}, radius {smallest} to {largest} m", self.spheres),
+            ),
+            row("mass", format!("{} kg", metres(self.mass))),
+            row("extent", extent),
+            row("boundaries", format!("{}, {inputs}", self.boundaries.len())),
+        ];
         if !self.title.is_empty() {
-            writeln!(f, "{}", self.title)?;
+            lines.insert(0, self.title.clone());
         }
-        writeln!(
-            f,
-            "  spheres           {}, radius {} to {} m",
-            self.spheres,
-            metres(self.radius.0),
-            metres(self.radius.1)
-        )?;
-        writeln!(f, "  mass              {} kg", metres(self.mass))?;
-        match self.extent {
-            Some(extent) => writeln!(f, "  extent            {}", Extent(extent))?,
-            None => writeln!(f, "  extent            none: all spheres wait in sources")?,
-        }
-        writeln!(f, "  boundaries        {}, {inputs}", self.boundaries.len())?;
-        for boundary in self.boundaries.iter().take(MOST_BOUNDARIES) {
-            writeln!(f, "    {boundary}")?;
-        }
+        let boundaries = self.boundaries.iter().take(MOST_BOUNDARIES);
+        lines.extend(boundaries.map(|boundary| format!("    {boundary}")));
         if self.boundaries.len() > MOST_BOUNDARIES {
             let more = self.boundaries.len() - MOST_BOUNDARIES;
-            writeln!(f, "    and {more} more")?;
+            lines.push(format!("    and {more} more"));
         }
-        writeln!(f, "  materials         {}", self.materials)?;
-        writeln!(f, "  sensors           {}", self.sensors)?;
-        writeln!(f, "  probes            {}", self.probes)?;
-        writeln!(f, "  initial overlaps  {}", self.overlaps)?;
-        writeln!(
-            f,
-            "  step              {:.3e} s; suggested {:.1e} s for a gap tolerance of {:e}",
-            self.step, self.suggested_step, self.tolerance.gap
-        )?;
-        writeln!(
-            f,
-            "  penalty           suggested {:.1e} N/m for this step",
-            self.suggested_penalty
-        )?;
-        write!(
-            f,
-            "  cost              about {:.1e} s of CPU time per simulated second (estimate, within a factor of 3)",
+        let step =
+            format!("{step:.3e} s; suggested {suggested:.1e} s for a gap tolerance of {gap:e}");
+        let penalty = format!("suggested {:.1e} N/m for this step", self.suggested_penalty);
+        let cost = format!(
+            "about {:.1e} s of CPU time per simulated second (estimate, within a factor of 3)",
             self.cpu_per_second
-        )
+        );
+        lines.extend([
+            row("materials", self.materials.to_string()),
+            row("sensors", self.sensors.to_string()),
+            row("probes", self.probes.to_string()),
+            row("initial overlaps", self.overlaps.to_string()),
+            row("step", step),
+            row("penalty", penalty),
+            row("cost", cost),
+        ]);
+        f.write_str(&lines.join("\n"))
     }
 }
 

@@ -58,7 +58,7 @@ fn typed(value: &DeValue<'_>) -> String {
 fn named_option(place: &Place<'_>, found: &DeValue<'_>) -> Option<String> {
     match found {
         DeValue::String(name) => {
-            let value = place.below(&Step::ContactId(name.clone().into_owned()))?;
+            let value = place.below(&Step::Key(name.clone().into_owned()))?;
             Some(format!("`{{ {name} = {} }}`", value.example()))
         }
         DeValue::Table(table) => {
@@ -107,7 +107,7 @@ impl<'s> Place<'s> {
     fn below(self, step: &Step) -> Option<Self> {
         self.options().into_iter().find_map(|option| {
             let next = match step {
-                Step::ContactId(key) => option.node["properties"].get(key)?,
+                Step::Key(key) => option.node["properties"].get(key)?,
                 Step::Index(_) => option.node.get("items")?,
             };
             Some(option.at(next))

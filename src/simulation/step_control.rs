@@ -319,6 +319,7 @@ mod tests {
     fn sweeps_are_bounded_where_steps_can_be_cut() {
         let settings = Settings {
             smallest_step: Some(1e-5),
+            strict: true,
             ..Settings::default()
         };
         let control = StepControl::of(&settings);

@@ -155,7 +155,7 @@ impl<'a> Inner<'a> {
 }
 
 /// Solves `problem` from the impulses given; see [`super::solve`].
-pub fn solve(
+pub(crate) fn solve(
     problem: &Problem,
     params: &Params,
     workspace: &mut SolverWorkspace,
@@ -177,7 +177,7 @@ pub fn solve(
         (&mut report, &mut best),
     );
     report.broken = ended.err();
-    // Away from the solution a large penalty may lead astray: what is handed on is the best that was met.
+    // Away from the solution a large penalty may lead astray: the best iterate is returned.
     impulses.copy_from_slice(&best.impulses);
     report.residual = evaluate(problem, &scales, impulses);
     report.converged = report.residual.within(&params.tolerance);

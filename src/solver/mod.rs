@@ -2,8 +2,8 @@
 //!
 //! [`gauss_seidel`] updates one contact's multiplier at a time with its closed-form local solution;
 //! [`augmented_lagrangian`] is the paper's loop: `K D = F` by sparse Cholesky, open-close iterations inside,
-//! multiplier updates outside; [`newton`] works on the true friction cone and finishes what both leave; [`tangent`] says how a
-//! solution answers to small changes. All leave
+//! multiplier updates outside; [`newton`] works on the true friction cone and finishes what both leave; `tangent` gives the
+//! derivative of a solution. All leave
 //! impulses that satisfy the same conditions ([`crate::problem`]); a faster solver is one more function of the same shape.
 
 pub mod augmented_lagrangian;
@@ -15,7 +15,7 @@ mod params;
 mod report;
 pub mod residual;
 mod strategy;
-pub mod tangent;
+pub(crate) mod tangent;
 
 pub use params::{Params, SolverKind};
 pub use report::Report;

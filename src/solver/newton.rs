@@ -1,7 +1,7 @@
 //! Semismooth Newton on the true Coulomb cone, inside a proximal loop: what finishes steps on which block Gauss-Seidel
 //! and the lagged friction discs of the paper's loop go round in circles.
 //!
-//! For multipliers `p` held, each row responses a velocity with
+//! For multipliers `p` held, each row responds to a velocity with
 //!
 //! ```text
 //! p^_n = max(0, (p_n - s (u_n + b_n)) / (1 + s c_n))

@@ -24,7 +24,7 @@ pub struct Params {
     pub kind: SolverKind,
     /// Residuals to reach \[-\].
     pub tolerance: Tolerance,
-    /// Whether the best iterate is taken where the tolerances are not met: then less is tried.
+    /// Whether the best iterate is taken where the tolerances are not reached: then less is tried.
     pub accept: bool,
     /// Fewest Gauss-Seidel sweeps, unless [`Self::max_sweeps`] are fewer.
     pub min_sweeps: usize,

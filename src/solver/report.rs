@@ -26,8 +26,7 @@ pub struct Report {
 
 impl Report {
     /// Adds the work of a second solve; residual, verdict and what broke are those of the second, the penalty the last.
-    #[must_use]
-    pub fn then(self, next: Self) -> Self {
+    pub(crate) fn then(self, next: Self) -> Self {
         Self {
             sweeps: self.sweeps + next.sweeps,
             augmentations: self.augmentations + next.augmentations,

@@ -42,8 +42,7 @@ pub struct Tolerance {
 
 impl Tolerance {
     /// All of them times `factor`.
-    #[must_use]
-    pub fn scaled(&self, factor: f64) -> Self {
+    pub(crate) fn scaled(&self, factor: f64) -> Self {
         Self {
             gap: self.gap * factor,
             slip: self.slip * factor,
@@ -74,7 +73,7 @@ pub struct Residual {
     /// Row of the largest gap, slip and force residual.
     pub worst: [usize; 3],
     /// How near a row is to the edge of its state: 1 at the edge, 0 far from it.
-    pub active_set_closeness: f64,
+    pub(crate) active_set_closeness: f64,
 }
 
 impl Residual {
@@ -142,8 +141,7 @@ impl Scale {
     }
 
     /// The scales of one row.
-    #[must_use]
-    pub fn of_row(problem: &Problem, row: &Row) -> Self {
+    pub(crate) fn of_row(problem: &Problem, row: &Row) -> Self {
         let (normal, tangential) = problem.delassus(row);
         Self {
             normal: normal + row.compliance_n,
@@ -152,7 +150,7 @@ impl Scale {
     }
 
     /// Change of the row's impulse by its law at relative velocity `u` and impulse `p`: normal first, then
-    /// tangential on the disc of the updated normal impulse; `load` bounds a resistance ([`Row::load`]). Zero at a
+    /// tangential on the disc of the updated normal impulse; `load` bounds a resistance (`Row::load`). Zero at a
     /// solution.
     ///
     /// A row that nothing can move (`w = 0`) keeps its impulse.
@@ -192,9 +190,8 @@ impl Scale {
 
     /// Distance of a row to the edge of its state over its size, at relative velocity `u` and impulse `p`; 1 where it has
     /// none or nothing can move it.
-    #[must_use]
     #[inline]
-    pub fn margin(&self, row: &Row, u: Vec3, p: Vec3, load: f64) -> f64 {
+    pub(crate) fn margin(&self, row: &Row, u: Vec3, p: Vec3, load: f64) -> f64 {
         if row.law == Law::Bilateral || self.normal <= 0.0 || self.tangential <= 0.0 {
             return 1.0;
         }
@@ -211,8 +208,7 @@ impl Scale {
     }
 
     /// The three dimensionless residuals of a row whose impulse is off by `natural_map`.
-    #[must_use]
-    pub fn residuals(&self, row: &Row, step: f64, natural_map: &NaturalMap) -> [f64; 3] {
+    pub(crate) fn residuals(&self, row: &Row, step: f64, natural_map: &NaturalMap) -> [f64; 3] {
         let tangential = natural_map.tangential.norm();
         let normal = natural_map.normal.abs();
         let force = (normal * normal + tangential * tangential).sqrt();

@@ -32,7 +32,7 @@ const AT_BOUND: f64 = 1e-9;
 
 /// A change of a problem's data.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Change {
+pub(crate) struct Change {
     /// Of the velocities, with the impulses held; `[N + D]`.
     pub velocity: Vec<SpatialVector>,
     /// Of the rows' unit normals, `[C]`.
@@ -45,7 +45,7 @@ pub struct Change {
 ///
 /// # Errors
 /// [`LinearError`] if the factorization fails.
-pub fn respond(
+pub(crate) fn respond(
     problem: &Problem,
     impulses: &[Vec3],
     changes: &[Change],

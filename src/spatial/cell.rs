@@ -8,7 +8,7 @@
 //! A contact of spheres i and j therefore says which copy of j it is with, `x_j + k L`, and `k` stays the same for as long
 //! as the contact lasts, wherever the two have gone. A pair may touch through several faces at once.
 //!
-//! What else is bounded (boundaries with edges, regions, gates) stands in the cell and has copies as well: a sphere meets the
+//! What else is bounded (boundaries with edges, regions, gates) stands in the cell and has copies as well: a sphere touches the
 //! one nearest to it. Half-spaces along a periodic axis are their own copies.
 //!
 //! Without periodic axes (the default) everything is its only copy.
@@ -44,21 +44,18 @@ impl Cell {
     }
 
     /// Whether no axis is periodic.
-    #[must_use]
-    pub fn is_open(&self) -> bool {
+    pub(crate) fn is_open(&self) -> bool {
         self.edge == Vec3::zeros()
     }
 
     /// Lower and upper face \[m\] across an axis, if it is periodic.
-    #[must_use]
-    pub fn faces(&self, axis: usize) -> Option<[f64; 2]> {
+    pub(crate) fn faces(&self, axis: usize) -> Option<[f64; 2]> {
         let [low, edge] = [self.low[axis], self.edge[axis]];
         (edge > 0.0).then_some([low, low + edge])
     }
 
     /// The same cell with those axes alone that are `chosen`.
-    #[must_use]
-    pub fn along(&self, chosen: [bool; 3]) -> Self {
+    pub(crate) fn along(&self, chosen: [bool; 3]) -> Self {
         let keep = Vec3::from(chosen.map(|is| if is { 1.0 } else { 0.0 }));
         Self {
             low: self.low.component_mul(&keep),
@@ -67,31 +64,27 @@ impl Cell {
     }
 
     /// Displacement `k L` \[m\] of an image.
-    #[must_use]
-    pub fn shift(&self, image: Image) -> Vec3 {
+    pub(crate) fn shift(&self, image: Image) -> Vec3 {
         Vec3::from(image.map(f64::from)).component_mul(&self.edge)
     }
 
     /// The image that a point \[m\] lies in; [`HERE`] is the cell itself.
-    #[must_use]
-    pub fn image(&self, x: Vec3) -> Image {
+    pub(crate) fn image(&self, x: Vec3) -> Image {
         self.count(x - self.low, f64::floor)
     }
 
     /// The copy of a point \[m\] in the cell.
-    #[must_use]
-    pub fn wrapped(&self, x: Vec3) -> Vec3 {
+    pub(crate) fn wrapped(&self, x: Vec3) -> Vec3 {
         x - self.shift(self.image(x))
     }
 
     /// The copy of a point \[m\] nearest to `to` \[m\].
-    #[must_use]
-    pub fn nearest(&self, x: Vec3, to: Vec3) -> Vec3 {
+    pub(crate) fn nearest(&self, x: Vec3, to: Vec3) -> Vec3 {
         x - self.shift(self.count(x - to, f64::round))
     }
 
     /// Images of a point \[m\] whose copies lie within `reach` \[m\] of a box `(min, max)` \[m\] along every periodic axis.
-    pub fn copies(
+    pub(crate) fn copies(
         &self,
         x: Vec3,
         (min, max): (Vec3, Vec3),
@@ -113,7 +106,7 @@ impl Cell {
         })
     }
 
-    /// Whole edges in an arm \[m\], rounded as told.
+    /// Whole edges in an arm \[m\], rounded by the function given.
     fn count(&self, arm: Vec3, round: impl Fn(f64) -> f64) -> Image {
         std::array::from_fn(|k| match self.edge[k] > 0.0 {
             true => round(arm[k] / self.edge[k]) as i32,

@@ -6,4 +6,5 @@ mod pose;
 mod vector;
 
 pub use pose::{Pose, turned};
-pub use vector::{SpatialOperator, SpatialVector, Twist, Wrench};
+pub(crate) use vector::SpatialOperator;
+pub use vector::{SpatialVector, Twist, Wrench};

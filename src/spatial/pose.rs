@@ -27,8 +27,7 @@ impl Default for Pose {
 
 impl Pose {
     /// Translation \[m\] and rotation vector \[rad\] from the scene; the vector may be longer than pi.
-    #[must_use]
-    pub fn from_rotation_vector(translation: Vec3, rotation: Vec3) -> Self {
+    pub(crate) fn from_rotation_vector(translation: Vec3, rotation: Vec3) -> Self {
         Self {
             translation,
             rotation: UnitQuaternion::from_scaled_axis(rotation),
@@ -59,9 +58,8 @@ impl Pose {
     }
 
     /// Which point of the scene is at `x` now: `a + Q^T (x - a - s)` \[m\].
-    #[must_use]
     #[inline]
-    pub fn inverse_apply(&self, point_of_action: Vec3, x: Vec3) -> Vec3 {
+    pub(crate) fn inverse_apply(&self, point_of_action: Vec3, x: Vec3) -> Vec3 {
         if self.is_none() {
             return x;
         }
@@ -71,20 +69,8 @@ impl Pose {
                 .inverse_transform_vector(&(x - point_of_action - self.translation))
     }
 
-    /// The pose at `fraction` of the way to `end`: translation linear, rotation by its logarithm (constant angular
-    /// velocity, the shorter way round). Fractions outside 0..=1 extrapolate.
-    #[must_use]
-    pub fn interpolate(&self, end: &Self, fraction: f64) -> Self {
-        let turn = (end.rotation * self.rotation.inverse()).scaled_axis();
-        Self {
-            translation: self.translation + (end.translation - self.translation) * fraction,
-            rotation: UnitQuaternion::from_scaled_axis(turn * fraction) * self.rotation,
-        }
-    }
-
-    /// The constant twist that leads to `end` within `duration` \[s\] along [`Pose::interpolate`].
-    #[must_use]
-    pub fn twist_to(&self, end: &Self, duration: f64) -> Twist {
+    /// The constant twist that leads to `end` within `duration` \[s\], the shorter way round.
+    pub(crate) fn twist_to(&self, end: &Self, duration: f64) -> Twist {
         Twist {
             linear: (end.translation - self.translation) / duration,
             angular: (end.rotation * self.rotation.inverse()).scaled_axis() / duration,
@@ -92,8 +78,7 @@ impl Pose {
     }
 
     /// The pose after `duration` \[s\] of a constant twist.
-    #[must_use]
-    pub fn advanced(&self, twist: &Twist, duration: f64) -> Self {
+    pub(crate) fn advanced(&self, twist: &Twist, duration: f64) -> Self {
         Self {
             translation: self.translation + twist.linear * duration,
             rotation: UnitQuaternion::from_scaled_axis(twist.angular * duration) * self.rotation,
@@ -146,19 +131,18 @@ mod tests {
             prop_assert!(near(pose.apply(a, a), a + pose.translation, 1e-15));
         }
 
-        /// Halfway plus halfway is the whole way; the twist of the way leads to its end, and its velocity field is
-        /// the derivative of the path: v = s' + w x (x - a - s).
+        /// The twist between two poses leads to the end, and its velocity field is the derivative of the path:
+        /// v = s' + w x (x - a - s).
         #[test]
-        fn an_interpolated_path_has_one_twist(from in pose(), to in pose(), x in vector(3.0), f in 0.1..0.9f64) {
+        fn two_poses_have_one_twist(from in pose(), to in pose(), x in vector(3.0), f in 0.1..0.9f64) {
             let a = Vec3::new(0.3, -0.2, 0.1);
-            let end = from.interpolate(&to, 1.0);
-            prop_assert!(near(end.apply(a, x), to.apply(a, x), 1e-12));
             let duration = 0.7;
             let twist = from.twist_to(&to, duration);
-            let at = from.interpolate(&to, f);
-            prop_assert!(near(from.advanced(&twist, f * duration).apply(a, x), at.apply(a, x), 1e-12));
+            let path = |f: f64| from.advanced(&twist, f * duration);
+            prop_assert!(near(path(1.0).apply(a, x), to.apply(a, x), 1e-12));
+            let at = path(f);
             let errors = [1e-3, 5e-4].map(|h| {
-                let [before, after] = [f - h, f + h].map(|f| from.interpolate(&to, f).apply(a, x));
+                let [before, after] = [f - h, f + h].map(|f| path(f).apply(a, x));
                 let measured = (after - before) / (2.0 * h * duration);
                 let arm = at.apply(a, x) - a - at.translation;
                 (measured - twist.linear - twist.angular.cross(&arm)).norm()

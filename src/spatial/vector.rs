@@ -22,26 +22,23 @@ impl SpatialVector {
     };
 
     /// Adds `W momentum`.
-    pub fn apply_impulse(&mut self, inverse_mass: &Self, momentum: &Self) {
+    pub(crate) fn apply_impulse(&mut self, inverse_mass: &Self, momentum: &Self) {
         self.linear += inverse_mass.linear.component_mul(&momentum.linear);
         self.angular += inverse_mass.angular.component_mul(&momentum.angular);
     }
 
     /// `linear . linear + angular . angular`: power of a force and torque, energy of a momentum.
-    #[must_use]
-    pub fn dot(&self, other: &Self) -> f64 {
+    pub(crate) fn dot(&self, other: &Self) -> f64 {
         self.linear.dot(&other.linear) + self.angular.dot(&other.angular)
     }
 
     /// Velocity of the point at `arm` from the centre.
-    #[must_use]
-    pub fn at(&self, arm: Vec3) -> Vec3 {
+    pub(crate) fn at(&self, arm: Vec3) -> Vec3 {
         self.linear + self.angular.cross(&arm)
     }
 
     /// `self + scale * other`.
-    #[must_use]
-    pub fn plus(&self, other: &Self, scale: f64) -> Self {
+    pub(crate) fn plus(&self, other: &Self, scale: f64) -> Self {
         Self {
             linear: self.linear + other.linear * scale,
             angular: self.angular + other.angular * scale,
@@ -60,8 +57,7 @@ pub struct SpatialOperator {
 
 impl SpatialOperator {
     /// Zero: a body that is held.
-    #[must_use]
-    pub fn zero() -> Self {
+    pub(crate) fn zero() -> Self {
         Self {
             linear: Matrix3::zeros(),
             angular: Matrix3::zeros(),
@@ -69,8 +65,7 @@ impl SpatialOperator {
     }
 
     /// The operator applied to both parts.
-    #[must_use]
-    pub fn times(&self, x: &SpatialVector) -> SpatialVector {
+    pub(crate) fn times(&self, x: &SpatialVector) -> SpatialVector {
         SpatialVector {
             linear: self.linear * x.linear,
             angular: self.angular * x.angular,
@@ -98,7 +93,7 @@ pub struct Wrench {
 
 impl Wrench {
     /// Adds `scale * other`.
-    pub fn add(&mut self, other: &Self, scale: f64) {
+    pub(crate) fn add(&mut self, other: &Self, scale: f64) {
         self.force += other.force * scale;
         self.torque += other.torque * scale;
     }

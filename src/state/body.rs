@@ -19,7 +19,7 @@ pub struct BodyState {
     pub joint_position: f64,
     /// Force along the slide \[N\] or torque about the hinge \[N m\] of the lower stop, the upper stop and the spring in the
     /// last step.
-    pub joint_forces: [f64; 3],
+    pub(crate) joint_forces: [f64; 3],
 }
 
 /// The joint of a driven body; \[m\] and \[N\] of a slide, \[rad\] and \[N m\] of a hinge.
@@ -33,8 +33,7 @@ pub struct JointState {
 
 impl BodyState {
     /// All driven bodies of a scene at t = 0, `[D]`.
-    #[must_use]
-    pub fn initial(scene: &Scene) -> Vec<Self> {
+    pub(crate) fn initial(scene: &Scene) -> Vec<Self> {
         let start = |(b, body): (usize, &Body)| {
             let pivot = scene.boundaries[b].point_of_action;
             let momentum = body.momentum_of(pivot, &body.pose, &body.twist);

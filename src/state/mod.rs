@@ -6,10 +6,11 @@ mod report;
 mod step_control;
 mod velocities;
 
-pub use body::{BodyState, JointState};
+pub(crate) use body::BodyState;
+pub use body::JointState;
 pub use ledger::EnergyLedger;
 pub use report::StepReport;
-pub use step_control::StepControl;
+pub(crate) use step_control::StepControl;
 pub use velocities::Velocities;
 
 use std::collections::VecDeque;
@@ -24,7 +25,7 @@ use crate::spatial::{Pose, SpatialVector, Twist, Wrench};
 
 /// What a source has yet to emit.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-pub struct Reserve {
+pub(crate) struct Reserve {
     /// Spheres outside the scene, in the order they will be emitted.
     pub waiting: VecDeque<u32>,
     /// How much of what is due since the source's start has been emitted or forgone: spheres, or mass \[kg\].
@@ -47,7 +48,7 @@ pub struct State {
     /// Acceleration by external and persisting contact forces in the last step, `[N]`.
     pub smooth: Vec<SpatialVector>,
     /// The part of `smooth` that is by external forces, `[N]`; empty unless the frame rotates.
-    pub external: Vec<SpatialVector>,
+    pub(crate) external: Vec<SpatialVector>,
     /// Weight, inertial forces and point loads on all spheres in the last internal step \[N\].
     pub body_force: Vec3,
     /// The same averaged over the last communication step \[N\].
@@ -59,26 +60,26 @@ pub struct State {
     /// Boundary poses, `[B]`.
     pub poses: Vec<Pose>,
     /// Boundary twists over the last internal step, `[B]`.
-    pub twists: Vec<Twist>,
+    pub(crate) twists: Vec<Twist>,
     /// Driven bodies, `[D]`.
     pub bodies: Vec<BodyState>,
     /// Commands in force, `[B]`.
     pub commands: Vec<Command>,
-    /// Their derivatives by time over the next communication step, `[B]`; empty where all are held.
+    /// Their derivatives by time over the next communication step, `[B]`; empty where all are constant.
     pub rates: Vec<CommandDerivatives>,
     /// Wrench on each boundary over the last internal step, `[B]`.
     pub wrenches: Vec<Wrench>,
     /// Wrench on each boundary by contacts that were no impacts in the last internal step, `[B]`.
-    pub smooth_wrenches: Vec<Wrench>,
+    pub(crate) smooth_wrenches: Vec<Wrench>,
     /// Wrench on each boundary averaged over the last communication step, `[B]`.
-    pub mean_wrenches: Vec<Wrench>,
+    pub(crate) mean_wrenches: Vec<Wrench>,
     /// Impulse on each boundary that the mean of the next communication step takes over from one that was too short for a mean
     /// of its own, `[B]`.
-    pub owed: Vec<Wrench>,
+    pub(crate) owed: Vec<Wrench>,
     /// Work since t = 0.
     pub work: EnergyLedger,
     /// Spheres of each source that wait outside the scene, `[sources]`.
-    pub reserves: Vec<Reserve>,
+    pub(crate) reserves: Vec<Reserve>,
     /// Mass each source has emitted \[kg\], `[sources]`.
     pub emitted: Vec<f64>,
     /// Mass each sink has removed \[kg\], `[sinks]`.
@@ -88,13 +89,13 @@ pub struct State {
     /// Mean flow of each sensor over the last communication step \[kg/s\], `[sensors]`.
     pub flow: Vec<f64>,
     /// Largest overlap over radius removed by displacement before t = 0 \[-\].
-    pub initial_overlap: f64,
+    pub(crate) initial_overlap: f64,
     /// Penalty number in use \[N/m\].
     pub penalty: f64,
     /// Report of the last communication step.
     pub report: StepReport,
     /// Length of the next internal step, and whether the scene rests.
-    pub control: StepControl,
+    pub(crate) control: StepControl,
 }
 
 /// A [`Clone`] of all `fields` that copies into the memory that there is, which the derived one does not.
@@ -131,8 +132,7 @@ impl State {
     }
 
     /// Gravity \[m/s^2\] at time `t` \[s\].
-    #[must_use]
-    pub fn gravity_at(&self, scene: &Scene, t: f64) -> Vec3 {
+    pub(crate) fn gravity_at(&self, scene: &Scene, t: f64) -> Vec3 {
         scene.settings.gravity_motion.at(self.gravity, t)
     }
 

@@ -9,7 +9,7 @@ pub struct StepReport {
     pub internal_steps: u64,
     /// How often a step was halved.
     pub cuts: u64,
-    /// Internal steps that did not meet the tolerances and whose best iterate was taken.
+    /// Internal steps that did not reach the tolerances and whose best iterate was taken.
     pub unconverged_steps: u64,
     /// Gauss-Seidel sweeps.
     pub sweeps: u64,
@@ -27,7 +27,7 @@ pub struct StepReport {
     pub force_residual: f64,
     /// How near a contact came to the edge of its state (open, stick, slip) in any internal step: 1 is at the edge, where
     /// derivatives are one-sided, 0 far from it \[-\].
-    pub active_set_closeness: f64,
+    pub(crate) active_set_closeness: f64,
 }
 
 impl StepReport {

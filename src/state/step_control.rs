@@ -4,11 +4,11 @@ use serde::{Deserialize, Serialize};
 
 /// What the steps so far say about the next.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
-pub struct StepControl {
+pub(crate) struct StepControl {
     /// Internal step wanted next \[s\].
     pub step: f64,
     /// Steps in a row without motion.
-    pub steps_at_rest: u32,
+    pub(crate) steps_at_rest: u32,
     /// Steps that are still taken as they are if they do not converge.
     pub(crate) accepting: u32,
     /// Whether the last change made steps shorter.

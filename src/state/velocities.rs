@@ -21,18 +21,16 @@ pub struct Velocities<'a> {
 
 impl Velocities<'_> {
     /// Velocity \[m/s\] and angular velocity \[rad/s\] of sphere `i` at the time of the state.
-    #[must_use]
     #[inline]
-    pub fn reported(&self, i: usize) -> Twist {
+    pub(crate) fn reported(&self, i: usize) -> Twist {
         let (own, smooth) = (self.own(i), &self.smooth[i]);
         twist(&self.integrator.reported(&own, smooth, self.last))
     }
 
     /// Velocity \[m/s\] and angular velocity \[rad/s\] of sphere `i` half a `simulation.step` before that time (integrator
     /// `shi`: at that time).
-    #[must_use]
     #[inline]
-    pub fn half_step(&self, i: usize) -> Twist {
+    pub(crate) fn half_step(&self, i: usize) -> Twist {
         let shift = self.integrator.shift(self.last, self.step);
         twist(&self.own(i).plus(&self.smooth[i], shift))
     }

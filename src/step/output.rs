@@ -10,7 +10,7 @@ pub struct StepOutput {
     pub solver: Report,
     /// Largest true overlap over radius at the end \[-\].
     pub max_overlap: f64,
-    /// How near a contact is to the edge of its state \[-\]: [`crate::state::StepReport::active_set_closeness`].
+    /// How near a contact is to the edge of its state \[-\]: `state::StepReport::active_set_closeness`.
     pub active_set_closeness: f64,
     /// Whether the tolerances were not met and the best iterate was taken.
     pub unconverged: bool,

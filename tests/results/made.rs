@@ -71,6 +71,8 @@ pub(crate) fn scene(n: usize) -> Scene {
             max_iterations: 1000,
             max_cuts: 4,
             threads: 1,
+            opening: 0.0,
+            strict: true,
             ..Settings::default()
         },
         materials: vec![Material {

@@ -16,6 +16,7 @@ use sphere_dda::scene::particles::{Kinematics, Locks, Particles};
 use sphere_dda::scene::{Belt, Boundary};
 use sphere_dda::scene::{Method, Output, Scene, Settings};
 use sphere_dda::simulation::Simulation;
+use sphere_dda::solver::Tolerance;
 use sphere_dda::spatial::SpatialVector;
 use sphere_dda::spatial::cell::Cell;
 use sphere_dda::spatial::{Pose, Twist};
@@ -50,6 +51,11 @@ impl Case {
         let settings = Settings {
             step,
             communication_step: step,
+            tolerance: Tolerance::default(),
+            opening: 0.0,
+            strict: true,
+            max_iterations: 4000,
+            max_cuts: 6,
             ..Settings::default()
         };
         Self {

@@ -10,7 +10,7 @@
 //! Three readers' habits shape the bytes. meshio cuts the appended data at its last newline, so one is
 //! written before the end tag. meshio walks the blocks without gaps, so there are none. meshio replaces the
 //! offsets one by one and looks the next one up among replaced and unreplaced alike, first match in document
-//! order; so the blocks are stored in **reverse** order of their tags: the unreplaced one is then met first.
+//! order; so the blocks are stored in **reverse** order of their tags: the unreplaced one then comes first.
 //!
 //! Source: VTK file formats, <https://docs.vtk.org/en/latest/design_documents/VTKFileFormats.html>.
 
@@ -18,7 +18,8 @@ mod read;
 
 use std::fmt::Write as _;
 
-pub use read::{Cloud, VtuError, decode};
+pub use read::decode;
+pub(crate) use read::{Cloud, VtuError};
 
 use super::error::OutputError;
 use crate::Vec3;
@@ -36,8 +37,7 @@ pub enum Cell {
 
 impl Cell {
     /// Points of one cell.
-    #[must_use]
-    pub fn points(self) -> usize {
+    pub(crate) fn points(self) -> usize {
         match self {
             Self::Vertex => 1,
             Self::Line => 2,

@@ -71,7 +71,7 @@ impl Cloud {
     ///
     /// # Errors
     /// [`VtuError::Form`] if there is none, or one with other components.
-    pub fn array<const N: usize>(&self, name: &str) -> Result<Vec<[f64; N]>, VtuError> {
+    pub(crate) fn array<const N: usize>(&self, name: &str) -> Result<Vec<[f64; N]>, VtuError> {
         let what = format!("array `{name}` over the points");
         let expected = format!("{N} components");
         let Some((components, values)) = self.arrays.get(name) else {
@@ -97,7 +97,7 @@ struct Block {
 /// Reads a file.
 ///
 /// # Errors
-/// [`VtuError`] for anything that is not a whole file of this form.
+/// `VtuError` for anything that is not a whole file of this form.
 pub fn decode(file: &[u8]) -> Result<Cloud, VtuError> {
     let expected = "`<AppendedData encoding=\"raw\">`: the spheres frame of a run";
     let at = file.windows(APPENDED.len()).position(|w| w == APPENDED);

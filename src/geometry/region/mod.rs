@@ -47,8 +47,7 @@ impl Region {
     }
 
     /// Whether a copy of a point \[m\] in a periodic cell lies in the region.
-    #[must_use]
-    pub fn contains_copy(&self, cell: &Cell, x: Vec3) -> bool {
+    pub(crate) fn contains_copy(&self, cell: &Cell, x: Vec3) -> bool {
         match self.bounds() {
             Some(bounds) => {
                 let mut copies = cell.copies(x, bounds, 0.0);
@@ -114,8 +113,7 @@ impl Region {
     }
 
     /// Volume \[m^3\]; infinite beyond a plane.
-    #[must_use]
-    pub fn volume(&self) -> f64 {
+    pub(crate) fn volume(&self) -> f64 {
         match self {
             Self::Primitive(primitive) => primitive.volume(),
             Self::Mesh(solid) => solid.volume(),

@@ -34,8 +34,7 @@ pub enum Primitive {
 
 impl Primitive {
     /// Whether a point \[m\] lies in the region.
-    #[must_use]
-    pub fn contains(&self, x: Vec3) -> bool {
+    pub(crate) fn contains(&self, x: Vec3) -> bool {
         match self {
             Self::Box { min, max } => (0..3).all(|k| min[k] <= x[k] && x[k] < max[k]),
             Self::Cylinder {
@@ -52,8 +51,7 @@ impl Primitive {
     }
 
     /// Whether a whole sphere \[m\] lies in the region; touching its border counts as inside.
-    #[must_use]
-    pub fn holds(&self, centre: Vec3, radius: f64) -> bool {
+    pub(crate) fn holds(&self, centre: Vec3, radius: f64) -> bool {
         match self {
             Self::Box { min, max } => {
                 (0..3).all(|k| min[k] + radius <= centre[k] && centre[k] <= max[k] - radius)
@@ -73,8 +71,7 @@ impl Primitive {
 
     /// Where a sphere \[m\] whose centre lies in the region has to go, to first order, so that the whole of it does.
     /// A sphere too large for the region finds no such place: ask [`Self::holds`].
-    #[must_use]
-    pub fn confine(&self, centre: Vec3, radius: f64) -> Vec3 {
+    pub(crate) fn confine(&self, centre: Vec3, radius: f64) -> Vec3 {
         match self {
             Self::Box { min, max } => centre
                 .sup(&min.add_scalar(radius))
@@ -96,8 +93,7 @@ impl Primitive {
     }
 
     /// Smallest axis-parallel box `(min, max)` \[m\] around the region.
-    #[must_use]
-    pub fn bounds(&self) -> (Vec3, Vec3) {
+    pub(crate) fn bounds(&self) -> (Vec3, Vec3) {
         match self {
             Self::Box { min, max } => (*min, *max),
             Self::Cylinder {
@@ -116,7 +112,7 @@ impl Primitive {
 
     /// Centre \[m\], uniform in space, of a sphere of `radius` \[m\] that lies wholly in the region; `None` if it does
     /// not fit.
-    pub fn random_centre(&self, radius: f64, random: &mut ChaCha8Rng) -> Option<Vec3> {
+    pub(crate) fn random_centre(&self, radius: f64, random: &mut ChaCha8Rng) -> Option<Vec3> {
         let fits = |room: &f64| *room >= 0.0;
         match self {
             Self::Box { min, max } => {
@@ -148,8 +144,7 @@ impl Primitive {
     }
 
     /// Volume \[m^3\].
-    #[must_use]
-    pub fn volume(&self) -> f64 {
+    pub(crate) fn volume(&self) -> f64 {
         match self {
             Self::Box { min, max } => (max - min).product(),
             Self::Cylinder { radius, height, .. } => {

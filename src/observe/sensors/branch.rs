@@ -11,8 +11,7 @@ const ALL: Span = (f64::NEG_INFINITY, f64::INFINITY);
 
 /// Share \[-\] of the length from `start` to `end` \[m\] that lies in the region, 0..=1. A line of no length has share
 /// 1 inside, 0 outside.
-#[must_use]
-pub fn share_inside(region: &Primitive, start: Vec3, end: Vec3) -> f64 {
+pub(crate) fn share_inside(region: &Primitive, start: Vec3, end: Vec3) -> f64 {
     let by = end - start;
     let (from, to) = match region {
         Primitive::Box { min, max } => (0..3)

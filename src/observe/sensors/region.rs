@@ -12,7 +12,7 @@
 //!
 //! `f_c` \[N\] is the force on sphere A of a contact, the mean of the last internal step; `l_c` \[m\] its branch vector: from
 //! the centre of sphere B, or from the contact point on a boundary, to the centre of A; `w_c` the share of the branch's
-//! length that lies in `V`. Cut in this way, the sum of the forces through any plane of the region is kept: for a
+//! length that lies in `V`. With this share, the sum of the forces through any plane of the region is kept: for a
 //! block pressed by `F` over the area `A`, `s_zz = F/A` wherever the region's faces run. **Compression is positive.** The
 //! unsymmetric part, which stands for couples not in balance, is dropped. There is no kinetic part (`rho v v`): in
 //! rapid flow the total stress is larger.

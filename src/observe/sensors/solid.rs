@@ -40,8 +40,7 @@ const POINTS: NonZeroUsize = NonZeroUsize::MIN.saturating_add(23);
 static RULE: LazyLock<GaussLegendre> = LazyLock::new(|| GaussLegendre::new(POINTS));
 
 /// Volume \[m^3\] of the part of a sphere (`centre`, `radius` \[m\]) that lies in a box or a cylinder.
-#[must_use]
-pub fn volume_inside(region: &Primitive, centre: Vec3, radius: f64) -> f64 {
+pub(crate) fn volume_inside(region: &Primitive, centre: Vec3, radius: f64) -> f64 {
     let share = match region {
         Primitive::Box { min, max } => in_box((min - centre) / radius, (max - centre) / radius),
         Primitive::Cylinder {
@@ -314,7 +313,7 @@ mod tests {
 
     #[test]
     fn a_wide_cylinder_is_a_plane() {
-        // The wall of a cylinder of radius q bends away from the plane by less than 1 / (2 q).
+        // The surface of a cylinder of radius q bends away from the plane by less than 1 / (2 q).
         for distance in [-0.9, -0.2, 0.0, 0.5, 0.99] {
             let q = 1e7;
             close(

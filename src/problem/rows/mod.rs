@@ -17,18 +17,18 @@ const SAME: f64 = 1e-12;
 pub struct Rows {
     bodies: Vec<[u32; 2]>,
     compact: Vec<SphereContact>,
-    /// Rows that the above does not tell, by [`SphereContact::general`].
+    /// Rows that are no plain contact of spheres, by [`SphereContact::general`].
     general: Vec<Row>,
-    /// Radius at which contacts touch each body \[m\]; zero as long as none has told it.
+    /// Radius at which contacts touch each body \[m\]; zero as long as no contact has set it.
     radius: Vec<f64>,
 }
 
-/// What a contact of spheres is beside its bodies: as many numbers as a body has for sweeps, so that both are read alike.
+/// A contact of spheres without its bodies: as many numbers as a body has for sweeps, so that both are read alike.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[repr(C, align(64))]
 pub(crate) struct SphereContact(pub(crate) [f64; 8]);
 
-/// Numbers of [`SphereContact`] beside the normal, which is first.
+/// Numbers of [`SphereContact`] after the normal.
 pub(crate) const BIAS: usize = 3;
 pub(crate) const FRICTION: usize = 4;
 pub(crate) const RADIUS: usize = 5;
@@ -149,9 +149,8 @@ impl Rows {
     }
 
     /// Bodies A and B of row `k`.
-    #[must_use]
     #[inline]
-    pub fn bodies(&self, k: usize) -> [u32; 2] {
+    pub(crate) fn bodies(&self, k: usize) -> [u32; 2] {
         self.bodies[k]
     }
 
@@ -163,16 +162,14 @@ impl Rows {
     }
 
     /// Smaller radius \[m\] of the pair of row `k`.
-    #[must_use]
     #[inline]
-    pub fn radius(&self, k: usize) -> f64 {
+    pub(crate) fn radius(&self, k: usize) -> f64 {
         self.compact[k].0[RADIUS]
     }
 
     /// Row `k`, if there is one and it is no rigid contact of spheres on each other or on ground at rest.
-    #[must_use]
     #[inline]
-    pub fn general(&self, k: usize) -> Option<&Row> {
+    pub(crate) fn general(&self, k: usize) -> Option<&Row> {
         let general = self.compact.get(k)?.general()?;
         Some(&self.general[general])
     }
@@ -192,7 +189,6 @@ impl Rows {
     }
 
     /// Whether row `k` is a rigid contact whose arms are radii of its bodies, be they known or not.
-    #[must_use]
     #[inline]
     pub(crate) fn is_of_spheres(&self, k: usize) -> bool {
         let Some(row) = self.general(k) else {
@@ -208,16 +204,14 @@ impl Rows {
     }
 
     /// Compliance along the normal of row `k` \[m/(s N s)\].
-    #[must_use]
     #[inline]
-    pub fn compliance(&self, k: usize) -> f64 {
+    pub(crate) fn compliance(&self, k: usize) -> f64 {
         self.general(k).map_or(0.0, |row| row.compliance_n)
     }
 
-    /// Relative velocity \[m/s\] at row `k` where `velocity` tells that of a body.
-    #[must_use]
+    /// Relative velocity \[m/s\] at row `k` where `velocity` gives that of a body.
     #[inline]
-    pub fn relative(&self, k: usize, velocity: impl Fn(usize) -> SpatialVector) -> Vec3 {
+    pub(crate) fn relative(&self, k: usize, velocity: impl Fn(usize) -> SpatialVector) -> Vec3 {
         if let Some(row) = self.general(k) {
             return row.relative(velocity);
         }
@@ -237,8 +231,7 @@ impl Rows {
         }
     }
 
-    /// Radius at which contacts touch each body \[m\]: zero where none has told it, and bodies beyond have none.
-    #[must_use]
+    /// Radius at which contacts touch each body \[m\]: zero where no contact has set it, and bodies beyond have none.
     pub(crate) fn radii(&self) -> &[f64] {
         &self.radius
     }
@@ -248,7 +241,7 @@ impl Rows {
     }
 
     /// Forgets all rows; spheres of the given radii \[m\], `[N]`, are the next ones' bodies.
-    pub fn restart(&mut self, radii: &[f64]) {
+    pub(crate) fn restart(&mut self, radii: &[f64]) {
         self.bodies.clear();
         self.compact.clear();
         self.general.clear();
@@ -273,7 +266,7 @@ impl Rows {
         }
     }
 
-    /// Keeps whole, as `row` tells them, the rows that were written as such.
+    /// Keeps whole, as `row` gives them, the rows that were written as such.
     pub(crate) fn settle(&mut self, row: impl Fn(usize) -> Row) {
         for k in 0..self.len() {
             if self.compact[k].0[GENERAL] == DUE {
@@ -287,7 +280,7 @@ impl Rows {
     ///
     /// # Panics
     /// If there are fewer.
-    pub fn insert(&mut self, k: usize, row: Row) {
+    pub(crate) fn insert(&mut self, k: usize, row: Row) {
         let general = self.place(&row);
         self.bodies.insert(k, [row.a, row.b]);
         self.compact.insert(k, SphereContact::of(&row, general));
@@ -312,14 +305,14 @@ impl Rows {
     }
 
     /// Changes all rows.
-    pub fn update_all(&mut self, mut change: impl FnMut(usize, &mut Row)) {
+    pub(crate) fn update_all(&mut self, mut change: impl FnMut(usize, &mut Row)) {
         for k in 0..self.len() {
             self.update(k, |row| change(k, row));
         }
     }
 
     /// Binds resistances to other contacts.
-    pub fn bind(&mut self, mut change: impl FnMut(&mut u32)) {
+    pub(crate) fn bind(&mut self, mut change: impl FnMut(&mut u32)) {
         for row in &mut self.general {
             if let Law::Resistance { contact, .. } = &mut row.law {
                 change(contact);
@@ -328,7 +321,7 @@ impl Rows {
     }
 
     /// Adds `change` to the bias of row `k` along its normal \[m/s\].
-    pub fn shift(&mut self, k: usize, change: f64) {
+    pub(crate) fn shift(&mut self, k: usize, change: f64) {
         let compact = &mut self.compact[k];
         compact.0[BIAS] += change;
         if let Some(general) = compact.general() {
@@ -372,7 +365,7 @@ impl Rows {
     }
 
     /// Keeps the rows whose flag is set; rows beyond the flags stay.
-    pub fn retain(&mut self, keep: &[bool]) {
+    pub(crate) fn retain(&mut self, keep: &[bool]) {
         retain(&mut self.bodies, keep);
         retain(&mut self.compact, keep);
     }
@@ -380,8 +373,7 @@ impl Rows {
 
 impl Row {
     /// Normal impulse \[N s\] of the contact that bounds a resistance; zero for all other rows.
-    #[must_use]
-    pub fn load(&self, rows: &Rows, impulses: &[Vec3]) -> f64 {
+    pub(crate) fn load(&self, rows: &Rows, impulses: &[Vec3]) -> f64 {
         match self.law {
             Law::Resistance { contact, .. } => {
                 let contact = contact as usize;

@@ -1,4 +1,4 @@
-//! Spheres that start where nobody wants them: below a terrain, inside a closed boundary, beside everything.
+//! Spheres that start at a wrong place: below a terrain, inside a closed boundary, outside of everything.
 
 use std::ops::Range;
 
@@ -239,7 +239,7 @@ impl<'a> Surroundings<'a> {
         }
     }
 
-    /// Whether a sphere falls for ever: it starts beside all bounded boundaries, and no boundary or sink is below. One over
+    /// Whether a sphere falls for ever: it starts outside the shadow of all bounded boundaries, and no boundary or sink is below. One over
     /// the mouth of a hopper is meant to fall.
     fn loses(&self, i: usize) -> bool {
         let x = self.scene.initial.position[i];

@@ -5,9 +5,7 @@ use crate::scene::{Method, Scene};
 use crate::scene_file::decode::SceneFile;
 use crate::scene_file::diagnostic::Advice;
 use crate::solver::SolverKind;
-
-/// Threads share the work of scenes of so many spheres and more: below, sweeps are too short to share.
-const SHARED_FROM: usize = 8192;
+use crate::solver::gauss_seidel::SMALL;
 
 pub(super) fn advise(scene: &Scene, file: &SceneFile) -> Vec<Advice> {
     let mut advice = numerics(scene);
@@ -67,12 +65,12 @@ fn numerics(scene: &Scene) -> Vec<Advice> {
         }));
     }
     let spheres = scene.particles.len();
-    if settings.threads > 1 && spheres < SHARED_FROM {
+    if settings.threads > 1 && spheres < SMALL {
         advice.push(
             Advice::warning(
                 at("threads"),
                 format!(
-                    "has no effect with {spheres} spheres: threads share the work of scenes of {SHARED_FROM} and more"
+                    "has no effect with {spheres} spheres: threads share the work of scenes of {SMALL} and more"
                 ),
                 "it does no harm; several runs at once use several cores",
             )

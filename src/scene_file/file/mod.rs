@@ -15,6 +15,7 @@ use serde::{Deserialize, Serialize};
 
 pub use super::values::{OneOrMany, Triple, Vector};
 use crate::integrator::Integrator;
+pub use crate::scene::Output;
 use crate::scene::{Accuracy, Method};
 use crate::solver::SolverKind;
 pub use boundaries::{
@@ -100,7 +101,7 @@ pub struct Simulation {
     pub fixed_step: bool,
     /// Whether a step that does not meet the tolerances ends the run. Otherwise its best iterate is taken, counted in
     /// `solver.unconvergedSteps` and reported.
-    #[serde(default)]
+    #[serde(default = "defaults::strict")]
     pub strict: bool,
     /// Communication step of `run` and of the FMU's default experiment \[s\].
     #[schemars(extend("x-default" = "`step`, or a round number near the chosen one", "exclusiveMinimum" = 0))]
@@ -120,7 +121,7 @@ pub struct Simulation {
     pub penalty: Option<f64>,
     /// Whether the augmented-Lagrangian loop may change the penalty, sweep between its multiplier updates, and leave the rest to Newton; `false` with
     /// `solver = "direct"` is exactly the paper's loop, slow unless the penalty is large ([how slow](paper.md#augmentations-at-a-held-penalty)).
-    #[serde(default = "yes")]
+    #[serde(default = "defaults::adapt_penalty")]
     pub adapt_penalty: bool,
     /// Gravity \[m/s^2\]; at t = 0, if `gravity_motion` turns it.
     #[schemars(extend("x-default" = "[0, 0, -9.81]"))]
@@ -132,7 +133,7 @@ pub struct Simulation {
     #[schemars(extend("x-default" = "it does not turn"))]
     pub rotating_frame: Option<RotatingFrame>,
     /// Initial overlap over the smaller radius that is removed before t = 0 \[-\].
-    #[serde(default = "five_percent")]
+    #[serde(default = "defaults::max_initial_overlap")]
     #[schemars(extend("minimum" = 0, "maximum" = 0.5))]
     pub max_initial_overlap: f64,
     /// Approach speed below which an impact does not rebound \[m/s\].
@@ -140,11 +141,11 @@ pub struct Simulation {
     #[schemars(extend("minimum" = 0))]
     pub threshold_velocity: f64,
     /// Fraction of the velocity carried over to the next step (integrator `shi`) \[-\].
-    #[serde(default = "defaults::one")]
+    #[serde(default = "defaults::dynamic_coefficient")]
     #[schemars(extend("minimum" = 0, "maximum" = 1))]
     pub dynamic_coefficient: f64,
     /// Most solver iterations in one step \[-\].
-    #[serde(default = "iterations")]
+    #[serde(default = "defaults::max_iterations")]
     #[schemars(extend("minimum" = 1))]
     pub max_iterations: u32,
     /// Smallest internal step that is chosen \[s\]; steps that fail are cut below it.
@@ -158,11 +159,11 @@ pub struct Simulation {
     #[schemars(extend("minimum" = 0))]
     pub rest_speed: f64,
     /// How often a step may be halved; one that does not converge at most three times unless `strict` is set.
-    #[serde(default = "cuts")]
+    #[serde(default = "defaults::max_cuts")]
     #[schemars(extend("minimum" = 0, "maximum" = 20))]
     pub max_cuts: u32,
     /// Threads that share the work of scenes of more than some thousand spheres; results are the same for any number.
-    #[serde(default = "one_thread")]
+    #[serde(default = "defaults::threads")]
     #[schemars(extend("minimum" = 1, "maximum" = 256))]
     pub threads: u32,
     /// Tolerances of a step.
@@ -187,26 +188,6 @@ pub struct Tolerance {
     /// forces. 0: contacts carry at zero gap only.
     #[schemars(extend("x-default" = "2, 3 or 9 times `gap`, by the accuracy", "minimum" = 0, "maximum" = 1e-1))]
     pub opening: Option<f64>,
-}
-
-fn yes() -> bool {
-    true
-}
-
-fn five_percent() -> f64 {
-    0.05
-}
-
-fn iterations() -> u32 {
-    20_000
-}
-
-fn one_thread() -> u32 {
-    1
-}
-
-fn cuts() -> u32 {
-    10
 }
 
 /// `[[material]]`. Of coefficients that both materials of a contact give, the smaller one counts; `[[pair]]` goes before
@@ -319,33 +300,4 @@ pub struct Spring {
     /// Motion of the target; translations only.
     #[schemars(extend("x-default" = "fixed"))]
     pub motion: Option<Motion>,
-}
-
-/// `[output]`: result files.
-#[derive(Debug, Clone, Copy, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields, default)]
-pub struct Output {
-    /// Seconds between VTU frames \[s\]; 0: none.
-    #[schemars(extend("minimum" = 0))]
-    pub vtu_interval: f64,
-    /// Seconds between rows of the CSV history \[s\]; 0: every communication step.
-    #[schemars(extend("minimum" = 0))]
-    pub csv_interval: f64,
-    /// Write Float64 instead of Float32 arrays.
-    pub float64: bool,
-    /// Simulated seconds between checkpoints of `run` \[s\]; 0: only those every five minutes of wall time, on Ctrl-C and at
-    /// the end.
-    #[schemars(extend("minimum" = 0))]
-    pub checkpoint_interval: f64,
-}
-
-impl Default for Output {
-    fn default() -> Self {
-        Self {
-            vtu_interval: 0.1,
-            csv_interval: 0.0,
-            float64: false,
-            checkpoint_interval: 0.0,
-        }
-    }
 }

@@ -53,8 +53,7 @@ pub(super) fn vtu(
         Ok(spheres) => accept(document, path, name, spheres),
         Err(error) => {
             let help = "give a file `spheres_NNNNNN.vtu` that `sphere-dda run` wrote";
-            document.error(path, format!("cannot read `{name}`: {error}"), help);
-            None
+            document.reject(path, format!("cannot read `{name}`: {error}"), help)
         }
     }
 }
@@ -90,8 +89,7 @@ pub(super) fn checkpoint(
         Ok(spheres) => spheres,
         Err(error) => {
             let help = "give a checkpoint that `sphere-dda run` wrote";
-            document.error(path, format!("cannot read `{name}`: {error}"), help);
-            return None;
+            return document.reject(path, format!("cannot read `{name}`: {error}"), help);
         }
     };
     let present = (0..spheres.len().min(radius.len())).filter(|&i| spheres.present[i]);
@@ -123,8 +121,7 @@ fn accept(
     if let Some(k) = starts.iter().zip(&radii).position(|pair| !usable(pair)) {
         let found = format!("sphere {k} of radius {} in `{name}`", radii[k]);
         let expected = "finite numbers, a radius > 0 [m] and a unit quaternion";
-        document.demand(false, path, found, expected);
-        return None;
+        return document.refuse(path, found, expected);
     }
     let starts = starts.into_iter().map(|start| InitialMotion {
         orientation: UnitQuaternion::from_quaternion(start.orientation.into_inner()),

@@ -25,14 +25,14 @@ pub(super) fn fill(
     let expected = format!("each >= 1 and at most {MOST_SPHERES} spheres");
     document.demand(
         number.is_some(),
-        format!("{path}.count"),
+        (path, "count"),
         format!("{counts:?}"),
         &expected,
     );
     let jitter_in_range = (0.0..=0.5).contains(&lattice.jitter);
     document.demand(
         jitter_in_range,
-        format!("{path}.jitter"),
+        (path, "jitter"),
         lattice.jitter,
         "0 <= jitter <= 0.5 [-]",
     );
@@ -47,7 +47,7 @@ pub(super) fn fill(
     };
     document.demand(
         spacing.is_some(),
-        format!("{path}.spacing"),
+        (path, "spacing"),
         found,
         "one or three lengths > 0 [m]",
     );

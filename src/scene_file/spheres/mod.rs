@@ -12,7 +12,6 @@ use rand_chacha::rand_core::SeedableRng;
 
 use super::document::Document;
 use super::file::{self, Lock, OneOrMany};
-use super::resources::Resources;
 use super::sizes::Sizes;
 use crate::Vec3;
 use crate::random::symmetric;
@@ -24,17 +23,16 @@ pub(crate) use initial_motion::{MOST_SPHERES, Present};
 /// Adds the spheres of one group; returns their indices.
 pub(super) fn add(
     document: &mut Document<'_>,
-    resources: &mut Resources<'_>,
     path: &str,
     group: &file::Spheres,
     material: (u16, &Material),
     present: Present<'_>,
 ) -> Option<Range<usize>> {
     let mut random = ChaCha8Rng::seed_from_u64(group.seed);
-    let jitter = document.demand(
-        (0.0..1.0).contains(&group.radius_jitter),
-        format!("{path}.radius_jitter"),
+    let jitter = document.within(
+        (path, "radius_jitter"),
         group.radius_jitter,
+        0.0..1.0,
         "0 <= radius_jitter < 1 [-]",
     );
     let jitter = jitter.then_some(group.radius_jitter);
@@ -45,7 +43,7 @@ pub(super) fn add(
         Generator::Packing(given) => {
             let path_of = format!("{path}.packing");
             let sizes = Radii::drawn(document, path, group);
-            let task = packing::Task::new(document, resources, &path_of, given);
+            let task = packing::Task::new(document, &path_of, given);
             let (sizes, task, _) = (sizes?, task?, jitter?);
             let draw = |random: &mut ChaCha8Rng| jittered(sizes.draw(random), random);
             let radii = task.radii(document, draw, material.1.density, &mut random)?;
@@ -53,7 +51,7 @@ pub(super) fn add(
             (places.into_iter().map(InitialMotion::at).collect(), radii)
         }
         given => {
-            let (starts, radii) = given.read(document, resources, path, &mut random)?;
+            let (starts, radii) = given.read(document, path, &mut random)?;
             let radii = Radii::new(document, path, group, starts.len(), radii)?;
             jitter?;
             let radii = (0..starts.len()).map(|k| jittered(radii.of(k, &mut random), &mut random));
@@ -68,8 +66,7 @@ pub(super) fn add(
     if first + starts.len() > MOST_SPHERES {
         let found = first + starts.len();
         let message = format!("found {found} spheres, expected at most {MOST_SPHERES}");
-        document.error(path, message, "");
-        return None;
+        return document.reject(path, message, "");
     }
     let locks = locks(group.lock.as_ref());
     for (i, (start, radius)) in (first..).zip(starts.iter().zip(radii)) {
@@ -83,8 +80,7 @@ pub(super) fn add(
                 "radius {radius} m and density {} kg/m^3 give no usable mass",
                 material.1.density
             );
-            document.error(path, message, "lengths are in metres, densities in kg/m^3");
-            return None;
+            return document.reject(path, message, "lengths are in metres, densities in kg/m^3");
         }
     }
     Some(first..particles.len())
@@ -135,12 +131,11 @@ impl Generator<'_> {
     fn read(
         &self,
         document: &mut Document<'_>,
-        resources: &mut Resources<'_>,
         path: &str,
         random: &mut ChaCha8Rng,
     ) -> Option<(Vec<InitialMotion>, Option<Vec<f64>>)> {
-        let mut content = |document: &mut Document<'_>, key: &str, name: &str| {
-            let content = resources.read(document, &format!("{path}.{key}"), name);
+        let content = |document: &mut Document<'_>, key: &str, name: &str| {
+            let content = document.read(&format!("{path}.{key}"), name);
             content.map(<[u8]>::to_owned)
         };
         match *self {
@@ -197,8 +192,7 @@ impl Radii {
             (given, Some(_)) => {
                 let key = given.as_ref().map_or(format!("{path}.size"), |_| key);
                 let message = "found both this key and radii in the file, expected one of them";
-                document.error(key, message, "remove one of the two");
-                None
+                document.reject(key, message, "remove one of the two")
             }
             (Some(OneOrMany::Many(list)), None) if group.size.is_none() => {
                 let expected = format!("one radius, or {number} of them");
@@ -206,7 +200,7 @@ impl Radii {
                 let mut good =
                     document.demand(list.len() == number, key.as_str(), found, &expected);
                 for (k, r) in list.iter().enumerate() {
-                    good &= document.demand(*r > 0.0, format!("{key}[{k}]"), r, "a radius > 0 [m]");
+                    good &= document.positive(format!("{key}[{k}]"), *r, "a radius > 0 [m]");
                 }
                 good.then(|| Self::Listed(list.clone()))
             }
@@ -220,10 +214,9 @@ impl Radii {
             Some(OneOrMany::Many(list)) if group.size.is_none() => {
                 let found = format!("a list of {} radii", list.len());
                 let expected = "one radius for all, or `size` instead of it";
-                document.demand(false, format!("{path}.radius"), found, expected);
-                return None;
+                return document.refuse((path, "radius"), found, expected);
             }
-            // With `size` beside it the number does not matter: one of the two is too many.
+            // With `size` given too the number does not matter: one of the two is too many.
             Some(OneOrMany::Many(_)) => Some(1.0),
             Some(OneOrMany::One(radius)) => Some(*radius),
             None => None,

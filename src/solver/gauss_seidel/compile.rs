@@ -9,7 +9,7 @@ use super::lanes::{LANES, Real, Sixteen};
 use crate::problem::{GROUND, Problem, Row, Rows};
 use crate::sorting::counting_sort;
 
-/// Blocks that fill at the same time: a contact joins one in which its bodies are not yet met.
+/// Blocks that fill at the same time: a contact joins one that does not have its bodies yet.
 const OPEN: usize = 16;
 
 /// Bodies of a group: the first, and one that never moves, counted from the first.
@@ -117,7 +117,7 @@ struct Open<'a, T> {
 }
 
 impl<T: Real> Open<'_, T> {
-    /// Blocks of rows `order`: a contact joins the first open block in which its bodies are not yet met; when there is none the
+    /// Blocks of rows `order`: a contact joins the first open block that does not have its bodies yet; when there is none the
     /// oldest is closed.
     fn take(&mut self, rows: &Rows, order: &[u32], place: &[u32], range: Bodies) {
         let mut open = [None; OPEN];

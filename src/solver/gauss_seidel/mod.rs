@@ -29,7 +29,6 @@ use crate::problem::Problem;
 use crate::solver::Tolerance;
 use batch::SweepParams;
 pub use kernel::Kernel;
-pub use partition::Partition;
 pub(crate) use partition::SMALL;
 
 /// Exact Coulomb friction can cycle: from [`CYCLES_FROM`] on, after every [`FREE`] sweeps with momentum come [`DAMPED`] without,

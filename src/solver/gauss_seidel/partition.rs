@@ -19,7 +19,7 @@ const CELLS: f64 = 512.0;
 
 /// The order of the bodies.
 #[derive(Debug, Clone, Default)]
-pub struct Partition {
+pub(crate) struct Partition {
     /// Place of each sphere, `[N]`; empty where all are in the order of the scene.
     place: Vec<u32>,
     /// Sphere at each place, `[N]`; likewise.
@@ -34,7 +34,7 @@ pub struct Partition {
 
 impl Partition {
     /// Lays out spheres of the given centres \[m\], `[N]`, with cells of `edge` \[m\].
-    pub fn arrange(&mut self, centres: &[Vec3], edge: f64) {
+    pub(crate) fn arrange(&mut self, centres: &[Vec3], edge: f64) {
         self.forget();
         let n = centres.len();
         if n < SMALL {

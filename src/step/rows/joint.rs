@@ -45,7 +45,7 @@ pub struct JointLimit {
 }
 
 impl JointLimit {
-    /// Its place in [`crate::state::BodyState::joint_forces`].
+    /// Its place in `state::BodyState::joint_forces`.
     #[must_use]
     pub fn slot(&self) -> usize {
         match self.kind {

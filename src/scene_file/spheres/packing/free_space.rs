@@ -14,7 +14,7 @@ const PUSHES: usize = 4;
 /// Relative distance a pushed sphere keeps, above rounding \[-\].
 const SLACK: f64 = 1e-9;
 
-/// The room of a packing.
+/// The free space of a packing.
 pub(super) struct FreeSpace<'a> {
     region: &'a Region,
     boundaries: Vec<(&'a Boundary, Pose)>,
@@ -39,7 +39,7 @@ impl<'a> FreeSpace<'a> {
         })
     }
 
-    /// Centres \[m\] and radii \[m\] of present spheres that reach into the room.
+    /// Centres \[m\] and radii \[m\] of present spheres that reach into it.
     pub(super) fn obstacles(
         &self,
         particles: &Particles,
@@ -65,7 +65,7 @@ impl<'a> FreeSpace<'a> {
         Some(self.region.confine(place, radius, scratch))
     }
 
-    /// Whether the border of the region or a wall is within `reach` \[m\] of a sphere.
+    /// Whether the border of the region or a boundary is within `reach` \[m\] of a sphere.
     pub(super) fn borders(
         &self,
         centre: Vec3,
@@ -100,7 +100,7 @@ impl<'a> FreeSpace<'a> {
         None
     }
 
-    /// Whether a sphere overlaps no wall.
+    /// Whether a sphere overlaps no boundary.
     pub(super) fn is_clear(
         &self,
         centre: Vec3,

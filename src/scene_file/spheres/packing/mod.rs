@@ -11,7 +11,6 @@ use crate::geometry::region::Region;
 use crate::scene_file::document::Document;
 use crate::scene_file::file;
 use crate::scene_file::regions::filled;
-use crate::scene_file::resources::Resources;
 use free_space::FreeSpace;
 use relaxation::{Bed, Jam};
 
@@ -39,12 +38,11 @@ impl Task {
     /// Checks the keys.
     pub(super) fn new(
         document: &mut Document<'_>,
-        resources: &mut Resources<'_>,
         path: &str,
         given: &file::Packing,
     ) -> Option<Self> {
         let key = format!("{path}.region");
-        let region = filled(document, resources, &key, &given.region);
+        let region = filled(document, &key, &given.region);
         let amount = match (given.count, given.mass, given.solid_fraction) {
             (Some(count), None, None) => {
                 let key = format!("{path}.count");
@@ -55,7 +53,7 @@ impl Task {
                     .then_some(Amount::Count(count as usize))
             }
             (None, Some(mass), None) => document
-                .demand(mass > 0.0, format!("{path}.mass"), mass, "a mass > 0 [kg]")
+                .positive((path, "mass"), mass, "a mass > 0 [kg]")
                 .then_some(Amount::Mass(mass)),
             (None, None, Some(fraction)) => {
                 let in_range = fraction > 0.0 && fraction < DENSEST;
@@ -71,8 +69,7 @@ impl Task {
                 let number = given.into_iter().filter(|is| *is).count();
                 let message =
                     format!("found {number} of count, mass, solid_fraction, expected one");
-                document.error(path, message, "say once how much is packed");
-                None
+                document.reject(path, message, "say once how much is packed")
             }
         };
         Some(Self {
@@ -109,14 +106,12 @@ impl Task {
                 let expected = format!(
                     "at most 0.74 of the region's {region:.4e} m^3; random packings reach about 0.6"
                 );
-                document.demand(false, path, found, &expected);
-                return None;
+                return document.refuse(path, found, &expected);
             }
             if radii.len() == MOST_SPHERES {
                 let expected =
                     format!("at most {MOST_SPHERES} spheres: ask for less, or for larger ones");
-                document.demand(false, path, "more", &expected);
-                return None;
+                return document.refuse(path, "more", &expected);
             }
             filled = next;
             radii.push(radius);
@@ -124,12 +119,11 @@ impl Task {
         if radii.is_empty() {
             let found = format!("room for {budget:.4e} m^3 of spheres, less than the first one");
             let help = "ask for more, or for smaller spheres";
-            document.error(
+            return document.reject(
                 path,
                 format!("found {found}, expected at least one sphere"),
                 help,
             );
-            return None;
         }
         Some(radii)
     }
@@ -142,7 +136,7 @@ impl Task {
         present: &Present<'_>,
         random: &mut ChaCha8Rng,
     ) -> Option<Vec<Vec3>> {
-        // Without all of its boundaries the room is another one; what is wrong with them is reported already.
+        // Without all of its boundaries the free space is another one; what is wrong with them is reported already.
         let room = FreeSpace::new(&self.region, present.boundaries?)?;
         let obstacles = room.obstacles(present.particles, present.initial);
         match Bed::drop(&room, radii, &obstacles, random).and_then(|bed| bed.relax(&room)) {
@@ -150,8 +144,7 @@ impl Task {
             Err(Jam::NoPlace { radius }) => {
                 let message = format!("found no place for a sphere of radius {radius} m");
                 let help = "enlarge the region, or move it out of the boundaries; spheres lie wholly inside it";
-                document.error(self.path.as_str(), message, help);
-                None
+                document.reject(self.path.as_str(), message, help)
             }
             Err(Jam::Full { packed }) => {
                 let whole: f64 = packed.iter().map(|&k| volume(radii[k])).sum();
@@ -167,8 +160,7 @@ impl Task {
                     packed.len(),
                     (100.0 * fraction).floor() / 100.0
                 );
-                document.error(self.path.as_str(), message, help);
-                None
+                document.reject(self.path.as_str(), message, help)
             }
         }
     }

@@ -1,10 +1,10 @@
 //! A random packing in two stages, both deterministic.
 //!
-//! 1. *Drop*, largest sphere first: of some random places that the room admits a sphere takes the first without
+//! 1. *Drop*, largest sphere first: of some random places in the free space a sphere takes the first without
 //!    overlap (random sequential addition, which ends near a solid fraction of 0.3), else that of least overlap.
 //! 2. *Relax*: overlapping pairs move apart along the line of their centres until `|c_i - c_j| >= R_i + R_j` for all
-//!    of them, exactly. Whoever is pushed out of the room is pushed back, or put back. A sphere moves at most half of
-//!    its radius in a sweep, so that it passes through no wall.
+//!    of them, exactly. A sphere that is pushed out of the free space is pushed back, or put back. A sphere moves at most half of
+//!    its radius in a sweep, so that it passes through no boundary.
 //!
 //! Overlap removal after W. S. Jodrey and E. M. Tory, *Computer simulation of close random packing of equal spheres*,
 //! Physical Review A 32 (1985) 2347, with all pairs of a sweep in turn instead of the worst one.
@@ -18,13 +18,13 @@ use crate::geometry::ClosestPoint;
 
 /// Places tried before a sphere takes the least bad one.
 const TRIES: usize = 30;
-/// Random places tried to find one that is clear of the walls.
+/// Random places tried to find one that is clear of the boundaries.
 const POINTS: usize = 20_000;
 /// Pairs are moved to this relative distance, so that the last overlaps end after few sweeps \[-\].
 const MARGIN: f64 = 1e-3;
 /// Distance by which a pair is moved apart over its overlap: more than 1 halves the sweeps.
 const PUSH: f64 = 1.4;
-/// Longest way of a sphere in a sweep over its radius: nobody passes through a wall.
+/// Longest displacement of a sphere in a sweep over its radius: none passes through a boundary.
 const LONGEST: f64 = 0.5;
 /// Skin of the list of pairs over the smallest radius.
 const SKIN: f64 = 0.3;
@@ -42,13 +42,13 @@ const THINNING: f64 = 0.03;
 /// Why a packing fails.
 #[derive(Debug)]
 pub(super) enum Jam {
-    /// The room admits no sphere of this radius \[m\], or so few that random points miss them.
+    /// The free space admits no sphere of this radius \[m\], or so few that random points miss them.
     NoPlace { radius: f64 },
-    /// These spheres did find room together.
+    /// These spheres found places together.
     Full { packed: Vec<usize> },
 }
 
-/// Spheres on their way to a packing.
+/// Spheres of a packing that is not finished.
 pub(super) struct Bed {
     /// Centres \[m\], the fixed ones last.
     centre: Vec<Vec3>,
@@ -204,7 +204,7 @@ impl Bed {
         })
     }
 
-    /// Shortens long moves and keeps the spheres in the room; `may_leave` tells whose new place is to be checked.
+    /// Shortens long moves and keeps the spheres in the free space; `may_leave` says whose new place is to be checked.
     fn confine(
         &mut self,
         room: &FreeSpace<'_>,

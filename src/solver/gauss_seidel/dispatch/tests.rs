@@ -1,4 +1,4 @@
-//! All kinds of lanes beside each other, and what they cost.
+//! All kinds of lanes compared, and what they cost.
 
 #![cfg(test)]
 

@@ -51,7 +51,7 @@ pub struct Kernel {
     /// Length by which each body's spin is scaled \[m\], `[N + D]`: its radius; zero where no contact gives it.
     pub(super) radius: Vec<f64>,
     pub(super) others: Vec<GeneralRow>,
-    /// Velocities of the bodies that other rows move, while such a row is under way, `[N + D]`; none without such rows.
+    /// Velocities of the bodies that other rows move, while such a row is solved, `[N + D]`; none without such rows.
     pub(super) velocity: Vec<SpatialVector>,
     /// Whether a row is a contact with a resistance, `[C]`: both go with the other rows.
     pub(super) resisted: Vec<bool>,
@@ -257,7 +257,7 @@ impl Kernel {
     }
 
     /// Writes the velocities of all bodies \[m/s\], \[rad/s\], `[N + D]`: those of the impulses that were judged last.
-    pub fn velocities_into(&self, velocities: &mut Vec<SpatialVector>) {
+    pub(crate) fn velocities_into(&self, velocities: &mut Vec<SpatialVector>) {
         velocities.resize(self.place.len(), SpatialVector::ZERO);
         let read = |first, velocities: &mut [SpatialVector]| {
             for (i, velocity) in (first..).zip(velocities) {
