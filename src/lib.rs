@@ -86,7 +86,7 @@ pub mod linalg;
 pub mod observe;
 mod parallel;
 pub mod problem;
-mod random;
+pub mod random;
 pub mod results;
 pub mod scene;
 pub mod scene_file;

@@ -5,19 +5,22 @@ use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::Rng;
 
 /// Uniform in \[0, 1), from the upper 53 bits of one word, so that a seed means the same spheres for ever.
-pub(crate) fn unit(random: &mut ChaCha8Rng) -> f64 {
+#[must_use]
+pub fn unit(random: &mut ChaCha8Rng) -> f64 {
     let bits = random.next_u64() >> 11;
     bits as f64 / (1_u64 << 53) as f64
 }
 
 /// Uniform in \[-1, 1).
-pub(crate) fn symmetric(random: &mut ChaCha8Rng) -> f64 {
+#[must_use]
+pub fn symmetric(random: &mut ChaCha8Rng) -> f64 {
     2.0 * unit(random) - 1.0
 }
 
 /// Standard normal, by the polar method of Marsaglia and Bray (1964); its second deviate is not kept, so that
 /// every draw stands for itself.
-pub(crate) fn normal(random: &mut ChaCha8Rng) -> f64 {
+#[must_use]
+pub fn normal(random: &mut ChaCha8Rng) -> f64 {
     loop {
         let (x, y) = (symmetric(random), symmetric(random));
         let s = x * x + y * y;

@@ -25,7 +25,7 @@ use crate::spatial::{Pose, SpatialVector, Twist, Wrench};
 
 /// What a source has yet to emit.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-pub(crate) struct Reserve {
+pub struct Reserve {
     /// Spheres outside the scene, in the order they will be emitted.
     pub waiting: VecDeque<u32>,
     /// How much of what is due since the source's start has been emitted or forgone: spheres, or mass \[kg\].
@@ -48,7 +48,7 @@ pub struct State {
     /// Acceleration by external and persisting contact forces in the last step, `[N]`.
     pub smooth: Vec<SpatialVector>,
     /// The part of `smooth` that is by external forces, `[N]`; empty unless the frame rotates.
-    pub(crate) external: Vec<SpatialVector>,
+    pub external: Vec<SpatialVector>,
     /// Weight, inertial forces and point loads on all spheres in the last internal step \[N\].
     pub body_force: Vec3,
     /// The same averaged over the last communication step \[N\].
@@ -60,7 +60,7 @@ pub struct State {
     /// Boundary poses, `[B]`.
     pub poses: Vec<Pose>,
     /// Boundary twists over the last internal step, `[B]`.
-    pub(crate) twists: Vec<Twist>,
+    pub twists: Vec<Twist>,
     /// Driven bodies, `[D]`.
     pub bodies: Vec<BodyState>,
     /// Commands in force, `[B]`.
@@ -70,16 +70,16 @@ pub struct State {
     /// Wrench on each boundary over the last internal step, `[B]`.
     pub wrenches: Vec<Wrench>,
     /// Wrench on each boundary by contacts that were no impacts in the last internal step, `[B]`.
-    pub(crate) smooth_wrenches: Vec<Wrench>,
+    pub smooth_wrenches: Vec<Wrench>,
     /// Wrench on each boundary averaged over the last communication step, `[B]`.
-    pub(crate) mean_wrenches: Vec<Wrench>,
+    pub mean_wrenches: Vec<Wrench>,
     /// Impulse on each boundary that the mean of the next communication step takes over from one that was too short for a mean
     /// of its own, `[B]`.
-    pub(crate) owed: Vec<Wrench>,
+    pub owed: Vec<Wrench>,
     /// Work since t = 0.
     pub work: EnergyLedger,
     /// Spheres of each source that wait outside the scene, `[sources]`.
-    pub(crate) reserves: Vec<Reserve>,
+    pub reserves: Vec<Reserve>,
     /// Mass each source has emitted \[kg\], `[sources]`.
     pub emitted: Vec<f64>,
     /// Mass each sink has removed \[kg\], `[sinks]`.
