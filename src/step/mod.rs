@@ -13,6 +13,7 @@
 
 mod assemble;
 mod at_rest;
+mod boundary_motion;
 mod commit;
 mod correction;
 mod detect;

@@ -1,6 +1,7 @@
 //! First stage of a step: everything that it knows before contacts, from the state and the input.
 
 use super::StepInput;
+use super::boundary_motion::BoundaryMotion;
 use super::driven::BodyPrediction;
 use super::external::{self, mean_acceleration};
 use super::sphere_motion::SphereMotion;
@@ -33,6 +34,8 @@ pub(super) struct Prediction<'a> {
     pub(super) spheres: Vec<SphereMotion>,
     /// Boundary poses at the start and at the end, `[B]`; those of driven bodies at the end are without contacts.
     pub(super) poses: [Vec<Pose>; 2],
+    /// Motion of the boundaries between these poses, `[B]`.
+    pub(super) motions: Vec<BoundaryMotion>,
     /// Driven bodies, `[D]`, by ascending boundary; boundaries that are not among them move as prescribed.
     pub(super) bodies: Vec<BodyPrediction<'a>>,
     /// Boundary twists over the previous step, `[B]`.
@@ -98,6 +101,7 @@ pub(super) fn predict<'a>(
         external,
         kinematics,
         targets: target.collect(),
+        motions: motions(scene, &state.poses, &ends, dt),
         poses: [state.poses.clone(), ends],
         bodies,
         twists: state.twists.clone(),
@@ -111,6 +115,14 @@ fn surfaces(scene: &Scene, state: &State, commands: &[Command]) -> Vec<Vec3> {
     let driven = boundaries.zip(state.poses.iter().zip(commands));
     driven
         .map(|(boundary, (pose, command))| boundary.surface_velocity(pose, command))
+        .collect()
+}
+
+fn motions(scene: &Scene, from: &[Pose], to: &[Pose], dt: f64) -> Vec<BoundaryMotion> {
+    let poses = from.iter().zip(to);
+    let boundaries = scene.boundaries.iter().zip(poses);
+    boundaries
+        .map(|(boundary, (from, to))| BoundaryMotion::new(boundary.point_of_action, [from, to], dt))
         .collect()
 }
 
@@ -130,6 +142,7 @@ impl<'a> Prediction<'a> {
             external,
             kinematics: state.kinematics.clone(),
             targets: scene.springs.iter().map(|spring| spring.target).collect(),
+            motions: motions(scene, &state.poses, &state.poses, dt),
             poses: [state.poses.clone(), state.poses.clone()],
             bodies,
             twists: state.twists.clone(),
@@ -153,6 +166,7 @@ impl<'a> Prediction<'a> {
             external,
             kinematics,
             targets: Vec::new(),
+            motions: motions(scene, &state.poses, &state.poses, scene.settings.step),
             poses: [state.poses.clone(), state.poses.clone()],
             // Boundaries give way to no overlap.
             bodies: Vec::new(),

@@ -48,7 +48,11 @@ impl Solved<'_> {
                 true => self.mean(i),
                 false => self.solution.velocity[i],
             };
-            let (u, n) = (rows.relative(k, velocity), rows.normal(k));
+            let (mut u, n) = (rows.relative(k, velocity), rows.normal(k));
+            // Friction works on the slip of the step's middle.
+            if let Some(row) = general.filter(|row| row.is_rigid_contact()) {
+                u += row.across();
+            }
             let couple = matches!(law, Some(Law::Resistance { .. }));
             // A couple of resistance is friction as a whole.
             let p_n = if couple { 0.0 } else { p.dot(&n) };

@@ -1,5 +1,7 @@
 //! Rows of contacts: how two bodies meet, whether that is an impact, and the scale of its forces.
 
+use nalgebra::UnitQuaternion;
+
 use crate::Vec3;
 use crate::contact::Partner;
 use crate::detection::configuration::Candidate;
@@ -29,6 +31,8 @@ struct ContactKinematics {
     prescribed_velocity: Vec3,
     /// Smaller radius of the pair.
     radius: f64,
+    /// What turning of the normal until the middle of the step adds to the velocity across it.
+    rolling: Vec3,
     /// Velocity of A's surface against B's before the step.
     before: Vec3,
     /// Velocity of the partner at the contact without contacts.
@@ -47,18 +51,31 @@ impl Prediction<'_> {
         self.external[sphere].linear.norm_squared()
     }
 
-    /// Velocity of a boundary's material point at `x` \[m\], over this step and over the previous one.
-    fn boundary_velocity(&self, boundary: usize, x: Vec3) -> [Vec3; 2] {
-        let surface = &self.scene.boundaries[boundary];
-        let [start, end] = self.poses.each_ref().map(|poses| &poses[boundary]);
-        let now = if start == end {
-            Vec3::zeros()
-        } else {
-            (surface.from_frame(end, surface.to_frame(start, x)) - x) / self.step
-        };
+    /// Velocity of a boundary's point that is at `x` \[m\] now, over the previous step.
+    fn previous_velocity(&self, boundary: usize, x: Vec3) -> Vec3 {
         let twist = &self.twists[boundary];
-        let pivot = surface.point_of_action + start.translation;
-        [now, twist.linear + twist.angular.cross(&(x - pivot))]
+        let reference = self.scene.boundaries[boundary].point_of_action;
+        let pivot = reference + self.poses[0][boundary].translation;
+        twist.linear + twist.angular.cross(&(x - pivot))
+    }
+
+    /// By how much the normal of a loaded contact with a prescribed boundary turns until the middle of the step.
+    fn turn_of_normal(&self, candidate: &Candidate, boundary: usize, centre: Vec3) -> Vec3 {
+        let own = &self.spheres[candidate.key.sphere as usize];
+        let Partner::Boundary { feature, .. } = candidate.key.partner else {
+            return Vec3::zeros();
+        };
+        let (surface, pose) = (&self.scene.boundaries[boundary], &self.poses[0][boundary]);
+        let motion = &self.motions[boundary];
+        let middle = centre + (own.velocity - motion.at(centre)) * (0.5 * self.step);
+        let normal = pose.rotation.inverse() * candidate.normal;
+        let x = surface.to_frame(pose, middle);
+        let found = surface.geometry.follow(feature, normal, x, own.radius);
+        if !found.gap.is_finite() {
+            return Vec3::zeros();
+        }
+        let half = UnitQuaternion::from_scaled_axis(motion.angular * (0.5 * self.step));
+        half * (pose.rotation * found.normal) - candidate.normal
     }
 
     /// The row of a candidate: an impact as `known_impact`, or as it finds. `free` are the velocities without contacts;
@@ -77,7 +94,7 @@ impl Prediction<'_> {
         let contact = match candidate.key.partner {
             Partner::Sphere { index, .. } => self.sphere_kinematics(free, n, (a, own), index),
             Partner::Boundary { boundary, .. } => {
-                self.boundary_kinematics(free, n, (a, own), usize::from(boundary))
+                self.boundary_kinematics(free, candidate, force, usize::from(boundary))
             }
         };
         let pair = self.pair(candidate.key);
@@ -95,7 +112,10 @@ impl Prediction<'_> {
                 && excess + self.step * freely() < 0.0
         });
         let rebound = (impact && pair.restitution > 0.0).then_some(pair.restitution * approach);
-        let (bias, compliance) = self.bias(&contact, n, (excess, rebound), force);
+        let (mut bias, compliance) = self.bias(&contact, n, (excess, rebound), force);
+        if !impact {
+            bias += contact.rolling;
+        }
         let row = Row {
             a: a as u32,
             b: contact.b,
@@ -111,8 +131,8 @@ impl Prediction<'_> {
             impulse_scale: self.impulse_scale(&contact, turning),
         };
         let sphere = contact.b == GROUND || (contact.b as usize) < self.kinematics.len();
-        let is_of_spheres =
-            sphere && row.prescribed_velocity == Vec3::zeros() && compliance == [0.0; 2];
+        let at_rest = row.prescribed_velocity == Vec3::zeros() && contact.rolling == Vec3::zeros();
+        let is_of_spheres = sphere && at_rest && compliance == [0.0; 2];
         ContactRow {
             row,
             impact,
@@ -192,6 +212,7 @@ impl Prediction<'_> {
             b: index,
             arm_b: n * other.radius,
             prescribed_velocity: Vec3::zeros(),
+            rolling: Vec3::zeros(),
             radius: own.radius.min(other.radius),
             before: own.velocity - other.velocity - (own.rolling + other.rolling).cross(&n),
             partner: free[index as usize].linear,
@@ -202,13 +223,17 @@ impl Prediction<'_> {
         }
     }
 
+    /// Across the normal a contact that lasts slips where the step's middle has it: there the surface's velocity is taken, and
+    /// there the normal, by `v - (R w) x n_1/2 = (v - (R w) x n) - (R w) x (n_1/2 - n)`.
     fn boundary_kinematics(
         &self,
         free: &[SpatialVector],
-        n: Vec3,
-        (a, own): (usize, &SphereMotion),
+        candidate: &Candidate,
+        force: Vec3,
         boundary: usize,
     ) -> ContactKinematics {
+        let (n, a) = (candidate.normal, candidate.key.sphere as usize);
+        let own = &self.spheres[a];
         let (surface, pose) = (&self.scene.boundaries[boundary], &self.poses[0][boundary]);
         let centre = surface.copy_near(&self.scene.cell, pose, self.kinematics.position[a]);
         let point = centre - n * own.radius;
@@ -217,6 +242,7 @@ impl Prediction<'_> {
             arm_b: Vec3::zeros(),
             // A belt slides along the shape: it takes no part in the approach.
             prescribed_velocity: -split(self.surfaces[boundary], n).1,
+            rolling: Vec3::zeros(),
             radius: own.radius,
             before: own.velocity - own.rolling.cross(&n),
             partner: Vec3::zeros(),
@@ -234,11 +260,22 @@ impl Prediction<'_> {
             contact.partner = free[rank].at(arm);
             body.acceleration_at(arm).norm()
         } else {
-            let [now, previous] = self.boundary_velocity(boundary, point);
-            contact.prescribed_velocity -= now;
+            let motion = &self.motions[boundary];
+            let (now, previous) = (motion.at(point), self.previous_velocity(boundary, point));
             contact.before -= previous;
             contact.partner = now;
-            (now - previous).norm() / self.step
+            let turn = match force == Vec3::zeros() || candidate.curvature == 0.0 {
+                true => Vec3::zeros(),
+                false => self.turn_of_normal(candidate, boundary, centre),
+            };
+            let mut across = split(now, n).1;
+            if force != Vec3::zeros() {
+                let middle = point + own.velocity * (0.5 * self.step) - turn * own.radius;
+                across = split(motion.at(middle), n).1;
+                contact.rolling = -split(own.rolling.cross(&turn), n).1;
+            }
+            contact.prescribed_velocity -= n * now.dot(&n) + across;
+            ((now - previous) / self.step + motion.centripetal(point)).norm()
         };
         contact.acceleration = contact
             .acceleration
