@@ -9,7 +9,6 @@ use crate::support::Case;
 
 /// `v . n = 0` to second order in the step, and the force of the drum is one that persists: `m v^2/L`.
 #[test]
-#[ignore = "fault 3, not mended yet"]
 fn rolling_round_a_hollow_is_no_string_of_impacts() {
     let (drum, r, v, dt) = (1.0, 0.1, 9.0, 1e-3);
     let length = drum - r;
@@ -64,7 +63,6 @@ fn sliding_round_a_hollow_is_no_string_of_impacts() {
 
 /// A ball that rolls round inside another hollow with gravity: `v^2 = v_0^2 - 10/7 g (z - z_0)`, as without impacts.
 #[test]
-#[ignore = "fault 3, not mended yet"]
 fn rolling_round_a_loop_with_gravity_persists() {
     let (drum, r, v) = (1.0, 0.1, 9.0);
     let case = Case::new(5e-4).contact(1.0, 0.5);

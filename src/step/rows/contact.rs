@@ -35,6 +35,8 @@ struct ContactKinematics {
     rolling: Vec3,
     /// Velocity of A's surface against B's before the step.
     before: Vec3,
+    /// Likewise without the spins of spheres: what turns the normal.
+    centres: Vec3,
     /// Velocity of the partner at the contact without contacts.
     partner: Vec3,
     /// Largest acceleration that acts: gravity, loads, of the surface.
@@ -98,11 +100,11 @@ impl Prediction<'_> {
             }
         };
         let pair = self.pair(candidate.key);
-        let (approach, sliding) = split(contact.before, n);
+        let (approach, _) = split(contact.before, n);
         // Only a contact that was loaded can be taken for an approaching one because its normal turns.
         let turning = match force == Vec3::zeros() {
             true => 0.0,
-            false => sliding.norm_squared() * candidate.curvature,
+            false => split(contact.centres, n).1.norm_squared() * candidate.curvature,
         };
         let carried = self.scene.settings.carried(candidate.gap, contact.radius);
         let excess = candidate.gap - carried;
@@ -215,6 +217,7 @@ impl Prediction<'_> {
             rolling: Vec3::zeros(),
             radius: own.radius.min(other.radius),
             before: own.velocity - other.velocity - (own.rolling + other.rolling).cross(&n),
+            centres: own.velocity - other.velocity,
             partner: free[index as usize].linear,
             acceleration: self.gravity_size.max(pull.sqrt()),
             lightest: own.mass.min(other.mass),
@@ -245,6 +248,7 @@ impl Prediction<'_> {
             rolling: Vec3::zeros(),
             radius: own.radius,
             before: own.velocity - own.rolling.cross(&n),
+            centres: own.velocity,
             partner: Vec3::zeros(),
             acceleration: self.gravity_size,
             lightest: own.mass,
@@ -256,6 +260,7 @@ impl Prediction<'_> {
             contact.b = rank as u32;
             contact.arm_b = arm;
             contact.before -= body.velocity.at(arm);
+            contact.centres -= body.velocity.at(arm);
             contact.lightest = contact.lightest.min(body.mass());
             contact.partner = free[rank].at(arm);
             body.acceleration_at(arm).norm()
@@ -263,6 +268,7 @@ impl Prediction<'_> {
             let motion = &self.motions[boundary];
             let (now, previous) = (motion.at(point), self.previous_velocity(boundary, point));
             contact.before -= previous;
+            contact.centres -= previous;
             contact.partner = now;
             let turn = match force == Vec3::zeros() || candidate.curvature == 0.0 {
                 true => Vec3::zeros(),
