@@ -37,7 +37,7 @@ impl Failure {
         Self::Run(told_once(error))
     }
 
-    /// What the shell is told.
+    /// Exit codes.
     pub(crate) fn code(&self) -> ExitCode {
         ExitCode::from(match self {
             Self::Run(_) => 1,

@@ -171,7 +171,7 @@ pub(crate) fn count(n: u64, noun: &str) -> String {
     }
 }
 
-/// Writes a line to standard error; if nobody reads that, there is nobody to tell.
+/// Writes a line to standard error; a closed one is ignored.
 pub(crate) fn note(text: impl fmt::Display) {
     let _ = writeln!(io::stderr().lock(), "{text}");
 }

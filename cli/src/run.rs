@@ -164,7 +164,7 @@ fn free(directory: &Path) -> Result<(), Failure> {
     }
 }
 
-/// Puts the simulation back to the last checkpoint that lies on the way to the stop time, and says where that is.
+/// Restores the last checkpoint before the stop time, and returns where that is.
 fn resume(
     simulation: &mut Simulation,
     clock: &CommunicationPoints,
@@ -180,7 +180,7 @@ fn resume(
     };
     let (results, resumed) = Results::resume(&scene, options, restore)?;
     for damaged in &resumed.damaged {
-        note(format_args!("passed over {damaged}"));
+        note(format_args!("ignored {damaged}"));
     }
     match (resumed.time, start) {
         (None, _) => note(format_args!(
@@ -283,7 +283,7 @@ fn run_to_end(
         if reached < clock.count() {
             if interrupt.requested() {
                 progress.note(format_args!(
-                    "interrupted at {point} s; --resume goes on from here"
+                    "interrupted at {point} s; --resume continues from here"
                 ));
                 end = Err(Failure::Interrupted);
                 break;
@@ -310,7 +310,7 @@ fn warn_of_failures(results: &Results, progress: &Progress) -> bool {
         return false;
     };
     progress.note(format_args!(
-        "a result was not written, the run goes on: {why}"
+        "a result was not written, the run continues: {why}"
     ));
     true
 }

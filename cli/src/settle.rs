@@ -13,17 +13,17 @@ use crate::arguments::positive;
 use crate::failure::Failure;
 use crate::progress::{Interrupt, Progress, note};
 
-/// Longest time that spheres get to come to rest unless told otherwise \[s\].
+/// Longest settling time, unless given \[s\].
 const PATIENCE: f64 = 60.0;
-/// Unbalanced forces over the loads above which a settled start is told to be rough \[-\].
+/// Unbalanced forces over the loads above which a settled start is reported as rough \[-\].
 const ROUGH: f64 = 1e-6;
-/// Digits of a hash that tell starts apart in messages.
+/// Digits of a hash that distinguish starts in messages.
 const SHOWN: usize = 12;
 
 /// How a scene settles before it starts.
 #[derive(Debug, Args)]
 pub(crate) struct Settling {
-    /// Let the spheres settle before t = 0, at most for this long in all passes together [s], boundaries held, and start from
+    /// Let the spheres settle before t = 0, at most for this long in all passes together [s], boundaries fixed, and start from
     /// rest.
     #[arg(long, value_name = "SECONDS", value_parser = positive, allow_negative_numbers = true)]
     settle: Option<f64>,

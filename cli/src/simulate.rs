@@ -52,7 +52,7 @@ pub(crate) struct Simulate {
     /// steps and the greatest change that was left are reported at the end.
     #[arg(long, alias = "go-on")]
     accept_unconverged: bool,
-    /// Inputs over time: CSV with the header `time,name,...`. Continuous reals are interpolated, all else is held.
+    /// Inputs over time: CSV with the header `time,name,...`. Continuous reals are interpolated, other types hold their last value.
     #[arg(long, value_name = "CSV")]
     input: Option<PathBuf>,
     /// Where to write the outputs over time as CSV; standard output if absent.
@@ -330,7 +330,7 @@ pub(crate) fn drive(system: &System<'_>, options: &Options, interrupt: &Interrup
     Driven { table, wall, end }
 }
 
-/// The last values of outputs that tell how a sphere-dda FMU gets on; other FMUs have none of these names.
+/// The last values of outputs that report the state of a sphere-dda FMU; other FMUs have none of these names.
 fn detail(table: &Table) -> String {
     let last = |name: &str| {
         let of_a_component = |full: &str| full.strip_suffix(name).is_some_and(|r| r.ends_with('.'));

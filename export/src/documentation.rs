@@ -32,7 +32,7 @@ const USE: [&str; 5] = [
     "All values are in SI units. Inputs at their start values mean: as in the scene.",
     "A pose, displacement or angle is the total from the scene; the boundary reaches it linearly at the end of the \
      communication step. A speed is held over the step.",
-    "Forces and torques are those of the spheres on the boundary, torques about its point of action. averageForce is \
+    "Forces and torques are those of the spheres on the boundary, torques about its reference point. averageForce is \
      impulse over communication step and conserves momentum.",
     "Time 0 of the scene is the start time of the experiment.",
     "Set output.directory to get VTU, PVD and CSV files in <directory>/<instance name>/.",

@@ -5,7 +5,7 @@
 
 #![expect(
     clippy::not_unsafe_ptr_arg_deref,
-    reason = "the wall itself: what C passes can only be believed, and an unsafe block at every argument would say no more"
+    reason = "the C boundary itself: what C passes can only be believed, and an unsafe block at every argument would say no more"
 )]
 
 use std::any::Any;

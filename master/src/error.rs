@@ -279,7 +279,7 @@ pub enum ImportError {
     },
     /// A saved state of another instance, or one that was freed.
     #[error(
-        "{function}: found a state that this instance does not hold, expected one it saved and did not free"
+        "{function}: found a state that is not of this instance, expected one that it saved and did not free"
     )]
     ForeignState {
         /// The function in C.

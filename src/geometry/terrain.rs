@@ -306,7 +306,11 @@ impl Header {
         if self.sizes.iter().all(Option::is_none) {
             self.sizes = [self.size; 2];
         } else if let Some((_, line)) = self.size {
-            self.refuse(line, "cellsize beside dx or dy".into(), "one of the two");
+            self.refuse(
+                line,
+                "cellsize together with dx or dy".into(),
+                "one of the two",
+            );
         }
         for axis in [0, 1] {
             match self.sizes[axis] {
@@ -321,7 +325,7 @@ impl Header {
                     missing.push(["xllcorner or xllcenter", "yllcorner or yllcenter"][axis]);
                 }
                 (Some(_), Some((_, line))) => {
-                    let found = format!("{}llcenter beside {0}llcorner", ["x", "y"][axis]);
+                    let found = format!("{}llcenter together with {0}llcorner", ["x", "y"][axis]);
                     self.refuse(line, found, "one of the two");
                 }
                 _ => {}

@@ -139,7 +139,7 @@ fn fits(
             high - low,
             high - low - room
         );
-        let help = "enlarge the cell; a floor or wall all along it is a `plane`";
+        let help = "enlarge the cell; a boundary all along it is a `plane`";
         return Err((found, help.to_owned()));
     }
     Ok(())

@@ -35,7 +35,7 @@ impl<'a> Resources<'a> {
         let name = inside(file).ok_or_else(|| {
             (
                 format!("found `{file}`, expected a relative path below the scene's folder"),
-                "put the file beside the scene, so that both travel together",
+                "put the file in the folder of the scene, so that both are copied together",
             )
         })?;
         if !self.files.contains_key(&name) {

@@ -139,10 +139,10 @@ fn a_full_disk_is_told_at_once_and_fails_the_run() {
         .unwrap();
     let error = String::from_utf8(told.stderr).unwrap();
     assert_eq!(told.status.code(), Some(1), "{error}");
-    let at_once = error.find("a result was not written, the run goes on: ");
+    let at_once = error.find("a result was not written, the run continues: ");
     let in_the_end = error.find("results were not written; the first: ");
     assert!(at_once.is_some() && at_once < in_the_end, "{error}");
-    assert_eq!(error.matches("the run goes on").count(), 1, "{error}");
+    assert_eq!(error.matches("the run continues").count(), 1, "{error}");
     assert!(error.contains("spheres_000000.vtu"), "{error}");
 }
 

@@ -254,7 +254,7 @@ fn bad_grids_are_refused_with_line_and_reason() {
         (
             "yllcorner 0",
             "yllcorner 0\nyllcenter 0",
-            &[(5, "yllcenter beside yllcorner")],
+            &[(5, "yllcenter together with yllcorner")],
         ),
         (
             "cellsize 1\nNODATA_value -9999",

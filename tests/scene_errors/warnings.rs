@@ -58,7 +58,7 @@ fn what_will_hurt_is_warned_of() {
             floor,
             gate,
             "spheres[0]",
-            "6 of 7 spheres start beside all boundaries with nothing below, for example `grains[0]`",
+            "6 of 7 spheres start outside all boundaries with nothing below, for example `grains[0]`",
         ),
         (
             floor,

@@ -18,16 +18,16 @@ const ADVANCED: &str =
 #[rustfmt::skip]
 const POSE: [Row; 2] = [
     (Input::Translation, "translation", "m", "Total translation"),
-    (Input::Rotation, "rotation", "rad", "Total rotation vector about the point of action"),
+    (Input::Rotation, "rotation", "rad", "Total rotation vector about the reference point"),
 ];
 #[rustfmt::skip]
 const TWIST: [Row; 2] = [
-    (Input::Velocity, "velocity", "m/s", "Velocity of the point of action"),
+    (Input::Velocity, "velocity", "m/s", "Velocity of the reference point"),
     (Input::AngularVelocity, "angularVelocity", "rad/s", "Angular velocity"),
 ];
 #[rustfmt::skip]
 const LOAD: [Row; 2] = [
-    (Input::Force, "appliedForce", "N", "Force at the point of action, world axes"),
+    (Input::Force, "appliedForce", "N", "Force at the reference point, world axes"),
     (Input::Torque, "appliedTorque", "N.m", "Torque, world axes"),
 ];
 #[rustfmt::skip]

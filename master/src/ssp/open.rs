@@ -375,7 +375,7 @@ impl Reader<'_> {
             },
             (Some(source), _) => {
                 self.refuse(format!(
-                    "parameter binding: found source {source:?} within a component, expected one beside {STRUCTURE}"
+                    "parameter binding: found source {source:?} within a component, expected one in the folder of {STRUCTURE}"
                 ));
                 return Ok(Vec::new());
             }

@@ -92,11 +92,11 @@ const LARGEST: Text = "Largest normal force of one contact";
 #[rustfmt::skip]
 pub(super) const BODY: [Field<Body>; 9] = [
     vector("force", "N", "Force of the spheres on the boundary, last internal step", |b| b.state.wrench.force),
-    vector("torque", "N.m", "Its torque about the point of action", |b| b.state.wrench.torque),
-    vector("averageForce", "N", "Force averaged over the communication step, impulse / h", |b| b.state.mean_wrench.force),
-    vector("averageTorque", "N.m", "Torque averaged over the communication step", |b| b.state.mean_wrench.torque),
-    vector("position", "m", "Point of action", |b| b.position),
-    turn("orientation", "Orientation from the scene's, unit quaternion", |b| b.orientation),
+    vector("torque", "N.m", "Torque of the spheres on the boundary about its reference point, last internal step", |b| b.state.wrench.torque),
+    vector("averageForce", "N", "Force of the spheres, averaged over the communication step (impulse over its length)", |b| b.state.mean_wrench.force),
+    vector("averageTorque", "N.m", "Torque of the spheres about the reference point, averaged over the communication step", |b| b.state.mean_wrench.torque),
+    vector("position", "m", "Position of the reference point", |b| b.position),
+    turn("orientation", "Rotation from the scene's placement, unit quaternion w, x, y, z", |b| b.orientation),
     count("contactCount", LOADED, |b| b.load.count),
     real("maxNormalForce", "N", LARGEST, |b| b.load.max_normal_force),
     real("power", "W", "Power of the spheres on the boundary", Body::power),
@@ -104,7 +104,7 @@ pub(super) const BODY: [Field<Body>; 9] = [
 
 /// Of driven bodies, whose motion is a result.
 pub(super) const DRIVEN: [Field<Body>; 2] = [
-    vector("velocity", "m/s", "Velocity of the point of action", |b| {
+    vector("velocity", "m/s", "Velocity of the reference point", |b| {
         b.state.twist.linear
     }),
     vector(
@@ -132,7 +132,7 @@ pub(super) const HINGE: [Field<Body>; 2] = [
 #[rustfmt::skip]
 pub(super) const PROBE: [Field<Sphere>; 8] = [
     vector("position", "m", "Centre of the sphere", |s| s.position),
-    turn("orientation", "Orientation, unit quaternion", |s| s.orientation),
+    turn("orientation", "Orientation, unit quaternion w, x, y, z", |s| s.orientation),
     vector("velocity", "m/s", "Velocity of the centre", |s| s.velocity.linear),
     vector("angularVelocity", "rad/s", "Angular velocity, world axes", |s| s.velocity.angular),
     vector("contactForce", "N", "Sum of the contact forces on the sphere", |s| s.load.wrench.force),
@@ -145,7 +145,7 @@ pub(super) const PROBE: [Field<Sphere>; 8] = [
 pub(super) const REGION: [Field<Reading>; 8] = [
     real("mass", "kg", "Mass of the spheres whose centre is in the region", |r| r.mass),
     count("count", "Number of spheres whose centre is in the region", |r| r.count),
-    number("solidFraction", "Volume of the spheres in the region over its own", |r| r.solid_fraction),
+    number("solidFraction", "Solid volume fraction of the region", |r| r.solid_fraction),
     vector("centreOfMass", "m", "Centre of mass of the spheres whose centre is in the region; the region's when empty", |r| r.centre_of_mass),
     number("coordinationNumber", "Mean number of loaded contacts of a sphere whose centre is in the region", |r| r.coordination_number),
     tensor("stress", "Pa", "Mean stress in the region (Love-Weber), compression positive", |r| r.stress),
@@ -156,7 +156,7 @@ pub(super) const REGION: [Field<Reading>; 8] = [
 #[rustfmt::skip]
 pub(super) const WRENCH: [Field<Wrench>; 2] = [
     vector("force", "N", "Force of the spheres on the boundary, averaged over the communication step", |w| w.force),
-    vector("torque", "N.m", "Torque about the boundary's point of action, averaged over the communication step", |w| w.torque),
+    vector("torque", "N.m", "Torque of the spheres about the boundary's reference point, averaged over the communication step", |w| w.torque),
 ];
 
 #[rustfmt::skip]
@@ -175,7 +175,7 @@ pub(super) const SINK: [Field<f64>; 1] =
 pub(super) const WHOLE: [Field<Whole>; 29] = [
     real("mass", "kg", "Mass of all spheres in the scene", |w| w.totals.mass),
     count("sphereCount", "Number of spheres in the scene", |w| w.totals.spheres),
-    vector("momentum", "kg.m/s", "Momentum of the spheres, half-step velocities: averaged wrench x time + weight = its change", |w| w.totals.momentum.linear),
+    vector("momentum", "kg.m/s", "Momentum of the spheres at half-step velocities; it changes by the impulses of averaged wrenches and weight", |w| w.totals.momentum.linear),
     vector("angularMomentum", "kg.m2/s", "Angular momentum about the origin, half-step velocities", |w| w.totals.momentum.angular),
     vector("averageBodyForce", "N", "Weight, inertial forces of a rotating frame and point loads, averaged over the communication step", |w| w.body_force),
     real("kineticEnergy", "J", "Kinetic energy", |w| w.totals.energy.kinetic()),
@@ -183,7 +183,7 @@ pub(super) const WHOLE: [Field<Whole>; 29] = [
     real("dissipatedEnergy", "J", "Energy lost in contacts since the start: friction and impact", |w| w.work.dissipated()),
     real("frictionEnergy", "J", "Energy lost by sliding friction since the start", |w| w.work.friction),
     real("impactEnergy", "J", "Energy lost along the normals of impacts since the start", |w| w.work.impact),
-    real("residualEnergy", "J", "Energy added by time stepping since the start, negative where taken: what no other work explains", |w| w.work.numerical_work),
+    real("residualEnergy", "J", "Numerical energy error since the start: positive where time stepping added energy", |w| w.work.numerical_work),
     real("boundaryWork", "J", "Work of moving boundaries on the spheres since the start", |w| w.work.boundaries),
     real("gravityWork", "J", "Potential energy gained since the start because gravity changed with time", |w| w.work.gravity),
     real("loadWork", "J", "Work of point loads and of the loads on driven bodies since the start", |w| w.work.loads),
@@ -192,14 +192,14 @@ pub(super) const WHOLE: [Field<Whole>; 29] = [
     count("contactCount", LOADED, |w| w.contacts),
     number("maxOverlap", "Largest true overlap over radius in the communication step", |w| w.max_overlap),
     count("solver.internalSteps", "Internal steps of the communication step", |w| w.report.internal_steps),
-    count("solver.cuts", "How many of them came from halving", |w| w.report.cuts),
-    count("solver.unconvergedSteps", "How many of them did not meet the tolerances: their best iterate was taken", |w| w.report.unconverged_steps),
+    count("solver.cuts", "Halvings of internal steps in the communication step", |w| w.report.cuts),
+    count("solver.unconvergedSteps", "Internal steps that missed the tolerances; their best iterate was taken", |w| w.report.unconverged_steps),
     count("solver.sweeps", "Gauss-Seidel sweeps of the communication step", |w| w.report.sweeps),
     count("solver.augmentations", "Augmented-Lagrangian iterations of the communication step", |w| w.report.augmentations),
     count("solver.factorizations", "Factorizations of the communication step", |w| w.report.factorizations),
     number("solver.gapResidual", "Largest gap residual in the communication step", |w| w.report.gap_residual),
     number("solver.slipResidual", "Largest slip residual in the communication step", |w| w.report.slip_residual),
     number("solver.forceResidual", "Largest force residual in the communication step", |w| w.report.force_residual),
-    number("solver.activeSetMargin", "How far the contacts stayed from opening, closing, sticking and slipping in the communication step: 1 far, 0 at a active_set_closeness, where derivatives are one-sided", |w| 1.0 - w.report.active_set_closeness),
-    real("recommendedStep", "s", "Internal step advised at the present speeds", |w| w.recommended_step),
+    number("solver.activeSetMargin", "Distance of the contacts from opening, closing, sticking or slipping in the communication step: 1 far, 0 at a change, where derivatives are one-sided", |w| 1.0 - w.report.active_set_closeness),
+    real("recommendedStep", "s", "Recommended internal step at the present speeds", |w| w.recommended_step),
 ];

@@ -66,11 +66,11 @@ fn large(
     );
     match mesh {
         Some(name) if size > LARGE_MESH * around => {
-            let help = format!("if `{name}` is in mm, set `scale = 0.001` beside `file`");
+            let help = format!("if `{name}` is in mm, add `scale = 0.001` next to `file`");
             Some(Advice::warning(path, found, help))
         }
         Some(name) if size < smallest => {
-            let help = format!("lengths are in m: set `scale` beside `file = \"{name}\"`");
+            let help = format!("lengths are in m: add `scale` next to `file = \"{name}\"`");
             Some(Advice::warning(path, found, help))
         }
         None if size > LARGE_FACES * around && !has_terrain(boundary) => {

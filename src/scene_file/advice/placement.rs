@@ -101,7 +101,7 @@ pub(super) fn advise(
         Advice::warning(
             path,
             format!(
-                "{} beside all boundaries with nothing below, for example {example}: they fall out of the scene",
+                "{} outside all boundaries with nothing below, for example {example}: they fall out of the scene",
                 start(lost.len(), present.len())
             ),
             "move them over a boundary, or add a floor, or a `[[sink]]` that removes them",

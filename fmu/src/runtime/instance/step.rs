@@ -96,7 +96,7 @@ impl Instance {
     fn no_step(&self) -> Refusal {
         Refusal::Stage {
             found: self.run.stage,
-            expected: "a step under way".to_owned(),
+            expected: "a step in progress".to_owned(),
         }
     }
 }

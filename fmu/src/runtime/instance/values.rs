@@ -133,7 +133,7 @@ impl Instance {
             LifeCycle::Initialization if self.run.pending => self.prepare()?,
             LifeCycle::StepComplete if self.run.pending && !self.read_ahead => {
                 self.read_ahead = true;
-                let text = "outputs read after a set without a step: they are those of the last step (told once)";
+                let text = "outputs read after a set without a step: they are those of the last step (reported once)";
                 self.log.write(Level::Warning, text);
             }
             _ => {}
