@@ -3,6 +3,7 @@
 //! Paths are relative to the collection's folder, times carry 17 significant digits. The file is replaced as a
 //! whole after each change, so it only ever lists frames that are complete.
 
+use std::ffi::OsStr;
 use std::fmt::Write as _;
 use std::fs;
 use std::io;
@@ -24,15 +25,27 @@ struct Entry {
 }
 
 impl Entry {
-    /// Reads back a line of a collection.
-    fn parse(line: &str) -> Option<Self> {
+    /// Reads back a line of the collection of `series`. Frames are removed by their names, so only names that this
+    /// series gives its frames are taken: a list from someone else must not lead to files elsewhere.
+    fn parse(line: &str, series: &str) -> Option<Self> {
         let rest = line.strip_prefix("<DataSet timestep=\"")?;
         let (time, rest) = rest.split_once("\" group=\"\" part=\"0\" file=\"")?;
+        let file = rest.strip_suffix("\"/>")?;
+        is_frame(file, series).then_some(())?;
         Some(Self {
             time: time.parse().ok()?,
-            file: rest.strip_suffix("\"/>")?.to_owned(),
+            file: file.to_owned(),
         })
     }
+}
+
+/// Whether `name` is that of a frame of `series`: `SERIES_DIGITS.vtu`.
+pub(crate) fn is_frame(name: &str, series: &str) -> bool {
+    name.strip_prefix(series)
+        .and_then(|rest| rest.strip_prefix('_')?.strip_suffix(".vtu"))
+        .is_some_and(|number| {
+            !number.is_empty() && number.bytes().all(|byte| byte.is_ascii_digit())
+        })
 }
 
 /// A series of frames in one folder, times strictly increasing.
@@ -64,7 +77,9 @@ impl Collection {
             text => text.map_err(OutputError::io("read", &path))?,
         };
         let lines = text.strip_prefix(HEAD).and_then(|t| t.strip_suffix(TAIL));
-        match lines.and_then(|lines| lines.lines().map(Entry::parse).collect()) {
+        let series = path.file_stem().and_then(OsStr::to_str).unwrap_or_default();
+        let parse = |line| Entry::parse(line, series);
+        match lines.and_then(|lines| lines.lines().map(parse).collect()) {
             Some(entries) => Ok(Self {
                 entries,
                 ..Self::new(path)
@@ -163,5 +178,52 @@ impl Collection {
         }
         text.push_str(TAIL);
         replace(&self.path, text.as_bytes())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Fault: names in a collection that lead out of its folder were removed by `--resume`.
+    #[test]
+    fn a_list_from_someone_else_removes_no_file_elsewhere() {
+        let folder = tempfile::tempdir().unwrap();
+        let outside = folder.path().join("kept.vtu");
+        fs::write(&outside, "kept").unwrap();
+        let run = folder.path().join("run");
+        fs::create_dir(&run).unwrap();
+        let path = run.join("spheres.pvd");
+        for name in [
+            outside.to_str().unwrap(),
+            "../kept.vtu",
+            "spheres_/../../kept.vtu",
+            "kept.vtu",
+        ] {
+            let line =
+                format!("<DataSet timestep=\"1.0e0\" group=\"\" part=\"0\" file=\"{name}\"/>\n");
+            fs::write(&path, format!("{HEAD}{line}{TAIL}")).unwrap();
+            let opened = Collection::open(path.clone());
+            let refused = matches!(&opened, Err(OutputError::Changed { .. }));
+            if let Ok(mut collection) = opened {
+                collection.rollback(0.5).unwrap();
+            }
+            assert!(refused, "{name} was taken");
+            assert!(outside.exists(), "{name} removed a file elsewhere");
+        }
+    }
+
+    #[test]
+    fn a_series_reads_back_what_it_wrote() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("spheres.pvd");
+        let mut collection = Collection::new(path.clone());
+        collection.push(0.0, "spheres_000000.vtu", b"a").unwrap();
+        collection.push(0.1, "spheres_000001.vtu", b"b").unwrap();
+        let mut again = Collection::open(path).unwrap();
+        assert_eq!(again.times().collect::<Vec<_>>(), [0.0, 0.1]);
+        again.rollback(0.05).unwrap();
+        assert!(!folder.path().join("spheres_000001.vtu").exists());
+        assert!(folder.path().join("spheres_000000.vtu").exists());
     }
 }

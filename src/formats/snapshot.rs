@@ -34,7 +34,7 @@ const SHOWN: usize = 12;
 
 /// Writes the snapshot of a scene with the given hash (hexadecimal, 64 characters; shorter ones are padded).
 /// `radius` \[m\], `[N]`; `kinematics` of that moment, with the velocities reported for it; `state` is what
-/// [`restore`] gives back.
+/// `restore` gives back.
 #[must_use]
 pub fn take(
     scene_hash: &str,

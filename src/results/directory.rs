@@ -12,6 +12,7 @@ use super::frames::Series;
 use super::names::number;
 use crate::formats::durable::{DRAFT, replace, sync};
 use crate::formats::error::OutputError;
+use crate::formats::pvd::is_frame;
 use crate::formats::vtu::Precision;
 use crate::scene::Scene;
 
@@ -213,10 +214,8 @@ fn is_result(name: &str) -> bool {
     let name = name.strip_suffix(DRAFT).unwrap_or(name);
     let of_series = |name: &str| {
         Series::ALL.iter().any(|series| {
-            name.strip_prefix(series.name()).is_some_and(|rest| {
-                let number = rest.strip_prefix('_').and_then(|r| r.strip_suffix(".vtu"));
-                rest == ".pvd" || number.is_some_and(|n| n.bytes().all(|b| b.is_ascii_digit()))
-            })
+            let series = series.name();
+            is_frame(name, series) || name.strip_prefix(series) == Some(".pvd")
         })
     };
     matches!(name, ABOUT | "history.csv" | "view.py") || number(name).is_some() || of_series(name)

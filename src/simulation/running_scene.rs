@@ -178,14 +178,7 @@ impl Simulation {
     }
 
     pub(super) fn check_counts(&self, state: &State) -> Result<(), SnapshotError> {
-        let counts = [
-            state.kinematics.len(),
-            state.poses.len(),
-            state.bodies.len(),
-        ];
-        let scene = &self.scene;
-        let driven = scene.driven().count();
-        if counts != [scene.particles.len(), scene.boundaries.len(), driven] {
+        if !state.fits(&self.scene) {
             return Err(SnapshotError::Format(
                 "it has other numbers of spheres or boundaries than the scene of its hash",
             ));

@@ -16,7 +16,8 @@ impl Scene {
     /// [`SnapshotError`] if the blob is damaged or belongs to another scene or version; the scene is unchanged.
     pub fn start_from(&mut self, blob: &[u8]) -> Result<(), SnapshotError> {
         let state: State = snapshot::restore(blob, &self.hash)?;
-        self.initial = state.kinematics;
+        // The state has the velocities of the half step before.
+        (_, self.initial) = snapshot::spheres(blob)?;
         for (boundary, pose) in self.boundaries.iter_mut().zip(state.poses) {
             if let Motion::Driven(body) = &mut boundary.motion {
                 body.pose = pose;

@@ -122,6 +122,43 @@ clone_in_place! {
 }
 
 impl State {
+    /// Whether every array is as long as the scene wants it.
+    pub(crate) fn fits(&self, scene: &Scene) -> bool {
+        let (spheres, boundaries) = (scene.particles.len(), scene.boundaries.len());
+        let moving = &self.kinematics;
+        let of_spheres = [
+            moving.present.len(),
+            moving.position.len(),
+            moving.orientation.len(),
+            moving.velocity.len(),
+            moving.spin.len(),
+            self.smooth.len(),
+        ];
+        let of_boundaries = [
+            self.poses.len(),
+            self.twists.len(),
+            self.commands.len(),
+            self.wrenches.len(),
+            self.smooth_wrenches.len(),
+            self.mean_wrenches.len(),
+            self.owed.len(),
+        ];
+        let others = [
+            (self.bodies.len(), scene.driven().count()),
+            (self.springs.len(), scene.springs.len()),
+            (self.reserves.len(), scene.sources.len()),
+            (self.emitted.len(), scene.sources.len()),
+            (self.removed.len(), scene.sinks.len()),
+            (self.passed.len(), scene.sensors.len()),
+            (self.flow.len(), scene.sensors.len()),
+        ];
+        of_spheres == [spheres; 6]
+            && of_boundaries == [boundaries; 7]
+            && others.iter().all(|(found, wanted)| found == wanted)
+            && [0, spheres].contains(&self.external.len())
+            && [0, boundaries].contains(&self.rates.len())
+    }
+
     /// A copy, in the `memory` of another state if there is one.
     pub(crate) fn copied_into(&self, memory: Option<Self>) -> Self {
         let Some(mut copy) = memory else {

@@ -23,12 +23,9 @@ impl Assembly<'_> {
     pub(super) fn resting(&self) -> Vec<bool> {
         let velocity = self.prediction.velocities();
         let settings = &self.prediction.scene.settings;
-        let mut weight = settings.gravity.norm();
-        if settings.rotating_frame.is_some() {
-            let external = self.prediction.external.iter().map(|a| a.linear.norm());
-            weight = external.fold(weight, f64::max);
-        }
-        let creep = weight * self.prediction.step;
+        let external = self.prediction.external.iter().map(|a| a.linear.norm());
+        let acceleration = external.fold(self.prediction.mean_acceleration, f64::max);
+        let creep = acceleration.max(self.prediction.gravity_size) * self.prediction.step;
         // A step leaves a loaded contact open by what it may carry, and its own error.
         let closed = (settings.tolerance.gap + settings.opening).max(1e-9);
         let rests = |k: usize| {
@@ -63,10 +60,15 @@ impl Assembly<'_> {
             }
         }
         retain(&mut self.joints, &keep[first..]);
-        self.problem.rows.bind(|contact| {
-            let before = &keep[..*contact as usize];
-            *contact = before.iter().filter(|kept| **kept).count() as u32;
-        });
+        // Of every row how many before it are kept.
+        let ranks: Vec<u32> = keep
+            .iter()
+            .scan(0, |kept, &keep| {
+                Some(std::mem::replace(kept, *kept + u32::from(keep)))
+            })
+            .collect();
+        let rows = &mut self.problem.rows;
+        rows.bind(|contact| *contact = ranks[*contact as usize]);
         let step = self.prediction.step;
         let mut position = Vec::new();
         self.prediction.end_positions(&velocity, &mut position);

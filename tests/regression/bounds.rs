@@ -53,7 +53,6 @@ fn a_stray_sphere_costs_the_others_nothing() {
 
 /// Cells of the grid were bounded by 512^3, not by the number of spheres: 462 MB and 0.2 s a step from 8192 spheres on.
 #[test]
-#[ignore = "fault 9, not mended yet"]
 fn a_few_more_small_spheres_cost_a_little_more() {
     let time = |layers: u32| {
         let lattice = format!(

@@ -41,7 +41,6 @@ fn settling_takes_no_longer_than_asked_for() {
 /// `Assembly::resting` scales the speed of what rests by the gravity of the scene, here none, so that rounding of `n . u`
 /// drops the contact.
 #[test]
-#[ignore = "fault 8, not mended yet"]
 fn forces_at_the_start_are_of_the_gravity_in_force() {
     for tilt in [0.1, 0.2, 0.3, 0.4, 0.5, 0.6_f64] {
         let n = Vec3::new(tilt.sin(), 0.0, tilt.cos());
@@ -63,7 +62,6 @@ fn forces_at_the_start_are_of_the_gravity_in_force() {
 
 /// The same where a point load presses and there is no gravity.
 #[test]
-#[ignore = "fault 8, not mended yet"]
 fn forces_at_the_start_are_of_the_loads_too() {
     for tilt in [0.1, 0.2, 0.3, 0.4, 0.5, 0.6_f64] {
         let n = Vec3::new(tilt.sin(), 0.0, tilt.cos());
@@ -99,7 +97,6 @@ fn falling() -> (Scene, Simulation) {
 /// A scene that starts from a snapshot in free fall starts with `v = -g t`. Cause: `Scene::start_from` takes the velocities of
 /// the half step before, off by `g dt/2`, for those at the start.
 #[test]
-#[ignore = "fault 8, not mended yet"]
 fn a_start_from_a_snapshot_has_its_velocities() {
     let (mut scene, before) = falling();
     scene
@@ -119,7 +116,6 @@ fn a_start_from_a_snapshot_has_its_velocities() {
 /// A snapshot with a fitting checksum whose numbers of things do not fit the scene is refused, and never a panic later.
 /// Cause: `Simulation::check_counts` looks at three of some twenty lengths.
 #[test]
-#[ignore = "fault 8, not mended yet"]
 fn a_snapshot_is_checked_for_all_its_lengths() {
     let load = "[[spring]]\nsphere = \"s0\"\nstiffness = 10.0\n";
     let case = Case::new(1e-3)
@@ -189,7 +185,6 @@ fn a_plane_that_turns_by_a_right_angle_is_refused() {
 /// How exactly a stop holds does not depend on a grain elsewhere. Cause: the row of a stop has the radius of the scene's
 /// smallest sphere, over which its gap is judged.
 #[test]
-#[ignore = "fault 8, not mended yet"]
 fn a_stop_is_as_exact_with_a_grain_elsewhere() {
     let radius = |grain: bool| {
         let face =

@@ -14,6 +14,8 @@ pub(crate) const SMALL: usize = 8192;
 const PART: usize = 4096;
 /// Most parts.
 pub(super) const PARTS: usize = 32;
+/// Most cells over the number of spheres.
+const CELLS_PER_SPHERE: usize = 4;
 /// Cells along an axis at most.
 const CELLS: f64 = 512.0;
 
@@ -47,7 +49,13 @@ impl Partition {
             let long = size.imax();
             [long, (long + 1) % 3, (long + 2) % 3]
         };
-        let counts = axes.map(|axis| (size[axis] / edge) as usize + 1);
+        // No more cells than spheres but for a few: on a wide scene of small spheres they grow.
+        let cells = |edge: f64| axes.map(|axis| (size[axis] / edge) as usize + 1);
+        let mut edge = edge;
+        while cells(edge).iter().product::<usize>() > CELLS_PER_SPHERE * n {
+            edge *= 1.25;
+        }
+        let counts = cells(edge);
         let index = |x: &Vec3, k: usize| {
             let along = ((x[axes[k]] - low[axes[k]]) / edge) as usize;
             along.min(counts[k] - 1)

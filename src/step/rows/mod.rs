@@ -146,11 +146,7 @@ impl Prediction<'_> {
             compliance_n: compliance,
             compliance_t: compliance,
             law,
-            radius: particles
-                .radius
-                .iter()
-                .copied()
-                .fold(f64::INFINITY, f64::min),
+            radius: particles.radius.iter().copied().fold(0.0, f64::max),
             impulse_scale: 0.0,
         };
         let before = body.velocity.at(limit.arm).dot(&normal);
