@@ -66,7 +66,7 @@
 //! ```
 //!
 //! [`simulation::Simulation::problem`] gives the algebra of the next step and the impulses that a solver starts from. A solver
-//! is a function of the shape of [`solver::solve`]; [`solver::residual::evaluate`] judges it.
+//! is a function of the shape of [`solver::solve`]; [`solver::residual::evaluate`] judges it: [`solver`] has one as an example.
 //!
 //! # Where things are
 //!

@@ -162,8 +162,9 @@ impl Law {
     }
 
     /// The impulse \[N s\] that is admitted nearest to a trial, along the normal and across it; `load` bounds a resistance.
+    #[must_use]
     #[inline]
-    pub(crate) fn project(&self, y_n: f64, y_t: Vec3, load: f64) -> (f64, Vec3) {
+    pub fn project(&self, y_n: f64, y_t: Vec3, load: f64) -> (f64, Vec3) {
         let (normal, share) = match *self {
             Self::Contact { mu } => onto_cone(y_n, y_t.norm_squared(), mu, (0.0, 1.0)),
             _ => {

@@ -108,7 +108,8 @@ impl Problem {
 
     /// Scale of a row's Delassus operator \[1/kg\]: `(w_n, w_t)` such that the operator is at most
     /// `w_n n n^T + w_t (1 - n n^T)`. Exact for free spheres, where normal and tangent do not couple: `w_t = 3.5 w_n`.
-    pub(crate) fn delassus(&self, row: &Row) -> (f64, f64) {
+    #[must_use]
+    pub fn delassus(&self, row: &Row) -> (f64, f64) {
         if let Some(closed) = self.sphere_delassus(row) {
             return closed;
         }
