@@ -7,12 +7,16 @@ use crate::contact::history;
 use crate::detection::configuration::{Candidate, Configuration};
 use crate::state::State;
 
-/// What the true geometry corrects in a problem: of gaps alone, normals and arms keep the start of the step, as in SHAKE.
+/// What is corrected in a problem: gaps as the true geometry has them, normals and arms keep the start of the step, as in SHAKE;
+/// rebounds where they make energy.
+#[derive(Default)]
 pub(super) struct Correction {
     /// Of the candidates, whether their gap is re-linearised.
     pub(super) yields: Vec<bool>,
     /// Contacts that close without being candidates, with the normals that they close with.
     pub(super) late: Vec<Candidate>,
+    /// Impacts that rebound with this share of Newton's law.
+    pub(super) rebounds: Vec<(usize, f64)>,
 }
 
 /// Gap \[m\] of contact `k` at `end`, without the compression of a contact spring, which is not an overlap.
@@ -60,6 +64,14 @@ impl Correction {
         for k in (0..self.yields.len()).filter(|&k| self.yields[k]) {
             let gap = true_gap(assembly, solution, &end, k);
             relinearise(assembly, solution, k, gap);
+        }
+        for &(k, share) in &self.rebounds {
+            let force = assembly.past[k].force(&state.contacts);
+            let (free, found) = (&assembly.problem.free, &assembly.candidates[k]);
+            let newton = prediction.contact_row(free, found, force, Some(true)).row;
+            let now = assembly.problem.rows.get(k).bias.dot(&newton.normal);
+            let wanted = share * newton.bias.dot(&newton.normal);
+            assembly.problem.rows.shift(k, wanted - now);
         }
         let late = late.iter().enumerate();
         late.map(|(k, found)| {

@@ -6,7 +6,7 @@
 //! | detect | `detect` | candidates within reach of the step |
 //! | assemble | `assemble`, `rows` | the [`Problem`], who its rows are, a warm start: `Assembly` |
 //! | solve | `solve`, [`crate::solver`] | impulses and velocities: `Solution` |
-//! | verify | `verify`, `tunnelling` | true gaps at the end: accepted, failed, or a `Correction` of the problem |
+//! | verify | `verify`, `tunnelling`, `rebounds` | true gaps at the end, energy of impacts: accepted, failed, or a `Correction` of the problem |
 //! | commit | `commit` | motion, forces and energy of the next [`State`], which nothing has touched before |
 //!
 //! `initial` does likewise at t = 0; `replicas` runs the same stages with replicas of the state, for derivatives.
@@ -25,6 +25,7 @@ mod input;
 mod linear_problem;
 mod output;
 mod prediction;
+mod rebounds;
 mod replicas;
 mod resolve;
 mod rows;

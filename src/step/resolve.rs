@@ -3,6 +3,7 @@
 use super::assemble::Assembly;
 use super::correction::Correction;
 use super::failure::{failed, failed_to_converge, pinch};
+use super::rebounds::Rebounds;
 use super::solution::Solution;
 use super::solve::solve;
 use super::verify::verify;
@@ -48,6 +49,7 @@ pub(super) struct Passes {
     sweep_limit: Option<usize>,
     /// What gives way overlaps by more than the tolerance, though its problem is solved.
     gives_way: bool,
+    rebounds: Rebounds,
 }
 
 /// How a pass ends.
@@ -73,6 +75,7 @@ impl Passes {
             budget: settings.sweeps.filter(|_| assembly.moves),
             sweep_limit: effort.sweeps.filter(|_| assembly.moves),
             gives_way: effort.accept && soften_pinched(assembly, solution),
+            rebounds: Rebounds::default(),
         }
     }
 
@@ -115,7 +118,11 @@ impl Passes {
             ..failed(assembly, solution, &self.total)
         })?;
         let output = StepOutput::of(self.total, verdict.max_overlap);
-        match verdict.correction {
+        let correction = match verdict.correction {
+            None if !as_it_is => self.rebounds.limit(assembly, solution),
+            correction => correction,
+        };
+        match correction {
             Some(correction) if self.count < PASSES => Ok(Pass::Corrected(correction)),
             Some(_) if !accept => Err(failed_to_converge(assembly, solution)),
             correction => Ok(Pass::Accepted(StepOutput {

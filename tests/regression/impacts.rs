@@ -1,14 +1,14 @@
 //! Fault 6. Symptom: impacts at once make energy without friction: a ball caught between one that meets it and one it parts
-//! from: 4/3 at e = 1. Cause: every row of a step rebounds by Newton's law against its own approach (`contact_row`, bias
-//! `e u_n^-`), also where an impulse that comes from another row closes a pair that was parting or at rest: the bias of
-//! that row is then of the gap, e = 0 beside e = 1, and the mean velocity that makes the work negative is no longer common.
+//! from: 4/3 at e = 1. Cause: every contact of a step rebounds by Newton's law against its own approach, also where an impulse
+//! that comes from another contact closes a pair that was parting or at rest: the mean velocity that makes the work negative is
+//! no longer common.
 
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 use sphere_dda::Vec3;
 use sphere_dda::random::symmetric;
 
-use crate::support::Case;
+use crate::support::{Case, Run};
 
 const R: f64 = 0.02;
 
@@ -26,7 +26,6 @@ fn ratio(e: f64, balls: &[(f64, f64)], steps: usize) -> f64 {
 
 /// B at rest touches A, which leaves it at 1 m/s and meets C at -1 m/s: at most all energy is left.
 #[test]
-#[ignore = "fault 6, not mended yet"]
 fn a_ball_caught_by_one_it_leaves_makes_no_energy() {
     for e in [1.0, 0.9, 0.5, 0.0] {
         let found = ratio(e, &[(0.0, 0.0), (0.04, 1.0), (0.0805, -1.0)], 100);
@@ -36,12 +35,21 @@ fn a_ball_caught_by_one_it_leaves_makes_no_energy() {
 
 /// The same with 0.5 mm between A and B.
 #[test]
-#[ignore = "fault 6, not mended yet"]
 fn a_gap_within_the_step_makes_no_energy() {
     for e in [1.0, 0.9, 0.5] {
         let found = ratio(e, &[(0.0, 0.0), (0.0405, 1.0), (0.0810, -1.0)], 100);
         assert!(found < 1.0 + 1e-9, "e = {e}: {found}");
     }
+}
+
+/// Kinetic energy \[J\] after the impulses of a step. Reported velocities are half a step of the last forces further on.
+fn kinetic(run: &Run) -> f64 {
+    let (motion, particles) = (
+        run.simulation.kinematics(),
+        &run.simulation.scene().particles,
+    );
+    let of = |i| particles.kinetic_energy(i, &motion.velocity[i], &motion.spin[i]);
+    (0..particles.len()).map(of).sum()
 }
 
 /// Largest ratio of the kinetic energy after a step to that before it, of clusters of balls that fly at random.
@@ -62,29 +70,29 @@ fn clusters(friction: f64) -> (f64, f64) {
                 case = case.sphere(R, cell * (2.05 * R) + off, v, Vec3::zeros());
             }
             let mut run = case.start();
-            let mut before = run.energy().kinetic();
+            let (start, mut before) = (run.energy().kinetic(), kinetic(&run));
             for _ in 0..40 {
                 run.step();
-                let now = run.energy().kinetic();
+                let now = kinetic(&run);
                 if now / before > worst.0 {
                     worst = (now / before, e);
                 }
                 before = now;
             }
+            let end = run.energy().kinetic() / start;
+            worst = if end > worst.0 { (end, e) } else { worst };
         }
     }
     worst
 }
 
 #[test]
-#[ignore = "fault 6, not mended yet"]
 fn smooth_clusters_make_no_energy() {
     let (ratio, e) = clusters(0.0);
     assert!(ratio < 1.0 + 1e-6, "{ratio} at e = {e}");
 }
 
 #[test]
-#[ignore = "fault 6, not mended yet"]
 fn rough_clusters_make_no_energy() {
     let (ratio, e) = clusters(0.4);
     assert!(ratio < 1.0 + 1e-6, "{ratio} at e = {e}");

@@ -44,7 +44,8 @@ impl Prediction<'_> {
         mass * acceleration.linear.norm().max(self.gravity_size)
     }
 
-    fn pair(&self, key: ContactId) -> Pair {
+    /// The properties of a contact.
+    pub(super) fn pair(&self, key: ContactId) -> Pair {
         let material = &self.scene.particles.material;
         let of_b = match key.partner {
             Partner::Sphere { index, .. } => material[index as usize],
