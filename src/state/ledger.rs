@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 pub struct EnergyLedger {
     /// Energy lost by sliding friction, and by resistance to rolling and twisting.
     pub friction: f64,
-    /// Energy lost along the normals of impacts and at the stops of joints.
+    /// Energy lost along the normals of impacts, in the dampers of contacts that give way, and at the stops of joints.
     pub impact: f64,
     /// Energy that the scheme has added; negative: taken. What is left of the change of kinetic energy after all other work.
     pub numerical_work: f64,
@@ -21,7 +21,7 @@ pub struct EnergyLedger {
     pub loads: f64,
     /// Work of the dampers of driven bodies: at most zero.
     pub dampers: f64,
-    /// Work of constrained springs on the spheres and of the springs of joints on driven bodies.
+    /// Work of constrained springs and of contacts that give way on the spheres, and of the springs of joints on driven bodies.
     pub springs: f64,
 }
 

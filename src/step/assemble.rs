@@ -1,6 +1,7 @@
 //! Third stage of a step: the rows of its problem, who they are, and the impulses that the solve starts from.
 
 use super::prediction::Prediction;
+use super::rows::elastic::Elastic;
 use super::rows::joint::JointConstraint;
 use crate::Vec3;
 use crate::contact::history::{self, HistoryIndex};
@@ -199,6 +200,13 @@ impl Assembly<'_> {
         let [_, b] = self.problem.rows.bodies(k);
         let spheres = self.prediction.kinematics.len();
         (b != GROUND && b as usize >= spheres).then_some(b as usize)
+    }
+
+    /// Spring and damper of candidate `k`, if it gives way by the penalty method or the `stiffness` of its boundary.
+    pub(super) fn elastic(&self, k: usize) -> Option<Elastic> {
+        let candidate = self.candidates.get(k)?;
+        self.prediction
+            .elastic(candidate.key, self.problem.rows.bodies(k))
     }
 
     /// Whether candidate `k` is a contact with a boundary.

@@ -123,7 +123,19 @@ fn insert(
     let step = prediction.step;
     let linear = step * found.normal.dot(&row.relative_velocity(&solution.velocity));
     let carried = prediction.scene.settings.opening * row.radius;
-    row.bias += row.normal * ((found.gap - carried - linear) / step - row.bias.dot(&row.normal));
+    if row.compliance_n > 0.0 {
+        let start = Candidate {
+            gap: found.gap - linear,
+            ..*found
+        };
+        let free = &assembly.problem.free;
+        row = prediction
+            .contact_row(free, &start, force, Some(impact))
+            .row;
+    } else {
+        let wanted = (found.gap - carried - linear) / step;
+        row.bias += row.normal * (wanted - row.bias.dot(&row.normal));
+    }
     let at = assembly.candidates.partition_point(|c| c.key < found.key);
     assembly.candidates.insert(at, *found);
     assembly.problem.rows.insert(at, row);

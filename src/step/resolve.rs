@@ -145,7 +145,8 @@ fn soften_pinched(assembly: &mut Assembly, solution: &Solution) -> bool {
     let particles = &prediction.scene.particles;
     for k in 0..assembly.candidates.len() {
         let sphere = assembly.candidates[k].key.sphere;
-        if assembly.is_with_boundary(k) && squeezed.contains(&sphere) {
+        let rigid = assembly.is_with_boundary(k) && assembly.elastic(k).is_none();
+        if rigid && squeezed.contains(&sphere) {
             let i = sphere as usize;
             let weight = particles.mass[i] * prediction.gravity_size.max(1.0);
             let stiffness = WEIGHTS * weight / particles.radius[i];

@@ -93,7 +93,7 @@ fn correction(
         (loaded || assembly.is_with_boundary(k)) && {
             let (gap, radius) = (gap(k), radius(k));
             let opens = loaded && !assembly.impact[k] && gap > opening * radius;
-            gap < -tolerance * radius || opens
+            (gap < -tolerance * radius || opens) && assembly.elastic(k).is_none()
         }
     };
     let any = |_, range: Range<usize>| range.into_iter().any(is_off);
@@ -103,15 +103,18 @@ fn correction(
     for found in overlapping {
         let known = |candidate: &Candidate| candidate.key;
         match assembly.candidates.binary_search_by_key(&found.key, known) {
-            Ok(k) => off |= !solution.loads(k),
+            Ok(k) => off |= !solution.loads(k) && assembly.elastic(k).is_none(),
             Err(_) => late.push(*found),
         }
     }
     if !off && late.is_empty() {
         return None;
     }
-    // A rebound yields only to an overlap.
-    let yields = |k: usize| !assembly.impact[k] || gap(k) < -tolerance * radius(k);
+    // A rebound yields only to an overlap; a spring is as it is.
+    let yields = |k: usize| {
+        let overlaps = || gap(k) < -tolerance * radius(k);
+        assembly.elastic(k).is_none() && (!assembly.impact[k] || overlaps())
+    };
     Some(Correction {
         yields: (0..assembly.candidates.len()).map(yields).collect(),
         late,

@@ -188,7 +188,7 @@ pub(super) const WHOLE: [Field<Whole>; 29] = [
     real("gravityWork", "J", "Potential energy gained since the start because gravity changed with time", |w| w.work.gravity),
     real("loadWork", "J", "Work of point loads and of the loads on driven bodies since the start", |w| w.work.loads),
     real("damperWork", "J", "Work of the dampers of driven bodies since the start", |w| w.work.dampers),
-    real("springWork", "J", "Work of constrained springs and springs of joints since the start", |w| w.work.springs),
+    real("springWork", "J", "Work of constrained springs, contacts that give way and springs of joints since the start", |w| w.work.springs),
     count("contactCount", LOADED, |w| w.contacts),
     number("maxOverlap", "Largest true overlap over radius in the communication step", |w| w.max_overlap),
     count("solver.internalSteps", "Internal steps of the communication step", |w| w.report.internal_steps),

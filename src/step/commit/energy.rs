@@ -5,8 +5,10 @@ use std::ops::Range;
 use crate::Vec3;
 use crate::integrator::Integrator;
 use crate::problem::Law;
+use crate::scene::Method;
 use crate::spatial::{Pose, SpatialVector};
 use crate::state::{BodyState, EnergyLedger, State};
+use crate::step::rows::elastic::Elastic;
 use crate::step::solution::Solved;
 
 impl Solved<'_> {
@@ -29,9 +31,18 @@ impl Solved<'_> {
         let mut work = EnergyLedger::default();
         // Work on the spheres that is accounted for.
         let mut known = 0.0;
-        let rows = &self.assembly.problem.rows;
+        let (scene, rows) = (self.prediction().scene, &self.assembly.problem.rows);
+        let gives_way = scene.settings.method == Method::Penalty
+            || scene.boundaries.iter().any(|b| b.stiffness.is_some());
         for k in range {
             let p = &self.solution.impulses[k];
+            let elastic = gives_way.then(|| self.assembly.elastic(k)).flatten();
+            if let Some(elastic) = elastic {
+                let [spring, lost] = self.work_of_spring(k, &elastic);
+                work.springs += spring;
+                work.impact += lost;
+                known += spring - lost;
+            }
             if *p == Vec3::zeros() || self.assembly.joint(k).is_some() {
                 continue;
             }
@@ -59,7 +70,7 @@ impl Solved<'_> {
             let friction = -(p - n * p_n).dot(&u);
             work.friction += friction;
             known -= friction;
-            if impact {
+            if impact && rows.compliance(k) == 0.0 {
                 let loss = -p_n * u.dot(&n);
                 work.impact += loss;
                 known -= loss;
@@ -77,6 +88,23 @@ impl Solved<'_> {
         }
         work.numerical_work -= known;
         work
+    }
+
+    /// Work of the spring of a contact and what its damper loses \[J\]. A contact that a step does not press any more loses what
+    /// its spring still holds.
+    fn work_of_spring(&self, k: usize, elastic: &Elastic) -> [f64; 2] {
+        let (rows, step) = (&self.assembly.problem.rows, self.prediction().step);
+        let gap = self.assembly.candidates[k].gap;
+        let u = rows
+            .relative(k, |i| self.solution.velocity[i])
+            .dot(&rows.normal(k));
+        let spring = elastic.energy(gap) - elastic.energy(gap + step * u);
+        let lost = match (self.solution.loads(k), rows.compliance(k) == 0.0) {
+            (false, _) => spring,
+            (true, true) => 0.0,
+            (true, false) => step * elastic.damping * u * u,
+        };
+        [spring, lost]
     }
 
     /// Adds the work on driven bodies, as [`Self::work`] does for spheres. Their weight acts along the path of the centre of mass.

@@ -3,14 +3,16 @@
 use nalgebra::UnitQuaternion;
 
 use crate::Vec3;
-use crate::contact::Partner;
+use crate::contact::{ContactId, Partner};
 use crate::detection::configuration::Candidate;
 use crate::integrator::Integrator;
 use crate::problem::law::{SHEAR_RATIO, split};
 use crate::problem::{GROUND, Law, Row};
 use crate::scene::Method;
+use crate::scene::materials::Pair;
 use crate::spatial::SpatialVector;
 use crate::step::prediction::Prediction;
+use crate::step::rows::elastic::Elastic;
 use crate::step::sphere_motion::SphereMotion;
 
 /// Rounding of a velocity that several impulses have changed, over its size \[-\].
@@ -108,13 +110,21 @@ impl Prediction<'_> {
         };
         let carried = self.scene.settings.carried(candidate.gap, contact.radius);
         let excess = candidate.gap - carried;
+        let bodies = (a, contact.b);
+        let elastic = self.elastic_of(candidate.key, bodies, &pair, contact.stiffness);
         let impact = known_impact.unwrap_or_else(|| {
+            if elastic.is_some_and(|elastic| elastic.resolved) {
+                return false;
+            }
             let freely = || n.dot(&(free[a].linear - contact.partner));
             approach < -self.impact_threshold(&contact, turning)
                 && excess + self.step * freely() < 0.0
         });
         let rebound = (impact && pair.restitution > 0.0).then_some(pair.restitution * approach);
-        let (mut bias, compliance) = self.bias(&contact, n, (excess, rebound), force);
+        // The impact of a contact that the step does not resolve is rigid.
+        let rigid = impact && self.scene.settings.integrator == Integrator::Moreau;
+        let elastic = elastic.filter(|_| !rigid);
+        let (mut bias, compliance) = self.bias(elastic, n, (excess, rebound), force);
         if !impact {
             bias += contact.rolling;
         }
@@ -154,12 +164,53 @@ impl Prediction<'_> {
         threshold.max(2.0 * self.step * acting.max(turning))
     }
 
+    /// Spring and damper of a contact, if it has them: by the penalty method, or the `stiffness` of a boundary.
+    pub(crate) fn elastic(&self, key: ContactId, [a, b]: [u32; 2]) -> Option<Elastic> {
+        let stiffness = match key.partner {
+            Partner::Sphere { .. } => None,
+            Partner::Boundary { boundary, .. } => {
+                self.scene.boundaries[usize::from(boundary)].stiffness
+            }
+        };
+        self.elastic_of(key, (a as usize, b), &self.pair(key), stiffness)
+    }
+
+    #[inline]
+    fn elastic_of(
+        &self,
+        key: ContactId,
+        (a, b): (usize, u32),
+        pair: &Pair,
+        stiffness: Option<f64>,
+    ) -> Option<Elastic> {
+        let settings = &self.scene.settings;
+        let penalty = match settings.method {
+            Method::Penalty => settings.penalty,
+            Method::Alm => None,
+        };
+        let stiffness = penalty.or(stiffness)?;
+        let own = self.spheres[a].mass;
+        let mass = match key.partner {
+            Partner::Sphere { index, .. } => {
+                let other = self.spheres[index as usize].mass;
+                own * other / (own + other)
+            }
+            Partner::Boundary { .. } if b == GROUND => own,
+            Partner::Boundary { .. } => {
+                let body = self.bodies[b as usize - self.kinematics.len()].mass();
+                own * body / (own + body)
+            }
+        };
+        let step = (mass, self.step, settings.integrator);
+        Some(Elastic::new(stiffness, pair.restitution, step))
+    }
+
     /// Bias \[m/s\] and compliances of a contact whose gap exceeds what it carries by `excess` \[m\], or that parts with the
     /// speed `-rebound` \[m/s\].
     #[inline]
     fn bias(
         &self,
-        contact: &ContactKinematics,
+        elastic: Option<Elastic>,
         n: Vec3,
         (excess, rebound): (f64, Option<f64>),
         force: Vec3,
@@ -167,18 +218,21 @@ impl Prediction<'_> {
         let settings = &self.scene.settings;
         let dt2 = self.step * self.step;
         let gap_bias = excess / self.step;
-        if let (Method::Penalty, Some(penalty)) = (settings.method, settings.penalty) {
-            let compliance = [1.0, SHEAR_RATIO].map(|ratio| 1.0 / (ratio * penalty * dt2));
-            // The shear spring keeps the stretch that carried the last force.
-            let stretch = split(force * self.step, n).1 * compliance[1];
-            return (n * gap_bias - stretch, compliance);
+        let rebound = rebound.filter(|_| settings.integrator == Integrator::Moreau);
+        match (elastic, rebound) {
+            (_, Some(rebound)) => (n * rebound, [0.0; 2]),
+            (None, None) => (n * gap_bias, [0.0; 2]),
+            (Some(elastic), None) => {
+                let along = elastic.weight / (elastic.stiffness * dt2);
+                let across = match settings.method {
+                    Method::Penalty => 1.0 / (SHEAR_RATIO * elastic.stiffness * dt2),
+                    Method::Alm => 0.0,
+                };
+                // The shear spring keeps the stretch that carried the last force.
+                let stretch = split(force * self.step, n).1 * across;
+                (n * (gap_bias * elastic.weight) - stretch, [along, across])
+            }
         }
-        let compliance = contact.stiffness.map_or(0.0, |k| 1.0 / (k * dt2));
-        let bias = match rebound {
-            Some(rebound) if settings.integrator == Integrator::Moreau => rebound,
-            _ => gap_bias,
-        };
-        (n * bias, [compliance, 0.0])
     }
 
     /// Scale of the force residual \[N s\] of a contact whose normal turns by `turning`

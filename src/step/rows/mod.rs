@@ -14,9 +14,10 @@
 //!
 //! A contact that approaches faster than the threshold velocity and whose free motion closes the gap is an
 //! impact: `n.u1 >= -e n.u^-`. Every other candidate carries `n.u1 >= -g/dt`. With `e = 0` an impact keeps the
-//! gap constraint: it lands on the surface instead of stopping above it.
+//! gap constraint: it lands on the surface instead of stopping above it. Contacts that give way are in `elastic`.
 
 mod contact;
+pub(super) mod elastic;
 pub(super) mod joint;
 
 use crate::Vec3;
