@@ -148,7 +148,7 @@ impl Geometry {
     /// Appends every distinct place where a sphere of `radius` \[m\] around `centre` \[m\] comes within
     /// `reach` \[m\] of gap. Sorted by feature; an edge or vertex inside a neighbour's face is left out.
     ///
-    /// Distinct places are the local minima of the distance from the centre to the surface, and the ribs of a ring
+    /// Distinct places are the local minima of the distance from the centre to the surface, and the sectors of a ring
     /// contact (see [`Revolution`]). Where the centre lies on a sheet, the normal is that of the sheet's plane.
     pub fn closest_points(
         &self,

@@ -7,21 +7,23 @@
 //! curvatures are `|n_rho|/rho_c` around the axis (Meusnier) and, at a corner, `1/|c - P0|` in the half-plane: for a
 //! cylinder of radius `R_b` that is `1/(R_b - R)` inside and `1/(R_b + R)` outside.
 //!
-//! A sphere inside and so close to the axis that the far side is in reach as well is held by a whole ring, which one
-//! point cannot represent (a ball stuck in an outlet). Then three meridians at fixed azimuths 0, 120 and 240 degrees,
-//! the ribs, are reported besides. They are lines of the surface, so no rib forbids anything that the surface allows.
+//! A sphere inside and so close to the axis that the far side is in reach as well touches a whole ring (a ball that plugs an
+//! outlet, or rests on the rim of a hole). One point cannot represent that: it jumps to the other side where the centre crosses
+//! the axis. There each piece and corner gives the closest point of each of eight sectors about the axis instead, which stays
+//! in its sector. They are points of the surface, so none forbids anything that the surface allows, and one is the closest.
 
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 use serde::{Deserialize, Serialize};
 
 use super::closest_point::{ClosestPoint, keep_distinct};
 use super::error::{GeometryError, finite, unit};
-use super::triangle::on_segment;
 use crate::Vec3;
 
-/// Number of ribs.
-const RIBS: usize = 3;
+/// Number of sectors.
+const SECTORS: usize = 8;
+/// A gap on the far side below this share of the radius makes a ring.
+const RING: f64 = 0.05;
 /// Lengths below this share of the profile's size are rounding \[-\].
 const SLACK: f64 = 1e-10;
 
@@ -50,7 +52,7 @@ struct HalfPlane {
 enum Feature {
     Piece(usize),
     Corner(usize),
-    Rib { piece: usize, rib: usize },
+    Sector { part: usize, sector: usize },
 }
 
 impl Revolution {
@@ -177,9 +179,14 @@ impl Revolution {
         self.profile.len() - 1
     }
 
-    /// Number of features: pieces, corners, ribs.
+    /// Number of features: pieces, corners, and both by sectors.
     pub(super) fn features(&self) -> u32 {
-        (self.pieces() * (1 + RIBS) + self.profile.len()) as u32
+        (self.parts() * (1 + SECTORS)) as u32
+    }
+
+    /// Pieces and corners.
+    fn parts(&self) -> usize {
+        self.pieces() + self.profile.len()
     }
 
     fn part(&self, feature: u32) -> Option<Feature> {
@@ -189,10 +196,10 @@ impl Revolution {
         } else if feature < pieces + corners {
             Some(Feature::Corner(feature - pieces))
         } else if (feature as u32) < self.features() {
-            let rib = feature - pieces - corners;
-            Some(Feature::Rib {
-                piece: rib / RIBS,
-                rib: rib % RIBS,
+            let sector = feature - self.parts();
+            Some(Feature::Sector {
+                part: sector / SECTORS,
+                sector: sector % SECTORS,
             })
         } else {
             None
@@ -250,6 +257,10 @@ impl Revolution {
         for piece in 0..self.pieces() {
             let (a, b) = (self.profile[piece], self.profile[piece + 1]);
             let (closest, t) = on_piece(a, b, frame.centre);
+            if self.is_in_ring([a, b], (closest, frame.centre), radius, reach) {
+                self.push_sectors(piece, &frame, (radius, reach), out);
+                continue;
+            }
             let on_face = (0.0..=1.0).contains(&t);
             let point = if on_face {
                 self.face_touch(piece, &frame, 1.0, radius)
@@ -265,30 +276,44 @@ impl Revolution {
             } else {
                 point
             };
-            if point.gap > reach {
-                continue;
-            }
-            out.push(point);
-            let opposite = Vec2::new(-frame.centre.x, frame.centre.y);
-            let far = (on_piece(a, b, opposite).0 - opposite).norm();
-            if closest.x > frame.centre.x && far - radius <= reach {
-                self.push_ribs(piece, c, radius, reach, out);
+            if point.gap <= reach {
+                out.push(point);
             }
         }
         keep_distinct(out, start, self.slack());
     }
 
-    fn push_ribs(
+    /// Whether a sphere around `centre` touches the far side of a piece as well as `closest`.
+    fn is_in_ring(
         &self,
-        piece: usize,
-        c: Vec3,
+        [a, b]: [Vec2; 2],
+        (closest, centre): (Vec2, Vec2),
         radius: f64,
         reach: f64,
+    ) -> bool {
+        let opposite = Vec2::new(-centre.x, centre.y);
+        let far = (on_piece(a, b, opposite).0 - opposite).norm();
+        closest.x > centre.x && far - radius <= reach.max(RING * radius)
+    }
+
+    fn push_sectors(
+        &self,
+        piece: usize,
+        frame: &HalfPlane,
+        (radius, reach): (f64, f64),
         out: &mut Vec<ClosestPoint>,
     ) {
-        let first = self.pieces() + self.profile.len() + piece * RIBS;
-        for rib in 0..RIBS {
-            let point = self.rib_touch((first + rib) as u32, piece, rib, c, radius);
+        for sector in 0..SECTORS {
+            let turned = self.in_sector(frame, sector);
+            let [a, b] = [piece, piece + 1].map(|k| self.profile[k]);
+            let (_, t) = on_piece(a, b, turned.centre);
+            let corner = if t < 0.0 { piece } else { piece + 1 };
+            let part = match (0.0..=1.0).contains(&t) {
+                true => piece,
+                false if self.is_undercut(corner, turned.centre) => continue,
+                false => self.pieces() + corner,
+            };
+            let point = self.sector_touch(part, sector, frame, radius);
             if point.gap <= reach {
                 out.push(point);
             }
@@ -320,7 +345,7 @@ impl Revolution {
                 }
             }
             Feature::Corner(corner) => self.corner_touch(corner, &frame, radius),
-            Feature::Rib { piece, rib } => self.rib_touch(feature, piece, rib, c, radius),
+            Feature::Sector { part, sector } => self.sector_touch(part, sector, &frame, radius),
         })
     }
 
@@ -400,21 +425,46 @@ impl Revolution {
         point
     }
 
-    fn rib_touch(
+    /// The half-plane of a sector that is nearest to the centre's own, and the centre's foot in it.
+    fn in_sector(&self, frame: &HalfPlane, sector: usize) -> HalfPlane {
+        let [e1, e2] = self.transverse();
+        let own = frame.radial.dot(&e2).atan2(frame.radial.dot(&e1));
+        let width = TAU / SECTORS as f64;
+        let middle = (sector as f64 + 0.5) * width;
+        let off = (own - middle + TAU + PI).rem_euclid(TAU) - PI;
+        if off.abs() <= 0.5 * width {
+            return HalfPlane { ..*frame };
+        }
+        let (sin, cos) = (middle + 0.5 * width * off.signum()).sin_cos();
+        let radial = e1 * cos + e2 * sin;
+        let [rho, z] = [frame.centre.x, frame.centre.y];
+        HalfPlane {
+            centre: Vec2::new(rho * radial.dot(&frame.radial), z),
+            radial,
+        }
+    }
+
+    /// The closest point of a piece or corner within a sector.
+    fn sector_touch(
         &self,
-        feature: u32,
-        piece: usize,
-        rib: usize,
-        c: Vec3,
+        part: usize,
+        sector: usize,
+        frame: &HalfPlane,
         radius: f64,
     ) -> ClosestPoint {
-        let [e1, e2] = self.transverse();
-        let (sin, cos) = (TAU * rib as f64 / RIBS as f64).sin_cos();
-        let radial = e1 * cos + e2 * sin;
-        let [a, b] = [piece, piece + 1].map(|k| self.at(self.profile[k], radial));
-        let m = self.left_normal(piece);
-        let fallback = radial * m.x + self.axis * m.y;
-        ClosestPoint::at_point(feature, on_segment(a, b, c), c, radius, fallback)
+        let feature = (self.parts() + part * SECTORS + sector) as u32;
+        let turned = self.in_sector(frame, sector);
+        let (p, piece) = match part.checked_sub(self.pieces()) {
+            Some(corner) => (self.profile[corner], corner.min(self.pieces() - 1)),
+            None => {
+                let [a, b] = [part, part + 1].map(|k| self.profile[k]);
+                (on_piece(a, b, turned.centre).0, part)
+            }
+        };
+        let centre = self.at(frame.centre, frame.radial);
+        let point = self.at(p, turned.radial);
+        let fallback = self.outward(piece, &turned);
+        ClosestPoint::at_point(feature, point, centre, radius, fallback)
     }
 
     /// Whether a piece at the corner has a point closer to `c` than the corner.

@@ -42,7 +42,6 @@ const CONE: &str = "cone = { base = [0.0, 0.0, 0.0], r0 = 0.02, r1 = 0.2, height
 
 /// On the rim of radius a the centre rests at `sqrt(R^2 - a^2)` above it.
 #[test]
-#[ignore = "fault 4, not mended yet"]
 fn a_ball_comes_to_rest_on_the_rim_of_a_hole() {
     for (friction, step) in [(0.3, 1e-3), (0.0, 1e-3), (0.3, 1e-4)] {
         falls_into(RIM, Vec3::new(1e-3, 0.0, 0.042), 0.04, friction, step);
