@@ -15,6 +15,16 @@ const LEVELS: usize = 40;
 
 /// All pairs `i < j` of present spheres whose distance is below the sum of their `size` \[m\], `[N]`, ascending.
 pub(crate) fn sphere_pairs(position: &[Vec3], present: &[bool], size: &[f64]) -> Vec<(u32, u32)> {
+    pairs_up_to(usize::MAX, position, present, size)
+}
+
+/// As [`sphere_pairs`]; the search ends where there are more than `most` pairs.
+pub(crate) fn pairs_up_to(
+    most: usize,
+    position: &[Vec3],
+    present: &[bool],
+    size: &[f64],
+) -> Vec<(u32, u32)> {
     let spheres = || (0..position.len()).filter(|&i| present[i]);
     let smallest = spheres().map(|i| size[i]).fold(f64::INFINITY, f64::min);
     let mut levels: Vec<Vec<u32>> = Vec::new();
@@ -31,9 +41,9 @@ pub(crate) fn sphere_pairs(position: &[Vec3], present: &[bool], size: &[f64]) ->
         .collect();
     let mut pairs = Vec::new();
     for (k, grid) in grids.iter().enumerate() {
-        grid.pairs(&mut pairs);
+        grid.pairs(most, &mut pairs);
         for finer in &grids[..k] {
-            finer.pairs_with(grid, &mut pairs);
+            finer.pairs_with(grid, most, &mut pairs);
         }
     }
     drop(grids);
@@ -112,13 +122,16 @@ impl Grid {
     }
 
     /// Pairs within the level.
-    fn pairs(&self, pairs: &mut Vec<(u32, u32)>) {
+    fn pairs(&self, most: usize, pairs: &mut Vec<(u32, u32)>) {
         let [nx, ny, _] = self.count;
         let (cells, members) = (&self.cells[..], &self.members[..]);
         // Rows of three cells ahead of the own one, as offsets of their middle.
         let rows = [nx, nx * ny - nx, nx * ny, nx * ny + nx];
         let mut starts = [0; 4];
         for (rank, (key, own)) in cells.iter().zip(members).enumerate() {
+            if pairs.len() > most {
+                return;
+            }
             let ahead = cells[rank + 1..].iter().zip(&members[rank + 1..]);
             let beside = ahead.take_while(|(other, _)| **other <= key + 1);
             pairs.extend(beside.filter_map(|(_, other)| own.pair(other)));
@@ -134,8 +147,11 @@ impl Grid {
     }
 
     /// Pairs with the spheres of a coarser level.
-    fn pairs_with(&self, coarser: &Self, pairs: &mut Vec<(u32, u32)>) {
+    fn pairs_with(&self, coarser: &Self, most: usize, pairs: &mut Vec<(u32, u32)>) {
         for big in &coarser.members {
+            if pairs.len() > most {
+                return;
+            }
             let reach = Vec3::repeat(big.size + self.largest);
             let (from, to) = (
                 self.place(big.position - reach),

@@ -1,6 +1,6 @@
 //! Pairs of spheres in a periodic cell: the grid of the broad phase over the cell and a rim of copies around it.
 
-use super::grid::sphere_pairs;
+use super::grid::pairs_up_to;
 use crate::Vec3;
 use crate::spatial::cell::{Cell, HERE, Image};
 
@@ -8,6 +8,17 @@ use crate::spatial::cell::{Cell, HERE, Image};
 /// of their `size` \[m\], `[N]`, ascending.
 /// A sphere and its own copies are no pair: they never move against each other.
 pub(crate) fn periodic_pairs(
+    cell: &Cell,
+    position: &[Vec3],
+    present: &[bool],
+    size: &[f64],
+) -> Vec<(u32, u32, Image)> {
+    periodic_pairs_up_to(usize::MAX, cell, position, present, size)
+}
+
+/// As [`periodic_pairs`]; the search ends where there are more than `most` pairs.
+pub(crate) fn periodic_pairs_up_to(
+    most: usize,
     cell: &Cell,
     position: &[Vec3],
     present: &[bool],
@@ -37,7 +48,7 @@ pub(crate) fn periodic_pairs(
 
     let home: Vec<Image> = position.iter().map(|&x| cell.image(x)).collect();
     let mut pairs = Vec::new();
-    for (i, j) in sphere_pairs(&place, &there, &size_of) {
+    for (i, j) in pairs_up_to(most, &place, &there, &size_of) {
         let (j, rim) = match (j as usize).checked_sub(position.len()) {
             Some(copy) => owner[copy],
             None => (j, HERE),

@@ -149,9 +149,11 @@ fn build(document: &mut Document<'_>, file: &SceneFile) -> Option<Scene> {
     };
     if context.ranges.iter().all(Option::is_some) {
         super::frame::judge(document, &scene, &file.boundaries);
-        super::cell::judge(document, &scene, &file.boundaries, &file.sensors);
+        let fit = super::cell::judge(document, &scene, &file.boundaries, &file.sensors);
         let groups = &context.ranges[..file.spheres.len()];
-        Overlaps::of(&scene).judge(document, &scene, groups, &file.spheres);
+        if fit {
+            Overlaps::of(&scene).judge(document, &scene, groups, &file.spheres);
+        }
         if !document.refused() {
             for advice in advise(&scene, file, &context.ranges) {
                 document.advise(advice);

@@ -30,13 +30,14 @@ pub(super) fn cell(document: &mut Document<'_>, given: &file::Cell) -> Cell {
     }))
 }
 
-/// Refuses what has no meaning in the cell.
+/// Refuses what has no meaning in the cell. Returns whether the spheres fit.
 pub(super) fn judge(
     document: &mut Document<'_>,
     scene: &Scene,
     boundaries: &[Entry<file::Boundary>],
     sensors: &[Entry<file::Sensor>],
-) {
+) -> bool {
+    let mut fit = true;
     let largest = scene.particles.largest_radius();
     let room = 2.0 * largest * ROOM;
     for (axis, name) in AXES.iter().enumerate() {
@@ -47,7 +48,7 @@ pub(super) fn judge(
         let expected = format!(
             "at least {room} m, {ROOM} diameters of the largest sphere: none may meet its own copy"
         );
-        document.demand(high - low >= room, format!("cell.{name}"), found, &expected);
+        fit &= document.demand(high - low >= room, format!("cell.{name}"), found, &expected);
         let frame = scene.settings.rotating_frame;
         if frame.is_some_and(|f| leans(f.angular_velocity, Vec3::ith(axis, 1.0))) {
             let message = format!(
@@ -79,6 +80,7 @@ pub(super) fn judge(
             }
         }
     }
+    fit
 }
 
 /// Whether two directions are not parallel.

@@ -14,6 +14,9 @@ use super::resources::{Attachment, Resources};
 /// Largest magnitude of a number in a scene: beyond it products of a few of them stop being finite.
 pub(super) const LARGEST: f64 = 1e30;
 
+/// Most problems of a scene that are reported.
+const SHOWN: usize = 200;
+
 /// One step of a key path.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum Step {
@@ -86,6 +89,8 @@ pub(super) struct Document<'t> {
     text: &'t str,
     root: Spanned<DeValue<'t>>,
     problems: Vec<Diagnostic>,
+    /// Where the lines after the first begin.
+    lines: Vec<usize>,
     resources: Resources<'t>,
 }
 
@@ -98,6 +103,7 @@ impl<'t> Document<'t> {
             text,
             root: Spanned::new(span, DeValue::Table(table.into_inner())),
             problems: Vec::new(),
+            lines: text.match_indices('\n').map(|(at, _)| at + 1).collect(),
             resources: Resources::new(folder),
         };
         for error in errors {
@@ -152,7 +158,17 @@ impl<'t> Document<'t> {
     pub(super) fn into_parts(mut self) -> (Vec<Diagnostic>, Vec<Diagnostic>, Vec<Attachment>) {
         self.problems.sort_by_key(|p| p.span.offset());
         let problems = self.problems.into_iter();
-        let (errors, warnings) = problems.partition(|p| p.severity == Severity::Error);
+        let (mut errors, warnings): (Vec<Diagnostic>, _) =
+            problems.partition(|p| p.severity == Severity::Error);
+        if let Some(more) = errors.len().checked_sub(SHOWN).filter(|more| *more > 0) {
+            errors.truncate(SHOWN);
+            errors.extend(errors.last().cloned().map(|last| Diagnostic {
+                path: "scene".to_owned(),
+                message: format!("{more} more problems from here on"),
+                help: Some("mend those above first".to_owned()),
+                ..last
+            }));
+        }
         (errors, warnings, self.resources.into_attachments())
     }
 
@@ -293,10 +309,7 @@ impl<'t> Document<'t> {
             } else {
                 path
             },
-            line: 1 + self.text.as_bytes()[..start]
-                .iter()
-                .filter(|&&b| b == b'\n')
-                .count(),
+            line: 1 + self.lines.partition_point(|&line| line <= start),
             span: (start..end).into(),
             message,
             help: Some(help).filter(|help| !help.is_empty()),

@@ -7,9 +7,12 @@ use std::ops::Range;
 use super::decode::Entry;
 use super::document::Document;
 use super::file;
-use crate::detection::periodic::periodic_pairs;
+use crate::detection::periodic::periodic_pairs_up_to;
 use crate::scene::{Boundary, Scene};
 use crate::spatial::Pose;
+
+/// Most pairs of spheres that are looked at, and most for each sphere in a larger scene.
+const MOST: [usize; 2] = [1_000_000, 20];
 
 /// A sphere that starts inside something.
 #[derive(Debug, Clone, PartialEq)]
@@ -29,6 +32,8 @@ pub struct Overlaps {
     pub pairs: Vec<Overlap>,
     /// Spheres and boundaries.
     pub boundaries: Vec<Overlap>,
+    /// Whether there are more pairs than were looked at.
+    pub more: bool,
 }
 
 impl Overlaps {
@@ -40,7 +45,10 @@ impl Overlaps {
         let position = &scene.initial.position;
         let present = |i: &usize| scene.initial.present[*i];
         let mut found = Self::default();
-        let pairs = periodic_pairs(&scene.cell, position, &scene.initial.present, radius);
+        let most = MOST[0].max(MOST[1] * radius.len());
+        let is_present = &scene.initial.present;
+        let pairs = periodic_pairs_up_to(most, &scene.cell, position, is_present, radius);
+        found.more = pairs.len() > most;
         for (i, j, image) in pairs {
             let [sphere, other] = [i, j].map(|i| i as usize);
             let distance = position[sphere] - position[other] - scene.cell.shift(image);
@@ -129,7 +137,10 @@ impl Overlaps {
                      worst: &Overlap,
                      what: String,
                      help: &str| {
-            let refused = list.iter().filter(|o| o.ratio > allowed).count();
+            let refused = match self.more {
+                true => list.len(),
+                false => list.iter().filter(|o| o.ratio > allowed).count(),
+            };
             let measure = format!(
                 "overlaps {what} by {} of the smaller radius",
                 told_apart(worst.ratio, allowed)
@@ -137,7 +148,8 @@ impl Overlaps {
             let subject = call(worst.sphere);
             if refused > 0 {
                 let message = format!(
-                    "{subject} {measure}, expected at most max_initial_overlap = {allowed}; {} above it in all",
+                    "{subject} {measure}, expected at most max_initial_overlap = {allowed}; {}{} above it in all",
+                    if self.more { "more than " } else { "" },
                     most(refused)
                 );
                 document.error(path(worst.sphere), message, help);

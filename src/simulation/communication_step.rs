@@ -365,7 +365,10 @@ impl Simulation {
                 if !matches!(boundary.motion, Motion::Input(_)) || from == to {
                     continue;
                 }
-                let jump = displacement(boundary, from, to);
+                let spheres = &self.state.kinematics;
+                let spheres = spheres.position.iter().zip(&spheres.present);
+                let present = spheres.filter(|(_, present)| **present).map(|(x, _)| *x);
+                let jump = displacement(boundary, [from, to], present);
                 if jump > limit {
                     return Err(StepError::Jump {
                         boundary: boundary.name.clone(),

@@ -267,13 +267,20 @@ impl<'a> BoundaryPaths<'a> {
     }
 }
 
-/// Largest displacement \[m\] of a boundary between two poses: at a corner of its bounds, or of its point of
-/// action if it is unbounded.
-#[must_use]
-pub fn displacement(boundary: &Boundary, from: &Pose, to: &Pose) -> f64 {
+/// Largest displacement \[m\] of a boundary between two poses: at a corner of its bounds, or if it is unbounded at its reference
+/// point and at the `spheres` \[m\].
+pub(crate) fn displacement(
+    boundary: &Boundary,
+    [from, to]: [&Pose; 2],
+    mut spheres: impl Iterator<Item = Vec3>,
+) -> f64 {
     let moved = |x: Vec3| (boundary.from_frame(to, x) - boundary.from_frame(from, x)).norm();
     let Some((low, high)) = boundary.geometry.bounds() else {
-        return moved(boundary.point_of_action);
+        let reference = moved(boundary.point_of_action);
+        let turns = from.rotation != to.rotation;
+        let spheres = std::iter::from_fn(|| spheres.next().filter(|_| turns));
+        let spheres = spheres.map(|x| moved(boundary.to_frame(from, x)));
+        return spheres.fold(reference, f64::max);
     };
     (0..8)
         .map(|k| {

@@ -107,7 +107,6 @@ fn unequal_sizes_cost_little() {
 /// The start with rolling friction is linear in the number of contacts. Cause: `Assembly::keep` counts for each resistance
 /// the rows that are kept before its contact.
 #[test]
-#[ignore = "fault 9, not mended yet"]
 fn a_start_with_rolling_friction_is_linear_in_the_contacts() {
     let time = |side: u32| {
         let lattice = format!(
@@ -170,7 +169,6 @@ fn is_refused(text: &str, words: &[&str]) {
 
 /// 20 000 spheres at one place have 2e8 pairs that overlap. Cause: `Overlaps::of` keeps all of them.
 #[test]
-#[ignore = "fault 9, not mended yet"]
 fn spheres_at_one_place_are_refused_within_memory() {
     // A lattice as good as one place: an argument of the environment is at most 128 kB long.
     let lattice = "radius = 0.01\nlattice = { origin = [0.0, 0.0, 0.0], count = [200, 100, 1], spacing = 1e-9 }";
@@ -197,7 +195,6 @@ fn a_packing_of_a_region_too_large_is_refused_within_memory() {
 /// A cell smaller than a sphere has as many images of it as fit. Cause: overlaps are sought over all images before the
 /// message that edges need 1.001 diameters.
 #[test]
-#[ignore = "fault 9, not mended yet"]
 fn a_cell_smaller_than_a_sphere_is_refused_within_memory() {
     for radius in [8.0, 256.0] {
         let case = Case::new(1e-3).sphere(radius, Vec3::zeros(), Vec3::zeros(), Vec3::zeros());
@@ -208,7 +205,6 @@ fn a_cell_smaller_than_a_sphere_is_refused_within_memory() {
 
 /// Thousands of problems in a scene are told, or the first hundreds of them, within seconds.
 #[test]
-#[ignore = "fault 9, not mended yet"]
 fn thousands_of_problems_are_told_within_seconds() {
     let mut case = Case::new(1e-3);
     for _ in 0..4000 {

@@ -160,7 +160,6 @@ fn a_snapshot_is_checked_for_all_its_lengths() {
 /// such a command is refused, as a translation by as much is. Cause: `check_jump` judges a boundary without bounds by its
 /// reference point alone.
 #[test]
-#[ignore = "fault 8, not mended yet"]
 fn a_plane_that_turns_by_a_right_angle_is_refused() {
     let face = "plane = { point = [0.0, 0.0, 0.0], normal = [0.0, 0.0, 1.0] }";
     for angle in [FRAC_PI_2, -FRAC_PI_2] {

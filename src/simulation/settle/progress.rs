@@ -192,8 +192,8 @@ impl Simulation {
             let (pose, twist) = (&self.state.poses[b], self.boundary_twist(b));
             displacement(
                 &self.scene.boundaries[b],
-                pose,
-                &pose.advanced(&twist, INSTANT),
+                [pose, &pose.advanced(&twist, INSTANT)],
+                std::iter::empty(),
             ) / INSTANT
         });
         let spheres = (0..radius.len()).map(|i| {
