@@ -17,6 +17,17 @@ pub struct ContactId {
     pub partner: Partner,
 }
 
+impl ContactId {
+    /// The spheres that touch.
+    pub(crate) fn spheres(&self) -> impl Iterator<Item = usize> + use<> {
+        let other = match self.partner {
+            Partner::Sphere { index, .. } => Some(index as usize),
+            Partner::Boundary { .. } => None,
+        };
+        std::iter::once(self.sphere as usize).chain(other)
+    }
+}
+
 impl Partner {
     /// Sphere `index` where it is, not a copy of it.
     #[must_use]

@@ -95,7 +95,7 @@ pub struct Settings {
     pub smallest_step: Option<f64>,
     /// What the scene asks for: `step`, `smallest_step`, `tolerance` and `opening` follow from it unless they are given.
     pub accuracy: Accuracy,
-    /// Speed below which all centres, and surfaces where they touch, must be for the scene to come to rest \[m/s\]; 0: never.
+    /// Speed below which all centres, and surfaces where they touch, must be for spheres to fall asleep \[m/s\]; 0: never.
     pub rest_speed: f64,
     /// Most sweeps of a step, which is then as good as it is; `None`: until the tolerances are reached.
     pub sweeps: Option<usize>,

@@ -265,7 +265,6 @@ impl Simulation {
         self.book(&before, dt, totals);
         totals.taken.push((target, dt));
         self.exchange();
-        self.count_calm();
         Ok(Ok(()))
     }
 

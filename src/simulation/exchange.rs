@@ -12,7 +12,7 @@ use rand_chacha::rand_core::SeedableRng;
 
 use super::Simulation;
 use crate::Vec3;
-use crate::contact::Partner;
+use crate::contact::ContactId;
 use crate::geometry::ClosestPoint;
 use crate::scene::{Source, Supply};
 use crate::spatial::SpatialVector;
@@ -81,14 +81,15 @@ impl Simulation {
             }
         }
         if taken {
-            let present = &kinematics.present;
-            self.state.contacts.retain(|key| {
-                let other = match key.partner {
-                    Partner::Sphere { index, .. } => present[index as usize],
-                    Partner::Boundary { .. } => true,
-                };
-                present[key.sphere as usize] && other
-            });
+            let (present, calm) = (&kinematics.present, &mut self.state.calm);
+            let stays = |key: &ContactId| key.spheres().all(|i| present[i]);
+            if !calm.is_empty() {
+                // What it touched has lost a support.
+                let lost = self.state.contacts.iter().filter(|load| !stays(&load.key));
+                lost.flat_map(|load| load.key.spheres())
+                    .for_each(|i| calm[i] = 0);
+            }
+            self.state.contacts.retain(stays);
         }
     }
 

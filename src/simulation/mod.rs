@@ -94,6 +94,7 @@ impl Simulation {
                 .unwrap_or(lightest / (settings.step * settings.step)),
             report: StepReport::default(),
             control: StepControl::of(settings),
+            calm: Vec::new(),
         };
         let mut simulation = Self {
             scene,
@@ -137,8 +138,10 @@ impl Simulation {
             });
         }
         let before = self.gravity();
+        if gravity != self.state.gravity {
+            self.state.wake();
+        }
         self.state.gravity = gravity;
-        self.state.control.steps_at_rest = 0;
         // Before the first step the start is chosen, no work is done.
         if self.state.last_step > 0.0 {
             let change = self.gravity() - before;

@@ -6,17 +6,14 @@
 //! are longer or shorter, and while simulated time gets cheaper this continues. What counts are sweeps, which are part of the
 //! state, and not times: the same steps on every machine.
 //!
-//! A scene in which nothing has moved faster than `rest_speed` for [`STEPS_TO_SLEEP`] steps comes to rest: velocities are zero and forces
-//! stay until something changes from outside.
+//! A scene in which all spheres sleep and nothing else moves takes no steps at all: time goes on, forces stay.
 
 use super::Simulation;
-use crate::contact::{ContactForce, Partner};
 use crate::scene::gravity::GravityMotion;
 use crate::scene::{Scene, Settings};
 use crate::simulation::trajectory::BoundaryPaths;
 use crate::solver::SolverKind;
-use crate::spatial::{SpatialVector, Twist};
-use crate::state::{State, StepControl, StepReport};
+use crate::state::{ASLEEP, StepControl, StepReport};
 use crate::step::{Effort, StepFailure, StepOutput};
 
 /// Sweeps that cost as much as all else in a step (measured on `examples/dropped`).
@@ -39,11 +36,6 @@ const CUTS: u32 = 3;
 const ACCEPTING: u32 = 20;
 /// How often a step of bounded sweeps is cut at most: its work is bounded too.
 const BOUNDED_CUTS: u32 = 2;
-/// Surface speed of a spin that no contact feels, over that of all other motion.
-const SPIN: f64 = 10.0;
-/// Steps without motion after which a scene rests.
-const STEPS_TO_SLEEP: u32 = 10;
-
 impl StepReport {
     /// Adds what an internal step cost and reached.
     pub(super) fn include(&mut self, outcome: &StepOutput) {
@@ -167,7 +159,6 @@ impl StepControl {
         *self = Self {
             step,
             rate,
-            steps_at_rest: self.steps_at_rest,
             accepting: self.accepting,
             shorter: self.shorter,
             ..Self::default()
@@ -176,57 +167,16 @@ impl StepControl {
 }
 
 impl Simulation {
-    /// Counts a step without motion, or starts anew.
-    pub(super) fn count_calm(&mut self) {
-        let limit = self.scene.settings.rest_speed;
-        if limit == 0.0 {
-            return;
-        }
-        let steps_at_rest = self.is_at_rest(limit);
-        let control = &mut self.state.control;
-        control.steps_at_rest = if steps_at_rest {
-            STEPS_TO_SLEEP.min(control.steps_at_rest + 1)
-        } else {
-            0
-        };
-    }
-
-    /// Whether all centres, and surfaces against each other where contacts carry load, are slower than `limit` \[m/s\]. A spin
-    /// that no contact feels, about the normal of its only one, never ends: it may be [`SPIN`] times as fast.
-    fn is_at_rest(&self, limit: f64) -> bool {
-        let radius = &self.scene.particles.radius;
-        let surface = |i: usize| {
-            let velocity = self.velocity(i);
-            (velocity.linear, velocity.angular * radius[i])
-        };
-        let slow = |i: usize| {
-            let (centre, spin) = surface(i);
-            centre.norm() <= limit && spin.norm() <= SPIN * limit
-        };
-        let slides = |load: &ContactForce| {
-            let (own, spin) = surface(load.key.sphere as usize);
-            let (apart, turning) = match load.key.partner {
-                Partner::Sphere { index, .. } => {
-                    let (other, turning) = surface(index as usize);
-                    (own - other, spin + turning)
-                }
-                Partner::Boundary { .. } => (own, spin),
-            };
-            (apart - turning.cross(&load.normal)).norm() > limit
-        };
-        (0..radius.len()).all(slow) && !self.state.contacts.iter().any(slides)
-    }
-
     /// Takes the step to `target` \[s\] at rest, if the scene rests and nothing from outside moves it until then.
     pub(super) fn rest_to(&mut self, scene: &Scene, paths: &BoundaryPaths, target: f64) -> bool {
-        if self.state.control.steps_at_rest < STEPS_TO_SLEEP
-            || !self.is_left_alone(scene, paths, target)
-        {
+        let state = &self.state;
+        let spheres = state.calm.iter().zip(&state.kinematics.present);
+        let rests = !state.calm.is_empty()
+            && spheres
+                .map(|(count, present)| *count == ASLEEP || !present)
+                .all(|rests| rests);
+        if !rests || !self.is_left_alone(scene, paths, target) {
             return false;
-        }
-        if self.state.control.steps_at_rest == STEPS_TO_SLEEP {
-            self.stop();
-            self.state.control.steps_at_rest += 1;
         }
         self.state.last_step = target - self.state.time;
         self.state.time = target;
@@ -250,25 +200,6 @@ impl Simulation {
                 .all(|reserve| reserve.waiting.is_empty())
             && (0..scene.boundaries.len()).all(still)
             && paths.poses(target) == state.poses
-    }
-
-    /// Stops all motion; its kinetic energy is booked as numerical work.
-    fn stop(&mut self) {
-        let particles = &self.scene.particles;
-        let kinetic = (0..particles.len()).map(|i| {
-            let v = self.velocity(i);
-            particles.kinetic_energy(i, &v.linear, &v.angular)
-        });
-        self.state.work.numerical_work -= kinetic.sum::<f64>();
-        self.state.kinematics.stop();
-        self.state.smooth.fill(SpatialVector::ZERO);
-        self.state.twists.fill(Twist::default());
-        let State {
-            wrenches,
-            smooth_wrenches,
-            ..
-        } = &mut self.state;
-        smooth_wrenches.clone_from(wrenches);
     }
 }
 

@@ -37,6 +37,13 @@ pub fn solve(
     workspace: &mut SolverWorkspace,
     impulses: &mut [Vec3],
 ) -> Report {
+    if impulses.is_empty() {
+        problem.velocities_into(impulses, &mut workspace.velocity);
+        return Report {
+            converged: true,
+            ..Report::default()
+        };
+    }
     let (mut report, mut last) = match params.accept {
         true => attempt(problem, &params.brief(), workspace, impulses),
         false => attempt(problem, params, workspace, impulses),

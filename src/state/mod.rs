@@ -94,9 +94,14 @@ pub struct State {
     pub penalty: f64,
     /// Report of the last communication step.
     pub report: StepReport,
-    /// Length of the next internal step, and whether the scene rests.
+    /// Length of the next internal step.
     pub(crate) control: StepControl,
+    /// Steps in a row without motion of each sphere, [`ASLEEP`] where it sleeps, `[N]`; empty where none may.
+    pub(crate) calm: Vec<u8>,
 }
+
+/// A sphere that sleeps in [`State::calm`].
+pub(crate) const ASLEEP: u8 = u8::MAX;
 
 /// A [`Clone`] of all `fields` that copies into the memory that there is, which the derived one does not.
 macro_rules! clone_in_place {
@@ -118,7 +123,7 @@ macro_rules! clone_in_place {
 clone_in_place! {
     time last_step gravity kinematics smooth external body_force mean_body_force contacts springs
     poses twists bodies commands rates wrenches smooth_wrenches mean_wrenches owed work reserves
-    emitted removed passed flow initial_overlap penalty report control
+    emitted removed passed flow initial_overlap penalty report control calm
 }
 
 impl State {
@@ -157,6 +162,20 @@ impl State {
             && others.iter().all(|(found, wanted)| found == wanted)
             && [0, spheres].contains(&self.external.len())
             && [0, boundaries].contains(&self.rates.len())
+            && [0, spheres].contains(&self.calm.len())
+    }
+
+    /// Which spheres are asleep, `[N]`; empty where none is.
+    pub(crate) fn asleep(&self) -> Vec<bool> {
+        match self.calm.contains(&ASLEEP) {
+            true => self.calm.iter().map(|count| *count == ASLEEP).collect(),
+            false => Vec::new(),
+        }
+    }
+
+    /// Wakes all spheres.
+    pub(crate) fn wake(&mut self) {
+        self.calm.fill(0);
     }
 
     /// A copy, in the `memory` of another state if there is one.

@@ -7,8 +7,6 @@ use serde::{Deserialize, Serialize};
 pub(crate) struct StepControl {
     /// Internal step wanted next \[s\].
     pub step: f64,
-    /// Steps in a row without motion.
-    pub(crate) steps_at_rest: u32,
     /// Steps that are still taken as they are if they do not converge.
     pub(crate) accepting: u32,
     /// Whether the last change made steps shorter.

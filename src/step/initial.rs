@@ -29,8 +29,8 @@ pub fn remove_overlaps(
     workspace: &mut Workspace,
 ) -> Result<(), StepFailure> {
     if overlaps(scene, state, workspace) {
-        let prediction = Prediction::still(scene, state);
-        let (mut assembly, mut solution) = linear_problem(&prediction, state, workspace);
+        let mut prediction = Prediction::still(scene, state);
+        let (mut assembly, mut solution) = linear_problem(&mut prediction, state, workspace);
         assembly.displace(&mut solution.impulses);
         let how = (&*state, effort(scene));
         resolve(&mut assembly, &mut solution, how, workspace)?;
@@ -61,8 +61,8 @@ pub fn initial_forces(
     state: &mut State,
     workspace: &mut Workspace,
 ) -> Result<(), StepFailure> {
-    let prediction = Prediction::at_rest(scene, state, 0.5 * scene.settings.step);
-    let (mut assembly, mut solution) = linear_problem(&prediction, state, workspace);
+    let mut prediction = Prediction::at_rest(scene, state, 0.5 * scene.settings.step);
+    let (mut assembly, mut solution) = linear_problem(&mut prediction, state, workspace);
     let resting = assembly.resting();
     assembly.keep(&resting, &mut solution.impulses);
     solve_forces(&assembly, &mut solution, state.penalty, workspace)?;

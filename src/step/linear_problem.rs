@@ -11,7 +11,7 @@ use crate::state::State;
 
 /// Candidates and problem of a prediction, with the impulses that the solve starts from.
 pub(super) fn linear_problem<'a>(
-    prediction: &'a Prediction<'a>,
+    prediction: &'a mut Prediction<'_>,
     state: &State,
     workspace: &mut Workspace,
 ) -> (Assembly<'a>, Solution) {
@@ -19,9 +19,19 @@ pub(super) fn linear_problem<'a>(
     let pool = workspace.solver.kernel.pool(threads);
     let mut arrays = take(&mut workspace.assembly);
     let mut solution = take(&mut workspace.solution);
-    prediction.bodies(&mut arrays.problem);
-    let (free, candidates) = (&arrays.problem.free, &mut arrays.candidates);
-    detect(prediction, free, workspace, candidates);
+    loop {
+        prediction.bodies(&mut arrays.problem);
+        let (free, candidates) = (&arrays.problem.free, &mut arrays.candidates);
+        detect(prediction, free, workspace, candidates);
+        if !prediction.wake(candidates, free, state) {
+            break;
+        }
+    }
+    let prediction = &*prediction;
+    if !prediction.asleep.is_empty() {
+        let candidates = &mut arrays.candidates;
+        candidates.retain(|candidate| !prediction.sleeps(candidate.key));
+    }
     let impulses = &mut solution.impulses;
     let assembly = assemble(prediction, arrays, pool, state, None, impulses);
     (assembly, solution)

@@ -3,11 +3,11 @@
 //! | stage | file | output |
 //! |---|---|---|
 //! | predict | `prediction` | motion without contacts: `Prediction` |
-//! | detect | `detect` | candidates within reach of the step |
+//! | detect | `detect`, `sleep` | candidates within reach of the step; what wakes |
 //! | assemble | `assemble`, `rows` | the [`Problem`], who its rows are, a warm start: `Assembly` |
 //! | solve | `solve`, [`crate::solver`] | impulses and velocities: `Solution` |
 //! | verify | `verify`, `tunnelling`, `rebounds` | true gaps at the end, energy of impacts: accepted, failed, or a `Correction` of the problem |
-//! | commit | `commit` | motion, forces and energy of the next [`State`], which nothing has touched before |
+//! | commit | `commit`, `sleep` | motion, forces and energy of the next [`State`], which nothing has touched before; what falls asleep |
 //!
 //! `initial` does likewise at t = 0; `replicas` runs the same stages with replicas of the state, for derivatives.
 
@@ -29,6 +29,7 @@ mod rebounds;
 mod replicas;
 mod resolve;
 mod rows;
+mod sleep;
 mod solution;
 mod solve;
 mod sphere_motion;
@@ -82,8 +83,8 @@ fn stages(
     input: &StepInput,
     effort: Effort,
 ) -> Result<StepOutput, StepFailure> {
-    let prediction = predict(scene, state, input, take(&mut workspace.prediction));
-    let (mut assembly, mut solution) = linear_problem(&prediction, state, workspace);
+    let mut prediction = predict(scene, state, input, take(&mut workspace.prediction));
+    let (mut assembly, mut solution) = linear_problem(&mut prediction, state, workspace);
     let output = resolve(&mut assembly, &mut solution, (state, effort), workspace)?;
     spread_impacts(&mut assembly, &solution, state);
     let solved = Solved {
@@ -103,7 +104,8 @@ fn stages(
 /// reach, gaps not yet re-linearised.
 #[must_use]
 pub fn problem(scene: &Scene, state: &State, input: &StepInput) -> (Problem, Impulses) {
-    let prediction = predict(scene, state, input, PredictionArrays::default());
-    let (assembly, solution) = linear_problem(&prediction, state, &mut Workspace::default());
+    let mut prediction = predict(scene, state, input, PredictionArrays::default());
+    let mut workspace = Workspace::default();
+    let (assembly, solution) = linear_problem(&mut prediction, state, &mut workspace);
     (assembly.problem, solution.impulses)
 }

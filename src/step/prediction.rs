@@ -30,6 +30,8 @@ pub(super) struct Prediction<'a> {
     pub(super) kinematics: Kinematics,
     /// External acceleration, `[N]`.
     pub(super) external: Vec<SpatialVector>,
+    /// Which spheres are asleep, `[N]`; empty where none is.
+    pub(super) asleep: Vec<bool>,
     /// The spheres as contacts see them, `[N]`.
     pub(super) spheres: Vec<SphereMotion>,
     /// Boundary poses at the start and at the end, `[B]`; those of driven bodies at the end are without contacts.
@@ -99,6 +101,7 @@ pub(super) fn predict<'a>(
         mean_acceleration: mean_acceleration(scene, &external, &bodies),
         spheres: SphereMotion::all(scene, &kinematics, spheres),
         external,
+        asleep: state.asleep(),
         kinematics,
         targets: target.collect(),
         motions: motions(scene, &state.poses, &ends, dt),
@@ -140,6 +143,7 @@ impl<'a> Prediction<'a> {
             mean_acceleration: mean_acceleration(scene, &external, &bodies),
             spheres: SphereMotion::all(scene, &state.kinematics, Vec::new()),
             external,
+            asleep: Vec::new(),
             kinematics: state.kinematics.clone(),
             targets: scene.springs.iter().map(|spring| spring.target).collect(),
             motions: motions(scene, &state.poses, &state.poses, dt),
@@ -164,6 +168,7 @@ impl<'a> Prediction<'a> {
             mean_acceleration: mean_acceleration(scene, &external, &[]),
             spheres: SphereMotion::all(scene, &kinematics, Vec::new()),
             external,
+            asleep: Vec::new(),
             kinematics,
             targets: Vec::new(),
             motions: motions(scene, &state.poses, &state.poses, scene.settings.step),
@@ -183,7 +188,10 @@ impl<'a> Prediction<'a> {
         problem.step = self.step;
         problem.rows.restart(&particles.radius);
         let velocity = |i| self.kinematics.spatial_velocity(i);
-        let free = |i| integrator.free(&velocity(i), &self.external[i], self.step);
+        let free = |i| match self.is_asleep(i) {
+            true => SpatialVector::ZERO,
+            false => integrator.free(&velocity(i), &self.external[i], self.step),
+        };
         problem.free.clear();
         problem.free.extend(spheres.clone().map(free));
         problem

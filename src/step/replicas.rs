@@ -45,14 +45,17 @@ pub fn step_with_replicas(
     replicas: &mut [[Replica<'_>; 2]],
 ) -> Result<StepOutput, StepFailure> {
     let of = |state: &State, input| predict(scene, state, input, PredictionArrays::default());
-    let prediction = of(state, input);
+    let mut prediction = of(state, input);
     let beside = replicas.iter();
     let beside = beside.map(|pair| {
         pair.each_ref()
             .map(|replica| of(replica.state, &replica.input))
     });
-    let beside: Vec<[Prediction; 2]> = beside.collect();
-    let (mut assembly, mut solution) = linear_problem(&prediction, state, workspace);
+    let mut beside: Vec<[Prediction; 2]> = beside.collect();
+    let (mut assembly, mut solution) = linear_problem(&mut prediction, state, workspace);
+    for replica in beside.iter_mut().flatten() {
+        replica.asleep.clone_from(&assembly.prediction.asleep);
+    }
     let states = replicas
         .iter()
         .map(|pair| pair.each_ref().map(|replica| &*replica.state));
@@ -65,7 +68,7 @@ pub fn step_with_replicas(
         &mut pairs,
     )?;
     spread_impacts(&mut assembly, &solution, state);
-    for (pair, replicas) in pairs.iter_mut().zip(replicas) {
+    for (pair, replicas) in pairs.iter_mut().zip(&mut *replicas) {
         for (side, replica) in pair.0.iter_mut().zip(replicas) {
             side.take_impacts(&assembly);
             commit(&side.solved(), replica.state, &mut Vec::new());
@@ -76,6 +79,9 @@ pub fn step_with_replicas(
         solution: &solution,
     };
     commit(&solved, state, &mut Vec::new());
+    for replica in replicas.iter_mut().flatten() {
+        replica.state.calm.clone_from(&state.calm);
+    }
     if output.solver.penalty > 0.0 && output.solver.penalty.is_finite() {
         state.penalty = output.solver.penalty;
     }
@@ -93,9 +99,9 @@ pub fn start_with_replicas(
     replicas: &mut [[&mut State; 2]],
 ) -> Result<(), StepFailure> {
     if overlaps(scene, state, workspace) {
-        let prediction = Prediction::still(scene, state);
+        let mut prediction = Prediction::still(scene, state);
         let beside = each(replicas, |state| Prediction::still(scene, state));
-        let (mut assembly, mut solution) = linear_problem(&prediction, state, workspace);
+        let (mut assembly, mut solution) = linear_problem(&mut prediction, state, workspace);
         let mut pairs = pairs(&assembly, &beside, views(replicas));
         for side in pairs.iter_mut().flat_map(|pair| &mut pair.0) {
             side.assembly.displace(&mut side.solution.impulses);
@@ -113,9 +119,9 @@ pub fn start_with_replicas(
         state.kinematics.position = solution.position;
     }
     let dt = 0.5 * scene.settings.step;
-    let prediction = Prediction::at_rest(scene, state, dt);
+    let mut prediction = Prediction::at_rest(scene, state, dt);
     let beside = each(replicas, |state| Prediction::at_rest(scene, state, dt));
-    let (mut assembly, mut solution) = linear_problem(&prediction, state, workspace);
+    let (mut assembly, mut solution) = linear_problem(&mut prediction, state, workspace);
     let mut pairs = pairs(&assembly, &beside, views(replicas));
     let resting = assembly.resting();
     for side in pairs.iter_mut().flat_map(|pair| &mut pair.0) {

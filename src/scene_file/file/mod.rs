@@ -154,7 +154,7 @@ pub struct Simulation {
     /// Real-time mode: most Gauss-Seidel sweeps of a step, whose result is taken as it is; `maxOverlap` and the residuals report its error.
     #[schemars(extend("x-default" = "as many as the tolerances need", "minimum" = 1))]
     pub sweeps: Option<u32>,
-    /// Speed of rest \[m/s\]: a scene stops when for ten steps all centres, and surfaces where they touch, are slower, and costs nothing until something moves it. Only speeds count: a sphere at the top of its flight stops too. 0: never.
+    /// Speed of rest \[m/s\]: spheres that hang together by contacts fall asleep when for ten steps all their centres, and surfaces where they touch, are slower and forces balance; they cost nothing until something touches or moves them. 0: never.
     #[serde(default)]
     #[schemars(extend("minimum" = 0))]
     pub rest_speed: f64,

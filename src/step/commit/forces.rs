@@ -3,6 +3,7 @@
 use std::iter::repeat;
 
 use crate::Vec3;
+use crate::contact::forces::ContactForces;
 use crate::contact::{ContactForce, Partner};
 use crate::problem::Law;
 use crate::spatial::{Pose, SpatialVector, Wrench};
@@ -11,44 +12,70 @@ use crate::step::rows::joint::JointConstraint;
 use crate::step::solution::Solved;
 
 impl Solved<'_> {
-    /// Contact forces and boundary wrenches into `state`.
+    /// Contact forces and boundary wrenches into `state`. What sleeps keeps its forces.
     pub(crate) fn store(&self, state: &mut State) {
         let step = self.prediction().step;
-        let boundaries = &self.prediction().scene.boundaries;
+        let mut sleeping = self.sleeping(&state.contacts).into_iter().peekable();
         state.contacts.clear();
-        state.wrenches = vec![Wrench::default(); boundaries.len()];
+        state.wrenches = vec![Wrench::default(); state.poses.len()];
         state.smooth_wrenches.clone_from(&state.wrenches);
         let couples = self.couples();
         for (k, candidate) in self.assembly.candidates.iter().enumerate() {
+            let key = candidate.key;
+            while let Some((load, couple)) = sleeping.next_if(|(load, _)| load.key < key) {
+                self.carry(state, load, couple, true);
+            }
+            sleeping.next_if(|(load, _)| load.key == key);
             let force = self.solution.impulses[k] / step;
-            let couple = couples.get(k).copied();
-            if force == Vec3::zeros() {
-                continue;
+            if force != Vec3::zeros() {
+                let normal = candidate.normal;
+                let load = ContactForce { key, normal, force };
+                self.carry(
+                    state,
+                    load,
+                    couples.get(k).copied(),
+                    !self.assembly.impact[k],
+                );
             }
-            let load = ContactForce {
-                key: candidate.key,
-                normal: candidate.normal,
-                force,
-            };
-            state.contacts.push(load, couple);
-            if let Partner::Boundary { boundary, .. } = candidate.key.partner {
-                let b = usize::from(boundary);
-                let row = self.assembly.problem.rows.get(k);
-                let pose = &self.prediction().poses[0][b];
-                let centre = self.prediction().kinematics.position[row.a as usize];
-                let centre = boundaries[b].copy_near(&self.prediction().scene.cell, pose, centre);
-                let point = centre + row.arm_a;
-                let pivot =
-                    boundaries[b].point_of_action + self.prediction().poses[0][b].translation;
-                let wrench = Wrench {
-                    force: -force,
-                    torque: -(point - pivot).cross(&force) - couple.unwrap_or_default(),
-                };
-                state.wrenches[b].add(&wrench, 1.0);
-                if !self.assembly.impact[k] {
-                    state.smooth_wrenches[b].add(&wrench, 1.0);
-                }
-            }
+        }
+        for (load, couple) in sleeping {
+            self.carry(state, load, couple, true);
+        }
+    }
+
+    /// The contacts of spheres that sleep, with their couples.
+    fn sleeping(&self, contacts: &ContactForces) -> Vec<(ContactForce, Option<Vec3>)> {
+        let prediction = self.prediction();
+        if prediction.asleep.is_empty() {
+            return Vec::new();
+        }
+        let resists = prediction.scene.pairs.resists();
+        let loads = contacts.iter().enumerate();
+        let sleeping = loads.filter(|(_, load)| prediction.sleeps(load.key));
+        sleeping
+            .map(|(k, load)| (*load, resists.then(|| contacts.torque(k))))
+            .collect()
+    }
+
+    /// Adds a contact and what it does to a boundary.
+    fn carry(&self, state: &mut State, load: ContactForce, couple: Option<Vec3>, smooth: bool) {
+        state.contacts.push(load, couple);
+        let Partner::Boundary { boundary, .. } = load.key.partner else {
+            return;
+        };
+        let (prediction, b) = (self.prediction(), usize::from(boundary));
+        let (scene, i) = (prediction.scene, load.key.sphere as usize);
+        let (boundary, pose) = (&scene.boundaries[b], &prediction.poses[0][b]);
+        let centre = boundary.copy_near(&scene.cell, pose, prediction.kinematics.position[i]);
+        let point = centre + load.normal * -scene.particles.radius[i];
+        let pivot = boundary.point_of_action + pose.translation;
+        let wrench = Wrench {
+            force: -load.force,
+            torque: -(point - pivot).cross(&load.force) - couple.unwrap_or_default(),
+        };
+        state.wrenches[b].add(&wrench, 1.0);
+        if smooth {
+            state.smooth_wrenches[b].add(&wrench, 1.0);
         }
     }
 

@@ -25,6 +25,7 @@ pub(super) fn commit(solved: &Solved, state: &mut State, spare: &mut Vec<Spatial
     let (scene, dt) = (prediction.scene, prediction.step);
     let ends = prediction.end_poses(&solved.solution.velocity);
     solved.smooth_acceleration(spare);
+    solved.still(spare);
     let finished = solved.finished(&ends);
     solved.work(state);
     solved.body_work(state, &finished, &ends);
@@ -40,6 +41,7 @@ pub(super) fn commit(solved: &Solved, state: &mut State, spare: &mut Vec<Spatial
     state.poses = ends;
     external::keep(scene, state, &prediction.external);
     solved.gravity_work(state);
+    solved.rest(state);
     state.last_step = dt;
 }
 
