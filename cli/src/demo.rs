@@ -13,7 +13,7 @@ use crate::arguments::positive;
 use crate::export::pack;
 use crate::failure::Failure;
 use crate::progress::{Interrupt, print, wall_time};
-use crate::simulate::{csv, drive};
+use crate::simulate::drive;
 
 /// The scene, so that the demo works in any folder.
 const SCENE: &str = include_str!("../../examples/funnel/funnel.toml");
@@ -68,9 +68,10 @@ pub(crate) fn run(arguments: &Demo, interrupt: &Interrupt) -> Result<(), Failure
         instance_name: Some(RESULTS.to_owned()),
         ..Options::default()
     };
-    let driven = drive(&System::of(&fmu), &options, interrupt);
+    let driven = drive(&System::of(&fmu), &options, interrupt, |_| Ok(()));
     if let Some(table) = &driven.table {
-        let text = csv(table).map_err(Failure::run)?;
+        let mut text = Vec::new();
+        table.write_csv(&mut text).map_err(Failure::run)?;
         put(&folder.join("outputs.csv"), &text)?;
         print(|out| summary(out, table, driven.wall))?;
         let place = arguments.output.join(RESULTS);

@@ -22,7 +22,7 @@ pub(crate) enum Failure {
     Input(Report),
     /// The run itself failed: exit code 1.
     Run(Report),
-    /// Ctrl-C, all files being complete: exit code 130, as shells have it.
+    /// Ctrl-C, SIGTERM or SIGHUP, all files being complete: exit code 130, as shells have it.
     Interrupted,
 }
 

@@ -163,7 +163,10 @@ fn variables(variables: Vec<[String; 6]>) -> String {
     let line = |row: &[String; 6]| {
         let cells = row.iter().zip(widths);
         let cells: Vec<String> = cells
-            .map(|(cell, width)| format!("{cell:<width$}"))
+            .map(|(cell, width)| {
+                // The width of a format is bounded, a name is not.
+                format!("{cell}{}", " ".repeat(width - cell.chars().count()))
+            })
             .collect();
         format!("{}\n", cells.join("  ").trim_end())
     };

@@ -42,7 +42,8 @@ Examples:
 
 Research: `sphere-dda reproduce-paper` and `sphere-dda verify` write the reports of docs/; see their --help.
 
-Exit codes: 0 done; 1 the run failed; 2 invalid scene, file or argument; 130 ended by Ctrl-C, all files are complete."
+Exit codes: 0 done; 1 the run failed; 2 invalid scene, file or argument; 130 ended by Ctrl-C, SIGTERM
+or SIGHUP, all files are complete."
 )]
 struct Arguments {
     #[command(subcommand)]

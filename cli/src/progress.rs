@@ -31,6 +31,7 @@ impl Interrupt {
         let flag = Arc::clone(&asked);
         let heard = move || {
             if flag.swap(true, Ordering::Relaxed) {
+                sphere_dda_master::remove_unpacked();
                 process::exit(130);
             }
         };

@@ -1,18 +1,19 @@
 //! `sphere-dda simulate X.fmu ...`.
 
 use std::fs::{self, File, OpenOptions};
-use std::io::Write;
+use std::io;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 use miette::miette;
 use sphere_dda_master::{
-    Coupling, End, Event, Fmu, InputTable, Iteration, Options, Ssp, System, Table, Value, simulate,
+    Coupling, CsvWriter, End, Event, Fmu, InputTable, Iteration, Options, Ssp, System, Table,
+    Value, simulate,
 };
 
 use crate::failure::Failure;
-use crate::progress::{Interrupt, Progress, count, note, print};
+use crate::progress::{Interrupt, Progress, count, note};
 
 /// Arguments of `simulate`.
 #[derive(Debug, Args)]
@@ -147,25 +148,21 @@ pub(crate) fn run(arguments: &Simulate, interrupt: &Interrupt) -> Result<(), Fai
     let pairs = arguments.connect.iter();
     system.connect(pairs.map(|(output, input)| (&**output, &**input)))?;
     let options = options(arguments, ssp.as_ref(), &system)?;
-    let output = arguments.output.as_deref();
-    let file = output
-        .map(|path| CsvFile::open(path, arguments.overwrite))
-        .transpose()?;
-    let driven = drive(&system, &options, interrupt);
-    match (&driven.table, file) {
-        (Some(table), Some(file)) => file.write(table)?,
-        (Some(table), None) => print(|out| out.write_all(&csv(table)?))?,
-        (None, Some(file)) => file.give_up(),
-        (None, None) => {}
-    }
+    let mut output = match &arguments.output {
+        Some(path) => Output::File(CsvFile::open(path, arguments.overwrite)?),
+        None => Output::Terminal(CsvWriter::new(io::stdout())),
+    };
+    let driven = drive(&system, &options, interrupt, |table| output.write(table));
     if let Some(table) = &driven.table {
+        // A row that ends a run by itself has not been shown yet.
+        output.write(table)?;
         let reached = match table.time.last() {
             Some(last) => format!(" up to {last} s"),
             None => String::new(),
         };
         note(format_args!(
             "{}{reached}{}, wall time {:.2} s",
-            count(table.time.len() as u64, "row"),
+            count(table.recorded, "row"),
             iterations(table),
             driven.wall
         ));
@@ -215,6 +212,8 @@ fn options(
         set,
         logging: arguments.verbose,
         allow_nan: arguments.allow_nan,
+        // Rows go to the file as they come.
+        keep_last: true,
         ..Options::default()
     })
 }
@@ -288,22 +287,32 @@ pub(crate) struct Driven {
     pub(crate) end: Result<(), Failure>,
 }
 
-/// Drives FMUs from start to stop and shows how they get on.
-pub(crate) fn drive(system: &System<'_>, options: &Options, interrupt: &Interrupt) -> Driven {
+/// Drives FMUs from start to stop and shows how they get on; `observe` gets the table after each row, and ends the simulation if it
+/// fails.
+pub(crate) fn drive(
+    system: &System<'_>,
+    options: &Options,
+    interrupt: &Interrupt,
+    mut observe: impl FnMut(&Table) -> Result<(), Failure>,
+) -> Driven {
     let default = system.experiment();
     let start = options.start.or(default.start_time).unwrap_or(0.0);
     let stop = options.stop.or(default.stop_time).unwrap_or(f64::NAN);
     let mut progress = Progress::new(start, stop);
+    let mut failed = None;
     let result = simulate(system, options, |event| {
         match event {
-            Event::Time { time, table, .. } => progress.show(time, || detail(table)),
+            Event::Time { time, table, .. } => {
+                progress.show(time, || detail(table));
+                failed = observe(table).err();
+            }
             Event::Message(message) => progress.note(message),
             Event::MessagesLost(count) => {
                 progress.note(format_args!("{count} more messages were lost"))
             }
             _ => {}
         }
-        if interrupt.requested() {
+        if failed.is_some() || interrupt.requested() {
             return ControlFlow::Break(());
         }
         ControlFlow::Continue(())
@@ -311,6 +320,7 @@ pub(crate) fn drive(system: &System<'_>, options: &Options, interrupt: &Interrup
     let wall = progress.wall_time();
     drop(progress);
     let (table, end) = match result {
+        _ if failed.is_some() => (None, failed.map_or(Ok(()), Err)),
         Err(error) => (error.table().cloned(), Err(error.into())),
         Ok(table) => {
             let last = table.time.last().copied().unwrap_or(start);
@@ -354,11 +364,23 @@ fn detail(table: &Table) -> String {
         .join(", ")
 }
 
-/// The table as CSV.
-pub(crate) fn csv(table: &Table) -> std::io::Result<Vec<u8>> {
-    let mut text = Vec::new();
-    table.write_csv(&mut text)?;
-    Ok(text)
+/// Where the outputs go, row by row: what ends the process leaves the rows before it.
+enum Output<'a> {
+    File(CsvFile<'a>),
+    Terminal(CsvWriter<io::Stdout>),
+}
+
+impl Output<'_> {
+    fn write(&mut self, table: &Table) -> Result<(), Failure> {
+        match self {
+            Self::File(file) => file.write(table),
+            // A reader that has seen enough is no failure.
+            Self::Terminal(out) => match out.write(table).map_err(io::Error::from) {
+                Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
+                written => written.map_err(Failure::run),
+            },
+        }
+    }
 }
 
 /// A file of outputs, opened before the simulation: after it would be late to find that it cannot be written.
@@ -366,6 +388,7 @@ struct CsvFile<'a> {
     path: &'a Path,
     file: File,
     existed: bool,
+    rows: Option<CsvWriter<File>>,
 }
 
 impl<'a> CsvFile<'a> {
@@ -390,22 +413,32 @@ impl<'a> CsvFile<'a> {
             path,
             file,
             existed,
+            rows: None,
         })
     }
 
-    fn write(mut self, table: &Table) -> Result<(), Failure> {
-        let written = csv(table).and_then(|text| {
-            self.file.set_len(0)?;
-            self.file.write_all(&text)
-        });
-        written.map_err(|error| {
+    fn write(&mut self, table: &Table) -> Result<(), Failure> {
+        self.rows(table).map_err(|error| {
             Failure::Run(miette!("cannot write `{}`: {error}", self.path.display()))
         })
     }
 
-    /// Leaves things as they were.
-    fn give_up(self) {
-        if !self.existed && fs::remove_file(self.path).is_err() {
+    fn rows(&mut self, table: &Table) -> io::Result<()> {
+        let rows = match &mut self.rows {
+            Some(rows) => rows,
+            None => {
+                self.file.set_len(0)?;
+                self.rows.insert(CsvWriter::new(self.file.try_clone()?))
+            }
+        };
+        Ok(rows.write(table)?)
+    }
+}
+
+impl Drop for CsvFile<'_> {
+    /// Without a row things are left as they were.
+    fn drop(&mut self) {
+        if self.rows.is_none() && !self.existed && fs::remove_file(self.path).is_err() {
             note(format_args!("`{}` is empty", self.path.display()));
         }
     }

@@ -53,7 +53,7 @@ pub enum ArchiveError {
     },
     /// Two entries have the same name or share their packed bytes.
     #[error(
-        "found entries that overlap, expected each name and each byte once: do not use this file, it may be an attack"
+        "found entries that overlap or differ under one name, expected each byte once and one content for a name: do not use this file, it may be an attack"
     )]
     Overlap,
     /// The archive asks for more than [`Limits`](crate::Limits) allow.
@@ -258,7 +258,7 @@ pub enum ImportError {
     /// An array is too large to be looked at element by element.
     #[error(
         "{path}: variable `{name}`: found {found} elements, expected at most {limit} in all variables together: \
-         do not use this file, it may be an attack",
+         the array is too large to be read element by element",
         path = path.display()
     )]
     Elements {

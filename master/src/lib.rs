@@ -40,10 +40,10 @@ mod variable;
 pub use calls::{Instance2, Message, SavedState, Step};
 pub use error::{ArchiveError, ImportError};
 pub use fmu::Fmu;
-pub use open::{Description, Limits, RATIO_FLOOR};
+pub use open::{Description, Limits, RATIO_FLOOR, remove_unpacked};
 pub use run::{
-    Column, Coupling, End, Event, InputTable, InputTableError, Iteration, NotConverged, Options,
-    SimulateError, Table, simulate,
+    Column, Coupling, CsvWriter, End, Event, InputTable, InputTableError, Iteration, NotConverged,
+    Options, SimulateError, Table, simulate,
 };
 pub use ssp::{PackageError, Ssp, SspError};
 pub use status::{Phase, Status};

@@ -42,6 +42,17 @@ impl Values {
         }
     }
 
+    /// Forgets all values.
+    pub(crate) fn clear(&mut self) {
+        match self {
+            Self::Real(list) => list.clear(),
+            Self::Integer(list) => list.clear(),
+            Self::Boolean(list) => list.clear(),
+            Self::String(list) => list.clear(),
+            Self::Binary(list) => list.clear(),
+        }
+    }
+
     /// The value at `index`.
     pub fn get(&self, index: usize) -> Option<Value> {
         match self {

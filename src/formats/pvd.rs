@@ -1,12 +1,11 @@
 //! PVD collections: the list of a series' frames with their times, as ParaView reads it.
 //!
-//! Paths are relative to the collection's folder, times carry 17 significant digits. The file is replaced as a
-//! whole after each change, so it only ever lists frames that are complete.
+//! Paths are relative to the collection's folder, times carry 17 significant digits. A frame is listed once it is complete: its line
+//! and the end of the list are written over the end before, in one write. Frames that are dropped replace the file as a whole.
 
 use std::ffi::OsStr;
-use std::fmt::Write as _;
 use std::fs;
-use std::io;
+use std::io::{self, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
 use super::durable::{replace, sync};
@@ -37,6 +36,12 @@ impl Entry {
             file: file.to_owned(),
         })
     }
+
+    /// As [`Self::parse`] reads it.
+    fn line(&self) -> String {
+        let Self { time, file } = self;
+        format!("<DataSet timestep=\"{time:.16e}\" group=\"\" part=\"0\" file=\"{file}\"/>\n")
+    }
 }
 
 /// Whether `name` is that of a frame of `series`: `SERIES_DIGITS.vtu`.
@@ -55,6 +60,8 @@ pub(crate) struct Collection {
     entries: Vec<Entry>,
     /// Files of the frames written since the last [`Self::sync`].
     fresh: Vec<PathBuf>,
+    /// Length of the file as last written \[bytes\]; 0 where that is not known.
+    length: u64,
 }
 
 impl Collection {
@@ -64,6 +71,7 @@ impl Collection {
             path,
             entries: Vec::new(),
             fresh: Vec::new(),
+            length: 0,
         }
     }
 
@@ -82,6 +90,7 @@ impl Collection {
         match lines.and_then(|lines| lines.lines().map(parse).collect()) {
             Some(entries) => Ok(Self {
                 entries,
+                length: text.len() as u64,
                 ..Self::new(path)
             }),
             None => Err(OutputError::Changed {
@@ -102,11 +111,37 @@ impl Collection {
         let path = self.folder().join(file);
         replace(&path, bytes)?;
         self.fresh.push(path);
-        self.entries.push(Entry {
+        let entry = Entry {
             time,
             file: file.to_owned(),
-        });
-        self.save()
+        };
+        let line = entry.line();
+        self.entries.push(entry);
+        match self.append(&line) {
+            Ok(true) => Ok(()),
+            Ok(false) => self.save(),
+            Err(error) => Err(OutputError::io("write", &self.path)(error)),
+        }
+    }
+
+    /// Writes a line over the end of the list; not where the file is not as it was left.
+    fn append(&mut self, line: &str) -> io::Result<bool> {
+        if self.length == 0 {
+            return Ok(false);
+        }
+        let mut file = match fs::OpenOptions::new().write(true).open(&self.path) {
+            Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(false),
+            file => file?,
+        };
+        if file.metadata()?.len() != self.length {
+            return Ok(false);
+        }
+        let end = self.length - TAIL.len() as u64;
+        file.seek(SeekFrom::Start(end))?;
+        let text = format!("{line}{TAIL}");
+        file.write_all(text.as_bytes())?;
+        self.length = end + text.len() as u64;
+        Ok(true)
     }
 
     /// Drops the frames later than `time` \[s\], and their files.
@@ -167,17 +202,12 @@ impl Collection {
         Ok(())
     }
 
-    fn save(&self) -> Result<(), OutputError> {
-        let mut text = HEAD.to_owned();
-        for Entry { time, file } in &self.entries {
-            // Writing to a String cannot fail.
-            let _ = writeln!(
-                text,
-                "<DataSet timestep=\"{time:.16e}\" group=\"\" part=\"0\" file=\"{file}\"/>"
-            );
-        }
-        text.push_str(TAIL);
-        replace(&self.path, text.as_bytes())
+    fn save(&mut self) -> Result<(), OutputError> {
+        let lines: String = self.entries.iter().map(Entry::line).collect();
+        let text = format!("{HEAD}{lines}{TAIL}");
+        replace(&self.path, text.as_bytes())?;
+        self.length = text.len() as u64;
+        Ok(())
     }
 }
 
@@ -225,5 +255,28 @@ mod tests {
         again.rollback(0.05).unwrap();
         assert!(!folder.path().join("spheres_000001.vtu").exists());
         assert!(folder.path().join("spheres_000000.vtu").exists());
+    }
+
+    /// Fault: every frame wrote the whole list anew. The list appended to is that written as a whole, and one that someone
+    /// else has changed is written anew.
+    #[test]
+    fn a_list_grows_by_its_lines() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("spheres.pvd");
+        let mut list = Collection::new(path.clone());
+        let frame = |k: usize| format!("spheres_{k:04}.vtu");
+        for k in 0..5 {
+            list.push(k as f64, &frame(k), b"frame").unwrap();
+            let opened = Collection::open(path.clone()).unwrap();
+            assert_eq!(opened.entries, list.entries);
+            assert_eq!(opened.length, list.length);
+        }
+        let same_file = || fs::File::open(&path).unwrap();
+        let before = same_file();
+        list.push(5.0, &frame(5), b"frame").unwrap();
+        assert_eq!(before.metadata().unwrap().len(), list.length);
+        fs::write(&path, "cut short").unwrap();
+        list.push(6.0, &frame(6), b"frame").unwrap();
+        assert_eq!(Collection::open(path).unwrap().entries, list.entries);
     }
 }

@@ -23,6 +23,8 @@ use crate::Vec3;
 const MOST_PROBLEMS: usize = 10;
 /// Most nodes: six features each must be countable with 32 bits.
 const MOST_NODES: usize = 100_000_000;
+/// Largest magnitude of a number: beyond it products of a few of them stop being finite.
+const LARGEST: f64 = 1e30;
 const KEYS: &str = "ncols, nrows, xllcorner or xllcenter, yllcorner or yllcenter, cellsize or dx and dy, NODATA_value";
 
 /// What is wrong with a grid file, and where.
@@ -180,7 +182,7 @@ impl HeightField {
                 let value = word.parse().unwrap_or(f64::INFINITY);
                 let is_known = value != unknown && !(value.is_nan() && unknown.is_nan());
                 let height = if is_known { value } else { f64::NAN };
-                if is_known && !value.is_finite() && problems.len() < MOST_PROBLEMS {
+                if is_known && !fits(value) && problems.len() < MOST_PROBLEMS {
                     problems.push(GridProblem {
                         line: k + 1,
                         found: format!("`{word}`"),
@@ -230,6 +232,10 @@ struct Header {
     problems: Vec<GridProblem>,
 }
 
+fn fits(x: f64) -> bool {
+    x.abs() <= LARGEST
+}
+
 impl Header {
     /// Reads lines until one does not begin with a word; returns that line's number.
     fn read(&mut self, text: &str) -> usize {
@@ -263,7 +269,7 @@ impl Header {
             };
             let value = words.next().unwrap_or("nothing");
             let number = value.parse::<f64>().ok();
-            let good = number.filter(|x| x.is_finite() || (lower == "nodata_value" && x.is_nan()));
+            let good = number.filter(|x| fits(*x) || (lower == "nodata_value" && x.is_nan()));
             if slot.is_some() {
                 self.refuse(line_number, format!("`{key}` again"), "each key once");
             } else if let (Some(number), None) = (good, words.next()) {
@@ -272,7 +278,7 @@ impl Header {
                 // Present, though wrong: it is not reported as missing too.
                 *slot = Some((2.0, line_number));
                 let found = format!("`{}`", line.trim());
-                self.refuse(line_number, found, "the key and one number");
+                self.refuse(line_number, found, "the key and one number, at most 1e30");
             }
         }
         text.lines().count() + 1

@@ -36,7 +36,12 @@ impl Directory {
     pub(crate) fn claim(path: &Path) -> Result<Self, OutputError> {
         fs::create_dir_all(path).map_err(OutputError::io("create", path))?;
         let name = path.join(".lock");
-        let lock = File::create(&name).map_err(OutputError::io("create", &name))?;
+        // What another program keeps in a file of this name stays.
+        let mut options = File::options();
+        options.write(true).create(true).truncate(false);
+        let lock = options
+            .open(&name)
+            .map_err(OutputError::io("create", &name))?;
         let began = Instant::now();
         while let Err(fs::TryLockError::WouldBlock) = lock.try_lock() {
             if began.elapsed() > PATIENCE {

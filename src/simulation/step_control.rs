@@ -170,11 +170,9 @@ impl Simulation {
     /// Takes the step to `target` \[s\] at rest, if the scene rests and nothing from outside moves it until then.
     pub(super) fn rest_to(&mut self, scene: &Scene, paths: &BoundaryPaths, target: f64) -> bool {
         let state = &self.state;
-        let spheres = state.calm.iter().zip(&state.kinematics.present);
-        let rests = !state.calm.is_empty()
-            && spheres
-                .map(|(count, present)| *count == ASLEEP || !present)
-                .all(|rests| rests);
+        let mut spheres = state.calm.iter().zip(&state.kinematics.present);
+        let rests =
+            !state.calm.is_empty() && spheres.all(|(count, present)| *count == ASLEEP || !present);
         if !rests || !self.is_left_alone(scene, paths, target) {
             return false;
         }

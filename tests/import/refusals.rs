@@ -145,6 +145,13 @@ fn hostile_archives_are_refused() {
     let error = refusal(&path, Limits::default());
     assert!(matches!(error, ArchiveError::Overlap), "{error}");
 
+    // The same content twice is no reason: what is missing then is the model description.
+    write_archive(&path, &[("a1", b"same".to_vec()), ("a2", b"same".to_vec())]);
+    let bytes = std::fs::read(&path).unwrap();
+    std::fs::write(&path, replace(&bytes, b"a2", b"a1")).unwrap();
+    let error = Fmu::open(&path).unwrap_err().to_string();
+    assert!(error.contains("modelDescription.xml"), "{error}");
+
     std::fs::write(&path, b"no zip at all").unwrap();
     let error = refusal(&path, Limits::default());
     assert!(matches!(error, ArchiveError::Zip { .. }), "{error}");

@@ -158,9 +158,7 @@ fn a_belt_that_starts_wakes_what_lies_on_it() {
         .set("rest_speed = 1e-3")
         .contact(0.2, 0.0)
         .boundary(face, "input = \"twist\"")
-        .spheres(
-            "radius = 0.05\nlock = \"rotations\"\npositions = [[0.0, 0.0, 0.05]]",
-        );
+        .spheres("radius = 0.05\nlock = \"rotations\"\npositions = [[0.0, 0.0, 0.05]]");
     let mut run = case.start();
     run.steps(40);
     assert_eq!(run.simulation.report().sweeps, 0);

@@ -1,7 +1,8 @@
 //! Unpacks the archive of a foreign FMU into a folder of its own, trusting nothing in it.
 
+use std::collections::HashMap;
 use std::fs::{self, File};
-use std::io::{self, Read};
+use std::io::{self, Read, Seek, SeekFrom};
 use std::path::{Path, PathBuf};
 
 use tempfile::TempDir;
@@ -59,7 +60,12 @@ pub(crate) fn unpack(path: &Path, limits: Limits) -> Result<Unpacked, ArchiveErr
             limit: limits.entries as u64,
         });
     }
-    if archive.has_duplicate_names() || archive.has_overlapping_files().map_err(in_archive)? {
+    // Some packers add a folder twice.
+    let agree = !archive.has_duplicate_names() || {
+        let start = archive.central_directory_start();
+        names_agree(path, start).map_err(at(path))?
+    };
+    if !agree || archive.has_overlapping_files().map_err(in_archive)? {
         return Err(ArchiveError::Overlap);
     }
     let folder = TempDir::with_prefix("fmu-").map_err(at(&std::env::temp_dir()))?;
@@ -83,6 +89,35 @@ fn at(path: &Path) -> impl Fn(io::Error) -> ArchiveError {
     move |source| ArchiveError::Io {
         path: path.clone(),
         source,
+    }
+}
+
+/// Whether entries of one name have one content, by their sizes and checksums in the central directory, which begins at `start`.
+fn names_agree(path: &Path, start: u64) -> io::Result<bool> {
+    const SIGNATURE: [u8; 4] = *b"PK\x01\x02";
+    const CONTENT: std::ops::Range<usize> = 16..28;
+    const NAME_LENGTH: usize = 28;
+    let mut file = io::BufReader::new(File::open(path)?);
+    file.seek(SeekFrom::Start(start))?;
+    let mut contents: HashMap<Vec<u8>, Vec<u8>> = HashMap::new();
+    let mut header = [0; 46];
+    loop {
+        match file.read_exact(&mut header) {
+            Ok(()) if header.starts_with(&SIGNATURE) => {}
+            _ => return Ok(true),
+        }
+        let length = |at: usize| u16::from_le_bytes([header[at], header[at + 1]]);
+        let [name, extra, comment] = [0, 2, 4].map(|k| length(NAME_LENGTH + k));
+        let mut text = vec![0; usize::from(name)];
+        file.read_exact(&mut text)?;
+        file.seek_relative(i64::from(extra) + i64::from(comment))?;
+        let content = header[CONTENT].to_vec();
+        if contents
+            .insert(text, content.clone())
+            .is_some_and(|known| known != content)
+        {
+            return Ok(false);
+        }
     }
 }
 

@@ -6,6 +6,7 @@ mod opened;
 
 pub use archive::{Limits, RATIO_FLOOR};
 pub use description::Description;
+pub use opened::remove_unpacked;
 
 pub(crate) use archive::{inner_path, unpack};
 pub(crate) use opened::{Opened, text};

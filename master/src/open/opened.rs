@@ -3,7 +3,7 @@
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use sphere_dda_model_description::{MAX_BYTES, names};
 use tempfile::TempDir;
@@ -12,6 +12,19 @@ use crate::error::ImportError;
 
 use super::archive::{self, Limits, Unpacked};
 use super::description::Description;
+
+/// Folders of all FMUs that this process has unpacked.
+static FOLDERS: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
+
+/// Removes what all FMUs were unpacked to, for a process that ends without dropping them, by a signal for example. None of them may be
+/// used after it.
+pub fn remove_unpacked() {
+    let mut folders = FOLDERS.lock().unwrap_or_else(PoisonError::into_inner);
+    for folder in folders.drain(..) {
+        // Most are gone: dropped with their FMU.
+        let _gone = fs::remove_dir_all(folder);
+    }
+}
 
 /// An unpacked FMU. Its folder is removed when nothing holds it any more.
 #[derive(Debug)]
@@ -31,6 +44,10 @@ impl Opened {
             Ok(unpacked) => unpacked,
             Err(source) => return Err(ImportError::Archive { path, source }),
         };
+        FOLDERS
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner)
+            .push(folder.path().to_owned());
         let text = match text(&folder.path().join("modelDescription.xml")) {
             Ok(text) => text,
             Err(problem) => return Err(ImportError::NoDescription { path, problem }),

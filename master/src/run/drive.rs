@@ -130,6 +130,9 @@ impl Run<'_> {
     }
 
     fn record(&mut self, time: f64) -> Result<(), Halt> {
+        if self.options.keep_last {
+            self.table.forget();
+        }
         self.table.record(time, &mut self.components.instances)?;
         match self.table.nan_in_last_row() {
             Some(variable) if !self.options.allow_nan => Err(Halt::Nan(variable.to_owned())),

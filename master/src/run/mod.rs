@@ -19,4 +19,4 @@ pub use event::Event;
 pub use input_table::{InputTable, InputTableError};
 pub use options::{Coupling, Iteration, Options};
 pub use simulate::simulate;
-pub use table::{Column, End, NotConverged, Table};
+pub use table::{Column, CsvWriter, End, NotConverged, Table};

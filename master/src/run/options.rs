@@ -74,4 +74,6 @@ pub struct Options {
     pub logging: bool,
     /// Record NaN like any value instead of ending with an error.
     pub allow_nan: bool,
+    /// Keep the last row of the table alone: the observer takes the others as they come.
+    pub keep_last: bool,
 }

@@ -6,7 +6,7 @@ use sphere_dda_model_description::fmi3::Causality;
 
 use crate::calls::Participant;
 use crate::system::{System, SystemVariable, VariableError};
-use crate::value::{Value, Values};
+use crate::value::{Value, ValueType, Values};
 use crate::variable::Place;
 
 use super::halt::Halt;
@@ -50,8 +50,10 @@ pub struct NotConverged {
 /// Variables over time.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Table {
-    /// Times \[s\]: the start and every communication point.
+    /// Times \[s\]: the start and every communication point, or the last alone where [`super::Options::keep_last`] asks for it.
     pub time: Vec<f64>,
+    /// Rows that were recorded, those that are not kept included.
+    pub recorded: u64,
     /// The recorded variables.
     pub columns: Vec<Column>,
     /// Why it ends where it does.
@@ -63,7 +65,7 @@ pub struct Table {
 }
 
 impl Table {
-    /// An empty table for the variables of these names, or for all outputs but large arrays.
+    /// An empty table for the variables of these names, or for all outputs but large arrays and binary ones.
     pub(super) fn for_outputs(
         system: &System<'_>,
         names: Option<&[String]>,
@@ -78,6 +80,7 @@ impl Table {
                 .filter(|variable| {
                     variable.declared.causality == Causality::Output
                         && variable.declared.elements() <= SMALL_ARRAY
+                        && variable.declared.scalar.value_type() != ValueType::Binary
                 })
                 .collect(),
         };
@@ -95,6 +98,7 @@ impl Table {
         };
         Ok(Self {
             time: Vec::new(),
+            recorded: 0,
             columns: variables.iter().flat_map(columns).collect(),
             end: End::Interrupted,
             iterations: Vec::new(),
@@ -124,7 +128,16 @@ impl Table {
             }
         }
         self.time.push(time);
+        self.recorded += 1;
         Ok(())
+    }
+
+    /// Forgets all rows, which the observer has seen.
+    pub(super) fn forget(&mut self) {
+        self.time.clear();
+        for column in &mut self.columns {
+            column.values.clear();
+        }
     }
 
     /// Name of the first variable whose last value is NaN.
@@ -146,25 +159,55 @@ impl Table {
         }
     }
 
-    /// Writes the table as CSV: header `time` and the names, one line for each time, numbers as the shortest text
-    /// that reads back to the same bits.
+    /// Writes the table as CSV, as [`CsvWriter`] does.
     ///
     /// # Errors
     ///
     /// What the writer says.
     pub fn write_csv(&self, out: impl Write) -> Result<(), csv::Error> {
-        let mut writer = csv::Writer::from_writer(out);
-        let names = self.columns.iter().map(|column| column.name.as_str());
-        writer.write_record(std::iter::once("time").chain(names))?;
-        for (row, time) in self.time.iter().enumerate() {
-            writer.write_field(format!("{time:?}"))?;
-            for column in &self.columns {
-                let text = column.values.get(row).map(|value| value.to_string());
-                writer.write_field(text.unwrap_or_default())?;
-            }
-            writer.write_record(None::<&[u8]>)?;
+        CsvWriter::new(out).write(self)
+    }
+}
+
+/// Writes a table that grows as CSV: header `time` and the names, one line for each time, numbers as the shortest text that reads
+/// back to the same bits.
+pub struct CsvWriter<W: Write> {
+    writer: csv::Writer<W>,
+    written: u64,
+}
+
+impl<W: Write> CsvWriter<W> {
+    /// A writer that has written nothing yet.
+    pub fn new(out: W) -> Self {
+        Self {
+            writer: csv::Writer::from_writer(out),
+            written: 0,
         }
-        writer.flush()?;
+    }
+
+    /// Writes the rows of the table that are new since the last call, all the way to `out`.
+    ///
+    /// # Errors
+    ///
+    /// What the writer says.
+    pub fn write(&mut self, table: &Table) -> Result<(), csv::Error> {
+        if self.written == 0 {
+            let names = table.columns.iter().map(|column| column.name.as_str());
+            self.writer
+                .write_record(std::iter::once("time").chain(names))?;
+        }
+        let forgotten = table.recorded - table.time.len() as u64;
+        let new = self.written.saturating_sub(forgotten) as usize;
+        for (row, time) in table.time.iter().enumerate().skip(new) {
+            self.writer.write_field(format!("{time:?}"))?;
+            for column in &table.columns {
+                let text = column.values.get(row).map(|value| value.to_string());
+                self.writer.write_field(text.unwrap_or_default())?;
+            }
+            self.writer.write_record(None::<&[u8]>)?;
+        }
+        self.written = table.recorded;
+        self.writer.flush()?;
         Ok(())
     }
 }

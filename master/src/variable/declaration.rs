@@ -8,8 +8,8 @@ use sphere_dda_model_description::units::BaseUnit;
 
 use crate::value::{ScalarType, Value, ValueType};
 
-/// Most elements that the arrays of one FMU have together.
-pub(crate) const MAX_ELEMENTS: u64 = 5_000_000;
+/// Most elements that the arrays of one FMU have together: a gigabyte of values.
+pub(crate) const MAX_ELEMENTS: u64 = 125_000_000;
 
 /// One value of an FMU, as calls name it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
