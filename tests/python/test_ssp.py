@@ -88,6 +88,46 @@ def test_the_set_has_what_was_given_and_the_starts_of_other_numbers(package, fmu
     assert set(values) == set(SET)
 
 
+def test_each_component_has_its_own_set_and_the_system_the_step(package, fmus):
+    """libcosim and Ecos read sets of components only, by plain names; OMSimulator opens no system without its step."""
+    components = {c.name: c for c in read_ssd(str(package)).system.elements}
+    whole = {p.name: p.value for p in read_ssv(str(package), VALUES).parameters}
+    for name, component in components.items():
+        (binding,) = component.parameterBindings
+        assert binding.source == f"resources/{name}_parameters.ssv"
+        own = {f"{name}.{p.name}": p.value for p in read_ssv(str(package), binding.source, validate=True).parameters}
+        assert own and own == {n: v for n, v in whole.items() if n.startswith(f"{name}.")}
+    with zipfile.ZipFile(package) as archive:
+        root = etree.fromstring(archive.read("SystemStructure.ssd"))
+    (annotation,) = root.findall("ssd:System/ssd:Annotations/ssc:Annotation", NAMESPACES)
+    assert annotation.get("type") == "org.openmodelica"
+    (master,) = [e for e in annotation.iter() if etree.QName(e).localname == "FixedStepMaster"]
+    steps = [fmpy.read_model_description(str(path)).defaultExperiment.stepSize for path in fmus.values()]
+    assert master.get("stepSize") in steps and float(master.get("stepSize")) > 0
+
+
+def test_libcosim_runs_it_with_its_parameters(command, fmus, tmp_path):
+    from libcosimpy.CosimExecution import CosimExecution
+    from libcosimpy.CosimObserver import CosimObserver
+
+    path, folder, table = tmp_path / "coupled.ssp", tmp_path / "coupled", tmp_path / "coupled.csv"
+    assert export(command, fmus, path, values={"shaker.amplitude": "0.002"}).returncode == 0
+    with zipfile.ZipFile(path) as archive:
+        archive.extractall(folder)
+    run = CosimExecution.from_ssp_file(ssp_path=str(folder), step_size=1_000_000)
+    observer = CosimObserver.create_last_value()
+    assert run.add_observer(observer=observer)
+    assert run.step(step_count=40), run.status()
+    shaker = run.slave_index_from_instance_name("shaker")
+    variables = {v.name.decode(): v.reference for v in run.slave_variables(shaker)}
+    (theirs,) = observer.last_real_values(shaker, [variables["position"]])
+    call = [command, "simulate", path, "--step", "0.001", "--stop", "0.04", "-o", table]
+    subprocess.run(call, check=True)
+    with open(table) as file:
+        ours = float(list(csv.DictReader(file))[-1]["shaker.position"])
+    assert abs(theirs / ours - 1) < 1e-6, (theirs, ours)
+
+
 def test_the_archive_keeps_the_rules_and_is_reproducible(package, command, fmus, tmp_path):
     with zipfile.ZipFile(package) as archive:
         names = archive.namelist()

@@ -3,6 +3,8 @@
 //! What would change the meaning if it were passed over is refused: systems in systems, transformations of values,
 //! mappings of parameter names, units that differ. Connectors of the system itself lead nowhere and are passed over.
 
+use std::collections::HashMap;
+use std::collections::hash_map::Entry;
 use std::path::{Path, PathBuf};
 
 use percent_encoding::percent_decode_str;
@@ -23,6 +25,9 @@ const STRUCTURE: &str = "SystemStructure.ssd";
 
 /// Most components: each can be a library in this process.
 const MAX_COMPONENTS: usize = 1000;
+/// Most values of parameters of all bindings together, and most connections.
+const MAX_VALUES: usize = 200_000;
+const MAX_CONNECTIONS: usize = 10_000;
 
 /// Why an SSP cannot be used.
 #[derive(Debug, Error)]
@@ -127,13 +132,17 @@ impl Ssp {
         let structure = reader.xml(STRUCTURE, Structure::from_xml)?;
         let (system, experiment) = (&structure.system, &structure.experiment);
         let mut values = Vec::new();
-        let (components, sources) = reader.components(system, &mut values)?;
+        // Before anything is expanded.
+        let within = reader.check_numbers(system);
+        let (components, sources) = match within {
+            true => reader.components(system, &mut values)?,
+            false => Default::default(),
+        };
         // Values of the system are stronger than those of its components.
-        for binding in system.bindings() {
-            values.extend(reader.values(binding, &binding.prefix)?);
+        for binding in system.bindings().iter().filter(|_| within) {
+            reader.values(binding, &binding.prefix, &mut values)?;
         }
         let connections = reader.connections(system);
-        reader.check_number(components.len());
         let problems = reader.problems;
         if !problems.is_empty() {
             return Err(SspError::Refused { path, problems });
@@ -172,10 +181,11 @@ impl Ssp {
     /// [`SspError::Refused`] for values in another unit than their variables.
     pub fn set(&self, system: &System<'_>) -> Result<Vec<(String, String)>, SspError> {
         let mut set: Vec<(String, String)> = Vec::new();
+        let mut places: HashMap<&str, usize> = HashMap::new();
         let mut problems = Vec::new();
         for (name, text, unit) in &self.values {
             // Names that are not there are refused where the values are set.
-            let own = system.find(name).ok();
+            let own = system.known(name);
             let own = own.and_then(|variable| variable.declared.unit.as_ref());
             if let (Some(unit), Some(own)) = (unit, own)
                 && *unit != own.name
@@ -185,9 +195,12 @@ impl Ssp {
                     own.name
                 ));
             }
-            match set.iter_mut().find(|(known, _)| known == name) {
-                Some((_, old)) => old.clone_from(text),
-                None => set.push((name.clone(), text.clone())),
+            match places.entry(name) {
+                Entry::Occupied(place) => set[*place.get()].1.clone_from(text),
+                Entry::Vacant(place) => {
+                    place.insert(set.len());
+                    set.push((name.clone(), text.clone()));
+                }
             }
         }
         if problems.is_empty() {
@@ -286,7 +299,7 @@ impl Reader<'_> {
             components.push((component.name.clone(), number));
             for binding in component.bindings() {
                 let prefix = format!("{}.{}", component.name, binding.prefix);
-                values.extend(self.values(binding, &prefix)?);
+                self.values(binding, &prefix, values)?;
             }
         }
         Ok((components, sources))
@@ -311,15 +324,21 @@ impl Reader<'_> {
         connections
     }
 
-    fn check_number(&mut self, found: usize) {
-        if found > MAX_COMPONENTS {
-            self.refuse(format!(
-                "found {found} components, expected at most {MAX_COMPONENTS}"
-            ));
+    /// Refuses structures that are empty or too large. Returns whether there are not too many components.
+    fn check_numbers(&mut self, system: &SspSystem) -> bool {
+        let [components, connections] = [system.elements().len(), system.connections().len()];
+        for (found, most, what) in [
+            (components, MAX_COMPONENTS, "components"),
+            (connections, MAX_CONNECTIONS, "connections"),
+        ] {
+            if found > most {
+                self.refuse(format!("found {found} {what}, expected at most {most}"));
+            }
         }
-        if found == 0 && self.problems.is_empty() {
+        if components == 0 {
             self.refuse("found no component, expected at least one".to_owned());
         }
+        components <= MAX_COMPONENTS
     }
 
     fn component<'e>(&mut self, element: &'e Element) -> Option<(&'e Component, PathBuf)> {
@@ -355,12 +374,16 @@ impl Reader<'_> {
         }
     }
 
-    /// The values of a binding; none, with the reason, if it cannot be followed.
+    /// Adds the values of a binding; none, with the reason, if it cannot be followed.
     fn values(
         &mut self,
         binding: &ParameterBinding,
         prefix: &str,
-    ) -> Result<Vec<ParameterValue>, SspError> {
+        values: &mut Vec<ParameterValue>,
+    ) -> Result<(), SspError> {
+        if values.len() > MAX_VALUES {
+            return Ok(());
+        }
         if binding.maps() {
             self.refuse(
                 "parameter binding: found a mapping of names, expected the names of variables"
@@ -371,18 +394,17 @@ impl Reader<'_> {
         let set = match (&binding.source, &binding.values) {
             (Some(source), _) if inside => match self.file("parameter binding", source) {
                 Some(file) => self.xml(&file, ParameterSet::from_xml)?,
-                None => return Ok(Vec::new()),
+                None => return Ok(()),
             },
             (Some(source), _) => {
                 self.refuse(format!(
                     "parameter binding: found source {source:?} within a component, expected one in the folder of {STRUCTURE}"
                 ));
-                return Ok(Vec::new());
+                return Ok(());
             }
             (None, Some(values)) => values.set.clone(),
-            (None, None) => return Ok(Vec::new()),
+            (None, None) => return Ok(()),
         };
-        let mut values = Vec::new();
         for parameter in set.parameters() {
             let name = format!("{prefix}{}", parameter.name);
             match parameter.value() {
@@ -394,6 +416,11 @@ impl Reader<'_> {
                 )),
             }
         }
-        Ok(values)
+        if values.len() > MAX_VALUES {
+            self.refuse(format!(
+                "parameter bindings: found more than {MAX_VALUES} values in all, expected at most that"
+            ));
+        }
+        Ok(())
     }
 }

@@ -3,10 +3,11 @@
 //! ```text
 //! SystemStructure.ssd         components, connectors, connections
 //! resources/<component>.fmu
-//! resources/parameters.ssv    values of their parameters, by `<component>.<parameter>`
+//! resources/<component>_parameters.ssv    values of its parameters, as libcosim and Ecos read them
+//! resources/parameters.ssv                the same of all, by `<component>.<parameter>`, as fmpy takes them
 //! ```
 //!
-//! Connectors are the inputs and outputs, and the parameters that have a value in the set. The set has every number, and
+//! Connectors are the inputs and outputs, and the parameters that have a value in the sets. They have every number, and
 //! of truth values, texts and enumerations those that are not at their start: some masters refuse whole sets for a text,
 //! and what is at its start needs no entry.
 
@@ -99,29 +100,33 @@ impl System<'_> {
         let given = self.given(set)?;
         let units = self.units()?;
         let enumerations = self.enumerations()?;
-        let (connectors, parameters) = self.interfaces(&given);
+        let interfaces = self.interfaces(&given);
         let names: Vec<&str> = (0..self.fmus().len())
             .map(|k| self.component_name(k).unwrap_or(name))
             .collect();
-        let components = names.iter().zip(connectors);
-        let components = components.map(|(n, c)| Component::new(n, &place(n), c));
+        let components = names.iter().zip(&interfaces).map(|(n, interface)| {
+            Component::new(n, &place(n), &values(n), interface.connectors.clone())
+        });
         let wires = self
             .connections()
             .iter()
             .map(|wire| self.wire(wire, &names));
-        let system = SspSystem::new(name, VALUES, components, wires.collect());
         let proposed = self.experiment();
+        let wires = wires.collect();
+        let system = SspSystem::new(name, VALUES, components, wires, proposed.step_size);
         let experiment = Experiment {
             start_time: proposed.start_time,
             stop_time: proposed.stop_time,
         };
-        let set = ParameterSet::new(name, TOOL, parameters, &units).to_xml()?;
+        let sets = self.sets(name, &names, &interfaces, &units)?;
         let structure = Structure::new(TOOL, system, &units, enumerations, experiment).to_xml()?;
         let archives = self.archives(&names)?;
-        let mut files: Vec<(String, &[u8])> = vec![
-            ("SystemStructure.ssd".to_owned(), structure.as_bytes()),
-            (VALUES.to_owned(), set.as_bytes()),
-        ];
+        let mut files: Vec<(String, &[u8])> =
+            vec![("SystemStructure.ssd".to_owned(), structure.as_bytes())];
+        files.extend(
+            sets.iter()
+                .map(|(path, set)| (path.clone(), set.as_bytes())),
+        );
         files.extend(archives.iter().map(|(path, fmu)| (path.clone(), &**fmu)));
         Ok(archive::write(ssp, &files)?)
     }
@@ -185,11 +190,13 @@ impl System<'_> {
         Ok(enumerations)
     }
 
-    /// The connectors of each component, and the parameters of all.
-    fn interfaces(&self, given: &[(&str, Value)]) -> (Vec<Vec<Connector>>, Vec<Parameter>) {
-        let mut parameters = Vec::new();
-        let mut connectors: Vec<Vec<Connector>> = vec![Vec::new(); self.fmus().len()];
+    /// The connectors and parameters of each component.
+    fn interfaces(&self, given: &[(&str, Value)]) -> Vec<Interface> {
+        let mut interfaces = vec![Interface::default(); self.fmus().len()];
         for variable in self.variables() {
+            let Some(interface) = interfaces.get_mut(variable.component) else {
+                continue;
+            };
             let value = match variable.declared.causality {
                 Causality::Parameter => {
                     let given = given.iter().find(|(name, _)| *name == variable.name);
@@ -197,15 +204,39 @@ impl System<'_> {
                 }
                 _ => None,
             };
-            if let (Some(connector), Some(list)) = (
-                connector(variable.declared, value.is_some()),
-                connectors.get_mut(variable.component),
-            ) {
-                list.push(connector);
-            }
-            parameters.extend(value.map(|value| Parameter::new(variable.name.clone(), value)));
+            let connector = connector(variable.declared, value.is_some());
+            interface.connectors.extend(connector);
+            let value = value.map(|value| (variable.declared.name.clone(), value));
+            interface.parameters.extend(value);
         }
-        (connectors, parameters)
+        interfaces
+    }
+
+    /// The parameter sets by their places in the package: that of all, and of each component.
+    fn sets(
+        &self,
+        name: &str,
+        names: &[&str],
+        interfaces: &[Interface],
+        units: &[Unit],
+    ) -> Result<Vec<(String, String)>, PackageError> {
+        let mut all = Vec::new();
+        let mut sets = Vec::new();
+        for (k, (own, interface)) in names.iter().zip(interfaces).enumerate() {
+            let prefix = self.component_name(k).map(|name| format!("{name}."));
+            let prefix = prefix.unwrap_or_default();
+            let parameters = interface.parameters.iter();
+            let parameters = parameters.map(|(n, value)| Parameter::new(n.clone(), value.clone()));
+            let set = ParameterSet::new(own, TOOL, parameters.collect(), units).to_xml()?;
+            sets.push((values(own), set));
+            let parameters = interface.parameters.iter();
+            all.extend(
+                parameters.map(|(n, value)| Parameter::new(format!("{prefix}{n}"), value.clone())),
+            );
+        }
+        let set = ParameterSet::new(name, TOOL, all, units).to_xml()?;
+        sets.insert(0, (VALUES.to_owned(), set));
+        Ok(sets)
     }
 
     /// The archives of the FMUs by their places in the package.
@@ -237,6 +268,19 @@ impl System<'_> {
             end(wire.target.0, self.target_name(wire)),
         )
     }
+}
+
+/// What a component shows.
+#[derive(Debug, Clone, Default)]
+struct Interface {
+    connectors: Vec<Connector>,
+    /// By the names in the FMU.
+    parameters: Vec<(String, Content)>,
+}
+
+/// Where the parameters of a component lie in the archive.
+fn values(name: &str) -> String {
+    format!("resources/{name}_parameters.ssv")
 }
 
 /// Where the FMU of a component lies in the archive.

@@ -240,23 +240,26 @@ impl<'f> System<'f> {
             })
     }
 
+    /// The variable of this name, if there is one.
+    pub(crate) fn known(&self, name: &str) -> Option<SystemVariable<'f>> {
+        let mut components = self.components.iter().enumerate();
+        components.find_map(|(k, component)| {
+            let own = component.own_name(name)?;
+            let mut declared = component.fmu.variables().iter();
+            let (found, element) =
+                declared.find_map(|known| Some((known, known.answers_to(own)?)))?;
+            Some(SystemVariable {
+                component: k,
+                name: name.to_owned(),
+                declared: found,
+                element,
+            })
+        })
+    }
+
     /// The variable of this name.
     pub(crate) fn find(&self, name: &str) -> Result<SystemVariable<'f>, VariableError> {
-        for (k, component) in self.components.iter().enumerate() {
-            let mut declared = component.fmu.variables().iter();
-            if let Some(own) = component.own_name(name)
-                && let Some((found, element)) =
-                    declared.find_map(|known| Some((known, known.answers_to(own)?)))
-            {
-                return Ok(SystemVariable {
-                    component: k,
-                    name: name.to_owned(),
-                    declared: found,
-                    element,
-                });
-            }
-        }
-        Err(VariableError::Unknown {
+        self.known(name).ok_or_else(|| VariableError::Unknown {
             name: name.to_owned(),
             expected: match &*self.components {
                 [Component { name: None, .. }] => "a name in the model description",

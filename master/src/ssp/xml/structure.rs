@@ -116,29 +116,28 @@ pub(in crate::ssp) struct System {
     elements: Elements,
     #[serde(rename = "ssd:Connections", alias = "Connections")]
     connections: Option<Connections>,
+    #[serde(rename = "ssd:Annotations", skip_deserializing)]
+    annotations: Option<Annotations>,
 }
 
 impl System {
-    /// A system with the parameter values in the file `values`, which names parameters `<component>.<parameter>`.
+    /// A system with the parameter values in the file `values`, which names parameters `<component>.<parameter>`, and the communication
+    /// `step` \[s\] that OMSimulator needs.
     pub(in crate::ssp) fn new(
         name: &str,
         values: &str,
         components: impl Iterator<Item = Component>,
         connections: Vec<Connection>,
+        step: Option<f64>,
     ) -> Self {
-        let binding = ParameterBinding {
-            source: Some(values.to_owned()),
-            ..ParameterBinding::default()
-        };
         Self {
             name: name.to_owned(),
-            bindings: Some(Bindings {
-                items: vec![binding],
-            }),
+            bindings: Some(Bindings::to(values)),
             elements: Elements {
                 items: components.map(Element::Component).collect(),
             },
             connections: (!connections.is_empty()).then_some(Connections { items: connections }),
+            annotations: step.map(Annotations::of),
         }
     }
 
@@ -174,6 +173,81 @@ struct Connections {
 struct Bindings {
     #[serde(rename = "ssd:ParameterBinding", alias = "ParameterBinding", default)]
     items: Vec<ParameterBinding>,
+}
+
+impl Bindings {
+    /// To the set in the file `source`.
+    fn to(source: &str) -> Self {
+        let binding = ParameterBinding {
+            source: Some(source.to_owned()),
+            ..ParameterBinding::default()
+        };
+        Self {
+            items: vec![binding],
+        }
+    }
+}
+
+/// What OMSimulator reads of a system, which it does not open without: the master and its communication step.
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+struct Annotations {
+    #[serde(rename = "ssc:Annotation")]
+    annotation: Annotation,
+}
+
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+struct Annotation {
+    #[serde(rename = "@type")]
+    kind: &'static str,
+    #[serde(rename = "oms:Annotations")]
+    annotations: OmsAnnotations,
+}
+
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+struct OmsAnnotations {
+    #[serde(rename = "@xmlns:oms")]
+    namespace: &'static str,
+    #[serde(rename = "oms:SimulationInformation")]
+    information: SimulationInformation,
+}
+
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+struct SimulationInformation {
+    #[serde(rename = "oms:FixedStepMaster")]
+    master: FixedStepMaster,
+}
+
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+struct FixedStepMaster {
+    #[serde(rename = "@description")]
+    description: &'static str,
+    #[serde(rename = "@stepSize")]
+    step_size: f64,
+    #[serde(rename = "@absoluteTolerance")]
+    absolute_tolerance: f64,
+    #[serde(rename = "@relativeTolerance")]
+    relative_tolerance: f64,
+}
+
+impl Annotations {
+    fn of(step: f64) -> Self {
+        let master = FixedStepMaster {
+            description: "oms-ma",
+            step_size: step,
+            absolute_tolerance: 1e-4,
+            relative_tolerance: 1e-4,
+        };
+        let annotations = OmsAnnotations {
+            namespace: "https://raw.githubusercontent.com/OpenModelica/OMSimulator/master/schema/oms.xsd",
+            information: SimulationInformation { master },
+        };
+        Self {
+            annotation: Annotation {
+                kind: "org.openmodelica",
+                annotations,
+            },
+        }
+    }
 }
 
 /// A part of a system.
@@ -222,15 +296,20 @@ pub(in crate::ssp) struct Component {
 }
 
 impl Component {
-    /// The co-simulation FMU in the file `source`, an URI inside the package.
-    pub(in crate::ssp) fn new(name: &str, source: &str, connectors: Vec<Connector>) -> Self {
+    /// The co-simulation FMU in the file `source` with the parameter values in the file `values`, URIs inside the package.
+    pub(in crate::ssp) fn new(
+        name: &str,
+        source: &str,
+        values: &str,
+        connectors: Vec<Connector>,
+    ) -> Self {
         Self {
             name: name.to_owned(),
             kind: Some(FMU.to_owned()),
             source: source.to_owned(),
             implementation: Some("CoSimulation".to_owned()),
             connectors: (!connectors.is_empty()).then_some(Connectors { connectors }),
-            bindings: None,
+            bindings: Some(Bindings::to(values)),
         }
     }
 
