@@ -54,6 +54,12 @@ impl Cell {
         (edge > 0.0).then_some([low, low + edge])
     }
 
+    /// The smallest edge \[m\] of a periodic axis, if there is one.
+    pub(crate) fn smallest_edge(&self) -> Option<f64> {
+        let edges = self.edge.iter().copied().filter(|edge| *edge > 0.0);
+        edges.reduce(f64::min)
+    }
+
     /// The same cell with those axes alone that are `chosen`.
     pub(crate) fn along(&self, chosen: [bool; 3]) -> Self {
         let keep = Vec3::from(chosen.map(|is| if is { 1.0 } else { 0.0 }));

@@ -29,6 +29,12 @@ pub(super) fn detect(
     let radii = &scene.particles.radius;
     let mut reach = take(&mut workspace.reach);
     DetectionDistance::of(both, step, |i| NEAR * radii[i], &mut reach);
+    if let Some(edge) = scene.cell.smallest_edge() {
+        // Copies beyond the next ones are met by no step that is not cut anyway.
+        for own in &mut reach {
+            own.pairs = own.pairs.min(edge);
+        }
+    }
     let largest = radii.iter().copied().fold(0.0, larger);
     let diameter = 2.0 * (largest + DetectionDistance::largest(&reach).pairs);
     workspace

@@ -58,6 +58,22 @@ pub(super) fn passed(
     let carried = carried.fold(0.0, f64::max);
     let largest = DetectionDistance::largest(&reach);
     let pairs = 2.0 * largest.pairs.min(largest.boundaries);
+    if let Some(edge) = prediction.scene.cell.smallest_edge()
+        && pairs > 2.0 * edge
+    {
+        // All copies on its way are more than can be looked at.
+        let fastest = (0..spheres).max_by(|&a, &b| reach[a].pairs.total_cmp(&reach[b].pairs));
+        let sphere = fastest.unwrap_or(0) as u32;
+        let contact = ContactId {
+            sphere,
+            partner: Partner::sphere((sphere + 1) % spheres as u32),
+        };
+        workspace.reach = reach;
+        return Some(Tunnelling {
+            contact,
+            motion: pairs / smallest,
+        });
+    }
     let small = pairs.max(largest.boundaries + carried) <= SMALL_MOTION * smallest;
     if !small {
         workspace.neighbors.ensure(start, &reach, carried);

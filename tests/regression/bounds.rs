@@ -128,6 +128,9 @@ fn a_start_with_rolling_friction_is_linear_in_the_contacts() {
 /// The text of a scene that a process of its own reads.
 const SCENE: &str = "SPHERE_DDA_REGRESSION_SCENE";
 
+/// The test that reads it.
+const READ: &str = "bounds::read_in_a_process";
+
 /// Reads the scene of the environment and says what comes of it; run by [`within_two_gigabytes`].
 #[test]
 #[ignore = "run by other tests in a process of its own"]
@@ -142,12 +145,14 @@ fn read_in_a_process() {
 }
 
 /// What a process says that reads the scene with 2 GB of memory and 60 s.
-fn within_two_gigabytes(text: &str) -> Output {
+fn within_two_gigabytes(test: &str, text: &str) -> Output {
     let program = std::env::current_exe().expect("this program");
-    let script = "ulimit -v 2000000; exec timeout 60 \"$0\" --exact bounds::read_in_a_process --include-ignored --nocapture";
+    let script =
+        "ulimit -v 2000000; exec timeout 60 \"$0\" --exact \"$1\" --include-ignored --nocapture";
     let command = Command::new("sh")
         .args(["-c", script])
         .arg(program)
+        .arg(test)
         .env(SCENE, text)
         .output();
     command.expect("a shell")
@@ -155,7 +160,7 @@ fn within_two_gigabytes(text: &str) -> Output {
 
 /// The scene is refused, in words, with the quantity that is at fault.
 fn is_refused(text: &str, words: &[&str]) {
-    let output = within_two_gigabytes(text);
+    let output = within_two_gigabytes(READ, text);
     let said = String::from_utf8_lossy(&output.stdout);
     assert!(
         output.status.success(),
@@ -182,7 +187,7 @@ fn a_packing_of_a_region_too_large_is_refused_within_memory() {
         let packing = format!(
             "radius = {radius:?}\npacking = {{ region = {{ box = {{ min = [0.0, 0.0, 0.0], max = [{size:?}, {size:?}, {size:?}] }} }}, count = {count} }}"
         );
-        let output = within_two_gigabytes(&Case::new(1e-3).spheres(&packing).text());
+        let output = within_two_gigabytes(READ, &Case::new(1e-3).spheres(&packing).text());
         assert!(
             output.status.success(),
             "{}: {}",
@@ -217,4 +222,34 @@ fn thousands_of_problems_are_told_within_seconds() {
     let told = error.to_string().len();
     let time = start.elapsed();
     assert!(time < Duration::from_secs(3), "{time:?}, {told} characters");
+}
+
+/// A step of many cells' edges: copies of every sphere on its way were sought in all cells, and took 8 GB.
+#[test]
+fn a_step_over_many_cells_is_cut_or_refused() {
+    let lattice = "radius = 0.01\nlattice = { origin = [0.02, 0.02, 0.05], count = [5, 5, 3], spacing = 0.03 }";
+    let cell = "[cell]\nx = [0.0, 0.4]\ny = [0.0, 0.2]\n";
+    let case = Case::new(1.0).floor().spheres(lattice).table(cell);
+    let output = within_two_gigabytes("bounds::stepped_in_a_process", &case.text());
+    let said = String::from_utf8_lossy(&output.stdout);
+    assert!(output.status.success(), "{}", output.status);
+    assert!(
+        said.contains("three steps") || said.contains("shorter"),
+        "{said}"
+    );
+}
+
+/// Takes three steps of the scene of the environment; run by the test above.
+#[test]
+#[ignore = "run by other tests in a process of its own"]
+fn stepped_in_a_process() {
+    let Ok(text) = std::env::var(SCENE) else {
+        return;
+    };
+    let loaded = Scene::from_toml("case", &text, std::path::Path::new("")).expect("a scene");
+    let mut simulation = Simulation::new(Arc::new(loaded.scene)).expect("a start");
+    match (0..3).try_for_each(|_| simulation.advance(1.0).map(|_| ())) {
+        Ok(()) => println!("three steps"),
+        Err(error) => println!("{error}"),
+    }
 }
