@@ -228,3 +228,63 @@ fn probes_read_through_the_fmu_are_the_positions_of_the_library() {
     }
     assert_eq!(table.lines().count(), 102);
 }
+
+/// A shot that would fly past a ball in one step: the solver discards the step, half of it will do.
+const SHOT: &str = r#"
+title = "Shot"
+[simulation]
+duration = 0.05
+step = 1e-2
+fixed_step = true
+strict = true
+max_cuts = 0
+communication_step = 1e-2
+gravity = [0.0, 0.0, 0.0]
+[[material]]
+name = "stone"
+density = 2500.0
+[pair_default]
+friction = 0.3
+[[spheres]]
+name = "target"
+material = "stone"
+radius = 0.05
+positions = [[0.0, 0.0, 0.0]]
+[[spheres]]
+name = "shot"
+material = "stone"
+radius = 0.05
+positions = [[-0.55, 0.09, 0.0]]
+velocity = [50.0, 0.0, 0.0]
+"#;
+
+#[test]
+fn a_discarded_step_is_taken_in_two_halves() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    fs::write(folder.join("shot.toml"), SHOT).unwrap();
+    let whole = said(folder, &["run", "shot.toml", "-o", "run"]);
+    assert_eq!(whole.code, Some(1), "{}", whole.error);
+    assert!(whole.error.contains("pass or miss"), "{}", whole.error);
+    for version in ["2", "3"] {
+        let export = ["export", "shot.toml", "--fmi", version, "--overwrite"];
+        done(folder, &export);
+        let record = ["--record", "time", "--record", "probe.first.velocity[1]"];
+        let told = done(
+            folder,
+            &[&["simulate", "shot.fmu", "--stop", "0.05"], &record[..]].concat(),
+        );
+        let last: Vec<f64> = told
+            .out
+            .lines()
+            .last()
+            .unwrap()
+            .split(',')
+            .map(|number| number.parse().unwrap())
+            .collect();
+        assert_eq!(told.out.lines().count(), 7, "{}", told.out);
+        assert_eq!(last[1], 0.05);
+        assert!(last[2] > 5.0, "the target was not hit: {last:?}");
+        assert!(told.error.contains("pass or miss"), "{}", told.error);
+    }
+}

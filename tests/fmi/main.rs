@@ -456,10 +456,12 @@ fn a_hopeless_step_is_discarded_then_an_error() {
         "{lines:?}"
     );
     assert_eq!(instance.last_time(), t);
-    assert!(instance.terminated());
+    // A shorter step may do: the instance does not ask for the end.
+    assert!(!instance.terminated());
     assert_eq!(instance.real(scene.reference("time")), t);
     // The same step again is an error, and leaves reading, reset and restoring.
     assert_eq!(instance.step(t, h), ERROR);
+    assert!(instance.terminated());
     assert_eq!(instance.step(t, h / 2.0), ERROR);
     assert_eq!(instance.load(&status.1), OK, "{:?}", instance.log());
     assert_eq!(instance.bytes(), status.1);

@@ -149,6 +149,12 @@ class Two:
     def step(self, start, h):
         return self.call("DoStep", c_double(start), c_double(h), 1)
 
+    def terminated(self):
+        """Whether it asks for the end of the run."""
+        value = c_int(7)
+        assert self.call("GetBooleanStatus", 3, byref(value)) == OK
+        return bool(value.value)
+
     def call(self, name, *arguments):
         function = self.library[self.prefix + name]
         function.restype = c_int
@@ -201,6 +207,10 @@ class Three(Two):
     def step(self, start, h):
         self.room = [(c_uint8 * 64)() for _ in range(4)]
         return self.call("DoStep", c_double(start), c_double(h), c_bool(True), *self.room)
+
+    def terminated(self):
+        """Whether the last step asked for the end of the run."""
+        return bool(self.room[1][0])
 
     def arguments(self, name, room):
         none = (None, c_size_t(0))
@@ -312,7 +322,16 @@ def test_every_function_in_every_state(unit):
 def test_a_discarded_step_may_be_tried_shorter(unit):
     room = Room(unit)
     bring(unit, "failed", room)
+    # The instance does not ask for the end of the run: many masters obey that.
+    assert not unit.terminated()
     assert unit.step(room.time, 1e-3) in (OK, 2)
+    room.release(unit)
+
+
+def test_an_instance_that_cannot_go_on_asks_for_the_end(unit):
+    room = Room(unit)
+    bring(unit, "error", room)
+    assert unit.terminated()
     room.release(unit)
 
 

@@ -266,7 +266,7 @@ extern "C" fn fmi2GetIntegerStatus(
     status((c, "fmi2GetIntegerStatus"), s, value, |_| None)
 }
 
-/// `fmi2Terminated`: true after a discarded step, which would be discarded again.
+/// `fmi2Terminated`: true in state error only. After a discarded step a shorter one may be tried.
 #[unsafe(no_mangle)]
 extern "C" fn fmi2GetBooleanStatus(
     c: fmi2Component,

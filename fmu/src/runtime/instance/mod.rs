@@ -341,10 +341,10 @@ impl Instance {
             .write(Level::Error, format_args!("internal error: {what}; {text}"));
     }
 
-    /// Whether the instance wants the simulation to end: its last step was impossible.
+    /// Whether the instance wants the simulation to end. After a discarded step it does not: a shorter one may do.
     #[must_use]
     pub fn wants_to_terminate(&self) -> bool {
-        matches!(self.run.stage, LifeCycle::StepFailed | LifeCycle::Error)
+        self.run.stage == LifeCycle::Error
     }
 
     /// The complete state as bytes: see [`crate::runtime::state`].
