@@ -28,12 +28,14 @@ pub const PICTURE_FILE: &str = "diagram.png";
 const STYLE: &str = "body{font-family:sans-serif;margin:2em;max-width:70em}td,th{text-align:left;padding:.1em .8em}\
                      td:first-child,td:last-child{min-width:12em;overflow-wrap:anywhere}";
 
-const USE: [&str; 5] = [
+const USE: [&str; 6] = [
     "All values are in SI units. Inputs at their start values mean: as in the scene.",
     "A pose, displacement or angle is the total from the scene; the boundary reaches it linearly at the end of the \
      communication step. A speed is held over the step.",
     "Forces and torques are those of the spheres on the boundary, torques about its reference point. averageForce is \
      impulse over communication step and conserves momentum.",
+    "Outputs change by steps only, never by a set: there is no direct feedthrough. Directional derivatives are those of the \
+     last step: of the outputs at its end by the inputs held over it.",
     "Time 0 of the scene is the start time of the experiment.",
     "Set output.directory to get VTU, PVD and CSV files in <directory>/<instance name>/.",
 ];

@@ -1,6 +1,7 @@
 //! The shared library through its C interface: life cycle, refusals, saved states, threads, and what it computes.
 
 mod c;
+mod feedthrough;
 mod licences;
 mod refusals;
 mod rollback;
@@ -23,7 +24,7 @@ use sphere_dda_model_description::fmi2::Causality;
 use sphere_dda_model_description::value::ScalarType;
 
 /// 18 balls fall on a floor that can be driven, beside a wall that can be pushed.
-const BOX: &str = r#"
+pub(crate) const BOX: &str = r#"
 title = "Box"
 [simulation]
 duration = 0.2

@@ -12,7 +12,7 @@ use sphere_dda_model_description::value::{ScalarType, Value};
 use sphere_dda_fmu::table::{Entry, Enumeration, Table};
 use sphere_dda_fmu::version::{VERSION, Version};
 
-use super::definitions::{choices, units};
+use super::definitions::{DESCRIPTION, choices, units};
 
 /// The model description of a scene with its `guid`: the same scene, identifier and version give the same bytes.
 ///
@@ -32,8 +32,11 @@ pub fn describe(scene: &Scene, table: &Table, identifier: &str, guid: &str) -> M
     let entries = table.entries(Version::Two);
     let variables = entries.iter().map(scalar_variable).collect();
     let mut model = ModelDescription::new(&scene.title, guid, interface).with_variables(variables);
-    model.description =
-        Some("Spheres and moving boundaries by discontinuous deformation analysis".to_owned());
+    // A set changes no output before the next step: there is no algebraic loop through the FMU.
+    for unknown in &mut model.model_structure.outputs {
+        unknown.dependencies = Some(Vec::new());
+    }
+    model.description = Some(DESCRIPTION.to_owned());
     model.version = Some(VERSION.to_owned());
     model.license = Some("MIT OR Apache-2.0".to_owned());
     model.generation_tool = Some(format!("sphere-dda {VERSION}"));
