@@ -174,6 +174,23 @@ def test_a_step_returns_early_when_it_is_asked_to(units):
         assert unit.save() == plain.save()
 
 
+@pytest.mark.parametrize("wishes, expected", [([3], 3), ([4, 2], 2), ([2, 4], 2), ([2.5], 3)])
+def test_an_early_return_at_a_later_time_is_kept(units, wishes, expected):
+    """One wish in each of the first callbacks, in internal steps from now; the earliest counts and is not forgotten."""
+    times = []
+
+    def update(_, time, may_set, may_get, done, may_return, wanted, at):
+        times.append(time)
+        if len(times) <= len(wishes):
+            wanted[0] = True
+            at[0] = wishes[len(times) - 1] * times[0]
+
+    with Unit(units["feeder"], earlyReturnAllowed=True, intermediateUpdate=update) as unit:
+        _, terminate, early, last = unit.step(0.0, 10 * H)
+        assert early and not terminate
+        assert len(times) == expected and last == times[-1] and np.isclose(last, expected * times[0])
+
+
 def test_without_permission_a_step_does_not_return_early(units):
     def update(_, time, may_set, may_get, done, may_return, wanted, at):
         assert not may_return
