@@ -426,6 +426,18 @@ fn an_output_read_after_a_set_is_the_last_steps() {
     assert!(lines[0].starts_with("1 logStatusWarning"));
 }
 
+#[test]
+fn an_experiment_of_no_length_has_a_start() {
+    let scene = box_scene();
+    let instance = scene.instance();
+    assert_eq!(instance.set_up(1.0, Some(1.0)), OK, "{:?}", instance.log());
+    assert_eq!([instance.enter(), instance.exit()], [OK; 2]);
+    assert_eq!(instance.integer(scene.reference("sphereCount")), 18);
+    assert_eq!(instance.step(1.0, 0.01), ERROR);
+    assert!(instance.log()[0].contains("at most the stop time 1 s"));
+    assert_eq!(instance.terminate(), OK);
+}
+
 /// The solver may not iterate at all: no step with contacts converges.
 fn hopeless() -> Scene {
     let text = BOX.replace(

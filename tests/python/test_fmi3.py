@@ -191,6 +191,21 @@ def test_an_early_return_at_a_later_time_is_kept(units, wishes, expected):
         assert len(times) == expected and last == times[-1] and np.isclose(last, expected * times[0])
 
 
+def test_only_what_can_be_had_within_a_step_is_taken_as_required(units):
+    description = fmpy.read_model_description(str(units["feeder"]))
+    references = {v.name: (v.valueReference, v.intermediateUpdate) for v in description.modelVariables}
+    for name in (DRIVE, "boundary.trough.force", "mass", "spheres.id", "spheres.radius", "gravity", "solver.step"):
+        reference, may = references[name]
+        options = {"requiredIntermediateVariables": [reference], "intermediateUpdate": lambda *_: None}
+        if may:
+            with Unit(units["feeder"], **options) as unit:
+                unit.step(0.0)
+        else:
+            assert name not in (DRIVE, "boundary.trough.force", "mass")
+            with pytest.raises(Exception, match="instantiate"):
+                Unit(units["feeder"], **options)
+
+
 def test_without_permission_a_step_does_not_return_early(units):
     def update(_, time, may_set, may_get, done, may_return, wanted, at):
         assert not may_return

@@ -84,8 +84,7 @@ fn variable(entry: &Entry, spheres: usize) -> Variable {
     )
     .with_dimensions(&extents);
     variable.description = Some(own.description.clone());
-    variable.intermediate_update =
-        matches!(variable.causality, Causality::Input | Causality::Output);
+    variable.intermediate_update = own.is_intermediate();
     variable.unit = own.unit.map(str::to_owned);
     variable.declared_type = own.choices.map(|choices| choices.name.to_owned());
     variable.display_unit = (own.unit == Some("rad")).then(|| "deg".to_owned());

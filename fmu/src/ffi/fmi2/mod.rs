@@ -110,9 +110,12 @@ extern "C" fn fmi2FreeInstance(c: fmi2Component) {
         return;
     }
     // SAFETY: not null, so from fmi2Instantiate; the importer does not use it again.
-    let component = unsafe { Box::from_raw(c.cast::<Component>()) };
-    // There is nobody left to tell of a panic.
-    let _ = catch_unwind(AssertUnwindSafe(|| drop(component)));
+    let mut component = unsafe { Box::from_raw(c.cast::<Component>()) };
+    // The log still hears of result files that could not be written; there is nobody left to tell of a panic.
+    let _ = catch_unwind(AssertUnwindSafe(|| {
+        component.instance.close();
+        drop(component);
+    }));
 }
 
 /// Start and stop of the experiment. The tolerance is not used: tolerances are parameters.
@@ -160,12 +163,16 @@ extern "C" fn fmi2ExitInitializationMode(c: fmi2Component) -> fmi2Status {
     )
 }
 
+/// Status of a call that completes the result files: a warning if some could not be written.
+fn written(whole: bool) -> fmi2Status {
+    if whole { fmi2OK } else { fmi2Warning }
+}
+
 /// Ends the run.
 #[unsafe(no_mangle)]
 extern "C" fn fmi2Terminate(c: fmi2Component) -> fmi2Status {
     call(c, "fmi2Terminate", STEPPING, |component| {
-        component.instance.terminate();
-        Ok(fmi2OK)
+        Ok(written(component.instance.terminate()))
     })
 }
 
@@ -173,8 +180,7 @@ extern "C" fn fmi2Terminate(c: fmi2Component) -> fmi2Status {
 #[unsafe(no_mangle)]
 extern "C" fn fmi2Reset(c: fmi2Component) -> fmi2Status {
     call(c, "fmi2Reset", ANY, |component| {
-        component.instance.reset();
-        Ok(fmi2OK)
+        Ok(written(component.instance.reset()))
     })
 }
 

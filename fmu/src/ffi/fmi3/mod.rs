@@ -22,7 +22,7 @@ use sphere_dda_fmi_interface::abi3::*;
 use sphere_dda_fmi_interface::log::{Level, Log};
 use sphere_dda_fmi_interface::pointers::{array, message_sink, panic_text, str_from};
 
-use fmi3Status::fmi3OK;
+use fmi3Status::{fmi3OK, fmi3Warning};
 
 /// Version of the standard: "3.0".
 #[unsafe(no_mangle)]
@@ -116,9 +116,11 @@ fn known(
 ) -> Result<(), InstantiationError> {
     let required = array(references, count, "requiredIntermediateVariables")?;
     let table = &instance.model().table;
-    let unknown = required
-        .iter()
-        .find(|&&reference| table.get(Version::Three, reference).is_none());
+    let has = |&reference: &u32| {
+        let entry = table.get(Version::Three, reference);
+        entry.is_some_and(|entry| entry.variable.is_intermediate())
+    };
+    let unknown = required.iter().find(|&reference| !has(reference));
     match unknown {
         Some(&reference) => Err(InstantiationError::Intermediate { reference }),
         None => Ok(()),
@@ -174,9 +176,12 @@ extern "C" fn fmi3FreeInstance(instance: fmi3Instance) {
         return;
     }
     // SAFETY: not null, so from fmi3InstantiateCoSimulation; the importer does not use it again.
-    let component = unsafe { Box::from_raw(instance.cast::<Component>()) };
-    // There is nobody left to tell of a panic.
-    let _ = catch_unwind(AssertUnwindSafe(|| drop(component)));
+    let mut component = unsafe { Box::from_raw(instance.cast::<Component>()) };
+    // The log still hears of result files that could not be written; there is nobody left to tell of a panic.
+    let _ = catch_unwind(AssertUnwindSafe(|| {
+        component.instance.close();
+        drop(component);
+    }));
 }
 
 /// Enters initialization mode with start and stop of the experiment. The tolerance is not used: tolerances are
@@ -209,12 +214,16 @@ extern "C" fn fmi3ExitInitializationMode(instance: fmi3Instance) -> fmi3Status {
     })
 }
 
+/// Status of a call that completes the result files: a warning if some could not be written.
+fn written(whole: bool) -> fmi3Status {
+    if whole { fmi3OK } else { fmi3Warning }
+}
+
 /// Ends the run.
 #[unsafe(no_mangle)]
 extern "C" fn fmi3Terminate(instance: fmi3Instance) -> fmi3Status {
     call(instance, "fmi3Terminate", STEPPING, |component| {
-        component.instance.terminate();
-        Ok(fmi3OK)
+        Ok(written(component.instance.terminate()))
     })
 }
 
@@ -222,7 +231,6 @@ extern "C" fn fmi3Terminate(instance: fmi3Instance) -> fmi3Status {
 #[unsafe(no_mangle)]
 extern "C" fn fmi3Reset(instance: fmi3Instance) -> fmi3Status {
     call(instance, "fmi3Reset", ANY, |component| {
-        component.instance.reset();
-        Ok(fmi3OK)
+        Ok(written(component.instance.reset()))
     })
 }
