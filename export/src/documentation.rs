@@ -2,7 +2,7 @@
 
 use maud::{DOCTYPE, Markup, html};
 use sphere_dda::integrator::Integrator;
-use sphere_dda::scene::Method;
+use sphere_dda::scene::{About, Method};
 
 use sphere_dda_fmu::model::Model;
 use sphere_dda_fmu::table::{Entry, Enumeration, solver_value};
@@ -88,6 +88,7 @@ pub fn page(model: &Model, version: Version, picture: bool) -> String {
                     sphere-based three-dimensional discontinuous deformation analysis; sphere-dda " (VERSION) ", guid "
                     (model.guid) "."
                 }
+                @for line in said(&scene.about) { p { (line) } }
                 @if picture {
                     p { img src=(PICTURE_FILE) alt="The scene at t = 0"; }
                 }
@@ -106,12 +107,27 @@ pub fn page(model: &Model, version: Version, picture: bool) -> String {
                 (list(&limits))
                 h2 { "Sources" }
                 (list(&SOURCES))
-                p { "Licences: licenses/license.txt." }
+                p { "Licences of the library: licenses/license.txt." }
             }
         }
     }
     .into_string()
         + "\n"
+}
+
+/// What the author of the scene says of it.
+fn said(about: &About) -> Vec<String> {
+    let named = |name, text: &Option<String>| text.as_ref().map(|text| format!("{name}{text}"));
+    [
+        named("", &about.description),
+        named("Author: ", &about.author),
+        named("Version: ", &about.version),
+        named("Copyright: ", &about.copyright),
+        named("Licence of the model: ", &about.license),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
 }
 
 fn list(items: &[&str]) -> Markup {

@@ -1,5 +1,6 @@
 //! The shared library through its C interface: life cycle, refusals, saved states, threads, and what it computes.
 
+mod about;
 mod c;
 mod feedthrough;
 mod licences;

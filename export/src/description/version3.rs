@@ -32,9 +32,14 @@ pub fn describe(scene: &Scene, table: &Table, identifier: &str, guid: &str) -> M
     let entries = table.entries(Version::Three);
     let variables = entries.iter().map(|e| variable(e, spheres)).collect();
     let mut model = ModelDescription::new(&scene.title, guid, interface).with_variables(variables);
-    model.description = Some(DESCRIPTION.to_owned());
-    model.version = Some(VERSION.to_owned());
-    model.license = Some("MIT OR Apache-2.0".to_owned());
+    // The model is its author's: what they do not say stays unsaid, but for what it computes.
+    let about = &scene.about;
+    let described = about.description.clone();
+    model.description = described.or_else(|| Some(DESCRIPTION.to_owned()));
+    model.author = about.author.clone();
+    model.version = about.version.clone();
+    model.copyright = about.copyright.clone();
+    model.license = about.license.clone();
     model.generation_tool = Some(format!("sphere-dda {VERSION}"));
     model.unit_definitions = units();
     let used = choices(entries.iter().map(|entry| entry.variable.choices));
