@@ -319,6 +319,23 @@ def test_every_function_in_every_state(unit):
     assert not wrong, "\n".join(wrong)
 
 
+def test_what_was_freed_is_refused(unit):
+    """An instance and a state that were given back: every call with them is an error, and freeing them again does nothing."""
+    unit = type(unit)(unit.library, unit.description, unit.resources)
+    state, size = ("FMUState", "FMUState") if unit.version == "3" else ("FMUstate", "FMUstate")
+    room = Room(unit)
+    stale = c_void_p(room.state.value)
+    assert unit.call(f"Free{state}", byref(room.state)) == OK
+    assert unit.call(f"Set{state}", stale) == ERROR
+    assert unit.call(f"Serialized{size}Size", stale, byref(c_size_t())) == ERROR
+    assert unit.call(f"Free{state}", byref(stale)) == ERROR
+    assert unit.call("Reset") == OK
+    free = unit.library[unit.prefix + "FreeInstance"]
+    free(unit.component)
+    assert unit.call("Reset") == ERROR and unit.call("Terminate") == ERROR
+    free(unit.component)
+
+
 def test_a_discarded_step_may_be_tried_shorter(unit):
     room = Room(unit)
     bring(unit, "failed", room)

@@ -2,9 +2,8 @@
 
 use sphere_dda_fmi_interface::abi3::*;
 use sphere_dda_fmi_interface::log::Level;
-use sphere_dda_fmi_interface::pointers::value_mut;
 
-use super::super::guard::{ANY, STEPPING, Stages, Updates, call};
+use super::super::guard::{ANY, STEPPING, Stages, Updates, call, lend};
 use crate::runtime::instance::{Instance, Progress, Step};
 use crate::runtime::life_cycle::LifeCycle;
 
@@ -33,11 +32,11 @@ extern "C" fn fmi3DoStep(
     let (mut entered, mut early, mut wish) = (false, false, None);
     let step = (currentCommunicationPoint, communicationStepSize);
     let final_past = noSetFMUStatePriorToCurrentPoint != 0;
-    let begun = call(instance, FUNCTION, STEPPING, |component| {
-        value_mut(eventHandlingNeeded, "eventHandlingNeeded")?;
-        value_mut(terminateSimulation, "terminateSimulation")?;
-        value_mut(earlyReturn, "earlyReturn")?;
-        value_mut(lastSuccessfulTime, "lastSuccessfulTime")?;
+    let begun = lend(instance, FUNCTION, STEPPING, |component, lent| {
+        lent.place(eventHandlingNeeded, "eventHandlingNeeded")?;
+        lent.place(terminateSimulation, "terminateSimulation")?;
+        lent.place(earlyReturn, "earlyReturn")?;
+        lent.place(lastSuccessfulTime, "lastSuccessfulTime")?;
         entered = true;
         wish = component.updates;
         if wish.is_some() {
@@ -150,12 +149,15 @@ fn report(
     (place, early): (*mut fmi3Boolean, bool),
     last: *mut fmi3Float64,
 ) {
-    let _: fmi3Status = call(instance, FUNCTION, ANY, |component| {
+    let _: fmi3Status = lend(instance, FUNCTION, ANY, |component, lent| {
         let ends = component.instance.wants_to_terminate();
-        *value_mut(event, "eventHandlingNeeded")? = 0;
-        *value_mut(terminate, "terminateSimulation")? = fmi3Boolean::from(ends);
-        *value_mut(place, "earlyReturn")? = fmi3Boolean::from(early);
-        *value_mut(last, "lastSuccessfulTime")? = component.instance.time();
+        lent.place(event, "eventHandlingNeeded")?.write(0);
+        let ends = fmi3Boolean::from(ends);
+        lent.place(terminate, "terminateSimulation")?.write(ends);
+        let early = fmi3Boolean::from(early);
+        lent.place(place, "earlyReturn")?.write(early);
+        let time = component.instance.time();
+        lent.place(last, "lastSuccessfulTime")?.write(time);
         Ok(fmi3OK)
     });
 }
