@@ -350,6 +350,7 @@ def test_an_instance_that_cannot_go_on_asks_for_the_end(unit):
     bring(unit, "error", room)
     assert unit.terminated()
     room.release(unit)
+    assert unit.call("Reset") == OK
 
 
 def test_every_function_within_a_step(unit):
