@@ -9,7 +9,11 @@ use crate::c::OK;
 use crate::{BOX, Scene};
 
 /// The box with every kind of input: pose, twist, a belt, a flap under load.
-fn driven() -> Scene {
+pub(crate) fn driven() -> Scene {
+    Scene::new(&driven_text())
+}
+
+pub(crate) fn driven_text() -> String {
     let more = r#"
 [[boundary]]
 name = "belt"
@@ -28,7 +32,7 @@ centre = [0.6, 0.0, 0.0]
 inertia = [0.001, 0.001, 0.002]
 joint = { hinge = [0.0, 1.0, 0.0] }
 "#;
-    Scene::new(&format!("{BOX}{more}"))
+    format!("{BOX}{more}")
 }
 
 #[test]

@@ -2,6 +2,7 @@
 
 mod about;
 mod c;
+mod extremes;
 mod feedthrough;
 mod licences;
 mod refusals;

@@ -1,6 +1,7 @@
 //! Saved states: bit for bit, in another instance, another thread, another process; garbage is refused.
 
 use std::process::Command;
+use std::time::Instant;
 
 use sphere_dda_fmu::runtime::life_cycle::LifeCycle;
 use sphere_dda_fmu::runtime::state::SavedState;
@@ -234,6 +235,32 @@ fn results_that_cannot_be_written_at_the_end_are_a_warning() {
     start(&instance);
     assert_eq!(instance.reset(), WARNING);
     told(&instance);
+}
+
+/// Search on a shadow of an instance: a state goes to and fro while the first one writes.
+#[test]
+fn a_state_is_restored_at_once_while_its_folder_is_written_to() {
+    let scene = box_scene();
+    let folder = tempfile::tempdir().unwrap();
+    let place = folder.path().display().to_string();
+    let first = scene.instance();
+    let directory = scene.reference("output.directory");
+    assert_eq!(first.set_string(directory, &place), OK);
+    first.initialize();
+    drive(&scene, &first, 0, 2);
+    let (state, shadow) = (first.bytes(), scene.instance());
+    let began = Instant::now();
+    for _ in 0..5 {
+        assert_eq!(shadow.load(&state), OK, "{:?}", shadow.log());
+    }
+    let took = began.elapsed();
+    assert!(took.as_millis() < 500, "{took:?}");
+    let lines = shadow.log();
+    assert_eq!(lines.len(), 1, "{lines:?}");
+    assert!(lines[0].starts_with("1 logStatusWarning") && lines[0].contains("no results"));
+    drive(&scene, &shadow, 2, 3);
+    drive(&scene, &first, 2, 3);
+    assert_eq!(first.terminate(), OK);
 }
 
 #[test]

@@ -18,6 +18,8 @@ pub struct Recorder {
     /// Where this instance has written before: its own earlier run may be replaced.
     own: Option<PathBuf>,
     failures: u64,
+    /// Whether a folder that another instance writes to was reported.
+    busy: bool,
 }
 
 impl Recorder {
@@ -122,10 +124,13 @@ impl Recorder {
         let directory = options.directory.clone();
         match Results::follow(simulation.scene(), options, simulation.time()) {
             Ok(results) => self.begin(results, directory, simulation, log),
-            Err(error) => log.write(
-                Level::Warning,
-                format_args!("no results are written: {error}"),
-            ),
+            // States that are exchanged between instances say so each time.
+            Err(OutputError::Busy { .. }) if self.busy => {}
+            Err(error) => {
+                self.busy = matches!(error, OutputError::Busy { .. });
+                let text = format_args!("no results are written: {error}");
+                log.write(Level::Warning, text);
+            }
         }
     }
 
