@@ -46,6 +46,10 @@ pub fn sink(callbacks: fmi2CallbackFunctions, name: &str) -> Option<Sink> {
 }
 
 /// A sink that calls the importer's logger of FMI 3.0, which takes the text as it is.
+#[expect(
+    clippy::not_unsafe_ptr_arg_deref,
+    reason = "the environment is handed back to the importer and not looked at"
+)]
 pub fn message_sink(
     logger: Option<fmi3LogMessageCallback>,
     environment: fmi3InstanceEnvironment,
@@ -82,6 +86,10 @@ pub fn c_string(text: &str) -> CString {
 #[derive(Debug, Clone, Copy)]
 pub struct Lent<'call>(PhantomData<&'call mut ()>);
 
+#[expect(
+    clippy::not_unsafe_ptr_arg_deref,
+    reason = "whoever made the token, which is unsafe, has vouched for the pointers"
+)]
 impl<'call> Lent<'call> {
     /// For the call that is being served.
     ///

@@ -405,8 +405,7 @@ impl Simulation {
                     continue;
                 }
                 let jump = displacement(boundary, from, to);
-                // NaN is a jump too.
-                if !(jump <= limit) {
+                if jump > limit || jump.is_nan() {
                     return Err(StepError::Jump {
                         boundary: boundary.name.clone(),
                         jump,
