@@ -1,8 +1,8 @@
 //! Panics behind the C interface: what they say, and where they came from.
 
 use std::any::Any;
-use std::panic::{set_hook, take_hook};
-use std::sync::{Mutex, MutexGuard, Once, PoisonError};
+use std::panic::{PanicHookInfo, set_hook, take_hook};
+use std::sync::{Mutex, MutexGuard, OnceLock, PoisonError};
 use std::thread::{ThreadId, current};
 
 /// Where threads panicked that nobody has asked about, the latest last. Not in the threads themselves: what they hold would
@@ -16,22 +16,31 @@ fn places() -> MutexGuard<'static, Vec<(ThreadId, String)>> {
     PLACES.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
+type Hook = Box<dyn Fn(&PanicHookInfo<'_>) + Send + Sync>;
+
+/// What was done with panics before. A static: what the hook captured would be lost with the library when it is unloaded.
+static BEFORE: OnceLock<Hook> = OnceLock::new();
+
 /// From now on the places of panics are kept for [`told`]. What was done with panics before is still done.
 pub fn watch() {
-    static ONCE: Once = Once::new();
-    ONCE.call_once(|| {
+    BEFORE.get_or_init(|| {
         let before = take_hook();
-        set_hook(Box::new(move |panic| {
-            if let Some(place) = panic.location() {
-                let mut places = places();
-                if places.len() == KEPT {
-                    places.remove(0);
-                }
-                places.push((current().id(), place.to_string()));
-            }
-            before(panic);
-        }));
+        set_hook(Box::new(keep));
+        before
     });
+}
+
+fn keep(panic: &PanicHookInfo<'_>) {
+    if let Some(place) = panic.location() {
+        let mut places = places();
+        if places.len() == KEPT {
+            places.remove(0);
+        }
+        places.push((current().id(), place.to_string()));
+    }
+    if let Some(before) = BEFORE.get() {
+        before(panic);
+    }
 }
 
 /// The message of a panic that was caught in this thread, and file and line that it came from. A panic of a worker goes on in

@@ -40,7 +40,7 @@ pub struct TopLevel {
     #[schemars(extend("x-default" = "the name of the scene file without its ending"))]
     pub title: String,
     /// One line about the model, for FMUs.
-    #[schemars(extend("x-default" = "what sphere-dda computes, in one line"))]
+    #[schemars(extend("x-default" = "what the solver computes, in one line"))]
     pub description: Option<String>,
     /// Who made the model, for FMUs.
     #[schemars(extend("x-default" = "none"))]
