@@ -84,6 +84,18 @@ pub enum StepError {
         /// What is allowed.
         expected: &'static str,
     },
+    /// The pose or velocity of a boundary stopped being finite.
+    #[error(
+        "boundary `{boundary}` has a non-finite {what} at t = {time} s: loads and speeds are too large to compute with"
+    )]
+    BoundaryNotFinite {
+        /// Time \[s\].
+        time: f64,
+        /// Boundary name.
+        boundary: String,
+        /// Quantity.
+        what: &'static str,
+    },
     /// A state stopped being finite.
     #[error("sphere {sphere} has a non-finite {what} at t = {time} s")]
     NotFinite {
@@ -103,6 +115,7 @@ impl StepError {
             Self::NotConverged { time, .. }
             | Self::Pinched { time, .. }
             | Self::TooFast { time, .. }
+            | Self::BoundaryNotFinite { time, .. }
             | Self::NotFinite { time, .. } => *time += by,
             Self::Jump { .. } | Self::Argument { .. } => {}
         }

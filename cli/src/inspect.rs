@@ -7,6 +7,7 @@ use std::path::PathBuf;
 use clap::Args;
 use miette::miette;
 use sphere_dda_master::{Description, Fmu};
+use sphere_dda_model_description::Severity;
 use sphere_dda_model_description::fmi2::{
     CoSimulation, DefaultExperiment, ModelDescription, ScalarVariable, TypeDefinition, VariableType,
 };
@@ -23,7 +24,7 @@ Examples:
 pub(crate) struct Inspect {
     /// The FMU, of FMI 2.0 or 3.0, for co-simulation.
     fmu: PathBuf,
-    /// Show also what is wrong with its model description; exit code 2 if anything is.
+    /// Show also errors and warnings about its model description; exit code 2 if there is an error.
     #[arg(long)]
     validate: bool,
 }
@@ -56,14 +57,14 @@ pub(crate) fn run(arguments: &Inspect) -> Result<(), Failure> {
             .iter()
             .try_for_each(|finding| writeln!(out, "{finding}"))
     })?;
-    if findings.is_empty() {
-        return Ok(());
+    let errors = findings.iter().filter(|f| f.severity == Severity::Error);
+    match errors.count() {
+        0 => Ok(()),
+        errors => Err(Failure::Input(miette!(
+            "{}: found {errors} errors in modelDescription.xml, expected none",
+            arguments.fmu.display(),
+        ))),
     }
-    Err(Failure::Input(miette!(
-        "{}: found {} problems in modelDescription.xml, expected none",
-        arguments.fmu.display(),
-        findings.len()
-    )))
 }
 
 fn header(description: &ModelDescription) -> String {

@@ -2,7 +2,7 @@
 
 use maud::{DOCTYPE, Markup, html};
 use sphere_dda::integrator::Integrator;
-use sphere_dda::scene::Method;
+use sphere_dda::scene::{About, Method};
 
 use sphere_dda_fmu::model::Model;
 use sphere_dda_fmu::table::{Entry, Enumeration, solver_value};
@@ -28,12 +28,14 @@ pub const PICTURE_FILE: &str = "diagram.png";
 const STYLE: &str = "body{font-family:sans-serif;margin:2em;max-width:70em}td,th{text-align:left;padding:.1em .8em}\
                      td:first-child,td:last-child{min-width:12em;overflow-wrap:anywhere}";
 
-const USE: [&str; 5] = [
+const USE: [&str; 6] = [
     "All values are in SI units. Inputs at their start values mean: as in the scene.",
     "A pose, displacement or angle is the total from the scene; the boundary reaches it linearly at the end of the \
      communication step. A speed is held over the step.",
     "Forces and torques are those of the spheres on the boundary, torques about its reference point. averageForce is \
      impulse over communication step and conserves momentum.",
+    "Outputs change by steps only, never by a set: there is no direct feedthrough. Directional derivatives are those of the \
+     last step: of the outputs at its end by the inputs held over it.",
     "Time 0 of the scene is the start time of the experiment.",
     "Set output.directory to get VTU, PVD and CSV files in <directory>/<instance name>/.",
 ];
@@ -86,6 +88,7 @@ pub fn page(model: &Model, version: Version, picture: bool) -> String {
                     sphere-based three-dimensional discontinuous deformation analysis; sphere-dda " (VERSION) ", guid "
                     (model.guid) "."
                 }
+                @for line in said(&scene.about) { p { (line) } }
                 @if picture {
                     p { img src=(PICTURE_FILE) alt="The scene at t = 0"; }
                 }
@@ -104,12 +107,27 @@ pub fn page(model: &Model, version: Version, picture: bool) -> String {
                 (list(&limits))
                 h2 { "Sources" }
                 (list(&SOURCES))
-                p { "Licences: licenses/license.txt." }
+                p { "Licences of the library: licenses/license.txt." }
             }
         }
     }
     .into_string()
         + "\n"
+}
+
+/// What the author of the scene says of it.
+fn said(about: &About) -> Vec<String> {
+    let named = |name, text: &Option<String>| text.as_ref().map(|text| format!("{name}{text}"));
+    [
+        named("", &about.description),
+        named("Author: ", &about.author),
+        named("Version: ", &about.version),
+        named("Copyright: ", &about.copyright),
+        named("Licence of the model: ", &about.license),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
 }
 
 fn list(items: &[&str]) -> Markup {

@@ -21,6 +21,7 @@ use sphere_dda::scene::Scene;
 use sphere_dda_fmi_interface::archive;
 use sphere_dda_fmi_interface::platform::Platform;
 use sphere_dda_model_description::names::is_c_identifier;
+use sphere_dda_model_description::{Finding, Severity};
 
 use sphere_dda_fmu::model::{Model, SCENE_FILE, START_FILE};
 use sphere_dda_fmu::table::Entry;
@@ -90,7 +91,7 @@ pub fn export(contents: Contents<'_>, fmu: &Path) -> Result<Exported, ExportErro
     let model = Model::read(scene, start)?;
     let identifier = identifier(scene);
     let pictures = draw(&model.scene);
-    let mut files = described(&model, &identifier, version, pictures.is_some())?;
+    let (mut files, findings) = described(&model, &identifier, version, pictures.is_some())?;
     for Library { platform, path } in libraries {
         let code = fs::read(path).map_err(|source| ExportError::Read {
             path: path.clone(),
@@ -108,6 +109,7 @@ pub fn export(contents: Contents<'_>, fmu: &Path) -> Result<Exported, ExportErro
 
     let variables = model.table.entries(version).len();
     let mut warnings = model.warnings;
+    warnings.extend(findings);
     if variables > MANY_VARIABLES {
         warnings.push(format!("{variables} variables: some importers take long above {MANY_VARIABLES}; probe fewer spheres"));
     }
@@ -130,13 +132,13 @@ fn library_path(version: Version, platform: &Platform, identifier: &str) -> Stri
 /// Files of an archive, by their paths in it.
 type Files<'m> = Vec<(String, Cow<'m, [u8]>)>;
 
-/// Model description and terminals of one version.
+/// Model description and terminals of one version, and warnings about them.
 fn described(
     model: &Model,
     identifier: &str,
     version: Version,
     icon: bool,
-) -> Result<Files<'static>, ExportError> {
+) -> Result<(Files<'static>, Vec<String>), ExportError> {
     let (scene, table, guid) = (&model.scene, &model.table, &model.guid);
     let (xml, mut findings) = match version {
         Version::Two => {
@@ -152,15 +154,22 @@ fn described(
     let terminals = terminals(scene, &entries, icon);
     let names: Vec<String> = entries.iter().map(Entry::name).collect();
     findings.extend(terminals.validate(names.iter().map(String::as_str)));
-    if !findings.is_empty() {
-        return Err(ExportError::Invalid(findings));
-    }
+    let warnings = judge(findings)?;
     let xml = xml?.into_bytes();
     let terminals = terminals.to_xml()?.into_bytes();
-    Ok(vec![
+    let files: Files<'static> = vec![
         ("modelDescription.xml".to_owned(), xml.into()),
         (TERMINALS_FILE.to_owned(), terminals.into()),
-    ])
+    ];
+    Ok((files, warnings))
+}
+
+/// The findings as warnings, unless one breaks the standard.
+fn judge(findings: Vec<Finding>) -> Result<Vec<String>, ExportError> {
+    if findings.iter().any(|f| f.severity == Severity::Error) {
+        return Err(ExportError::Invalid(findings));
+    }
+    Ok(findings.iter().map(Finding::to_string).collect())
 }
 
 /// What the instance reads.
@@ -211,5 +220,28 @@ fn identifier(scene: &Path) -> String {
         name
     } else {
         format!("scene_{name}")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn warnings_about_a_description_stop_no_export() {
+        let scene = Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples/funnel/funnel.toml");
+        let model = Model::read(&scene, None).unwrap();
+        let mut two = version2::describe(&model.scene, &model.table, "funnel", &model.guid);
+        two.model_structure.outputs.swap(0, 1);
+        let warnings = judge(two.validate()).unwrap();
+        assert_eq!(warnings.len(), 1);
+        assert!(
+            warnings[0].contains("ModelStructure/Outputs"),
+            "{warnings:?}"
+        );
+        two.model_structure.outputs.pop();
+        assert!(
+            matches!(judge(two.validate()), Err(ExportError::Invalid(found)) if found.len() == 2)
+        );
     }
 }

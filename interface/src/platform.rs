@@ -1,6 +1,9 @@
 //! Platforms as FMUs name them: where the library of each lies in the archive.
+//!
+//! FMI 2.0 has names of its own for Intel and AMD processors only, where "64" stands for 64-bit x86; for all others it
+//! refers to the tuples of FMI 3.0 (2.0.4 and later, section 2.3).
 
-use std::env::consts::{DLL_PREFIX, DLL_SUFFIX};
+use std::env::consts::{ARCH, DLL_PREFIX, DLL_SUFFIX, OS};
 
 /// An operating system and processor.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -15,51 +18,101 @@ pub struct Platform {
     pub suffix: &'static str,
 }
 
+/// Architecture and system as Rust names them, and what FMI makes of them.
+const KNOWN: [(&str, &str, Platform); 8] = [
+    ("x86_64", "linux", Platform::LINUX64),
+    ("x86", "linux", linux("linux32", "x86-linux")),
+    ("aarch64", "linux", linux("aarch64-linux", "aarch64-linux")),
+    ("x86_64", "windows", Platform::WINDOWS64),
+    ("x86", "windows", windows("win32", "x86-windows")),
+    (
+        "aarch64",
+        "windows",
+        windows("aarch64-windows", "aarch64-windows"),
+    ),
+    ("x86_64", "macos", darwin("darwin64", "x86_64-darwin")),
+    (
+        "aarch64",
+        "macos",
+        darwin("aarch64-darwin", "aarch64-darwin"),
+    ),
+];
+
+const fn linux(name: &'static str, tuple: &'static str) -> Platform {
+    let (prefix, suffix) = ("lib", ".so");
+    Platform {
+        name,
+        tuple,
+        prefix,
+        suffix,
+    }
+}
+
+const fn windows(name: &'static str, tuple: &'static str) -> Platform {
+    let (prefix, suffix) = ("", ".dll");
+    Platform {
+        name,
+        tuple,
+        prefix,
+        suffix,
+    }
+}
+
+const fn darwin(name: &'static str, tuple: &'static str) -> Platform {
+    let (prefix, suffix) = ("lib", ".dylib");
+    Platform {
+        name,
+        tuple,
+        prefix,
+        suffix,
+    }
+}
+
 impl Platform {
     /// Linux on 64-bit Intel and AMD processors.
-    pub const LINUX64: Self = Self {
-        name: "linux64",
-        tuple: "x86_64-linux",
-        prefix: "lib",
-        suffix: ".so",
-    };
+    pub const LINUX64: Self = linux("linux64", "x86_64-linux");
     /// Windows on such processors.
-    pub const WINDOWS64: Self = Self {
-        name: "win64",
-        tuple: "x86_64-windows",
-        prefix: "",
-        suffix: ".dll",
-    };
-    /// The platform this program runs on.
-    pub const HERE: Self = Self {
-        name: if cfg!(target_os = "windows") {
-            "win64"
-        } else if cfg!(target_os = "macos") {
-            "darwin64"
-        } else {
-            "linux64"
+    pub const WINDOWS64: Self = windows("win64", "x86_64-windows");
+    /// The platform this program runs on. One that FMI does not name has the name of its system, which is no other's.
+    pub const HERE: Self = match Self::of(ARCH, OS) {
+        Some(platform) => platform,
+        None => Self {
+            name: OS,
+            tuple: OS,
+            prefix: DLL_PREFIX,
+            suffix: DLL_SUFFIX,
         },
-        tuple: match (
-            cfg!(target_arch = "aarch64"),
-            cfg!(target_os = "windows"),
-            cfg!(target_os = "macos"),
-        ) {
-            (false, false, false) => "x86_64-linux",
-            (false, true, _) => "x86_64-windows",
-            (false, false, true) => "x86_64-darwin",
-            (true, false, false) => "aarch64-linux",
-            (true, true, _) => "aarch64-windows",
-            (true, false, true) => "aarch64-darwin",
-        },
-        prefix: DLL_PREFIX,
-        suffix: DLL_SUFFIX,
     };
+
+    /// The platform of an architecture and a system, as [`std::env::consts`] names them.
+    #[must_use]
+    pub const fn of(architecture: &str, system: &str) -> Option<Self> {
+        let mut k = 0;
+        while k < KNOWN.len() {
+            let (known, on, platform) = KNOWN[k];
+            if same(known, architecture) && same(on, system) {
+                return Some(platform);
+            }
+            k += 1;
+        }
+        None
+    }
 
     /// The platform of a name that FMUs are built for from elsewhere, or of this one.
     #[must_use]
     pub fn named(name: &str) -> Option<Self> {
         let known = [Self::HERE, Self::LINUX64, Self::WINDOWS64];
         known.into_iter().find(|platform| platform.name == name)
+    }
+
+    /// Folders in which importers of FMI 2.0 look for its libraries, in this order: tools for macOS put libraries for
+    /// both processors into one file.
+    #[must_use]
+    pub fn folders_2(&self) -> Vec<&'static str> {
+        match self.suffix {
+            ".dylib" if self.name != "darwin64" => vec![self.name, "darwin64"],
+            _ => vec![self.name],
+        }
     }
 
     /// Where the library of the model `identifier` lies in an archive of FMI 2.0.
@@ -81,6 +134,16 @@ impl Platform {
     }
 }
 
+/// Whether two texts are the same, for constants.
+const fn same(a: &str, b: &str) -> bool {
+    let (a, b) = (a.as_bytes(), b.as_bytes());
+    let mut k = 0;
+    while k < a.len() && k < b.len() && a[k] == b[k] {
+        k += 1;
+    }
+    k == a.len() && k == b.len()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -96,5 +159,58 @@ mod tests {
         assert_eq!(windows.file("m"), "m.dll");
         assert_eq!(Platform::named("linux64").map(|p| p.suffix), Some(".so"));
         assert_eq!(Platform::named("linux32"), None);
+    }
+
+    #[test]
+    fn only_x86_has_the_short_names() {
+        let paths = |architecture, system| {
+            let platform = Platform::of(architecture, system).unwrap();
+            (platform.path_2("m"), platform.path_3("m"))
+        };
+        for (architecture, system, two, three) in [
+            ("x86_64", "linux", "linux64/m.so", "x86_64-linux/m.so"),
+            ("x86", "linux", "linux32/m.so", "x86-linux/m.so"),
+            (
+                "aarch64",
+                "linux",
+                "aarch64-linux/m.so",
+                "aarch64-linux/m.so",
+            ),
+            ("x86_64", "windows", "win64/m.dll", "x86_64-windows/m.dll"),
+            ("x86", "windows", "win32/m.dll", "x86-windows/m.dll"),
+            (
+                "aarch64",
+                "windows",
+                "aarch64-windows/m.dll",
+                "aarch64-windows/m.dll",
+            ),
+            (
+                "x86_64",
+                "macos",
+                "darwin64/m.dylib",
+                "x86_64-darwin/m.dylib",
+            ),
+            (
+                "aarch64",
+                "macos",
+                "aarch64-darwin/m.dylib",
+                "aarch64-darwin/m.dylib",
+            ),
+        ] {
+            let expected = (format!("binaries/{two}"), format!("binaries/{three}"));
+            assert_eq!(
+                paths(architecture, system),
+                expected,
+                "{architecture} {system}"
+            );
+        }
+        for (architecture, system) in [("riscv64", "linux"), ("x86_64", "freebsd"), ("x86_6", "")] {
+            assert_eq!(Platform::of(architecture, system), None);
+        }
+        let here = Platform::HERE;
+        assert_eq!((here.prefix, here.suffix), (DLL_PREFIX, DLL_SUFFIX));
+        assert_eq!(here.folders_2()[0], here.name);
+        let mac = Platform::of("aarch64", "macos").unwrap();
+        assert_eq!(mac.folders_2(), ["aarch64-darwin", "darwin64"]);
     }
 }

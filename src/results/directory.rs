@@ -34,6 +34,14 @@ impl Directory {
     /// # Errors
     /// [`OutputError::Busy`] if another run writes to it; [`OutputError::Io`].
     pub(crate) fn claim(path: &Path) -> Result<Self, OutputError> {
+        Self::claim_within(PATIENCE, path)
+    }
+
+    /// As [`Self::claim`], which waits a moment where another run writes, after a longest `wait`.
+    ///
+    /// # Errors
+    /// As [`Self::claim`].
+    pub(crate) fn claim_within(wait: Duration, path: &Path) -> Result<Self, OutputError> {
         fs::create_dir_all(path).map_err(OutputError::io("create", path))?;
         let name = path.join(".lock");
         // What another program keeps in a file of this name stays.
@@ -44,7 +52,7 @@ impl Directory {
             .map_err(OutputError::io("create", &name))?;
         let began = Instant::now();
         while let Err(fs::TryLockError::WouldBlock) = lock.try_lock() {
-            if began.elapsed() > PATIENCE {
+            if began.elapsed() >= wait {
                 return Err(OutputError::Busy {
                     path: path.to_path_buf(),
                 });

@@ -16,6 +16,7 @@ use std::collections::VecDeque;
 use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
 use std::sync::{Arc, Mutex};
 use std::thread::JoinHandle;
+use std::time::Duration;
 
 use super::checkpoint::{self, Checkpoint};
 use super::directory::{self, Directory};
@@ -79,9 +80,9 @@ impl Results {
     /// there are none. What they hold beyond `time` is dropped, for which [`Options::overwrite`] must be set.
     ///
     /// # Errors
-    /// As [`Self::resume`].
+    /// As [`Self::resume`]; [`OutputError::Busy`] at once, as a living session keeps its directory.
     pub fn follow(scene: &Scene, options: Options, time: f64) -> Result<Self, OutputError> {
-        let directory = Directory::claim(&options.directory)?;
+        let directory = Directory::claim_within(Duration::ZERO, &options.directory)?;
         match directory.holds(&directory::about(scene, &options)) {
             Ok(true) => Self::reopen(directory, scene, options, time, &[]),
             // Another run may be replaced, if anything may.

@@ -278,11 +278,28 @@ impl Default for Output {
     }
 }
 
+/// What its author says of a scene, in words of their own; for FMUs.
+#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize)]
+pub struct About {
+    /// One line about the model.
+    pub description: Option<String>,
+    /// Who made it.
+    pub author: Option<String>,
+    /// Version of the model, not of this program.
+    pub version: Option<String>,
+    /// Copyright notice.
+    pub copyright: Option<String>,
+    /// Licence of the model, not of this program.
+    pub license: Option<String>,
+}
+
 /// A validated scene: every index in range, every number finite, units SI.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Scene {
     /// Title, one line.
     pub title: String,
+    /// What its author says of it.
+    pub about: About,
     /// SHA-256 of the scene text and the files it names, 64 hexadecimal digits.
     pub hash: String,
     /// Settings of the run.

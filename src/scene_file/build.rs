@@ -129,6 +129,7 @@ fn build(document: &mut Document<'_>, file: &SceneFile) -> Option<Scene> {
     let source_names = Names::of("source", file.sources.iter().map(Entry::declaration));
     let scene = Scene {
         title: file.title.clone(),
+        about: file.about.clone(),
         // Known when all files have been read.
         hash: String::new(),
         loads: loads(document, &context, &file.loads, &initial),

@@ -13,6 +13,7 @@ use super::document::{Document, LARGEST, Step, child, did_you_mean, join, split}
 use super::file;
 use super::keys::keys_of;
 use super::wording::mismatch;
+use crate::scene::About;
 
 /// Most problems reported for one element: a mistyped list of a million numbers stays readable.
 const PROBLEMS_PER_ELEMENT: usize = 20;
@@ -52,6 +53,7 @@ impl<T> Entry<T> {
 /// The scene file with right types.
 pub(super) struct SceneFile {
     pub(super) title: String,
+    pub(super) about: About,
     pub(super) simulation: Option<file::Simulation>,
     pub(super) materials: Vec<Entry<file::Material>>,
     pub(super) pairs: Vec<Entry<file::Pair>>,
@@ -75,6 +77,7 @@ impl SceneFile {
         refuse_unknown_tables(document, root.get_ref());
         Self {
             title: optional(document, &root, "title").unwrap_or_default(),
+            about: about(document, &root),
             simulation: simulation(document, &root),
             materials: list(document, &root, "material"),
             pairs: list(document, &root, "pair"),
@@ -90,6 +93,18 @@ impl SceneFile {
             probes: list(document, &root, "probe"),
             output: optional(document, &root, "output").unwrap_or_default(),
         }
+    }
+}
+
+/// What its author says of the scene; an empty text says nothing.
+fn about(document: &mut Document<'_>, root: &Spanned<DeValue<'_>>) -> About {
+    let mut text = |key| optional(document, root, key).filter(|text: &String| !text.is_empty());
+    About {
+        description: text("description"),
+        author: text("author"),
+        version: text("version"),
+        copyright: text("copyright"),
+        license: text("license"),
     }
 }
 

@@ -37,6 +37,9 @@ impl CommunicationStep {
     }
 }
 
+/// Most internal steps of a communication step: more would take hours, and is a mistake in its units as a rule.
+const MOST_STEPS: f64 = 1e7;
+
 /// A communication step below this share of the last internal step has no forces of its own.
 const REMAINDER: f64 = 0.05;
 
@@ -46,7 +49,8 @@ impl Simulation {
     /// [`Self::advance_to`], bit for bit. Until the end is reached, or the rest is given up, no other step may be taken.
     ///
     /// # Errors
-    /// [`StepError`] if `end` is not a finite time after the present, or a boundary would jump; nothing has changed.
+    /// [`StepError`] if `end` is not a finite time after the present, or more than 1e7 internal steps away, or a boundary would
+    /// jump; nothing has changed.
     pub fn begin(&mut self, end: f64) -> Result<CommunicationStep, StepError> {
         self.set_out(end, true)
     }
@@ -61,6 +65,18 @@ impl Simulation {
                 what: "communication step",
                 found: format!("{h} s"),
                 expected: "a finite time after the current one",
+            });
+        }
+        // Steps that are chosen are not longer.
+        let step = self.scene.settings.step;
+        if h / step > MOST_STEPS {
+            return Err(StepError::Argument {
+                what: "communication step",
+                found: format!(
+                    "{h:e} s, which is {:.0e} internal steps of {step} s",
+                    h / step
+                ),
+                expected: "at most 1e7 of them: take shorter communication steps",
             });
         }
         let state = &self.state;
@@ -318,7 +334,7 @@ impl Simulation {
         let spheres = kinematics.position.iter().zip(moving);
         let zeros = spheres.map(|(x, (v, w))| (x + v + w).sum() * 0.0);
         if zeros.sum::<f64>() == 0.0 {
-            return Ok(());
+            return self.check_finite_boundaries();
         }
         for sphere in 0..kinematics.len() {
             let kinds = [
@@ -334,6 +350,29 @@ impl Simulation {
                         what,
                     });
                 }
+            }
+        }
+        Ok(())
+    }
+
+    fn check_finite_boundaries(&self) -> Result<(), StepError> {
+        let state = &self.state;
+        let not_finite = |boundary: usize, what| StepError::BoundaryNotFinite {
+            time: state.time,
+            boundary: self.scene.boundaries[boundary].name.clone(),
+            what,
+        };
+        for (b, pose) in state.poses.iter().enumerate() {
+            let mut numbers = pose.translation.iter().chain(pose.rotation.coords.iter());
+            if !numbers.all(|x| x.is_finite()) {
+                return Err(not_finite(b, "pose"));
+            }
+        }
+        for ((b, _), body) in self.scene.driven().zip(&state.bodies) {
+            let velocity = &body.velocity;
+            let mut numbers = velocity.linear.iter().chain(velocity.angular.iter());
+            if !numbers.all(|x| x.is_finite()) {
+                return Err(not_finite(b, "velocity"));
             }
         }
         Ok(())
@@ -368,7 +407,7 @@ impl Simulation {
                 let spheres = spheres.position.iter().zip(&spheres.present);
                 let present = spheres.filter(|(_, present)| **present).map(|(x, _)| *x);
                 let jump = displacement(boundary, [from, to], present);
-                if jump > limit {
+                if jump > limit || jump.is_nan() {
                     return Err(StepError::Jump {
                         boundary: boundary.name.clone(),
                         jump,

@@ -123,9 +123,9 @@ impl Simulation {
     /// now feels it from half a step ago (integrator `moreau`).
     ///
     /// # Errors
-    /// [`StepError::Argument`] if it is not finite, or given by a table.
+    /// [`StepError::Argument`] if it is NaN or beyond [`LARGEST`], or given by a table.
     pub fn set_gravity(&mut self, gravity: Vec3) -> Result<(), StepError> {
-        finite("gravity", gravity.iter())?;
+        bounded("gravity", gravity.iter())?;
         let table = matches!(
             self.scene.settings.gravity_motion,
             GravityMotion::Table { .. }
@@ -161,7 +161,7 @@ impl Simulation {
     /// next one.
     ///
     /// # Errors
-    /// [`StepError::Argument`] if the boundary is no input or a component is not finite.
+    /// [`StepError::Argument`] if the boundary is no input or a component is NaN or beyond [`LARGEST`].
     pub fn command(&mut self, b: usize, command: Command) -> Result<(), StepError> {
         self.command_along(b, command, CommandDerivatives::default())
     }
@@ -197,7 +197,7 @@ impl Simulation {
                 part.torque,
             ];
             let components = vectors.iter().flat_map(|v| v.iter());
-            finite("command", components.chain([&part.scalar, &part.pressure]))?;
+            bounded("command", components.chain([&part.scalar, &part.pressure]))?;
         }
         let state = &mut self.state;
         state.commands[b] = command;
@@ -278,13 +278,18 @@ impl Simulation {
     }
 }
 
-fn finite<'a>(what: &'static str, values: impl Iterator<Item = &'a f64>) -> Result<(), StepError> {
+/// Largest size of what is commanded, as of every number of a scene file: squares and products of it are still numbers.
+pub const LARGEST: f64 = 1e30;
+
+/// Whether all of what is commanded can be computed with.
+fn bounded<'a>(what: &'static str, values: impl Iterator<Item = &'a f64>) -> Result<(), StepError> {
     for value in values {
-        if !value.is_finite() {
+        // NaN is not within any bounds.
+        if !(-LARGEST..=LARGEST).contains(value) {
             return Err(StepError::Argument {
                 what,
-                found: value.to_string(),
-                expected: "finite numbers",
+                found: format!("{value:e}"),
+                expected: "numbers from -1e30 to 1e30",
             });
         }
     }

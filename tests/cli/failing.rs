@@ -255,3 +255,31 @@ fn several_fmus_are_told_apart() {
         &["expected `<FMU>.<variable>`"],
     );
 }
+
+#[test]
+fn warnings_about_a_description_are_told_and_are_no_failure() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let inspect = ["inspect", "odd.fmu", "--validate"];
+    let outputs = "<Outputs><Unknown index=\"1\"/><Unknown index=\"2\"/>";
+    for (found, code, told) in [
+        (
+            "<Outputs><Unknown index=\"2\"/><Unknown index=\"1\"/>",
+            0,
+            "warning: ModelStructure/Outputs",
+        ),
+        (
+            "<Outputs><Unknown index=\"2\"/>",
+            2,
+            "error: ModelStructure/Outputs",
+        ),
+    ] {
+        pack(&folder.join("odd.fmu"), Build::Whole, |xml| {
+            assert!(xml.contains(outputs));
+            *xml = xml.replace(outputs, found);
+        });
+        let said = said(folder, &inspect);
+        assert!(said.out.contains(told), "{}", said.out);
+        assert_eq!(said.code, Some(code), "{}", said.error);
+    }
+}

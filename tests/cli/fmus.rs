@@ -228,3 +228,121 @@ fn probes_read_through_the_fmu_are_the_positions_of_the_library() {
     }
     assert_eq!(table.lines().count(), 102);
 }
+
+/// A shot that would fly past a ball in one step: the solver discards the step, half of it will do.
+const SHOT: &str = r#"
+title = "Shot"
+[simulation]
+duration = 0.05
+step = 1e-2
+fixed_step = true
+strict = true
+max_cuts = 0
+communication_step = 1e-2
+gravity = [0.0, 0.0, 0.0]
+[[material]]
+name = "stone"
+density = 2500.0
+[pair_default]
+friction = 0.3
+[[spheres]]
+name = "target"
+material = "stone"
+radius = 0.05
+positions = [[0.0, 0.0, 0.0]]
+[[spheres]]
+name = "shot"
+material = "stone"
+radius = 0.05
+positions = [[-0.55, 0.09, 0.0]]
+velocity = [50.0, 0.0, 0.0]
+"#;
+
+#[test]
+fn a_discarded_step_is_taken_in_two_halves() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    fs::write(folder.join("shot.toml"), SHOT).unwrap();
+    let whole = said(folder, &["run", "shot.toml", "-o", "run"]);
+    assert_eq!(whole.code, Some(1), "{}", whole.error);
+    assert!(whole.error.contains("pass or miss"), "{}", whole.error);
+    for version in ["2", "3"] {
+        let export = ["export", "shot.toml", "--fmi", version, "--overwrite"];
+        done(folder, &export);
+        let record = ["--record", "time", "--record", "probe.first.velocity[1]"];
+        let told = done(
+            folder,
+            &[&["simulate", "shot.fmu", "--stop", "0.05"], &record[..]].concat(),
+        );
+        let last: Vec<f64> = told
+            .out
+            .lines()
+            .last()
+            .unwrap()
+            .split(',')
+            .map(|number| number.parse().unwrap())
+            .collect();
+        assert_eq!(told.out.lines().count(), 7, "{}", told.out);
+        assert_eq!(last[1], 0.05);
+        assert!(last[2] > 5.0, "the target was not hit: {last:?}");
+        assert!(told.error.contains("pass or miss"), "{}", told.error);
+    }
+}
+
+/// A heap that the solver may not iterate on, with more keys of `[simulation]`.
+fn heap(more: &str) -> String {
+    let head = SHOT.split("[[spheres]]").next().unwrap();
+    let iterations = format!("max_cuts = 0\nmax_iterations = 1\n{more}");
+    let head = head
+        .replace("gravity = [0.0, 0.0, 0.0]", "")
+        .replace("max_cuts = 0", &iterations);
+    let heap = r#"
+        [[spheres]]
+        name = "heap"
+        material = "stone"
+        radius = 0.05
+        seed = 4
+        lattice = { origin = [2.0, -0.2, 0.06], count = [3, 3, 2], spacing = 0.11, jitter = 0.02 }
+        [[boundary]]
+        name = "floor"
+        material = "stone"
+        faces = [{ plane = { point = [0.0, 0.0, 0.0], normal = [0.0, 0.0, 1.0] } }]
+    "#;
+    head + heap
+}
+
+/// The FMU's clock is a sum of steps and differs from the master's by rounding where the step is discarded.
+#[test]
+fn a_step_that_is_discarded_late_in_a_run_is_halved() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    fs::write(folder.join("heap.toml"), heap("")).unwrap();
+    for version in ["2", "3"] {
+        let export = ["export", "heap.toml", "--fmi", version, "--overwrite"];
+        done(folder, &export);
+        let told = done(folder, &["simulate", "heap.fmu", "--stop", "0.1"]);
+        assert!(
+            told.error.contains("t = 0.060000000000000005 s"),
+            "{}",
+            told.error
+        );
+        assert_eq!(told.out.lines().count(), 12);
+    }
+}
+
+#[test]
+fn a_step_that_no_length_helps_is_told_by_the_function_of_its_version() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let sharp = "tolerance = { gap = 1e-6, slip = 1e-6, force = 1e-6, opening = 0 }";
+    fs::write(folder.join("heap.toml"), heap(sharp)).unwrap();
+    for (version, function) in [("2", "fmi2DoStep"), ("3", "fmi3DoStep")] {
+        let export = ["export", "heap.toml", "--fmi", version, "--overwrite"];
+        done(folder, &export);
+        let told = said(folder, &["simulate", "heap.fmu", "--stop", "1"]);
+        assert_eq!(told.code, Some(1), "{}", told.error);
+        let words = told.error.split_whitespace().collect::<Vec<_>>().join(" ");
+        let part = format!("{function}: found a discarded step");
+        assert!(words.contains(&part), "{words}");
+    }
+}

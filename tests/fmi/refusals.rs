@@ -1,6 +1,6 @@
 //! Bad calls: the right status and a log line, no crash, nothing changed.
 
-use std::ffi::CString;
+use std::ffi::{CString, c_void};
 use std::ptr::{null, null_mut};
 
 use super::c::{DISCARD, ERROR, OK, WARNING};
@@ -96,6 +96,66 @@ fn null_arguments_are_errors() {
         assert_eq!((f.fmi2SetString)(c, null(), 0, null()), OK);
         assert_eq!((f.fmi2FreeFMUstate)(c, &raw mut no_state), OK);
     }
+    assert_eq!(i.step(0.0, 0.01), OK);
+}
+
+#[test]
+fn pointers_to_something_else_are_errors() {
+    let scene = box_scene();
+    let i = scene.instance();
+    i.initialize();
+    let (f, c, state) = (i.f(), i.handle, i.state());
+    let mut foreign = [0_u64; 64];
+    let foreign: *mut c_void = foreign.as_mut_ptr().cast();
+    let odd = c.wrapping_byte_add(1);
+    let (time, mut value, mut size) = (0_u32, [0.0_f64; 2], 0_usize);
+    for wrong in [foreign, odd, state] {
+        // SAFETY: each pointer is readable, and none is an instance.
+        unsafe {
+            assert_eq!((f.fmi2Reset)(wrong), ERROR);
+            assert_eq!((f.fmi2DoStep)(wrong, 0.0, 0.01, 0), ERROR);
+            (f.fmi2FreeInstance)(wrong);
+        }
+    }
+    for mut wrong in [foreign, odd, c] {
+        let found = wrong;
+        // SAFETY: each pointer is readable, and none is a state.
+        let statuses = unsafe {
+            [
+                (f.fmi2GetFMUstate)(c, &raw mut wrong),
+                (f.fmi2SetFMUstate)(c, wrong),
+                (f.fmi2SerializedFMUstateSize)(c, wrong, &raw mut size),
+                (f.fmi2SerializeFMUstate)(c, wrong, value.as_mut_ptr().cast(), 8),
+                (f.fmi2FreeFMUstate)(c, &raw mut wrong),
+            ]
+        };
+        assert_eq!((statuses, wrong), ([ERROR; 5], found));
+        let lines = i.log();
+        let told = lines.iter().filter(|line| line.contains("`FMUstate` is"));
+        assert_eq!(told.count(), 5, "{lines:#?}");
+    }
+    let value = value.as_mut_ptr();
+    // SAFETY: what would be read or written there is refused before.
+    let statuses = unsafe {
+        [
+            (f.fmi2GetReal)(c, &raw const time, 1, value.wrapping_byte_add(4)),
+            (f.fmi2SetReal)(c, &raw const time, 1, value.wrapping_byte_add(4)),
+            (f.fmi2GetReal)(c, &raw const time, usize::MAX, value),
+            (f.fmi2GetReal)(c, &raw const time, usize::MAX / 8, value),
+        ]
+    };
+    assert_eq!(statuses, [ERROR; 4]);
+    let lines = i.log();
+    for (line, part) in lines.iter().zip([
+        "fits the type",
+        "fits the type",
+        "fits into memory",
+        "fits into memory",
+    ]) {
+        assert!(line.contains(part), "{lines:#?}");
+    }
+    // All is as before.
+    i.free(state);
     assert_eq!(i.step(0.0, 0.01), OK);
 }
 

@@ -1,8 +1,12 @@
 //! Saved states: bit for bit, in another instance, another thread, another process; garbage is refused.
 
 use std::process::Command;
+use std::time::Instant;
 
-use super::c::{ERROR, Instance, OK};
+use sphere_dda_fmu::runtime::life_cycle::LifeCycle;
+use sphere_dda_fmu::runtime::state::SavedState;
+
+use super::c::{ERROR, Instance, OK, WARNING};
 use super::{Scene, box_scene};
 
 const H: f64 = 0.01;
@@ -177,6 +181,86 @@ fn garbage_is_refused_and_changes_nothing() {
     foreign.initialize();
     refuse(&foreign.bytes(), "another scene");
     assert_eq!(instance.bytes(), good);
+}
+
+/// Bytes that no instance writes: they would leave it in a state where hardly a call is allowed.
+#[test]
+fn a_state_that_cannot_be_saved_is_refused() {
+    let scene = box_scene();
+    let instance = scene.instance();
+    instance.initialize();
+    drive(&scene, &instance, 0, 3);
+    let good = instance.bytes();
+    let mut saved = SavedState::decode(&good, &scene.model.guid).unwrap();
+    for (stage, name) in [
+        (LifeCycle::Error, "found error"),
+        (LifeCycle::Intermediate, "found intermediate update mode"),
+    ] {
+        saved.run.stage = stage;
+        assert_eq!(instance.load(&saved.encode().unwrap()), ERROR);
+        let lines = instance.log();
+        assert!(lines[0].contains("life cycle is"), "{name}: {lines:?}");
+    }
+    assert_eq!(instance.bytes(), good);
+    drive(&scene, &instance, 3, 5);
+}
+
+#[test]
+fn results_that_cannot_be_written_at_the_end_are_a_warning() {
+    let scene = box_scene();
+    let folder = tempfile::tempdir().unwrap();
+    let place = folder.path().display().to_string();
+    let start = |instance: &Instance| {
+        let (directory, interval) = ("output.directory", "output.interval");
+        assert_eq!(instance.set_string(scene.reference(directory), &place), OK);
+        assert_eq!(instance.set(scene.reference(interval), H), OK);
+        assert_eq!([instance.set_up(0.0, None), instance.enter()], [OK; 2]);
+        assert_eq!(instance.exit(), OK, "{:?}", instance.log());
+        drive(&scene, instance, 0, 3);
+        // Frames wait until the run cannot go back any more: most are written at the end.
+        std::fs::remove_dir_all(folder.path().join("box")).unwrap();
+    };
+    let told = |instance: &Instance| {
+        let lines = instance.log();
+        let warned = lines
+            .iter()
+            .any(|line| line.starts_with("1 logStatusWarning") && line.contains("not written"));
+        assert!(warned, "{lines:?}");
+    };
+    let instance = scene.instance();
+    start(&instance);
+    assert_eq!(instance.terminate(), WARNING);
+    told(&instance);
+    assert_eq!(instance.reset(), OK);
+    start(&instance);
+    assert_eq!(instance.reset(), WARNING);
+    told(&instance);
+}
+
+/// Search on a shadow of an instance: a state goes to and fro while the first one writes.
+#[test]
+fn a_state_is_restored_at_once_while_its_folder_is_written_to() {
+    let scene = box_scene();
+    let folder = tempfile::tempdir().unwrap();
+    let place = folder.path().display().to_string();
+    let first = scene.instance();
+    let directory = scene.reference("output.directory");
+    assert_eq!(first.set_string(directory, &place), OK);
+    first.initialize();
+    drive(&scene, &first, 0, 2);
+    let (state, shadow) = (first.bytes(), scene.instance());
+    let began = Instant::now();
+    for _ in 0..5 {
+        assert_eq!(shadow.load(&state), OK, "{:?}", shadow.log());
+    }
+    let took = began.elapsed();
+    assert!(took.as_millis() < 500, "{took:?}");
+    let lines = shadow.log();
+    assert_eq!(lines.len(), 1, "{lines:?}");
+    assert!(lines[0].starts_with("1 logStatusWarning") && lines[0].contains("no results"));
+    drive(&scene, &shadow, 2, 3);
+    drive(&scene, &first, 2, 3);
+    assert_eq!(first.terminate(), OK);
 }
 
 #[test]

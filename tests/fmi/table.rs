@@ -2,6 +2,7 @@
 
 use sphere_dda_fmu::table::{Binding, Parameters, Table, Variable};
 use sphere_dda_fmu::version::Version;
+use sphere_dda_model_description::names::is_c_identifier;
 use sphere_dda_model_description::value::Value;
 
 use crate::box_scene;
@@ -49,6 +50,21 @@ fn arrays_over_boundaries_hold_the_outputs_of_each() {
                 assert!(own.rank(k).is_some());
             }
         }
+    }
+}
+
+/// Tools make items of C or Modelica of them.
+#[test]
+fn names_of_enumerations_and_their_items_are_identifiers() {
+    let table = box_scene().model.table;
+    let choices = table.variables().iter().filter_map(|v| v.choices);
+    let names = choices.flat_map(|c| c.items.iter().map(|item| item.0).chain([c.name]));
+    let names: Vec<&str> = names.collect();
+    assert_eq!(names.len(), 4);
+    for name in names {
+        assert!(is_c_identifier(name), "{name}");
+        // Keywords of both languages are lower case.
+        assert!(name.starts_with(char::is_uppercase), "{name}");
     }
 }
 

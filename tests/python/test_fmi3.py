@@ -3,6 +3,7 @@
 import ctypes
 import struct
 import subprocess
+import zipfile
 from ctypes import byref, c_bool, c_double, c_int, c_size_t, c_void_p
 
 import fmpy
@@ -12,6 +13,7 @@ from conftest import SCENES
 from fmpy.fmi3 import FMU3Slave
 from fmpy.validation import validate_fmu
 from fmu import Slave
+from lxml import etree
 
 H = 2e-3
 DRIVE = "boundary.trough.displacement"
@@ -172,6 +174,39 @@ def test_a_step_returns_early_when_it_is_asked_to(units):
         plain.step(0.0, last)
         plain.step(last, inside - last)
         assert unit.save() == plain.save()
+
+
+@pytest.mark.parametrize("wishes, expected", [([3], 3), ([4, 2], 2), ([2, 4], 2), ([2.5], 3)])
+def test_an_early_return_at_a_later_time_is_kept(units, wishes, expected):
+    """One wish in each of the first callbacks, in internal steps from now; the earliest counts and is not forgotten."""
+    times = []
+
+    def update(_, time, may_set, may_get, done, may_return, wanted, at):
+        times.append(time)
+        if len(times) <= len(wishes):
+            wanted[0] = True
+            at[0] = wishes[len(times) - 1] * times[0]
+
+    with Unit(units["feeder"], earlyReturnAllowed=True, intermediateUpdate=update) as unit:
+        _, terminate, early, last = unit.step(0.0, 10 * H)
+        assert early and not terminate
+        assert len(times) == expected and last == times[-1] and np.isclose(last, expected * times[0])
+
+
+def test_only_what_can_be_had_within_a_step_is_taken_as_required(units):
+    with zipfile.ZipFile(units["feeder"]) as archive:
+        variables = etree.fromstring(archive.read("modelDescription.xml")).find("ModelVariables")
+    references = {v.get("name"): (int(v.get("valueReference")), v.get("intermediateUpdate") == "true") for v in variables}
+    for name in (DRIVE, "boundary.trough.force", "mass", "spheres.id", "spheres.radius", "gravity", "solver.step"):
+        reference, may = references[name]
+        options = {"requiredIntermediateVariables": [reference], "intermediateUpdate": lambda *_: None}
+        if may:
+            with Unit(units["feeder"], **options) as unit:
+                unit.step(0.0)
+        else:
+            assert name not in (DRIVE, "boundary.trough.force", "mass")
+            with pytest.raises(Exception, match="instantiate"):
+                Unit(units["feeder"], **options)
 
 
 def test_without_permission_a_step_does_not_return_early(units):

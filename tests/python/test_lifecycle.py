@@ -149,6 +149,12 @@ class Two:
     def step(self, start, h):
         return self.call("DoStep", c_double(start), c_double(h), 1)
 
+    def terminated(self):
+        """Whether it asks for the end of the run."""
+        value = c_int(7)
+        assert self.call("GetBooleanStatus", 3, byref(value)) == OK
+        return bool(value.value)
+
     def call(self, name, *arguments):
         function = self.library[self.prefix + name]
         function.restype = c_int
@@ -201,6 +207,10 @@ class Three(Two):
     def step(self, start, h):
         self.room = [(c_uint8 * 64)() for _ in range(4)]
         return self.call("DoStep", c_double(start), c_double(h), c_bool(True), *self.room)
+
+    def terminated(self):
+        """Whether the last step asked for the end of the run."""
+        return bool(self.room[1][0])
 
     def arguments(self, name, room):
         none = (None, c_size_t(0))
@@ -309,11 +319,38 @@ def test_every_function_in_every_state(unit):
     assert not wrong, "\n".join(wrong)
 
 
+def test_what_was_freed_is_refused(unit):
+    """An instance and a state that were given back: every call with them is an error, and freeing them again does nothing."""
+    unit = type(unit)(unit.library, unit.description, unit.resources)
+    state, size = ("FMUState", "FMUState") if unit.version == "3" else ("FMUstate", "FMUstate")
+    room = Room(unit)
+    stale = c_void_p(room.state.value)
+    assert unit.call(f"Free{state}", byref(room.state)) == OK
+    assert unit.call(f"Set{state}", stale) == ERROR
+    assert unit.call(f"Serialized{size}Size", stale, byref(c_size_t())) == ERROR
+    assert unit.call(f"Free{state}", byref(stale)) == ERROR
+    assert unit.call("Reset") == OK
+    free = unit.library[unit.prefix + "FreeInstance"]
+    free(unit.component)
+    assert unit.call("Reset") == ERROR and unit.call("Terminate") == ERROR
+    free(unit.component)
+
+
 def test_a_discarded_step_may_be_tried_shorter(unit):
     room = Room(unit)
     bring(unit, "failed", room)
+    # The instance does not ask for the end of the run: many masters obey that.
+    assert not unit.terminated()
     assert unit.step(room.time, 1e-3) in (OK, 2)
     room.release(unit)
+
+
+def test_an_instance_that_cannot_go_on_asks_for_the_end(unit):
+    room = Room(unit)
+    bring(unit, "error", room)
+    assert unit.terminated()
+    room.release(unit)
+    assert unit.call("Reset") == OK
 
 
 def test_every_function_within_a_step(unit):

@@ -39,7 +39,7 @@ def test_there_is_one_of_every_type(feeder):
     )
     solver = found["solver.kind"]
     assert [(i.name, int(i.value)) for i in solver.declaredType.items] == [
-        ("auto", 1), ("direct", 2), ("gauss-seidel", 3),
+        ("Auto", 1), ("Direct", 2), ("GaussSeidel", 3),
     ]
     assert all(i.description for i in solver.declaredType.items)
     assert solver.start == "1" and solver.variability == "fixed"
@@ -69,7 +69,7 @@ def test_a_solver_that_does_not_exist_is_refused(feeder, value, capsys):
     with pytest.raises(fmpy.fmi1.FMICallException):
         fmpy.simulate_fmu(feeder, stop_time=H, start_values={"solver.kind": value})
     told = capsys.readouterr().out
-    assert f"`solver.kind` = {value}, expected one of 1 (auto), 2 (direct), 3 (gauss-seidel)" in told
+    assert f"`solver.kind` = {value}, expected one of 1 (Auto), 2 (Direct), 3 (GaussSeidel)" in told
 
 
 def test_a_number_wider_than_any_item_is_refused(units):

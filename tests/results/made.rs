@@ -49,6 +49,7 @@ pub(crate) fn scene(n: usize) -> Scene {
     };
     Scene {
         title: "a row".to_owned(),
+        about: Default::default(),
         hash: "0".repeat(64),
         settings: Settings {
             gravity: Vec3::new(0.0, 0.0, -9.81),

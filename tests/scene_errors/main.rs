@@ -103,6 +103,7 @@ const CASES: &[Case] = cases! {
     "lock = [\"rx\", \"y\"]" => "lock = 3", "spheres[1].lock", "lock = 3", "found 3, expected \"x\", \"y\"";
     "[output]\n" => "[output]\nfloat64 = 1\n", "output.float64", "float64 = 1", "found 1, expected true or false";
     "title = \"box\"" => "title = 3", "title", "title = 3", "found 3, expected a string in quotes";
+    "title = \"box\"" => "license = 3", "license", "license = 3", "found 3, expected a string in quotes";
     "[[probe]]" => "[[probes]]", "probes", "[[probes]]", "did you mean `probe`";
     "[[probe]]" => "[probe]", "probe", "[probe]", "double brackets";
     "step = 1e-3" => "step = 1e-3\nmethod = \"almm\"", "simulation.method", "almm", "did you mean `alm`";

@@ -61,6 +61,7 @@ impl Case {
         Self {
             scene: Scene {
                 title: "case".into(),
+                about: Default::default(),
                 hash: "case".into(),
                 settings,
                 materials: vec![material("sphere"), material("wall")],

@@ -5,6 +5,10 @@ use std::collections::BTreeMap;
 use sphere_dda_fmu::table::Enumeration;
 use sphere_dda_model_description::units::{BaseUnit, Unit};
 
+/// What the model is, in one line; a scene's own description comes first.
+pub(super) const DESCRIPTION: &str = "Spheres and moving boundaries by discontinuous deformation analysis. Outputs change by \
+                                      steps only, not by a set; directional derivatives are those of the last step.";
+
 /// The enumerations among the variables, each once.
 pub(super) fn choices(
     used: impl Iterator<Item = Option<&'static Enumeration>>,

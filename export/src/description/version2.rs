@@ -12,7 +12,7 @@ use sphere_dda_model_description::value::{ScalarType, Value};
 use sphere_dda_fmu::table::{Entry, Enumeration, Table};
 use sphere_dda_fmu::version::{VERSION, Version};
 
-use super::definitions::{choices, units};
+use super::definitions::{DESCRIPTION, choices, units};
 
 /// The model description of a scene with its `guid`: the same scene, identifier and version give the same bytes.
 ///
@@ -32,10 +32,18 @@ pub fn describe(scene: &Scene, table: &Table, identifier: &str, guid: &str) -> M
     let entries = table.entries(Version::Two);
     let variables = entries.iter().map(scalar_variable).collect();
     let mut model = ModelDescription::new(&scene.title, guid, interface).with_variables(variables);
-    model.description =
-        Some("Spheres and moving boundaries by discontinuous deformation analysis".to_owned());
-    model.version = Some(VERSION.to_owned());
-    model.license = Some("MIT OR Apache-2.0".to_owned());
+    // A set changes no output before the next step: there is no algebraic loop through the FMU.
+    for unknown in &mut model.model_structure.outputs {
+        unknown.dependencies = Some(Vec::new());
+    }
+    // The model is its author's: what they do not say stays unsaid, but for what it computes.
+    let about = &scene.about;
+    let described = about.description.clone();
+    model.description = described.or_else(|| Some(DESCRIPTION.to_owned()));
+    model.author = about.author.clone();
+    model.version = about.version.clone();
+    model.copyright = about.copyright.clone();
+    model.license = about.license.clone();
     model.generation_tool = Some(format!("sphere-dda {VERSION}"));
     model.unit_definitions = units();
     let used = choices(entries.iter().map(|entry| entry.variable.choices));

@@ -12,7 +12,7 @@ use sphere_dda_fmu::runtime::document::{self, MEDIA_TYPE};
 use sphere_dda_fmu::table::{Binding, Entry, Enumeration, Table};
 use sphere_dda_fmu::version::{VERSION, Version};
 
-use super::definitions::{choices, units};
+use super::definitions::{DESCRIPTION, choices, units};
 
 /// The description with the instantiation token `guid`: the same scene, identifier and version give the same bytes.
 #[must_use]
@@ -32,10 +32,14 @@ pub fn describe(scene: &Scene, table: &Table, identifier: &str, guid: &str) -> M
     let entries = table.entries(Version::Three);
     let variables = entries.iter().map(|e| variable(e, spheres)).collect();
     let mut model = ModelDescription::new(&scene.title, guid, interface).with_variables(variables);
-    model.description =
-        Some("Spheres and moving boundaries by discontinuous deformation analysis".to_owned());
-    model.version = Some(VERSION.to_owned());
-    model.license = Some("MIT OR Apache-2.0".to_owned());
+    // The model is its author's: what they do not say stays unsaid, but for what it computes.
+    let about = &scene.about;
+    let described = about.description.clone();
+    model.description = described.or_else(|| Some(DESCRIPTION.to_owned()));
+    model.author = about.author.clone();
+    model.version = about.version.clone();
+    model.copyright = about.copyright.clone();
+    model.license = about.license.clone();
     model.generation_tool = Some(format!("sphere-dda {VERSION}"));
     model.unit_definitions = units();
     let used = choices(entries.iter().map(|entry| entry.variable.choices));
@@ -57,6 +61,10 @@ pub fn describe(scene: &Scene, table: &Table, identifier: &str, guid: &str) -> M
         tolerance: None,
         step_size: Some(scene.settings.communication_step),
     });
+    // A set changes no output before the next step: there is no algebraic loop through the FMU.
+    for unknown in &mut model.model_structure.outputs {
+        unknown.dependencies = Some(Vec::new());
+    }
     // Of the spheres' rows and radii nothing that an importer sets decides anything.
     for unknown in &mut model.model_structure.initial_unknowns {
         let known = table.get(Version::Three, unknown.value_reference);
@@ -81,8 +89,7 @@ fn variable(entry: &Entry, spheres: usize) -> Variable {
     )
     .with_dimensions(&extents);
     variable.description = Some(own.description.clone());
-    variable.intermediate_update =
-        matches!(variable.causality, Causality::Input | Causality::Output);
+    variable.intermediate_update = own.is_intermediate();
     variable.unit = own.unit.map(str::to_owned);
     variable.declared_type = own.choices.map(|choices| choices.name.to_owned());
     variable.display_unit = (own.unit == Some("rad")).then(|| "deg".to_owned());

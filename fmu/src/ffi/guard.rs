@@ -5,13 +5,15 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use crate::runtime::instance::Instance;
 use crate::runtime::life_cycle::LifeCycle;
-use crate::runtime::refusal::Refusal;
+use crate::runtime::refusal::{InstantiationError, Refusal};
 use sphere_dda_fmi_interface::abi2::{fmi2Component, fmi2Status};
 use sphere_dda_fmi_interface::abi3::{
     fmi3InstanceEnvironment, fmi3IntermediateUpdateCallback, fmi3Status,
 };
-use sphere_dda_fmi_interface::log::Level;
-use sphere_dda_fmi_interface::pointers::panic_text;
+use sphere_dda_fmi_interface::handle;
+use sphere_dda_fmi_interface::log::{Level, Log};
+use sphere_dda_fmi_interface::panics;
+use sphere_dda_fmi_interface::pointers::Lent;
 
 /// What an `fmi2Component` points to.
 pub(super) struct Component {
@@ -22,6 +24,10 @@ pub(super) struct Component {
     pub(super) binaries: Vec<Vec<u8>>,
     /// The importer's wish to be called within a step; FMI 3.0 only.
     pub(super) updates: Option<Updates>,
+}
+
+impl handle::Kind for Component {
+    const MAGIC: u64 = u64::from_le_bytes(*b"SDDAinst");
 }
 
 impl Component {
@@ -105,35 +111,71 @@ pub(super) fn call<S: Status>(
     allowed: Stages,
     body: impl FnOnce(&mut Component) -> Result<S, Refusal>,
 ) -> S {
-    // SAFETY: the importer passes null or what fmi2Instantiate returned and fmi2FreeInstance has not taken back, and
-    // calls one instance from one thread at a time (FMI 2.0, section 4.2.1).
-    let Some(component) = (unsafe { component.cast::<Component>().as_mut() }) else {
+    lend(component, function, allowed, |component, _| body(component))
+}
+
+/// As [`call`], for functions with pointers among their arguments: only these may be handed to what `body` gets.
+pub(super) fn lend<S: Status>(
+    component: fmi2Component,
+    function: &str,
+    allowed: Stages,
+    body: impl for<'call> FnOnce(&mut Component, Lent<'call>) -> Result<S, Refusal>,
+) -> S {
+    // SAFETY: the importer calls one instance from one thread at a time (FMI 2.0, section 4.2.1).
+    let Some(component) = (unsafe { handle::look::<Component>(component) }) else {
         return S::ERROR;
     };
+    // SAFETY: callers are the functions of the C interface, whose arguments the importer lends for the call; `body` is over
+    // before it is.
+    let lent = unsafe { Lent::new() };
     let outcome = catch_unwind(AssertUnwindSafe(|| {
         require(component.instance.stage(), allowed)?;
-        body(component)
+        body(component, lent)
     }));
-    match outcome {
+    let report = || match outcome {
         Ok(Ok(status)) => status,
         Ok(Err(refusal)) => {
-            component
-                .instance
-                .log()
-                .write(Level::Error, format_args!("{function}: {refusal}"));
+            let log = component.instance.log();
+            log.write(Level::Error, format_args!("{function}: {refusal}"));
             S::ERROR
         }
         Err(panic) => {
-            // A second panic, while the first is cleaned up, must not cross into C either.
-            let fail = || {
-                component
-                    .instance
-                    .fail(&format!("{function}: {}", panic_text(&*panic)))
-            };
-            let _ = catch_unwind(AssertUnwindSafe(fail));
+            let what = format!("{function}: {}", panics::told(&*panic));
+            component.instance.fail(&what);
             S::ERROR
         }
-    }
+    };
+    // A panic while this is told, in the words of a refusal or in the logger, must not cross into C either.
+    catch_unwind(AssertUnwindSafe(report)).unwrap_or(S::ERROR)
+}
+
+/// Takes an instance back from the importer, if it is one. The log still hears of result files that could not be written.
+pub(super) fn free(component: fmi2Component) {
+    // SAFETY: the importer has ended all calls of the instance.
+    let component = unsafe { handle::take::<Component>(component) };
+    // There is nobody left to tell of a panic.
+    let _ = catch_unwind(AssertUnwindSafe(|| {
+        if let Some(mut component) = component {
+            component.instance.close();
+        }
+    }));
+}
+
+/// Makes an instance, or tells in the log why not and gives null.
+pub(super) fn instantiate(
+    function: &str,
+    log: impl Fn() -> Log,
+    make: impl FnOnce() -> Result<Component, InstantiationError>,
+) -> fmi2Component {
+    panics::watch();
+    let refused = match catch_unwind(AssertUnwindSafe(make)) {
+        Ok(Ok(component)) => return handle::give(component),
+        Ok(Err(error)) => error.to_string(),
+        Err(panic) => format!("internal error: {}", panics::told(&*panic)),
+    };
+    let tell = || log().write(Level::Error, format_args!("{function}: {refused}"));
+    let _ = catch_unwind(AssertUnwindSafe(tell));
+    std::ptr::null_mut()
 }
 
 fn require(found: LifeCycle, allowed: Stages) -> Result<(), Refusal> {
@@ -169,18 +211,57 @@ mod tests {
         let sink: Sink = Box::new(move |_, _, line| copy.borrow_mut().push(line.to_owned()));
         let log = Log::new(Some(sink), false);
         let instance = Instance::new("one", &guid, folder.path(), log).unwrap();
-        let mut component = Component::new(instance);
-        let c: fmi2Component = (&raw mut component).cast();
+        let c = handle::give(Component::new(instance));
+        panics::watch();
 
         let panics =
             |_: &mut Component| -> Result<fmi2Status, Refusal> { panic!("out of {}", "luck") };
         assert_eq!(call(c, "fmi2DoStep", ANY, panics), fmi2Status::fmi2Error);
-        assert!(lines.borrow()[0].contains("internal error: fmi2DoStep: out of luck"));
+        let line = lines.borrow()[0].clone();
+        assert!(
+            line.contains("internal error: fmi2DoStep: out of luck (")
+                && line.contains("guard.rs:"),
+            "{line}"
+        );
         let idle = |_: &mut Component| Ok(fmi2Status::fmi2OK);
         let stepping: Stages = &[LifeCycle::Instantiated, LifeCycle::StepComplete];
         assert_eq!(call(c, "fmi2DoStep", stepping, idle), fmi2Status::fmi2Error);
         assert!(lines.borrow()[1].contains("not allowed in state error"));
-        component.instance.reset();
+        let reset = |component: &mut Component| {
+            component.instance.reset();
+            Ok(fmi2Status::fmi2OK)
+        };
+        assert_eq!(call(c, "fmi2Reset", ANY, reset), fmi2Status::fmi2OK);
         assert_eq!(call(c, "fmi2DoStep", stepping, idle), fmi2Status::fmi2OK);
+        free(c);
+    }
+
+    /// Refusals are told by a logger that may be anything.
+    #[test]
+    fn a_panic_of_the_logger_is_an_error_too() {
+        let folder = tempfile::tempdir().unwrap();
+        let scene = Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples/feeder/feeder.toml");
+        std::fs::copy(scene, folder.path().join("scene.toml")).unwrap();
+        let log = || Log::new(Some(Box::new(|_, _, _| panic!("no more paper"))), false);
+        let make = |guid: &str| {
+            instantiate("fmi2Instantiate", log, || {
+                Instance::new("one", guid, folder.path(), log()).map(Component::new)
+            })
+        };
+        assert!(make("of another scene").is_null());
+        let path = folder.path().join("scene.toml");
+        let c = make(&Model::read(&path, None).unwrap().guid);
+        assert!(!c.is_null());
+        let refuse = |_: &mut Component| -> Result<fmi2Status, Refusal> {
+            Err(Refusal::NotOffered {
+                capability: "all",
+                value: "false",
+            })
+        };
+        assert_eq!(
+            call(c, "fmi2CancelStep", ANY, refuse),
+            fmi2Status::fmi2Error
+        );
+        free(c);
     }
 }

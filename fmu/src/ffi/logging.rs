@@ -2,10 +2,9 @@
 
 use std::ffi::c_char;
 
-use super::guard::{Stages, Status, call};
+use super::guard::{Stages, Status, lend};
 use sphere_dda_fmi_interface::abi2::fmi2Component;
 use sphere_dda_fmi_interface::log::Level;
-use sphere_dda_fmi_interface::pointers::{array, str_from};
 
 /// Chooses categories; see [`sphere_dda_fmi_interface::log::Log::select`]. Unknown names are told and left out.
 pub(super) fn select<S: Status>(
@@ -15,10 +14,10 @@ pub(super) fn select<S: Status>(
     count: usize,
     categories: *const *const c_char,
 ) -> S {
-    call(c, function, allowed, |component| {
-        let names = array(categories, count, "categories")?.iter();
+    lend(c, function, allowed, |component, lent| {
+        let names = lent.array(categories, count, "categories")?.iter();
         let names: Vec<&str> = names
-            .map(|&name| str_from(name, "categories"))
+            .map(|&name| lent.text(name, "categories"))
             .collect::<Result<_, _>>()?;
         let log = component.instance.log();
         let unknown = log.select(on, &names);

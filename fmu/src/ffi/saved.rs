@@ -3,9 +3,10 @@
 
 use std::ffi::c_void;
 
-use sphere_dda_fmi_interface::pointers::{BadArgument, array, array_mut, value_mut};
+use sphere_dda_fmi_interface::handle;
+use sphere_dda_fmi_interface::pointers::BadArgument;
 
-use super::guard::{Stages, Status, call};
+use super::guard::{Stages, Status, lend};
 use crate::runtime::life_cycle::LifeCycle;
 use crate::runtime::refusal::Refusal;
 
@@ -21,19 +22,45 @@ pub(super) const SAVEABLE: Stages = &[
 /// Where a call comes from: instance, function, and the states in which it is allowed.
 pub(super) type CallSite<'a> = (*mut c_void, &'a str, Stages);
 
+/// What an `fmi2FMUstate` or `fmi3FMUState` points to.
+struct Saved(Vec<u8>);
+
+impl handle::Kind for Saved {
+    const MAGIC: u64 = u64::from_le_bytes(*b"SDDAsave");
+}
+
 /// The saved state behind a pointer.
 fn saved<'a>(state: *mut c_void) -> Result<&'a mut Vec<u8>, Refusal> {
-    Ok(value_mut(state.cast::<Vec<u8>>(), "FMUstate")?)
+    // SAFETY: the importer uses a state in one call at a time.
+    match unsafe { handle::look::<Saved>(state) } {
+        Some(saved) => Ok(&mut saved.0),
+        None => Err(none(state)),
+    }
+}
+
+fn none(state: *mut c_void) -> Refusal {
+    let found = match state.is_null() {
+        true => "null",
+        false => "no state, or one that was freed",
+    };
+    let (argument, expected) = ("FMUstate", "a saved state");
+    BadArgument {
+        argument,
+        found: found.to_owned(),
+        expected,
+    }
+    .into()
 }
 
 /// Saves the state; a state that is passed in is overwritten.
 pub(super) fn get<S: Status>((c, function, allowed): CallSite, state: *mut *mut c_void) -> S {
-    call(c, function, allowed, |component| {
-        let place = value_mut(state, "FMUstate")?;
-        let bytes = component.instance.save()?;
-        match saved(*place) {
-            Ok(old) => *old = bytes,
-            Err(_) => *place = Box::into_raw(Box::new(bytes)).cast(),
+    lend(c, function, allowed, |component, lent| {
+        let place = lent.variable(state, "FMUstate")?;
+        if place.is_null() {
+            *place = handle::give(Saved(component.instance.save()?));
+        } else {
+            let old = saved(*place)?;
+            *old = component.instance.save()?;
         }
         Ok(S::OK)
     })
@@ -41,7 +68,7 @@ pub(super) fn get<S: Status>((c, function, allowed): CallSite, state: *mut *mut 
 
 /// Restores a state.
 pub(super) fn set<S: Status>((c, function, allowed): CallSite, state: *mut c_void) -> S {
-    call(c, function, allowed, |component| {
+    lend(c, function, allowed, |component, _| {
         component.instance.load(saved(state)?)?;
         Ok(S::OK)
     })
@@ -49,11 +76,12 @@ pub(super) fn set<S: Status>((c, function, allowed): CallSite, state: *mut c_voi
 
 /// Frees a state and sets the pointer to null; a null state is ignored.
 pub(super) fn free<S: Status>((c, function, allowed): CallSite, state: *mut *mut c_void) -> S {
-    call(c, function, allowed, |_| {
-        let place = value_mut(state, "FMUstate")?;
+    lend(c, function, allowed, |_, lent| {
+        let place = lent.variable(state, "FMUstate")?;
         if !place.is_null() {
-            // SAFETY: not null, so from `get` or `deserialize`; the pointer is cleared below.
-            drop(unsafe { Box::from_raw(place.cast::<Vec<u8>>()) });
+            // SAFETY: the importer uses the state in no other call.
+            let state = unsafe { handle::take::<Saved>(*place) };
+            drop(state.ok_or_else(|| none(*place))?);
             *place = std::ptr::null_mut();
         }
         Ok(S::OK)
@@ -66,8 +94,9 @@ pub(super) fn size<S: Status>(
     state: *mut c_void,
     size: *mut usize,
 ) -> S {
-    call(c, function, allowed, |_| {
-        *value_mut(size, "size")? = saved(state)?.len();
+    lend(c, function, allowed, |_, lent| {
+        let bytes = saved(state)?.len();
+        lent.place(size, "size")?.write(bytes);
         Ok(S::OK)
     })
 }
@@ -79,7 +108,7 @@ pub(super) fn serialize<S: Status>(
     serialized: *mut u8,
     size: usize,
 ) -> S {
-    call(c, function, allowed, |_| {
+    lend(c, function, allowed, |_, lent| {
         let bytes = saved(state)?;
         if size != bytes.len() {
             let expected = "the size of the serialized state";
@@ -90,7 +119,8 @@ pub(super) fn serialize<S: Status>(
             }
             .into());
         }
-        array_mut(serialized, size, "serializedState")?.copy_from_slice(bytes);
+        lent.places(serialized, size, "serializedState")?
+            .write_copy_of_slice(bytes);
         Ok(S::OK)
     })
 }
@@ -102,11 +132,11 @@ pub(super) fn deserialize<S: Status>(
     size: usize,
     state: *mut *mut c_void,
 ) -> S {
-    call(c, function, allowed, |component| {
-        let bytes = array(serialized, size, "serializedState")?;
-        let place = value_mut(state, "FMUstate")?;
+    lend(c, function, allowed, |component, lent| {
+        let bytes = lent.array(serialized, size, "serializedState")?;
+        let place = lent.place(state, "FMUstate")?;
         component.instance.verify(bytes)?;
-        *place = Box::into_raw(Box::new(bytes.to_vec())).cast();
+        place.write(handle::give(Saved(bytes.to_vec())));
         Ok(S::OK)
     })
 }

@@ -3,10 +3,10 @@
 use std::ffi::c_char;
 
 use sphere_dda_fmi_interface::abi2::fmi2Component;
-use sphere_dda_fmi_interface::pointers::{array, array_mut, c_string, str_from};
+use sphere_dda_fmi_interface::pointers::{Lent, c_string};
 use sphere_dda_model_description::value::{ScalarType, Value};
 
-use super::guard::{Stages, Status, call};
+use super::guard::{Stages, Status, lend};
 use crate::runtime::instance::Call;
 use crate::runtime::refusal::Refusal;
 use crate::version::Version;
@@ -38,26 +38,31 @@ impl Function {
     }
 
     /// Reads `count` values; `convert` takes them out of their envelope.
-    pub(super) fn get<S: Status, T>(
+    pub(super) fn get<S: Status, T: Copy>(
         &self,
         references: References,
         (values, count): (*mut T, usize),
         convert: impl Fn(Value) -> Option<T>,
     ) -> S {
-        call(self.component, self.name, self.allowed, |component| {
-            let (of, to) = self.arguments();
-            let references = array(references.0, references.1, of)?;
-            let mut places = array_mut(values, count, to)?.iter_mut();
-            let mut give = |value| {
-                if let (Some(place), Some(value)) = (places.next(), convert(value)) {
-                    *place = value;
-                }
-            };
-            component
-                .instance
-                .get(self.call(), references, count, &mut give)?;
-            Ok(S::OK)
-        })
+        lend(
+            self.component,
+            self.name,
+            self.allowed,
+            |component, lent| {
+                let (of, to) = self.arguments();
+                let references = lent.array(references.0, references.1, of)?;
+                let mut places = lent.places(values, count, to)?.iter_mut();
+                let mut give = |value| {
+                    if let (Some(place), Some(value)) = (places.next(), convert(value)) {
+                        place.write(value);
+                    }
+                };
+                component
+                    .instance
+                    .get(self.call(), references, count, &mut give)?;
+                Ok(S::OK)
+            },
+        )
     }
 
     /// Reads texts; they live until the next call of this function for the instance.
@@ -66,42 +71,63 @@ impl Function {
         references: References,
         (values, count): (*mut *const c_char, usize),
     ) -> S {
-        call(self.component, self.name, self.allowed, |component| {
-            let (of, to) = self.arguments();
-            let references = array(references.0, references.1, of)?;
-            let mut texts = Vec::new();
-            let mut give = |value| {
-                if let Value::String(text) = value {
-                    texts.push(c_string(&text));
+        lend(
+            self.component,
+            self.name,
+            self.allowed,
+            |component, lent| {
+                let (of, to) = self.arguments();
+                let references = lent.array(references.0, references.1, of)?;
+                let mut texts = Vec::new();
+                let mut give = |value| {
+                    if let Value::String(text) = value {
+                        texts.push(c_string(&text));
+                    }
+                };
+                component
+                    .instance
+                    .get(self.call(), references, count, &mut give)?;
+                let places = lent.places(values, count, to)?;
+                component.strings = texts;
+                for (place, text) in places.iter_mut().zip(&component.strings) {
+                    place.write(text.as_ptr());
                 }
-            };
-            component
-                .instance
-                .get(self.call(), references, count, &mut give)?;
-            let places = array_mut(values, count, to)?;
-            component.strings = texts;
-            for (place, text) in places.iter_mut().zip(&component.strings) {
-                *place = text.as_ptr();
-            }
-            Ok(S::OK)
-        })
+                Ok(S::OK)
+            },
+        )
     }
 
     /// Sets `count` values; `convert` puts them into an envelope.
     pub(super) fn set<S: Status, T: Copy>(
         &self,
         references: References,
-        (values, count): (*const T, usize),
+        values: (*const T, usize),
         convert: impl Fn(T) -> Result<Value, Refusal>,
     ) -> S {
-        call(self.component, self.name, self.allowed, |component| {
-            let (of, to) = self.arguments();
-            let references = array(references.0, references.1, of)?;
-            let values = array(values, count, to)?.iter();
-            let values: Result<_, Refusal> = values.map(|&value| convert(value)).collect();
-            component.instance.set(self.call(), references, values?)?;
-            Ok(S::OK)
-        })
+        self.set_lent(references, values, |value, _| convert(value))
+    }
+
+    /// As [`Self::set`]; values may be pointers.
+    fn set_lent<S: Status, T: Copy>(
+        &self,
+        references: References,
+        (values, count): (*const T, usize),
+        convert: impl Fn(T, Lent<'_>) -> Result<Value, Refusal>,
+    ) -> S {
+        lend(
+            self.component,
+            self.name,
+            self.allowed,
+            |component, lent| {
+                let (of, to) = self.arguments();
+                let references = lent.array(references.0, references.1, of)?;
+                let values = lent.array(values, count, to)?.iter();
+                let values: Result<_, Refusal> =
+                    values.map(|&value| convert(value, lent)).collect();
+                component.instance.set(self.call(), references, values?)?;
+                Ok(S::OK)
+            },
+        )
     }
 
     /// Sets texts.
@@ -111,8 +137,8 @@ impl Function {
         values: (*const *const c_char, usize),
     ) -> S {
         let name = self.arguments().1;
-        self.set(references, values, |text| {
-            Ok(Value::String(str_from(text, name)?.to_owned()))
+        self.set_lent(references, values, |text, lent| {
+            Ok(Value::String(lent.text(text, name)?.to_owned()))
         })
     }
 }

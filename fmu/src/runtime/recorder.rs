@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use sphere_dda::formats::error::OutputError;
 use sphere_dda::observe::Observation;
 use sphere_dda::results::Options;
-use sphere_dda::results::writer::Results;
+use sphere_dda::results::writer::{Results, Status};
 use sphere_dda::simulation::Simulation;
 
 use crate::table::Parameters;
@@ -18,6 +18,8 @@ pub struct Recorder {
     /// Where this instance has written before: its own earlier run may be replaced.
     own: Option<PathBuf>,
     failures: u64,
+    /// Whether a folder that another instance writes to was reported.
+    busy: bool,
 }
 
 impl Recorder {
@@ -79,6 +81,11 @@ impl Recorder {
         };
         results.record(&Observation::of(simulation));
         let status = results.status();
+        self.report(status, log);
+    }
+
+    /// Tells of files that could not be written since the last time; whether there are none in all.
+    fn report(&mut self, status: Status, log: &Log) -> bool {
         if status.failures > self.failures {
             self.failures = status.failures;
             let why = status.first_failure.unwrap_or_default();
@@ -88,6 +95,7 @@ impl Recorder {
             );
             log.write(Level::Warning, text);
         }
+        status.failures == 0
     }
 
     /// The importer will not go back before `time` \[s\] of the scene.
@@ -116,20 +124,25 @@ impl Recorder {
         let directory = options.directory.clone();
         match Results::follow(simulation.scene(), options, simulation.time()) {
             Ok(results) => self.begin(results, directory, simulation, log),
-            Err(error) => log.write(
-                Level::Warning,
-                format_args!("no results are written: {error}"),
-            ),
+            // States that are exchanged between instances say so each time.
+            Err(OutputError::Busy { .. }) if self.busy => {}
+            Err(error) => {
+                self.busy = matches!(error, OutputError::Busy { .. });
+                let text = format_args!("no results are written: {error}");
+                log.write(Level::Warning, text);
+            }
         }
     }
 
-    /// Writes everything and says how it went.
-    pub fn close(&mut self, log: &Log) {
-        if let Some(results) = self.results.take() {
-            let status = results.finish();
-            let text = format_args!("{} frames, {} rows written", status.frames, status.rows);
-            log.write(Level::Ok, text);
-        }
+    /// Writes everything and tells how it went. Whether all of this run was written; most of it is only now.
+    pub fn close(&mut self, log: &Log) -> bool {
+        let Some(results) = self.results.take() else {
+            return true;
+        };
+        let status = results.finish();
+        let text = format_args!("{} frames, {} rows written", status.frames, status.rows);
+        log.write(Level::Ok, text);
+        self.report(status, log)
     }
 }
 

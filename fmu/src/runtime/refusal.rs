@@ -164,9 +164,10 @@ pub enum InstantiationError {
     /// A null pointer.
     #[error(transparent)]
     Argument(#[from] BadArgument),
-    /// A variable that the importer wants within a step does not exist.
+    /// A variable that the importer wants within a step does not exist, or cannot be had there.
     #[error(
-        "requiredIntermediateVariables has {reference}, expected value references of the model description"
+        "requiredIntermediateVariables has {reference}, expected value references of variables with intermediateUpdate=\"true\": \
+         inputs and outputs"
     )]
     Intermediate {
         /// Value reference.

@@ -96,10 +96,16 @@ impl SavedState {
         ] {
             expect(what, found as u64, boundaries as u64)?;
         }
-        let running = matches!(
-            self.run.stage,
-            LifeCycle::StepComplete | LifeCycle::StepFailed
-        );
+        let stage = self.run.stage;
+        if matches!(stage, LifeCycle::Error | LifeCycle::Intermediate) {
+            let expected = "one in which a state can be saved";
+            return Err(broken(
+                "place in the life cycle",
+                stage.to_string(),
+                expected,
+            ));
+        }
+        let running = matches!(stage, LifeCycle::StepComplete | LifeCycle::StepFailed);
         if running && self.snapshot.is_none() {
             return Err(broken("simulation", "none".to_owned(), "one"));
         }

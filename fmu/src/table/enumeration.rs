@@ -19,17 +19,17 @@ const SOLVERS: [SolverKind; 3] = [
 ];
 
 impl Enumeration {
-    /// The solvers, by the names of scene files.
+    /// The solvers. Names are identifiers, since tools make items of C or Modelica of them.
     pub const SOLVER: Self = Self {
         name: "SolverKind",
         items: &[
-            ("auto", 1, "Gauss-Seidel first and Newton on what it leaves"),
+            ("Auto", 1, "Gauss-Seidel first and Newton on what it leaves"),
             (
-                "direct",
+                "Direct",
                 2,
                 "Sparse Cholesky, open-close iterations, augmented-Lagrangian loop",
             ),
-            ("gauss-seidel", 3, "Block Gauss-Seidel on the multipliers"),
+            ("GaussSeidel", 3, "Block Gauss-Seidel on the multipliers"),
         ],
     };
 

@@ -56,8 +56,8 @@ pub trait Interface: Sized {
     /// [`ImportError::Interface`].
     fn check(&self) -> Result<(), ImportError>;
 
-    /// Folder of this platform's libraries.
-    fn platform() -> String;
+    /// Folders of this platform's libraries; the first that has the library counts.
+    fn platforms() -> Vec<&'static str>;
 
     /// The functions of states.
     fn states(&self) -> StateCalls;
@@ -156,19 +156,17 @@ impl<F> fmt::Debug for Library<F> {
 impl<F: Interface> Library<F> {
     /// Loads the library of `fmu` for this system and checks what it says of itself.
     pub(crate) fn load(fmu: &Opened) -> Result<Self, ImportError> {
-        let relative = format!(
-            "binaries/{}/{}{DLL_SUFFIX}",
-            F::platform(),
-            fmu.description.model_identifier()
-        );
-        let path = fmu.folder.path().join(&relative);
-        if !path.is_file() {
+        let name = fmu.description.model_identifier();
+        let place = |folder: &&str| format!("binaries/{folder}/{name}{DLL_SUFFIX}");
+        let places: Vec<String> = F::platforms().iter().map(place).collect();
+        let mut paths = places.iter().map(|place| fmu.folder.path().join(place));
+        let Some(path) = paths.find(|path| path.is_file()) else {
             return Err(ImportError::NoBinary {
                 path: fmu.path.clone(),
-                expected: relative,
+                expected: places.join(" or "),
                 found: platforms_in(fmu.folder.path()),
             });
-        }
+        };
         // SAFETY: initializers of the library run. They are native code that the user chose to run.
         let handle = match unsafe { open(&path) } {
             Ok(handle) => handle,

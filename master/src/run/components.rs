@@ -67,7 +67,11 @@ impl Components<'_> {
                     terminated,
                 } => match terminated {
                     true => return Ok(Some(last.unwrap_or(time))),
-                    false if variable => last.filter(|&last| last > time && last < target),
+                    // Its clock may differ from ours by rounding: then it came nowhere.
+                    false if variable => {
+                        let least = STEP_TOLERANCE * self.points.step;
+                        last.filter(|&last| last - time > least && last < target)
+                    }
                     false => return Err(discarded(time, length, ONE_LENGTH)),
                 },
             };

@@ -113,7 +113,7 @@ pub enum SimulateError {
     },
     /// The FMU discarded a step again and again.
     #[error(
-        "at time {time} s: {}fmi2DoStep: found a discarded step of {step} s, expected it done: {mend}",
+        "at time {time} s: {}{function}: found a discarded step of {step} s, expected it done: {mend}",
         prefix(.component)
     )]
     Discarded {
@@ -121,6 +121,8 @@ pub enum SimulateError {
         time: f64,
         /// Name of the FMU, if there are several.
         component: Option<String>,
+        /// Function of its version that takes steps.
+        function: &'static str,
         /// How far it should have come \[s\].
         step: f64,
         /// What to do.

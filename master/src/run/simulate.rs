@@ -5,6 +5,7 @@ use std::ops::ControlFlow;
 use crate::calls::{InputValues, Participant};
 use crate::error::ImportError;
 use crate::fmu::Fmu;
+use crate::open::Description;
 use crate::system::{System, check_settable_at_start, parse};
 
 use super::accelerate::QuasiNewton;
@@ -134,6 +135,10 @@ fn halted(
         } => SimulateError::Discarded {
             time,
             component: named(component),
+            function: match system.fmus().nth(component).map(Fmu::description) {
+                Some(Description::Three(_)) => "fmi3DoStep",
+                _ => "fmi2DoStep",
+            },
             step,
             mend,
             table,

@@ -39,6 +39,21 @@ pub struct TopLevel {
     #[serde(default)]
     #[schemars(extend("x-default" = "the name of the scene file without its ending"))]
     pub title: String,
+    /// One line about the model, for FMUs.
+    #[schemars(extend("x-default" = "what the solver computes, in one line"))]
+    pub description: Option<String>,
+    /// Who made the model, for FMUs.
+    #[schemars(extend("x-default" = "none"))]
+    pub author: Option<String>,
+    /// Version of the model, for FMUs.
+    #[schemars(extend("x-default" = "none"))]
+    pub version: Option<String>,
+    /// Copyright notice of the model, for FMUs.
+    #[schemars(extend("x-default" = "none"))]
+    pub copyright: Option<String>,
+    /// Licence of the model, for FMUs.
+    #[schemars(extend("x-default" = "none"))]
+    pub license: Option<String>,
     /// The run and its numerics.
     pub simulation: Simulation,
     /// Materials of spheres and boundaries.

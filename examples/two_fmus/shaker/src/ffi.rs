@@ -7,9 +7,8 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use sphere_dda_fmi_interface::abi2::*;
 use sphere_dda_fmi_interface::log::{Level, Log};
-use sphere_dda_fmi_interface::pointers::{
-    BadArgument, array, array_mut, panic_text, sink, str_from, value_mut,
-};
+use sphere_dda_fmi_interface::pointers::{BadArgument, Lent, sink};
+use sphere_dda_fmi_interface::{handle, panics};
 
 use crate::export::guid;
 use crate::instance::{Instance, LifeCycle, Refusal};
@@ -22,25 +21,48 @@ struct Component {
     log: Log,
 }
 
+impl handle::Kind for Component {
+    const MAGIC: u64 = u64::from_le_bytes(*b"shakinst");
+}
+
+/// What an `fmi2FMUstate` points to.
+struct Saved(Vec<u8>);
+
+impl handle::Kind for Saved {
+    const MAGIC: u64 = u64::from_le_bytes(*b"shaksave");
+}
+
 type Outcome = Result<fmi2Status, Refusal>;
 
-/// Runs `body` on the shaker behind `c`; whatever happens ends as a status, with a log line if it is bad.
+/// As [`lend`], for functions without pointers among their arguments.
 fn call(
     c: fmi2Component,
     function: &str,
     body: impl FnOnce(&mut Component) -> Outcome,
 ) -> fmi2Status {
-    // SAFETY: the importer passes null or what fmi2Instantiate returned and fmi2FreeInstance has not taken back, and
-    // calls one instance from one thread at a time (FMI 2.0, section 4.2.1).
-    let Some(component) = (unsafe { c.cast::<Component>().as_mut() }) else {
+    lend(c, function, |component, _| body(component))
+}
+
+/// Runs `body` on the shaker behind `c`; whatever happens ends as a status, with a log line if it is bad. Only pointers among the
+/// arguments of this call may be handed to what `body` gets.
+fn lend(
+    c: fmi2Component,
+    function: &str,
+    body: impl for<'call> FnOnce(&mut Component, Lent<'call>) -> Outcome,
+) -> fmi2Status {
+    // SAFETY: the importer calls one instance from one thread at a time (FMI 2.0, section 4.2.1).
+    let Some(component) = (unsafe { handle::look::<Component>(c) }) else {
         return fmi2Error;
     };
-    let why = match catch_unwind(AssertUnwindSafe(|| body(component))) {
+    // SAFETY: callers are the functions of the C interface, whose arguments the importer lends for the call; `body` is over
+    // before it is.
+    let lent = unsafe { Lent::new() };
+    let why = match catch_unwind(AssertUnwindSafe(|| body(component, lent))) {
         Ok(Ok(status)) => return status,
         Ok(Err(refusal)) => refusal.to_string(),
         Err(panic) => {
             component.instance.fail();
-            format!("internal error: {}", panic_text(&*panic))
+            format!("internal error: {}", panics::told(&*panic))
         }
     };
     let log = || {
@@ -70,10 +92,10 @@ extern "C" fn fmi2SetDebugLogging(
     nCategories: usize,
     categories: *const fmi2String,
 ) -> fmi2Status {
-    call(c, "fmi2SetDebugLogging", |component| {
-        let names = array(categories, nCategories, "categories")?.iter();
+    lend(c, "fmi2SetDebugLogging", |component, lent| {
+        let names = lent.array(categories, nCategories, "categories")?.iter();
         let names: Vec<&str> = names
-            .map(|&name| str_from(name, "categories"))
+            .map(|&name| lent.text(name, "categories"))
             .collect::<Result<_, BadArgument>>()?;
         let unknown = component.log.select(loggingOn != FMI2_FALSE, &names);
         Ok(if unknown.is_empty() {
@@ -94,16 +116,20 @@ extern "C" fn fmi2Instantiate(
     _visible: fmi2Boolean,
     loggingOn: fmi2Boolean,
 ) -> fmi2Component {
+    panics::watch();
     let make = || {
-        let name = str_from(instanceName, "instanceName").unwrap_or_default();
-        let callbacks = array(functions, 1, "functions")
+        // SAFETY: the importer lends these arguments for this call.
+        let lent = unsafe { Lent::new() };
+        let name = lent.text(instanceName, "instanceName").unwrap_or_default();
+        let callbacks = lent
+            .array(functions, 1, "functions")
             .ok()
             .and_then(|f| f.first());
         let log = Log::new(
             callbacks.and_then(|f| sink(*f, name)),
             loggingOn != FMI2_FALSE,
         );
-        let found = str_from(fmuGUID, "fmuGUID").unwrap_or("(null)");
+        let found = lent.text(fmuGUID, "fmuGUID").unwrap_or("(null)");
         let refused = match guid() {
             _ if name.is_empty() => "instanceName is empty, expected a name".to_owned(),
             _ if fmuType != FMI2_CO_SIMULATION => {
@@ -120,18 +146,15 @@ extern "C" fn fmi2Instantiate(
         None
     };
     match catch_unwind(AssertUnwindSafe(make)) {
-        Ok(Some(component)) => Box::into_raw(Box::new(component)).cast(),
+        Ok(Some(component)) => handle::give(component),
         _ => std::ptr::null_mut(),
     }
 }
 
 #[unsafe(no_mangle)]
 extern "C" fn fmi2FreeInstance(c: fmi2Component) {
-    if c.is_null() {
-        return;
-    }
-    // SAFETY: not null, so from fmi2Instantiate; the importer does not use it again.
-    let component = unsafe { Box::from_raw(c.cast::<Component>()) };
+    // SAFETY: the importer has ended all calls of the instance.
+    let component = unsafe { handle::take::<Component>(c) };
     // There is nobody left to tell of a panic.
     let _ = catch_unwind(AssertUnwindSafe(|| drop(component)));
 }
@@ -206,12 +229,13 @@ extern "C" fn fmi2GetReal(
     nvr: usize,
     value: *mut fmi2Real,
 ) -> fmi2Status {
-    call(c, "fmi2GetReal", |component| {
-        let references = array(vr, nvr, "vr")?.iter();
+    lend(c, "fmi2GetReal", |component, lent| {
+        let references = lent.array(vr, nvr, "vr")?.iter();
         let values: Vec<f64> = references
             .map(|&reference| component.instance.get(reference))
             .collect::<Result<_, _>>()?;
-        array_mut(value, nvr, "value")?.copy_from_slice(&values);
+        lent.places(value, nvr, "value")?
+            .write_copy_of_slice(&values);
         Ok(fmi2OK)
     })
 }
@@ -223,8 +247,8 @@ extern "C" fn fmi2SetReal(
     nvr: usize,
     value: *const fmi2Real,
 ) -> fmi2Status {
-    call(c, "fmi2SetReal", |component| {
-        let (references, values) = (array(vr, nvr, "vr")?, array(value, nvr, "value")?);
+    lend(c, "fmi2SetReal", |component, lent| {
+        let (references, values) = (lent.array(vr, nvr, "vr")?, lent.array(value, nvr, "value")?);
         let pairs = references.iter().copied().zip(values.iter().copied());
         component.instance.set(pairs)?;
         Ok(fmi2OK)
@@ -241,7 +265,7 @@ macro_rules! no_variables {
             nvr: usize,
             _value: $value,
         ) -> fmi2Status {
-            call(c, stringify!($name), |_| match array(vr, nvr, "vr")?.first() {
+            lend(c, stringify!($name), |_, lent| match lent.array(vr, nvr, "vr")?.first() {
                 Some(&reference) => Err(Refusal::Reference(reference)),
                 None => Ok(fmi2OK),
             })
@@ -274,17 +298,29 @@ extern "C" fn fmi2DoStep(
 
 /// The saved state behind a pointer.
 fn saved<'a>(state: fmi2FMUstate) -> Result<&'a mut Vec<u8>, BadArgument> {
-    value_mut(state.cast::<Vec<u8>>(), "FMUstate")
+    // SAFETY: the importer uses a state in one call at a time.
+    match unsafe { handle::look::<Saved>(state) } {
+        Some(saved) => Ok(&mut saved.0),
+        None => Err(none()),
+    }
+}
+
+fn none() -> BadArgument {
+    BadArgument {
+        argument: "FMUstate",
+        found: "null, or was freed".to_owned(),
+        expected: "a saved state",
+    }
 }
 
 #[unsafe(no_mangle)]
 extern "C" fn fmi2GetFMUstate(c: fmi2Component, state: *mut fmi2FMUstate) -> fmi2Status {
-    call(c, "fmi2GetFMUstate", |component| {
-        let place = value_mut(state, "FMUstate")?;
+    lend(c, "fmi2GetFMUstate", |component, lent| {
+        let place = lent.variable(state, "FMUstate")?;
         let bytes = component.instance.save();
-        match saved(*place) {
-            Ok(old) => *old = bytes,
-            Err(_) => *place = Box::into_raw(Box::new(bytes)).cast(),
+        match place.is_null() {
+            true => *place = handle::give(Saved(bytes)),
+            false => *saved(*place)? = bytes,
         }
         Ok(fmi2OK)
     })
@@ -300,11 +336,11 @@ extern "C" fn fmi2SetFMUstate(c: fmi2Component, state: fmi2FMUstate) -> fmi2Stat
 
 #[unsafe(no_mangle)]
 extern "C" fn fmi2FreeFMUstate(c: fmi2Component, state: *mut fmi2FMUstate) -> fmi2Status {
-    call(c, "fmi2FreeFMUstate", |_| {
-        let place = value_mut(state, "FMUstate")?;
+    lend(c, "fmi2FreeFMUstate", |_, lent| {
+        let place = lent.variable(state, "FMUstate")?;
         if !place.is_null() {
-            // SAFETY: not null, so from fmi2GetFMUstate or fmi2DeSerializeFMUstate; the pointer is cleared below.
-            drop(unsafe { Box::from_raw(place.cast::<Vec<u8>>()) });
+            // SAFETY: the importer uses the state in no other call.
+            drop(unsafe { handle::take::<Saved>(*place) }.ok_or_else(none)?);
             *place = std::ptr::null_mut();
         }
         Ok(fmi2OK)
@@ -317,8 +353,9 @@ extern "C" fn fmi2SerializedFMUstateSize(
     state: fmi2FMUstate,
     size: *mut usize,
 ) -> fmi2Status {
-    call(c, "fmi2SerializedFMUstateSize", |_| {
-        *value_mut(size, "size")? = saved(state)?.len();
+    lend(c, "fmi2SerializedFMUstateSize", |_, lent| {
+        let bytes = saved(state)?.len();
+        lent.place(size, "size")?.write(bytes);
         Ok(fmi2OK)
     })
 }
@@ -330,12 +367,13 @@ extern "C" fn fmi2SerializeFMUstate(
     serialized: *mut fmi2Byte,
     size: usize,
 ) -> fmi2Status {
-    call(c, "fmi2SerializeFMUstate", |_| {
+    lend(c, "fmi2SerializeFMUstate", |_, lent| {
         let bytes = saved(state)?;
         if size != bytes.len() {
             return Err(Refusal::State { found: size });
         }
-        array_mut(serialized.cast::<u8>(), size, "serializedState")?.copy_from_slice(bytes);
+        lent.places(serialized.cast::<u8>(), size, "serializedState")?
+            .write_copy_of_slice(bytes);
         Ok(fmi2OK)
     })
 }
@@ -347,11 +385,11 @@ extern "C" fn fmi2DeSerializeFMUstate(
     size: usize,
     state: *mut fmi2FMUstate,
 ) -> fmi2Status {
-    call(c, "fmi2DeSerializeFMUstate", |_| {
-        let bytes = array(serialized.cast::<u8>(), size, "serializedState")?;
-        let place = value_mut(state, "FMUstate")?;
+    lend(c, "fmi2DeSerializeFMUstate", |_, lent| {
+        let bytes = lent.array(serialized.cast::<u8>(), size, "serializedState")?;
+        let place = lent.place(state, "FMUstate")?;
         let bytes = Instance::load(bytes)?.save();
-        *place = Box::into_raw(Box::new(bytes)).cast();
+        place.write(handle::give(Saved(bytes)));
         Ok(fmi2OK)
     })
 }
@@ -398,11 +436,12 @@ no_status! {
 
 #[unsafe(no_mangle)]
 extern "C" fn fmi2GetRealStatus(c: fmi2Component, kind: c_int, value: *mut fmi2Real) -> fmi2Status {
-    call(c, "fmi2GetRealStatus", |component| {
+    lend(c, "fmi2GetRealStatus", |component, lent| {
         if kind != FMI2_LAST_SUCCESSFUL_TIME {
             return Ok(fmi2Discard);
         }
-        *value_mut(value, "value")? = component.instance.time();
+        let time = component.instance.time();
+        lent.place(value, "value")?.write(time);
         Ok(fmi2OK)
     })
 }

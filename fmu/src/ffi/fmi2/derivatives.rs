@@ -1,9 +1,8 @@
 //! Derivatives of inputs and outputs by time, and of outputs by inputs.
 
 use sphere_dda_fmi_interface::abi2::*;
-use sphere_dda_fmi_interface::pointers::{array, array_mut};
 
-use super::super::guard::{KNOWN, STEPPED, call};
+use super::super::guard::{KNOWN, STEPPED, lend};
 use super::SETTABLE;
 use crate::version::Version;
 
@@ -18,17 +17,22 @@ extern "C" fn fmi2SetRealInputDerivatives(
     order: *const fmi2Integer,
     value: *const fmi2Real,
 ) -> fmi2Status {
-    call(c, "fmi2SetRealInputDerivatives", SETTABLE, |component| {
-        let references = array(vr, nvr, "vr")?.iter().copied();
-        let orders = array(order, nvr, "order")?.iter().copied();
-        let values = array(value, nvr, "value")?.iter().copied();
-        let given = references.zip(orders).zip(values);
-        let given = given.map(|((reference, order), value)| (reference, order, value));
-        component
-            .instance
-            .set_derivatives(&given.collect::<Vec<_>>())?;
-        Ok(fmi2OK)
-    })
+    lend(
+        c,
+        "fmi2SetRealInputDerivatives",
+        SETTABLE,
+        |component, lent| {
+            let references = lent.array(vr, nvr, "vr")?.iter().copied();
+            let orders = lent.array(order, nvr, "order")?.iter().copied();
+            let values = lent.array(value, nvr, "value")?.iter().copied();
+            let given = references.zip(orders).zip(values);
+            let given = given.map(|((reference, order), value)| (reference, order, value));
+            component
+                .instance
+                .set_derivatives(&given.collect::<Vec<_>>())?;
+            Ok(fmi2OK)
+        },
+    )
 }
 
 /// Derivatives of outputs, of order 1, at the communication point.
@@ -40,15 +44,22 @@ extern "C" fn fmi2GetRealOutputDerivatives(
     order: *const fmi2Integer,
     value: *mut fmi2Real,
 ) -> fmi2Status {
-    call(c, "fmi2GetRealOutputDerivatives", STEPPED, |component| {
-        let references = array(vr, nvr, "vr")?;
-        let orders = array(order, nvr, "order")?;
-        let rates = component
-            .instance
-            .output_derivatives(Version::Two, references, orders, nvr)?;
-        array_mut(value, nvr, "value")?.copy_from_slice(&rates);
-        Ok(fmi2OK)
-    })
+    lend(
+        c,
+        "fmi2GetRealOutputDerivatives",
+        STEPPED,
+        |component, lent| {
+            let references = lent.array(vr, nvr, "vr")?;
+            let orders = lent.array(order, nvr, "order")?;
+            let rates =
+                component
+                    .instance
+                    .output_derivatives(Version::Two, references, orders, nvr)?;
+            lent.places(value, nvr, "value")?
+                .write_copy_of_slice(&rates);
+            Ok(fmi2OK)
+        },
+    )
 }
 
 /// Change of outputs for a change of inputs held over the last step.
@@ -62,14 +73,20 @@ extern "C" fn fmi2GetDirectionalDerivative(
     dvKnown: *const fmi2Real,
     dvUnknown: *mut fmi2Real,
 ) -> fmi2Status {
-    call(c, "fmi2GetDirectionalDerivative", KNOWN, |component| {
-        let unknowns = array(vUnknown_ref, nUnknown, "vUnknown_ref")?;
-        let knowns = array(vKnown_ref, nKnown, "vKnown_ref")?;
-        let seed = array(dvKnown, nKnown, "dvKnown")?;
-        let instance = &mut component.instance;
-        let pair = (unknowns, knowns);
-        let changes = instance.directional_derivative(Version::Two, pair, seed, nUnknown)?;
-        array_mut(dvUnknown, nUnknown, "dvUnknown")?.copy_from_slice(&changes);
-        Ok(fmi2OK)
-    })
+    lend(
+        c,
+        "fmi2GetDirectionalDerivative",
+        KNOWN,
+        |component, lent| {
+            let unknowns = lent.array(vUnknown_ref, nUnknown, "vUnknown_ref")?;
+            let knowns = lent.array(vKnown_ref, nKnown, "vKnown_ref")?;
+            let seed = lent.array(dvKnown, nKnown, "dvKnown")?;
+            let instance = &mut component.instance;
+            let pair = (unknowns, knowns);
+            let changes = instance.directional_derivative(Version::Two, pair, seed, nUnknown)?;
+            lent.places(dvUnknown, nUnknown, "dvUnknown")?
+                .write_copy_of_slice(&changes);
+            Ok(fmi2OK)
+        },
+    )
 }

@@ -7,9 +7,10 @@ mod states;
 mod values;
 
 use std::ffi::c_int;
-use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use super::guard::{ANY, Component, INITIALIZATION, INSTANTIATED, STEPPED, STEPPING, Stages, call};
+use super::guard::{
+    self, ANY, Component, INITIALIZATION, INSTANTIATED, STEPPED, STEPPING, Stages, call, lend,
+};
 use super::logging;
 use crate::runtime::instance::{Instance, Step};
 use crate::runtime::life_cycle::LifeCycle;
@@ -17,7 +18,7 @@ use crate::runtime::refusal::{InstantiationError, Refusal};
 use crate::runtime::resource;
 use sphere_dda_fmi_interface::abi2::*;
 use sphere_dda_fmi_interface::log::{Level, Log};
-use sphere_dda_fmi_interface::pointers::{array, panic_text, sink, str_from, value_mut};
+use sphere_dda_fmi_interface::pointers::{Lent, sink};
 
 use fmi2Status::{fmi2Discard, fmi2OK, fmi2Warning};
 
@@ -64,55 +65,40 @@ extern "C" fn fmi2Instantiate(
     _visible: fmi2Boolean,
     loggingOn: fmi2Boolean,
 ) -> fmi2Component {
-    let name = str_from(instanceName, "instanceName").unwrap_or_default();
-    let callbacks = array(functions, 1, "functions").ok().map(|f| f[0]);
+    // SAFETY: the importer lends these arguments for this call.
+    let lent = unsafe { Lent::new() };
+    let name = lent.text(instanceName, "instanceName").unwrap_or_default();
+    let callbacks = lent.array(functions, 1, "functions").ok().map(|f| f[0]);
     let log = || {
         Log::new(
             callbacks.and_then(|f| sink(f, name)),
             loggingOn != FMI2_FALSE,
         )
     };
-    let body = || instantiate(name, fmuType, fmuGUID, fmuResourceLocation, log());
-    let refused = match catch_unwind(AssertUnwindSafe(body)) {
-        Ok(Ok(instance)) => {
-            return Box::into_raw(Box::new(Component::new(instance))).cast();
-        }
-        Ok(Err(error)) => error.to_string(),
-        Err(panic) => format!("internal error: {}", panic_text(&*panic)),
-    };
-    log().write(Level::Error, format_args!("fmi2Instantiate: {refused}"));
-    std::ptr::null_mut()
+    guard::instantiate("fmi2Instantiate", log, || {
+        let guid = lent.text(fmuGUID, "fmuGUID").unwrap_or("(null)");
+        let location = lent.text(fmuResourceLocation, "fmuResourceLocation");
+        instantiate(name, fmuType, guid, location.ok(), log()).map(Component::new)
+    })
 }
 
 fn instantiate(
     name: &str,
     kind: c_int,
-    guid: fmi2String,
-    location: fmi2String,
+    guid: &str,
+    location: Option<&str>,
     log: Log,
 ) -> Result<Instance, InstantiationError> {
     if kind != FMI2_CO_SIMULATION {
         return Err(InstantiationError::Interface { found: kind });
     }
-    let resources = resource::directory(str_from(location, "fmuResourceLocation").ok())?;
-    Instance::new(
-        name,
-        str_from(guid, "fmuGUID").unwrap_or("(null)"),
-        &resources,
-        log,
-    )
+    Instance::new(name, guid, &resource::directory(location)?, log)
 }
 
 /// Frees an instance, in any state; null is ignored.
 #[unsafe(no_mangle)]
 extern "C" fn fmi2FreeInstance(c: fmi2Component) {
-    if c.is_null() {
-        return;
-    }
-    // SAFETY: not null, so from fmi2Instantiate; the importer does not use it again.
-    let component = unsafe { Box::from_raw(c.cast::<Component>()) };
-    // There is nobody left to tell of a panic.
-    let _ = catch_unwind(AssertUnwindSafe(|| drop(component)));
+    guard::free(c);
 }
 
 /// Start and stop of the experiment. The tolerance is not used: tolerances are parameters.
@@ -160,12 +146,16 @@ extern "C" fn fmi2ExitInitializationMode(c: fmi2Component) -> fmi2Status {
     )
 }
 
+/// Status of a call that completes the result files: a warning if some could not be written.
+fn written(whole: bool) -> fmi2Status {
+    if whole { fmi2OK } else { fmi2Warning }
+}
+
 /// Ends the run.
 #[unsafe(no_mangle)]
 extern "C" fn fmi2Terminate(c: fmi2Component) -> fmi2Status {
     call(c, "fmi2Terminate", STEPPING, |component| {
-        component.instance.terminate();
-        Ok(fmi2OK)
+        Ok(written(component.instance.terminate()))
     })
 }
 
@@ -173,8 +163,7 @@ extern "C" fn fmi2Terminate(c: fmi2Component) -> fmi2Status {
 #[unsafe(no_mangle)]
 extern "C" fn fmi2Reset(c: fmi2Component) -> fmi2Status {
     call(c, "fmi2Reset", ANY, |component| {
-        component.instance.reset();
-        Ok(fmi2OK)
+        Ok(written(component.instance.reset()))
     })
 }
 
@@ -222,14 +211,14 @@ extern "C" fn fmi2CancelStep(c: fmi2Component) -> fmi2Status {
 }
 
 /// Answers a status question if `ask` knows it; `fmi2Discard` means "not provided".
-fn status<T>(
+fn status<T: Copy>(
     (c, function): (fmi2Component, &str),
     kind: c_int,
     value: *mut T,
     ask: impl FnOnce(&Instance) -> Option<T>,
 ) -> fmi2Status {
-    call(c, function, STEPPED, |component| {
-        let place = value_mut(value, "value")?;
+    lend(c, function, STEPPED, |component, lent| {
+        let place = lent.place(value, "value")?;
         let Some(answer) = ask(&component.instance) else {
             let text = format!(
                 "{function}: status kind {kind} is not provided: steps are not asynchronous"
@@ -237,7 +226,7 @@ fn status<T>(
             component.instance.log().write(Level::Discard, text);
             return Ok(fmi2Discard);
         };
-        *place = answer;
+        place.write(answer);
         Ok(fmi2OK)
     })
 }
@@ -266,7 +255,7 @@ extern "C" fn fmi2GetIntegerStatus(
     status((c, "fmi2GetIntegerStatus"), s, value, |_| None)
 }
 
-/// `fmi2Terminated`: true after a discarded step, which would be discarded again.
+/// `fmi2Terminated`: true in state error only. After a discarded step a shorter one may be tried.
 #[unsafe(no_mangle)]
 extern "C" fn fmi2GetBooleanStatus(
     c: fmi2Component,

@@ -1,9 +1,8 @@
 //! Derivatives of outputs by time and by inputs.
 
 use sphere_dda_fmi_interface::abi3::*;
-use sphere_dda_fmi_interface::pointers::{array, array_mut};
 
-use super::super::guard::{KNOWN, STEPPED, call};
+use super::super::guard::{KNOWN, STEPPED, lend};
 use crate::runtime::instance::Instance;
 use crate::runtime::refusal::Refusal;
 use crate::version::Version;
@@ -23,13 +22,14 @@ fn product(
     (seed, sensitivity): (Seed, Places),
     of: impl FnOnce(&mut Instance, (&[u32], &[u32]), &[f64], usize) -> Result<Vec<f64>, Refusal>,
 ) -> fmi3Status {
-    call(instance, function, KNOWN, |component| {
-        let unknowns = array(unknowns.0, unknowns.1, "unknowns")?;
-        let knowns = array(knowns.0, knowns.1, "knowns")?;
-        let seed = array(seed.0, seed.1, "seed")?;
+    lend(instance, function, KNOWN, |component, lent| {
+        let unknowns = lent.array(unknowns.0, unknowns.1, "unknowns")?;
+        let knowns = lent.array(knowns.0, knowns.1, "knowns")?;
+        let seed = lent.array(seed.0, seed.1, "seed")?;
         let count = sensitivity.1;
         let changes = of(&mut component.instance, (unknowns, knowns), seed, count)?;
-        array_mut(sensitivity.0, count, "sensitivity")?.copy_from_slice(&changes);
+        lent.places(sensitivity.0, count, "sensitivity")?
+            .write_copy_of_slice(&changes);
         Ok(fmi3OK)
     })
 }
@@ -88,12 +88,18 @@ extern "C" fn fmi3GetOutputDerivatives(
     values: *mut fmi3Float64,
     nValues: usize,
 ) -> fmi3Status {
-    call(instance, "fmi3GetOutputDerivatives", STEPPED, |component| {
-        let references = array(valueReferences, nValueReferences, "valueReferences")?;
-        let orders = array(orders, nValueReferences, "orders")?;
-        let instance = &mut component.instance;
-        let rates = instance.output_derivatives(Version::Three, references, orders, nValues)?;
-        array_mut(values, nValues, "values")?.copy_from_slice(&rates);
-        Ok(fmi3OK)
-    })
+    lend(
+        instance,
+        "fmi3GetOutputDerivatives",
+        STEPPED,
+        |component, lent| {
+            let references = lent.array(valueReferences, nValueReferences, "valueReferences")?;
+            let orders = lent.array(orders, nValueReferences, "orders")?;
+            let instance = &mut component.instance;
+            let rates = instance.output_derivatives(Version::Three, references, orders, nValues)?;
+            lent.places(values, nValues, "values")?
+                .write_copy_of_slice(&rates);
+            Ok(fmi3OK)
+        },
+    )
 }

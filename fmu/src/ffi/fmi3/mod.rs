@@ -10,9 +10,8 @@ mod step;
 mod values;
 
 use std::ffi::c_void;
-use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use super::guard::{ANY, Component, INITIALIZATION, INSTANTIATED, STEPPING, Updates, call};
+use super::guard::{self, ANY, Component, INITIALIZATION, INSTANTIATED, STEPPING, Updates, call};
 use super::logging;
 use crate::runtime::instance::Instance;
 use crate::runtime::refusal::InstantiationError;
@@ -20,9 +19,9 @@ use crate::runtime::resource;
 use crate::version::Version;
 use sphere_dda_fmi_interface::abi3::*;
 use sphere_dda_fmi_interface::log::{Level, Log};
-use sphere_dda_fmi_interface::pointers::{array, message_sink, panic_text, str_from};
+use sphere_dda_fmi_interface::pointers::{Lent, message_sink};
 
-use fmi3Status::fmi3OK;
+use fmi3Status::{fmi3OK, fmi3Warning};
 
 /// Version of the standard: "3.0".
 #[unsafe(no_mangle)]
@@ -69,57 +68,41 @@ extern "C" fn fmi3InstantiateCoSimulation(
         environment: instanceEnvironment,
         early_return_allowed: earlyReturnAllowed != 0,
     });
-    let body = || {
+    // SAFETY: the importer lends these arguments for this call.
+    let lent = unsafe { Lent::new() };
+    guard::instantiate("fmi3InstantiateCoSimulation", log, || {
         if eventModeUsed != 0 {
             let text = "fmi3InstantiateCoSimulation: eventModeUsed is true, but hasEventMode is false: there will be no events";
             log().write(Level::Warning, text);
         }
-        let required = (
+        let name = lent.text(instanceName, "instanceName").unwrap_or_default();
+        let token = lent.text(instantiationToken, "instantiationToken");
+        let path = lent.text(resourcePath, "resourcePath").ok();
+        let resources = resource::directory(path)?;
+        let instance = Instance::new(name, token.unwrap_or("(null)"), &resources, log())?;
+        let (required, count) = (
             requiredIntermediateVariables,
             nRequiredIntermediateVariables,
         );
-        let instance = instantiate(instanceName, instantiationToken, resourcePath, log())?;
-        known(&instance, required)?;
+        known(
+            &instance,
+            lent.array(required, count, "requiredIntermediateVariables")?,
+        )?;
         Ok(Component {
             updates,
             ..Component::new(instance)
         })
-    };
-    let refused = match catch_unwind(AssertUnwindSafe(body)) {
-        Ok(Ok(component)) => return Box::into_raw(Box::new(component)).cast(),
-        Ok(Err(error)) => InstantiationError::to_string(&error),
-        Err(panic) => format!("internal error: {}", panic_text(&*panic)),
-    };
-    log().write(
-        Level::Error,
-        format_args!("fmi3InstantiateCoSimulation: {refused}"),
-    );
-    std::ptr::null_mut()
-}
-
-fn instantiate(
-    name: fmi3String,
-    token: fmi3String,
-    path: fmi3String,
-    log: Log,
-) -> Result<Instance, InstantiationError> {
-    let name = str_from(name, "instanceName").unwrap_or_default();
-    let token = str_from(token, "instantiationToken").unwrap_or("(null)");
-    let resources = resource::directory(str_from(path, "resourcePath").ok())?;
-    Instance::new(name, token, &resources, log)
+    })
 }
 
 /// The variables that the importer wants within a step must be such as can be had there.
-fn known(
-    instance: &Instance,
-    (references, count): (*const fmi3ValueReference, usize),
-) -> Result<(), InstantiationError> {
-    let required = array(references, count, "requiredIntermediateVariables")?;
+fn known(instance: &Instance, required: &[fmi3ValueReference]) -> Result<(), InstantiationError> {
     let table = &instance.model().table;
-    let unknown = required
-        .iter()
-        .find(|&&reference| table.get(Version::Three, reference).is_none());
-    match unknown {
+    let has = |&reference: &u32| {
+        let entry = table.get(Version::Three, reference);
+        entry.is_some_and(|entry| entry.variable.is_intermediate())
+    };
+    match required.iter().find(|&reference| !has(reference)) {
         Some(&reference) => Err(InstantiationError::Intermediate { reference }),
         None => Ok(()),
     }
@@ -173,10 +156,7 @@ extern "C" fn fmi3FreeInstance(instance: fmi3Instance) {
     if call(instance, "fmi3FreeInstance", ANY, |_| Ok(fmi3OK)) != fmi3OK {
         return;
     }
-    // SAFETY: not null, so from fmi3InstantiateCoSimulation; the importer does not use it again.
-    let component = unsafe { Box::from_raw(instance.cast::<Component>()) };
-    // There is nobody left to tell of a panic.
-    let _ = catch_unwind(AssertUnwindSafe(|| drop(component)));
+    guard::free(instance);
 }
 
 /// Enters initialization mode with start and stop of the experiment. The tolerance is not used: tolerances are
@@ -209,12 +189,16 @@ extern "C" fn fmi3ExitInitializationMode(instance: fmi3Instance) -> fmi3Status {
     })
 }
 
+/// Status of a call that completes the result files: a warning if some could not be written.
+fn written(whole: bool) -> fmi3Status {
+    if whole { fmi3OK } else { fmi3Warning }
+}
+
 /// Ends the run.
 #[unsafe(no_mangle)]
 extern "C" fn fmi3Terminate(instance: fmi3Instance) -> fmi3Status {
     call(instance, "fmi3Terminate", STEPPING, |component| {
-        component.instance.terminate();
-        Ok(fmi3OK)
+        Ok(written(component.instance.terminate()))
     })
 }
 
@@ -222,7 +206,6 @@ extern "C" fn fmi3Terminate(instance: fmi3Instance) -> fmi3Status {
 #[unsafe(no_mangle)]
 extern "C" fn fmi3Reset(instance: fmi3Instance) -> fmi3Status {
     call(instance, "fmi3Reset", ANY, |component| {
-        component.instance.reset();
-        Ok(fmi3OK)
+        Ok(written(component.instance.reset()))
     })
 }

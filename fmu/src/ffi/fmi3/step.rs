@@ -2,9 +2,8 @@
 
 use sphere_dda_fmi_interface::abi3::*;
 use sphere_dda_fmi_interface::log::Level;
-use sphere_dda_fmi_interface::pointers::value_mut;
 
-use super::super::guard::{ANY, STEPPING, Stages, Updates, call};
+use super::super::guard::{ANY, STEPPING, Stages, Updates, call, lend};
 use crate::runtime::instance::{Instance, Progress, Step};
 use crate::runtime::life_cycle::LifeCycle;
 
@@ -33,11 +32,11 @@ extern "C" fn fmi3DoStep(
     let (mut entered, mut early, mut wish) = (false, false, None);
     let step = (currentCommunicationPoint, communicationStepSize);
     let final_past = noSetFMUStatePriorToCurrentPoint != 0;
-    let begun = call(instance, FUNCTION, STEPPING, |component| {
-        value_mut(eventHandlingNeeded, "eventHandlingNeeded")?;
-        value_mut(terminateSimulation, "terminateSimulation")?;
-        value_mut(earlyReturn, "earlyReturn")?;
-        value_mut(lastSuccessfulTime, "lastSuccessfulTime")?;
+    let begun = lend(instance, FUNCTION, STEPPING, |component, lent| {
+        lent.place(eventHandlingNeeded, "eventHandlingNeeded")?;
+        lent.place(terminateSimulation, "terminateSimulation")?;
+        lent.place(earlyReturn, "earlyReturn")?;
+        lent.place(lastSuccessfulTime, "lastSuccessfulTime")?;
         entered = true;
         wish = component.updates;
         if wish.is_some() {
@@ -86,6 +85,7 @@ fn walk(
     final_past: bool,
     early: &mut bool,
 ) -> fmi3Status {
+    let mut return_time = f64::INFINITY;
     loop {
         let mut reached = None;
         let taken = call(instance, FUNCTION, WITHIN, |component| {
@@ -104,7 +104,10 @@ fn walk(
         let Some((time, last)) = reached else {
             return taken;
         };
-        *early = update(updates, time, !last && updates.early_return_allowed);
+        let may_return = !last && updates.early_return_allowed;
+        return_time = update(updates, time, may_return).min(return_time);
+        // Importers add up their times: one may miss the end of an internal step by rounding.
+        *early = may_return && return_time - time <= 4.0 * f64::EPSILON * time.abs();
         if last || *early {
             return call(instance, FUNCTION, WITHIN, |component| {
                 component.instance.end_step(final_past)?;
@@ -114,8 +117,9 @@ fn walk(
     }
 }
 
-/// Calls the importer at the end of an internal step; whether the step shall end here.
-fn update(updates: Updates, time: f64, may_return: bool) -> bool {
+/// Calls the importer at the end of an internal step; the time \[s\] at which it wants the step to end, infinite if it
+/// wants no early return. A later time than this one stays wanted: the step ends at the first internal step from then on.
+fn update(updates: Updates, time: f64, may_return: bool) -> f64 {
     let (mut wanted, mut at) = (0, time);
     let may = fmi3Boolean::from(may_return);
     // SAFETY: the importer's own function, valid as long as the instance; the places outlive the call.
@@ -132,8 +136,10 @@ fn update(updates: Updates, time: f64, may_return: bool) -> bool {
             &raw mut at,
         );
     }
-    // A return that is wanted later comes at the first internal step from then on.
-    may_return && wanted != 0 && at <= time
+    match wanted {
+        0 => f64::INFINITY,
+        _ => at,
+    }
 }
 
 /// Fills the places of the results.
@@ -143,12 +149,15 @@ fn report(
     (place, early): (*mut fmi3Boolean, bool),
     last: *mut fmi3Float64,
 ) {
-    let _: fmi3Status = call(instance, FUNCTION, ANY, |component| {
+    let _: fmi3Status = lend(instance, FUNCTION, ANY, |component, lent| {
         let ends = component.instance.wants_to_terminate();
-        *value_mut(event, "eventHandlingNeeded")? = 0;
-        *value_mut(terminate, "terminateSimulation")? = fmi3Boolean::from(ends);
-        *value_mut(place, "earlyReturn")? = fmi3Boolean::from(early);
-        *value_mut(last, "lastSuccessfulTime")? = component.instance.time();
+        lent.place(event, "eventHandlingNeeded")?.write(0);
+        let ends = fmi3Boolean::from(ends);
+        lent.place(terminate, "terminateSimulation")?.write(ends);
+        let early = fmi3Boolean::from(early);
+        lent.place(place, "earlyReturn")?.write(early);
+        let time = component.instance.time();
+        lent.place(last, "lastSuccessfulTime")?.write(time);
         Ok(fmi3OK)
     });
 }

@@ -1,10 +1,9 @@
 //! Getting and setting values.
 
 use sphere_dda_fmi_interface::abi3::*;
-use sphere_dda_fmi_interface::pointers::{array, array_mut};
 use sphere_dda_model_description::value::{ScalarType, Value};
 
-use super::super::guard::{Stages, call};
+use super::super::guard::{Stages, lend};
 use super::super::values::Function;
 use crate::runtime::instance::Call;
 use crate::runtime::life_cycle::LifeCycle;
@@ -143,8 +142,8 @@ extern "C" fn fmi3GetBinary(
     values: *mut fmi3Binary,
     nValues: usize,
 ) -> fmi3Status {
-    call(instance, "fmi3GetBinary", READABLE, |component| {
-        let references = array(valueReferences, nValueReferences, "valueReferences")?;
+    lend(instance, "fmi3GetBinary", READABLE, |component, lent| {
+        let references = lent.array(valueReferences, nValueReferences, "valueReferences")?;
         let (version, scalar) = (Version::Three, ScalarType::Binary);
         let mut found = Vec::new();
         let mut give = |value| {
@@ -154,12 +153,13 @@ extern "C" fn fmi3GetBinary(
         };
         let of = Call { version, scalar };
         component.instance.get(of, references, nValues, &mut give)?;
-        let sizes = array_mut(valueSizes, nValues, "valueSizes")?;
-        let places = array_mut(values, nValues, "values")?;
+        let sizes = lent.places(valueSizes, nValues, "valueSizes")?;
+        let places = lent.places(values, nValues, "values")?;
         component.binaries = found;
         let pairs = places.iter_mut().zip(sizes);
         for ((place, size), bytes) in pairs.zip(&component.binaries) {
-            (*place, *size) = (bytes.as_ptr(), bytes.len());
+            place.write(bytes.as_ptr());
+            size.write(bytes.len());
         }
         Ok(fmi3OK)
     })

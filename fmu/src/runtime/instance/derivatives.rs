@@ -5,7 +5,7 @@ use std::sync::Arc;
 use sphere_dda::observe::Observation;
 use sphere_dda::observe::quantities::values;
 use sphere_dda::scene::Command;
-use sphere_dda::simulation::{Direction, Simulation};
+use sphere_dda::simulation::{Direction, LARGEST, Simulation};
 use sphere_dda_fmi_interface::pointers::BadArgument;
 
 use super::Instance;
@@ -41,13 +41,13 @@ impl Instance {
             let Some(rank) = [1, 2].iter().position(|known| *known == order) else {
                 return Err(bad_order(order, "1 or 2"));
             };
-            if !value.is_finite() {
+            if !(-LARGEST..=LARGEST).contains(&value) {
                 let entry = self.model.table.get(Version::Two, reference);
                 let name = entry.map(|entry| entry.name()).unwrap_or_default();
                 return Err(Refusal::Range {
                     name: format!("derivative {order} of {name}"),
                     found: value,
-                    expected: "a finite number".to_owned(),
+                    expected: "a number from -1e30 to 1e30".to_owned(),
                 });
             }
             places.extend(known.into_iter().map(|known| (known, rank, value)));

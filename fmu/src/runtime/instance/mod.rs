@@ -146,11 +146,11 @@ impl Instance {
         if !start.is_finite() {
             return Err(argument("startTime", start, "a finite time [s]"));
         }
-        if let Some(stop) = stop.filter(|stop| !(stop.is_finite() && *stop > start)) {
+        if let Some(stop) = stop.filter(|stop| !(stop.is_finite() && *stop >= start)) {
             return Err(argument(
                 "stopTime",
                 stop,
-                "a finite time after startTime [s]",
+                "a finite time, startTime or later [s]",
             ));
         }
         (self.run.start, self.run.time, self.run.stop) = (start, start, stop);
@@ -313,20 +313,26 @@ impl Instance {
         Ok(simulation)
     }
 
-    /// Ends the run; values stay readable, result files are complete.
-    pub fn terminate(&mut self) {
-        self.recorder.close(&self.log);
+    /// Ends the run; values stay readable. Whether the result files are complete: if not, the log says what is missing.
+    pub fn terminate(&mut self) -> bool {
         self.run.stage = LifeCycle::Terminated;
+        self.recorder.close(&self.log)
     }
 
-    /// Back to the state after instantiation.
-    pub fn reset(&mut self) {
-        self.recorder.close(&self.log);
+    /// Completes the result files, as [`Self::terminate`] does.
+    pub fn close(&mut self) -> bool {
+        self.recorder.close(&self.log)
+    }
+
+    /// Back to the state after instantiation. Whether the result files are complete.
+    pub fn reset(&mut self) -> bool {
+        let whole = self.recorder.close(&self.log);
         self.run = initial(&self.model);
         self.simulation = None;
         self.step = None;
         self.measured = Measured::default();
         self.read_ahead = false;
+        whole
     }
 
     /// After a panic: nothing of the simulation can be trusted any more.
@@ -341,10 +347,10 @@ impl Instance {
             .write(Level::Error, format_args!("internal error: {what}; {text}"));
     }
 
-    /// Whether the instance wants the simulation to end: its last step was impossible.
+    /// Whether the instance wants the simulation to end. After a discarded step it does not: a shorter one may do.
     #[must_use]
     pub fn wants_to_terminate(&self) -> bool {
-        matches!(self.run.stage, LifeCycle::StepFailed | LifeCycle::Error)
+        self.run.stage == LifeCycle::Error
     }
 
     /// The complete state as bytes: see [`crate::runtime::state`].
@@ -406,7 +412,10 @@ impl Instance {
                     .follow(&self.name, &self.run.parameters, simulation, &self.log);
             }
             Some(_) if self.run.stage == LifeCycle::StepFailed => {}
-            _ => self.recorder.close(&self.log),
+            _ => {
+                // The log tells of files that were not written; the restored state is whole all the same.
+                self.recorder.close(&self.log);
+            }
         }
         self.log.write(
             Level::Ok,

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use sphere_dda::observe::Observation;
 use sphere_dda::observe::quantities::values;
+use sphere_dda::simulation::LARGEST;
 use sphere_dda_fmi_interface::log::Level;
 use sphere_dda_fmi_interface::pointers::BadArgument;
 use sphere_dda_model_description::fmi2::{Causality, Variability};
@@ -271,14 +272,20 @@ fn within(variable: &Variable, k: usize, value: &Value) -> Result<(), Refusal> {
         (_, Value::Integer(found)) => *found as f64,
         _ => return Ok(()),
     };
-    let (min, max) = (
-        variable.min.unwrap_or(f64::MIN),
-        variable.max.unwrap_or(f64::MAX),
-    );
+    // What may change between steps is computed with: the solver's bound of size holds for it.
+    let size = match (variable.causality, variable.variability) {
+        (Causality::Input, _) | (_, Variability::Tunable) => LARGEST,
+        _ => f64::MAX,
+    };
+    let min = variable.min.unwrap_or(-size);
+    let max = variable.max.unwrap_or(size);
     if found.is_finite() && (min..=max).contains(&found) {
         return Ok(());
     }
     let expected = match (variable.min, variable.max) {
+        (None, None) if size < f64::MAX => {
+            format!("a number from {} to {}", short(min), short(max))
+        }
         (None, None) => "a finite number".to_owned(),
         // The least positive number is how a model description says "not 0".
         (Some(min), None) if min == f64::MIN_POSITIVE => "a number > 0".to_owned(),

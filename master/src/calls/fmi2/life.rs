@@ -1,8 +1,9 @@
 //! Life and steps of an instance of FMI 2.0.
 
-use std::env::consts::{ARCH, OS};
 use std::ffi::{c_int, c_void};
 use std::sync::Arc;
+
+use sphere_dda_fmi_interface::platform::Platform;
 
 use super::abi::{self, Callbacks, Functions};
 use crate::calls::instance::{ALIVE, Instance, STATUS, STEP, c_text};
@@ -28,8 +29,8 @@ impl Interface for Functions {
         expect("fmi2GetTypesPlatform", self.get_types_platform, "default")
     }
 
-    fn platform() -> String {
-        platform()
+    fn platforms() -> Vec<&'static str> {
+        Platform::HERE.folders_2()
     }
 
     fn states(&self) -> StateCalls {
@@ -39,22 +40,6 @@ impl Interface for Functions {
     unsafe fn free(&self, instance: *mut c_void) {
         // SAFETY: passed on to the caller.
         unsafe { (self.free_instance)(instance) }
-    }
-}
-
-/// Name of this platform in FMI 2.0.
-fn platform() -> String {
-    let system = match OS {
-        "windows" => "win",
-        "macos" => "darwin",
-        other => other,
-    };
-    match ARCH {
-        "x86_64" => format!("{system}64"),
-        "x86" => format!("{system}32"),
-        // FMI 2.0 has no name for it; macOS has universal libraries in `darwin64`.
-        _ if OS == "macos" => "darwin64".to_owned(),
-        other => format!("{other}-{system}"),
     }
 }
 

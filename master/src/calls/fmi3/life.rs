@@ -2,10 +2,11 @@
 //!
 //! Events are left to the FMU (`eventModeUsed` is false), there are no intermediate updates and no early return.
 
-use std::env::consts::{ARCH, OS};
 use std::ffi::c_void;
 use std::path::MAIN_SEPARATOR;
 use std::sync::Arc;
+
+use sphere_dda_fmi_interface::platform::Platform;
 
 use super::abi::Functions;
 use crate::calls::instance::{Instance, STEP, c_text};
@@ -28,12 +29,8 @@ impl Interface for Functions {
         expect("fmi3GetVersion", self.get_version, "3.0")
     }
 
-    fn platform() -> String {
-        let system = match OS {
-            "macos" => "darwin",
-            other => other,
-        };
-        format!("{ARCH}-{system}")
+    fn platforms() -> Vec<&'static str> {
+        vec![Platform::HERE.tuple]
     }
 
     fn states(&self) -> StateCalls {
