@@ -280,7 +280,7 @@ pub(crate) fn displacement(
         let turns = from.rotation != to.rotation;
         let spheres = std::iter::from_fn(|| spheres.next().filter(|_| turns));
         let spheres = spheres.map(|x| moved(boundary.to_frame(from, x)));
-        return spheres.fold(reference, f64::max);
+        return spheres.fold(reference, larger_or_nan);
     };
     (0..8)
         .map(|k| {
@@ -292,7 +292,12 @@ pub(crate) fn displacement(
                 }
             }))
         })
-        .fold(0.0, f64::max)
+        .fold(0.0, larger_or_nan)
+}
+
+/// The larger of two; none if one is no number.
+fn larger_or_nan(a: f64, b: f64) -> f64 {
+    if a > b || a.is_nan() { a } else { b }
 }
 
 impl State {
