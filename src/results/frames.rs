@@ -119,16 +119,22 @@ pub fn spheres(state: &Observation) -> Grid {
         cell: Cell::Vertex,
         connectivity: (0..rows.len() as u32).collect(),
         point_data: vec![
-            Array::scalar("radius", rows.iter().map(|row| row.radius)),
-            Array::vector("velocity", rows.iter().map(|row| row.velocity.linear)),
+            Array::scalar("radius", "m", rows.iter().map(|row| row.radius)),
+            Array::vector(
+                "velocity",
+                "m/s",
+                rows.iter().map(|row| row.velocity.linear),
+            ),
             Array::vector(
                 "angular_velocity",
+                "rad/s",
                 rows.iter().map(|row| row.velocity.angular),
             ),
-            Array::vector("force", rows.iter().map(|row| row.wrench.force)),
-            Array::vector("torque", rows.iter().map(|row| row.wrench.torque)),
+            Array::vector("force", "N", rows.iter().map(|row| row.wrench.force)),
+            Array::vector("torque", "N m", rows.iter().map(|row| row.wrench.torque)),
             Array {
                 name: "orientation",
+                unit: "",
                 components: 4,
                 values: Values::Real(orientation.collect()),
             },
@@ -140,6 +146,7 @@ pub fn spheres(state: &Observation) -> Grid {
     if !cell.is_open() {
         grid.point_data.push(Array {
             name: "image",
+            unit: "",
             components: 3,
             values: Values::Integer(rows.iter().flat_map(|row| row.image).collect()),
         });
@@ -154,7 +161,8 @@ pub fn contacts(state: &Observation) -> Grid {
     let active: Vec<&Contact> = state.active_contacts().collect();
     if active.is_empty() {
         return Grid {
-            points: spheres(state).points,
+            // One point alone: others without a cell would show arbitrary values where cell data become point data.
+            points: vec![spheres(state).points[0]],
             cell: Cell::Vertex,
             connectivity: vec![0],
             point_data: Vec::new(),
@@ -215,15 +223,19 @@ impl ContactRow {
 
 fn contact_data(scene: &Scene, rows: &[ContactRow]) -> Vec<Array> {
     let mut arrays = vec![
-        Array::scalar("normal_force", rows.iter().map(|row| row.normal_force)),
-        Array::vector("force", rows.iter().map(|row| row.force)),
+        Array::scalar("normal_force", "N", rows.iter().map(|row| row.normal_force)),
+        Array::vector("force", "N", rows.iter().map(|row| row.force)),
     ];
     if scene.pairs.resists() {
-        arrays.push(Array::vector("torque", rows.iter().map(|row| row.torque)));
+        arrays.push(Array::vector(
+            "torque",
+            "N m",
+            rows.iter().map(|row| row.torque),
+        ));
     }
     arrays.extend([
-        Array::scalar("overlap", rows.iter().map(|row| row.overlap)),
-        Array::scalar("slip", rows.iter().map(|row| row.slip)),
+        Array::scalar("overlap", "m", rows.iter().map(|row| row.overlap)),
+        Array::scalar("slip", "m/s", rows.iter().map(|row| row.slip)),
         Array::integer("id1", rows.iter().map(|row| row.ids[0])),
         Array::integer("id2", rows.iter().map(|row| row.ids[1])),
         Array::integer("kind", rows.iter().map(|row| row.ids[2])),
@@ -313,9 +325,9 @@ impl Surface {
             points,
             cell: Cell::Triangle,
             connectivity: self.triangles.iter().flatten().copied().collect(),
-            point_data: vec![Array::vector("velocity", velocity)],
+            point_data: vec![Array::vector("velocity", "m/s", velocity)],
             cell_data: vec![
-                Array::vector("force", owners.clone().map(|b| of(b).wrench.force)),
+                Array::vector("force", "N", owners.clone().map(|b| of(b).wrench.force)),
                 Array::integer("boundary", owners.map(i32::from)),
             ],
         }

@@ -33,8 +33,8 @@ fn grid(points: usize) -> Grid {
         cell: Cell::Vertex,
         connectivity: (0..points as u32).collect(),
         point_data: vec![
-            Array::scalar("a", (0..points).map(|i| i as f64)),
-            Array::vector("b", vec![Vec3::x(); points]),
+            Array::scalar("a", "m", (0..points).map(|i| i as f64)),
+            Array::vector("b", "", vec![Vec3::x(); points]),
         ],
         cell_data: vec![Array::integer("c", 0..points as i32)],
     }
@@ -58,7 +58,7 @@ fn values_that_readers_would_swallow_are_refused() {
         (1e39, Precision::Single),
     ] {
         let mut broken = grid(3);
-        broken.point_data[0] = Array::scalar("a", [0.0, value, 0.0]);
+        broken.point_data[0] = Array::scalar("a", "m", [0.0, value, 0.0]);
         let error = encode(&broken, 0.0, precision, "x.vtu").unwrap_err();
         assert!(
             matches!(error, OutputError::NotFinite { index: 1, .. }),
@@ -77,7 +77,7 @@ fn grids_that_do_not_fit_are_refused() {
     let refused = |grid: &Grid| encode(grid, 0.0, Precision::Single, "x").unwrap_err();
     assert!(matches!(refused(&grid(0)), OutputError::Empty { .. }));
     let mut short = grid(3);
-    short.point_data[1] = Array::vector("b", vec![Vec3::x(); 2]);
+    short.point_data[1] = Array::vector("b", "", vec![Vec3::x(); 2]);
     assert!(matches!(
         refused(&short),
         OutputError::Shape {

@@ -69,6 +69,8 @@ pub enum Values {
 pub struct Array {
     /// Name shown by readers.
     pub name: &'static str,
+    /// Unit, as the information key `UNITS_LABEL` of VTK; empty where there is none.
+    pub unit: &'static str,
     /// Components per point or cell: 1, 3 (vector) or 4 (quaternion w, x, y, z).
     pub components: usize,
     /// `[components * points]` or `[components * cells]`.
@@ -78,9 +80,14 @@ pub struct Array {
 impl Array {
     /// One real number per entry.
     #[must_use]
-    pub fn scalar(name: &'static str, values: impl IntoIterator<Item = f64>) -> Self {
+    pub fn scalar(
+        name: &'static str,
+        unit: &'static str,
+        values: impl IntoIterator<Item = f64>,
+    ) -> Self {
         Self {
             name,
+            unit,
             components: 1,
             values: Values::Real(values.into_iter().collect()),
         }
@@ -88,9 +95,14 @@ impl Array {
 
     /// One vector per entry.
     #[must_use]
-    pub fn vector(name: &'static str, values: impl IntoIterator<Item = Vec3>) -> Self {
+    pub fn vector(
+        name: &'static str,
+        unit: &'static str,
+        values: impl IntoIterator<Item = Vec3>,
+    ) -> Self {
         Self {
             name,
+            unit,
             components: 3,
             values: Values::Real(values.into_iter().flat_map(<[f64; 3]>::from).collect()),
         }
@@ -101,6 +113,7 @@ impl Array {
     pub fn integer(name: &'static str, values: impl IntoIterator<Item = i32>) -> Self {
         Self {
             name,
+            unit: "",
             components: 1,
             values: Values::Integer(values.into_iter().collect()),
         }
@@ -169,6 +182,7 @@ pub fn encode(
 
     document.section("<FieldData>");
     document.reals("TimeValue", None, std::iter::once(time), Precision::Double)?;
+    document.unit("s");
     document.section("</FieldData>");
     document.section(&format!(
         "<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{cells}\">\n<Points>",
@@ -176,6 +190,7 @@ pub fn encode(
     ));
     let coordinates = grid.points.iter().flat_map(|p| <[f64; 3]>::from(*p));
     document.reals("Points", Some(3), coordinates, precision)?;
+    document.unit("m");
     document.section("</Points>\n<Cells>");
     let connectivity = grid.connectivity.iter().map(|&i| i64::from(i));
     document.block(
@@ -243,7 +258,11 @@ fn check_shape(grid: &Grid, place: &str) -> Result<(), OutputError> {
 /// A piece of the header: plain text, or an array tag with its block.
 enum Tag {
     Text(String),
-    Block { head: String, bytes: Vec<u8> },
+    Block {
+        head: String,
+        unit: &'static str,
+        bytes: Vec<u8>,
+    },
 }
 
 /// A file being put together.
@@ -267,7 +286,15 @@ impl Document<'_> {
             Some(components) => format!(" NumberOfComponents=\"{components}\""),
         };
         let head = format!("<DataArray type=\"{kind}\" Name=\"{name}\"{shape} format=\"appended\"");
-        self.tags.push(Tag::Block { head, bytes });
+        let unit = "";
+        self.tags.push(Tag::Block { head, unit, bytes });
+    }
+
+    /// Says in what unit the last array is.
+    fn unit(&mut self, label: &'static str) {
+        if let Some(Tag::Block { unit, .. }) = self.tags.last_mut() {
+            *unit = label;
+        }
     }
 
     fn reals(
@@ -308,18 +335,17 @@ impl Document<'_> {
     fn array(&mut self, array: &Array) -> Result<(), OutputError> {
         let components = Some(array.components);
         match &array.values {
-            Values::Real(values) => self.reals(
-                array.name,
-                components,
-                values.iter().copied(),
-                self.precision,
-            ),
+            Values::Real(values) => {
+                let values = values.iter().copied();
+                self.reals(array.name, components, values, self.precision)?;
+            }
             Values::Integer(values) => {
                 let bytes = values.iter().flat_map(|v| v.to_le_bytes()).collect();
                 self.block("Int32", array.name, components, bytes);
-                Ok(())
             }
         }
+        self.unit(array.unit);
+        Ok(())
     }
 
     /// Header with offsets, then the blocks in reverse order of their tags.
@@ -337,10 +363,16 @@ impl Document<'_> {
         for tag in &self.tags {
             match tag {
                 Tag::Text(text) => header.push_str(text),
-                Tag::Block { head, .. } => {
+                Tag::Block { head, unit, .. } => {
                     offset -= block(tag);
+                    let end = match *unit {
+                        "" => "/>".to_owned(),
+                        unit => format!(
+                            "><InformationKey name=\"UNITS_LABEL\" location=\"vtkDataArray\">{unit}</InformationKey></DataArray>"
+                        ),
+                    };
                     // Writing to a String cannot fail.
-                    let _ = writeln!(header, "{head} offset=\"{offset}\"/>");
+                    let _ = writeln!(header, "{head} offset=\"{offset}\"{end}");
                 }
             }
         }

@@ -167,6 +167,8 @@ fn blocks(header: &str) -> Result<(usize, Vec<Block>), VtuError> {
                     name,
                 });
             }
+            // Units of arrays.
+            "DataArray" | "InformationKey" => {}
             name if open => name.clone_into(&mut section),
             _ => {}
         }
