@@ -3,7 +3,7 @@
 use thiserror::Error;
 
 /// Evidence for a step that could not be taken.
-#[derive(Debug, Clone, PartialEq, Error)]
+#[derive(Debug, Clone, PartialEq, Error, miette::Diagnostic)]
 #[non_exhaustive]
 pub enum StepError {
     /// The tolerances were not reached, also after the step had been cut as often as allowed.
@@ -124,7 +124,7 @@ impl StepError {
 }
 
 /// A snapshot that cannot be restored.
-#[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[derive(Debug, Clone, PartialEq, Eq, Error, miette::Diagnostic)]
 #[non_exhaustive]
 pub enum SnapshotError {
     /// Not one of ours, or damaged.

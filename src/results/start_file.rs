@@ -37,7 +37,7 @@ pub struct StartFile {
 }
 
 /// A start file that cannot be used.
-#[derive(Debug, Error)]
+#[derive(Debug, Error, miette::Diagnostic)]
 #[non_exhaustive]
 pub enum StartFileError {
     /// There is none.

@@ -41,8 +41,9 @@ impl miette::Diagnostic for Diagnostic {
     }
 }
 
-/// A scene that was refused, with all its problems in the order of the file.
-#[derive(Debug, Error)]
+/// A scene that was refused, with all its problems in the order of the file. `{:?}`, which a `main` that fails prints, is
+/// [`SceneError::plain`].
+#[derive(Error)]
 #[error("scene `{}`: {}", source_code.name(), count(problems.len()))]
 pub struct SceneError {
     /// Name and text of the scene file.
@@ -73,6 +74,12 @@ impl SceneError {
         let name = self.source_code.name();
         let paragraphs: Vec<String> = self.problems.iter().map(|p| p.plain(name)).collect();
         paragraphs.join("\n")
+    }
+}
+
+impl fmt::Debug for SceneError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.plain())
     }
 }
 
@@ -146,5 +153,33 @@ impl Advice {
             severity: Severity::Advice,
             ..self
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::error::StepError;
+    use crate::scene::Scene;
+    use std::path::Path;
+
+    /// Fault: `Box<dyn Error>` printed the fields of the error, and `miette::Result` took it alone of all errors.
+    #[test]
+    fn errors_are_of_use_in_a_main() {
+        let scene = |text| Scene::from_toml("x", text, Path::new(""));
+        let boxed = || -> Result<(), Box<dyn std::error::Error>> {
+            scene("[simulaton]")?;
+            Ok(())
+        };
+        let text = format!("{:?}", boxed().expect_err("a typo"));
+        assert!(text.contains("x:1: ") && text.contains("help"), "{text}");
+        let report = || -> miette::Result<()> {
+            Err(StepError::Argument {
+                what: "step",
+                found: "-1 s".to_owned(),
+                expected: "more",
+            })?;
+            Ok(())
+        };
+        assert!(report().is_err());
     }
 }

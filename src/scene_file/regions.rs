@@ -17,7 +17,7 @@ pub(super) fn emptied(
     given: &file::Region,
 ) -> Option<Region> {
     match given {
-        file::Region::Box(cuboid) => boxed(document, path, cuboid).map(Region::from),
+        file::Region::Box(cuboid) => boxed(document, path, "box", cuboid).map(Region::from),
         file::Region::Cylinder(tube) => cylinder(document, path, tube).map(Region::from),
         file::Region::Mesh(mesh) => {
             let path = format!("{path}.mesh");
@@ -30,6 +30,10 @@ pub(super) fn emptied(
             let point = plane.point.into();
             Some(Region::Beyond { point, normal })
         }
+        file::Region::Outside(cuboid) => match boxed(document, path, "outside", cuboid)? {
+            Primitive::Box { min, max } => Some(Region::Outside { min, max }),
+            Primitive::Cylinder { .. } => None,
+        },
     }
 }
 
@@ -39,11 +43,12 @@ pub(super) fn filled(
     path: &str,
     given: &file::Region,
 ) -> Option<Region> {
-    if matches!(given, file::Region::Beyond(_)) {
-        let expected = "a bounded region: box, cylinder or mesh";
-        return document.refuse(path, "`beyond`", expected);
-    }
-    emptied(document, path, given)
+    let found = match given {
+        file::Region::Beyond(_) => "`beyond`",
+        file::Region::Outside(_) => "`outside`",
+        _ => return emptied(document, path, given),
+    };
+    document.refuse(path, found, "a bounded region: box, cylinder or mesh")
 }
 
 /// A region that is measured: one that sensors know the volumes of.
@@ -53,21 +58,27 @@ pub(super) fn measured(
     given: &file::Region,
 ) -> Option<Primitive> {
     let found = match given {
-        file::Region::Box(cuboid) => return boxed(document, path, cuboid),
+        file::Region::Box(cuboid) => return boxed(document, path, "box", cuboid),
         file::Region::Cylinder(tube) => return cylinder(document, path, tube),
         file::Region::Mesh(_) => "`mesh`",
         file::Region::Beyond(_) => "`beyond`",
+        file::Region::Outside(_) => "`outside`",
     };
     document.refuse(path, found, "`box` or `cylinder`")
 }
 
-fn boxed(document: &mut Document<'_>, path: &str, cuboid: &file::Cuboid) -> Option<Primitive> {
+fn boxed(
+    document: &mut Document<'_>,
+    path: &str,
+    key: &str,
+    cuboid: &file::Cuboid,
+) -> Option<Primitive> {
     let (min, max) = (Vec3::from(cuboid.min), Vec3::from(cuboid.max));
     let proper = (0..3).all(|k| min[k] < max[k]);
     let found = format!("min {:?} and max {:?}", cuboid.min.0, cuboid.max.0);
     let expected = "min < max in every coordinate [m]";
     document
-        .demand(proper, (path, "box"), found, expected)
+        .demand(proper, (path, key), found, expected)
         .then_some(Primitive::Box { min, max })
 }
 

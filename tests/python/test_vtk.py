@@ -15,6 +15,7 @@ import meshio
 import numpy as np
 import pytest
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkDataArray
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -34,6 +35,10 @@ ARRAYS = {
 # Written where some contact resists rolling or twisting.
 OPTIONAL = {("contacts", "torque")}
 INTEGERS = {"id", "material", "id1", "id2", "kind", "boundary"}
+UNITS = {
+    "radius": "m", "velocity": "m/s", "angular_velocity": "rad/s", "force": "N", "torque": "N m", "normal_force": "N",
+    "overlap": "m", "slip": "m/s", "TimeValue": "s",
+}
 CELLS = {"spheres": {"vertex"}, "contacts": {"line", "vertex"}, "boundaries": {"triangle"}}
 
 
@@ -66,6 +71,10 @@ def read_vtk(path):
     def arrays(data):
         return {data.GetArrayName(k): vtk_to_numpy(data.GetArray(k)) for k in range(data.GetNumberOfArrays())}
 
+    for data in (grid.GetPointData(), grid.GetCellData(), grid.GetFieldData()):
+        for k in range(data.GetNumberOfArrays()):
+            unit = data.GetArray(k).GetInformation().Get(vtkDataArray.UNITS_LABEL())
+            assert unit == UNITS.get(data.GetArrayName(k)), (path, data.GetArrayName(k), unit)
     return {
         "points": vtk_to_numpy(grid.GetPoints().GetData()),
         "point": arrays(grid.GetPointData()),

@@ -7,6 +7,7 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use sphere_dda::Vec3;
+use sphere_dda::observe::Observation;
 use sphere_dda::scene::Scene;
 use sphere_dda::simulation::Simulation;
 
@@ -252,4 +253,28 @@ fn stepped_in_a_process() {
         Ok(()) => println!("three steps"),
         Err(error) => println!("{error}"),
     }
+}
+
+/// What leaves a box is taken out of the scene, and its mass is booked.
+#[test]
+fn spheres_that_leave_the_scene_are_removed() {
+    let lost = "[[sink]]\nname = \"lost\"\nregion = { outside = { min = [-1.0, -1.0, -1.0], max = [1.0, 1.0, 1.0] } }\n";
+    let case = Case::new(1e-2).gravity(Vec3::zeros()).table(lost);
+    let away = [-Vec3::x(), -Vec3::y(), Vec3::z() * 2.0, Vec3::zeros()];
+    let case = away.iter().enumerate().fold(case, |case, (k, v)| {
+        case.sphere(0.05, Vec3::x() * (0.2 * k as f64), *v, Vec3::zeros())
+    });
+    let mut run = case.start();
+    run.until(0.4);
+    assert_eq!(run.simulation.kinematics().present, [true; 4]);
+    run.until(2.0);
+    assert_eq!(
+        run.simulation.kinematics().present,
+        [false, false, false, true]
+    );
+    let found = Observation::of(&run.simulation).removed[0];
+    assert!(
+        (found / (3.0 * run.mass(0)) - 1.0).abs() < 1e-12,
+        "{found} kg"
+    );
 }

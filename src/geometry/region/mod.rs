@@ -27,6 +27,13 @@ pub enum Region {
         /// Unit normal.
         normal: Vec3,
     },
+    /// All points outside an axis-parallel box.
+    Outside {
+        /// Lower corner \[m\].
+        min: Vec3,
+        /// Upper corner \[m\].
+        max: Vec3,
+    },
 }
 
 impl From<Primitive> for Region {
@@ -43,6 +50,7 @@ impl Region {
             Self::Primitive(primitive) => primitive.contains(x),
             Self::Mesh(solid) => solid.contains(x),
             Self::Beyond { point, normal } => (x - point).dot(normal) >= 0.0,
+            Self::Outside { min, max } => x.inf(max).sup(min) != x,
         }
     }
 
@@ -64,6 +72,7 @@ impl Region {
             Self::Primitive(primitive) => primitive.holds(centre, radius),
             Self::Mesh(solid) => solid.holds(centre, radius),
             Self::Beyond { point, normal } => (centre - point).dot(normal) >= radius,
+            Self::Outside { min, max } => (centre - centre.inf(max).sup(min)).norm() >= radius,
         }
     }
 
@@ -89,6 +98,8 @@ impl Region {
                 let missing = radius - (centre - point).dot(normal);
                 centre + normal * missing.max(0.0)
             }
+            // A box has no single way out.
+            Self::Outside { .. } => centre,
         }
     }
 
@@ -98,7 +109,7 @@ impl Region {
         match self {
             Self::Primitive(primitive) => Some(primitive.bounds()),
             Self::Mesh(solid) => Some(solid.bounds()),
-            Self::Beyond { .. } => None,
+            Self::Beyond { .. } | Self::Outside { .. } => None,
         }
     }
 
@@ -108,16 +119,16 @@ impl Region {
         match self {
             Self::Primitive(primitive) => primitive.random_centre(radius, random),
             Self::Mesh(solid) => solid.random_centre(radius, random),
-            Self::Beyond { .. } => None,
+            Self::Beyond { .. } | Self::Outside { .. } => None,
         }
     }
 
-    /// Volume \[m^3\]; infinite beyond a plane.
+    /// Volume \[m^3\]; infinite beyond a plane and outside a box.
     pub(crate) fn volume(&self) -> f64 {
         match self {
             Self::Primitive(primitive) => primitive.volume(),
             Self::Mesh(solid) => solid.volume(),
-            Self::Beyond { .. } => f64::INFINITY,
+            Self::Beyond { .. } | Self::Outside { .. } => f64::INFINITY,
         }
     }
 }

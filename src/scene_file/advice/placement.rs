@@ -266,6 +266,8 @@ impl<'a> Surroundings<'a> {
             (Region::Beyond { point, normal }, _) => {
                 self.down.dot(normal) > 0.0 || (x - point).dot(normal) >= 0.0
             }
+            // Whatever falls for ever leaves a box.
+            (Region::Outside { .. }, _) => true,
             (_, Some(bounds)) => passed(bounds, x, self.down),
             (_, None) => false,
         }

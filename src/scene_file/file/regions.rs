@@ -17,6 +17,8 @@ pub enum Region {
     Mesh(Stl),
     /// Everything on the side of a plane that its normal points to. For sinks only.
     Beyond(Plane),
+    /// Everything outside an axis-parallel box: what has left the scene. For sinks only.
+    Outside(Cuboid),
 }
 
 /// A solid cylinder.

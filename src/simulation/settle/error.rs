@@ -7,7 +7,7 @@ use crate::error::StepError;
 use crate::solver::Tolerance;
 
 /// Why a scene could not settle.
-#[derive(Debug, Clone, PartialEq, Error)]
+#[derive(Debug, Clone, PartialEq, Error, miette::Diagnostic)]
 #[non_exhaustive]
 pub enum SettleError {
     /// The caller asked for something impossible.

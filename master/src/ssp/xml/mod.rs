@@ -3,6 +3,7 @@
 //! Written with the prefixes `ssd`, `ssc` and `ssv`, which some readers take for part of the names; read with any.
 //! Units, enumerations and connectors are written for other masters and not read: the FMUs tell them.
 
+mod annotations;
 mod document;
 mod parameters;
 mod structure;
