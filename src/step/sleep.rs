@@ -141,7 +141,9 @@ impl Solved<'_> {
             if *count == ASLEEP && prediction.is_asleep(i) && still {
                 continue;
             }
-            *count = if calm[i] { CALM[1].min(*count + 1) } else { 0 };
+            // One that was woken counts anew.
+            let before = if *count == ASLEEP { 0 } else { *count };
+            *count = if calm[i] { CALM[1].min(before + 1) } else { 0 };
             due |= *count >= CALM[0];
         }
         if due {
