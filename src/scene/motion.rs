@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::Vec3;
 use crate::scene::InputKind;
-use crate::scene::body::Body;
+use crate::scene::body::{Body, Joint};
 use crate::spatial::{Pose, Twist};
 
 /// How a boundary moves.
@@ -55,6 +55,20 @@ impl Motion {
             Self::Input(kind) => Some(*kind),
             Self::Driven(body) => body.input_kind(),
             _ => None,
+        }
+    }
+
+    /// The slide or hinge along which it is commanded or free to move; [`Joint::Free`] for all others.
+    pub(crate) fn joint(&self) -> Joint {
+        match *self {
+            Self::Input(InputKind::Slide { axis } | InputKind::SlideSpeed { axis }) => {
+                Joint::Slide { axis }
+            }
+            Self::Input(InputKind::Hinge { axis } | InputKind::HingeSpeed { axis }) => {
+                Joint::Hinge { axis }
+            }
+            Self::Driven(ref body) => body.joint,
+            _ => Joint::Free,
         }
     }
 

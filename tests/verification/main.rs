@@ -3,6 +3,7 @@
 
 #![allow(unreachable_pub, reason = "a test crate has no outside")]
 
+mod axes;
 mod belts;
 mod contact_statics;
 mod convergence;

@@ -115,17 +115,41 @@ pub(super) const DRIVEN: [Field<Body>; 2] = [
     ),
 ];
 
+/// Of boundaries that move along a slide, by command or as a body.
+#[rustfmt::skip]
+pub(super) const SLIDE: [Field<Body>; 1] = [
+    real("slideForce", "N", "Force of the spheres along the slide, averaged over the communication step", |b| b.axis.dot(&b.state.mean_wrench.force)),
+];
+
+/// Of boundaries that turn about a hinge, by command or as a body.
+#[rustfmt::skip]
+pub(super) const HINGE: [Field<Body>; 1] = [
+    real("hingeTorque", "N.m", "Torque of the spheres about the hinge, averaged over the communication step", |b| b.axis.dot(&b.state.mean_wrench.torque)),
+];
+
+/// Of bodies on a slide.
+#[rustfmt::skip]
+pub(super) const SLIDING: [Field<Body>; 2] = [
+    real("jointTravel", "m", "Displacement along the slide from the scene's placement", |b| b.state.joint.joint_position),
+    real("jointSpeed", "m/s", "Speed along the slide", |b| b.axis.dot(&b.state.twist.linear)),
+];
+
+/// Of bodies on a hinge.
+#[rustfmt::skip]
+pub(super) const HINGED: [Field<Body>; 2] = [
+    real("jointAngle", "rad", "Angle about the hinge from the scene's placement, whole turns included", |b| b.state.joint.joint_position),
+    real("jointSpeed", "rad/s", "Angular speed about the hinge", |b| b.axis.dot(&b.state.twist.angular)),
+];
+
 /// Of bodies on a slide with stops or a spring.
 #[rustfmt::skip]
-pub(super) const SLIDE: [Field<Body>; 2] = [
-    real("jointTravel", "m", "Displacement along the slide from the scene's placement", |b| b.state.joint.joint_position),
+pub(super) const SLIDE_HELD: [Field<Body>; 1] = [
     real("jointForce", "N", "Force of the stops and the spring along the slide, last internal step", |b| b.state.joint.force),
 ];
 
 /// Of bodies on a hinge with stops or a spring.
 #[rustfmt::skip]
-pub(super) const HINGE: [Field<Body>; 2] = [
-    real("jointAngle", "rad", "Angle about the hinge from the scene's placement, whole turns included", |b| b.state.joint.joint_position),
+pub(super) const HINGE_HELD: [Field<Body>; 1] = [
     real("jointTorque", "N.m", "Torque of the stops and the spring about the hinge, last internal step", |b| b.state.joint.force),
 ];
 

@@ -19,7 +19,10 @@ use super::sensors::region;
 use crate::scene::body::Joint;
 use crate::scene::{Measure, Motion, Scene};
 pub use fields::XYZ;
-use fields::{BODY, DRIVEN, FLOW, Field, HINGE, PROBE, REGION, SINK, SLIDE, SOURCE, WHOLE, WRENCH};
+use fields::{
+    BODY, DRIVEN, FLOW, Field, HINGE, HINGE_HELD, HINGED, PROBE, REGION, SINK, SLIDE, SLIDE_HELD,
+    SLIDING, SOURCE, WHOLE, WRENCH,
+};
 use readings::{Body, Flow, Sphere, Whole};
 
 /// A number or several components.
@@ -65,11 +68,9 @@ pub fn quantities(scene: &Scene) -> Vec<Quantity> {
     for (b, boundary) in scene.boundaries.iter().enumerate() {
         let owner = ("boundary", &*boundary.name);
         let first = list.len();
-        describe(&mut list, owner, &BODY);
-        if matches!(boundary.motion, Motion::Driven(_)) {
-            describe(&mut list, owner, &DRIVEN);
+        for fields in of_boundary(&boundary.motion) {
+            describe(&mut list, owner, fields);
         }
-        describe(&mut list, owner, joint(&boundary.motion));
         for quantity in &mut list[first..] {
             quantity.boundary = Some(b);
         }
@@ -95,16 +96,21 @@ pub fn quantities(scene: &Scene) -> Vec<Quantity> {
     list
 }
 
-/// What is measured of a boundary's joint.
-fn joint(motion: &Motion) -> &'static [Field<Body>] {
-    match motion {
-        Motion::Driven(body) if body.is_held() => match body.joint {
-            Joint::Slide { .. } => &SLIDE,
-            Joint::Hinge { .. } => &HINGE,
-            Joint::Free => &[],
-        },
-        _ => &[],
+/// What is measured of a boundary that moves so.
+fn of_boundary(motion: &Motion) -> Vec<&'static [Field<Body>]> {
+    let mut list: Vec<&[_]> = vec![&BODY];
+    let (along, body, held): (&[_], &[_], &[_]) = match motion.joint() {
+        Joint::Free => (&[], &[], &[]),
+        Joint::Slide { .. } => (&SLIDE, &SLIDING, &SLIDE_HELD),
+        Joint::Hinge { .. } => (&HINGE, &HINGED, &HINGE_HELD),
+    };
+    if let Motion::Driven(driven) = motion {
+        list.extend([&DRIVEN, along, body]);
+        list.extend(driven.is_held().then_some(held));
+    } else {
+        list.push(along);
     }
+    list
 }
 
 /// Values of all quantities, in the order of [`quantities`] and in their units.
@@ -115,11 +121,9 @@ pub fn values(state: &Observation) -> Vec<f64> {
     let mut list = Vec::new();
     for (b, boundary) in scene.boundaries.iter().enumerate() {
         let body = Body::of(state, &loads, b);
-        measure(&mut list, &BODY, &body);
-        if matches!(boundary.motion, Motion::Driven(_)) {
-            measure(&mut list, &DRIVEN, &body);
+        for fields in of_boundary(&boundary.motion) {
+            measure(&mut list, fields, &body);
         }
-        measure(&mut list, joint(&boundary.motion), &body);
     }
     for (probe, load) in scene.probes.iter().zip(&loads.spheres) {
         measure(&mut list, &PROBE, &Sphere::of(state, *load, probe.sphere));

@@ -4,6 +4,7 @@ use crate::Vec3;
 use crate::observe::energy::Totals;
 use crate::observe::loads::{BodyLoad, Loads};
 use crate::observe::{BoundaryState, Observation};
+use crate::scene::body::Joint;
 use crate::spatial::Twist;
 use crate::state::{EnergyLedger, StepReport};
 
@@ -12,12 +13,19 @@ pub(super) struct Body {
     pub(super) state: BoundaryState,
     pub(super) position: Vec3,
     pub(super) orientation: [f64; 4],
+    /// Of its slide or hinge, world; zero for all others.
+    pub(super) axis: Vec3,
 }
 
 impl Body {
     pub(super) fn of(state: &Observation, loads: &Loads, b: usize) -> Self {
         let body = state.boundaries[b];
+        let axis = match state.scene.boundaries[b].motion.joint() {
+            Joint::Free => Vec3::zeros(),
+            Joint::Slide { axis } | Joint::Hinge { axis } => axis,
+        };
         Self {
+            axis,
             load: loads.boundaries[b],
             position: state.scene.boundaries[b].point_of_action + body.pose.translation,
             orientation: wxyz(&body.pose.rotation),
