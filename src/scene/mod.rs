@@ -29,7 +29,7 @@ use crate::scene::gravity::GravityMotion;
 use crate::scene::materials::{Material, PairTable};
 use crate::scene::particles::{Kinematics, Particles};
 use crate::scene::rotating_frame::RotatingFrame;
-use crate::solver::{SolverKind, Tolerance};
+use crate::solver::{Registers, SolverKind, Tolerance};
 use crate::spatial::cell::Cell;
 
 /// How contact constraints are enforced.
@@ -73,6 +73,7 @@ impl Default for Settings {
             max_iterations: 20_000,
             max_cuts: 10,
             threads: 1,
+            registers: Registers::default(),
         }
     }
 }
@@ -131,6 +132,8 @@ pub struct Settings {
     pub max_cuts: u32,
     /// Threads; results are the same for any number.
     pub threads: usize,
+    /// Vector registers of the sweeps.
+    pub registers: Registers,
 }
 
 impl Settings {

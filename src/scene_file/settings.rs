@@ -53,6 +53,7 @@ pub(super) fn settings(document: &mut Document<'_>, s: &file::Simulation) -> Opt
         max_iterations: s.max_iterations as usize,
         max_cuts: s.max_cuts,
         threads: s.threads as usize,
+        registers: s.registers,
     })
 }
 
@@ -87,6 +88,11 @@ fn ranges(document: &mut Document<'_>, s: &file::Simulation) {
     ];
     for (key, value, range, expected) in counts {
         document.within((TABLE, key), value, range, expected);
+    }
+    if !s.registers.exist() {
+        let help = "set `registers` to \"widest\" or \"plain\"";
+        let message = "this processor has no AVX2, which registers = \"avx2\" needs";
+        document.error((TABLE, "registers"), message, help);
     }
     let (key, expected) = ("max_initial_overlap", "0 <= max_initial_overlap <= 0.5 [-]");
     document.within((TABLE, key), s.max_initial_overlap, 0.0..=0.5, expected);

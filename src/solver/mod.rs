@@ -57,7 +57,7 @@ pub mod residual;
 mod strategy;
 pub(crate) mod tangent;
 
-pub use params::{Params, SolverKind};
+pub use params::{Params, Registers, SolverKind};
 pub use report::Report;
 pub use residual::Tolerance;
 pub use strategy::solve;

@@ -17,6 +17,34 @@ pub enum SolverKind {
     GaussSeidel,
 }
 
+/// Vector registers of the sweeps. Those of AVX-512 and AVX2 give the same bits; plain ones, without fused operations, their
+/// own, which are the same on all x86-64 processors.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Registers {
+    /// The widest that the processor has.
+    #[default]
+    Widest,
+    /// AVX2 with FMA, also where the processor has AVX-512.
+    Avx2,
+    /// Those that every processor has.
+    Plain,
+}
+
+impl Registers {
+    /// Whether this processor has them.
+    #[must_use]
+    pub fn exist(self) -> bool {
+        match self {
+            Self::Widest | Self::Plain => true,
+            #[cfg(target_arch = "x86_64")]
+            Self::Avx2 => pulp::x86::V3::try_new().is_some(),
+            #[cfg(not(target_arch = "x86_64"))]
+            Self::Avx2 => false,
+        }
+    }
+}
+
 /// What a solver is asked for.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Params {

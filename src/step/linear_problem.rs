@@ -15,8 +15,9 @@ pub(super) fn linear_problem<'a>(
     state: &State,
     workspace: &mut Workspace,
 ) -> (Assembly<'a>, Solution) {
-    let threads = prediction.scene.settings.threads;
-    let pool = workspace.solver.kernel.pool(threads);
+    let settings = &prediction.scene.settings;
+    let kernel = &mut workspace.solver.kernel;
+    let pool = kernel.pool(settings.threads, settings.registers);
     let mut arrays = take(&mut workspace.assembly);
     let mut solution = take(&mut workspace.solution);
     loop {

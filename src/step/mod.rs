@@ -67,7 +67,8 @@ pub fn step(
     input: &StepInput,
     effort: Effort,
 ) -> Result<StepOutput, StepFailure> {
-    let pool = workspace.solver.kernel.pool(scene.settings.threads);
+    let (threads, registers) = (scene.settings.threads, scene.settings.registers);
+    let pool = workspace.solver.kernel.pool(threads, registers);
     let mut step = || stages(scene, state, workspace, input, effort);
     match scene.particles.len() {
         0..SMALL => step(),

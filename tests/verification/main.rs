@@ -26,6 +26,7 @@ mod periodic;
 mod pinched;
 mod problems;
 mod regions;
+mod registers;
 mod resistance;
 mod rest;
 mod rolling;

@@ -17,7 +17,7 @@ pub use super::values::{OneOrMany, Triple, Vector};
 use crate::integrator::Integrator;
 pub use crate::scene::Output;
 use crate::scene::{Accuracy, Method};
-use crate::solver::SolverKind;
+use crate::solver::{Registers, SolverKind};
 pub use boundaries::{
     Boundary, Cone, Constant, Cuboid, Cylinder, Face, Input, Motion, Plane, Rectangle, Sinusoid,
     Stl, Table, Terrain,
@@ -181,6 +181,9 @@ pub struct Simulation {
     #[serde(default = "defaults::threads")]
     #[schemars(extend("minimum" = 1, "maximum" = 256))]
     pub threads: u32,
+    /// Vector registers of the sweeps: `"widest"` of the processor, `"avx2"`, or `"plain"`. All but `"plain"` give the same bits on processors that have AVX2 and FMA; `"plain"` is slower and gives its own on all.
+    #[serde(default)]
+    pub registers: Registers,
     /// Tolerances of a step.
     #[serde(default)]
     pub tolerance: Tolerance,

@@ -10,6 +10,7 @@ use super::lanes::{Body, Real};
 use super::partition::PARTS;
 use crate::Vec3;
 use crate::parallel::Pool;
+use crate::solver::params::Registers;
 use crate::solver::residual::Residual;
 
 /// Blocks that are swept together, and the bodies they move.
@@ -28,6 +29,7 @@ pub(super) const BODIES: usize = 50;
 /// Blocks and bodies in one precision.
 #[derive(Debug, Default)]
 pub(super) struct Batches<T> {
+    pub(super) registers: Registers,
     pub(super) blocks: Vec<Batch<T>>,
     /// Which of the blocks' impulses are the last.
     pub(super) latest: usize,
@@ -78,7 +80,7 @@ impl<T: Precision> Batches<T> {
     /// One sweep.
     pub(super) fn sweep(&mut self, turns: &Colours, pool: &Pool, pace: SweepParams) -> Progress {
         self.extrapolate(turns, pool, pace.momentum);
-        let mut total = Progress::NONE;
+        let (mut total, registers) = (Progress::NONE, self.registers);
         for turn in turns.iter().filter(|turn| !turn.is_empty()) {
             let blocks = split(&mut self.blocks, turn.iter().map(|g| g.blocks.clone()));
             let bodies = split(&mut self.bodies, turn.iter().map(|g| g.bodies.clone()));
@@ -89,13 +91,16 @@ impl<T: Precision> Batches<T> {
                 .map(|task| (task, Progress::NONE))
                 .collect();
             pool.each(size(turn), &mut tasks, |((blocks, bodies), found)| {
-                *found = T::widest(Sweep {
-                    blocks,
-                    bodies,
-                    prescribed_velocities,
-                    latest,
-                    pace,
-                });
+                *found = T::with(
+                    registers,
+                    Sweep {
+                        blocks,
+                        bodies,
+                        prescribed_velocities,
+                        latest,
+                        pace,
+                    },
+                );
             });
             total = tasks.iter().fold(total, |sum, (_, found)| sum.with(found));
         }
@@ -106,14 +111,18 @@ impl<T: Precision> Batches<T> {
     /// Moves all bodies on by `momentum` times their last change.
     fn extrapolate(&mut self, turns: &Colours, pool: &Pool, momentum: f64) {
         let parts = || turns[0].iter().map(|group| group.bodies.clone());
+        let registers = self.registers;
         // Behind the parts are driven bodies.
         let rest = turns[0].last().map_or(0, |group| group.bodies.end);
         let extrapolate = |bodies: &mut [Body<T>], before: &mut [Body<T>]| {
-            T::widest(Drift {
-                bodies,
-                before,
-                momentum,
-            });
+            T::with(
+                registers,
+                Drift {
+                    bodies,
+                    before,
+                    momentum,
+                },
+            );
         };
         extrapolate(&mut self.bodies[rest..], &mut self.before[rest..]);
         let bodies = split(&mut self.bodies, parts()).into_iter();
@@ -129,14 +138,18 @@ impl<T: Real> Batches<T> {
     /// Fills the blocks, whose bodies are known, from the contacts and `impulses`, `[C]` \[N s\].
     pub(super) fn fill(&mut self, exact: Exact, impulses: &[Vec3], turns: &Colours, pool: &Pool) {
         self.latest = 0;
+        let registers = self.registers;
         let blocks = |group: &Group| group.blocks.clone();
         by_group(turns, pool, &mut self.blocks, blocks, |group, blocks| {
             let exact = exact.of(&group.blocks);
-            f64::widest(Fill {
-                exact,
-                blocks,
-                impulses,
-            });
+            f64::with(
+                registers,
+                Fill {
+                    exact,
+                    blocks,
+                    impulses,
+                },
+            );
         });
     }
 
@@ -148,14 +161,17 @@ impl<T: Real> Batches<T> {
         pool: &Pool,
         bodies: &mut [Body<f64>],
     ) {
-        let range = |group: &Group| group.bodies.clone();
+        let (range, registers) = (|group: &Group| group.bodies.clone(), self.registers);
         by_group(turns, pool, bodies, range, |group, bodies| {
-            f64::widest(Push {
-                exact: exact.of(&group.blocks),
-                blocks: &self.blocks[group.blocks.clone()],
-                bodies,
-                latest: self.latest,
-            });
+            f64::with(
+                registers,
+                Push {
+                    exact: exact.of(&group.blocks),
+                    blocks: &self.blocks[group.blocks.clone()],
+                    bodies,
+                    latest: self.latest,
+                },
+            );
         });
     }
 
@@ -167,18 +183,21 @@ impl<T: Real> Batches<T> {
         turns: &Colours,
         pool: &Pool,
     ) -> Residual {
-        let mut residual = Residual::default();
+        let (mut residual, registers) = (Residual::default(), self.registers);
         for turn in turns {
             let none = |group| (group, Residual::default());
             let mut tasks: ArrayVec<_, PARTS> = turn.iter().map(none).collect();
             pool.each(size(turn), &mut tasks, |(group, found)| {
-                *found = f64::widest(Judge {
-                    exact: exact.of(&group.blocks),
-                    blocks: &self.blocks[group.blocks.clone()],
-                    bodies: &bodies[group.bodies.clone()],
-                    prescribed_velocities,
-                    latest: self.latest,
-                });
+                *found = f64::with(
+                    registers,
+                    Judge {
+                        exact: exact.of(&group.blocks),
+                        blocks: &self.blocks[group.blocks.clone()],
+                        bodies: &bodies[group.bodies.clone()],
+                        prescribed_velocities,
+                        latest: self.latest,
+                    },
+                );
             });
             tasks.iter().for_each(|(_, found)| residual.join(found));
         }

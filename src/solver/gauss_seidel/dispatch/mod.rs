@@ -1,4 +1,4 @@
-//! Sweeps, pushes and judgements with the widest registers that the processor has.
+//! Sweeps, pushes and judgements with the widest registers that the processor has, or those that are asked for.
 
 use std::ops::Range;
 
@@ -6,6 +6,7 @@ use super::batch::{Batch, Progress, SweepParams, Vector};
 use super::lanes::{Body, FUSES, Lanes, Plain, Real, Sixteen};
 use super::local::{Constants, Source};
 use crate::Vec3;
+use crate::solver::params::Registers;
 use crate::solver::residual::Residual;
 
 /// What a sweep goes over, in one precision: all of one group.
@@ -77,20 +78,24 @@ pub(super) trait Task: Sized {
 
 /// A precision with its registers.
 pub(super) trait Precision: Real {
-    /// Does `work` with the widest registers that the processor has.
-    fn widest<W: Task<Real = Self>>(work: W) -> W::Output;
+    /// Does `work` with these registers, narrower ones where the processor has none of them.
+    fn with<W: Task<Real = Self>>(registers: Registers, work: W) -> W::Output;
 }
 
 macro_rules! precision {
     ($real:ty) => {
         impl Precision for $real {
-            fn widest<W: Task<Real = Self>>(work: W) -> W::Output {
+            fn with<W: Task<Real = Self>>(registers: Registers, work: W) -> W::Output {
                 #[cfg(target_arch = "x86_64")]
-                if let Some(lanes) = pulp::x86::V4::try_new() {
+                if registers == Registers::Widest
+                    && let Some(lanes) = pulp::x86::V4::try_new()
+                {
                     return lanes.vectorize(Job { work, lanes });
                 }
                 #[cfg(target_arch = "x86_64")]
-                if let Some(lanes) = pulp::x86::V3::try_new() {
+                if registers != Registers::Plain
+                    && let Some(lanes) = pulp::x86::V3::try_new()
+                {
                     return lanes.vectorize(Job { work, lanes });
                 }
                 work.with(Plain::<4, FUSES>)

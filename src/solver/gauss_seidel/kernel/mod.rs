@@ -15,6 +15,7 @@ use crate::Vec3;
 use crate::parallel::Pool;
 use crate::problem::{Law, Problem, Row};
 use crate::solver::Tolerance;
+use crate::solver::params::Registers;
 use crate::solver::residual::{Residual, Scale};
 use crate::spatial::SpatialVector;
 
@@ -134,8 +135,10 @@ impl Kernel {
         self.layout.arrange(centres, diameter);
     }
 
-    /// Its threads, so many of them.
-    pub(crate) fn pool(&mut self, threads: usize) -> Pool {
+    /// Its threads, so many of them. Sweeps then use these registers.
+    pub(crate) fn pool(&mut self, threads: usize, registers: Registers) -> Pool {
+        self.exact.registers = registers;
+        self.quick.registers = registers;
         if self.pool.threads() != threads {
             self.pool = Pool::new(threads);
         }
