@@ -1,7 +1,7 @@
 """A run that is killed with SIGKILL at random moments and resumed each time, as other programs see its files.
 
 After each kill every frame that a collection lists is read whole by meshio and by VTK, and the history by a CSV reader; in
-the end the directory is the one of a run that was not killed, byte for byte. SPHERE_DDA_KILLS: how often, 10 if absent.
+the end the directory is the one of a run that was not killed, byte for byte. SPHERE_DDA_KILLS: how often, 50 if absent.
 """
 
 import csv
@@ -13,7 +13,7 @@ import time
 from conftest import scene
 from test_vtk import listed, read_meshio, read_vtk
 
-KILLS = int(os.environ.get("SPHERE_DDA_KILLS", "10"))
+KILLS = int(os.environ.get("SPHERE_DDA_KILLS", "50"))
 OUTPUT = "[output]\nvtu_interval = 0.02\ncheckpoint_interval = 0.06\n"
 
 
