@@ -128,9 +128,15 @@ impl From<InputTableError> for Failure {
 }
 
 impl From<SimulateError> for Failure {
-    /// What happens after the start, and so leaves something recorded, is a failed run.
+    /// What happens after the start, and so leaves something recorded, is a failed run, and so is an FMU that does not come
+    /// back from a call.
     fn from(error: SimulateError) -> Self {
-        if error.table().is_some() {
+        let lost = |error: &ImportError| {
+            use ImportError::{Ended, TimedOut};
+            matches!(error, Ended { .. } | TimedOut { .. })
+        };
+        let lost = matches!(&error, SimulateError::Import(import) if lost(import));
+        if lost || error.table().is_some() {
             Self::run(error)
         } else {
             Self::input(error)

@@ -16,6 +16,7 @@ mod reference;
 mod reproduce_paper;
 mod run;
 mod schema;
+mod serve_fmu;
 mod settle;
 mod simulate;
 mod study;
@@ -69,6 +70,9 @@ enum Command {
     /// Run the paper's examples and write what it claims, as numbers, plots and pictures.
     #[command(hide = true)]
     ReproducePaper(reproduce_paper::ReproducePaper),
+    /// One FMU of `simulate --isolate`, in a process of its own.
+    #[command(name = serve_fmu::NAME, hide = true)]
+    ServeFmu(serve_fmu::ServeFmu),
     /// Measure laws of granular matter (silo, outflow, collapse, repose) and write them as a report.
     #[command(hide = true)]
     Verify(verify::Verify),
@@ -103,6 +107,7 @@ fn dispatch(command: &Command) -> Result<(), Failure> {
         Command::Verify(arguments) => verify::run(arguments, &Interrupt::listen()?),
         Command::Export(arguments) => export::run(arguments, &Interrupt::listen()?),
         Command::Inspect(arguments) => inspect::run(arguments),
+        Command::ServeFmu(arguments) => serve_fmu::run(arguments),
         Command::Simulate(arguments) => simulate::run(arguments, &Interrupt::listen()?),
     }
 }

@@ -1,19 +1,23 @@
 //! `sphere-dda simulate X.fmu ...`.
 
+use std::env;
 use std::fs::{self, File, OpenOptions};
 use std::io;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 use clap::{Args, ValueEnum};
 use miette::miette;
 use sphere_dda_master::{
-    Coupling, CsvWriter, End, Event, Fmu, InputTable, Iteration, Options, Ssp, System, Table,
-    Value, simulate,
+    Coupling, CsvWriter, End, Event, Fmu, InputTable, Isolation, Iteration, Options, Ssp, System,
+    Table, Value, simulate,
 };
 
+use crate::arguments::positive;
 use crate::failure::Failure;
 use crate::progress::{Interrupt, Progress, count, note};
+use crate::serve_fmu;
 
 /// Arguments of `simulate`.
 #[derive(Debug, Args)]
@@ -77,6 +81,13 @@ pub(crate) struct Simulate {
     /// Start value of a parameter or input; can be repeated.
     #[arg(long = "set", value_name = "NAME=VALUE", value_parser = assignment)]
     set: Vec<(String, String)>,
+    /// Run each FMU in a process of its own: if it crashes, ends the process or hangs, the run ends with a message that names
+    /// the call.
+    #[arg(long)]
+    isolate: bool,
+    /// Longest time that one call of an FMU may take, with --isolate; none if absent.
+    #[arg(long, value_name = "SECONDS", requires = "isolate", value_parser = positive)]
+    call_timeout: Option<f64>,
     /// Have the FMU log more than warnings and errors.
     #[arg(long)]
     verbose: bool,
@@ -212,6 +223,7 @@ fn options(
         set,
         logging: arguments.verbose,
         allow_nan: arguments.allow_nan,
+        isolation: isolation(arguments)?,
         // Rows go to the file as they come.
         keep_last: true,
         ..Options::default()
@@ -243,6 +255,19 @@ fn iteration(arguments: &Simulate) -> Result<Iteration, Failure> {
         relaxation: arguments.relaxation.unwrap_or(default.relaxation),
         accept_unconverged: arguments.accept_unconverged,
     })
+}
+
+/// This program, once for each FMU.
+fn isolation(arguments: &Simulate) -> Result<Option<Isolation>, Failure> {
+    if !arguments.isolate {
+        return Ok(None);
+    }
+    let call_timeout = arguments.call_timeout.map(Duration::try_from_secs_f64);
+    Ok(Some(Isolation {
+        program: env::current_exe().map_err(Failure::input)?,
+        arguments: vec![serve_fmu::NAME.into()],
+        call_timeout: call_timeout.transpose().map_err(Failure::input)?,
+    }))
 }
 
 /// Whether a file is named as an SSP is.

@@ -2,6 +2,8 @@
 
 use std::io;
 use std::path::PathBuf;
+use std::process::ExitStatus;
+use std::time::Duration;
 
 use thiserror::Error;
 use zip::result::ZipError;
@@ -276,6 +278,51 @@ pub enum ImportError {
     Version {
         /// The FMU.
         path: PathBuf,
+    },
+    /// A call of an FMU in a process of its own failed, for one of the other reasons.
+    #[error("{0}")]
+    Isolated(String),
+    /// The process of an FMU ended within a call, or after it.
+    #[error(
+        "{path}: {function}: found the process of the FMU ended by {how}, expected it to return{}: tell its maker",
+        said(.log),
+        path = path.display()
+    )]
+    Ended {
+        /// The FMU.
+        path: PathBuf,
+        /// The function in C.
+        function: String,
+        /// Exit code or signal.
+        how: ExitStatus,
+        /// Last messages of the FMU.
+        log: Vec<String>,
+    },
+    /// A call took too long; the process of the FMU is ended.
+    #[error(
+        "{path}: {function}: found no return within the limit of {limit} s, expected one{}: allow longer calls, or tell \
+         its maker",
+        said(.log),
+        limit = limit.as_secs_f64(),
+        path = path.display()
+    )]
+    TimedOut {
+        /// The FMU.
+        path: PathBuf,
+        /// The function in C.
+        function: String,
+        /// The limit.
+        limit: Duration,
+        /// Last messages of the FMU.
+        log: Vec<String>,
+    },
+    /// The process of an FMU could not be started or understood.
+    #[error("{path}: {source}; expected a process for the FMU", path = path.display())]
+    Process {
+        /// The FMU.
+        path: PathBuf,
+        /// What the system says.
+        source: io::Error,
     },
     /// A saved state of another instance, or one that was freed.
     #[error(

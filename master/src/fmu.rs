@@ -1,11 +1,11 @@
 //! One FMU: its archive, its variables, and its library once that is needed.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
-use crate::calls::{Arrays, Fmi2, Fmi3, Instance, Instance2, Library, Participant};
+use crate::calls::{Arrays, Fmi2, Fmi3, Instance, Instance2, Library, Participant, Watch};
 use crate::error::ImportError;
-use crate::open::{Description, Limits, Opened};
+use crate::open::{Description, Folder, Limits, Opened};
 use crate::variable::{MAX_ELEMENTS, Variable, variables_2, variables_3};
 
 /// The library, once it is loaded.
@@ -21,6 +21,7 @@ pub struct Fmu {
     opened: Opened,
     variables: Vec<Variable>,
     library: Mutex<Option<Loaded>>,
+    watch: Watch,
 }
 
 impl Fmu {
@@ -42,7 +43,19 @@ impl Fmu {
     ///
     /// As [`open`](Self::open).
     pub fn open_within(path: impl AsRef<Path>, limits: Limits) -> Result<Self, ImportError> {
-        let opened = Opened::within(path.as_ref(), limits)?;
+        Self::of(Opened::within(path.as_ref(), limits)?, Watch::default())
+    }
+
+    /// One that another process has unpacked to `folder` from the archive at `path`; `watch` hears what its library does.
+    pub(crate) fn unpacked(
+        path: PathBuf,
+        folder: PathBuf,
+        watch: Watch,
+    ) -> Result<Self, ImportError> {
+        Self::of(Opened::read(path, Folder::OfAnother(folder), 0)?, watch)
+    }
+
+    fn of(opened: Opened, watch: Watch) -> Result<Self, ImportError> {
         let variables = match &opened.description {
             Description::Two(own) => Ok(variables_2(own)),
             Description::Three(own) => variables_3(own),
@@ -52,6 +65,7 @@ impl Fmu {
                 opened,
                 variables,
                 library: Mutex::new(None),
+                watch,
             }),
             Err((name, found)) => Err(ImportError::Elements {
                 path: opened.path,
@@ -141,8 +155,12 @@ impl Fmu {
             Some(loaded) => loaded.again(),
             None => {
                 let loaded = match self.opened.description {
-                    Description::Two(_) => Loaded::Two(Arc::new(Library::load(&self.opened)?)),
-                    Description::Three(_) => Loaded::Three(Arc::new(Library::load(&self.opened)?)),
+                    Description::Two(_) => {
+                        Loaded::Two(Arc::new(Library::load(&self.opened, &self.watch)?))
+                    }
+                    Description::Three(_) => {
+                        Loaded::Three(Arc::new(Library::load(&self.opened, &self.watch)?))
+                    }
                 };
                 slot.insert(loaded).again()
             }

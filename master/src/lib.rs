@@ -10,7 +10,8 @@
 //!
 //! The archive and the description are untrusted: they are read within limits and refused with a reason. The
 //! library itself is native code of this process. It is called as the standard says, in the order it says, so
-//! that a library that keeps to the standard cannot do harm; one that does not can do anything, as everywhere.
+//! that a library that keeps to the standard cannot do harm; one that does not can do anything, as everywhere. With an
+//! [`Isolation`] each instance has a process of its own, and its crash, exit or endless loop is an error here.
 //!
 //! ```no_run
 //! use sphere_dda_master::{Fmu, Options, System, simulate};
@@ -24,11 +25,13 @@
 //!
 //! Rooms, each of which imports only from those before it: `status`, `value`, `error`; `open` (archives and
 //! descriptions), `variable` (variables of either version in one form), `calls` (the C interfaces, the one room with
-//! unsafe code), `fmu`, `system` (names and connections), `ssp`, `run` (one simulation).
+//! unsafe code), `fmu`, `isolate` (an FMU in a process of its own), `system` (names and connections), `ssp`, `run` (one
+//! simulation).
 
 mod calls;
 mod error;
 mod fmu;
+mod isolate;
 mod open;
 mod run;
 mod ssp;
@@ -40,6 +43,7 @@ mod variable;
 pub use calls::{Instance2, Message, SavedState, Step};
 pub use error::{ArchiveError, ImportError};
 pub use fmu::Fmu;
+pub use isolate::{Isolation, serve};
 pub use open::{Description, Limits, RATIO_FLOOR, remove_unpacked};
 pub use run::{
     Column, Coupling, CsvWriter, End, Event, InputTable, InputTableError, Iteration, NotConverged,

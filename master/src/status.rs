@@ -3,11 +3,13 @@
 use std::ffi::c_int;
 use std::fmt;
 
+use serde::{Deserialize, Serialize};
+
 /// A status as it arrives: perhaps none of the standard.
 pub(crate) type RawStatus = c_int;
 
 /// What a function of the interface says about its work: `fmi2Status`, `fmi3Status`.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Status {
     /// All well.
     Ok,

@@ -3,7 +3,7 @@
 use std::fmt;
 use std::ops::RangeInclusive;
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// Hands the list of all types to a macro.
 macro_rules! scalar_types {
@@ -34,7 +34,7 @@ macro_rules! define {
         /// Type of the elements of a variable: the name of its XML element in FMI 3.0.
         ///
         /// FMI 2.0 has `Float64` (its Real), `Int32` (its Integer), `Boolean`, `String` and `Enumeration`.
-        #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default, Serialize)]
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default, Serialize, Deserialize)]
         #[allow(missing_docs, reason = "the names say it")]
         pub enum ScalarType {
             #[default]
@@ -107,7 +107,7 @@ pub enum ValueType {
 }
 
 /// A value; enumerations are integers.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub enum Value {
     /// A real number, in the unit of the variable.
     Real(f64),

@@ -7,7 +7,7 @@ use crate::command::{Said, said};
 use crate::foreign_fmu::{Build, entries, pack, write_archive};
 
 /// Simulates `bad.fmu` in `folder`; the message must be one, of this code, with these parts.
-fn fails(folder: &Path, arguments: &[&str], code: i32, parts: &[&str]) -> Said {
+pub(crate) fn fails(folder: &Path, arguments: &[&str], code: i32, parts: &[&str]) -> Said {
     let said = said(folder, &[&["simulate", "bad.fmu"], arguments].concat());
     assert_eq!(said.code, Some(code), "{arguments:?}: {}", said.error);
     let reports = said.error.lines().filter(|line| line.contains('×')).count();

@@ -8,6 +8,7 @@ mod fmus;
 #[expect(dead_code, reason = "the tests of the importer use the rest")]
 mod foreign_fmu;
 mod interrupted;
+mod isolated;
 mod killed;
 mod paper;
 mod refused;

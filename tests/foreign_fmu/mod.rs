@@ -20,6 +20,8 @@ pub(crate) enum Build {
     OtherTypes,
     NoInstance,
     SetupFails,
+    LoadExits,
+    InstanceExits,
 }
 
 impl Build {
@@ -33,6 +35,8 @@ impl Build {
             Self::OtherTypes => "OTHER_TYPES",
             Self::NoInstance => "NO_INSTANCE",
             Self::SetupFails => "SETUP_FAILS",
+            Self::LoadExits => "LOAD_EXITS",
+            Self::InstanceExits => "INSTANCE_EXITS",
         }
     }
 }

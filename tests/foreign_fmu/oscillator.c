@@ -5,15 +5,18 @@
  * advanced by its closed form, so that no step size matters. It can fail on purpose: the string parameter `fault`
  * is "<function>:<status>", for example "fmi2DoStep:3"; the fault strikes from time `faultTime` on. Every call of
  * its life is written to `trace.txt` in the resources. Other faults are "nan", "terminate", "short", "half" and
- * "logger", which calls the logger in every way that the standard does not foresee. Built with WITHOUT_DO_STEP,
- * WITHOUT_STATES, UNDEFINED_SYMBOL, OTHER_VERSION, OTHER_TYPES, NO_INSTANCE or SETUP_FAILS it is a library that
- * cannot be loaded, lacks something, or fails before a parameter can be set.
+ * "logger", which calls the logger in every way that the standard does not foresee. In the place of a status "crash",
+ * "abort", "exit" and "hang" do not come back, "sleep" takes 0.05 s, "print" writes to standard output and reads
+ * standard input. Built with WITHOUT_DO_STEP, WITHOUT_STATES, UNDEFINED_SYMBOL, OTHER_VERSION, OTHER_TYPES,
+ * NO_INSTANCE, SETUP_FAILS, LOAD_EXITS or INSTANCE_EXITS it is a library that cannot be loaded, lacks something, or
+ * fails before a parameter can be set.
  */
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "fmi2.h"
 
@@ -46,12 +49,21 @@ typedef struct {
 double symbol_that_no_library_has(double);
 #endif
 
+#ifdef LOAD_EXITS
+__attribute__((constructor)) static void leave(void) {
+    exit(0);
+}
+#endif
+
 static void trace(const Instance *instance, const char *function) {
     FILE *file = fopen(instance->trace, "a");
     if (file == NULL) return;
     fprintf(file, "%s\n", function);
     fclose(file);
 }
+
+/* An address that no process has, which the compiler does not know. */
+static int *volatile nowhere = NULL;
 
 /* The status that the fault parameter asks of this function. */
 static fmi2Status fault(Instance *instance, const char *function) {
@@ -60,7 +72,17 @@ static fmi2Status fault(Instance *instance, const char *function) {
     size_t length = strlen(function);
     if (colon == NULL || (size_t)(colon - wish) != length || strncmp(wish, function, length) != 0) return fmi2OK;
     if (instance->state.time < instance->state.real[FAULT_TIME] - 1e-12) return fmi2OK;
-    fmi2Status status = (fmi2Status)atoi(colon + 1);
+    const char *what = colon + 1;
+    if (strcmp(what, "crash") == 0) *nowhere = 1;
+    if (strcmp(what, "abort") == 0) abort();
+    if (strcmp(what, "exit") == 0) exit(0);
+    if (strcmp(what, "sleep") == 0) usleep(50000);
+    if (strcmp(what, "print") == 0) {
+        printf("from the library, %d\n", getchar());
+        fflush(stdout);
+    }
+    for (volatile int once = 1; strcmp(what, "hang") == 0;) (void)once;
+    fmi2Status status = (fmi2Status)atoi(what);
     if (status != fmi2OK) {
         instance->callbacks.logger(instance->callbacks.componentEnvironment, instance->name, status, "logStatusError",
                                    "%s", "failed on purpose, 100 %");
@@ -131,6 +153,9 @@ FMI2_EXPORT fmi2Component fmi2Instantiate(fmi2String name, fmi2Type type, fmi2St
         callbacks->logger(callbacks->componentEnvironment, name, fmi2Error, "logStatusError", "wrong guid %s", guid);
         return NULL;
     }
+#ifdef INSTANCE_EXITS
+    exit(0);
+#endif
 #ifdef NO_INSTANCE
     return NULL;
 #endif
@@ -154,6 +179,7 @@ FMI2_EXPORT void fmi2FreeInstance(fmi2Component c) {
     Instance *instance = c;
     if (instance == NULL) return;
     trace(instance, "fmi2FreeInstance");
+    fault(instance, "fmi2FreeInstance");
     instance->callbacks.freeMemory(instance);
 }
 

@@ -8,7 +8,8 @@ use crate::error::ImportError;
 use crate::status::{Phase, RawStatus, Status};
 
 use super::library::{Handle, Interface, Library};
-use super::logger::{Log, Message};
+use super::logger::Log;
+use super::watch::Message;
 
 use Phase::{Discarded, Failed, Initialization, Instantiated, Stepping, Terminated};
 
@@ -27,7 +28,7 @@ pub(super) const ALIVE: &[Phase] = &[
 ];
 
 /// Messages that an error repeats.
-pub(super) const TAIL: usize = 3;
+pub(crate) const TAIL: usize = 3;
 
 /// One instance. Dropping it frees the instance, then the library if it was the last.
 ///
@@ -73,11 +74,12 @@ impl<F: Interface> Instance<F> {
                 expected: "never so".to_owned(),
             });
         }
-        let log = Arc::new(Log::new(name));
+        let log = Arc::new(Log::new(name, library.watch.clone()));
         let callbacks = Arc::new(callbacks(&log));
         if !library.enter(only_one) {
             return Err(ImportError::OnlyOnce);
         }
+        log.calling(function);
         let component = make(&library.functions, &log, &callbacks);
         if component.is_null() {
             library.leave();
@@ -151,6 +153,7 @@ impl<F: Interface> Instance<F> {
         self.judge(function, raw)
     }
 
+    /// Whether the call is allowed now; if so, it follows at once.
     pub(super) fn allow(
         &self,
         function: &'static str,
@@ -158,6 +161,7 @@ impl<F: Interface> Instance<F> {
     ) -> Result<(), ImportError> {
         let found = self.phase();
         if allowed.contains(&found) {
+            self.log.calling(function);
             return Ok(());
         }
         let expected: Vec<String> = allowed.iter().map(Phase::to_string).collect();
@@ -210,8 +214,10 @@ impl<F: Interface> Drop for Instance<F> {
         if self.library.is_dead() {
             return self.abandon();
         }
-        if let Some(free) = self.library.functions.states().free.1 {
+        let (function, free) = self.library.functions.states().free;
+        if let Some(free) = free {
             for mut state in std::mem::take(&mut self.states) {
+                self.log.calling(function);
                 // SAFETY: a state of this instance that is not freed.
                 let raw = unsafe { free(self.component, &raw mut state) };
                 if Status::from_raw(raw) == Some(Status::Fatal) {
@@ -220,6 +226,7 @@ impl<F: Interface> Drop for Instance<F> {
                 }
             }
         }
+        self.log.calling(F::FREE);
         // SAFETY: the instance is not freed, and never used again.
         unsafe { self.library.functions.free(self.component) };
         self.library.leave();

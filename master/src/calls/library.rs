@@ -8,16 +8,19 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
-use tempfile::TempDir;
-
 use crate::error::ImportError;
-use crate::open::Opened;
+use crate::open::{Folder, Opened};
 use crate::status::RawStatus;
 
 use super::logger;
+use super::watch::Watch;
 
 /// An instance, or a saved state of one, as the library knows it.
 pub(crate) type Handle = *mut c_void;
+
+/// What happens before the first and after the last function, in the place of their names.
+const LOADING: &str = "loading of the library";
+const UNLOADING: &str = "unloading of the library";
 
 /// A function of the states of an instance: its name in C, and the function if the library has it.
 pub(crate) type Named<F> = (&'static str, Option<F>);
@@ -35,6 +38,9 @@ pub struct StateCalls {
 
 /// What the versions of the standard do differently, as far as loading, states and freeing go.
 pub trait Interface: Sized {
+    /// Name of the function that frees an instance.
+    const FREE: &'static str;
+
     /// What the library keeps a pointer to until the instance is freed.
     type Callbacks: Send + Sync;
 
@@ -141,7 +147,8 @@ pub(crate) struct Library<F> {
     living: AtomicUsize,
     /// `None` only while dropped.
     handle: Option<libloading::Library>,
-    _folder: Arc<TempDir>,
+    pub(super) watch: Watch,
+    _folder: Arc<Folder>,
 }
 
 impl<F> fmt::Debug for Library<F> {
@@ -155,7 +162,7 @@ impl<F> fmt::Debug for Library<F> {
 
 impl<F: Interface> Library<F> {
     /// Loads the library of `fmu` for this system and checks what it says of itself.
-    pub(crate) fn load(fmu: &Opened) -> Result<Self, ImportError> {
+    pub(crate) fn load(fmu: &Opened, watch: &Watch) -> Result<Self, ImportError> {
         let name = fmu.description.model_identifier();
         let place = |folder: &&str| format!("binaries/{folder}/{name}{DLL_SUFFIX}");
         let places: Vec<String> = F::platforms().iter().map(place).collect();
@@ -167,6 +174,7 @@ impl<F: Interface> Library<F> {
                 found: platforms_in(fmu.folder.path()),
             });
         };
+        watch.calling(LOADING);
         // SAFETY: initializers of the library run. They are native code that the user chose to run.
         let handle = match unsafe { open(&path) } {
             Ok(handle) => handle,
@@ -183,6 +191,7 @@ impl<F: Interface> Library<F> {
             dead: AtomicBool::new(false),
             living: AtomicUsize::new(0),
             handle: Some(handle),
+            watch: watch.clone(),
             _folder: Arc::clone(&fmu.folder),
         };
         library.functions.check()?;
@@ -230,6 +239,7 @@ impl<F> Drop for Library<F> {
         if self.is_dead() {
             std::mem::forget(self.handle.take());
         }
+        self.watch.calling(UNLOADING);
     }
 }
 

@@ -11,45 +11,17 @@
 //! never read. Any other format is shown as it is, its arguments left out.
 
 use std::ffi::{CStr, c_char, c_void};
-use std::fmt;
 use std::sync::{Mutex, PoisonError};
 
 use crate::status::{RawStatus, Status};
+
+use super::watch::{Happening, Message, Watch};
 
 /// A text of the interface.
 type Text = *const c_char;
 
 /// Most messages that one instance keeps until they are taken; later ones are counted only.
 const CAPACITY: usize = 10_000;
-
-/// One message of a foreign library.
-#[derive(Debug, Clone, PartialEq, Eq)]
-#[non_exhaustive]
-pub struct Message {
-    /// Name of the instance that it is about.
-    pub instance: String,
-    /// How serious it is; `None` for a number that the standard does not know.
-    pub status: Option<Status>,
-    /// Category, one of those in the model description if the library keeps to the standard.
-    pub category: String,
-    /// The text; directives whose arguments could not be read stand as in the format.
-    pub text: String,
-}
-
-impl fmt::Display for Message {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self {
-            instance,
-            category,
-            text,
-            ..
-        } = self;
-        match self.status {
-            Some(status) => write!(formatter, "{instance}: {status} [{category}] {text}"),
-            None => write!(formatter, "{instance}: [{category}] {text}"),
-        }
-    }
-}
 
 #[derive(Debug, Default)]
 struct Messages {
@@ -63,17 +35,25 @@ pub(crate) struct Log {
     messages: Mutex<Messages>,
     /// Name of the instance, which messages of FMI 3.0 do not tell.
     name: String,
+    watch: Watch,
 }
 
 impl Log {
-    pub(crate) fn new(name: &str) -> Self {
+    pub(crate) fn new(name: &str, watch: Watch) -> Self {
         Self {
             name: name.to_owned(),
+            watch,
             ..Self::default()
         }
     }
 
-    fn push(&self, message: Message) {
+    /// This function is called next.
+    pub(crate) fn calling(&self, function: &str) {
+        self.watch.calling(function);
+    }
+
+    pub(crate) fn push(&self, message: Message) {
+        self.watch.tell(|| Happening::Logged(message.clone()));
         let mut messages = self.messages.lock().unwrap_or_else(PoisonError::into_inner);
         if messages.kept.len() < CAPACITY {
             messages.kept.push(message);

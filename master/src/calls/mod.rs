@@ -7,14 +7,17 @@ mod library;
 mod logger;
 mod participant;
 mod state;
+mod watch;
 
 pub use fmi2::Instance2;
-pub use logger::Message;
 pub use participant::Step;
 pub use state::SavedState;
+pub use watch::Message;
 
 pub(crate) use fmi2::Functions as Fmi2;
 pub(crate) use fmi3::{Arrays, Functions as Fmi3};
-pub(crate) use instance::Instance;
+pub(crate) use instance::{Instance, TAIL};
 pub(crate) use library::Library;
+pub(crate) use logger::Log;
 pub(crate) use participant::{InputValues, Participant};
+pub(crate) use watch::{Happening, Watch};

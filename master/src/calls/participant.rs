@@ -1,17 +1,19 @@
 //! What the master needs of an instance, whichever version of the standard it speaks.
 
+use serde::{Deserialize, Serialize};
+
 use crate::error::ImportError;
 use crate::value::Value;
 use crate::variable::Place;
 
-use super::logger::Message;
 use super::state::SavedState;
+use super::watch::Message;
 
 /// Values for the inputs of one instance.
 pub(crate) type InputValues = Vec<(Place, Value)>;
 
 /// What became of a step.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub enum Step {
     /// The step is done.
     Done,
@@ -55,6 +57,11 @@ pub(crate) trait Participant {
     fn free(&mut self, state: SavedState) -> Result<(), ImportError>;
 
     fn finish(&mut self) -> Result<(), ImportError>;
+
+    /// Frees the instance, as dropping it does, where that can fail: nothing is called after it.
+    fn close(&mut self) -> Result<(), ImportError> {
+        Ok(())
+    }
 
     /// Messages since the last call, and how many more there were than could be kept.
     fn messages(&self) -> (Vec<Message>, usize);

@@ -14,9 +14,35 @@ use super::logger::Log;
 /// `free_state` did not.
 #[derive(Debug)]
 pub struct SavedState {
-    raw: Handle,
-    phase: Phase,
+    kept: Kept,
     owner: Arc<Log>,
+}
+
+/// Where a state is.
+#[derive(Debug)]
+enum Kept {
+    /// In this process, with the phase that the instance was in.
+    Here(Handle, Phase),
+    /// In the process of the instance, under this number.
+    There(u64),
+}
+
+impl SavedState {
+    /// A state that the process of an instance keeps under this number; `owner` is what is here of the instance.
+    pub(crate) fn there(number: u64, owner: &Arc<Log>) -> Self {
+        Self {
+            kept: Kept::There(number),
+            owner: Arc::clone(owner),
+        }
+    }
+
+    /// Its number in the process of the instance that `owner` is here of.
+    pub(crate) fn number(&self, owner: &Arc<Log>) -> Option<u64> {
+        match self.kept {
+            Kept::There(number) if Arc::ptr_eq(&self.owner, owner) => Some(number),
+            _ => None,
+        }
+    }
 }
 
 impl<F: Interface> Instance<F> {
@@ -44,12 +70,12 @@ impl<F: Interface> Instance<F> {
     pub fn restore_state(&mut self, state: &SavedState) -> Result<(), ImportError> {
         let (function, call) = self.library.functions.states().restore;
         let call = self.library.optional(function, call)?;
-        self.own(function, state)?;
+        let (raw, phase) = self.own(function, state)?;
         self.call(function, ALIVE, |component| {
             // SAFETY: a state of this instance that is not freed.
-            unsafe { call(component, state.raw) }
+            unsafe { call(component, raw) }
         })?;
-        self.phase = state.phase;
+        self.phase = phase;
         Ok(())
     }
 
@@ -61,9 +87,8 @@ impl<F: Interface> Instance<F> {
     pub fn free_state(&mut self, state: SavedState) -> Result<(), ImportError> {
         let (function, call) = self.library.functions.states().free;
         let call = self.library.optional(function, call)?;
-        self.own(function, &state)?;
-        self.states.retain(|&held| held != state.raw);
-        let mut raw = state.raw;
+        let (mut raw, _) = self.own(function, &state)?;
+        self.states.retain(|&held| held != raw);
         self.call(function, ALIVE, |component| {
             // SAFETY: a state of this instance, held no longer.
             unsafe { call(component, &raw mut raw) }
@@ -79,16 +104,16 @@ impl<F: Interface> Instance<F> {
         let calls = self.library.functions.states();
         let size_of = self.library.optional(calls.size.0, calls.size.1)?;
         let write = self.library.optional(calls.write.0, calls.write.1)?;
-        self.own(calls.write.0, state)?;
+        let (raw, _) = self.own(calls.write.0, state)?;
         let mut size = 0;
         self.call(calls.size.0, ALIVE, |component| {
             // SAFETY: a state of this instance that is not freed; `size` is there for the call.
-            unsafe { size_of(component, state.raw, &raw mut size) }
+            unsafe { size_of(component, raw, &raw mut size) }
         })?;
         let mut bytes = vec![0_u8; size];
         self.call(calls.write.0, ALIVE, |component| {
             // SAFETY: as above; the buffer has the size that was asked for.
-            unsafe { write(component, state.raw, bytes.as_mut_ptr(), size) }
+            unsafe { write(component, raw, bytes.as_mut_ptr(), size) }
         })?;
         Ok(bytes)
     }
@@ -124,16 +149,23 @@ impl<F: Interface> Instance<F> {
         }
         self.states.push(raw);
         Ok(SavedState {
-            raw,
-            phase,
+            kept: Kept::Here(raw, phase),
             owner: Arc::clone(&self.log),
         })
     }
 
-    fn own(&self, function: &'static str, state: &SavedState) -> Result<(), ImportError> {
-        if Arc::ptr_eq(&self.log, &state.owner) && self.states.contains(&state.raw) {
-            return Ok(());
+    fn own(
+        &self,
+        function: &'static str,
+        state: &SavedState,
+    ) -> Result<(Handle, Phase), ImportError> {
+        match state.kept {
+            Kept::Here(raw, phase)
+                if Arc::ptr_eq(&self.log, &state.owner) && self.states.contains(&raw) =>
+            {
+                Ok((raw, phase))
+            }
+            _ => Err(ImportError::ForeignState { function }),
         }
-        Err(ImportError::ForeignState { function })
     }
 }

@@ -9,4 +9,4 @@ pub use description::Description;
 pub use opened::remove_unpacked;
 
 pub(crate) use archive::{inner_path, unpack};
-pub(crate) use opened::{Opened, text};
+pub(crate) use opened::{Folder, Opened, text};

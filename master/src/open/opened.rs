@@ -26,11 +26,29 @@ pub fn remove_unpacked() {
     }
 }
 
+/// Where an archive is unpacked.
+#[derive(Debug)]
+pub(crate) enum Folder {
+    /// In a folder of this process; removed when this is dropped.
+    Own(TempDir),
+    /// In one that another process removes.
+    OfAnother(PathBuf),
+}
+
+impl Folder {
+    pub(crate) fn path(&self) -> &Path {
+        match self {
+            Self::Own(folder) => folder.path(),
+            Self::OfAnother(path) => path,
+        }
+    }
+}
+
 /// An unpacked FMU. Its folder is removed when nothing holds it any more.
 #[derive(Debug)]
 pub(crate) struct Opened {
     pub(crate) path: PathBuf,
-    pub(crate) folder: Arc<TempDir>,
+    pub(crate) folder: Arc<Folder>,
     /// Size of all its files, unpacked \[byte\].
     pub(crate) bytes: u64,
     pub(crate) description: Description,
@@ -48,6 +66,11 @@ impl Opened {
             .lock()
             .unwrap_or_else(PoisonError::into_inner)
             .push(folder.path().to_owned());
+        Self::read(path, Folder::Own(folder), bytes)
+    }
+
+    /// Reads the description of what is unpacked in `folder`, `bytes` in all, from the archive at `path`.
+    pub(crate) fn read(path: PathBuf, folder: Folder, bytes: u64) -> Result<Self, ImportError> {
         let text = match text(&folder.path().join("modelDescription.xml")) {
             Ok(text) => text,
             Err(problem) => return Err(ImportError::NoDescription { path, problem }),

@@ -1,5 +1,7 @@
 //! How to simulate, as the caller says it.
 
+use crate::isolate::Isolation;
+
 use super::input_table::InputTable;
 
 /// Most steps of one simulation.
@@ -74,6 +76,8 @@ pub struct Options {
     pub logging: bool,
     /// Record NaN like any value instead of ending with an error.
     pub allow_nan: bool,
+    /// Run each FMU in a process of its own; in this one if `None`.
+    pub isolation: Option<Isolation>,
     /// Keep the last row of the table alone: the observer takes the others as they come.
     pub keep_last: bool,
 }

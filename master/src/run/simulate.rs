@@ -5,6 +5,7 @@ use std::ops::ControlFlow;
 use crate::calls::{InputValues, Participant};
 use crate::error::ImportError;
 use crate::fmu::Fmu;
+use crate::isolate;
 use crate::open::Description;
 use crate::system::{System, check_settable_at_start, parse};
 
@@ -54,7 +55,8 @@ pub fn simulate(
         memory: QuasiNewton::default(),
         table: &mut table,
     };
-    let result = run.drive(&start_values, &mut observe);
+    let driven = run.drive(&start_values, &mut observe);
+    let result = driven.and_then(|end| run.components.each(|_, fmu| fmu.close()).map(|()| end));
     // What they logged last belongs to the failure.
     let _ended = forward(&run.components.instances, &mut observe);
     drop(run);
@@ -92,7 +94,11 @@ fn instantiate(
         let own = options.instance_name.as_deref();
         let own = own.unwrap_or(fmu.description().model_name());
         let name = system.component_name(k).unwrap_or(own);
-        fmu.participant(name, options.logging).map_err(Box::new)
+        match &options.isolation {
+            Some(isolation) => isolate::participant(isolation, fmu, name, options.logging),
+            None => fmu.participant(name, options.logging),
+        }
+        .map_err(Box::new)
     };
     fmus.map(instance).collect()
 }

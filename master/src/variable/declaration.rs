@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use serde::{Deserialize, Serialize};
 use sphere_dda_model_description::fmi2::Variability;
 use sphere_dda_model_description::fmi3::Causality;
 use sphere_dda_model_description::units::BaseUnit;
@@ -12,7 +13,7 @@ use crate::value::{ScalarType, Value, ValueType};
 pub(crate) const MAX_ELEMENTS: u64 = 125_000_000;
 
 /// One value of an FMU, as calls name it.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 pub(crate) struct Place {
     /// Value reference of the variable.
     pub(crate) reference: u32,

@@ -17,6 +17,8 @@ use crate::status::{Phase, Status};
 use Phase::{Discarded, Initialization, Instantiated, Stepping, Terminated};
 
 impl Interface for Functions {
+    const FREE: &'static str = "fmi2FreeInstance";
+
     type Callbacks = Callbacks;
 
     unsafe fn resolve(library: &libloading::Library) -> Result<Self, &'static str> {

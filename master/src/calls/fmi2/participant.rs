@@ -2,9 +2,9 @@
 
 use super::abi::Functions;
 use crate::calls::instance::Instance;
-use crate::calls::logger::Message;
 use crate::calls::participant::{InputValues, Participant, Step};
 use crate::calls::state::SavedState;
+use crate::calls::watch::Message;
 use crate::error::ImportError;
 use crate::value::{ScalarType, Value};
 use crate::variable::Place;

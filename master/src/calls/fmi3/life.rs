@@ -18,6 +18,8 @@ use crate::open::Opened;
 use crate::status::{Phase, Status};
 
 impl Interface for Functions {
+    const FREE: &'static str = "fmi3FreeInstance";
+
     type Callbacks = ();
 
     unsafe fn resolve(library: &libloading::Library) -> Result<Self, &'static str> {

@@ -6,9 +6,9 @@ use sphere_dda_model_description::fmi3::Causality;
 
 use super::abi::Functions;
 use crate::calls::instance::Instance;
-use crate::calls::logger::Message;
 use crate::calls::participant::{InputValues, Participant, Step};
 use crate::calls::state::SavedState;
+use crate::calls::watch::Message;
 use crate::error::ImportError;
 use crate::value::{ScalarType, Value};
 use crate::variable::{Place, Variable};
