@@ -18,7 +18,10 @@ pub enum ArchiveError {
     #[error("{0}; expected a file that can be read")]
     Open(io::Error),
     /// A file to unpack it to could not be written.
-    #[error("{path}: {source}", path = path.display())]
+    #[error(
+        "cannot unpack to `{path}`: {source}; expected a folder with free space: set TMPDIR (TMP on Windows) to one",
+        path = path.display()
+    )]
     Io {
         /// The file.
         path: PathBuf,

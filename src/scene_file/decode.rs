@@ -179,7 +179,7 @@ fn element<T: DeserializeOwned>(
     value: &Spanned<DeValue<'_>>,
     path: &str,
 ) -> Option<T> {
-    let mut sound = refuse_non_finite(document, value, path);
+    let mut sound = refuse_unfit(document, value, path);
     let mut rest = value.clone();
     let mut cut: Vec<Vec<Step>> = Vec::new();
     for _ in 0..PROBLEMS_PER_ELEMENT {
@@ -378,43 +378,46 @@ fn remove(value: &mut Spanned<DeValue<'_>>, steps: &[Step]) -> bool {
     }
 }
 
-/// Refuses `nan` and `inf` everywhere, so that no later check has to think of them.
-fn refuse_non_finite(
-    document: &mut Document<'_>,
-    value: &Spanned<DeValue<'_>>,
-    path: &str,
-) -> bool {
-    match value.get_ref() {
-        DeValue::Float(number)
-            if !number
-                .as_str()
-                .parse::<f64>()
-                .is_ok_and(|x| x.abs() <= LARGEST) =>
-        {
-            let message = format!("found {number}, expected a finite number, at most {LARGEST:e}");
-            document.report(
-                Severity::Error,
-                path.to_owned(),
-                value.span(),
+/// Reports numbers that are not finite or too large, and texts with control characters, which a terminal would obey; whether
+/// there are none.
+fn refuse_unfit(document: &mut Document<'_>, value: &Spanned<DeValue<'_>>, path: &str) -> bool {
+    let (message, help) = match value.get_ref() {
+        DeValue::Float(number) if !is_finite(number.as_str()) => {
+            let expected = format!("expected a finite number, at most {LARGEST:e}");
+            (format!("found {number}, {expected}"), "")
+        }
+        DeValue::String(text) if text.contains(|c| is_control(c, path)) => {
+            let message = format!("found {text:?}, expected a text without control characters");
+            (
                 message,
-                String::new(),
-            );
-            false
+                "a `description` alone may have line breaks and tabs",
+            )
         }
         DeValue::Array(array) => {
-            let mut finite = true;
+            let mut fit = true;
             for (i, entry) in array.iter().enumerate() {
-                finite &= refuse_non_finite(document, entry, &format!("{path}[{i}]"));
+                fit &= refuse_unfit(document, entry, &format!("{path}[{i}]"));
             }
-            finite
+            return fit;
         }
         DeValue::Table(table) => {
-            let mut finite = true;
+            let mut fit = true;
             for (key, entry) in table {
-                finite &= refuse_non_finite(document, entry, &format!("{path}.{}", key.get_ref()));
+                fit &= refuse_unfit(document, entry, &format!("{path}.{}", key.get_ref()));
             }
-            finite
+            return fit;
         }
-        _ => true,
-    }
+        _ => return true,
+    };
+    let (path, help) = (path.to_owned(), help.to_owned());
+    document.report(Severity::Error, path, value.span(), message, help);
+    false
+}
+
+fn is_finite(number: &str) -> bool {
+    number.parse::<f64>().is_ok_and(|x| x.abs() <= LARGEST)
+}
+
+fn is_control(c: char, path: &str) -> bool {
+    c.is_control() && !(path == "description" && matches!(c, '\n' | '\t'))
 }

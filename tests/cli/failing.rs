@@ -3,7 +3,7 @@
 
 use std::path::Path;
 
-use crate::command::{Said, said};
+use crate::command::{Said, command, said};
 use crate::foreign_fmu::{Build, entries, pack, write_archive};
 
 /// Simulates `bad.fmu` in `folder`; the message must be one, of this code, with these parts.
@@ -282,4 +282,18 @@ fn warnings_about_a_description_are_told_and_are_no_failure() {
         assert!(said.out.contains(told), "{}", said.out);
         assert_eq!(said.code, Some(code), "{}", said.error);
     }
+}
+
+#[test]
+fn a_temporary_folder_that_cannot_be_used_is_named() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    pack(&folder.join("bad.fmu"), Build::Whole, |_| ());
+    let mut command = command(folder, &["simulate", "bad.fmu"]);
+    let output = command.env("TMPDIR", folder.join("none")).output().unwrap();
+    let error = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{error}");
+    assert!(error.contains("cannot unpack to"), "{error}");
+    assert!(error.contains("set TMPDIR"), "{error}");
+    assert!(!error.contains("export the FMU again"), "{error}");
 }

@@ -104,6 +104,8 @@ const CASES: &[Case] = cases! {
     "[output]\n" => "[output]\nfloat64 = 1\n", "output.float64", "float64 = 1", "found 1, expected true or false";
     "title = \"box\"" => "title = 3", "title", "title = 3", "found 3, expected a string in quotes";
     "title = \"box\"" => "license = 3", "license", "license = 3", "found 3, expected a string in quotes";
+    "title = \"box\"" => "title = \"a\\u001b[31mb\"", "title", "title = ", "found \"a\\u{1b}[31mb\", expected a text without control characters";
+    "title = \"box\"" => "author = \"a\\nb\"", "author", "author = ", "expected a text without control characters";
     "[[probe]]" => "[[probes]]", "probes", "[[probes]]", "did you mean `probe`";
     "[[probe]]" => "[probe]", "probe", "[probe]", "double brackets";
     "step = 1e-3" => "step = 1e-3\nmethod = \"almm\"", "simulation.method", "almm", "did you mean `alm`";

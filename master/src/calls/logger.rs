@@ -52,7 +52,8 @@ impl Log {
         self.watch.calling(function);
     }
 
-    pub(crate) fn push(&self, message: Message) {
+    pub(crate) fn push(&self, mut message: Message) {
+        message.text = printable(&message.text);
         self.watch.tell(|| Happening::Logged(message.clone()));
         let mut messages = self.messages.lock().unwrap_or_else(PoisonError::into_inner);
         if messages.kept.len() < CAPACITY {
@@ -76,6 +77,16 @@ impl Log {
         let tail = messages.kept.iter().skip(first);
         tail.map(|message| message.text.clone()).collect()
     }
+}
+
+/// A text that no terminal obeys: control characters are escaped, but for line breaks and tabs.
+fn printable(text: &str) -> String {
+    let escaped = |c: char| match c {
+        '\n' | '\t' => c.to_string(),
+        c if c.is_control() => c.escape_default().to_string(),
+        c => c.to_string(),
+    };
+    text.chars().map(escaped).collect()
 }
 
 /// The callback of FMI 3.0, which gets finished texts.
@@ -185,7 +196,20 @@ fn unescape(format: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{first_directive, sole_text_directive, unescape};
+    use super::{Log, Watch, first_directive, sole_text_directive, unescape};
+    use crate::calls::Message;
+
+    #[test]
+    fn a_terminal_obeys_no_message() {
+        let log = Log::new("x", Watch::default());
+        log.push(Message {
+            instance: "x".to_owned(),
+            status: None,
+            category: String::new(),
+            text: "\u{1b}[31mred\n\tü".to_owned(),
+        });
+        assert_eq!(log.tail(1), ["\\u{1b}[31mred\n\tü"]);
+    }
 
     #[test]
     fn directives_of_formats() {

@@ -63,7 +63,7 @@ pub(crate) fn unpack(path: &Path, limits: Limits) -> Result<Unpacked, ArchiveErr
     // Some packers add a folder twice.
     let agree = !archive.has_duplicate_names() || {
         let start = archive.central_directory_start();
-        names_agree(path, start).map_err(at(path))?
+        names_agree(path, start).map_err(ArchiveError::Open)?
     };
     if !agree || archive.has_overlapping_files().map_err(in_archive)? {
         return Err(ArchiveError::Overlap);
@@ -152,9 +152,12 @@ fn unpack_entry<R: Read>(
     // A declared size can lie: what counts is what comes out.
     let most = budget.left().saturating_add(1);
     let copied = io::copy(&mut entry.by_ref().take(most), &mut out);
-    budget.take(copied.map_err(|source| ArchiveError::Zip {
-        place: format!("entry {raw:?}"),
-        source: ZipError::Io(source),
+    budget.take(copied.map_err(|source| match source.raw_os_error() {
+        Some(_) => at(&target)(source),
+        None => ArchiveError::Zip {
+            place: format!("entry {raw:?}"),
+            source: ZipError::Io(source),
+        },
     })?)
 }
 
