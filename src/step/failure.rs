@@ -59,28 +59,61 @@ pub(super) fn failed_to_converge(assembly: &Assembly, solution: &Solution) -> St
     }
 }
 
-/// Whether the sphere of contact `row` carries load from two rigid boundaries on opposite sides.
+/// Largest cosine between normals of boundaries that squeeze.
+const OPPOSITE: f64 = -0.5;
+/// Share of the tolerated overlap by which boundaries that squeeze approach each other in the step.
+const APPROACH: f64 = 0.1;
+/// Overlaps in units of the tolerated one that only squeezing leaves, where boundaries have stopped.
+const LEFT: f64 = 10.0;
+
+/// Whether two rigid boundaries on opposite sides squeeze the sphere of contact `row`, which carries load from both: they
+/// approach each other at its contacts, or have. A sphere that lies wedged between boundaries at rest has a solution.
 pub(super) fn pinch(
     assembly: &Assembly,
     solution: &Solution,
     row: usize,
 ) -> Option<(usize, [u16; 2])> {
+    let prediction = assembly.prediction;
     let sphere = assembly.candidates.get(row)?.key.sphere;
-    let boundaries: Vec<(u16, Vec3)> = (0..assembly.candidates.len())
+    let i = sphere as usize;
+    let radius = prediction.scene.particles.radius[i];
+    let overlap = prediction.scene.settings.tolerance.gap * radius;
+    let sides: Vec<Side> = (0..assembly.candidates.len())
         .filter(|&k| assembly.candidates[k].key.sphere == sphere)
         .filter(|&k| assembly.problem.rows.compliance(k) == 0.0)
         .filter(|&k| solution.loads(k))
-        .filter_map(|k| match assembly.candidates[k].key.partner {
-            Partner::Boundary { boundary, .. } => {
-                // A driven body gives way.
-                let rigid = assembly.prediction.body(usize::from(boundary)).is_none();
-                rigid.then_some((boundary, assembly.candidates[k].normal))
-            }
-            Partner::Sphere { .. } => None,
+        .filter_map(|k| {
+            let candidate = &assembly.candidates[k];
+            let Partner::Boundary { boundary, .. } = candidate.key.partner else {
+                return None;
+            };
+            // A driven body gives way.
+            let rigid = prediction.body(usize::from(boundary)).is_none();
+            let point = prediction.kinematics.position[i] - candidate.normal * radius;
+            let motion = prediction.motions[usize::from(boundary)].at(point);
+            rigid.then_some(Side {
+                boundary,
+                normal: candidate.normal,
+                gap: candidate.gap,
+                travel: motion.dot(&candidate.normal) * prediction.step,
+            })
         })
         .collect();
-    boundaries.iter().enumerate().find_map(|(k, (a, n))| {
-        let opposite = boundaries[k + 1..].iter().find(|(_, m)| n.dot(m) < -0.5)?;
-        Some((sphere as usize, [*a, opposite.0]))
+    sides.iter().enumerate().find_map(|(k, a)| {
+        let opposite = sides[k + 1..].iter().find(|b| {
+            a.normal.dot(&b.normal) < OPPOSITE
+                && (a.travel + b.travel > APPROACH * overlap || a.gap + b.gap < -LEFT * overlap)
+        })?;
+        Some((i, [a.boundary, opposite.boundary]))
     })
+}
+
+/// A boundary that presses on a sphere.
+struct Side {
+    boundary: u16,
+    /// Into the sphere.
+    normal: Vec3,
+    gap: f64,
+    /// Of the boundary along the normal within the step \[m\].
+    travel: f64,
 }

@@ -14,3 +14,4 @@ mod sleeping;
 mod starts;
 mod support;
 mod turning;
+mod wedged;

@@ -49,6 +49,12 @@ impl Case {
         self
     }
 
+    /// Steps that do not converge are taken as they are.
+    pub fn loose(mut self) -> Self {
+        self.simulation = self.simulation.replace("strict = true", "strict = false");
+        self
+    }
+
     /// A line of `[simulation]`.
     pub fn set(mut self, line: &str) -> Self {
         self.simulation += line;
