@@ -31,7 +31,7 @@ pub enum StepError {
     },
     /// A sphere is squeezed between boundaries whose motion is prescribed.
     #[error(
-        "step from t = {time} s: sphere {sphere} is pinched between {boundaries}; \
+        "step from t = {time} s: sphere {sphere} is squeezed between {boundaries}; \
          give one of them `stiffness` (N/m) or drive it by force"
     )]
     Pinched {

@@ -299,6 +299,7 @@ fn run_to_end(
         begin,
         time: simulation.time(),
         wall: progress.wall_time(),
+        advice: report.squeezed.map(|one| one.advice(simulation.scene())),
         report,
     };
     (total, end)
@@ -343,6 +344,8 @@ struct Total {
     time: f64,
     wall: f64,
     report: StepReport,
+    /// What to do about a sphere that was squeezed.
+    advice: Option<String>,
 }
 
 impl std::fmt::Display for Total {
@@ -352,6 +355,7 @@ impl std::fmt::Display for Total {
             time,
             wall,
             report,
+            advice,
         } = self;
         write!(f, "simulated to    {time} s ")?;
         if *begin > 0.0 {
@@ -374,6 +378,9 @@ impl std::fmt::Display for Total {
                 report.slip_residual,
                 report.force_residual
             )?;
+        }
+        if let Some(advice) = advice {
+            writeln!(f, "squeezed        {advice}")?;
         }
         writeln!(
             f,

@@ -3,19 +3,37 @@
 use super::Simulation;
 use crate::contact::{ContactId, Partner};
 use crate::error::StepError;
+use crate::scene::Scene;
+use crate::state::Squeezed;
 use crate::step::StepFailure;
+
+impl Squeezed {
+    /// What a user can do about it, in the words of its scene.
+    #[must_use]
+    pub fn advice(self, scene: &Scene) -> String {
+        format!(
+            "sphere {} is squeezed between {}; give one of them `stiffness` (N/m) or drive it by force",
+            self.sphere,
+            boundaries(scene, self)
+        )
+    }
+}
+
+fn boundaries(scene: &Scene, squeezed: Squeezed) -> String {
+    let name = |b: u16| scene.boundaries.get(usize::from(b)).map_or("", |b| &b.name);
+    let [a, b] = squeezed.boundaries.map(name);
+    format!("`{a}` and `{b}`")
+}
 
 impl Simulation {
     /// A failure in the scene's words.
     pub(super) fn explain(&self, failure: StepFailure, step: f64, cuts: u32) -> StepError {
         let time = self.state.time;
-        if let Some((sphere, between)) = failure.pinched {
-            let [a, b] = between.map(|b| &self.scene.boundaries[usize::from(b)].name);
-            let boundaries = format!("`{a}` and `{b}`");
+        if let Some(squeezed) = failure.pinched {
             return StepError::Pinched {
                 time,
-                sphere,
-                boundaries,
+                sphere: squeezed.sphere,
+                boundaries: boundaries(&self.scene, squeezed),
             };
         }
         if let Some(passed) = failure.passed {

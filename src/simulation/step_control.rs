@@ -45,6 +45,7 @@ impl StepReport {
         self.sweeps += solver.sweeps as u64;
         self.augmentations += solver.augmentations as u64;
         self.factorizations += solver.factorizations as u64;
+        self.squeezed = outcome.squeezed.or(self.squeezed);
         self.max_overlap = self.max_overlap.max(outcome.max_overlap);
         self.active_set_closeness = self.active_set_closeness.max(outcome.active_set_closeness);
         self.gap_residual = self.gap_residual.max(solver.residual.gap);

@@ -9,7 +9,7 @@ mod velocities;
 pub(crate) use body::BodyState;
 pub use body::JointState;
 pub use ledger::EnergyLedger;
-pub use report::StepReport;
+pub use report::{Squeezed, StepReport};
 pub(crate) use step_control::StepControl;
 pub use velocities::Velocities;
 

@@ -2,6 +2,15 @@
 
 use serde::{Deserialize, Serialize};
 
+/// A sphere that rigid boundaries press from two sides, which has no answer but to give way.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Squeezed {
+    /// Its number.
+    pub sphere: usize,
+    /// Numbers of the boundaries.
+    pub boundaries: [u16; 2],
+}
+
 /// What one communication step cost and reached.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct StepReport {
@@ -25,6 +34,8 @@ pub struct StepReport {
     pub slip_residual: f64,
     /// Largest force residual \[-\].
     pub force_residual: f64,
+    /// A sphere that was squeezed in it, if one was.
+    pub squeezed: Option<Squeezed>,
     /// How near a contact came to the edge of its state (open, stick, slip) in any internal step: 1 is at the edge, where
     /// derivatives are one-sided, 0 far from it \[-\].
     pub(crate) active_set_closeness: f64,
@@ -43,6 +54,7 @@ impl StepReport {
         self.gap_residual = self.gap_residual.max(later.gap_residual);
         self.slip_residual = self.slip_residual.max(later.slip_residual);
         self.force_residual = self.force_residual.max(later.force_residual);
+        self.squeezed = self.squeezed.or(later.squeezed);
         self.active_set_closeness = self.active_set_closeness.max(later.active_set_closeness);
     }
 }

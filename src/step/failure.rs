@@ -7,6 +7,7 @@ use crate::Vec3;
 use crate::contact::Partner;
 use crate::linalg::LinearError;
 use crate::solver::Report;
+use crate::state::Squeezed;
 
 /// A solve that missed its tolerances.
 pub(super) fn failed(assembly: &Assembly, solution: &Solution, report: &Report) -> StepFailure {
@@ -68,11 +69,7 @@ const LEFT: f64 = 10.0;
 
 /// Whether two rigid boundaries on opposite sides squeeze the sphere of contact `row`, which carries load from both: they
 /// approach each other at its contacts, or have. A sphere that lies wedged between boundaries at rest has a solution.
-pub(super) fn pinch(
-    assembly: &Assembly,
-    solution: &Solution,
-    row: usize,
-) -> Option<(usize, [u16; 2])> {
+pub(super) fn pinch(assembly: &Assembly, solution: &Solution, row: usize) -> Option<Squeezed> {
     let prediction = assembly.prediction;
     let sphere = assembly.candidates.get(row)?.key.sphere;
     let i = sphere as usize;
@@ -104,7 +101,10 @@ pub(super) fn pinch(
             a.normal.dot(&b.normal) < OPPOSITE
                 && (a.travel + b.travel > APPROACH * overlap || a.gap + b.gap < -LEFT * overlap)
         })?;
-        Some((i, [a.boundary, opposite.boundary]))
+        Some(Squeezed {
+            sphere: i,
+            boundaries: [a.boundary, opposite.boundary],
+        })
     })
 }
 

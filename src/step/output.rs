@@ -2,6 +2,7 @@
 
 use crate::linalg::LinearError;
 use crate::solver::Report;
+use crate::state::Squeezed;
 
 /// Cost and quality of one internal step.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -14,6 +15,8 @@ pub struct StepOutput {
     pub active_set_closeness: f64,
     /// Whether the tolerances were not met and the best iterate was taken.
     pub unconverged: bool,
+    /// A sphere whose contacts with boundaries give way.
+    pub squeezed: Option<Squeezed>,
 }
 
 impl StepOutput {
@@ -23,6 +26,7 @@ impl StepOutput {
             max_overlap,
             active_set_closeness: solver.residual.active_set_closeness,
             unconverged: false,
+            squeezed: None,
         }
     }
 }
@@ -39,7 +43,7 @@ pub struct StepFailure {
     /// The worst contact, if there is one.
     pub contact: Option<crate::contact::ContactId>,
     /// A sphere that two rigid boundaries press from opposite sides, and the boundaries.
-    pub pinched: Option<(usize, [u16; 2])>,
+    pub pinched: Option<Squeezed>,
     /// Two bodies that would pass through each other within the step.
     pub passed: Option<Tunnelling>,
     /// The linear system that ended the solver early.

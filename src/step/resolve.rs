@@ -10,7 +10,7 @@ use super::verify::verify;
 use super::workspace::Workspace;
 use super::{Effort, StepFailure, StepOutput};
 use crate::solver::Report;
-use crate::state::State;
+use crate::state::{Squeezed, State};
 
 /// Passes of re-linearisation and late contacts before the step is cut.
 const PASSES: usize = 30;
@@ -47,8 +47,8 @@ pub(super) struct Passes {
     /// Most sweeps of all passes, and of one.
     budget: Option<usize>,
     sweep_limit: Option<usize>,
-    /// What gives way overlaps by more than the tolerance, though its problem is solved.
-    gives_way: bool,
+    /// A sphere that gives way: it overlaps by more than the tolerance, though its problem is solved.
+    squeezed: Option<Squeezed>,
     rebounds: Rebounds,
 }
 
@@ -74,7 +74,10 @@ impl Passes {
             total: Report::default(),
             budget: settings.sweeps.filter(|_| assembly.moves),
             sweep_limit: effort.sweeps.filter(|_| assembly.moves),
-            gives_way: effort.accept && soften_pinched(assembly, solution),
+            squeezed: effort
+                .accept
+                .then(|| soften_pinched(assembly, solution))
+                .flatten(),
             rebounds: Rebounds::default(),
         }
     }
@@ -101,8 +104,11 @@ impl Passes {
         let how = (self.penalty, self.effort);
         let report = solve(assembly, solution, how, &mut workspace.solver, limit);
         self.total = self.total.then(report);
-        if !self.total.converged && accept && soften_pinched(assembly, solution) {
-            self.gives_way = true;
+        if !self.total.converged
+            && accept
+            && let Some(squeezed) = soften_pinched(assembly, solution)
+        {
+            self.squeezed = Some(squeezed);
             let report = solve(assembly, solution, how, &mut workspace.solver, limit);
             self.total = self.total.then(report);
         }
@@ -126,7 +132,10 @@ impl Passes {
             Some(correction) if self.count < PASSES => Ok(Pass::Corrected(correction)),
             Some(_) if !accept => Err(failed_to_converge(assembly, solution)),
             correction => Ok(Pass::Accepted(StepOutput {
-                unconverged: correction.is_some() || !self.total.converged || self.gives_way,
+                unconverged: correction.is_some()
+                    || !self.total.converged
+                    || self.squeezed.is_some(),
+                squeezed: self.squeezed,
                 ..output
             })),
         }
@@ -134,20 +143,19 @@ impl Passes {
 }
 
 /// Lets the contacts with boundaries of spheres that two rigid ones squeeze give way, so that there is an answer: `k` such
-/// that [`WEIGHTS`] weights press a sphere in by a radius. Returns whether there are new ones.
-fn soften_pinched(assembly: &mut Assembly, solution: &Solution) -> bool {
-    let mut squeezed: Vec<u32> = (0..assembly.candidates.len())
+/// that [`WEIGHTS`] weights press a sphere in by a radius. Returns one that did not before.
+fn soften_pinched(assembly: &mut Assembly, solution: &Solution) -> Option<Squeezed> {
+    let mut squeezed: Vec<Squeezed> = (0..assembly.candidates.len())
         .filter_map(|row| pinch(assembly, solution, row))
-        .map(|(sphere, _)| sphere as u32)
         .collect();
-    squeezed.dedup();
+    squeezed.dedup_by_key(|one| one.sphere);
     let prediction = assembly.prediction;
     let particles = &prediction.scene.particles;
     for k in 0..assembly.candidates.len() {
         let sphere = assembly.candidates[k].key.sphere;
         let rigid = assembly.is_with_boundary(k) && assembly.elastic(k).is_none();
-        if rigid && squeezed.contains(&sphere) {
-            let i = sphere as usize;
+        let i = sphere as usize;
+        if rigid && squeezed.iter().any(|one| one.sphere == i) {
             let weight = particles.mass[i] * prediction.gravity_size.max(1.0);
             let stiffness = WEIGHTS * weight / particles.radius[i];
             let compliance = 1.0 / (stiffness * prediction.step * prediction.step);
@@ -155,5 +163,5 @@ fn soften_pinched(assembly: &mut Assembly, solution: &Solution) -> bool {
             rows.update(k, |row| row.compliance_n = compliance);
         }
     }
-    !squeezed.is_empty()
+    squeezed.first().copied()
 }

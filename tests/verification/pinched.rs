@@ -88,3 +88,18 @@ fn a_compliant_lid_presses_with_its_stiffness() {
         );
     }
 }
+
+/// Taken as it is, the step says which sphere gives way, and between what.
+#[test]
+fn a_sphere_that_gives_way_is_named() {
+    let case = press(None, SolverKind::Auto).settings(|s| s.strict = false);
+    let mut simulation = Simulation::new(Arc::new(case.scene)).expect("the case starts");
+    let free = simulation.advance(0.05).expect("free so far");
+    assert_eq!((free.squeezed, free.unconverged_steps), (None, 0));
+    let pressed = simulation.advance(0.1).expect("it gives way");
+    assert!(pressed.unconverged_steps > 0);
+    let found = pressed.squeezed.expect("squeezed");
+    assert_eq!((found.sphere, found.boundaries), (0, [0, 1]));
+    let advice = found.advice(simulation.scene());
+    assert!(advice.contains("`wall0` and `wall1`"), "{advice}");
+}

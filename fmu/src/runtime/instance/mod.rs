@@ -209,11 +209,14 @@ impl Instance {
         if steps == 0 || simulation.scene().settings.sweeps.is_some() {
             return false;
         }
+        let advice = report.squeezed.map_or_else(String::new, |one| {
+            format!(": {}", one.advice(simulation.scene()))
+        });
         self.log.write(
             Level::Warning,
             format_args!(
                 "{function}: {steps} of {} internal steps up to t = {} s did not meet solver.tolerance: their best iterate was \
-                 taken, maxOverlap is {:.1e}, solver.forceResidual {:.1e}",
+                 taken, maxOverlap is {:.1e}, solver.forceResidual {:.1e}{advice}",
                 report.internal_steps, self.run.time, report.max_overlap, report.force_residual
             ),
         );
