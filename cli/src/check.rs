@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use miette::{NamedSource, Report, miette};
+use miette::miette;
 use sphere_dda::scene::Scene;
 use sphere_dda::scene_file::{Loaded, Summary};
 use sphere_dda_picture::portrait::portrait;
@@ -63,9 +63,7 @@ fn draw(scene: &Scene, path: &Path) -> Result<(), Failure> {
 
 /// Shows the warnings of a scene on standard error.
 pub(crate) fn warn(loaded: &Loaded) {
-    for warning in &loaded.warnings {
-        let source = NamedSource::new(&loaded.name, loaded.text.clone());
-        let report = Report::new(warning.clone()).with_source_code(source);
+    for report in loaded.reports() {
         note(format_args!("{report:?}"));
     }
 }

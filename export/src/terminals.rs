@@ -1,7 +1,7 @@
 //! Terminals of a scene: one per boundary, with what belongs to its pose, twist, wrench and load.
 //!
-//! Members are the variables of either version, scalars or arrays, and keep their names without the boundary's, so that two FMUs of this kind, or a
-//! driver that names its variables alike, connect by member name.
+//! Members are the variables of either version, scalars or arrays, and keep their names without the boundary's, so that a driver that
+//! names its variables alike connects by member name. Inputs and outputs of a boundary have different ones.
 
 use sphere_dda::scene::Scene;
 use sphere_dda_fmu::table::Entry;

@@ -11,7 +11,7 @@ use zip::write::SimpleFileOptions;
 
 /// Why there is no archive.
 #[derive(Debug, Error)]
-#[error("cannot {action} `{}`: {source}; expected a folder that exists, may be written to and has free space", path.display())]
+#[error("cannot {action} `{}`: {source}; expected a folder that exists, may be written to and has free space: choose another one", path.display())]
 pub struct ArchiveError {
     /// What was tried.
     action: &'static str,

@@ -302,7 +302,7 @@ impl Scan<'_> {
             });
         }
         match found_version {
-            Some(found) if found.trim_ascii() == version => Ok(()),
+            Some(found) if is_release_of(found.trim_ascii(), version) => Ok(()),
             found => Err(Error::Version {
                 attribute: version_attribute,
                 found: excerpt(&found.unwrap_or_default()),
@@ -329,6 +329,17 @@ impl Scan<'_> {
             what,
             limit,
         }
+    }
+}
+
+/// Whether `found` is the version or a patch release of it, as `3.0.2` is of `3.0`.
+pub(crate) fn is_release_of(found: &str, version: &str) -> bool {
+    match found.strip_prefix(version) {
+        Some("") => true,
+        Some(rest) => rest.strip_prefix('.').is_some_and(|patch| {
+            !patch.is_empty() && patch.bytes().all(|digit| digit.is_ascii_digit())
+        }),
+        None => false,
     }
 }
 

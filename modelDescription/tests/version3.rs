@@ -38,6 +38,22 @@ fn a_description_of_another_version_is_refused_with_its_version() {
 }
 
 #[test]
+fn a_patch_release_of_the_standard_is_read() {
+    let text = small().to_xml().unwrap();
+    let of = |version: &str| text.replace("fmiVersion=\"3.0\"", version);
+    for version in ["3.0.2", "3.0.10"] {
+        let found = ModelDescription::from_xml(&of(&format!("fmiVersion=\"{version}\"")));
+        let found = found.unwrap();
+        assert_eq!(found.model_variables, small().model_variables);
+        assert_eq!(found.validate(), []);
+    }
+    for version in ["3.01", "3.0.", "3.0.x", "3.1"] {
+        let found = ModelDescription::from_xml(&of(&format!("fmiVersion=\"{version}\"")));
+        assert!(matches!(found, Err(Error::Version { .. })), "{version}");
+    }
+}
+
+#[test]
 fn every_broken_rule_is_found_alone() {
     for (rule, model) in broken() {
         let findings = model.validate();

@@ -9,7 +9,7 @@ use thiserror::Error;
 #[non_exhaustive]
 pub enum OutputError {
     /// The operating system refused.
-    #[error("cannot {action} `{}`: {source}; free space or choose another output directory", path.display())]
+    #[error("cannot {action} `{}`: {source}; expected a directory that may be written to and has free space: choose another one", path.display())]
     Io {
         /// What was tried, as a verb.
         action: &'static str,

@@ -2,8 +2,6 @@
 
 use std::path::Path;
 
-use miette::NamedSource;
-
 use super::advice::advise;
 use super::bodies::{boundary, motion};
 use super::cell::cell;
@@ -17,6 +15,7 @@ use super::pairs::pairs;
 use super::regions::measured;
 use super::resources::hash;
 use super::settings::{choose_steps, fall, materials, settings};
+use super::source_text::SourceText;
 use super::sources::{sinks, source};
 use super::spheres::{self, Present};
 use super::{Loaded, file};
@@ -56,7 +55,7 @@ pub(super) fn load(name: &str, text: &str, folder: &Path) -> Result<Loaded, Scen
             })
         }
         _ => Err(SceneError {
-            source_code: NamedSource::new(name, text.to_owned()),
+            source_code: SourceText::new(name, text.to_owned()),
             problems: errors,
         }),
     }

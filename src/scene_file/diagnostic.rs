@@ -2,8 +2,10 @@
 
 use std::fmt;
 
-use miette::{LabeledSpan, NamedSource, Severity, SourceSpan};
+use miette::{LabeledSpan, Severity, SourceSpan};
 use thiserror::Error;
+
+use super::source_text::SourceText;
 
 /// One finding about a scene file.
 #[derive(Debug, Clone, PartialEq, Error)]
@@ -47,7 +49,7 @@ impl miette::Diagnostic for Diagnostic {
 #[error("scene `{}`: {}", source_code.name(), count(problems.len()))]
 pub struct SceneError {
     /// Name and text of the scene file.
-    pub(crate) source_code: NamedSource<String>,
+    pub(crate) source_code: SourceText,
     /// Every problem found; never empty.
     pub problems: Vec<Diagnostic>,
 }
@@ -56,7 +58,7 @@ impl SceneError {
     /// A scene file that cannot be read at all.
     pub(super) fn unreadable(name: &str, reason: &str, help: &str) -> Self {
         Self {
-            source_code: NamedSource::new(name, String::new()),
+            source_code: SourceText::new(name, String::new()),
             problems: vec![Diagnostic {
                 path: "scene".to_owned(),
                 line: 1,

@@ -10,12 +10,16 @@ use toml::de::{DeTable, DeValue};
 
 use super::diagnostic::{Advice, Diagnostic};
 use super::resources::{Attachment, Resources};
+use super::source_text::pointed_at;
 
 /// Largest magnitude of a number in a scene: beyond it products of a few of them stop being finite.
 pub(super) const LARGEST: f64 = 1e30;
 
 /// Most problems of a scene that are reported.
 const SHOWN: usize = 200;
+
+/// Most characters of a faulty value that a message repeats.
+const ECHOED: usize = 60;
 
 /// One step of a key path.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -137,6 +141,7 @@ impl<'t> Document<'t> {
             );
         }
         if message.contains("must be quoted") {
+            let value = value.chars().take(ECHOED).collect::<String>();
             return (
                 format!("found `{value}` without quotes, expected a value"),
                 format!("a string stands in quotes: `{key} = \"{value}\"`"),
@@ -297,12 +302,8 @@ impl<'t> Document<'t> {
         message: String,
         help: String,
     ) {
-        let start = span.start.min(self.text.len());
-        let end = span.end.clamp(start, self.text.len());
-        let first_line = self.text.as_bytes()[start..end]
-            .iter()
-            .position(|&b| b == b'\n');
-        let end = first_line.map_or(end, |n| start + n);
+        let span = pointed_at(self.text, span.start, span.end);
+        let start = span.offset();
         self.problems.push(Diagnostic {
             path: if path.is_empty() {
                 "scene".to_owned()
@@ -310,7 +311,7 @@ impl<'t> Document<'t> {
                 path
             },
             line: 1 + self.lines.partition_point(|&line| line <= start),
-            span: (start..end).into(),
+            span,
             message,
             help: Some(help).filter(|help| !help.is_empty()),
             severity,

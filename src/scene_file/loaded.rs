@@ -2,6 +2,7 @@
 
 use super::diagnostic::Diagnostic;
 use super::resources::Attachment;
+use super::source_text::SourceText;
 use crate::scene::Scene;
 
 /// A scene with what a package needs to carry it elsewhere.
@@ -17,4 +18,14 @@ pub struct Loaded {
     pub attachments: Vec<Attachment>,
     /// What runs, but probably not as meant.
     pub warnings: Vec<Diagnostic>,
+}
+
+impl Loaded {
+    /// The warnings with the places in the text that they point at.
+    pub fn reports(&self) -> impl Iterator<Item = miette::Report> {
+        self.warnings.iter().map(|warning| {
+            let source = SourceText::new(&self.name, self.text.clone());
+            miette::Report::new(warning.clone()).with_source_code(source)
+        })
+    }
 }

@@ -25,6 +25,7 @@ mod resources;
 mod schema;
 mod settings;
 mod sizes;
+mod source_text;
 mod sources;
 mod spheres;
 mod summary;

@@ -14,14 +14,14 @@ from conftest import ROOT
 ENVIRONMENT = {**os.environ, "GLIBC_TUNABLES": "glibc.malloc.tcache_count=0"}
 
 
-@pytest.fixture(scope="module")
-def cycle(fmus, tmp_path_factory):
-    """Runs tests/leaks/cycle.c with the feeder: cycles, threads, instances per thread."""
+@pytest.fixture(scope="module", params=["feeder", "drum"])
+def cycle(request, fmus, tmp_path_factory):
+    """Runs tests/leaks/cycle.c with a feeder, which has a source, or a drum, which is a driven body: cycles, threads, instances per thread."""
     folder = tmp_path_factory.mktemp("leaks")
     program = folder / "cycle"
     subprocess.run(["cc", "-O1", "-Wall", "-Werror", "-o", program, ROOT / "tests/leaks/cycle.c", "-ldl", "-pthread"], check=True)
-    description = fmpy.read_model_description(str(fmus["feeder"]))
-    unpacked = Path(fmpy.extract(str(fmus["feeder"]), unzipdir=str(folder / "fmu")))
+    description = fmpy.read_model_description(str(fmus[request.param]))
+    unpacked = Path(fmpy.extract(str(fmus[request.param]), unzipdir=str(folder / "fmu")))
     library = unpacked / "binaries/linux64" / f"{description.coSimulation.modelIdentifier}.so"
 
     def run(cycles, threads, instances, *before):
@@ -43,5 +43,5 @@ def test_lives_leave_no_byte_and_no_thread(cycle, cycles, threads, instances):
 
 @pytest.mark.skipif(shutil.which("valgrind") is None, reason="valgrind is not installed")
 def test_valgrind_finds_no_lost_byte(cycle):
-    *_, told = cycle(3, 0, 1, "valgrind", "--leak-check=full", "--errors-for-leak-kinds=definite,indirect,possible", "--error-exitcode=3")
+    *_, told = cycle(3, 0, 1, "valgrind", "--leak-check=full", "--errors-for-leak-kinds=definite,indirect,possible", "--error-exitcode=3", f"--suppressions={ROOT / 'tests/leaks/valgrind.supp'}")
     assert "ERROR SUMMARY: 0 errors" in told, told

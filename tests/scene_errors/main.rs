@@ -608,3 +608,24 @@ proptest! {
         }
     }
 }
+
+/// Messages point at a place of any column, and show a part of a long line.
+#[test]
+fn long_lines_are_shown_in_part() {
+    let numbers = "1, ".repeat(40_000);
+    for (line, found) in [
+        (format!("x = [{numbers}q]"), "found `"),
+        (format!("title = [{numbers}nan]"), "found nan"),
+        (
+            format!("title = \"{}\" oops", "ü".repeat(40_000)),
+            "this is not TOML",
+        ),
+    ] {
+        let text = format!("{line}\n{GOOD}").replace("title = \"box\"\n", "");
+        let error = Scene::from_toml("scene.toml", &text, Path::new("")).unwrap_err();
+        assert!(error.plain().contains(found), "{}", error.plain());
+        let shown = format!("{:?}", miette::Report::new(error));
+        assert!(shown.len() < 3000, "{} characters", shown.len());
+        assert!(shown.contains("scene.toml:1:"), "{shown}");
+    }
+}

@@ -37,9 +37,10 @@ pub(super) fn units() -> Vec<Unit> {
                 ..ONE
             },
         )
-        .with_display_unit("deg/s", degrees, 0.0),
+        .with_display_unit("deg/s", degrees, 0.0)
+        .with_display_unit("rpm", degrees / 6.0, 0.0),
         si("kg", 1, 0, 0),
-        si("kg/s", 1, 0, -1),
+        si("kg/s", 1, 0, -1).with_display_unit("t/h", 3.6, 0.0),
         si("kg.m/s", 1, 1, -1),
         si("kg.m2/s", 1, 2, -1),
         si("N", 1, 1, -2).with_display_unit("kN", 1e-3, 0.0),

@@ -22,6 +22,8 @@ type Text = *const c_char;
 
 /// Most messages that one instance keeps until they are taken; later ones are counted only.
 const CAPACITY: usize = 10_000;
+/// Most characters of a message that are kept.
+const LONGEST: usize = 10_000;
 
 #[derive(Debug, Default)]
 struct Messages {
@@ -79,14 +81,22 @@ impl Log {
     }
 }
 
-/// A text that no terminal obeys: control characters are escaped, but for line breaks and tabs.
+/// A text that no terminal obeys, and not a book: control characters are escaped, but for line breaks and tabs.
 fn printable(text: &str) -> String {
     let escaped = |c: char| match c {
         '\n' | '\t' => c.to_string(),
         c if c.is_control() => c.escape_default().to_string(),
         c => c.to_string(),
     };
-    text.chars().map(escaped).collect()
+    let mut characters = text.chars();
+    let mut kept: String = characters.by_ref().take(LONGEST).map(escaped).collect();
+    match characters.count() {
+        0 => kept,
+        more => {
+            kept += &format!(" ... ({more} more characters)");
+            kept
+        }
+    }
 }
 
 /// The callback of FMI 3.0, which gets finished texts.
@@ -196,8 +206,15 @@ fn unescape(format: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{Log, Watch, first_directive, sole_text_directive, unescape};
+    use super::{LONGEST, Log, Watch, first_directive, printable, sole_text_directive, unescape};
     use crate::calls::Message;
+
+    #[test]
+    fn a_long_message_is_cut() {
+        let found = printable(&"ü".repeat(LONGEST + 3));
+        assert!(found.ends_with("üü ... (3 more characters)"));
+        assert_eq!(printable("short"), "short");
+    }
 
     #[test]
     fn a_terminal_obeys_no_message() {

@@ -2,6 +2,7 @@
 
 mod values;
 
+use crate::xml::is_release_of;
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::description::ROOT;
@@ -42,7 +43,7 @@ fn validate(model: &ModelDescription) -> Vec<Finding> {
 }
 
 fn header(model: &ModelDescription, report: &mut Report) {
-    if model.fmi_version != FMI_VERSION {
+    if !is_release_of(&model.fmi_version, FMI_VERSION) {
         report.error(
             Rule::FmiVersion,
             format!("{ROOT}/@fmiVersion"),
