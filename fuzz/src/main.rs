@@ -39,7 +39,7 @@ struct Arguments {
     /// Other inputs.
     #[arg(long, default_value_t = 0)]
     seed: u64,
-    /// Longest time for one input [s].
+    /// Longest time for one input in seconds.
     #[arg(long, default_value_t = 60)]
     limit: u64,
     /// Folder for inputs that fail.
@@ -58,11 +58,10 @@ struct Arguments {
 
 fn main() -> ExitCode {
     let arguments = Arguments::parse();
-    let wanted = |target: &Box<dyn Target>| {
-        let name = arguments.target.as_deref();
-        name.is_none_or(|name| name == target.name())
-    };
-    let targets: Vec<_> = all().into_iter().filter(wanted).collect();
+    let mut targets = all();
+    if let Some(name) = &arguments.target {
+        targets.retain(|target| target.name() == name);
+    }
     if targets.is_empty() {
         let names: Vec<_> = all().iter().map(|target| target.name()).collect();
         eprintln!("no such target; expected one of {}", names.join(", "));
@@ -113,7 +112,10 @@ fn here(target: &dyn Target, arguments: &Arguments) {
     #[cfg(unix)]
     {
         use rustix::process::{Resource, Rlimit, setrlimit};
-        let limit = Rlimit { current: Some(MEMORY), maximum: Some(MEMORY) };
+        let limit = Rlimit {
+            current: Some(MEMORY),
+            maximum: Some(MEMORY),
+        };
         if let Err(error) = setrlimit(Resource::As, limit) {
             eprintln!("memory is not limited: {error}");
         }
@@ -134,7 +136,9 @@ fn here(target: &dyn Target, arguments: &Arguments) {
 
 /// Tries inputs in other processes; returns how many failed.
 fn supervise(targets: &[Box<dyn Target>], arguments: &Arguments) -> usize {
-    let end = arguments.minutes.map(|minutes| Instant::now() + Duration::from_secs_f64(60.0 * minutes));
+    let end = arguments
+        .minutes
+        .map(|minutes| Instant::now() + Duration::from_secs_f64(60.0 * minutes));
     let mut failures = 0;
     let mut next = vec![Count::default(); targets.len()];
     loop {
@@ -143,7 +147,11 @@ fn supervise(targets: &[Box<dyn Target>], arguments: &Arguments) -> usize {
                 break;
             }
             let left = arguments.inputs.saturating_sub(count.tried);
-            let batch = if end.is_some() { BATCH } else { left.min(BATCH) };
+            let batch = if end.is_some() {
+                BATCH
+            } else {
+                left.min(BATCH)
+            };
             failures += usize::from(!try_batch(&**target, arguments, count, batch));
         }
         let done = match end {
@@ -155,7 +163,12 @@ fn supervise(targets: &[Box<dyn Target>], arguments: &Arguments) -> usize {
         }
     }
     for (target, count) in targets.iter().zip(&next) {
-        println!("{:8} {:9} inputs, {:9} taken", target.name(), count.tried, count.taken);
+        println!(
+            "{:8} {:9} inputs, {:9} taken",
+            target.name(),
+            count.tried,
+            count.taken
+        );
     }
     failures
 }
@@ -183,7 +196,10 @@ fn try_batch(target: &dyn Target, arguments: &Arguments, count: &mut Count, batc
     let (line, lines) = mpsc::channel();
     let out = child.stdout.take();
     let reader = thread::spawn(move || {
-        for text in out.into_iter().flat_map(|out| BufReader::new(out).lines().map_while(Result::ok)) {
+        for text in out
+            .into_iter()
+            .flat_map(|out| BufReader::new(out).lines().map_while(Result::ok))
+        {
             if line.send(text).is_err() {
                 return;
             }
@@ -210,7 +226,9 @@ fn try_batch(target: &dyn Target, arguments: &Arguments, count: &mut Count, batc
     }
     let ended = child.wait();
     let _panicked = reader.join();
-    let said = errors.and_then(|errors| errors.join().ok()).unwrap_or_default();
+    let said = errors
+        .and_then(|errors| errors.join().ok())
+        .unwrap_or_default();
     let sound = !hung && ended.as_ref().is_ok_and(std::process::ExitStatus::success);
     count.tried = if sound { to } else { last + 1 };
     if !sound {
@@ -224,10 +242,20 @@ fn try_batch(target: &dyn Target, arguments: &Arguments, count: &mut Count, batc
     sound
 }
 
-fn start(target: &dyn Target, arguments: &Arguments, from: u64, batch: u64) -> std::io::Result<Child> {
+fn start(
+    target: &dyn Target,
+    arguments: &Arguments,
+    from: u64,
+    batch: u64,
+) -> std::io::Result<Child> {
     Command::new(std::env::current_exe()?)
         .args(["--here", "--target", target.name()])
-        .args(["--seed", &arguments.seed.to_string(), "--from", &from.to_string()])
+        .args([
+            "--seed",
+            &arguments.seed.to_string(),
+            "--from",
+            &from.to_string(),
+        ])
         .args(["--inputs", &batch.to_string()])
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())
@@ -238,11 +266,15 @@ fn start(target: &dyn Target, arguments: &Arguments, from: u64, batch: u64) -> s
 fn report(target: &dyn Target, arguments: &Arguments, number: u64, how: &str) {
     let name = target.name();
     let input = mutate::input(name, arguments.seed, number, &target.corpus());
-    let path = arguments.failures.join(format!("{name}-{}-{number}", arguments.seed));
+    let path = arguments
+        .failures
+        .join(format!("{name}-{}-{number}", arguments.seed));
     let kept = fs::create_dir_all(&arguments.failures).and_then(|()| fs::write(&path, input));
     let path = path.display();
     match kept {
         Ok(()) => eprintln!("{name}: {how}\nagain: sphere-dda-fuzz --target {name} --input {path}"),
-        Err(error) => eprintln!("{name}: {how}\ninput {number} is lost: cannot write `{path}`: {error}"),
+        Err(error) => {
+            eprintln!("{name}: {how}\ninput {number} is lost: cannot write `{path}`: {error}")
+        }
     }
 }

@@ -6,15 +6,39 @@ use rand_chacha::ChaCha8Rng;
 
 /// Words that replace words of a text.
 const WORDS: [&str; 24] = [
-    "", "0", "-0.0", "-1", "1", "2", "1e-300", "1e308", "1e30", "1e-9", "nan", "inf", "999999999", "4294967296",
-    "18446744073709551615", "\"", "[", "]", "{}", "true", "é", "\u{0}", "\u{1b}[2J", "..",
+    "",
+    "0",
+    "-0.0",
+    "-1",
+    "1",
+    "2",
+    "1e-300",
+    "1e308",
+    "1e30",
+    "1e-9",
+    "nan",
+    "inf",
+    "999999999",
+    "4294967296",
+    "18446744073709551615",
+    "\"",
+    "[",
+    "]",
+    "{}",
+    "true",
+    "é",
+    "\u{0}",
+    "\u{1b}[2J",
+    "..",
 ];
 /// Most changes of one input.
 const CHANGES: u32 = 4;
 
 /// Input `number` of `target`: one of its `corpus`, changed.
 pub(crate) fn input(target: &str, seed: u64, number: u64, corpus: &[Vec<u8>]) -> Vec<u8> {
-    let tag = target.bytes().fold(seed, |tag, byte| tag.wrapping_mul(257).wrapping_add(byte.into()));
+    let tag = target.bytes().fold(seed, |tag, byte| {
+        tag.wrapping_mul(257).wrapping_add(byte.into())
+    });
     let mut random = ChaCha8Rng::seed_from_u64(tag);
     random.set_stream(number);
     let mut bytes = corpus.choose(&mut random).cloned().unwrap_or_default();
@@ -44,7 +68,9 @@ fn damage(bytes: &mut Vec<u8>, random: &mut impl Rng) {
             bytes.splice(at..at, twice);
         }
         3 => bytes[at..end].fill(*[0, 0xff, 0x80].choose(random).unwrap_or(&0)),
-        4 => bytes[at..end].iter_mut().for_each(|byte| *byte ^= 1 << random.random_range(0..8)),
+        4 => bytes[at..end]
+            .iter_mut()
+            .for_each(|byte| *byte ^= 1 << random.random_range(0..8)),
         _ => {
             let number: u64 = random.random();
             let number = number >> random.random_range(0..64);

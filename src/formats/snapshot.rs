@@ -89,7 +89,20 @@ pub fn spheres(blob: &[u8]) -> Result<(Vec<f64>, Kinematics), SnapshotError> {
     if !(SPHERES_SINCE..=VERSION).contains(&parts.version) {
         return Err(version(parts.version));
     }
-    parse(parts.spheres)
+    let (radius, moving): (Vec<f64>, Kinematics) = parse(parts.spheres)?;
+    let lengths = [
+        moving.present.len(),
+        moving.position.len(),
+        moving.orientation.len(),
+        moving.velocity.len(),
+        moving.spin.len(),
+    ];
+    match lengths == [radius.len(); 5] {
+        true => Ok((radius, moving)),
+        false => Err(SnapshotError::Format(
+            "its radii, places and velocities differ in number",
+        )),
+    }
 }
 
 /// An undamaged snapshot.

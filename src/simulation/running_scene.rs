@@ -180,7 +180,7 @@ impl Simulation {
     pub(super) fn check_counts(&self, state: &State) -> Result<(), SnapshotError> {
         if !state.fits(&self.scene) {
             return Err(SnapshotError::Format(
-                "it has other numbers of spheres or boundaries than the scene of its hash",
+                "it has other numbers of spheres or boundaries, or another step, than the scene of its hash",
             ));
         }
         if !state.contacts.fits() {

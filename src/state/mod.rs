@@ -127,7 +127,7 @@ clone_in_place! {
 }
 
 impl State {
-    /// Whether every array is as long as the scene wants it.
+    /// Whether every array is as long as the scene wants it, and the next step one that it admits.
     pub(crate) fn fits(&self, scene: &Scene) -> bool {
         let (spheres, boundaries) = (scene.particles.len(), scene.boundaries.len());
         let moving = &self.kinematics;
@@ -163,6 +163,7 @@ impl State {
             && [0, spheres].contains(&self.external.len())
             && [0, boundaries].contains(&self.rates.len())
             && [0, spheres].contains(&self.calm.len())
+            && (f64::MIN_POSITIVE..=scene.settings.step).contains(&self.control.step)
     }
 
     /// Which spheres are asleep, `[N]`; empty where none is.

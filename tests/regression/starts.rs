@@ -113,6 +113,33 @@ fn a_start_from_a_snapshot_has_its_velocities() {
     );
 }
 
+/// Spheres are taken from a snapshot of any scene if their numbers agree; `check` panicked where velocities were missing.
+#[test]
+fn spheres_of_a_snapshot_are_checked_for_their_lengths() {
+    let case = Case::new(1e-3).floor();
+    let run = case
+        .sphere(R, Vec3::z() * R, Vec3::zeros(), Vec3::zeros())
+        .start();
+    let scene = run.simulation.scene();
+    let state = run.simulation.state();
+    let blob = |change: fn(&mut State)| {
+        let mut state = state.clone();
+        change(&mut state);
+        let radius = &scene.particles.radius;
+        snapshot::take(&scene.hash, radius, &state.kinematics, &state)
+    };
+    assert!(snapshot::spheres(&blob(|_| ())).is_ok());
+    let changes: [fn(&mut State); 4] = [
+        |s| s.kinematics.velocity.clear(),
+        |s| s.kinematics.spin.clear(),
+        |s| s.kinematics.orientation.clear(),
+        |s| s.kinematics.present.push(true),
+    ];
+    for change in changes {
+        assert!(snapshot::spheres(&blob(change)).is_err());
+    }
+}
+
 /// A snapshot with a fitting checksum whose numbers of things do not fit the scene is refused, and never a panic later.
 /// Cause: `Simulation::check_counts` looks at three of some twenty lengths.
 #[test]

@@ -82,7 +82,9 @@ fn ssp(system: &[u8]) -> Vec<u8> {
 fn zipped(files: &[(&str, &[u8])]) -> Vec<u8> {
     let mut archive = ZipWriter::new(Cursor::new(Vec::new()));
     for (name, content) in files {
-        archive.start_file(*name, SimpleFileOptions::default()).expect("an entry in memory");
+        archive
+            .start_file(*name, SimpleFileOptions::default())
+            .expect("an entry in memory");
         archive.write_all(content).expect("bytes in memory");
     }
     archive.finish().expect("an archive in memory").into_inner()

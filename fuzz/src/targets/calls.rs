@@ -57,16 +57,22 @@ pub(super) struct Resources {
     references: u32,
 }
 
-/// The model of all calls and states.
+/// The model of all calls and states. Its sweeps are bounded: a state may ask for steps of any work otherwise.
 pub(super) fn model() -> &'static Resources {
     static MODEL: OnceLock<Resources> = OnceLock::new();
     MODEL.get_or_init(|| {
         let folder = tempfile::tempdir().expect("a temporary folder");
         let path = folder.path().join("scene.toml");
-        std::fs::write(&path, include_str!("corpus/machine.toml")).expect("a file in it");
+        let scene = include_str!("corpus/machine.toml");
+        let scene = scene.replace("accuracy = \"fast\"", "accuracy = \"fast\"\nsweeps = 20");
+        std::fs::write(&path, scene).expect("a file in it");
         let model = Model::read(&path, None).expect("the scene is sound");
         let references = model.table.entries(Version::Two).len() as u32;
-        Resources { folder, model, references }
+        Resources {
+            folder,
+            model,
+            references,
+        }
     })
 }
 
@@ -95,7 +101,15 @@ impl<'a> Two<'a> {
         // SAFETY: texts end with NUL and live through the call, as do the callbacks, all of which are NULL.
         let handle = unsafe {
             let callbacks = callbacks.as_ptr().cast();
-            fmi2Instantiate(name.as_ptr(), 1, guid.as_ptr(), uri.as_ptr(), callbacks, 0, 0)
+            fmi2Instantiate(
+                name.as_ptr(),
+                1,
+                guid.as_ptr(),
+                uri.as_ptr(),
+                callbacks,
+                0,
+                0,
+            )
         };
         assert!(!handle.is_null(), "no instance");
         Self { handle, of }
@@ -142,7 +156,12 @@ impl<'a> Two<'a> {
         let mut state = null_mut();
         // SAFETY: the bytes have the length that is passed; the state is one of the library.
         unsafe {
-            let read = fmi2DeSerializeFMUstate(self.handle, bytes.as_ptr().cast(), bytes.len(), &raw mut state);
+            let read = fmi2DeSerializeFMUstate(
+                self.handle,
+                bytes.as_ptr().cast(),
+                bytes.len(),
+                &raw mut state,
+            );
             let taken = read == 0 && fmi2SetFMUstate(self.handle, state) == 0;
             if read == 0 {
                 fmi2FreeFMUstate(self.handle, &raw mut state);
@@ -152,8 +171,7 @@ impl<'a> Two<'a> {
     }
 }
 
-#[derive(Default)]
-pub(super) struct Calls {}
+pub(super) struct Calls;
 
 impl Target for Calls {
     fn name(&self) -> &'static str {
@@ -170,9 +188,9 @@ impl Target for Calls {
             (0..=255).collect(),
         ];
         let versions = [2, 3];
-        let inputs = versions.iter().flat_map(|version| {
-            bodies.iter().map(|body| [&[*version], &body[..]].concat())
-        });
+        let inputs = versions
+            .iter()
+            .flat_map(|version| bodies.iter().map(|body| [&[*version], &body[..]].concat()));
         inputs.collect()
     }
 
@@ -205,7 +223,22 @@ impl Bytes<'_> {
 
     fn number(&mut self) -> f64 {
         const NUMBERS: [f64; 16] = [
-            0.0, 0.001, 0.01, 0.02, 0.1, 1.0, -1.0, -0.0, 1e-12, 1e-300, 1e9, 1e30, 1e160, f64::MAX, f64::NAN, f64::INFINITY,
+            0.0,
+            0.001,
+            0.01,
+            0.02,
+            0.1,
+            1.0,
+            -1.0,
+            -0.0,
+            1e-12,
+            1e-300,
+            1e9,
+            1e30,
+            1e160,
+            f64::MAX,
+            f64::NAN,
+            f64::INFINITY,
         ];
         NUMBERS[usize::from(self.byte() % 16)]
     }
@@ -246,16 +279,48 @@ fn calls2(mut bytes: Bytes<'_>) {
         // are passed.
         unsafe {
             match call % 20 {
-                0 => drop(fmi2SetupExperiment(handle, 0, 0.0, bytes.number(), c_int::from(bytes.byte() % 2), bytes.number())),
+                0 => drop(fmi2SetupExperiment(
+                    handle,
+                    0,
+                    0.0,
+                    bytes.number(),
+                    c_int::from(bytes.byte() % 2),
+                    bytes.number(),
+                )),
                 1 => drop(fmi2EnterInitializationMode(handle)),
                 2 => drop(fmi2ExitInitializationMode(handle)),
                 3 => drop(fmi2Terminate(handle)),
                 4 => drop(fmi2Reset(handle)),
-                5 => drop(fmi2GetReal(handle, pointer, count, vec![0.0; count].as_mut_ptr())),
-                6 | 8 => drop(fmi2SetReal(handle, pointer, count, bytes.numbers(count).as_ptr())),
-                7 => drop(fmi2GetInteger(handle, pointer, count, vec![0; count].as_mut_ptr())),
-                9 => drop(fmi2SetInteger(handle, pointer, count, vec![c_int::from(bytes.byte()); count].as_ptr())),
-                10 => drop(fmi2GetString(handle, pointer, count, vec![null(); count].as_mut_ptr())),
+                5 => drop(fmi2GetReal(
+                    handle,
+                    pointer,
+                    count,
+                    vec![0.0; count].as_mut_ptr(),
+                )),
+                6 | 8 => drop(fmi2SetReal(
+                    handle,
+                    pointer,
+                    count,
+                    bytes.numbers(count).as_ptr(),
+                )),
+                7 => drop(fmi2GetInteger(
+                    handle,
+                    pointer,
+                    count,
+                    vec![0; count].as_mut_ptr(),
+                )),
+                9 => drop(fmi2SetInteger(
+                    handle,
+                    pointer,
+                    count,
+                    vec![c_int::from(bytes.byte()); count].as_ptr(),
+                )),
+                10 => drop(fmi2GetString(
+                    handle,
+                    pointer,
+                    count,
+                    vec![null(); count].as_mut_ptr(),
+                )),
                 11 | 18 | 19 => {
                     let (off, step) = (bytes.byte(), bytes.number());
                     let at = if off > 200 { bytes.number() } else { time };
@@ -282,18 +347,37 @@ fn calls2(mut bytes: Bytes<'_>) {
                     let state = pick(&states, bytes.byte());
                     if fmi2SerializedFMUstateSize(handle, state, &raw mut size) == 0 {
                         let mut room = vec![0_u8; size];
-                        fmi2SerializeFMUstate(handle, state, room.as_mut_ptr().cast(), size / (1 + usize::from(bytes.byte() % 2)));
+                        fmi2SerializeFMUstate(
+                            handle,
+                            state,
+                            room.as_mut_ptr().cast(),
+                            size / (1 + usize::from(bytes.byte() % 2)),
+                        );
                     }
                 }
                 16 => {
                     let knowns = bytes.references(of.references);
                     let seed = bytes.numbers(knowns.len());
                     let mut out = vec![0.0; count];
-                    fmi2GetDirectionalDerivative(handle, pointer, count, knowns.as_ptr(), knowns.len(), seed.as_ptr(), out.as_mut_ptr());
+                    fmi2GetDirectionalDerivative(
+                        handle,
+                        pointer,
+                        count,
+                        knowns.as_ptr(),
+                        knowns.len(),
+                        seed.as_ptr(),
+                        out.as_mut_ptr(),
+                    );
                 }
                 _ => {
                     let orders = vec![c_int::from(bytes.byte() % 3); count];
-                    fmi2SetRealInputDerivatives(handle, pointer, count, orders.as_ptr(), bytes.numbers(count).as_ptr());
+                    fmi2SetRealInputDerivatives(
+                        handle,
+                        pointer,
+                        count,
+                        orders.as_ptr(),
+                        bytes.numbers(count).as_ptr(),
+                    );
                 }
             }
         }
@@ -311,9 +395,26 @@ fn calls3(mut bytes: Bytes<'_>) {
     let early = bytes.byte() % 2 == 1;
     // SAFETY: texts end with NUL and live through the call; there are no callbacks and no required variables.
     let handle = unsafe {
-        fmi3InstantiateCoSimulation(name.as_ptr(), token.as_ptr(), folder.as_ptr(), false, false, false, early, null(), 0, null_mut(), null(), null())
+        fmi3InstantiateCoSimulation(
+            name.as_ptr(),
+            token.as_ptr(),
+            folder.as_ptr(),
+            false,
+            false,
+            false,
+            early,
+            null(),
+            0,
+            null_mut(),
+            null(),
+            null(),
+        )
     };
-    assert!(!handle.is_null(), "no instance in {}", Path::new(&of.folder.path()).display());
+    assert!(
+        !handle.is_null(),
+        "no instance in {}",
+        Path::new(&of.folder.path()).display()
+    );
     let mut states: Vec<Handle> = Vec::new();
     let mut time = 0.0;
     while let Some(call) = bytes.next() {
@@ -326,12 +427,31 @@ fn calls3(mut bytes: Bytes<'_>) {
         // SAFETY: as in `calls2`.
         unsafe {
             match call % 16 {
-                0 | 1 => drop(fmi3EnterInitializationMode(handle, false, 0.0, bytes.number(), bytes.byte() % 2 == 1, bytes.number())),
+                0 | 1 => drop(fmi3EnterInitializationMode(
+                    handle,
+                    false,
+                    0.0,
+                    bytes.number(),
+                    bytes.byte() % 2 == 1,
+                    bytes.number(),
+                )),
                 2 => drop(fmi3ExitInitializationMode(handle)),
                 3 => drop(fmi3Terminate(handle)),
                 4 => drop(fmi3Reset(handle)),
-                5 | 7 => drop(fmi3GetFloat64(handle, pointer, count, vec![0.0; length].as_mut_ptr(), length)),
-                6 | 8 => drop(fmi3SetFloat64(handle, pointer, count, bytes.numbers(length).as_ptr(), length)),
+                5 | 7 => drop(fmi3GetFloat64(
+                    handle,
+                    pointer,
+                    count,
+                    vec![0.0; length].as_mut_ptr(),
+                    length,
+                )),
+                6 | 8 => drop(fmi3SetFloat64(
+                    handle,
+                    pointer,
+                    count,
+                    bytes.numbers(length).as_ptr(),
+                    length,
+                )),
                 12 => {
                     let mut state = null_mut();
                     if states.len() < 8 && fmi3GetFMUState(handle, &raw mut state) == 0 {
@@ -347,10 +467,21 @@ fn calls3(mut bytes: Bytes<'_>) {
                     }
                 }
                 _ => {
-                    let (mut event, mut terminate, mut early, mut last) = (false, false, false, 0.0);
+                    let (mut event, mut terminate, mut early, mut last) =
+                        (false, false, false, 0.0);
                     let step = bytes.number().min(0.1);
                     let (e, t, r) = (&raw mut event, &raw mut terminate, &raw mut early);
-                    if fmi3DoStep(handle, time, step, bytes.byte() % 2 == 1, e, t, r, &raw mut last) <= 1 {
+                    if fmi3DoStep(
+                        handle,
+                        time,
+                        step,
+                        bytes.byte() % 2 == 1,
+                        e,
+                        t,
+                        r,
+                        &raw mut last,
+                    ) <= 1
+                    {
                         time = last;
                     }
                 }

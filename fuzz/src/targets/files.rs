@@ -2,8 +2,8 @@
 
 use std::fs;
 
-use sphere_dda::simulation::Simulation;
 use sphere_dda::scene::Scene;
+use sphere_dda::simulation::Simulation;
 use std::path::Path;
 use std::sync::Arc;
 

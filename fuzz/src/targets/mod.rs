@@ -27,6 +27,6 @@ pub(crate) fn all() -> Vec<Box<dyn Target>> {
         Box::new(state::States::default()),
         Box::new(xml::Xml),
         Box::new(archive::Archives),
-        Box::new(calls::Calls::default()),
+        Box::new(calls::Calls),
     ]
 }

@@ -61,6 +61,9 @@ pub(super) fn takes(text: &str, folder: &Path) -> bool {
     }
     let kinematics = simulation.kinematics();
     let places = kinematics.position.iter().flat_map(|x| x.iter());
-    assert!(places.into_iter().all(|x| x.is_finite()), "a place is not finite");
+    assert!(
+        places.into_iter().all(|x| x.is_finite()),
+        "a place is not finite"
+    );
     true
 }

@@ -25,7 +25,11 @@ impl Target for Xml {
                          <TerminalMemberVariable variableName=\"a.x\" memberName=\"x\" variableKind=\"signal\"/>\
                          </Terminal></Terminals></fmiTerminalsAndIcons>";
         let texts = [two.to_xml(), three.to_xml(), Ok(terminals.to_owned())];
-        texts.into_iter().flatten().map(String::into_bytes).collect()
+        texts
+            .into_iter()
+            .flatten()
+            .map(String::into_bytes)
+            .collect()
     }
 
     fn attempt(&self, input: &[u8]) -> bool {
