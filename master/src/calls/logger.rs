@@ -54,8 +54,14 @@ impl Log {
         self.watch.calling(function);
     }
 
-    pub(crate) fn push(&self, mut message: Message) {
+    /// Keeps a message of the library.
+    fn hear(&self, mut message: Message) {
         message.text = printable(&message.text);
+        self.push(message);
+    }
+
+    /// Keeps a message that is printable.
+    pub(crate) fn push(&self, message: Message) {
         self.watch.tell(|| Happening::Logged(message.clone()));
         let mut messages = self.messages.lock().unwrap_or_else(PoisonError::into_inner);
         if messages.kept.len() < CAPACITY {
@@ -116,7 +122,7 @@ pub(crate) unsafe extern "C" fn collect_finished(
     };
     // SAFETY: texts of the interface are NUL-terminated.
     let (category, message) = unsafe { (text(category), text(message)) };
-    log.push(Message {
+    log.hear(Message {
         instance: log.name.clone(),
         status: Status::from_raw(status),
         category,
@@ -152,7 +158,7 @@ pub(crate) unsafe extern "C" fn collect(
         }
         _ => unescape(&format),
     };
-    log.push(Message {
+    log.hear(Message {
         // SAFETY: as above.
         instance: unsafe { self::text(instance) },
         status: Status::from_raw(status),
@@ -219,7 +225,7 @@ mod tests {
     #[test]
     fn a_terminal_obeys_no_message() {
         let log = Log::new("x", Watch::default());
-        log.push(Message {
+        log.hear(Message {
             instance: "x".to_owned(),
             status: None,
             category: String::new(),
