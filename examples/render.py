@@ -14,6 +14,11 @@ import numpy as np
 import pyvista as pv
 
 
+# Where the camera is, seen from the scene, and the angle in degrees that its picture is high.
+DIRECTION = np.array([0.55, -0.75, 0.34]) / np.linalg.norm([0.55, -0.75, 0.34])
+ANGLE = 30.0
+
+
 def frame(run, series, time):
     """The frame of a series nearest to a time, the last one if the time is None; None if the run has no such series."""
     pvd = run / f"{series}.pvd"
@@ -54,6 +59,18 @@ def light(plotter, centre, reach):
         plotter.add_light(pv.Light(position=position, focal_point=centre, intensity=intensity))
 
 
+def distance(shown, centre, size):
+    """Of a camera that has all corners of the box of a mesh in its picture."""
+    right = np.cross((0.0, 0.0, 1.0), DIRECTION)
+    right /= np.linalg.norm(right)
+    up = np.cross(DIRECTION, right)
+    low, high = np.array(shown.bounds[0::2]), np.array(shown.bounds[1::2])
+    corners = np.where(np.indices((2, 2, 2)).reshape(3, 8).T, high, low) - centre
+    x, y, z = corners @ right, corners @ up, corners @ DIRECTION
+    half = np.tan(np.radians(ANGLE / 2))
+    return 1.05 * (z + np.maximum(abs(x) * size[1] / size[0], abs(y)) / half).max()
+
+
 def picture(run, path, time, size, forces, solid):
     spheres, contacts, boundaries = (frame(run, series, time) for series in ("spheres", "contacts", "boundaries"))
     plotter = pv.Plotter(off_screen=True, window_size=size)
@@ -82,11 +99,10 @@ def picture(run, path, time, size, forces, solid):
         plotter.add_mesh(surface.extract_feature_edges(40), color="#5b7083", line_width=3)
     plotter.enable_anti_aliasing("ssaa")
     plotter.enable_depth_peeling(8)
-    # A little below the middle, to show what leaves; nothing leaves the ground.
-    centre, reach = centre - [0, 0, (0.02 if solid else 0.12) * length], (1.3 if solid else 1.45) * length
+    reach = distance(shown, centre, size)
     light(plotter, centre, reach)
-    plotter.camera_position = [centre + reach * np.array([0.55, -0.75, 0.34]), centre, (0, 0, 1)]
-    plotter.camera.view_angle = 30
+    plotter.camera_position = [centre + reach * DIRECTION, centre, (0, 0, 1)]
+    plotter.camera.view_angle = ANGLE
     path.parent.mkdir(parents=True, exist_ok=True)
     plotter.screenshot(path)
     plotter.close()

@@ -97,5 +97,8 @@ pub mod spatial;
 pub mod state;
 pub mod step;
 
+/// Vectors and rotations of the public types, in the version that this crate uses.
+pub use nalgebra;
+
 /// A vector in space: metres, newtons, metres per second ... as the field says.
 pub type Vec3 = nalgebra::Vector3<f64>;
