@@ -287,7 +287,7 @@ pub enum ImportError {
     Isolated(String),
     /// The process of an FMU ended within a call, or after it.
     #[error(
-        "{path}: {function}: found the process of the FMU ended by {how}, expected it to return{}: tell its maker",
+        "{path}: {function}: found the process of the FMU ended by {how}, expected it to return{}: report it to its vendor",
         said(.log),
         path = path.display()
     )]
@@ -303,8 +303,8 @@ pub enum ImportError {
     },
     /// A call took too long; the process of the FMU is ended.
     #[error(
-        "{path}: {function}: found no return within the limit of {limit} s, expected one{}: allow longer calls, or tell \
-         its maker",
+        "{path}: {function}: found no return within the limit of {limit} s, expected one{}: allow longer calls, or report it to \
+         its vendor",
         said(.log),
         limit = limit.as_secs_f64(),
         path = path.display()

@@ -96,6 +96,16 @@ fn the_call_that_does_not_come_back_is_named() {
     }
 }
 
+/// The messages without what differs from run to run: the wall time, and the folder of the unpacked FMU.
+fn stable(messages: &str) -> Vec<String> {
+    let lines = messages.lines().filter(|line| !line.contains("wall time"));
+    let without_folder = |line: &str| match line.split_once("/fmu-") {
+        Some((before, after)) => before.to_owned() + after.split_once('/').unwrap().1,
+        None => line.to_owned(),
+    };
+    lines.map(without_folder).collect()
+}
+
 #[test]
 fn failures_are_told_as_without_a_process() {
     let folder = tempfile::tempdir().unwrap();
@@ -110,11 +120,6 @@ fn failures_are_told_as_without_a_process() {
         pack(&path, build, |_| ());
         let plain = said(folder, &["simulate", "bad.fmu"]);
         let own = said(folder, &["simulate", "bad.fmu", "--isolate"]);
-        // The folder that it is unpacked to has another name each time.
-        let stable = |text: &str| match text.split_once("/fmu-") {
-            Some((before, after)) => before.to_owned() + after.split_once('/').unwrap().1,
-            None => text.to_owned(),
-        };
         assert_eq!(own.code, plain.code, "{}", own.error);
         assert_eq!(stable(&own.error), stable(&plain.error));
     }
@@ -129,12 +134,7 @@ fn failures_are_told_as_without_a_process() {
         let plain = said(folder, &arguments);
         let own = said(folder, &[&arguments[..], &["--isolate"]].concat());
         assert_eq!((own.code, &own.out), (plain.code, &plain.out), "{fault}");
-        // The last line has the wall time.
-        let lines = |text: &str| -> Vec<String> {
-            let lines = text.lines().filter(|line| !line.contains("wall time"));
-            lines.map(str::to_owned).collect()
-        };
-        assert_eq!(lines(&own.error), lines(&plain.error), "{fault}");
+        assert_eq!(stable(&own.error), stable(&plain.error), "{fault}");
     }
 }
 

@@ -15,7 +15,7 @@ use std::sync::{Mutex, PoisonError};
 
 use crate::status::{RawStatus, Status};
 
-use super::watch::{Happening, Message, Watch};
+use super::watch::{CallEvent, Message, Watch};
 
 /// A text of the interface.
 type Text = *const c_char;
@@ -55,14 +55,14 @@ impl Log {
     }
 
     /// Keeps a message of the library.
-    fn hear(&self, mut message: Message) {
+    fn collect(&self, mut message: Message) {
         message.text = printable(&message.text);
         self.push(message);
     }
 
     /// Keeps a message that is printable.
     pub(crate) fn push(&self, message: Message) {
-        self.watch.tell(|| Happening::Logged(message.clone()));
+        self.watch.report(|| CallEvent::Logged(message.clone()));
         let mut messages = self.messages.lock().unwrap_or_else(PoisonError::into_inner);
         if messages.kept.len() < CAPACITY {
             messages.kept.push(message);
@@ -122,7 +122,7 @@ pub(crate) unsafe extern "C" fn collect_finished(
     };
     // SAFETY: texts of the interface are NUL-terminated.
     let (category, message) = unsafe { (text(category), text(message)) };
-    log.hear(Message {
+    log.collect(Message {
         instance: log.name.clone(),
         status: Status::from_raw(status),
         category,
@@ -158,7 +158,7 @@ pub(crate) unsafe extern "C" fn collect(
         }
         _ => unescape(&format),
     };
-    log.hear(Message {
+    log.collect(Message {
         // SAFETY: as above.
         instance: unsafe { self::text(instance) },
         status: Status::from_raw(status),
@@ -225,7 +225,7 @@ mod tests {
     #[test]
     fn a_terminal_obeys_no_message() {
         let log = Log::new("x", Watch::default());
-        log.hear(Message {
+        log.collect(Message {
             instance: "x".to_owned(),
             status: None,
             category: String::new(),

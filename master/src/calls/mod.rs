@@ -20,4 +20,4 @@ pub(crate) use instance::{Instance, TAIL};
 pub(crate) use library::Library;
 pub(crate) use logger::Log;
 pub(crate) use participant::{InputValues, Participant};
-pub(crate) use watch::{Happening, Watch};
+pub(crate) use watch::{CallEvent, Watch};

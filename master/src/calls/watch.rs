@@ -1,4 +1,4 @@
-//! What happens in a foreign library, and who hears of it at once: a library that crashes says nothing afterwards.
+//! Events in a foreign library, reported when they come: a library that crashes reports nothing afterwards.
 
 use std::fmt;
 use std::sync::Arc;
@@ -38,16 +38,16 @@ impl fmt::Display for Message {
 
 /// What happens in a library.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
-pub(crate) enum Happening {
+pub(crate) enum CallEvent {
     /// The call of the function of this name begins.
     Calling(String),
     /// It logs a message.
     Logged(Message),
 }
 
-/// Who hears of it at once; by default nobody.
+/// Who gets these events; by default nobody.
 #[derive(Clone, Default)]
-pub(crate) struct Watch(Option<Arc<dyn Fn(Happening) + Send + Sync>>);
+pub(crate) struct Watch(Option<Arc<dyn Fn(CallEvent) + Send + Sync>>);
 
 impl fmt::Debug for Watch {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -61,17 +61,17 @@ impl fmt::Debug for Watch {
 }
 
 impl Watch {
-    pub(crate) fn new(hear: impl Fn(Happening) + Send + Sync + 'static) -> Self {
-        Self(Some(Arc::new(hear)))
+    pub(crate) fn new(observe: impl Fn(CallEvent) + Send + Sync + 'static) -> Self {
+        Self(Some(Arc::new(observe)))
     }
 
     pub(super) fn calling(&self, function: &str) {
-        self.tell(|| Happening::Calling(function.to_owned()));
+        self.report(|| CallEvent::Calling(function.to_owned()));
     }
 
-    pub(super) fn tell(&self, happening: impl FnOnce() -> Happening) {
-        if let Some(hear) = &self.0 {
-            hear(happening());
+    pub(super) fn report(&self, event: impl FnOnce() -> CallEvent) {
+        if let Some(observe) = &self.0 {
+            observe(event());
         }
     }
 }

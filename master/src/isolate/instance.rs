@@ -13,7 +13,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use crate::calls::{
-    Happening, InputValues, Log, Message, Participant, SavedState, Step, TAIL, Watch,
+    CallEvent, InputValues, Log, Message, Participant, SavedState, Step, TAIL, Watch,
 };
 use crate::error::ImportError;
 use crate::fmu::Fmu;
@@ -86,13 +86,13 @@ fn listen(
     let mut input = BufReader::new(socket);
     while let Ok(report) = receive(&mut input) {
         match report {
-            Report::Happens(Happening::Calling(function)) => {
+            Report::Event(CallEvent::Calling(function)) => {
                 *lock(current) = Current {
                     function,
                     since: Instant::now(),
                 };
             }
-            Report::Happens(Happening::Logged(message)) => log.push(message),
+            Report::Event(CallEvent::Logged(message)) => log.push(message),
             Report::Answers(answer) => {
                 let _instance_is_gone = answers.send(answer);
             }
@@ -329,7 +329,7 @@ impl Drop for Isolated {
         // A failure before this one is what is told.
         let _closed = self.close();
         let _gone = self.end();
-        // Whoever else holds the socket, the thread that hears it ends.
+        // Whoever else holds the socket, the thread that reads it ends.
         let _shut = self.socket.shutdown(Shutdown::Both);
     }
 }

@@ -7,7 +7,7 @@ use std::path::PathBuf;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
-use crate::calls::{Happening, Step};
+use crate::calls::{CallEvent, Step};
 use crate::value::Value;
 use crate::variable::Place;
 
@@ -59,11 +59,11 @@ pub(super) enum Answer {
     State(u64),
 }
 
-/// What the process of an FMU tells.
+/// What the process of an FMU reports.
 #[derive(Debug, Serialize, Deserialize)]
 pub(super) enum Report {
     /// Something happens within a request.
-    Happens(Happening),
+    Event(CallEvent),
     /// The request is done, or failed with this message.
     Answers(Result<Answer, String>),
 }

@@ -38,10 +38,10 @@ pub fn serve() -> io::Result<()> {
     let (requests, asked) = mpsc::channel();
     thread::spawn(move || listen(socket, &requests));
 
-    let tell = report.clone();
-    let watch = Watch::new(move |happening| {
-        // If nobody hears it, `listen` ends the process.
-        let _unheard = tell(&Report::Happens(happening));
+    let to_parent = report.clone();
+    let watch = Watch::new(move |event| {
+        // If nobody reads it, `listen` ends the process.
+        let _unheard = to_parent(&Report::Event(event));
     });
     let mut served = None;
     for request in asked {
