@@ -2,7 +2,8 @@
 //!
 //! `cargo bench --bench scenes [-- ROW...]` prints one line per row, by default the rows of the bed: CPU time of this
 //! thread, steps, sweeps, factorizations and the worst overlap over every internal step; for the bed also what must depend on
-//! none of these: force on the floor over weight, mean height of the highest twentieth, kinetic energy.
+//! none of these: force on the floor over weight, mean height of the highest twentieth, kinetic energy. The row `features` is
+//! the bed at `standard` as it is, then with one more thing each.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -16,6 +17,41 @@ use sphere_dda::state::StepReport;
 const BED: [(f64, f64); 4] = [(1e-4, 5e-4), (1e-5, 2.5e-4), (1e-6, 1e-4), (1e-6, 5e-5)];
 /// Rows that run as their scene says.
 const EXAMPLES: [&str; 3] = ["funnel", "slopes", "feeder"];
+
+/// What is added to the bed, or put in the place of a line of it.
+const FEATURES: [(&str, &str, &str); 7] = [
+    ("plain", "", ""),
+    (
+        "rolling",
+        "friction = 0.5",
+        "friction = 0.5\nrolling_friction = 0.05",
+    ),
+    (
+        "twisting",
+        "friction = 0.5",
+        "friction = 0.5\nrolling_friction = 0.05\ntwisting_friction = 0.05",
+    ),
+    (
+        "spring",
+        "",
+        "[[spring]]\nsphere = \"bed[500]\"\nstiffness = 1e3",
+    ),
+    (
+        "elastic",
+        "name = \"box\"",
+        "name = \"box\"\nstiffness = 1e5",
+    ),
+    (
+        "penalty",
+        "accuracy = \"standard\"",
+        "accuracy = \"standard\"\nmethod = \"penalty\"\npenalty = 1e5",
+    ),
+    (
+        "stray",
+        "",
+        "[[spheres]]\nname = \"stray\"\nmaterial = \"glass\"\nradius = 0.01\npositions = [[0.0, 0.0, 5.0]]\nvelocity = [0.0, 0.0, 100.0]",
+    ),
+];
 
 fn main() {
     let wanted: Vec<String> = std::env::args()
@@ -38,6 +74,11 @@ fn main() {
             rest(&run(&name, scene));
         }
     }
+    for (name, line, text) in FEATURES {
+        if wanted.iter().any(|a| a == "features") {
+            run(name, bed_with(line, text));
+        }
+    }
     for name in EXAMPLES {
         if wanted.iter().any(|a| a == name) {
             run(name, load(name));
@@ -50,6 +91,25 @@ fn load(name: &str) -> Scene {
     let file = Path::new(env!("CARGO_MANIFEST_DIR")).join(file);
     let loaded = Scene::from_file(file);
     loaded.expect("the example is a good scene").scene
+}
+
+/// The bed at `standard` with `text` in the place of `line`, or at its end.
+fn bed_with(line: &str, text: &str) -> Scene {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/dropped");
+    let bed = std::fs::read_to_string(folder.join("dropped.toml")).expect("a file");
+    let settings = ["step =", "fixed_step", "strict", "tolerance"];
+    let kept = bed
+        .lines()
+        .filter(|l| !settings.iter().any(|s| l.starts_with(s)));
+    let bed: Vec<&str> = kept.collect();
+    let bed = bed.join("\n");
+    let bed = bed.replace("duration = 1.0", "duration = 1.0\naccuracy = \"standard\"");
+    let scene = match line {
+        "" => format!("{bed}\n{text}\n"),
+        _ => bed.replacen(line, text, 1),
+    };
+    let loaded = Scene::from_toml("bed", &scene, &folder);
+    loaded.expect("a good scene").scene
 }
 
 /// Runs the scene to its end and prints its row.

@@ -120,6 +120,20 @@ pub(crate) fn onto_cone<N: Number>(y_n: N, squared: N, mu: N, (zero, one): (N, N
     (normal, onto_disc(squared, mu * normal, one))
 }
 
+/// The law of a row whose bounds do not depend on its own impulse, at the trial impulse `y_n` along the normal and one of square
+/// `squared` across it: likewise.
+#[inline(always)]
+pub(crate) fn onto_cylinder<N: Number>(
+    y_n: N,
+    squared: N,
+    ([least, most], across): ([N; 2], N),
+    one: N,
+) -> (N, N) {
+    let upper = y_n.within(most, y_n, most);
+    let normal = least.within(upper, upper, least);
+    (normal, onto_disc(squared, across, one))
+}
+
 /// The share of a vector of square `squared` that stays on the disc of the given radius.
 #[inline(always)]
 fn onto_disc<N: Number>(squared: N, radius: N, one: N) -> N {
@@ -165,14 +179,12 @@ impl Law {
     #[must_use]
     #[inline]
     pub fn project(&self, y_n: f64, y_t: Vec3, load: f64) -> (f64, Vec3) {
+        let squared = y_t.norm_squared();
         let (normal, share) = match *self {
-            Self::Contact { mu } => onto_cone(y_n, y_t.norm_squared(), mu, (0.0, 1.0)),
+            Self::Contact { mu } => onto_cone(y_n, squared, mu, (0.0, 1.0)),
             _ => {
-                let bounds = self.bounds(load);
-                (
-                    bounds.along(y_n).value,
-                    onto_disc(y_t.norm_squared(), bounds.across, 1.0),
-                )
+                let Bounds { along, across } = self.bounds(load);
+                onto_cylinder(y_n, squared, (along, across), 1.0)
             }
         };
         (normal, y_t * share)

@@ -96,13 +96,22 @@ impl Problem {
 
     #[inline]
     fn apply_impulse(&self, velocity: &mut [SpatialVector], body: u32, momentum: &SpatialVector) {
+        let change = self.velocity_change(body, momentum);
+        let velocity = &mut velocity[body as usize];
+        velocity.linear += change.linear;
+        velocity.angular += change.angular;
+    }
+
+    /// What `momentum` \[N s\], \[N m s\] adds to the velocity of a body.
+    #[inline]
+    pub(crate) fn velocity_change(&self, body: u32, momentum: &SpatialVector) -> SpatialVector {
         let body = body as usize;
         match self.inverse_mass.get(body) {
-            Some(w) => velocity[body].apply_impulse(w, momentum),
-            None => {
-                let change = self.operators[body - self.inverse_mass.len()].times(momentum);
-                velocity[body] = velocity[body].plus(&change, 1.0);
-            }
+            Some(w) => SpatialVector {
+                linear: w.linear.component_mul(&momentum.linear),
+                angular: w.angular.component_mul(&momentum.angular),
+            },
+            None => self.operators[body - self.inverse_mass.len()].times(momentum),
         }
     }
 

@@ -84,16 +84,20 @@ impl Row {
         self.bias - self.normal * self.bias.dot(&self.normal)
     }
 
-    /// Whether it is a contact without any spring.
-    pub(crate) fn is_rigid_contact(&self) -> bool {
-        let contact = matches!(self.law, Law::Contact { .. });
-        contact && self.compliance_n == 0.0 && self.compliance_t == 0.0
+    /// Whether it is a contact.
+    pub(crate) fn is_contact(&self) -> bool {
+        matches!(self.law, Law::Contact { .. })
     }
 
-    /// The bodies that it moves.
-    pub(crate) fn bodies(&self) -> impl Iterator<Item = usize> + use<> {
-        let bodies = [self.a, self.b].into_iter();
-        bodies.filter(|&body| body != GROUND).map(|b| b as usize)
+    /// Whether it has no spring.
+    pub(crate) fn is_rigid(&self) -> bool {
+        self.compliance_n == 0.0 && self.compliance_t == 0.0
+    }
+
+    /// Whether it is a resistance without spring or bias.
+    pub(crate) fn is_rigid_resistance(&self) -> bool {
+        let resistance = matches!(self.law, Law::Resistance { .. });
+        resistance && self.is_rigid() && self.bias == Vec3::zeros()
     }
 
     /// Relative velocity `u` \[m/s\] of A against B for the given body velocities.

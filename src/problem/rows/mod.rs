@@ -174,8 +174,8 @@ impl Rows {
         Some(&self.general[general])
     }
 
-    /// The contacts that have a resistance.
-    pub(crate) fn resisted(&self) -> impl Iterator<Item = usize> {
+    /// The rows that are resistances, and the contacts that they belong to.
+    pub(crate) fn resistances(&self) -> impl Iterator<Item = (usize, usize)> {
         // Mostly there is nothing to look for.
         let rows = if self.general.is_empty() {
             0
@@ -183,12 +183,12 @@ impl Rows {
             self.len()
         };
         (0..rows).filter_map(|k| match self.general(k)?.law {
-            Law::Resistance { contact, .. } => Some(contact as usize),
+            Law::Resistance { contact, .. } => Some((k, contact as usize)),
             _ => None,
         })
     }
 
-    /// Whether row `k` is a rigid contact whose arms are radii of its bodies, be they known or not.
+    /// Whether row `k` is a contact whose arms are radii of its bodies, be they known or not.
     #[inline]
     pub(crate) fn is_of_spheres(&self, k: usize) -> bool {
         let Some(row) = self.general(k) else {
@@ -198,7 +198,7 @@ impl Rows {
             let radius = self.radius.get(body as usize).copied().unwrap_or(0.0);
             radial(arm, row.normal, radius)
         };
-        row.is_rigid_contact()
+        row.is_contact()
             && touches(row.a, -row.arm_a)
             && (row.b == GROUND || touches(row.b, row.arm_b))
     }
@@ -337,8 +337,8 @@ impl Rows {
 
     /// One more than where `row` is kept whole; zero if it need not be.
     fn place(&mut self, row: &Row) -> usize {
-        let spheres = row.is_rigid_contact() && self.touches_spheres(row);
-        if spheres && is_still(row) {
+        let spheres = row.is_contact() && self.touches_spheres(row);
+        if spheres && row.is_rigid() && is_still(row) {
             return 0;
         }
         self.general.push(*row);

@@ -1,13 +1,24 @@
 //! Contacts of spheres in blocks, and how a sweep over them goes.
 
+use std::ops::Range;
+
 use super::lanes::{LANES, Real, Sixteen};
 use crate::solver::Tolerance;
 
 /// A vector of each of sixteen contacts, by components.
 pub(super) type Vector<T> = [Sixteen<T>; 3];
 
-/// [`Batch::drift`] where nothing prescribed_velocities.
-pub(super) const STILL: u32 = u32::MAX;
+/// [`Batch::extra`] where all contacts are plain.
+pub(super) const PLAIN: u32 = u32::MAX;
+
+/// What contacts of a block have beyond plain ones.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Extra<T> {
+    /// Velocities of moving ground, and biases across the normal \[m/s\].
+    pub(super) velocity: Vector<T>,
+    /// Compliances along the normal and across it \[1/kg\].
+    pub(super) compliance: [Sixteen<T>; 2],
+}
 
 /// Contacts without a common moving body. What a sweep needs and no more: it lasts as long as memory takes to bring this.
 /// Lanes beyond `count` are contacts of a body that never moves with itself.
@@ -16,7 +27,7 @@ pub(super) const STILL: u32 = u32::MAX;
 pub(super) struct Batch<T> {
     /// Normals.
     pub(super) normal: Vector<T>,
-    /// Impulses \[N s\] after the last sweep, at [`Batches::latest`](super::batches::Sheet::latest), and after the last but one.
+    /// Impulses \[N s\] after the last sweep, at [`Batches::latest`](super::batches::Batches::latest), and after the last but one.
     pub(super) impulse: [Vector<T>; 2],
     /// Biases along the normal \[m/s\].
     pub(super) bias: Sixteen<T>,
@@ -30,8 +41,18 @@ pub(super) struct Batch<T> {
     pub(super) bodies: [Sixteen<u32>; 2],
     /// How many contacts there are.
     pub(super) count: u32,
-    /// Which of [`Batches::prescribed_velocities`](super::batches::Sheet::prescribed_velocities) has the velocities of moving ground under these contacts.
-    pub(super) prescribed: u32,
+    /// Which of [`Batches::extras`](super::batches::Batches::extras) these contacts have; [`PLAIN`] without any.
+    pub(super) extra: u32,
+    /// Whether some of these contacts have resistances, which are the next ones of the group.
+    pub(super) resisted: bool,
+}
+
+/// Blocks that are swept together, their resistances, and the bodies they move.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Group {
+    pub(super) blocks: Range<usize>,
+    pub(super) resistances: Range<usize>,
+    pub(super) bodies: Range<usize>,
 }
 
 /// How a sweep goes.

@@ -4,21 +4,15 @@ use std::ops::Range;
 
 use arrayvec::ArrayVec;
 
-use super::batch::{Batch, Progress, SweepParams, Vector};
+use super::batch::{Batch, Extra, Group, Progress, SweepParams};
 use super::dispatch::{Drift, Exact, Fill, Judge, Precision, Push, Sweep};
 use super::lanes::{Body, Real};
 use super::partition::PARTS;
+use super::resistance::Resistances;
 use crate::Vec3;
 use crate::parallel::Pool;
 use crate::solver::params::Registers;
 use crate::solver::residual::Residual;
-
-/// Blocks that are swept together, and the bodies they move.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) struct Group {
-    pub(super) blocks: Range<usize>,
-    pub(super) bodies: Range<usize>,
-}
 
 /// Groups in turns: those of a turn share no body, and their blocks and bodies ascend.
 pub(super) type Colours = [ArrayVec<Group, PARTS>; 4];
@@ -31,10 +25,12 @@ pub(super) const BODIES: usize = 50;
 pub(super) struct Batches<T> {
     pub(super) registers: Registers,
     pub(super) blocks: Vec<Batch<T>>,
+    /// Of those blocks that have such, in their order.
+    pub(super) resistances: Vec<Resistances<T>>,
     /// Which of the blocks' impulses are the last.
     pub(super) latest: usize,
     /// Velocities of moving ground under the contacts of blocks \[m/s\], where there is such.
-    pub(super) prescribed_velocities: Vec<Vector<T>>,
+    pub(super) extras: Vec<Extra<T>>,
     pub(super) bodies: Vec<Body<T>>,
     /// Bodies before the last sweep.
     pub(super) before: Vec<Body<T>>,
@@ -83,20 +79,25 @@ impl<T: Precision> Batches<T> {
         let (mut total, registers) = (Progress::NONE, self.registers);
         for turn in turns.iter().filter(|turn| !turn.is_empty()) {
             let blocks = split(&mut self.blocks, turn.iter().map(|g| g.blocks.clone()));
+            let of_group = turn.iter().map(|g| g.resistances.clone());
+            let resistances = split(&mut self.resistances, of_group);
             let bodies = split(&mut self.bodies, turn.iter().map(|g| g.bodies.clone()));
-            let (prescribed_velocities, latest) = (&self.prescribed_velocities[..], self.latest);
+            let (extras, latest) = (&self.extras[..], self.latest);
             let mut tasks: ArrayVec<_, PARTS> = blocks
                 .into_iter()
+                .zip(resistances)
                 .zip(bodies)
                 .map(|task| (task, Progress::NONE))
                 .collect();
-            pool.each(size(turn), &mut tasks, |((blocks, bodies), found)| {
+            pool.each(size(turn), &mut tasks, |(task, found)| {
+                let ((blocks, resistances), bodies) = task;
                 *found = T::with(
                     registers,
                     Sweep {
                         blocks,
+                        resistances,
                         bodies,
-                        prescribed_velocities,
+                        extras,
                         latest,
                         pace,
                     },
@@ -139,9 +140,14 @@ impl<T: Real> Batches<T> {
     pub(super) fn fill(&mut self, exact: Exact, impulses: &[Vec3], turns: &Colours, pool: &Pool) {
         self.latest = 0;
         let registers = self.registers;
+        self.resistances
+            .resize_with(exact.resistances.len(), Resistances::default);
+        for (own, source) in self.resistances.iter_mut().zip(exact.resistances) {
+            own.fill(source, impulses, exact.source.unit);
+        }
         let blocks = |group: &Group| group.blocks.clone();
         by_group(turns, pool, &mut self.blocks, blocks, |group, blocks| {
-            let exact = exact.of(&group.blocks);
+            let exact = exact.of(group);
             f64::with(
                 registers,
                 Fill {
@@ -166,8 +172,8 @@ impl<T: Real> Batches<T> {
             f64::with(
                 registers,
                 Push {
-                    exact: exact.of(&group.blocks),
-                    blocks: &self.blocks[group.blocks.clone()],
+                    exact: exact.of(group),
+                    blocks: self.of(group),
                     bodies,
                     latest: self.latest,
                 },
@@ -179,7 +185,7 @@ impl<T: Real> Batches<T> {
     pub(super) fn judge(
         &self,
         exact: Exact,
-        (bodies, prescribed_velocities): (&[Body<f64>], &[Vector<f64>]),
+        (bodies, extras): (&[Body<f64>], &[Extra<f64>]),
         turns: &Colours,
         pool: &Pool,
     ) -> Residual {
@@ -191,10 +197,10 @@ impl<T: Real> Batches<T> {
                 *found = f64::with(
                     registers,
                     Judge {
-                        exact: exact.of(&group.blocks),
-                        blocks: &self.blocks[group.blocks.clone()],
+                        exact: exact.of(group),
+                        blocks: self.of(group),
                         bodies: &bodies[group.bodies.clone()],
-                        prescribed_velocities,
+                        extras,
                         latest: self.latest,
                     },
                 );
@@ -204,8 +210,20 @@ impl<T: Real> Batches<T> {
         residual
     }
 
+    /// Blocks and resistances of a group.
+    fn of(&self, group: &Group) -> (&[Batch<T>], &[Resistances<T>]) {
+        let blocks = &self.blocks[group.blocks.clone()];
+        (blocks, &self.resistances[group.resistances.clone()])
+    }
+
     /// Writes the impulses \[N s\] of the blocks' rows.
     pub(super) fn store(&self, exact: Exact, impulses: &mut [Vec3]) {
+        for (own, source) in self.resistances.iter().zip(exact.resistances) {
+            let [x, y, z] = own.exact(self.latest, exact.source.unit);
+            for (lane, row) in source.lanes() {
+                impulses[row] = Vec3::new(x[lane], y[lane], z[lane]);
+            }
+        }
         for (block, rows) in self.blocks.iter().zip(exact.rows) {
             let [x, y, z] = block.exact(self.latest, exact.source.unit);
             for (lane, &row) in rows[..block.count as usize].iter().enumerate() {
@@ -214,11 +232,11 @@ impl<T: Real> Batches<T> {
         }
     }
 
-    /// Takes bodies and prescribed_velocities from double precision, masses over `unit`, as if bodies had not moved before.
+    /// Takes bodies and extras from double precision, masses over `unit`, as if bodies had not moved before.
     pub(super) fn place(
         &mut self,
         bodies: &[Body<f64>],
-        prescribed_velocities: &[Vector<f64>],
+        extras: &[Extra<f64>],
         unit: f64,
         pool: &Pool,
     ) {
@@ -239,9 +257,10 @@ impl<T: Real> Batches<T> {
             before.copy_from_slice(bodies);
         };
         pool.pieces(both, work, |(), ()| ());
-        self.prescribed_velocities.clear();
-        let single = |v: &Vector<f64>| [0, 1, 2].map(|k| v[k].map(T::of));
-        self.prescribed_velocities
-            .extend(prescribed_velocities.iter().map(single));
+        self.extras.clear();
+        self.extras.extend(extras.iter().map(|extra| Extra {
+            velocity: extra.velocity.map(|axis| axis.map(T::of)),
+            compliance: extra.compliance.map(|c| c.map(|c| T::of(c * share))),
+        }));
     }
 }

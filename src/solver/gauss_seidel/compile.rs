@@ -2,10 +2,10 @@
 
 use arrayvec::ArrayVec;
 
-use super::batch::{Batch, STILL, Vector};
-use super::batches::Group;
-use super::kernel::{Kernel, NONE};
+use super::batch::{Batch, Extra, Group, PLAIN};
+use super::kernel::{ATTACHED, Kernel, NONE};
 use super::lanes::{LANES, Real, Sixteen};
+use super::resistance::Source;
 use crate::problem::{GROUND, Problem, Row, Rows};
 use crate::sorting::counting_sort;
 
@@ -26,11 +26,17 @@ impl Kernel {
         let parts = self.layout.parts();
         let moves_alike = |body: u32| self.radius[body as usize] > 0.0;
         let part = |body: u32| self.layout.place(body as usize).1;
+        self.resistance.clear();
+        self.resistance.resize(rows.len(), NONE);
+        for (k, contact) in rows.resistances() {
+            self.resistance[contact] = k as u32;
+        }
+        let is_rigid = |k: u32| k == NONE || rows.get(k as usize).is_rigid_resistance();
         self.group.clear();
         self.group.extend((0..rows.len()).map(|k| {
             let [a, b] = rows.bodies(k);
             let alike = moves_alike(a) && (b == GROUND || moves_alike(b));
-            if !alike || self.resisted[k] || !rows.is_of_spheres(k) {
+            if !alike || !is_rigid(self.resistance[k]) || !rows.is_of_spheres(k) {
                 NONE
             } else if parts == 1 {
                 0
@@ -39,8 +45,13 @@ impl Kernel {
                 group_of(a, if b == GROUND { a } else { part(b) }, parts) as u32
             }
         }));
+        for (k, contact) in rows.resistances() {
+            if self.group[contact] != NONE {
+                self.group[k] = ATTACHED;
+            }
+        }
         self.order.clear();
-        let ours = |k: &u32| self.group[*k as usize] != NONE;
+        let ours = |k: &u32| self.group[*k as usize] < ATTACHED;
         let all = 0..rows.len() as u32;
         if parts == 1 {
             self.order.extend(all.filter(ours));
@@ -62,14 +73,15 @@ impl Kernel {
     pub(super) fn share_out<T: Real>(&mut self, problem: &Problem, blocks: &mut Vec<Batch<T>>) {
         let (parts, spheres) = (self.layout.parts(), problem.inverse_mass.len());
         self.rows.clear();
-        self.prescribed_velocities.clear();
+        self.resistances.clear();
+        self.extras.clear();
         self.turns.iter_mut().for_each(ArrayVec::clear);
         let order = std::mem::take(&mut self.order);
         let mut open = Open {
             used: 0,
             blocks,
             rows: &mut self.rows,
-            prescribed_velocities: &mut self.prescribed_velocities,
+            extras: &mut self.extras,
             held: &mut self.held,
         };
         let mut rest = &order[..];
@@ -95,9 +107,24 @@ impl Kernel {
             };
             open.take(&problem.rows, rows, &self.place, range);
             let blocks = first..open.used;
+            let first = self.resistances.len();
+            for block in blocks.clone() {
+                let rows = &open.rows[block][..open.blocks[block].count as usize];
+                open.blocks[block].resisted =
+                    rows.iter().any(|&k| self.resistance[k as usize] != NONE);
+                if open.blocks[block].resisted {
+                    let source = resistances(&problem.rows, rows, &self.resistance, &self.radius);
+                    self.resistances.push(source);
+                }
+            }
+            let resistances = first..self.resistances.len();
             // Interiors stay in any case: momentum moves their bodies.
             if turn == 0 || !blocks.is_empty() {
-                self.turns[turn].push(Group { blocks, bodies });
+                self.turns[turn].push(Group {
+                    blocks,
+                    resistances,
+                    bodies,
+                });
             }
         }
         let used = open.used;
@@ -112,7 +139,7 @@ struct Open<'a, T> {
     used: usize,
     blocks: &'a mut Vec<Batch<T>>,
     rows: &'a mut Vec<Sixteen<u32>>,
-    prescribed_velocities: &'a mut Vec<Vector<f64>>,
+    extras: &'a mut Vec<Extra<f64>>,
     held: &'a mut [u16],
 }
 
@@ -146,7 +173,7 @@ impl<T: Real> Open<'_, T> {
             let lane = self.blocks[block].join(bodies);
             self.rows[block][lane] = k;
             if let Some(row) = rows.general(k as usize) {
-                self.move_ground(block, lane, row);
+                self.add_extra(block, lane, row);
             }
             if lane + 1 == LANES {
                 self.close(open[at].take(), at);
@@ -166,7 +193,7 @@ impl<T: Real> Open<'_, T> {
         }
         self.rows.push(Sixteen::default());
         let block = &mut self.blocks[at];
-        (block.count, block.prescribed) = (0, STILL);
+        (block.count, block.extra) = (0, PLAIN);
         block.bodies = [[range.still; LANES]; 2];
         at
     }
@@ -181,21 +208,38 @@ impl<T: Real> Open<'_, T> {
         }
     }
 
-    /// Lets a contact of a block have moving ground.
-    fn move_ground(&mut self, block: usize, lane: usize, row: &Row) {
-        let prescribed = &mut self.blocks[block].prescribed;
-        if *prescribed == STILL {
-            *prescribed = self.prescribed_velocities.len() as u32;
-            self.prescribed_velocities.push(Default::default());
+    /// Lets a contact of a block have moving ground and springs.
+    fn add_extra(&mut self, block: usize, lane: usize, row: &Row) {
+        let extra = &mut self.blocks[block].extra;
+        if *extra == PLAIN {
+            *extra = self.extras.len() as u32;
+            self.extras.push(Extra::default());
         }
+        let extra = &mut self.extras[*extra as usize];
         let velocity = row.prescribed_velocity + row.across();
-        for (lanes, x) in self.prescribed_velocities[*prescribed as usize]
-            .iter_mut()
-            .zip(&velocity)
-        {
+        for (lanes, x) in extra.velocity.iter_mut().zip(&velocity) {
             lanes[lane] = *x;
         }
+        extra.compliance[0][lane] = row.compliance_n;
+        extra.compliance[1][lane] = row.compliance_t;
     }
+}
+
+/// Resistances of the contacts that are rows `own`, where `resistance` says which row each has, and spins are scaled by `radius`.
+fn resistances(rows: &Rows, own: &[u32], resistance: &[u32], radius: &[f64]) -> Source {
+    let mut source = Source::default();
+    for (lane, &k) in own.iter().enumerate() {
+        let k = resistance[k as usize];
+        if let Some(row) = rows.general(k as usize) {
+            let scales = [row.a, row.b].map(|body| radius.get(body as usize).copied());
+            source.set(
+                lane,
+                (k, row),
+                scales.map(|scale| scale.unwrap_or(f64::INFINITY)),
+            );
+        }
+    }
+    source
 }
 
 /// Group of rows between parts `a` and `b` of `parts`: interiors, then borders of even and of odd parts, then all else.

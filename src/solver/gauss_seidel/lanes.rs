@@ -147,6 +147,36 @@ impl<P: Pack> Number for P {
     }
 }
 
+/// Bodies A and B by components.
+pub(super) type Columns<P> = [[P; 8]; 2];
+
+/// [`Lanes::between`] of bodies by components.
+#[inline(always)]
+pub(super) fn between<P: Pack>([a, b]: &Columns<P>) -> [P; 8] {
+    [
+        a[0] - b[0],
+        a[1] - b[1],
+        a[2] - b[2],
+        a[3] + b[3],
+        a[4] + b[4],
+        a[5] + b[5],
+        a[6] + b[6],
+        a[7] + b[7],
+    ]
+}
+
+/// [`Lanes::pushed`] of bodies by components.
+#[inline(always)]
+pub(super) fn pushed<P: Pack>([mut a, mut b]: Columns<P>, d: [P; 3], c: [P; 3]) -> Columns<P> {
+    for k in 0..3 {
+        a[k] = a[k].plus(a[3], d[k]);
+        b[k] = b[k].less(b[3], d[k]);
+        a[k + 4] = a[k + 4].less(a[7], c[k]);
+        b[k + 4] = b[k + 4].less(b[7], c[k]);
+    }
+    [a, b]
+}
+
 /// What makes packs of numbers `T`: the proof that the processor has the registers. A block takes one pass or more.
 pub(super) trait Lanes<T>: Copy {
     /// Its pack.
@@ -168,6 +198,8 @@ pub(super) trait Lanes<T>: Copy {
     fn fetch(self, items: &[impl Eight<T>], at: &Sixteen<u32>, pass: usize) -> [Self::Pack; 8];
     /// Items as fetched, by components.
     fn columns(self, rows: [Self::Pack; 8]) -> [Self::Pack; 8];
+    /// Items by components, as fetched.
+    fn rows(self, columns: [Self::Pack; 8]) -> [Self::Pack; 8];
     /// Puts bodies back.
     fn put(self, packs: [Self::Pack; 8], bodies: &mut [Body<T>], at: &Sixteen<u32>, pass: usize);
     /// Of bodies A and B as fetched, by components: velocity of A less that of B, and sums of all else.
@@ -224,32 +256,27 @@ impl<T: Real, const W: usize, const FUSED: bool> Lanes<T> for Plain<W, FUSED> {
         columns
     }
 
+    fn rows(self, columns: [Self::Pack; 8]) -> [Self::Pack; 8] {
+        columns
+    }
+
     fn put(self, packs: [Self::Pack; 8], bodies: &mut [Body<T>], at: &Sixteen<u32>, pass: usize) {
         for lane in 0..W {
             bodies[at[pass * W + lane] as usize] = Body(packs.map(|pack| pack.0[lane]));
         }
     }
 
-    fn between(self, [a, b]: [[Self::Pack; 8]; 2]) -> [Self::Pack; 8] {
-        std::array::from_fn(|k| match k {
-            0..3 => a[k] - b[k],
-            _ => a[k] + b[k],
-        })
+    fn between(self, ab: [[Self::Pack; 8]; 2]) -> [Self::Pack; 8] {
+        between(&ab)
     }
 
     fn pushed(
         self,
-        [mut a, mut b]: [[Self::Pack; 8]; 2],
+        ab: [[Self::Pack; 8]; 2],
         d: [Self::Pack; 3],
         c: [Self::Pack; 3],
     ) -> [[Self::Pack; 8]; 2] {
-        for k in 0..3 {
-            a[k] = a[k].plus(a[3], d[k]);
-            b[k] = b[k].less(b[3], d[k]);
-            a[k + 4] = a[k + 4].less(a[7], c[k]);
-            b[k + 4] = b[k + 4].less(b[7], c[k]);
-        }
-        [a, b]
+        pushed(ab, d, c)
     }
 }
 

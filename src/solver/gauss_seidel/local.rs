@@ -15,22 +15,42 @@
 
 use std::ops::Range;
 
-use super::batch::{Batch, BatchResidual, STILL, SweepParams, Vector};
+use super::batch::{Batch, BatchResidual, Extra, SweepParams, Vector};
 use super::lanes::{Body, Lanes, Pack, Real, Sixteen, changed};
 use crate::problem::law::onto_cone;
 use crate::problem::{BIAS, FRICTION, RADIUS, SCALE, SphereContact};
 
-/// [`SweepParams`](super::batch::Pace) in lanes.
+/// [`SweepParams`] in lanes.
 pub(super) struct Constants<P> {
     momentum: P,
     /// What of its excess an impulse gets: less than nothing.
     damping: P,
     /// Squares of what gap, slip and force residual may be.
     gap: P,
-    slip: P,
-    force: P,
-    zero: P,
-    one: P,
+    pub(super) slip: P,
+    pub(super) force: P,
+    pub(super) zero: P,
+    pub(super) one: P,
+}
+
+/// An impulse's change that has been applied.
+pub(super) struct Change<P> {
+    /// The change, and the impulse after it.
+    pub(super) d: [P; 3],
+    pub(super) new: [P; 3],
+    /// The change times that since the last sweep.
+    pub(super) along: P,
+}
+
+/// Contacts that have been solved.
+pub(super) struct Update<P> {
+    /// Which were within the tolerances.
+    pub(super) settled: u16,
+    /// Their normals.
+    pub(super) n: [P; 3],
+    pub(super) change: Change<P>,
+    /// Square of the change before damping.
+    pub(super) squared: P,
 }
 
 impl<P: Pack> Constants<P> {
@@ -47,15 +67,39 @@ impl<P: Pack> Constants<P> {
             one: number(1.0),
         }
     }
+
+    /// Impulses `old`, moved on by momentum.
+    #[inline(always)]
+    pub(super) fn moved(&self, old: [P; 3], before: [P; 3]) -> [P; 3] {
+        each(|k| old[k].plus(self.momentum, old[k] - before[k]))
+    }
+
+    /// Writes the impulses `p`, which were `old`, without what they have too much.
+    #[inline(always)]
+    pub(super) fn correct<T: Real, L: Lanes<T, Pack = P>>(
+        &self,
+        l: L,
+        pass: usize,
+        (p, old, over): ([P; 3], [P; 3], [P; 3]),
+        impulse: &mut Vector<T>,
+    ) -> Change<P> {
+        let d = each(|k| over[k] * self.damping);
+        let new = each(|k| p[k] + d[k]);
+        for (new, axis) in new.into_iter().zip(impulse) {
+            l.store(new, axis, pass);
+        }
+        let along = dot(d, each(|k| new[k] - old[k]));
+        Change { d, new, along }
+    }
 }
 
 #[inline(always)]
-fn dot<P: Pack>(a: [P; 3], b: [P; 3]) -> P {
+pub(super) fn dot<P: Pack>(a: [P; 3], b: [P; 3]) -> P {
     (a[0] * b[0]).plus(a[1], b[1]).plus(a[2], b[2])
 }
 
 #[inline(always)]
-fn cross<P: Pack>(a: [P; 3], b: [P; 3]) -> [P; 3] {
+pub(super) fn cross<P: Pack>(a: [P; 3], b: [P; 3]) -> [P; 3] {
     [
         (a[1] * b[2]).less(a[2], b[1]),
         (a[2] * b[0]).less(a[0], b[2]),
@@ -64,17 +108,17 @@ fn cross<P: Pack>(a: [P; 3], b: [P; 3]) -> [P; 3] {
 }
 
 #[inline(always)]
-fn each<P>(f: impl Fn(usize) -> P) -> [P; 3] {
+pub(super) fn each<P>(f: impl Fn(usize) -> P) -> [P; 3] {
     [f(0), f(1), f(2)]
 }
 
 /// What the law makes of some contacts' impulses.
-struct Solved<P> {
-    /// Normal impulse, before and after it is cut at zero.
-    free: P,
+pub(super) struct Solved<P> {
+    /// Normal impulse, before and after it is brought between its bounds.
+    pub(super) free: P,
     normal: P,
     /// Square of the tangential impulse before it is brought onto the disc, and the share that stays.
-    squared: P,
+    pub(super) squared: P,
     share: P,
     /// What the impulse has too much along the normal and across it.
     over_n: P,
@@ -84,27 +128,72 @@ struct Solved<P> {
 impl<P: Pack> Solved<P> {
     /// Square of the new impulse, at least `scale`.
     #[inline(always)]
-    fn size(&self, scale: P) -> P {
+    pub(super) fn size(&self, scale: P) -> P {
         (self.normal * self.normal)
             .plus(self.squared * self.share, self.share)
             .or_larger(scale)
     }
+
+    /// What impulses `p` have too much. Where `load` holds nothing they end at zero to the last bit, which rounding would miss.
+    #[inline(always)]
+    pub(super) fn over(&self, n: [P; 3], p: [P; 3], load: P, zero: P) -> [P; 3] {
+        each(|k| {
+            let held = self.over_t[k].plus(n[k], self.over_n);
+            load.within(zero, p[k], held)
+        })
+    }
+
+    /// Squares of what the impulses have too much along the normal and across it.
+    #[inline(always)]
+    pub(super) fn squares(&self) -> (P, P) {
+        (self.over_n * self.over_n, dot(self.over_t, self.over_t))
+    }
+
+    /// Residuals along the normal and across it, and of force, for squares of the length and of the scale.
+    #[inline(always)]
+    pub(super) fn residuals<L: Lanes<f64, Pack = P>>(
+        &self,
+        l: L,
+        seen: &Seen<P>,
+        length: P,
+        scale: P,
+    ) -> [P; 3] {
+        let (nn, tt) = self.squares();
+        let (dd, size) = (nn + tt, self.size(scale));
+        // Without any scale an impulse that should vanish is off by all of itself.
+        let tiny = l.splat(f64::MIN_POSITIVE);
+        let size = size.within(l.splat(0.0), dd.or_larger(tiny), size);
+        [
+            nn.over(length).root() * seen.w_n,
+            tt.over(length).root() * seen.w_t,
+            dd.over(size).root(),
+        ]
+    }
+}
+
+/// Distance of `size` to `bound` over `bound`; one where that is zero.
+#[inline(always)]
+pub(super) fn edge<L: Lanes<f64>>(l: L, size: L::Pack, bound: L::Pack) -> L::Pack {
+    let (zero, tiny) = (l.splat(0.0), l.splat(f64::MIN_POSITIVE));
+    let off = size - bound;
+    let share = off.or_larger(zero - off).over(bound.or_larger(tiny));
+    bound.within(zero, l.splat(1.0), share)
 }
 
 /// What contacts see of their bodies.
-struct Seen<P> {
+pub(super) struct Seen<P> {
     /// Normals.
-    n: [P; 3],
+    pub(super) n: [P; 3],
     /// Relative velocity along the normal with the bias, and the one across it.
-    u_n: P,
-    u_t: [P; 3],
+    pub(super) u_n: P,
+    pub(super) u_t: [P; 3],
     /// `w_n`, `w_t`.
-    w_n: P,
-    w_t: P,
+    pub(super) w_n: P,
+    pub(super) w_t: P,
 }
 
 #[inline(always)]
-fn vector<T, L: Lanes<T>>(l: L, x: &Vector<T>, pass: usize) -> [L::Pack; 3] {
+pub(super) fn vector<T, L: Lanes<T>>(l: L, x: &Vector<T>, pass: usize) -> [L::Pack; 3] {
     [
         l.load(&x[0], pass),
         l.load(&x[1], pass),
@@ -113,9 +202,14 @@ fn vector<T, L: Lanes<T>>(l: L, x: &Vector<T>, pass: usize) -> [L::Pack; 3] {
 }
 
 impl<P: Pack> Seen<P> {
-    /// The law at impulse `p`.
+    /// A law at impulse `p`: what it makes of one along the normal and of the square of one across it.
     #[inline(always)]
-    fn solve(&self, p: [P; 3], friction: P, (zero, one): (P, P)) -> Solved<P> {
+    pub(super) fn solve(
+        &self,
+        p: [P; 3],
+        law: impl Fn(P, P) -> (P, P),
+        (zero, one): (P, P),
+    ) -> Solved<P> {
         let (n, u_t) = (self.n, self.u_t);
         // Where nothing moves the impulse stays.
         let mass = |w: P| w.within(zero, zero, one.over(w));
@@ -126,7 +220,7 @@ impl<P: Pack> Seen<P> {
         let p_t = each(|k| p[k].less(n[k], p_n));
         let t = each(|k| p_t[k].less(u_t[k], mass_t));
         let squared = dot(t, t);
-        let (normal, share) = onto_cone(free, squared, friction, (zero, one));
+        let (normal, share) = law(free, squared);
         Solved {
             free,
             normal,
@@ -141,7 +235,7 @@ impl<P: Pack> Seen<P> {
 impl<T: Real> Batch<T> {
     /// Bodies A and B.
     #[inline(always)]
-    fn fetch<L: Lanes<R>, R: Real>(
+    pub(super) fn fetch<L: Lanes<R>, R: Real>(
         &self,
         l: L,
         pass: usize,
@@ -153,34 +247,46 @@ impl<T: Real> Batch<T> {
         ]
     }
 
-    /// What contacts of normals `n` and the given biases see of their bodies `ab`, as fetched.
+    /// What contacts of normals `n`, biases and impulses `p` see of what is [`Lanes::between`] their bodies.
     #[inline(always)]
     fn see<L: Lanes<R>, R>(
         &self,
         l: L,
         pass: usize,
-        ab: [[L::Pack; 8]; 2],
-        (n, bias): ([L::Pack; 3], L::Pack),
-        prescribed_velocities: &[Vector<R>],
+        between: [L::Pack; 8],
+        (n, bias, p): ([L::Pack; 3], L::Pack, [L::Pack; 3]),
+        extras: &[Extra<R>],
     ) -> Seen<L::Pack> {
-        let [x, y, z, w_n, s_x, s_y, s_z, w_s] = l.between(ab);
+        let [x, y, z, w_n, s_x, s_y, s_z, w_s] = between;
         let mut u = [
             x.less(s_y, n[2]).plus(s_z, n[1]),
             y.less(s_z, n[0]).plus(s_x, n[2]),
             z.less(s_x, n[1]).plus(s_y, n[0]),
         ];
-        if self.prescribed != STILL {
-            let drift = vector(l, &prescribed_velocities[self.prescribed as usize], pass);
+        let extra = extras.get(self.extra as usize);
+        if let Some(extra) = extra {
+            let drift = vector(l, &extra.velocity, pass);
             u = each(|k| u[k] + drift[k]);
         }
         let along = dot(u, n);
-        Seen {
+        let mut seen = Seen {
             n,
             u_n: along + bias,
             u_t: each(|k| u[k].less(n[k], along)),
             w_n,
             w_t: w_n + w_s,
+        };
+        if let Some(Extra {
+            compliance: [c_n, c_t],
+            ..
+        }) = extra
+        {
+            let (c_n, c_t, p_n) = (l.load(c_n, pass), l.load(c_t, pass), dot(p, n));
+            seen.u_n = seen.u_n.plus(c_n, p_n);
+            seen.u_t = each(|k| seen.u_t[k].plus(c_t, p[k].less(n[k], p_n)));
+            (seen.w_n, seen.w_t) = (seen.w_n + c_n, seen.w_t + c_t);
         }
+        seen
     }
 
     /// Gives the bodies `ab`, as fetched, the impulses `d`.
@@ -206,41 +312,50 @@ impl<T: Real> Batch<T> {
         l: L,
         pass: usize,
         bodies: &mut [Body<T>],
-        prescribed_velocities: &[Vector<T>],
+        extras: &[Extra<T>],
         latest: usize,
         pace: &Constants<L::Pack>,
     ) -> (u16, L::Pack, L::Pack) {
-        let old = vector(l, &self.impulse[latest], pass);
-        let before = vector(l, &self.impulse[1 - latest], pass);
         let ab = self.fetch(l, pass, bodies);
-        let along = (vector(l, &self.normal, pass), l.load(&self.bias, pass));
-        let seen = self.see(l, pass, ab, along, prescribed_velocities);
-        let p = each(|k| old[k].plus(pace.momentum, old[k] - before[k]));
-        let friction = l.load(&self.friction, pass);
-        let solved = seen.solve(p, friction, (pace.zero, pace.one));
-        // What opens ends at zero to the last bit, which rounding would miss.
-        let over = each(|k| {
-            let closed = solved.over_t[k].plus(seen.n[k], solved.over_n);
-            solved.normal.within(pace.zero, p[k], closed)
-        });
+        let between = l.between(ab);
+        let own = self.solve(l, pass, between, extras, latest, pace);
+        self.give(l, pass, (own.n, own.change.d), ab, bodies);
+        (own.settled, own.change.along, own.squared)
+    }
+
+    /// Solves the contacts of a pass that see `between`.
+    #[inline(always)]
+    pub(super) fn solve<L: Lanes<T>>(
+        &mut self,
+        l: L,
+        pass: usize,
+        between: [L::Pack; 8],
+        extras: &[Extra<T>],
+        latest: usize,
+        pace: &Constants<L::Pack>,
+    ) -> Update<L::Pack> {
+        let old = vector(l, &self.impulse[latest], pass);
+        let p = pace.moved(old, vector(l, &self.impulse[1 - latest], pass));
+        let own = (vector(l, &self.normal, pass), l.load(&self.bias, pass), p);
+        let seen = self.see(l, pass, between, own, extras);
+        let (ends, friction) = ((pace.zero, pace.one), l.load(&self.friction, pass));
+        let law = |y_n, squared| onto_cone(y_n, squared, friction, ends);
+        let solved = seen.solve(p, law, ends);
+        let over = solved.over(seen.n, p, solved.normal, pace.zero);
         // Judged before damping.
-        let (nn, tt) = (
-            solved.over_n * solved.over_n,
-            dot(solved.over_t, solved.over_t),
-        );
+        let (nn, tt) = solved.squares();
         let (dd, length) = (nn + tt, l.load(&self.length, pass));
         let size = solved.size(l.load(&self.scale, pass));
         let settled = (nn * (seen.w_n * seen.w_n)).bits_within(pace.gap * length)
             & (tt * (seen.w_t * seen.w_t)).bits_within(pace.slip * length)
             & dd.bits_within(pace.force * size);
-        let d = each(|k| over[k] * pace.damping);
-        let new = each(|k| p[k] + d[k]);
-        let along = dot(d, each(|k| new[k] - old[k]));
-        for (new, axis) in new.into_iter().zip(&mut self.impulse[1 - latest]) {
-            l.store(new, axis, pass);
+        let change = pace.correct(l, pass, (p, old, over), &mut self.impulse[1 - latest]);
+        Update {
+            settled,
+            n: seen.n,
+            change,
+            squared: dd,
         }
-        self.give(l, pass, (seen.n, d), ab, bodies);
-        (settled, along, dd)
     }
 }
 
@@ -255,19 +370,24 @@ pub(super) struct Source<'a> {
 }
 
 /// Contacts in double precision.
-struct Contacts<P> {
-    n: [P; 3],
+pub(super) struct Contacts<P> {
+    pub(super) n: [P; 3],
     bias: P,
     friction: P,
     /// Squares of the radius over the step and of the scale of the force residual.
-    length: P,
-    scale: P,
+    pub(super) length: P,
+    pub(super) scale: P,
 }
 
 impl Source<'_> {
     /// The contacts that are in `rows`.
     #[inline(always)]
-    fn contacts<L: Lanes<f64>>(&self, l: L, rows: &Sixteen<u32>, pass: usize) -> Contacts<L::Pack> {
+    pub(super) fn contacts<L: Lanes<f64>>(
+        &self,
+        l: L,
+        rows: &Sixteen<u32>,
+        pass: usize,
+    ) -> Contacts<L::Pack> {
         let x = l.columns(l.fetch(self.numbers, rows, pass));
         let length = x[RADIUS] * l.splat(1.0 / self.step);
         Contacts {
@@ -339,7 +459,7 @@ impl<T: Real> Batch<T> {
         l: L,
         source: &Source,
         rows: &Sixteen<u32>,
-        (bodies, prescribed_velocities): (&[Body<f64>], &[Vector<f64>]),
+        (bodies, extras): (&[Body<f64>], &[Extra<f64>]),
         latest: usize,
     ) -> BatchResidual {
         let mut verdict = BatchResidual::default();
@@ -348,39 +468,26 @@ impl<T: Real> Batch<T> {
         for pass in self.passes::<L, f64>() {
             let p = vector(l, &impulse, pass);
             let ab = self.fetch(l, pass, bodies);
+            let contacts = source.contacts(l, rows, pass);
             let Contacts {
-                n,
-                bias,
-                friction,
-                length,
-                scale,
-            } = source.contacts(l, rows, pass);
-            let seen = self.see(l, pass, ab, (n, bias), prescribed_velocities);
-            let solved = seen.solve(p, friction, (zero, one));
-            let (over_n, over_t) = (solved.over_n, solved.over_t);
-            let (nn, tt) = (over_n * over_n, dot(over_t, over_t));
-            let dd = nn + tt;
-            let size = solved.size(scale);
-            // Without any scale an impulse that should vanish is off by all of itself.
-            let size = size.within(zero, dd.or_larger(tiny), size);
+                n, bias, friction, ..
+            } = contacts;
+            let between = l.between(ab);
+            let seen = self.see(l, pass, between, (n, bias, p), extras);
+            let law = |y_n, squared| onto_cone(y_n, squared, friction, (zero, one));
+            let solved = seen.solve(p, law, (zero, one));
+            let [gap, slip, force] = solved.residuals(l, &seen, contacts.length, contacts.scale);
             // Distances to the edges of the state: of opening, and of slip.
-            let held = dot(p, p).or_larger(scale).root();
-            let opens = solved
-                .free
-                .or_larger(zero - solved.free)
-                .over(held.or_larger(tiny));
-            let opens = held.within(zero, one, opens);
-            let bound = friction * dot(p, seen.n).or_larger(zero);
-            let to_slip = solved.squared.root() - bound;
-            let slips = to_slip
-                .or_larger(zero - to_slip)
-                .over(bound.or_larger(tiny));
-            let slips = bound.within(zero, one, slips);
+            let held = dot(p, p).or_larger(contacts.scale).root();
+            let size = solved.free.or_larger(zero - solved.free);
+            let opens = held.within(zero, one, size.over(held.or_larger(tiny)));
+            let bound = friction * dot(p, n).or_larger(zero);
+            let slips = edge(l, solved.squared.root(), bound);
             let nearest = opens.within(slips, opens, slips);
             let [gaps, slipped, forces, margins] = &mut verdict;
-            l.store((nn.over(length)).root() * seen.w_n, gaps, pass);
-            l.store((tt.over(length)).root() * seen.w_t, slipped, pass);
-            l.store(dd.over(size).root(), forces, pass);
+            l.store(gap, gaps, pass);
+            l.store(slip, slipped, pass);
+            l.store(force, forces, pass);
             l.store(seen.w_n.within(zero, one, nearest), margins, pass);
         }
         verdict

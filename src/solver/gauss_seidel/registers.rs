@@ -119,6 +119,11 @@ macro_rules! by_rows {
         }
 
         #[inline(always)]
+        fn rows(self, columns: [Self::Pack; 8]) -> [Self::Pack; 8] {
+            Row::rows(columns)
+        }
+
+        #[inline(always)]
         fn between(self, [mut a, b]: [[Self::Pack; 8]; 2]) -> [Self::Pack; 8] {
             for k in 0..8 {
                 let signs = signed::<$real, $numbers>(OTHER, k);

@@ -61,7 +61,7 @@ impl Solved<'_> {
             };
             let (mut u, n) = (rows.relative(k, velocity), rows.normal(k));
             // Friction works on the slip of the step's middle.
-            if let Some(row) = general.filter(|row| row.is_rigid_contact()) {
+            if let Some(row) = general.filter(|row| row.is_contact() && row.is_rigid()) {
                 u += row.across();
             }
             let couple = matches!(law, Some(Law::Resistance { .. }));

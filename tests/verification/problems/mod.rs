@@ -135,15 +135,15 @@ fn every_solver_on_every_problem() {
     );
     insta::assert_snapshot!(pinned, @r"
     stack: 50 rows, 160 sweeps
-    stack_on_springs: 50 rows, 107 sweeps
+    stack_on_springs: 50 rows, 116 sweeps
     heavy_on_light: 71 rows, 114 sweeps
     silo: 363 rows, 459 sweeps
     heap: 360 rows, 88 sweeps
-    heap_resists_rolling: 660 rows, 232 sweeps
+    heap_resists_rolling: 660 rows, 376 sweeps
     bed: 1436 rows, 5000 sweeps
     plate: 177 rows, 180 sweeps
     light_plate: 154 rows, 54 sweeps
-    pressed: 68 rows, 2361 sweeps
+    pressed: 68 rows, 2197 sweeps
     servo: 1611 rows, 390 sweeps
     smooth_pile_soft_penalty: 42 rows, 5000 sweeps
     hopper_12: 208 rows, 5000 sweeps

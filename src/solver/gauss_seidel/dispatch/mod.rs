@@ -1,10 +1,9 @@
 //! Sweeps, pushes and judgements with the widest registers that the processor has, or those that are asked for.
 
-use std::ops::Range;
-
-use super::batch::{Batch, Progress, SweepParams, Vector};
+use super::batch::{Batch, Extra, Group, Progress, SweepParams, Vector};
 use super::lanes::{Body, FUSES, Lanes, Plain, Real, Sixteen};
 use super::local::{Constants, Source};
+use super::resistance::{self, Resistances};
 use crate::Vec3;
 use crate::solver::params::Registers;
 use crate::solver::residual::Residual;
@@ -13,8 +12,9 @@ use crate::solver::residual::Residual;
 #[derive(Debug)]
 pub(super) struct Sweep<'a, T> {
     pub(super) blocks: &'a mut [Batch<T>],
+    pub(super) resistances: &'a mut [Resistances<T>],
     pub(super) bodies: &'a mut [Body<T>],
-    pub(super) prescribed_velocities: &'a [Vector<T>],
+    pub(super) extras: &'a [Extra<T>],
     /// Which of the blocks' impulses are the last.
     pub(super) latest: usize,
     pub(super) pace: SweepParams,
@@ -26,13 +26,16 @@ pub(super) struct Exact<'a> {
     pub(super) source: Source<'a>,
     /// Rows of each block.
     pub(super) rows: &'a [Sixteen<u32>],
+    /// Resistances of those blocks that have such.
+    pub(super) resistances: &'a [resistance::Source],
 }
 
 impl Exact<'_> {
-    /// Those of some of the blocks.
-    pub(super) fn of(self, blocks: &Range<usize>) -> Self {
+    /// Those of a group.
+    pub(super) fn of(self, group: &Group) -> Self {
         Self {
-            rows: &self.rows[blocks.clone()],
+            rows: &self.rows[group.blocks.clone()],
+            resistances: &self.resistances[group.resistances.clone()],
             ..self
         }
     }
@@ -50,7 +53,7 @@ pub(super) struct Fill<'a, T> {
 #[derive(Debug)]
 pub(super) struct Push<'a, T> {
     pub(super) exact: Exact<'a>,
-    pub(super) blocks: &'a [Batch<T>],
+    pub(super) blocks: (&'a [Batch<T>], &'a [Resistances<T>]),
     pub(super) bodies: &'a mut [Body<f64>],
     pub(super) latest: usize,
 }
@@ -59,9 +62,9 @@ pub(super) struct Push<'a, T> {
 #[derive(Debug)]
 pub(super) struct Judge<'a, T> {
     pub(super) exact: Exact<'a>,
-    pub(super) blocks: &'a [Batch<T>],
+    pub(super) blocks: (&'a [Batch<T>], &'a [Resistances<T>]),
     pub(super) bodies: &'a [Body<f64>],
-    pub(super) prescribed_velocities: &'a [Vector<f64>],
+    pub(super) extras: &'a [Extra<f64>],
     pub(super) latest: usize,
 }
 
@@ -133,16 +136,22 @@ impl<T: Real> Task for Sweep<'_, T> {
         // Lane by lane, so that every width sums in the same order.
         let mut along = Sixteen::<T>::default();
         let mut change = Sixteen::<T>::default();
+        let (extras, latest) = (self.extras, self.latest);
+        let mut resistances = self.resistances.iter_mut();
         for block in self.blocks {
+            let mut resisted = match block.resisted {
+                true => resistances.next(),
+                false => None,
+            };
             for pass in block.passes::<L, T>() {
-                let (within, a, c) = block.update(
-                    l,
-                    pass,
-                    self.bodies,
-                    self.prescribed_velocities,
-                    self.latest,
-                    &pace,
-                );
+                let bodies = &mut *self.bodies;
+                let (within, a, c) = match &mut resisted {
+                    None => block.update(l, pass, bodies, extras, latest, &pace),
+                    Some(own) => {
+                        let moved = (bodies, &mut **own);
+                        block.update_resisted(l, pass, moved, extras, latest, &pace)
+                    }
+                };
                 settled &= within;
                 l.store(l.load(&along, pass) + a, &mut along, pass);
                 l.store(l.load(&change, pass) + c, &mut change, pass);
@@ -189,7 +198,7 @@ impl<T: Real> Task for Fill<'_, T> {
 
     #[inline(always)]
     fn with<L: Lanes<f64>>(self, l: L) {
-        let Exact { source, rows } = self.exact;
+        let Exact { source, rows, .. } = self.exact;
         for (block, rows) in self.blocks.iter_mut().zip(rows) {
             block.fill(l, &source, rows);
             let mut impulse = Vector::<T>::default();
@@ -210,9 +219,20 @@ impl<T: Real> Task for Push<'_, T> {
 
     #[inline(always)]
     fn with<L: Lanes<f64>>(self, l: L) {
-        let Exact { source, rows } = self.exact;
-        for (block, rows) in self.blocks.iter().zip(rows) {
+        let Exact {
+            source,
+            rows,
+            resistances,
+        } = self.exact;
+        let mut resisted = resistances.iter().zip(self.blocks.1);
+        for (block, rows) in self.blocks.0.iter().zip(rows) {
             block.push(l, &source, rows, self.bodies, self.latest);
+            if block.resisted
+                && let Some((own, held)) = resisted.next()
+            {
+                let impulse = held.exact(self.latest, source.unit);
+                own.push(l, block, &impulse, self.bodies);
+            }
         }
     }
 }
@@ -223,14 +243,33 @@ impl<T: Real> Task for Judge<'_, T> {
 
     #[inline(always)]
     fn with<L: Lanes<f64>>(self, l: L) -> Residual {
-        let Exact { source, rows } = self.exact;
+        let Exact {
+            source,
+            rows,
+            resistances,
+        } = self.exact;
         let mut residual = Residual::default();
-        for (block, rows) in self.blocks.iter().zip(rows) {
-            let moving = (self.bodies, self.prescribed_velocities);
+        let mut resisted = resistances.iter().zip(self.blocks.1);
+        for (block, rows) in self.blocks.0.iter().zip(rows) {
+            let moving = (self.bodies, self.extras);
             let [gaps, slips, forces, margins] = block.judge(l, &source, rows, moving, self.latest);
             for (lane, &row) in rows[..block.count as usize].iter().enumerate() {
                 let values = [gaps[lane], slips[lane], forces[lane]];
                 residual.include(row as usize, values, margins[lane]);
+            }
+            if block.resisted
+                && let Some((own, held)) = resisted.next()
+            {
+                let impulses = [
+                    &block.exact(self.latest, source.unit),
+                    &held.exact(self.latest, source.unit),
+                ];
+                let found = own.judge(l, block, (&source, rows), impulses, self.bodies);
+                let [gaps, slips, forces, margins] = found;
+                for (lane, row) in own.lanes() {
+                    let values = [gaps[lane], slips[lane], forces[lane]];
+                    residual.include(row, values, margins[lane]);
+                }
             }
         }
         residual

@@ -3,9 +3,9 @@
 #![cfg(test)]
 
 use super::*;
-use crate::problem::SphereContact;
+use crate::problem::{GROUND, Law, Row, SphereContact};
 use crate::solver::Tolerance;
-use crate::solver::gauss_seidel::batch::STILL;
+use crate::solver::gauss_seidel::batch::{Extra, PLAIN};
 use proptest::prelude::*;
 
 /// One kind of lanes.
@@ -47,8 +47,10 @@ struct Case<T> {
     numbers: Vec<SphereContact>,
     rows: Vec<Sixteen<u32>>,
     blocks: Vec<Batch<T>>,
+    resistances: Vec<Resistances<T>>,
+    sources: Vec<resistance::Source>,
     bodies: Vec<Body<T>>,
-    prescribed_velocities: Vec<Vector<T>>,
+    extras: Vec<Extra<T>>,
 }
 
 impl<T> Case<T> {
@@ -58,22 +60,40 @@ impl<T> Case<T> {
             step: 0.3,
             unit: 0.7,
         };
-        let rows = &self.rows;
-        Exact { source, rows }
+        Exact {
+            source,
+            rows: &self.rows,
+            resistances: &self.sources,
+        }
+    }
+
+    /// Some of the blocks as a group; the first has the resistances.
+    fn group(&self, blocks: std::ops::Range<usize>) -> Group {
+        let resistances = match blocks.start {
+            0 => 0..self.resistances.len(),
+            _ => 0..0,
+        };
+        Group {
+            blocks,
+            resistances,
+            bodies: 0..self.bodies.len(),
+        }
     }
 
     fn sweep(&mut self, latest: usize, pace: SweepParams) -> Sweep<'_, T> {
         Sweep {
             blocks: &mut self.blocks,
+            resistances: &mut self.resistances,
             bodies: &mut self.bodies,
-            prescribed_velocities: &self.prescribed_velocities,
+            extras: &self.extras,
             latest,
             pace,
         }
     }
 }
 
-/// Two blocks of 32 bodies from numbers in -1..1; the second is not full, and its ground prescribed_velocities. The last body never moves.
+/// Two blocks of 32 bodies from numbers in -1..1. Some contacts of the first have resistances; the second is not full, and its
+/// ground moves. The last body never moves.
 fn case<T: Real>(numbers: &[f64]) -> Case<T> {
     let mut source = numbers.iter().cycle().map(|&x| T::of(x));
     let mut sixteen =
@@ -85,12 +105,18 @@ fn case<T: Real>(numbers: &[f64]) -> Case<T> {
         friction: std::array::from_fn(|k| T::of(0.1 * k as f64)),
         bodies: [0, 16].map(|first| std::array::from_fn(|k| first + k as u32)),
         count: 16,
-        prescribed: STILL,
+        extra: PLAIN,
+        resisted: true,
         ..Batch::default()
     };
     let mut drift = vector();
     drift.iter_mut().for_each(|x| x[5..].fill(T::of(0.0)));
-    let prescribed_velocities = vec![drift];
+    let mut compliance = [vector()[0], vector()[1]].map(|c| c.map(|c| c * c));
+    compliance.iter_mut().for_each(|c| c[5..].fill(T::of(0.0)));
+    let extras = vec![Extra {
+        velocity: drift,
+        compliance,
+    }];
     [full.bias, full.length, full.scale] = vector();
     full.length = full.length.map(|x| x * x);
     let masses = [0.0, 0.3, 1.0, 2.0].map(T::of);
@@ -106,19 +132,62 @@ fn case<T: Real>(numbers: &[f64]) -> Case<T> {
     let rows = [0, 16].map(|first| std::array::from_fn(|k| (first + k as u32) % 21));
     let mut part = Batch {
         count: 5,
-        prescribed: 0,
+        extra: 0,
+        resisted: false,
         ..full
     };
     part.clear_from(5);
     let impulses = part.impulse.iter_mut().flatten();
     impulses.for_each(|lanes| lanes[5..].fill(T::default()));
     part.bodies.iter_mut().for_each(|at| at[5..].fill(32));
+    let mut own = resistance::Source::default();
+    let impulses: Vec<Vec3> = (0..16)
+        .map(|lane| {
+            let mut number = |k: usize| sixteen()[k].exact();
+            let row = Row {
+                prescribed_velocity: Vec3::new(number(0), number(1), number(2)),
+                radius: 1.0 + 0.5 * number(3),
+                law: Law::Resistance {
+                    contact: 0,
+                    rolling: number(4).abs(),
+                    twisting: number(5).abs(),
+                },
+                ..rolling()
+            };
+            if lane % 3 != 1 {
+                own.set(lane, (lane as u32, &row), [1.3, 0.7]);
+            }
+            Vec3::new(number(6), number(7), number(8))
+        })
+        .collect();
+    let mut resistances = Resistances::default();
+    resistances.fill(&own, &impulses, 0.7);
     Case {
         numbers,
         rows: rows.to_vec(),
         blocks: vec![full, part],
+        resistances: vec![resistances],
+        sources: vec![own],
         bodies,
-        prescribed_velocities,
+        extras,
+    }
+}
+
+/// A resistance on the ground.
+fn rolling() -> Row {
+    Row {
+        a: 0,
+        b: GROUND,
+        normal: Vec3::z(),
+        arm_a: Vec3::zeros(),
+        arm_b: Vec3::zeros(),
+        prescribed_velocity: Vec3::zeros(),
+        bias: Vec3::zeros(),
+        compliance_n: 0.0,
+        compliance_t: 0.0,
+        law: Law::Bilateral,
+        radius: 1.0,
+        impulse_scale: 1.0,
     }
 }
 
@@ -141,7 +210,7 @@ fn outcome(
     });
     run.push(Push {
         exact: single.exact(),
-        blocks: &single.blocks,
+        blocks: (&single.blocks, &single.resistances),
         bodies: &mut moved.bodies,
         latest: 1,
     });
@@ -151,11 +220,15 @@ fn outcome(
         run.double(swept.sweep(0, pace)),
     ];
     let judged = [0..1, 1..2, 0..2].map(|blocks| {
+        let group = double.group(blocks.clone());
         run.judge(Judge {
-            exact: double.exact().of(&blocks),
-            blocks: &double.blocks[blocks],
+            exact: double.exact().of(&group),
+            blocks: (
+                &double.blocks[blocks],
+                &double.resistances[group.resistances],
+            ),
             bodies: &moved.bodies,
-            prescribed_velocities: &double.prescribed_velocities,
+            extras: &double.extras,
             latest: 1,
         })
     });
@@ -183,7 +256,7 @@ fn pace(momentum: f64) -> SweepParams {
 proptest! {
     #[test]
     fn wide_registers_give_the_same_bits(
-        numbers in prop::collection::vec(-1.0..1.0f64, 16 * 47),
+        numbers in prop::collection::vec(-1.0..1.0f64, 16 * 211),
         momentum in 0.0..1.0f64,
     ) {
         let pace = pace(momentum);
@@ -205,7 +278,7 @@ proptest! {
     /// What runs where nothing can be fused.
     #[test]
     fn without_fusion_all_is_the_same_but_for_rounding(
-        numbers in prop::collection::vec(-1.0..1.0f64, 16 * 47),
+        numbers in prop::collection::vec(-1.0..1.0f64, 16 * 211),
         momentum in 0.0..1.0f64,
     ) {
         let pace = pace(momentum);
@@ -224,7 +297,7 @@ fn lattice<T: Real>(side: usize) -> Case<T> {
     let n = side * side * side;
     let still = Batch {
         bodies: [[n as u32; 16]; 2],
-        prescribed: STILL,
+        extra: PLAIN,
         ..Batch::default()
     };
     let mut blocks: Vec<Batch<T>> = Vec::new();
@@ -258,8 +331,10 @@ fn lattice<T: Real>(side: usize) -> Case<T> {
         numbers: Vec::new(),
         rows: Vec::new(),
         blocks,
+        resistances: Vec::new(),
+        sources: Vec::new(),
         bodies,
-        prescribed_velocities: Vec::new(),
+        extras: Vec::new(),
     }
 }
 

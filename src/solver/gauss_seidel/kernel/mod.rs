@@ -5,39 +5,32 @@ use std::mem::take;
 
 use arrayvec::ArrayVec;
 
-use super::batch::{Batch, Progress, SweepParams, Vector};
+use super::batch::{Batch, Extra, Progress, SweepParams};
 use super::batches::{BODIES, Batches, Colours, split};
 use super::dispatch::Exact;
+use super::general_rows::{Bodies, GeneralRows, spin_scale};
 use super::lanes::{Body, Sixteen};
 use super::local::Source;
 use super::partition::{PARTS, Partition};
+use super::resistance;
 use crate::Vec3;
 use crate::parallel::Pool;
-use crate::problem::{Law, Problem, Row};
+use crate::problem::Problem;
 use crate::solver::Tolerance;
 use crate::solver::params::Registers;
-use crate::solver::residual::{Residual, Scale};
+use crate::solver::residual::Residual;
 use crate::spatial::SpatialVector;
 
 /// Tolerances of gap and slip, and of force, from which single precision finds impulses that double precision confirms.
 const SINGLE: [f64; 2] = [1e-7, 1e-3];
-
-/// A row that is no contact of spheres.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct GeneralRow {
-    at: u32,
-    row: Row,
-    scale: Scale,
-    impulse: Vec3,
-    previous: Vec3,
-}
 
 /// The compiled problem; its memory serves from solve to solve.
 #[derive(Debug, Default)]
 pub struct Kernel {
     /// Rows of each block, and velocities \[m/s\] of moving ground under blocks where there is such.
     pub(super) rows: Vec<Sixteen<u32>>,
-    pub(super) prescribed_velocities: Vec<Vector<f64>>,
+    pub(super) resistances: Vec<resistance::Source>,
+    pub(super) extras: Vec<Extra<f64>>,
     /// Whether sweeps go over `quick`, or over the blocks of `exact`, whose bodies are those that are judged in either case.
     pub(super) single: bool,
     pub(super) exact: Batches<f64>,
@@ -51,11 +44,9 @@ pub struct Kernel {
     pub(super) place: Vec<u32>,
     /// Length by which each body's spin is scaled \[m\], `[N + D]`: its radius; zero where no contact gives it.
     pub(super) radius: Vec<f64>,
-    pub(super) others: Vec<GeneralRow>,
-    /// Velocities of the bodies that other rows move, while such a row is solved, `[N + D]`; none without such rows.
-    pub(super) velocity: Vec<SpatialVector>,
-    /// Whether a row is a contact with a resistance, `[C]`: both go with the other rows.
-    pub(super) resisted: Vec<bool>,
+    pub(super) others: GeneralRows,
+    /// Row of each contact's resistance, `[C]`; [`NONE`] where it has none.
+    pub(super) resistance: Vec<u32>,
     /// Rows of the blocks by group, and which group each is of.
     pub(super) order: Vec<u32>,
     pub(super) group: Vec<u32>,
@@ -82,10 +73,6 @@ impl Kernel {
                 }
             }));
         self.radius.resize(problem.free.len(), NO_SPHERE);
-        refill(&mut self.resisted, problem.rows.len(), false);
-        for contact in problem.rows.resisted() {
-            self.resisted[contact] = true;
-        }
         self.layout.fit(spheres);
         let (layout, parts) = (&self.layout, self.layout.parts());
         refill(&mut self.held, problem.free.len() + parts, 0);
@@ -97,11 +84,10 @@ impl Kernel {
         let driven = (spheres..problem.free.len()).map(|d| (d + parts) as u32);
         self.place.extend(driven);
         self.sort(problem);
-        self.take_others(problem, impulses);
+        let group = &self.group;
+        self.others.take(problem, impulses, |k| group[k] == NONE);
         let [length, force] = SINGLE;
-        self.single = self.others.is_empty()
-            && tolerance.gap.min(tolerance.slip) >= length
-            && tolerance.force >= force;
+        self.single = tolerance.gap.min(tolerance.slip) >= length && tolerance.force >= force;
         let masses = problem.inverse_mass.iter().map(|w| w.linear.max());
         self.unit = match self.single {
             true => masses.fold(f64::MIN_POSITIVE, f64::max),
@@ -121,7 +107,7 @@ impl Kernel {
                 self.exact.blocks = blocks;
             }
         }
-        let exact = exact(problem, &self.rows, self.unit);
+        let exact = exact(problem, (&self.rows, &self.resistances), self.unit);
         let (turns, pool) = (&self.turns, &self.pool);
         match self.single {
             true => self.quick.fill(exact, impulses, turns, pool),
@@ -156,7 +142,8 @@ impl Kernel {
         let emptied = |block: &Batch<f32>| Batch {
             bodies: block.bodies,
             count: block.count,
-            prescribed: block.prescribed,
+            extra: block.extra,
+            resisted: block.resisted,
             ..Batch::default()
         };
         self.exact.blocks.clear();
@@ -164,7 +151,7 @@ impl Kernel {
             .blocks
             .extend(self.quick.blocks.iter().map(emptied));
         (self.single, self.unit) = (false, 1.0);
-        let exact = exact(problem, &self.rows, self.unit);
+        let exact = exact(problem, (&self.rows, &self.resistances), self.unit);
         self.exact.fill(exact, impulses, &self.turns, &self.pool);
         self.start_exact();
     }
@@ -172,56 +159,26 @@ impl Kernel {
     /// Lets sweeps in double precision start where the bodies are, as if they had not moved before.
     fn start_exact(&mut self) {
         self.exact.before.clone_from(&self.exact.bodies);
-        self.exact
-            .prescribed_velocities
-            .clone_from(&self.prescribed_velocities);
-    }
-
-    /// Rows that are in no block.
-    fn take_others(&mut self, problem: &Problem, impulses: &[Vec3]) {
-        self.others.clear();
-        self.velocity.clear();
-        for (k, &impulse) in impulses.iter().enumerate() {
-            if self.group[k] == NONE {
-                let row = problem.rows.get(k);
-                self.others.push(GeneralRow {
-                    at: k as u32,
-                    scale: Scale::of_row(problem, &row),
-                    row,
-                    impulse,
-                    previous: impulse,
-                });
-            }
-        }
-        if !self.others.is_empty() {
-            self.velocity
-                .resize(problem.free.len(), SpatialVector::ZERO);
-        }
+        self.exact.extras.clone_from(&self.extras);
     }
 
     /// Takes the velocities of the impulses anew, without rounding from many sweeps.
     fn reload(&mut self, problem: &Problem) {
         let mut bodies = take(&mut self.exact.bodies);
         self.free(problem, &mut bodies);
-        let exact = exact(problem, &self.rows, self.unit);
+        let exact = exact(problem, (&self.rows, &self.resistances), self.unit);
         let (turns, pool) = (&self.turns, &self.pool);
         match self.single {
             true => self.quick.push(exact, turns, pool, &mut bodies),
             false => self.exact.push(exact, turns, pool, &mut bodies),
         }
         self.exact.bodies = bodies;
-        for at in 0..self.others.len() {
-            let GeneralRow { row, impulse, .. } = self.others[at];
-            self.see(&row);
-            self.give(problem, &row, impulse);
-        }
+        let mut bodies = Bodies::of(&mut self.exact.bodies, &self.place, &self.radius);
+        self.others.push(problem, &mut bodies);
         match self.single {
-            true => self.quick.place(
-                &self.exact.bodies,
-                &self.prescribed_velocities,
-                self.unit,
-                &self.pool,
-            ),
+            true => self
+                .quick
+                .place(&self.exact.bodies, &self.extras, self.unit, &self.pool),
             false => self.start_exact(),
         }
     }
@@ -232,7 +189,7 @@ impl Kernel {
         let parts = self.turns[0].len();
         bodies.resize(problem.free.len() + parts, Body::default());
         let body = |i: usize| {
-            let (v, scale) = (&problem.free[i], scale(&self.radius, i));
+            let (v, scale) = (&problem.free[i], spin_scale(&self.radius, i));
             // Driven bodies move by other rows only, which have their own operator.
             let w = problem
                 .inverse_mass
@@ -273,147 +230,86 @@ impl Kernel {
     /// Velocity of body `i` at place `at`.
     #[inline]
     fn velocity_of(&self, i: usize, at: u32) -> SpatialVector {
-        let [a, b, c, _, d, e, f, _] = self.exact.bodies[at as usize].0;
-        SpatialVector {
-            linear: Vec3::new(a, b, c),
-            angular: Vec3::new(d, e, f) / scale(&self.radius, i),
-        }
+        self.exact.bodies[at as usize].velocity(spin_scale(&self.radius, i))
     }
 
     /// The residual of the impulses, with velocities taken anew from them, always in double precision.
     pub(super) fn judge(&mut self, problem: &Problem) -> Residual {
         self.reload(problem);
-        let exact = exact(problem, &self.rows, self.unit);
+        let exact = exact(problem, (&self.rows, &self.resistances), self.unit);
         let (turns, pool) = (&self.turns, &self.pool);
-        let moving = (&self.exact.bodies[..], &self.prescribed_velocities[..]);
+        let moving = (&self.exact.bodies[..], &self.extras[..]);
         let mut residual = match self.single {
             true => self.quick.judge(exact, moving, turns, pool),
             false => self.exact.judge(exact, moving, turns, pool),
         };
-        for at in 0..self.others.len() {
-            let other = self.others[at];
-            let row = &other.row;
-            self.see(row);
-            let (u, p) = (row.relative_velocity(&self.velocity), other.impulse);
-            let load = self.load(row);
-            let natural_map = other.scale.natural_map(row, u, p, load);
-            let values = other.scale.residuals(row, problem.step, &natural_map);
-            let margin = other.scale.margin(row, u, p, load);
-            residual.include(other.at as usize, values, margin);
-        }
+        let bodies = Bodies::of(&mut self.exact.bodies, &self.place, &self.radius);
+        self.others.judge(problem, &bodies, &mut residual);
         residual
-    }
-
-    /// Velocities of the bodies of `row`.
-    fn see(&mut self, row: &Row) {
-        for i in row.bodies() {
-            self.velocity[i] = self.velocity_of(i, self.place[i]);
-        }
-    }
-
-    /// Gives the bodies of `row`, whose velocities are seen, an impulse.
-    fn give(&mut self, problem: &Problem, row: &Row, impulse: Vec3) {
-        problem.apply(row, &mut self.velocity, impulse);
-        for i in row.bodies() {
-            let SpatialVector { linear, angular } = self.velocity[i];
-            let spin = angular * scale(&self.radius, i);
-            let body = &mut self.exact.bodies[self.place[i] as usize].0;
-            body[..3].copy_from_slice(linear.as_slice());
-            body[4..7].copy_from_slice(spin.as_slice());
-        }
     }
 
     /// One sweep: the blocks, then the other rows.
     pub(super) fn sweep(&mut self, problem: &Problem, pace: SweepParams) -> Progress {
-        if self.single {
-            return self.quick.sweep(&self.turns, &self.pool, pace);
-        }
-        let mut progress = self.exact.sweep(&self.turns, &self.pool, pace);
-        let mut change = Residual::default();
-        for other in 0..self.others.len() {
-            let [along, squared] = self.other(problem, pace, other, &mut change);
-            progress.along += along;
-            progress.change += squared;
-        }
-        progress.settled &= change.within(&self.tolerance.scaled(pace.strictness));
-        progress
-    }
-
-    /// Solves one of the other rows, by the operations that every row has.
-    fn other(
-        &mut self,
-        problem: &Problem,
-        pace: SweepParams,
-        at: usize,
-        change: &mut Residual,
-    ) -> [f64; 2] {
-        let mut other = self.others[at];
-        let row = &other.row;
-        self.see(row);
-        let old = other.impulse;
-        let p = old + (old - other.previous) * pace.momentum;
-        let u = row.relative_velocity(&self.velocity);
-        let natural_map = other.scale.natural_map(row, u, p, self.load(row));
-        let values = other.scale.residuals(row, problem.step, &natural_map);
-        change.include(other.at as usize, values, 1.0);
-        let full = row.normal * natural_map.normal + natural_map.tangential;
-        let delta = full * pace.damping;
-        other.impulse = p + delta;
-        other.previous = old;
-        self.others[at] = other;
-        if delta != Vec3::zeros() {
-            self.give(problem, row, delta);
-        }
-        [delta.dot(&(other.impulse - old)), full.norm_squared()]
-    }
-
-    /// Normal impulse \[N s\] that bounds a resistance; zero for all other rows.
-    fn load(&self, row: &Row) -> f64 {
-        let Law::Resistance { contact, .. } = row.law else {
-            return 0.0;
+        let (turns, pool) = (&self.turns, &self.pool);
+        let blocks = match self.single {
+            true => self.quick.sweep(turns, pool, pace),
+            false => self.exact.sweep(turns, pool, pace),
         };
-        let found = self.others.binary_search_by_key(&contact, |other| other.at);
-        found.map_or(0.0, |at| {
-            let GeneralRow { row, impulse, .. } = &self.others[at];
-            impulse.dot(&row.normal).max(0.0)
+        let (place, radius, others) = (&self.place, &self.radius, &mut self.others);
+        let others = match self.single {
+            true => {
+                let mut bodies = Bodies::of(&mut self.quick.bodies, place, radius);
+                others.sweep(problem, &pace, &mut bodies)
+            }
+            false => {
+                let mut bodies = Bodies::of(&mut self.exact.bodies, place, radius);
+                others.sweep(problem, &pace, &mut bodies)
+            }
+        };
+        // Blocks have their impulses times a unit.
+        let unit = self.unit * self.unit;
+        blocks.with(&Progress {
+            settled: others.settled,
+            along: others.along * unit,
+            change: others.change * unit,
         })
     }
 
     /// Writes the impulses of all rows \[N s\], `[C]`: those that were judged last.
     pub(super) fn store(&self, problem: &Problem, impulses: &mut [Vec3]) {
-        let exact = exact(problem, &self.rows, self.unit);
+        let exact = exact(problem, (&self.rows, &self.resistances), self.unit);
         match self.single {
             true => self.quick.store(exact, impulses),
             false => self.exact.store(exact, impulses),
         }
-        for other in &self.others {
-            impulses[other.at as usize] = other.impulse;
-        }
+        self.others.store(impulses);
     }
 }
 
 /// The contacts of the blocks in double precision.
-fn exact<'a>(problem: &'a Problem, rows: &'a [Sixteen<u32>], unit: f64) -> Exact<'a> {
+fn exact<'a>(
+    problem: &'a Problem,
+    (rows, resistances): (&'a [Sixteen<u32>], &'a [resistance::Source]),
+    unit: f64,
+) -> Exact<'a> {
     let source = Source {
         numbers: problem.rows.compact(),
         step: problem.step,
         unit,
     };
-    Exact { source, rows }
+    Exact {
+        source,
+        rows,
+        resistances,
+    }
 }
 
 /// Radius of a body that does not move alike in all directions.
 const NO_SPHERE: f64 = -1.0;
 /// Group of a row that no block has.
 pub(super) const NONE: u32 = u32::MAX;
-
-/// Length by which the spin of body `i` is scaled \[m\].
-fn scale(radius: &[f64], i: usize) -> f64 {
-    match radius[i] {
-        radius if radius > 0.0 => radius,
-        _ => 1.0,
-    }
-}
+/// Group of a resistance, which goes with its contact: above those of all blocks.
+pub(super) const ATTACHED: u32 = NONE - 1;
 
 /// `items` as so many copies of `value`.
 fn refill<T: Clone>(items: &mut Vec<T>, count: usize, value: T) {

@@ -3,10 +3,11 @@
 #![cfg(test)]
 
 use super::*;
-use crate::problem::GROUND;
+use crate::problem::{GROUND, Law, Row};
+use crate::solver::residual::{Scale, evaluate};
 use nalgebra::Vector3;
 
-/// A row of spheres of different sizes on the ground, pushed, with one row that is no contact of spheres.
+/// A row of spheres of different sizes on the ground, pushed, with one that has springs; most contacts have a resistance.
 fn problem() -> Problem {
     let mut problem = Problem {
         step: 1e-3,
@@ -41,7 +42,7 @@ fn problem() -> Problem {
                 a,
                 b,
                 normal,
-                arm_a: normal * -ra,
+                arm_a: normal * if a == 7 { -1.1 * ra } else { -ra },
                 arm_b: if b == GROUND {
                     Vec3::zeros()
                 } else {
@@ -49,13 +50,34 @@ fn problem() -> Problem {
                 },
                 prescribed_velocity: Vec3::zeros(),
                 bias: normal * 0.01,
-                compliance_n: if a == 7 { 0.1 } else { 0.0 },
-                compliance_t: 0.0,
+                compliance_n: if a == 11 { 0.1 } else { 0.0 },
+                compliance_t: if a == 11 { 0.2 } else { 0.0 },
                 law: Law::Contact { mu: 0.3 },
                 radius: ra.min(rb),
                 impulse_scale: 1e-4,
             });
         }
+    }
+    for contact in (0..problem.rows.len()).filter(|k| k % 5 != 3) {
+        let row = problem.rows.get(contact);
+        let turning = match row.b {
+            GROUND => Vec3::new(0.02, -0.01, 0.005 * f64::from(row.a % 3)),
+            _ => Vec3::zeros(),
+        };
+        problem.rows.push(Row {
+            arm_a: Vec3::zeros(),
+            arm_b: Vec3::zeros(),
+            prescribed_velocity: turning,
+            bias: Vec3::zeros(),
+            compliance_n: 0.0,
+            compliance_t: 0.0,
+            law: Law::Resistance {
+                contact: contact as u32,
+                rolling: 0.05 * (contact % 3) as f64,
+                twisting: 0.02 * (contact % 4) as f64,
+            },
+            ..row
+        });
     }
     problem
 }
@@ -75,12 +97,19 @@ fn blocks_do_what_rows_do_one_after_the_other() {
     };
     let mut kernel = Kernel::default();
     kernel.compile(&problem, &Tolerance::default(), &start);
-    assert_eq!(kernel.others.len(), 2, "one springy sphere's rows");
+    assert_eq!(
+        kernel.others.places().len(),
+        4,
+        "rows and resistances of a sphere that is held elsewhere"
+    );
     assert!(!kernel.single);
     let blocks = kernel.exact.blocks.iter().zip(&kernel.rows);
     let rows = blocks.flat_map(|(block, rows)| &rows[..block.count as usize]);
-    let mut order: Vec<u32> = rows.copied().collect();
-    order.extend(kernel.others.iter().map(|other| other.at));
+    let with_resistance = |&k: &u32| [k, kernel.resistance[k as usize]];
+    let mut order: Vec<u32> = rows.flat_map(with_resistance).collect();
+    order.retain(|&k| k != NONE);
+    assert!(order.len() > problem.rows.len() / 2 + 8);
+    order.extend(kernel.others.places());
     let mut sorted = order.clone();
     sorted.sort_unstable();
     assert!(sorted.into_iter().eq(0..problem.rows.len() as u32));
@@ -94,9 +123,10 @@ fn blocks_do_what_rows_do_one_after_the_other() {
         let mut change = 0.0;
         for &k in &order {
             let row = &problem.rows.get(k as usize);
+            let load = row.load(&problem.rows, &expected);
             let p = &mut expected[k as usize];
             let scale = Scale::of_row(&problem, row);
-            let natural_map = scale.natural_map(row, row.relative_velocity(&velocity), *p, 0.0);
+            let natural_map = scale.natural_map(row, row.relative_velocity(&velocity), *p, load);
             let full = row.normal * natural_map.normal + natural_map.tangential;
             change += full.norm_squared();
             *p += full * pace.damping;
@@ -107,6 +137,49 @@ fn blocks_do_what_rows_do_one_after_the_other() {
         }
         assert!((progress.change - change).abs() < 1e-9 * change);
         assert!(!progress.settled);
+        let judged = kernel.judge(&problem);
+        let common = evaluate(&problem, &Scale::of(&problem), &found);
+        let same = |a: f64, b: f64| assert!((a - b).abs() < 1e-9 * b.abs(), "{a} {b}");
+        same(judged.gap, common.gap);
+        same(judged.slip, common.slip);
+        same(judged.force, common.force);
+        same(judged.active_set_closeness, common.active_set_closeness);
+        assert_eq!(judged.worst, common.worst);
+    }
+}
+
+/// Alone, resistances are the worst rows: their slip and force come out as in the common residual.
+#[test]
+fn resistances_are_judged_as_by_the_common_residual() {
+    let mut problem = problem();
+    problem.rows.update_all(|k, row| {
+        row.compliance_n = 0.0;
+        if let Law::Contact { mu } = &mut row.law {
+            // Nothing slips: what remains is rolling.
+            (*mu, row.bias) = (if k % 2 == 0 { 1e9 } else { 0.0 }, row.normal * 1e-12);
+        }
+    });
+    let mut impulses: Vec<Vec3> = (0..problem.rows.len()).map(|_| Vec3::zeros()).collect();
+    for (k, row) in problem.rows.iter().enumerate() {
+        if matches!(row.law, Law::Contact { .. }) {
+            impulses[k] = row.normal * 1e-4;
+        }
+    }
+    let mut kernel = Kernel::default();
+    kernel.compile(&problem, &Tolerance::default(), &impulses);
+    let pace = SweepParams {
+        momentum: 0.0,
+        damping: 1.0,
+        strictness: 1.0,
+        tolerance: Tolerance::default(),
+    };
+    for _ in 0..40 {
+        kernel.sweep(&problem, pace);
+        let judged = kernel.judge(&problem);
+        kernel.store(&problem, &mut impulses);
+        let common = evaluate(&problem, &Scale::of(&problem), &impulses);
+        assert!((judged.slip - common.slip).abs() <= 1e-6 * common.slip + 1e-15);
+        assert!((judged.force - common.force).abs() <= 1e-6 * common.force + 1e-12);
     }
 }
 
@@ -131,7 +204,7 @@ fn momentum_moves_impulses_and_velocities_together() {
     let velocity = problem.velocities(&impulses);
     for (i, v) in velocity.iter().enumerate() {
         let body = &kernel.exact.bodies[kernel.place[i] as usize].0;
-        let (linear, spin) = (v.linear, v.angular * scale(&kernel.radius, i));
+        let (linear, spin) = (v.linear, v.angular * spin_scale(&kernel.radius, i));
         for k in 0..3 {
             assert!((body[k] - linear[k]).abs() < 1e-12);
             assert!((body[k + 4] - spin[k]).abs() < 1e-12);
@@ -176,7 +249,7 @@ fn a_kernel_that_is_refined_goes_on_in_double_precision() {
     let mut found = vec![Vec3::zeros(); problem.rows.len()];
     let mut kernel = Kernel::default();
     kernel.compile(&problem, &loose, &found);
-    assert!(kernel.single && !kernel.prescribed_velocities.is_empty());
+    assert!(kernel.single && !kernel.extras.is_empty());
     kernel.sweep(&problem, pace(0.0));
     kernel.judge(&problem);
     kernel.refine(&problem, &mut found);
