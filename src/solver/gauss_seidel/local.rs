@@ -15,7 +15,7 @@
 
 use std::ops::Range;
 
-use super::batch::{Batch, BatchResidual, Extra, SweepParams, Vector};
+use super::batch::{Batch, BatchResidual, Extra, PLAIN, SweepParams, Vector};
 use super::lanes::{Body, Lanes, Pack, Real, Sixteen, changed};
 use crate::problem::law::onto_cone;
 use crate::problem::{BIAS, FRICTION, RADIUS, SCALE, SphereContact};
@@ -247,14 +247,14 @@ impl<T: Real> Batch<T> {
         ]
     }
 
-    /// What contacts of normals `n`, biases and impulses `p` see of what is [`Lanes::between`] their bodies.
+    /// What contacts of normals `n` and the given biases see of what is [`Lanes::between`] their bodies.
     #[inline(always)]
     fn see<L: Lanes<R>, R>(
         &self,
         l: L,
         pass: usize,
         between: [L::Pack; 8],
-        (n, bias, p): ([L::Pack; 3], L::Pack, [L::Pack; 3]),
+        (n, bias): ([L::Pack; 3], L::Pack),
         extras: &[Extra<R>],
     ) -> Seen<L::Pack> {
         let [x, y, z, w_n, s_x, s_y, s_z, w_s] = between;
@@ -263,30 +263,37 @@ impl<T: Real> Batch<T> {
             y.less(s_z, n[0]).plus(s_x, n[2]),
             z.less(s_x, n[1]).plus(s_y, n[0]),
         ];
-        let extra = extras.get(self.extra as usize);
-        if let Some(extra) = extra {
-            let drift = vector(l, &extra.velocity, pass);
+        if self.extra != PLAIN {
+            let drift = vector(l, &extras[self.extra as usize].velocity, pass);
             u = each(|k| u[k] + drift[k]);
         }
         let along = dot(u, n);
-        let mut seen = Seen {
+        Seen {
             n,
             u_n: along + bias,
             u_t: each(|k| u[k].less(n[k], along)),
             w_n,
             w_t: w_n + w_s,
-        };
-        if let Some(Extra {
-            compliance: [c_n, c_t],
-            ..
-        }) = extra
-        {
-            let (c_n, c_t, p_n) = (l.load(c_n, pass), l.load(c_t, pass), dot(p, n));
+        }
+    }
+
+    /// Adds to what they see what their springs make of impulses `p`.
+    #[inline(always)]
+    fn yields<L: Lanes<R>, R>(
+        &self,
+        l: L,
+        pass: usize,
+        seen: &mut Seen<L::Pack>,
+        p: [L::Pack; 3],
+        extras: &[Extra<R>],
+    ) {
+        if self.extra != PLAIN {
+            let [c_n, c_t] = &extras[self.extra as usize].compliance;
+            let (c_n, c_t, p_n) = (l.load(c_n, pass), l.load(c_t, pass), dot(p, seen.n));
             seen.u_n = seen.u_n.plus(c_n, p_n);
-            seen.u_t = each(|k| seen.u_t[k].plus(c_t, p[k].less(n[k], p_n)));
+            seen.u_t = each(|k| seen.u_t[k].plus(c_t, p[k].less(seen.n[k], p_n)));
             (seen.w_n, seen.w_t) = (seen.w_n + c_n, seen.w_t + c_t);
         }
-        seen
     }
 
     /// Gives the bodies `ab`, as fetched, the impulses `d`.
@@ -334,10 +341,11 @@ impl<T: Real> Batch<T> {
         latest: usize,
         pace: &Constants<L::Pack>,
     ) -> Update<L::Pack> {
+        let own = (vector(l, &self.normal, pass), l.load(&self.bias, pass));
+        let mut seen = self.see(l, pass, between, own, extras);
         let old = vector(l, &self.impulse[latest], pass);
         let p = pace.moved(old, vector(l, &self.impulse[1 - latest], pass));
-        let own = (vector(l, &self.normal, pass), l.load(&self.bias, pass), p);
-        let seen = self.see(l, pass, between, own, extras);
+        self.yields(l, pass, &mut seen, p, extras);
         let (ends, friction) = ((pace.zero, pace.one), l.load(&self.friction, pass));
         let law = |y_n, squared| onto_cone(y_n, squared, friction, ends);
         let solved = seen.solve(p, law, ends);
@@ -473,7 +481,8 @@ impl<T: Real> Batch<T> {
                 n, bias, friction, ..
             } = contacts;
             let between = l.between(ab);
-            let seen = self.see(l, pass, between, (n, bias, p), extras);
+            let mut seen = self.see(l, pass, between, (n, bias), extras);
+            self.yields(l, pass, &mut seen, p, extras);
             let law = |y_n, squared| onto_cone(y_n, squared, friction, (zero, one));
             let solved = seen.solve(p, law, (zero, one));
             let [gap, slip, force] = solved.residuals(l, &seen, contacts.length, contacts.scale);

@@ -131,6 +131,18 @@ impl<T: Real> Task for Sweep<'_, T> {
 
     #[inline(always)]
     fn with<L: Lanes<T>>(self, l: L) -> Progress {
+        // Apart: in one loop plain blocks take longer.
+        match self.resistances.is_empty() {
+            true => self.over_blocks::<L, false>(l),
+            false => self.over_blocks::<L, true>(l),
+        }
+    }
+}
+
+impl<T: Real> Sweep<'_, T> {
+    /// Over all blocks, of which some may have resistances.
+    #[inline(always)]
+    fn over_blocks<L: Lanes<T>, const RESISTED: bool>(self, l: L) -> Progress {
         let pace = Constants::of(l, &self.pace);
         let mut settled = L::ALL;
         // Lane by lane, so that every width sums in the same order.
@@ -139,7 +151,7 @@ impl<T: Real> Task for Sweep<'_, T> {
         let (extras, latest) = (self.extras, self.latest);
         let mut resistances = self.resistances.iter_mut();
         for block in self.blocks {
-            let mut resisted = match block.resisted {
+            let mut resisted = match RESISTED && block.resisted {
                 true => resistances.next(),
                 false => None,
             };
