@@ -235,11 +235,11 @@ impl Simulation {
         let Err(failure) = self.try_step(scene, paths, (target, dt), effort, totals)? else {
             return Ok(());
         };
-        match StepControl::remedy(settings, &failure, cuts) {
+        match StepControl::remedy(settings, &failure, (dt, cuts)) {
             Remedy::GiveUp => Err(self.explain(failure, dt, cuts)),
             Remedy::Cut => {
                 self.state.report.cuts += 1;
-                self.state.control.cut(settings, dt);
+                self.state.control.cut(settings, &failure, dt);
                 let half = 0.5 * dt;
                 let middle = self.state.time + half;
                 self.step_to(scene, paths, (middle, half), cuts + 1, totals)?;

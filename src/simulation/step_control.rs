@@ -91,15 +91,33 @@ impl StepControl {
         }
     }
 
-    /// What becomes of a step that has been cut `cuts` times and failed.
-    pub(super) fn remedy(settings: &Settings, failure: &StepFailure, cuts: u32) -> Remedy {
+    /// How often a step that failed like this may be cut, and the shortest step \[s\] that is: what has no solution has none in
+    /// ever shorter steps either.
+    fn limits(settings: &Settings, failure: &StepFailure) -> (u32, f64) {
+        let converged = failure.residual <= failure.tolerance;
         let most = match (settings.sweeps, settings.strict, failure.passed) {
             (Some(_), ..) => BOUNDED_CUTS,
             (None, false, None) if failure.pinched.is_some() => 0,
             (None, false, None) => CUTS,
+            (None, false, Some(_)) if !converged => CUTS,
             _ => u32::MAX,
         };
-        match (cuts < most.min(settings.max_cuts), settings.strict) {
+        let most = most.min(settings.max_cuts);
+        let shortest = match (settings.smallest_step, settings.strict) {
+            (Some(smallest), false) => smallest * 0.5_f64.powi(most as i32),
+            _ => 0.0,
+        };
+        (most, shortest)
+    }
+
+    /// What becomes of a step of `dt` \[s\] that has been cut `cuts` times and failed.
+    pub(super) fn remedy(
+        settings: &Settings,
+        failure: &StepFailure,
+        (dt, cuts): (f64, u32),
+    ) -> Remedy {
+        let (most, shortest) = Self::limits(settings, failure);
+        match (cuts < most && dt > shortest, settings.strict) {
             (true, _) => Remedy::Cut,
             (false, true) => Remedy::GiveUp,
             (false, false) => Remedy::Accept,
@@ -147,11 +165,12 @@ impl StepControl {
         self.turn((self.step * change).clamp(smallest, settings.step), rate);
     }
 
-    /// After a step of `dt` \[s\] that had to be halved.
-    pub(super) fn cut(&mut self, settings: &Settings, dt: f64) {
+    /// After a step of `dt` \[s\] that failed and had to be halved.
+    pub(super) fn cut(&mut self, settings: &Settings, failure: &StepFailure, dt: f64) {
         if settings.smallest_step.is_some() {
+            let (_, shortest) = Self::limits(settings, failure);
             self.shorter = true;
-            self.turn(0.5 * dt, 0.0);
+            self.turn((0.5 * dt).max(shortest), 0.0);
         }
     }
 
@@ -205,7 +224,9 @@ impl Simulation {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::contact::{ContactId, Partner};
     use crate::solver::Report;
+    use crate::step::Tunnelling;
 
     /// Mean length \[s\] of the last of many steps that take `sweeps` of their length.
     fn length(sweeps: impl Fn(f64) -> f64) -> f64 {
@@ -271,24 +292,28 @@ mod tests {
         assert_eq!(sweeps(&Settings::default(), 2e-5, 0), None);
     }
 
-    /// A step that fails is cut at first; in the end it is taken as it is, unless the scene is strict.
-    #[test]
-    fn every_failure_ends() {
-        let failure = StepFailure {
+    fn failure(residual: f64) -> StepFailure {
+        StepFailure {
             what: "force",
-            residual: 1.0,
+            residual,
             tolerance: 0.1,
             contact: None,
             pinched: None,
             passed: None,
             broken: None,
-        };
+        }
+    }
+
+    /// A step that fails is cut at first; in the end it is taken as it is, unless the scene is strict.
+    #[test]
+    fn every_failure_ends() {
+        let failure = failure(1.0);
         for strict in [true, false] {
             let settings = Settings {
                 strict,
                 ..Settings::default()
             };
-            let remedy = |cuts| StepControl::remedy(&settings, &failure, cuts);
+            let remedy = |cuts| StepControl::remedy(&settings, &failure, (1e-3, cuts));
             assert_eq!(remedy(0), Remedy::Cut);
             let last = match strict {
                 true => Remedy::GiveUp,
@@ -296,6 +321,48 @@ mod tests {
             };
             assert_eq!(remedy(settings.max_cuts), last);
         }
+    }
+
+    /// Bodies that pass are kept apart by shorter steps where these have a solution; a best iterate is not cut for ever.
+    #[test]
+    fn a_best_iterate_that_lets_bodies_pass_is_cut_a_few_times() {
+        let failure = |residual| StepFailure {
+            passed: Some(Tunnelling {
+                contact: ContactId {
+                    sphere: 0,
+                    partner: Partner::Sphere {
+                        index: 1,
+                        image: Default::default(),
+                    },
+                },
+                motion: 2.0,
+            }),
+            ..failure(residual)
+        };
+        let settings = Settings {
+            strict: false,
+            ..Settings::default()
+        };
+        let remedy =
+            |residual, cuts| StepControl::remedy(&settings, &failure(residual), (1e-3, cuts));
+        assert_eq!(remedy(0.05, settings.max_cuts - 1), Remedy::Cut);
+        for unconverged in [1.0, f64::NAN] {
+            assert_eq!(remedy(unconverged, CUTS - 1), Remedy::Cut);
+            assert_eq!(remedy(unconverged, CUTS), Remedy::Accept);
+        }
+        let chosen = Settings {
+            smallest_step: Some(1e-3),
+            ..settings
+        };
+        let remedy = |dt| StepControl::remedy(&chosen, &failure(1.0), (dt, 0));
+        let shortest = 1e-3 * 0.5_f64.powi(CUTS as i32);
+        assert_eq!(
+            [remedy(2.0 * shortest), remedy(shortest)],
+            [Remedy::Cut, Remedy::Accept]
+        );
+        let mut control = StepControl::of(&chosen);
+        control.cut(&chosen, &failure(1.0), shortest);
+        assert_eq!(control.step, shortest);
     }
 
     /// Steps cut below the shortest one get longer again, whatever they cost.
@@ -308,8 +375,8 @@ mod tests {
             ..Settings::default()
         };
         let mut control = StepControl::of(&settings);
-        control.cut(&settings, 1e-4);
-        assert_eq!(control.step, 5e-5);
+        control.cut(&settings, &failure(1.0), 1e-3);
+        assert_eq!(control.step, 5e-4);
         let hard = StepOutput {
             solver: Report {
                 sweeps: 5000,

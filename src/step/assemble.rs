@@ -226,11 +226,16 @@ impl Assembly<'_> {
             }
             (a, b) => a == b,
         };
-        let from = self.candidates.partition_point(|c| c.key.sphere < sphere);
-        let own = self.candidates[from..].iter().zip(from..);
-        own.take_while(move |(c, _)| c.key.sphere == sphere)
-            .filter(move |(c, _)| same(c.key))
-            .map(|(_, k)| k)
+        self.contacts_of(sphere)
+            .filter(move |&k| same(self.candidates[k].key))
+    }
+
+    /// The candidates of this sphere, whose partners come after it.
+    pub(super) fn contacts_of(&self, sphere: u32) -> impl Iterator<Item = usize> {
+        let own = |c: &Candidate| c.key.sphere;
+        let from = self.candidates.partition_point(|c| own(c) < sphere);
+        let count = self.candidates[from..].partition_point(|c| own(c) == sphere);
+        from..from + count
     }
 }
 

@@ -75,8 +75,8 @@ pub(super) fn pinch(assembly: &Assembly, solution: &Solution, row: usize) -> Opt
     let i = sphere as usize;
     let radius = prediction.scene.particles.radius[i];
     let overlap = prediction.scene.settings.tolerance.gap * radius;
-    let sides: Vec<Side> = (0..assembly.candidates.len())
-        .filter(|&k| assembly.candidates[k].key.sphere == sphere)
+    let sides: Vec<Side> = assembly
+        .contacts_of(sphere)
         .filter(|&k| assembly.problem.rows.compliance(k) == 0.0)
         .filter(|&k| solution.loads(k))
         .filter_map(|k| {
