@@ -90,14 +90,7 @@ pub fn spheres(blob: &[u8]) -> Result<(Vec<f64>, Kinematics), SnapshotError> {
         return Err(version(parts.version));
     }
     let (radius, moving): (Vec<f64>, Kinematics) = parse(parts.spheres)?;
-    let lengths = [
-        moving.present.len(),
-        moving.position.len(),
-        moving.orientation.len(),
-        moving.velocity.len(),
-        moving.spin.len(),
-    ];
-    match lengths == [radius.len(); 5] {
+    match moving.fits(radius.len()) {
         true => Ok((radius, moving)),
         false => Err(SnapshotError::Format(
             "its radii, places and velocities differ in number",

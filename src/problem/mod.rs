@@ -96,10 +96,8 @@ impl Problem {
 
     #[inline]
     fn apply_impulse(&self, velocity: &mut [SpatialVector], body: u32, momentum: &SpatialVector) {
-        let change = self.velocity_change(body, momentum);
         let velocity = &mut velocity[body as usize];
-        velocity.linear += change.linear;
-        velocity.angular += change.angular;
+        *velocity = velocity.plus(&self.velocity_change(body, momentum), 1.0);
     }
 
     /// What `momentum` \[N s\], \[N m s\] adds to the velocity of a body.
@@ -107,10 +105,7 @@ impl Problem {
     pub(crate) fn velocity_change(&self, body: u32, momentum: &SpatialVector) -> SpatialVector {
         let body = body as usize;
         match self.inverse_mass.get(body) {
-            Some(w) => SpatialVector {
-                linear: w.linear.component_mul(&momentum.linear),
-                angular: w.angular.component_mul(&momentum.angular),
-            },
+            Some(w) => w.component_mul(momentum),
             None => self.operators[body - self.inverse_mass.len()].times(momentum),
         }
     }

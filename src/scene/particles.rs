@@ -144,6 +144,18 @@ impl Clone for Kinematics {
 }
 
 impl Kinematics {
+    /// Whether every array has `count` spheres.
+    pub(crate) fn fits(&self, count: usize) -> bool {
+        let lengths = [
+            self.present.len(),
+            self.position.len(),
+            self.orientation.len(),
+            self.velocity.len(),
+            self.spin.len(),
+        ];
+        lengths == [count; 5]
+    }
+
     /// Velocity \[m/s\] and angular velocity \[rad/s\] of sphere `i`, the integrator's own.
     #[inline]
     pub(crate) fn spatial_velocity(&self, i: usize) -> SpatialVector {

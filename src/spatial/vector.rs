@@ -21,10 +21,13 @@ impl SpatialVector {
         angular: Vec3::new(0.0, 0.0, 0.0),
     };
 
-    /// Adds `W momentum`.
-    pub(crate) fn apply_impulse(&mut self, inverse_mass: &Self, momentum: &Self) {
-        self.linear += inverse_mass.linear.component_mul(&momentum.linear);
-        self.angular += inverse_mass.angular.component_mul(&momentum.angular);
+    /// Component by component: what a momentum makes of a diagonal of inverse masses.
+    #[inline]
+    pub(crate) fn component_mul(&self, other: &Self) -> Self {
+        Self {
+            linear: self.linear.component_mul(&other.linear),
+            angular: self.angular.component_mul(&other.angular),
+        }
     }
 
     /// `linear . linear + angular . angular`: power of a force and torque, energy of a momentum.

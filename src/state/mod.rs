@@ -130,15 +130,6 @@ impl State {
     /// Whether every array is as long as the scene wants it, and the next step one that it admits.
     pub(crate) fn fits(&self, scene: &Scene) -> bool {
         let (spheres, boundaries) = (scene.particles.len(), scene.boundaries.len());
-        let moving = &self.kinematics;
-        let of_spheres = [
-            moving.present.len(),
-            moving.position.len(),
-            moving.orientation.len(),
-            moving.velocity.len(),
-            moving.spin.len(),
-            self.smooth.len(),
-        ];
         let of_boundaries = [
             self.poses.len(),
             self.twists.len(),
@@ -157,7 +148,8 @@ impl State {
             (self.passed.len(), scene.sensors.len()),
             (self.flow.len(), scene.sensors.len()),
         ];
-        of_spheres == [spheres; 6]
+        self.kinematics.fits(spheres)
+            && self.smooth.len() == spheres
             && of_boundaries == [boundaries; 7]
             && others.iter().all(|(found, wanted)| found == wanted)
             && [0, spheres].contains(&self.external.len())

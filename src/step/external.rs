@@ -146,6 +146,7 @@ pub fn external_acceleration(
             angular: particles.inverse_inertia(i),
         };
         let arm = kinematics.orientation[i] * load.arm;
-        external[i].apply_impulse(&w, &JacobianBlock::Point(arm).momentum(load.force));
+        let force = JacobianBlock::Point(arm).momentum(load.force);
+        external[i] = external[i].plus(&w.component_mul(&force), 1.0);
     }
 }

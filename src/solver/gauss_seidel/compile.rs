@@ -3,7 +3,7 @@
 use arrayvec::ArrayVec;
 
 use super::batch::{Batch, Extra, Group, PLAIN};
-use super::kernel::{ATTACHED, Kernel, NONE};
+use super::kernel::{ATTACHED, Kernel, NONE, refill};
 use super::lanes::{LANES, Real, Sixteen};
 use super::resistance::Source;
 use crate::problem::{GROUND, Problem, Row, Rows};
@@ -26,8 +26,7 @@ impl Kernel {
         let parts = self.layout.parts();
         let moves_alike = |body: u32| self.radius[body as usize] > 0.0;
         let part = |body: u32| self.layout.place(body as usize).1;
-        self.resistance.clear();
-        self.resistance.resize(rows.len(), NONE);
+        refill(&mut self.resistance, rows.len(), NONE);
         for (k, contact) in rows.resistances() {
             self.resistance[contact] = k as u32;
         }
@@ -45,9 +44,9 @@ impl Kernel {
                 group_of(a, if b == GROUND { a } else { part(b) }, parts) as u32
             }
         }));
-        for (k, contact) in rows.resistances() {
-            if self.group[contact] != NONE {
-                self.group[k] = ATTACHED;
+        for (contact, &k) in self.resistance.iter().enumerate() {
+            if k != NONE && self.group[contact] != NONE {
+                self.group[k as usize] = ATTACHED;
             }
         }
         self.order.clear();

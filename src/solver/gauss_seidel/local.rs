@@ -408,12 +408,18 @@ impl Source<'_> {
     }
 }
 
+/// Impulses that are held times `unit`, in double precision \[N s\].
+#[inline(always)]
+pub(super) fn exact<T: Real>(impulse: &Vector<T>, unit: f64) -> Vector<f64> {
+    let share = 1.0 / unit;
+    each(|axis| changed(&impulse[axis], |x| x.exact() * share))
+}
+
 impl<T: Real> Batch<T> {
     /// Impulses [N s] after the last sweep, in double precision.
     #[inline(always)]
     pub(super) fn exact(&self, latest: usize, unit: f64) -> Vector<f64> {
-        let share = 1.0 / unit;
-        each(|axis| changed(&self.impulse[latest][axis], |x| x.exact() * share))
+        exact(&self.impulse[latest], unit)
     }
 
     /// Takes all but the impulses from `rows`.

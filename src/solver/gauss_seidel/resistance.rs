@@ -190,8 +190,7 @@ impl<T: Real> Resistances<T> {
     /// Impulses \[N s\] after the last sweep, in double precision.
     #[inline(always)]
     pub(super) fn exact(&self, latest: usize, unit: f64) -> Vector<f64> {
-        let share = 1.0 / unit;
-        each(|axis| changed(&self.impulse[latest][axis], |x| x.exact() * share))
+        local::exact(&self.impulse[latest], unit)
     }
 }
 

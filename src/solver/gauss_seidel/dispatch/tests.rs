@@ -3,8 +3,9 @@
 #![cfg(test)]
 
 use super::*;
-use crate::problem::{GROUND, Law, Row, SphereContact};
+use crate::problem::{Law, Row, SphereContact};
 use crate::solver::Tolerance;
+use crate::solver::bodies::probe_row;
 use crate::solver::gauss_seidel::batch::{Extra, PLAIN};
 use proptest::prelude::*;
 
@@ -147,12 +148,11 @@ fn case<T: Real>(numbers: &[f64]) -> Case<T> {
             let row = Row {
                 prescribed_velocity: Vec3::new(number(0), number(1), number(2)),
                 radius: 1.0 + 0.5 * number(3),
-                law: Law::Resistance {
+                ..probe_row(Law::Resistance {
                     contact: 0,
                     rolling: number(4).abs(),
                     twisting: number(5).abs(),
-                },
-                ..rolling()
+                })
             };
             if lane % 3 != 1 {
                 own.set(lane, (lane as u32, &row), [1.3, 0.7]);
@@ -170,24 +170,6 @@ fn case<T: Real>(numbers: &[f64]) -> Case<T> {
         sources: vec![own],
         bodies,
         extras,
-    }
-}
-
-/// A resistance on the ground.
-fn rolling() -> Row {
-    Row {
-        a: 0,
-        b: GROUND,
-        normal: Vec3::z(),
-        arm_a: Vec3::zeros(),
-        arm_b: Vec3::zeros(),
-        prescribed_velocity: Vec3::zeros(),
-        bias: Vec3::zeros(),
-        compliance_n: 0.0,
-        compliance_t: 0.0,
-        law: Law::Bilateral,
-        radius: 1.0,
-        impulse_scale: 1.0,
     }
 }
 

@@ -27,7 +27,7 @@ const SINGLE: [f64; 2] = [1e-7, 1e-3];
 /// The compiled problem; its memory serves from solve to solve.
 #[derive(Debug, Default)]
 pub struct Kernel {
-    /// Rows of each block, and velocities \[m/s\] of moving ground under blocks where there is such.
+    /// Rows of each block, resistances of those blocks that have such, and what else their contacts have beyond plain ones.
     pub(super) rows: Vec<Sixteen<u32>>,
     pub(super) resistances: Vec<resistance::Source>,
     pub(super) extras: Vec<Extra<f64>>,
@@ -100,6 +100,7 @@ impl Kernel {
                 self.quick.blocks = blocks;
                 // Few problems need double precision: what the last such one left is not kept for the next.
                 (self.exact.blocks, self.exact.before) = (Vec::new(), Vec::new());
+                self.exact.resistances = Vec::new();
             }
             false => {
                 let mut blocks = take(&mut self.exact.blocks);
@@ -312,7 +313,7 @@ pub(super) const NONE: u32 = u32::MAX;
 pub(super) const ATTACHED: u32 = NONE - 1;
 
 /// `items` as so many copies of `value`.
-fn refill<T: Clone>(items: &mut Vec<T>, count: usize, value: T) {
+pub(super) fn refill<T: Clone>(items: &mut Vec<T>, count: usize, value: T) {
     items.clear();
     items.resize(count, value);
 }
