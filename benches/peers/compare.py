@@ -14,7 +14,7 @@ from pathlib import Path
 
 import page
 import plan
-from codes import sphere_dda
+from codes import sphere_dda, sphere_dda_fmi
 from record import FILE, Record
 from runs import Case, Failed, Outcome, Row
 
@@ -31,7 +31,7 @@ def main() -> int:
     if arguments.page:
         page.write(Record.read(out), out)
         return 0
-    groups = plan.chosen(arguments.quick, arguments.only, arguments.up_to)
+    groups = plan.chosen(arguments.quick, arguments.only, arguments.up_to, not arguments.pairs)
     if not groups:
         names = ", ".join(group.name for group in plan.groups(arguments.quick))
         print(f"--only {','.join(arguments.only)}: no such rows; there are {names}", file=sys.stderr)
@@ -41,6 +41,8 @@ def main() -> int:
         print("`liggghts` is not on the PATH: apt-get install liggghts (Debian, Ubuntu)", file=sys.stderr)
         return 2
     os.environ["SPHERE_DDA_PEERS"] = str(sphere_dda.build())
+    if "sphere-dda-fmi" in codes:
+        os.environ["SPHERE_DDA"] = str(sphere_dda_fmi.build())
     record = Record(_machine(), [])
     if arguments.keep:
         if not (out / FILE).exists():
@@ -66,7 +68,10 @@ def main() -> int:
 def _arguments() -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="benches/peers/run", description=__doc__)
     parser.add_argument("--quick", action="store_true", help="what the goals need, once each: minutes instead of an hour")
-    parser.add_argument("--only", type=lambda s: s.split(","), default=[], metavar="A,B", help="these rows only, as bed,slope")
+    parser.add_argument(
+        "--only", type=lambda s: s.split(","), default=[], metavar="A,B", help="these rows only, as bed,slope; bed-peers: the other codes on them"
+    )
+    parser.add_argument("--pairs", action="store_true", help="without the rows that are not timed beside a reference")
     parser.add_argument("--up-to", type=float, default=1e6, metavar="N", help="no scenes of more spheres")
     parser.add_argument("--keep", action="store_true", help="keep the rows of the last record that are not run anew")
     parser.add_argument("--out", type=Path, default=sphere_dda.ROOT / "docs", help="folder of the page (docs)")
@@ -84,7 +89,8 @@ def _timed(group: str, case: Case) -> Row | Failed:
     if done.returncode != 0:
         reason = (done.stderr.strip().splitlines() or [f"exit status {done.returncode}"])[-1]
         return Failed(case, group, reason)
-    return Row(case, group, Outcome.from_dict(json.loads(done.stdout)))
+    # Codes may print before the last line.
+    return Row(case, group, Outcome.from_dict(json.loads(done.stdout.splitlines()[-1])))
 
 
 def _told(row: Row | Failed) -> str:

@@ -1,6 +1,6 @@
 //! One run of a scene, as the comparison with other codes times it: one line of JSON.
 //!
-//! `cargo bench --bench peers -- SCENE.toml [--frames FILE] [--end FILE]`; settings are those of the scene.
+//! `cargo bench --bench peers -- SCENE.toml [--frames FILE] [--contacts FILE] [--end FILE]`; settings are those of the scene.
 
 mod measure;
 
@@ -31,6 +31,7 @@ struct Arguments {
     scene: Option<PathBuf>,
     frames: Option<PathBuf>,
     end: Option<PathBuf>,
+    contacts: Option<PathBuf>,
 }
 
 fn run() -> Result<String, String> {
@@ -43,6 +44,7 @@ fn run() -> Result<String, String> {
     let outputs = Outputs {
         frames: arguments.frames.as_deref(),
         end: arguments.end.as_deref(),
+        contacts: arguments.contacts.as_deref(),
         mean_s: MEAN,
     };
     let measured = measure(loaded.scene, outputs, before)?;
@@ -58,9 +60,10 @@ impl Arguments {
                 // What `cargo bench` adds.
                 "--bench" => {}
                 "--frames" => read.frames = Some(value()?.into()),
+                "--contacts" => read.contacts = Some(value()?.into()),
                 "--end" => read.end = Some(value()?.into()),
                 option if option.starts_with('-') => {
-                    return Err(format!("{option}: known are --frames, --end"));
+                    return Err(format!("{option}: known are --frames, --contacts, --end"));
                 }
                 _ => read.scene = Some(word.into()),
             }

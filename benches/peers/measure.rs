@@ -1,5 +1,6 @@
 //! Runs a scene to its end and measures what it cost, how accurate it was and where its spheres are.
 
+use std::collections::BTreeMap;
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
 use std::path::Path;
@@ -7,6 +8,7 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use serde::Serialize;
+use sphere_dda::contact::Partner;
 use sphere_dda::observe::Observation;
 use sphere_dda::observe::energy::Energy;
 use sphere_dda::scene::Scene;
@@ -27,7 +29,7 @@ pub(crate) struct Measured {
     pub(crate) step: f64,
     /// Gap tolerance \[-\].
     pub(crate) tolerance: f64,
-    /// CPU time of all threads from the forces at t = 0 to the end \[s\].
+    /// CPU time of all threads from the forces at t = 0 to the end, but for the files of [`Outputs`] \[s\].
     pub(crate) cpu_s: f64,
     /// Time on the clock for the same \[s\].
     pub(crate) wall_s: f64,
@@ -44,6 +46,8 @@ pub(crate) struct Measured {
     pub(crate) memory_bytes: Option<f64>,
     /// What each communication step cost.
     pub(crate) course: Course,
+    /// Force \[N\] and torque \[N m\] of the spheres on each boundary, means over the communication steps, by its name.
+    pub(crate) wrenches: BTreeMap<String, Vec<[f64; 6]>>,
 }
 
 /// One entry per communication step, in order.
@@ -63,6 +67,8 @@ pub(crate) struct Course {
     pub(crate) contacts: Vec<usize>,
     /// Largest overlap over radius at the end of any of its internal steps \[-\].
     pub(crate) max_overlap: Vec<f64>,
+    /// Largest gap over radius at which a contact carried load at the end of any of its internal steps \[-\].
+    pub(crate) max_opening: Vec<f64>,
 }
 
 /// Where positions go, and how the floor's force is averaged.
@@ -72,6 +78,9 @@ pub(crate) struct Outputs<'a> {
     pub(crate) frames: Option<&'a Path>,
     /// File of the end: `x y z vx vy vz wx wy wz` per sphere, little-endian f64.
     pub(crate) end: Option<&'a Path>,
+    /// File of the loaded contacts after each communication step: their number, then both spheres of each, -1 in the place of
+    /// the second one for a boundary; little-endian i64.
+    pub(crate) contacts: Option<&'a Path>,
     /// Time before the end over which the floor's force is averaged \[s\].
     pub(crate) mean_s: f64,
 }
@@ -87,6 +96,7 @@ pub(crate) fn measure(
 ) -> Result<Measured, String> {
     let settings = scene.settings.clone();
     let mut frames = outputs.frames.map(create).transpose()?;
+    let mut touching = outputs.contacts.map(create).transpose()?;
     let (started, clock) = (cpu()?, Instant::now());
     let mut simulation = Simulation::new(Arc::new(scene)).map_err(|e| e.to_string())?;
     let boundaries = &simulation.scene().boundaries;
@@ -100,6 +110,8 @@ pub(crate) fn measure(
     };
     let points = (settings.duration / settings.communication_step).round() as usize;
     let (mut impulse, mut averaged) = (0.0, 0.0);
+    // By the clock: one thread writes, and the account of its CPU time is too coarse.
+    let mut told = 0.0;
     // Differences of one series of readings: the system's account lags by up to a few milliseconds.
     let mut before = cpu()?;
     for k in 1..=points {
@@ -120,14 +132,27 @@ pub(crate) fn measure(
             impulse -= simulation.mean_wrench(floor).force.z * h;
             averaged += h;
         }
+        for (b, boundary) in simulation.scene().boundaries.iter().enumerate() {
+            let wrench = simulation.mean_wrench(b);
+            let ([fx, fy, fz], [tx, ty, tz]) = (wrench.force.into(), wrench.torque.into());
+            let of = measured.wrenches.entry(boundary.name.clone());
+            of.or_default().push([fx, fy, fz, tx, ty, tz]);
+        }
+        let asked = Instant::now();
+        if let Some(file) = &mut touching {
+            write_contacts(file, &simulation).map_err(|e| e.to_string())?;
+        }
         if let Some(file) = &mut frames {
             for x in &simulation.kinematics().position {
                 write(file, x.as_slice()).map_err(|e| e.to_string())?;
             }
         }
+        if touching.is_some() || frames.is_some() {
+            told += asked.elapsed().as_secs_f64();
+        }
     }
-    measured.wall_s = clock.elapsed().as_secs_f64();
-    measured.cpu_s = cpu()? - started;
+    measured.wall_s = clock.elapsed().as_secs_f64() - told;
+    measured.cpu_s = cpu()? - started - told;
     // Before anything below allocates.
     measured.memory_bytes = memory("VmHWM:")
         .zip(memory_before)
@@ -136,7 +161,7 @@ pub(crate) fn measure(
     measured.kinetic_energy = Energy::of(&Observation::of(&simulation)).kinetic();
     measured.loaded_contacts =
         measured.course.contacts.iter().sum::<usize>() as f64 / points as f64;
-    if let Some(mut file) = frames {
+    for mut file in [frames, touching].into_iter().flatten() {
         file.flush().map_err(|e| e.to_string())?;
     }
     if let Some(path) = outputs.end {
@@ -154,6 +179,7 @@ impl Course {
         self.sweeps.push(report.sweeps);
         self.contacts.push(contacts);
         self.max_overlap.push(report.max_overlap);
+        self.max_opening.push(report.max_opening);
     }
 }
 
@@ -166,6 +192,19 @@ fn write_end(path: &Path, simulation: &Simulation) -> Result<(), String> {
         }
     }
     file.flush().map_err(|e| e.to_string())
+}
+
+fn write_contacts(file: &mut impl Write, simulation: &Simulation) -> io::Result<()> {
+    let contacts = simulation.contacts();
+    file.write_all(&(contacts.len() as i64).to_le_bytes())?;
+    contacts.iter().try_for_each(|contact| {
+        let other = match contact.key.partner {
+            Partner::Sphere { index, .. } => i64::from(index),
+            Partner::Boundary { .. } => -1,
+        };
+        file.write_all(&i64::from(contact.key.sphere).to_le_bytes())?;
+        file.write_all(&other.to_le_bytes())
+    })
 }
 
 fn create(path: &Path) -> Result<BufWriter<File>, String> {

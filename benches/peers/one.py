@@ -1,6 +1,5 @@
 """One run in a process of its own: a case as JSON on standard input, its outcome as JSON on standard output."""
 
-import importlib
 import json
 import sys
 import tempfile
@@ -8,15 +7,14 @@ from dataclasses import asdict
 from pathlib import Path
 
 import scenes
+from codes import module
 from runs import Case
-
-MODULES = {"sphere-dda": "sphere_dda", "rapier": "rapier", "liggghts": "liggghts"}
 
 
 def main() -> None:
     """Runs the case."""
     case = Case(**json.load(sys.stdin))
-    code = importlib.import_module(f"codes.{MODULES[case.code]}")
+    code = module(case.code)
     scene = scenes.build(case.scene, case.n, case.seed)
     with tempfile.TemporaryDirectory(prefix="peers-") as folder:
         try:

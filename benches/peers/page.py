@@ -6,28 +6,43 @@ from statistics import median
 from typing import Any
 
 import goals
+import measures
+import plan
 import plots
+from codes import MODULES, missing
 from record import FILE, Record, cpu, merged
 from runs import INTERVAL, MEAN, Outcome, Row
+from scenes import BUILDERS
 
 PLOTS = "benchmarks"
 INTRODUCTION = f"""\
-This project, [Rapier](https://rapier.rs) and [LIGGGHTS](https://www.cfdem.com) on the same scenes, run one after the other by
-one command; this page and its plots are its output:
+This project, [Rapier](https://rapier.rs), [LIGGGHTS](https://www.cfdem.com), [MuJoCo](https://mujoco.org) and
+[NVIDIA Newton](https://github.com/newton-physics/newton) (on the processor) on the same scenes, run one after the other by one
+command; this page and its plots are its output:
 
 ```sh
 benches/peers/run            # about an hour; --quick: minutes, --only bed,slope, --up-to 1e5
 ```
 
-It takes Rapier from PyPI into an environment of its own and needs LIGGGHTS (`apt-get install liggghts`).
-Positions, radii, walls and materials are those of [scenes.py](../benches/peers/scenes.py) in every code, overlaps, heights and energies
+It takes Rapier, MuJoCo and Newton from PyPI into an environment of its own and needs LIGGGHTS (`apt-get install liggghts`).
+Positions, radii, walls and materials are those of [scenes](../benches/peers/scenes) in every code, overlaps, openings, heights and energies
 are computed from positions and velocities by [measures.py](../benches/peers/measures.py) for every code. *worst, output times* is the largest
 overlap of any two spheres or of a sphere and a wall, over the smaller radius, at any of the times {INTERVAL * 1e3:g} ms apart; *worst, every step* is
 what this project reports of all its internal steps, which peers do not tell. CPU time is that of all threads or processes, without
-reading scenes; the peers' without writing positions. Force on the floor: mean of the last {MEAN * 1e3:g} ms. Height: mean
+reading scenes and writing positions. Force on the floor: mean of the last {MEAN * 1e3:g} ms. Height: mean
 of the highest twentieth of the centres. Force residual: worst of any step, over the contact's force scale, of which a sphere's weight
 is a part ([theory.md](theory.md)). Peers run with several settings, from fast to accurate; with their defaults Rapier keeps 0.2 r at
 rest. *fast*, *standard*, *reference*: this project with `accuracy` alone, as users run it ([accuracy.md](accuracy.md)). *prediction*: how far ahead, in mean diameters, Rapier looks for contacts; 0.02 where nothing is said.
+
+*opening*: widest gap of a contact that carries a force, over the smaller radius, at output times (Rapier: every tenth) or *every
+step*; contacts of LIGGGHTS have a force where spheres overlap and no other, Newton does not tell forces of rigid bodies. *load*: the
+force of the spheres on the boundary that the section names, by output interval, against the mean of this project's run at *reference*
+(*vs own*: against that of the code's own row of most steps): error of its mean, and root mean square of its course about that mean;
+what flows has an RMS of its own, which the row *reference* shows. Rapier's loads with friction follow from the change of momentum.
+*peak*: largest resident memory of the process, libraries and, of codes in Python, the interpreter included.
+
+Kamino, Newton's other solver of rigid contact, was tried with 4 ms steps and its defaults (Newton 1.8.0, Warp 1.19.0, Python 3.11): a
+bed of 30 spheres takes 0.27 s of CPU time a step, one of 100 spheres 3 s. It has no rows.
 """
 SECTIONS = (
     (
@@ -48,7 +63,45 @@ SECTIONS = (
         "1000 spheres of two sizes run out of a funnel of triangles for 1.0 s. *ratio*: to Rapier at 2 ms. *half out*: when half of the mass "
         "was below the outlet. This project with steps of one length and with chosen ones (*smallest step*).",
     ),
-    ("large", "Bed of 10 000 spheres", "As above, twice as deep. *ratio*: to Rapier at 4 ms."),
+    (
+        "rolling",
+        "Bed with rolling friction",
+        "The bed of 1000 spheres with a coefficient of rolling resistance of 0.05. *ratio*: to this project's plain bed at *standard*, just before and "
+        "after. Load: the floor.",
+    ),
+    (
+        "polydisperse",
+        "Bed of radii 1 to 10 mm",
+        "1000 spheres, as many in every ratio of radii. *ratio*: to this project's bed at *standard*. Load: the floor.",
+    ),
+    (
+        "hopper",
+        "Hopper of 10 000 triangles",
+        "1500 spheres run out of a cone for 1.0 s. *ratio*: to Rapier at 2 ms. Load: the walls, downwards, in the last 0.5 s.",
+    ),
+    (
+        "drum",
+        "Rotating drum",
+        "1000 spheres in a drum of 24 flat sides at 2 rad/s, 1.5 s. *ratio*: to Rapier at 4 ms. Load: the couple about the axis in the last 0.5 s.",
+    ),
+    (
+        "blade",
+        "Settled bed with a moving blade",
+        "1000 spheres settle for 0.5 s, then a plate moves into them at 0.1 m/s. *ratio*: to Rapier at 4 ms. Load: the plate, along its way, in the "
+        "last 0.2 s.",
+    ),
+    (
+        "feeder",
+        "Feeder by FMI",
+        "150 grains on a trough that vibrates at 20 Hz, 1.0 s: as an FMU whose displacement is an input every output interval, "
+        "beside the same motion in a scene without FMI. *ratio*: to the latter. Load: the trough, downwards, in the last 0.5 s; between "
+        "communication points the FMU's trough moves evenly, not along a sine.",
+    ),
+    (
+        "large",
+        "Bed of 10 000 spheres",
+        "As above, twice as deep. *ratio*: to Rapier at 4 ms. MuJoCo and Newton have no rows of this size in the plan.",
+    ),
 )
 Column = tuple[str, Callable[[list[Row]], str]]
 
@@ -75,13 +128,18 @@ def _page(record: Record, folder: Path) -> Iterator[str]:
         rows = record.of(group, f"{group}-peers")
         if group == "bed":
             rows += [row for row in record.of("real-time") if row.case.code == "sphere-dda"]
+        rows = [row for row in rows if row.case.scene == group or group not in BUILDERS]
         if rows:
             yield f"\n## {title}\n\n{words}\n"
             plots.pareto(rows, title, folder / PLOTS / f"{group}.svg")
             yield f"![CPU time against overlap]({PLOTS}/{group}.svg)\n"
-            yield from _rows(rows, record.ratios(group) | record.ratios("real-time"))
+            yield from _rows(rows, record.ratios(group) | record.ratios("real-time"), group, record)
+            if group in BUILDERS:
+                yield from _absent(group, rows)
     yield from _seeds(record)
     yield from _rest(record, folder)
+    yield from _heap(record)
+    yield from _registers(record)
     yield from _threads(record)
     yield from _scaling(record, folder)
     yield from _failed(record)
@@ -89,7 +147,7 @@ def _page(record: Record, folder: Path) -> Iterator[str]:
 
 def _table(head: list[str], rows: list[list[str]]) -> Iterator[str]:
     """A table without the columns that are empty."""
-    kept = [k for k in range(len(head)) if any(row[k] for row in rows)]
+    kept = [k for k in range(len(head)) if any(row[k] not in ("", "-") for row in rows)]
     for line in (head, ["---"] * len(head), *rows):
         yield "| " + " | ".join(line[k] for k in kept) + " |"
 
@@ -122,7 +180,33 @@ def _attribute(outcome: Outcome, name: str) -> Any:
     return part
 
 
-def _rows(rows: list[Row], ratios: dict[str, list[float]]) -> Iterator[str]:
+def _absent(scene: str, rows: list[Row]) -> Iterator[str]:
+    """Which codes have no row, and why."""
+    run = {row.case.code for row in rows}
+    for code, why in missing(scene).items():
+        if not (code == "sphere-dda-fmi" and scene != "feeder"):
+            yield f"\n{plots.NAMES[code]}: not run, {why}."
+    for code in MODULES:
+        if code not in run and code not in missing(scene):
+            yield f"\n{plots.NAMES[code]}: runs this scene, but has no row in this record."
+
+
+def _rows(rows: list[Row], ratios: dict[str, list[float]], group: str, record: Record) -> Iterator[str]:
+    known = goals.converged(record, group)
+
+    def load(against: Callable[[list[Row]], list[float]], part: str) -> Callable[[list[Row]], str]:
+        def cell(case: list[Row]) -> str:
+            errors = [measures.force_error(row.outcome.force, against(case)) for row in case]
+            found = [getattr(error, part) for error in errors if error is not None]
+            return f"{100 * median(found):.2g} %" if found else ""
+
+        return cell
+
+    def own(case: list[Row]) -> list[float]:
+        """The load of the code's row with the most steps."""
+        same = [row for row in rows if row.case.code == case[0].case.code and row.outcome.force]
+        return max(same, key=lambda row: row.outcome.steps).outcome.force if len(merged(same)) > 1 else []
+
     def ratio(case: list[Row]) -> str:
         known = ratios.get(case[0].case.key)
         return f"{median(known):.2f}" if known else ""
@@ -140,6 +224,12 @@ def _rows(rows: list[Row], ratios: dict[str, list[float]]) -> Iterator[str]:
         ("worst, output times", _of("watched.worst", ".1e", max)),
         ("worst, every step", _of("worst", ".1e", max)),
         ("at the end", _of("end.overlap", ".1e", max)),
+        ("opening", lambda case: _of("watched.opening", ".1e", max)(case) or "-"),
+        ("opening, every step", lambda case: _of("opening", ".1e", max)(case) or "-"),
+        ("load, mean", load(lambda _: known, "mean")),
+        ("load, RMS", load(lambda _: known, "rms")),
+        ("vs own, mean", load(own, "mean")),
+        ("vs own, RMS", load(own, "rms")),
         ("floor/weight", _of("floor", ".4f")),
         ("height m", _of("end.height", ".5f")),
         ("J/kg", _of("end.energy", ".1e" if rows[0].case.scene == "bed" else ".4g")),
@@ -149,6 +239,7 @@ def _rows(rows: list[Row], ratios: dict[str, list[float]]) -> Iterator[str]:
         ("sweeps", _of("sweeps", ".0f")),
         ("factorizations", _of("factorizations", ".0f")),
         ("force residual", _of("force_residual", ".1e", max)),
+        ("peak MB", lambda case: _number(max(row.outcome.peak or 0.0 for row in case) / 1e6 or None, ".0f")),
         ("lost", lost),
     ]
     codes = list(plots.NAMES)
@@ -176,6 +267,33 @@ def _rest(record: Record, folder: Path) -> Iterator[str]:
         yield f"\n## Bed that comes to rest\n\n1000 spheres, {row.case.label}, {row.case.duration:g} s: {INTERVAL * 1e3:g} ms cost {moving * 1e3:.2g} ms in"
         yield f"the most expensive tenth of the run and {settled * 1e3:.2g} ms in the last tenth.\n"
         yield f"![Time per output interval]({PLOTS}/rest.svg)"
+
+
+def _heap(record: Record) -> Iterator[str]:
+    found = goals.beside_blade(record)
+    if found:
+        few, many = plan.HEAPS
+        setting = record.of("heap")[0].case.label
+        yield f"\n## What has settled beside a moving blade\n\nThe trough of the blade with {few} and, longer, with {many} spheres, {setting}: the"
+        yield f"{many - few} more cost {found[0] * 1e3:.2g} ms per {INTERVAL * 1e3:g} ms while they settle and {found[1] * 1e3:.2g} ms at the end, while the blade moves."
+
+
+def _registers(record: Record) -> Iterator[str]:
+    rows = record.of("registers")
+    if not rows:
+        return
+    yield "\n## Vector registers\n\nBeds with AVX2 alone beside the same with the widest registers of the processor, in turns; both take the same steps.\n"
+    ratios = record.ratios("registers")
+    lines = []
+    for case in merged([row for row in rows if "registers" in row.case.settings]):
+        first = case[0]
+        plain = {name: value for name, value in first.case.settings.items() if name != "registers"}
+        wide = [row for row in rows if row.case.settings == plain and row.case.n == first.case.n]
+        ratio = ratios.get(first.case.key)
+        steps, sweeps = ({getattr(row.outcome, name) for row in (*case, *wide)} for name in ("steps", "sweeps"))
+        counts = [str(found.pop()) if len(found) == 1 else "differ" for found in (steps, sweeps)]
+        lines.append([str(first.case.n), first.case.label, *counts, f"{cpu(wide):.3g}", f"{cpu(case):.3g}", f"{median(ratio):.2f}" if ratio else ""])
+    yield from _table(["spheres", "setting", "steps", "sweeps", "CPU s, widest", "CPU s, AVX2", "ratio"], lines)
 
 
 def _threads(record: Record) -> Iterator[str]:

@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from itertools import product
 
+from codes import module
 from runs import Case
 
 # Own rows: gap tolerance [-], and the range [s] in which each step is chosen for least time.
@@ -37,7 +38,20 @@ RAPIER = {
 AHEAD = ("4 ms ahead", "2 ms ahead", "1 ms ahead", "0.5 ms ahead")
 # Young's modulus [Pa] from the softest in use to that of rock.
 LIGGGHTS = {"soft": {"young": 1e7}, "1e8": {"young": 1e8}, "1e9": {"young": 1e9}, "rock": {"young": 1.3e10}}
+# Step [s], most iterations [-] and time constant of a contact [s], from fast to accurate.
+MUJOCO = {
+    "fast": {"step": 0.002, "iterations": 20, "time": 0.004},
+    "accurate": {"step": 0.0005, "iterations": 50, "time": 0.001},
+}
+# Step [s], iterations [-] and contact stiffness [N/m], from fast to accurate.
+NEWTON: dict[str, dict[str, float | bool | str]] = {
+    "fast": {"solver": "VBD", "step": 0.004, "iterations": 10, "stiffness": 1e5},
+    "accurate": {"solver": "VBD", "step": 0.001, "iterations": 20, "stiffness": 1e6},
+}
+# The converged run once more with steps at most about half as long on average [s].
+HALVED = {"accuracy": "reference", "step": 2e-4}
 SEEDS = (2, 3, 4, 5)  # besides 1, which the other groups run
+HEAPS = (1000, 3000)  # spheres beside the blade: the longer trough has more that settle
 SIZES = (100, 1000, 10_000, 100_000, 1_000_000)
 PEER_LIMIT = 100_000  # spheres, above which peers are not run
 REST = 3.0  # of the bed that comes to rest [s]
@@ -80,6 +94,48 @@ def _duration(n: int, quick: bool) -> float:
     return 0.1 if quick or n > 100_000 else 0.5
 
 
+def _machines(quick: bool) -> list[Group]:
+    """Beds of other grains, and what has moving parts or a mesh."""
+    repeat = 1 if quick else 3
+    users = {name: dict(settings) for name, settings in USERS.items()}
+
+    def ours(name: str, n: int, duration: float, *settings: dict[str, float | bool | str]) -> tuple[Case, ...]:
+        return tuple(Case("sphere-dda", name, n, s, duration=duration) for s in settings)
+
+    def peers(name: str, n: int, duration: float, rapier: tuple[str, ...]) -> tuple[Case, ...]:
+        young = ("soft",) if quick else ("soft", "1e8")
+        pace = ("fast",) if quick and name in ("drum", "blade") else tuple(MUJOCO)
+        wanted = [
+            *(Case("rapier", name, n, RAPIER[key], duration=duration) for key in rapier),
+            *(Case("liggghts", name, n, LIGGGHTS[key], duration=duration) for key in young),
+            *(Case("mujoco", name, n, MUJOCO[key], duration=duration) for key in pace),
+            *(Case("newton", name, n, NEWTON[key], duration=duration) for key in NEWTON),
+        ]
+        return tuple(case for case in wanted if name not in module(case.code).CANNOT)
+
+    standard = Case("sphere-dda", "bed", 1000, users["standard"])
+    found = []
+    for name in ("rolling", "polydisperse"):
+        # Beside the same project's plain bed.
+        found.append(Group(name, ours(name, 1000, 1.0, users["standard"]), standard, repeat))
+        others = ours(name, 1000, 1.0, users["fast"], users["reference"], *([HALVED] if name == "rolling" else []))
+        found.append(Group(f"{name}-peers", (*others, *peers(name, 1000, 1.0, ("4 ms", "1 ms")))))
+    for name, n, duration, pace in (("hopper", 1500, 1.0, "2 ms"), ("drum", 1000, 1.5, "4 ms"), ("blade", 1000, 1.0, "4 ms")):
+        reference = Case("rapier", name, n, RAPIER[pace], duration=duration)
+        settings = (*users.values(), *([HALVED] if name == "blade" else []))
+        found.append(Group(name, ours(name, n, duration, *settings), reference, repeat))
+        found.append(Group(f"{name}-peers", peers(name, n, duration, ("1 ms",))))
+    fmi = Case("sphere-dda-fmi", "feeder", 150, users["standard"], watch=False)
+    found.append(Group("feeder", (fmi,), replace(fmi, code="sphere-dda"), max(3, repeat)))
+    resting = {"accuracy": "standard", "rest_speed": REST_SPEED}
+    heaps = tuple(Case("sphere-dda", "blade", n, resting, duration=1.5, watch=False, trace=True) for n in HEAPS)
+    found.append(Group("heap", heaps))
+    for settings, n in (*((s, 1000) for s in OURS.values()), (OURS["1e-4"], 10_000)):
+        wide = Case("sphere-dda", "bed", n, settings, watch=False)
+        found.append(Group("registers", (replace(wide, settings={**settings, "registers": "avx2"}),), wide, repeat))
+    return found
+
+
 def groups(quick: bool) -> list[Group]:
     """All groups; `quick` keeps what the goals need, once each."""
     repeat = 1 if quick else 3
@@ -113,30 +169,52 @@ def groups(quick: bool) -> list[Group]:
     funnel = tuple(Case("sphere-dda", "funnel", 1000, steps[gap]) for gap in names for steps in (FIXED, OURS))
     funnel_rapier = Case("rapier", "funnel", 1000, RAPIER["2 ms"])
 
+    convex = (
+        *(Case("mujoco", "bed", 1000, s) for s in MUJOCO.values()),
+        *(Case("newton", "bed", 1000, s) for s in NEWTON.values()),
+    )
+
     def users(name: str, n: int) -> tuple[Case, ...]:
         return tuple(Case("sphere-dda", name, n, settings) for settings in USERS.values())
 
     return [
         Group("bed", (*ours.values(), *users("bed", 1000)), rapier, repeat),
-        Group("bed-peers", _peers("bed", 1000, ("2 ms", "1 ms", "0.5 ms", *AHEAD), hard)),
+        Group("bed-peers", (*_peers("bed", 1000, ("2 ms", "1 ms", "0.5 ms", *AHEAD), hard), *convex, replace(ours["1e-4"], settings=HALVED))),
         Group("seeds", seeds),
         Group("slope", (*slope, *users("slope", 180)), slope_rapier, repeat),
-        Group("slope-peers", _peers("slope", 180, ("4 ms", "1 ms", "0.5 ms"), hard)),
+        Group("slope-peers", (*_peers("slope", 180, ("4 ms", "1 ms", "0.5 ms"), hard), *(replace(case, scene="slope", n=180) for case in convex))),
         Group("funnel", (*funnel, *users("funnel", 1000)), funnel_rapier, repeat),
         Group("funnel-peers", _peers("funnel", 1000, ("4 ms", "1 ms", "0.5 ms", *AHEAD), hard[:2])),
         Group("real-time", (Case("sphere-dda", "bed", 1000, BOUNDED),), rapier, repeat),
-        Group("rest", (replace(ours["1e-4"], settings={"tolerance": 1e-4, "step": 5e-4, "fixed_step": True, "rest_speed": REST_SPEED}, duration=REST, watch=False, trace=True),)),
+        Group(
+            "rest",
+            (
+                replace(
+                    ours["1e-4"],
+                    settings={"tolerance": 1e-4, "step": 5e-4, "fixed_step": True, "rest_speed": REST_SPEED},
+                    duration=REST,
+                    watch=False,
+                    trace=True,
+                ),
+            ),
+        ),
         Group("large", (big,), big_rapier),
         Group("large-peers", (big_soft,)),
         Group("threads", threads),
         Group("scaling", scaling),
+        *_machines(quick),
     ]
 
 
-def chosen(quick: bool, only: list[str], up_to: float) -> list[Group]:
-    """The groups whose name, or its first word, is in `only` (all if that is empty), without beds above `up_to` spheres."""
+def chosen(quick: bool, only: list[str], up_to: float, peers: bool = True) -> list[Group]:
+    """The groups whose name, or its first word, is in `only` (all if that is empty), without beds above `up_to` spheres.
+
+    Without `peers` those whose times are of no pairs are left out.
+    """
     found = []
     for group in groups(quick):
+        if not peers and group.name.endswith("-peers"):
+            continue
         if only and not {group.name, group.name.split("-")[0]} & set(only):
             continue
         cases = tuple(case for case in group.cases if case.n <= up_to)

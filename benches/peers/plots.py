@@ -17,8 +17,15 @@ from runs import INTERVAL, Case, Row
 matplotlib.use("svg")
 matplotlib.rcParams.update({"svg.hashsalt": "peers", "svg.fonttype": "none", "font.size": 9, "axes.grid": True, "grid.alpha": 0.3})
 
-NAMES = {"sphere-dda": "this project", "rapier": "Rapier", "liggghts": "LIGGGHTS"}
-STYLES = {"sphere-dda": ("C0", "o"), "rapier": ("C1", "s"), "liggghts": ("C2", "^")}
+NAMES = {
+    "sphere-dda": "this project",
+    "sphere-dda-fmi": "this project by FMI",
+    "rapier": "Rapier",
+    "liggghts": "LIGGGHTS",
+    "mujoco": "MuJoCo",
+    "newton": "Newton",
+}
+STYLES = {"sphere-dda": ("C0", "o"), "rapier": ("C1", "s"), "liggghts": ("C2", "^"), "mujoco": ("C3", "D"), "newton": ("C4", "v")}
 
 
 def _save(figure: Figure, path: Path) -> None:
@@ -39,8 +46,9 @@ def pareto(rows: list[Row], title: str, path: Path) -> None:
     figure, axes = plt.subplots(1, 2, figsize=(9, 4), sharey=True, layout="constrained")
     heads = ("worst over all output times (this project: every step)", "at the end")
     for axis, head, of in zip(axes, heads, (lambda row: row.outcome.largest or 0.0, lambda row: row.outcome.end.overlap), strict=True):
+        drawn = False
         small: dict[str, Any] = {"textcoords": "offset points", "fontsize": 7}
-        for code, ahead in (("sphere-dda", False), ("rapier", False), ("rapier", True), ("liggghts", False)):
+        for code, ahead in (*((code, False) for code in STYLES), ("rapier", True)):
             colour, marker = STYLES[code]
             cases = [case for case in merged(rows) if _series(case[0].case) == (code, ahead)]
             if not cases:
@@ -49,13 +57,16 @@ def pareto(rows: list[Row], title: str, path: Path) -> None:
             style: dict[str, Any] = {"marker": marker, "color": colour, "label": name, "fillstyle": "none" if ahead else "full"}
             points = [(cpu(case), median(of(row) for row in case), case[0].case.label) for case in cases]
             points = sorted(p for p in points if p[1] > 0)
+            drawn = drawn or bool(points)
             axis.plot([p[0] for p in points], [p[1] for p in points], "--" if ahead else "-", **style)
             for x, y, label in points:
                 axis.annotate(label.split(",")[0].removeprefix("E = "), (x, y), xytext=(4, -9 if ahead else 4), color=colour, **small)
-        axis.set(xscale="log", yscale="log", xlabel="CPU time [s]", title=head)
+        # Where no code has any overlap there is nothing to draw on a logarithmic axis.
+        axis.set(xscale="log" if drawn else "linear", yscale="log" if drawn else "linear", xlabel="CPU time [s]", title=head)
         axis.title.set_fontsize(9)
         axis.margins(x=0.15)
-        _plain(axis.xaxis)
+        if drawn:
+            _plain(axis.xaxis)
     axes[0].set_ylabel("largest overlap / radius")
     axes[1].legend()
     figure.suptitle(title)

@@ -44,11 +44,12 @@ class Record:
         return [row for row in self.rows if isinstance(row, Failed)]
 
     def ratios(self, group: str) -> dict[str, list[float]]:
-        """CPU time of each own row over the mean of the peer's rows just before and after it, by `Case.key`."""
+        """CPU time of each own row over the mean of the reference's rows just before and after it, by `Case.key`."""
         rows = [row for row in self.rows if row.group == group]
         found: dict[str, list[float]] = {}
         for before, row, after in zip(rows, rows[1:], rows[2:], strict=False):
-            if row.case.code != "sphere-dda":
+            # A reference stands between two cases, or between two runs of one.
+            if not row.case.code.startswith("sphere-dda") or before.case != after.case:
                 continue
             if isinstance(before, Row) and isinstance(row, Row) and isinstance(after, Row):
                 reference = mean([before.outcome.cpu_s, after.outcome.cpu_s])

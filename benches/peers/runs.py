@@ -1,13 +1,14 @@
 """A run of one code on one scene: what is asked for and what came of it."""
 
 import json
+from collections.abc import Callable
 from dataclasses import asdict, dataclass, field
 from typing import Any, Literal
 
 from measures import Course, End
 from scenes import DURATION
 
-Code = Literal["sphere-dda", "rapier", "liggghts"]
+Code = Literal["sphere-dda", "sphere-dda-fmi", "rapier", "liggghts", "mujoco", "newton"]
 
 INTERVAL = 0.004  # between two output times [s]
 MEAN = 0.04  # before the end over which the force on the floor is averaged [s]
@@ -50,7 +51,13 @@ def tidy(x: float) -> str:
 
 
 def _ours(s: dict[str, float | bool | str]) -> str:
-    words = {"tolerance": tidy, "step": lambda x: f"{x * 1e3:g} ms", "fixed_step": lambda _: "fixed", "accuracy": str}
+    words = {
+        "tolerance": tidy,
+        "step": lambda x: f"{x * 1e3:g} ms",
+        "fixed_step": lambda _: "fixed",
+        "accuracy": str,
+        "registers": lambda x: f"{x} registers",
+    }
     return ", ".join(words.get(name, lambda x, name=name: f"{name.replace('_', ' ')} {tidy(x)}")(value) for name, value in s.items())
 
 
@@ -63,7 +70,23 @@ def _liggghts(s: dict[str, float]) -> str:
     return f"E = {tidy(s['young'])} Pa"
 
 
-_LABELS = {"sphere-dda": _ours, "rapier": _rapier, "liggghts": _liggghts}
+def _mujoco(s: dict[str, float]) -> str:
+    return f"{s['step'] * 1e3:g} ms, {s['iterations']:g} iterations, contact time {s['time'] * 1e3:g} ms"
+
+
+def _newton(s: dict[str, Any]) -> str:
+    words = [str(s["solver"]), f"{s['step'] * 1e3:g} ms"]
+    return ", ".join([*words, f"{s['iterations']:g} iterations"] if "iterations" in s else words)
+
+
+_LABELS: dict[str, Callable[[dict[str, Any]], str]] = {
+    "sphere-dda": _ours,
+    "sphere-dda-fmi": _ours,
+    "rapier": _rapier,
+    "liggghts": _liggghts,
+    "mujoco": _mujoco,
+    "newton": _newton,
+}
 
 
 @dataclass(frozen=True)
@@ -80,6 +103,9 @@ class Outcome:
     worst: float | None = None  # the same at every internal step [-]
     floor: float | None = None  # mean force on the floor over the weight [-]
     memory: float | None = None  # per sphere [B]
+    peak: float | None = None  # largest resident memory of the process that computed, with its libraries [B]
+    opening: float | None = None  # largest gap of a loaded contact over radius at every internal step [-]
+    force: list[float] = field(default_factory=list)  # the scene's load over the intervals of its window [N, N m]
     sweeps: int | None = None
     factorizations: int | None = None
     force_residual: float | None = None  # worst of any step [-]
@@ -91,6 +117,13 @@ class Outcome:
         """The largest overlap over radius that is known of [-]."""
         known = [] if self.worst is None else [self.worst]
         return max([*known, self.watched.worst] if self.watched else known, default=None)
+
+    @property
+    def widest(self) -> float | None:
+        """The widest opening of a loaded contact over radius: of every internal step if told, else of the output times [-]."""
+        if self.opening is not None:
+            return self.opening
+        return self.watched.opening if self.watched else None
 
     @staticmethod
     def from_dict(data: dict[str, Any]) -> "Outcome":

@@ -6,6 +6,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use measure::{Outputs, measure, memory};
+use sphere_dda::contact::Partner;
 use sphere_dda::scene::Scene;
 use sphere_dda::simulation::Simulation;
 
@@ -59,9 +60,11 @@ fn numbers(path: &Path) -> Vec<f64> {
 fn a_measured_run_is_what_the_library_says_of_it() {
     let folder = tempfile::tempdir().expect("a folder");
     let (frames, end) = (folder.path().join("frames"), folder.path().join("end"));
+    let touching = folder.path().join("contacts");
     let outputs = Outputs {
         frames: Some(&frames),
         end: Some(&end),
+        contacts: Some(&touching),
         mean_s: 0.04,
     };
     let measured = measure(scene(), outputs, memory("VmRSS:")).expect("a run");
@@ -69,7 +72,7 @@ fn a_measured_run_is_what_the_library_says_of_it() {
     let mut simulation = Simulation::new(Arc::new(scene())).expect("a start");
     let particles = simulation.scene().particles.clone();
     let (mut worst, mut sweeps, mut steps, mut floor) = (0.0_f64, 0, 0, Vec::new());
-    let mut positions = Vec::new();
+    let (mut positions, mut pairs, mut wrenches) = (Vec::new(), Vec::new(), Vec::new());
     for k in 1..=6 {
         let report = simulation
             .advance_to(0.12 * f64::from(k) / 6.0)
@@ -79,6 +82,16 @@ fn a_measured_run_is_what_the_library_says_of_it() {
         steps += report.internal_steps;
         floor.push(-simulation.mean_wrench(1).force.z);
         positions.extend(simulation.kinematics().position.iter().copied());
+        wrenches.push(simulation.mean_wrench(0));
+        let contacts = simulation.contacts();
+        pairs.push(contacts.len() as i64);
+        for contact in &contacts {
+            pairs.push(i64::from(contact.key.sphere));
+            pairs.push(match contact.key.partner {
+                Partner::Sphere { index, .. } => i64::from(index),
+                Partner::Boundary { .. } => -1,
+            });
+        }
     }
     assert!(worst > 0.0 && worst <= 1e-4);
     let last = measured.course.max_overlap[5];
@@ -95,6 +108,17 @@ fn a_measured_run_is_what_the_library_says_of_it() {
         error.abs() < 1e-12 * mean && mean > 0.0,
         "{error} of {mean} N"
     );
+
+    let bytes = std::fs::read(&touching).expect("a written file");
+    let written = bytes.as_chunks::<8>().0.iter();
+    let written: Vec<i64> = written.map(|word| i64::from_le_bytes(*word)).collect();
+    assert_eq!(written, pairs);
+    assert!(pairs.contains(&-1) && pairs.len() > 6);
+    for (found, wrench) in measured.wrenches["side"].iter().zip(&wrenches) {
+        assert_eq!(found[..3], *wrench.force.as_slice());
+        assert_eq!(found[3..], *wrench.torque.as_slice());
+    }
+    assert_eq!(measured.wrenches["side"].len(), 6);
 
     let written = numbers(&frames);
     let expected: Vec<f64> = positions.iter().flat_map(|x| [x.x, x.y, x.z]).collect();
@@ -115,6 +139,7 @@ fn the_course_adds_up_to_the_whole() {
     let outputs = Outputs {
         frames: None,
         end: None,
+        contacts: None,
         mean_s: 0.04,
     };
     let measured = measure(scene(), outputs, memory("VmRSS:")).expect("a run");

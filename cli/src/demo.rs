@@ -12,6 +12,7 @@ use sphere_dda_master::{Fmu, Options, System, Table};
 use crate::arguments::positive;
 use crate::export::pack;
 use crate::failure::Failure;
+use crate::page;
 use crate::progress::{Interrupt, print, wall_time};
 use crate::simulate::drive;
 
@@ -29,10 +30,12 @@ const RESULTS: &str = "results";
 #[command(after_help = "\
 Examples:
   sphere-dda demo
+  sphere-dda demo --view
   sphere-dda demo -o /tmp/funnel
 
-Written to DIR: funnel.toml (the scene), funnel.fmu, outputs.csv (what a master reads from the FMU), and results/ (VTU,
-PVD and CSV files that the FMU itself writes). The output of an earlier demo is replaced.")]
+Written to DIR: funnel.toml (the scene), funnel.fmu, outputs.csv (what a master reads from the FMU), results/ (VTU, PVD
+and CSV files that the FMU itself writes), and view.html, which shows them in the browser. The output of an earlier demo
+is replaced.")]
 pub(crate) struct Demo {
     /// Folder to write to.
     #[arg(short, long, value_name = "DIR", default_value = "demo-output")]
@@ -40,6 +43,9 @@ pub(crate) struct Demo {
     /// Stop time [s]; that of the scene if absent.
     #[arg(long, value_name = "SECONDS", value_parser = positive, hide = true)]
     stop: Option<f64>,
+    /// Open the page in the browser.
+    #[arg(long)]
+    view: bool,
 }
 
 /// Exports the funnel, drives the FMU through the interface of FMI, and says how to look at the results.
@@ -75,7 +81,13 @@ pub(crate) fn run(arguments: &Demo, interrupt: &Interrupt) -> Result<(), Failure
         put(&folder.join("outputs.csv"), &text)?;
         print(|out| summary(out, table, driven.wall))?;
         let place = arguments.output.join(RESULTS);
-        print(|out| out.write_all(how_to_look(&place).as_bytes()))?;
+        let shown = arguments.output.join(page::NAME);
+        let told = page::end_with(&place, &[], &shown)?;
+        print(|out| writeln!(out, "{told}"))?;
+        print(|out| out.write_all(how_to_look(&shown, &place).as_bytes()))?;
+        if arguments.view {
+            page::open(&shown)?;
+        }
     }
     driven.end
 }
@@ -98,8 +110,9 @@ fn prepare(folder: &Path) -> Result<PathBuf, Failure> {
          funnel.toml  the scene\n\
          funnel.fmu   the scene as an FMU of FMI 2.0 for co-simulation\n\
          outputs.csv  its outputs, read through the interface of FMI\n\
-         results/     VTU, PVD and CSV files that the FMU wrote itself\n\n{}",
-        how_to_look(Path::new(RESULTS))
+         results/     VTU, PVD and CSV files that the FMU wrote itself\n\
+         view.html    the run in the browser\n\n{}",
+        how_to_look(Path::new(page::NAME), Path::new(RESULTS))
     );
     put(&about, text.as_bytes())?;
     std::path::absolute(folder).map_err(refuse)
@@ -134,10 +147,11 @@ fn summary(out: &mut dyn io::Write, table: &Table, wall: f64) -> io::Result<()> 
     writeln!(out, "wall time       {}", wall_time(wall, time))
 }
 
-fn how_to_look(results: &Path) -> String {
-    let place = results.display();
+fn how_to_look(page: &Path, results: &Path) -> String {
+    let (page, place) = (page.display(), results.display());
     format!(
-        "To view:        paraview --script={place}/view.py\n\
+        "To view:        open {page} in a browser\n\
+         \x20               or paraview --script={place}/view.py\n\
          \x20               or open {place}/spheres.pvd in ParaView\n\
          \x20               or python -c \"import meshio; print(meshio.read('{place}/spheres_000000.vtu'))\"\n"
     )

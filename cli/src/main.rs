@@ -6,12 +6,18 @@
 )]
 
 mod arguments;
+mod browser;
 mod check;
+mod corpus;
 mod demo;
+mod dump;
 mod export;
 mod failure;
 mod inspect;
+mod movie;
+mod page;
 mod progress;
+mod recorded;
 mod reference;
 mod reproduce_paper;
 mod run;
@@ -21,6 +27,7 @@ mod settle;
 mod simulate;
 mod study;
 mod verify;
+mod view;
 
 use std::process::ExitCode;
 
@@ -38,10 +45,12 @@ use progress::{Interrupt, note};
     after_help = "\
 Examples:
   sphere-dda demo
-  sphere-dda run scene.toml -o results
+  sphere-dda run scene.toml -o results && sphere-dda view results --open
+  sphere-dda view scene.toml --watch --open
   sphere-dda export scene.toml && sphere-dda simulate scene.fmu -o outputs.csv
 
-Research: `sphere-dda reproduce-paper` and `sphere-dda verify` write the reports of docs/; see their --help.
+Research: `sphere-dda reproduce-paper` and `sphere-dda verify` write the reports of docs/,
+`sphere-dda corpus` solves contact problems in Siconos' format; see their --help.
 
 Exit codes: 0 done; 1 the run failed; 2 invalid scene, file or argument; 130 ended by Ctrl-C, SIGTERM
 or SIGHUP, all files are complete."
@@ -59,6 +68,10 @@ enum Command {
     Check(check::Check),
     /// Run a scene and write VTU, PVD and CSV files.
     Run(run::Run),
+    /// Show results, a scene or an FMU in the browser: writes one HTML file.
+    View(view::View),
+    /// Draw results as a film (MP4, GIF) or a picture (PNG).
+    Movie(movie::Movie),
     /// Pack a scene into a co-simulation FMU of FMI 2.0 or 3.0.
     Export(export::Export),
     /// Show the capabilities and variables of an FMU.
@@ -73,6 +86,9 @@ enum Command {
     /// One FMU of `simulate --isolate`, in a process of its own.
     #[command(name = serve_fmu::NAME, hide = true)]
     ServeFmu(serve_fmu::ServeFmu),
+    /// Solve contact problems of others, or steps dumped by `run --dump-failed`, by every solver.
+    #[command(hide = true)]
+    Corpus(corpus::Corpus),
     /// Measure laws of granular matter (silo, outflow, collapse, repose) and write them as a report.
     #[command(hide = true)]
     Verify(verify::Verify),
@@ -99,11 +115,14 @@ fn dispatch(command: &Command) -> Result<(), Failure> {
     match command {
         Command::Demo(arguments) => demo::run(arguments, &Interrupt::listen()?),
         Command::Check(arguments) => check::run(arguments),
+        Command::View(arguments) => view::run(arguments, &Interrupt::listen()?),
+        Command::Movie(arguments) => movie::run(arguments, &Interrupt::listen()?),
         Command::Schema(arguments) => schema::run(arguments),
         Command::Run(arguments) => run::run(arguments, &Interrupt::listen()?),
         Command::ReproducePaper(arguments) => {
             reproduce_paper::run(arguments, &Interrupt::listen()?)
         }
+        Command::Corpus(arguments) => corpus::run(arguments, &Interrupt::listen()?),
         Command::Verify(arguments) => verify::run(arguments, &Interrupt::listen()?),
         Command::Export(arguments) => export::run(arguments, &Interrupt::listen()?),
         Command::Inspect(arguments) => inspect::run(arguments),

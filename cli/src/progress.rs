@@ -65,6 +65,21 @@ impl Progress {
         Self::begin("{spinner} {msg}", None)
     }
 
+    /// Work of a number of parts.
+    pub(crate) fn counted() -> Self {
+        Self::begin("{bar:30} {msg}", None)
+    }
+
+    /// Of the work `done` parts of `of` are done, called by `noun`.
+    pub(crate) fn part(&mut self, done: usize, of: usize, noun: &str) {
+        let share = done as f64 / of.max(1) as f64;
+        if let Some(bar) = &self.bar {
+            bar.set_position((share * BAR_LENGTH as f64) as u64);
+        }
+        let remaining = self.began.elapsed().as_secs_f64() * (1.0 - share) / share;
+        self.say(|| format!("{noun} {done} of {of}, ETA {remaining:.0} s"));
+    }
+
     fn begin(template: &str, span: Option<(f64, f64)>) -> Self {
         let now = Instant::now();
         let bar = io::stderr().is_terminal().then(|| {

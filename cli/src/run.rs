@@ -20,7 +20,9 @@ use sphere_dda::state::StepReport;
 
 use crate::arguments::{interval, positive};
 use crate::check;
+use crate::dump::Dump;
 use crate::failure::Failure;
+use crate::page;
 use crate::progress::{Interrupt, Progress, count, note, print, wall_time};
 use crate::settle::Settling;
 
@@ -33,6 +35,7 @@ const LONGEST_WORK: Duration = Duration::from_mins(5);
 Examples:
   sphere-dda run examples/funnel/funnel.toml -o funnel-results
   sphere-dda run scene.toml -o results --stop 0.5 --overwrite
+  sphere-dda run scene.toml -o results --view                 ends with results/view.html, for the browser
   sphere-dda run scene.toml -o results --resume               begins, goes on, or has nothing left to do
   sphere-dda run scene.toml -o results --resume --stop 2      makes a run longer
   sphere-dda run hopper.toml -o results --until-rest --start hopper.start     settles once, later runs read the start
@@ -65,6 +68,13 @@ pub(crate) struct Run {
     /// Solver, instead of the scene's.
     #[arg(long, value_parser = solver())]
     solver: Option<SolverKind>,
+    /// Write the contact problem of each internal step that fails or ends unconverged to DIR, for `sphere-dda corpus`: the first
+    /// 100 of the run.
+    #[arg(long, value_name = "DIR")]
+    dump_failed: Option<PathBuf>,
+    /// Write DIR/view.html at the end: the run in one HTML file, see `sphere-dda view`.
+    #[arg(long)]
+    view: bool,
     #[command(flatten)]
     settling: Settling,
 }
@@ -125,6 +135,10 @@ pub(crate) fn run(arguments: &Run, interrupt: &Interrupt) -> Result<(), Failure>
     options.overwrite = arguments.overwrite;
 
     let mut simulation = Simulation::new(Arc::clone(&scene))?;
+    let mut dump = match &arguments.dump_failed {
+        Some(folder) => Some(Dump::begin(folder, &arguments.scene, &mut simulation)?),
+        None => None,
+    };
     let settings = &scene.settings;
     let clock = CommunicationPoints::new(settings.communication_step, settings.duration);
     let (mut results, start) = if arguments.resume {
@@ -132,8 +146,12 @@ pub(crate) fn run(arguments: &Run, interrupt: &Interrupt) -> Result<(), Failure>
     } else {
         (Results::create(&scene, options)?, None)
     };
-    let (total, end) = run_to_end(&mut simulation, &mut results, &clock, start, interrupt);
+    let watch = (interrupt, dump.as_mut());
+    let (total, end) = run_to_end(&mut simulation, &mut results, &clock, start, watch);
     let status = results.finish();
+    if let Some(dump) = &dump {
+        dump.tell();
+    }
     let printed = print(|out| {
         if total.report.internal_steps > 0 {
             write!(out, "{total}")?;
@@ -145,8 +163,21 @@ pub(crate) fn run(arguments: &Run, interrupt: &Interrupt) -> Result<(), Failure>
             count(status.frames, "frame"),
             count(status.rows, "row")
         )?;
-        writeln!(out, "To view:        paraview --script={place}/view.py")
+        if arguments.view {
+            return Ok(());
+        }
+        writeln!(out, "To view:        sphere-dda view {place} --open")?;
+        writeln!(out, "                or paraview --script={place}/view.py")
     });
+    if arguments.view && status.frames > 0 {
+        let page = arguments.output.join(page::NAME);
+        // A run that failed is looked at all the more; why it failed is told last.
+        let shown = page::end_with(&arguments.output, &[], &page);
+        end?;
+        complete(&status)?;
+        let shown = shown?;
+        return printed.and_then(|()| print(|out| writeln!(out, "{shown}")));
+    }
     end?;
     complete(&status)?;
     printed
@@ -254,7 +285,7 @@ fn run_to_end(
     results: &mut Results,
     clock: &CommunicationPoints,
     start: Option<u64>,
-    interrupt: &Interrupt,
+    (interrupt, mut dump): (&Interrupt, Option<&mut Dump>),
 ) -> (Total, Result<(), Failure>) {
     let begin = simulation.time();
     let mut progress = Progress::new(begin, clock.point(clock.count()));
@@ -268,7 +299,14 @@ fn run_to_end(
     let mut reached = start.unwrap_or(0);
     while reached < clock.count() {
         let point = clock.point(reached + 1);
-        match simulation.advance_to(point) {
+        let taken = simulation.advance_to(point);
+        if let Some(dump) = &mut dump
+            && let Err(failure) = dump.write(simulation)
+        {
+            end = Err(failure);
+            break;
+        }
+        match taken {
             Ok(own) => report.add(&own),
             Err(error) => {
                 end = Err(error.into());
@@ -386,6 +424,11 @@ impl std::fmt::Display for Total {
             f,
             "worst overlap   {:.2e} of the radius",
             report.max_overlap
+        )?;
+        writeln!(
+            f,
+            "worst opening   {:.2e} of the radius, of a contact that carries load",
+            report.max_opening
         )?;
         writeln!(f, "wall time       {}", wall_time(*wall, time - begin))
     }

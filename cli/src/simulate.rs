@@ -17,6 +17,7 @@ use sphere_dda_master::{
 use crate::arguments::positive;
 use crate::failure::Failure;
 use crate::progress::{Interrupt, Progress, count, note};
+use crate::recorded::Recorded;
 use crate::serve_fmu;
 
 /// Arguments of `simulate`.
@@ -26,6 +27,7 @@ Examples:
   sphere-dda simulate funnel.fmu -o outputs.csv
   sphere-dda simulate feeder.fmu --input drive.csv --step 0.002 --stop 2 -o outputs.csv
   sphere-dda simulate funnel.fmu --set output.directory=results --record maxOverlap
+  sphere-dda simulate feeder.fmu --input drive.csv -o outputs.csv --view feeder.html
   sphere-dda simulate coupled.ssp --coupling iterated --step 0.001 -o outputs.csv
   sphere-dda simulate shaker.fmu bed.fmu --connect shaker.position=bed.boundary.tray.displacement \\
       --connect 'bed.boundary.tray.averageForce[3]=shaker.force' --set shaker.amplitude=0.001 -o outputs.csv
@@ -63,8 +65,12 @@ pub(crate) struct Simulate {
     /// Where to write the outputs over time as CSV; standard output if absent.
     #[arg(long, short, value_name = "CSV")]
     output: Option<PathBuf>,
-    /// Replace the file of outputs if there is one.
-    #[arg(long, requires = "output")]
+    /// Write a page that shows the spheres of the FMU and plots what is recorded, see `sphere-dda view`. One of the FMUs must
+    /// be of sphere-dda.
+    #[arg(long, value_name = "HTML")]
+    view: Option<PathBuf>,
+    /// Replace the file of outputs, and the page, if there are any.
+    #[arg(long)]
     overwrite: bool,
     /// Name of a variable to record, instead of all outputs; can be repeated.
     #[arg(long = "record", value_name = "NAME")]
@@ -158,15 +164,32 @@ pub(crate) fn run(arguments: &Simulate, interrupt: &Interrupt) -> Result<(), Fai
     };
     let pairs = arguments.connect.iter();
     system.connect(pairs.map(|(output, input)| (&**output, &**input)))?;
-    let options = options(arguments, ssp.as_ref(), &system)?;
+    let mut options = options(arguments, ssp.as_ref(), &system)?;
+    if arguments.overwrite && arguments.output.is_none() && arguments.view.is_none() {
+        return Err(Failure::Input(miette!(
+            "--overwrite: found nothing to replace, expected --output or --view with it"
+        )));
+    }
+    let prepare = |page| Recorded::prepare(page, arguments.overwrite, &fmus, &arguments.set);
+    let recorded = arguments.view.as_deref().map(prepare).transpose()?;
+    options.set.extend(recorded.as_ref().map(Recorded::setting));
+    let table = recorded.as_ref().map(Recorded::table);
+    let table = table.as_ref().map(|path| CsvFile::open(path, false));
+    let mut plotted = table.transpose()?;
     let mut output = match &arguments.output {
         Some(path) => Output::File(CsvFile::open(path, arguments.overwrite)?),
         None => Output::Terminal(CsvWriter::new(io::stdout())),
     };
-    let driven = drive(&system, &options, interrupt, |table| output.write(table));
+    let mut write = |table: &Table| {
+        if let Some(plotted) = &mut plotted {
+            plotted.write(table)?;
+        }
+        output.write(table)
+    };
+    let driven = drive(&system, &options, interrupt, &mut write);
     if let Some(table) = &driven.table {
         // A row that ends a run by itself has not been shown yet.
-        output.write(table)?;
+        write(table)?;
         let reached = match table.time.last() {
             Some(last) => format!(" up to {last} s"),
             None => String::new(),
@@ -177,6 +200,10 @@ pub(crate) fn run(arguments: &Simulate, interrupt: &Interrupt) -> Result<(), Fai
             iterations(table),
             driven.wall
         ));
+        if let Some(recorded) = &recorded {
+            let shown = recorded.show();
+            return driven.end.and(shown);
+        }
     }
     driven.end
 }

@@ -8,3 +8,4 @@ pub mod error;
 pub mod panel;
 pub mod plot;
 pub mod portrait;
+pub mod viewer;

@@ -111,9 +111,10 @@ impl Grid {
         grid
     }
 
-    /// The cell of `x` along each axis.
+    /// The cell of `x` along each axis; of what lies outside, one outside.
     fn place(&self, x: Vec3) -> [i64; 3] {
-        std::array::from_fn(|k| ((x[k] - self.low[k]) / self.cell) as i64 + 1)
+        let cell = |k: usize| ((x[k] - self.low[k]) / self.cell).clamp(-1.0, 2.0 * CELLS);
+        std::array::from_fn(|k| cell(k) as i64 + 1)
     }
 
     /// The number of a cell.
@@ -191,6 +192,16 @@ fn ascending(pairs: &[(u32, u32)]) -> Vec<(u32, u32)> {
 mod tests {
     use super::*;
     use proptest::prelude::*;
+
+    /// A large sphere farther from the small ones than whole numbers of their cells go.
+    #[test]
+    fn levels_may_be_as_far_apart_as_numbers_go() {
+        let position = [0.0, 1e-3, 1e300].map(|x| Vec3::new(x, 0.0, 0.0));
+        assert_eq!(
+            sphere_pairs(&position, &[true; 3], &[1e-3, 1e-3, 1.0]),
+            [(0, 1)]
+        );
+    }
 
     proptest! {
         /// Sizes over three decades: several levels.

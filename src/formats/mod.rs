@@ -1,7 +1,8 @@
-//! Files and bytes: VTU, PVD, the table of a history, snapshots, and what can go wrong with them.
+//! Files and bytes: VTU, PVD, the table of a history, snapshots, friction problems, and what can go wrong with them.
 
 pub(crate) mod durable;
 pub mod error;
+pub mod problem;
 pub(crate) mod pvd;
 pub mod snapshot;
 pub(crate) mod table;

@@ -1,17 +1,17 @@
-//! Square matrix of 6x6 blocks without symmetry, and its sparse LU factor by faer.
+//! Square matrix of DxD blocks without symmetry, and its sparse LU factor by faer: 6x6 of bodies, 3x3 of contacts.
 
 use faer::ColMut;
 use faer::linalg::solvers::Solve;
 use faer::sparse::linalg::LuError;
 use faer::sparse::linalg::solvers::{Lu, SymbolicLu};
 use faer::sparse::{SparseColMatRef, SymbolicSparseColMat};
-use nalgebra::Matrix6;
+use nalgebra::SMatrix;
 
 use super::LinearError;
 
-/// A block matrix over pairs of bodies: each pair has both of its off-diagonal blocks. Keeps its symbolic analysis.
+/// A block matrix over pairs: each pair has both of its off-diagonal blocks. Keeps its symbolic analysis.
 #[derive(Debug, Clone)]
-pub(crate) struct GeneralMatrix {
+pub(crate) struct GeneralMatrix<const D: usize = 6> {
     /// Block rows of each block column, ascending.
     columns: Vec<Vec<u32>>,
     /// Where the values of each block column start.
@@ -22,8 +22,8 @@ pub(crate) struct GeneralMatrix {
     analysis: SymbolicLu<usize>,
 }
 
-impl GeneralMatrix {
-    /// The zero matrix of `n` bodies coupled by `pairs`, in any order, repeats allowed.
+impl<const D: usize> GeneralMatrix<D> {
+    /// The zero matrix of `n` blocks coupled by `pairs`, in any order, repeats allowed.
     ///
     /// # Errors
     /// [`LinearError::Memory`] if the analysis does not fit into memory.
@@ -42,15 +42,15 @@ impl GeneralMatrix {
             rows.sort_unstable();
             rows.dedup();
             starts.push(length);
-            length += 36 * rows.len();
-            for _ in 0..6 {
+            length += D * D * rows.len();
+            for _ in 0..D {
                 for &row in &*rows {
-                    indices.extend((0..6).map(|r| 6 * row as usize + r));
+                    indices.extend((0..D).map(|r| D * row as usize + r));
                 }
                 ends.push(indices.len());
             }
         }
-        let rows = 6 * n;
+        let rows = D * n;
         let scalar = SymbolicSparseColMat::new_checked(rows, rows, ends, None, indices);
         let analysis =
             SymbolicLu::try_new(scalar.as_ref()).map_err(|_| LinearError::Memory { rows })?;
@@ -69,7 +69,7 @@ impl GeneralMatrix {
     }
 
     /// Adds `block` at block row `row`, column `column`. Blocks outside the pattern are a programming error.
-    pub(crate) fn add(&mut self, row: usize, column: usize, block: &Matrix6<f64>) {
+    pub(crate) fn add(&mut self, row: usize, column: usize, block: &SMatrix<f64, D, D>) {
         let rows = &self.columns[column];
         let found = rows.binary_search(&(row as u32));
         debug_assert!(
@@ -77,9 +77,9 @@ impl GeneralMatrix {
             "block ({row}, {column}) is not in the pattern"
         );
         let Ok(rank) = found else { return };
-        for c in 0..6 {
-            let at = self.starts[column] + 6 * (c * rows.len() + rank);
-            for r in 0..6 {
+        for c in 0..D {
+            let at = self.starts[column] + D * (c * rows.len() + rank);
+            for r in 0..D {
                 self.values[at + r] += block[(r, c)];
             }
         }
@@ -90,7 +90,7 @@ impl GeneralMatrix {
     /// # Errors
     /// [`LinearError::Singular`] or [`LinearError::Memory`].
     pub(crate) fn factorize(&self) -> Result<GeneralFactor, LinearError> {
-        let rows = 6 * self.columns.len();
+        let rows = D * self.columns.len();
         let view = SparseColMatRef::new(self.scalar.as_ref(), &self.values);
         let factor =
             Lu::try_new_with_symbolic(self.analysis.clone(), view).map_err(
@@ -102,7 +102,7 @@ impl GeneralMatrix {
         Ok(GeneralFactor { factor, rows })
     }
 
-    /// Solves `K x = b` in place; `x` has `6 n` entries.
+    /// Solves `K x = b` in place; `x` has `D n` entries.
     ///
     /// # Errors
     /// [`LinearError::Singular`] or [`LinearError::Memory`].
@@ -119,7 +119,7 @@ pub(crate) struct GeneralFactor {
 }
 
 impl GeneralFactor {
-    /// Solves `K x = b` in place; `x` has `6 n` entries.
+    /// Solves `K x = b` in place; `x` has `D n` entries.
     ///
     /// # Errors
     /// [`LinearError::Singular`].
@@ -136,7 +136,7 @@ impl GeneralFactor {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use nalgebra::{DMatrix, DVector};
+    use nalgebra::{DMatrix, DVector, Matrix6};
 
     #[test]
     fn agrees_with_the_dense_factor() {

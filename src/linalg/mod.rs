@@ -1,4 +1,4 @@
-//! Sparse algebra over 6x6 blocks: symmetric block matrix, its Cholesky factor, its condition number.
+//! Sparse algebra over 6x6 blocks: symmetric block matrix, its Cholesky factor, its condition number; LU over blocks of any size.
 //!
 //! Uses nothing of the solver's own; checked against a dense factorization in the tests below.
 

@@ -17,7 +17,9 @@
 //! (`c = 0`: rigid). Moreau has `W = M^-1`, Shi `W = (2M)^-1` and `v1` the mean velocity of the step.
 //! The penalty method is the rigid problem with `k = P` on every contact.
 
+pub mod friction;
 pub(crate) mod law;
+pub mod reduction;
 mod row;
 mod rows;
 
@@ -122,25 +124,7 @@ impl Problem {
         if row.b != GROUND {
             operator += self.compliance(row.b, grip_b);
         }
-        let n = row.normal;
-        let w_n = (n.transpose() * operator * n)[0];
-        // Largest eigenvalue of the 2x2 tangential block from its trace and determinant.
-        let [t1, t2] = tangents(n);
-        let (a, b, c) = (
-            t1.dot(&(operator * t1)),
-            t2.dot(&(operator * t2)),
-            t1.dot(&(operator * t2)),
-        );
-        let w_t = 0.5 * (a + b) + (0.25 * (a - b) * (a - b) + c * c).sqrt();
-        // The update of a row treats normal and tangent side by side: a bound keeps it from overshooting where they couple.
-        let coupling = t1.dot(&(operator * n)).hypot(t2.dot(&(operator * n)));
-        let share = coupling / (w_n * w_t).sqrt();
-        // Where a joint leaves nothing but the normal, all across it is rounding.
-        if share > UNCOUPLED && coupling > UNCOUPLED * w_n {
-            (w_n * (1.0 + share), w_t * (1.0 + share))
-        } else {
-            (w_n, w_t)
-        }
+        bounding_scale(&operator, row.normal)
     }
 
     /// [`Self::delassus`] of a contact whose bodies have the same mobility in all directions and arms along the normal:
@@ -181,5 +165,27 @@ impl Problem {
             }
             JacobianBlock::Couple(lever) => w.angular * (lever * lever),
         }
+    }
+}
+
+/// `(w_n, w_t)` such that `operator` is at most `w_n n n^T + w_t (1 - n n^T)` \[1/kg\].
+pub(crate) fn bounding_scale(operator: &Matrix3<f64>, n: Vec3) -> (f64, f64) {
+    let w_n = (n.transpose() * operator * n)[0];
+    // Largest eigenvalue of the 2x2 tangential block from its trace and determinant.
+    let [t1, t2] = tangents(n);
+    let (a, b, c) = (
+        t1.dot(&(operator * t1)),
+        t2.dot(&(operator * t2)),
+        t1.dot(&(operator * t2)),
+    );
+    let w_t = 0.5 * (a + b) + (0.25 * (a - b) * (a - b) + c * c).sqrt();
+    // The update of a row treats normal and tangent side by side: a bound keeps it from overshooting where they couple.
+    let coupling = t1.dot(&(operator * n)).hypot(t2.dot(&(operator * n)));
+    let share = coupling / (w_n * w_t).sqrt();
+    // Where a joint leaves nothing but the normal, all across it is rounding.
+    if share > UNCOUPLED && coupling > UNCOUPLED * w_n {
+        (w_n * (1.0 + share), w_t * (1.0 + share))
+    } else {
+        (w_n, w_t)
     }
 }

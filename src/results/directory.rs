@@ -222,7 +222,10 @@ impl Directory {
 /// The file that says what the run is.
 const ABOUT: &str = "run.json";
 
-/// Whether a file name is one of those a run writes.
+/// The page of `sphere-dda view`: an old one must not stay beside a new run.
+const PAGE: &str = "view.html";
+
+/// Whether a file name is one of those a run writes, or is written of it.
 fn is_result(name: &str) -> bool {
     let name = name.strip_suffix(DRAFT).unwrap_or(name);
     let of_series = |name: &str| {
@@ -231,7 +234,9 @@ fn is_result(name: &str) -> bool {
             is_frame(name, series) || name.strip_prefix(series) == Some(".pvd")
         })
     };
-    matches!(name, ABOUT | "history.csv" | "view.py") || number(name).is_some() || of_series(name)
+    matches!(name, ABOUT | "history.csv" | "view.py" | PAGE)
+        || number(name).is_some()
+        || of_series(name)
 }
 
 /// What `run.json` says about a run.

@@ -5,6 +5,7 @@
 pub mod checkpoint;
 pub(crate) mod directory;
 mod disk;
+pub mod folder;
 pub mod frames;
 pub mod history;
 mod names;

@@ -115,8 +115,7 @@ pub struct Settings {
     pub adapt_penalty: bool,
     /// Tolerances of every step.
     pub tolerance: Tolerance,
-    /// Gap over the smaller radius up to which a contact may carry load \[-\]: one that is between zero and this neither opens
-    /// nor closes.
+    /// Largest gap over the smaller radius at which a contact may carry load \[-\].
     pub opening: f64,
     /// Whether a step that does not meet the tolerances ends the run; otherwise its best iterate is taken and counted.
     pub strict: bool,
@@ -136,12 +135,40 @@ pub struct Settings {
     pub registers: Registers,
 }
 
+/// Share of the largest overlap and opening left to the linear problem; the rest is for curvature and rounding.
+const LINEAR_SHARE: f64 = 0.9;
+
+/// Acceleration by which a contact below the reserve opens, over gravity.
+const OPENED: f64 = 0.01;
+
 impl Settings {
-    /// Gap \[m\] at which a contact carries load that a step finds at `gap` \[m\], `radius` \[m\] being the smaller one: its own
-    /// between touching and the largest opening, so that what rests keeps its place and its forces.
+    /// Gap \[m\] at which a contact is to carry load that a step of `dt` \[s\] finds at `gap` \[m\], `radius` \[m\] being the smaller
+    /// one: its own between one and two reserves, so that what rests keeps its place and its forces. A narrower one opens
+    /// little by little, which presses like a hundredth of the weight.
     #[inline]
-    pub(crate) fn carried(&self, gap: f64, radius: f64) -> f64 {
-        gap.max(0.0).min(self.opening * radius)
+    pub(crate) fn carried(&self, gap: f64, radius: f64, dt: f64) -> f64 {
+        let reserve = self.reserve() * radius;
+        let touching = gap.max(0.0);
+        let opened = touching + OPENED * self.gravity.norm() * dt * dt;
+        opened.min(reserve).max(touching).min(2.0 * reserve)
+    }
+
+    /// Reserve `r` \[-\] by which loaded contacts keep away from overlaps, and from their largest opening. Gaps aimed at lie in
+    /// `r..=2r`, those of a solution in `-l gap..=l opening`, `l` being [`LINEAR_SHARE`].
+    #[inline]
+    pub(crate) fn reserve(&self) -> f64 {
+        match self.method {
+            Method::Alm => LINEAR_SHARE / 3.0 * (self.opening - self.tolerance.gap).max(0.0),
+            Method::Penalty => 0.0,
+        }
+    }
+
+    /// Tolerances of the linear problem of a step that may use `share` of the reserve, 0..=1 \[-\].
+    pub(crate) fn linear_tolerance(&self, share: f64) -> Tolerance {
+        Tolerance {
+            gap: LINEAR_SHARE * self.tolerance.gap + share * self.reserve(),
+            ..self.tolerance
+        }
     }
 }
 

@@ -26,7 +26,7 @@ use crate::scene::{Boundary, Command, CommandDerivatives, Scene};
 use crate::simulation::trajectory::BoundaryPaths;
 use crate::spatial::{Pose, SpatialVector, Wrench};
 use crate::state::{BodyState, EnergyLedger, Reserve, State, StepControl, StepReport};
-use crate::step::{StepInput, Workspace, initial_forces, remove_overlaps};
+use crate::step::{FailedStep, StepInput, Workspace, initial_forces, remove_overlaps};
 pub use communication_step::CommunicationStep;
 pub use derivatives::Direction;
 pub use replay_record::ReplayRecord;
@@ -263,6 +263,17 @@ impl Simulation {
             commands: Cow::Borrowed(&state.commands),
         };
         Ok(crate::step::problem(&self.scene, state, &input))
+    }
+
+    /// Keeps the problems of internal steps that fail or end unconverged from now on, `most` of them: for the study of solvers.
+    /// Steps that are cut afterwards count as well. Nothing else changes.
+    pub fn keep_failed_steps(&mut self, most: usize) {
+        self.workspace.failed.keep(most);
+    }
+
+    /// The steps kept since the last call ([`Self::keep_failed_steps`]), and how many more there were in all.
+    pub fn take_failed_steps(&mut self) -> (Vec<FailedStep>, u64) {
+        self.workspace.failed.take()
     }
 
     /// Restores a [`Self::snapshot`] of the same scene.

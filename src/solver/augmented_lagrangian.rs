@@ -60,18 +60,18 @@ fn analyse(kept: &mut Option<Symbolic>, pattern: BlockPattern) -> Result<&Symbol
 }
 
 /// One row's augmented multiplier at a velocity: value, tangent and energy.
-struct Augmented {
+pub(super) struct Augmented {
     /// `p^` \[N s\].
-    impulse: Vec3,
+    pub(super) impulse: Vec3,
     /// `-d p^ / d u`, symmetric \[kg\].
-    tangent: Matrix3<f64>,
+    pub(super) tangent: Matrix3<f64>,
     /// Its share of the inner energy \[J\].
     energy: f64,
 }
 
 /// Evaluates a row for multipliers `p`, penalty `sigma` \[kg\] and the normal impulse `load` that bounds friction or
 /// resistance, at velocity `u`.
-fn augmented(row: &Row, u: Vec3, p: Vec3, sigma: f64, load: f64) -> Augmented {
+pub(super) fn augmented(row: &Row, u: Vec3, p: Vec3, sigma: f64, load: f64) -> Augmented {
     let n = row.normal;
     let (d_n, d_t) = split(u + row.bias, n);
     let (p_n, p_t) = split(p, n);

@@ -48,6 +48,7 @@
 
 pub mod augmented_lagrangian;
 mod bodies;
+pub mod friction;
 pub mod gauss_seidel;
 mod local_problem;
 pub mod newton;

@@ -97,7 +97,7 @@ fn relinearise(assembly: &mut Assembly, solution: &Solution, k: usize, gap: f64)
     let n = row.normal;
     let linear = step * n.dot(&row.relative_velocity(&solution.velocity));
     let compression = solution.impulses[k].dot(&n) * row.compliance_n * step;
-    let carried = settings.carried(assembly.candidates[k].gap, row.radius);
+    let carried = settings.carried(assembly.candidates[k].gap, row.radius, step);
     let wanted = (gap - carried - compression - linear) / step;
     let now = row.bias.dot(&n);
     let wanted = match assembly.impact[k] {
@@ -122,7 +122,7 @@ fn insert(
     let (mut row, impact) = (contact.row, contact.impact);
     let step = prediction.step;
     let linear = step * found.normal.dot(&row.relative_velocity(&solution.velocity));
-    let carried = prediction.scene.settings.opening * row.radius;
+    let carried = 2.0 * prediction.scene.settings.reserve() * row.radius;
     if row.compliance_n > 0.0 {
         let start = Candidate {
             gap: found.gap - linear,

@@ -83,7 +83,7 @@ pub(super) fn solve_forces(
 ) -> Result<Report, StepFailure> {
     let scene = assembly.prediction.scene;
     let solver = &mut workspace.solver;
-    let how = (penalty, effort(scene));
+    let how = (penalty, effort(scene), 0.0);
     let report = solve(assembly, solution, how, solver, None);
     if scene.settings.method == Method::Alm {
         if scene.settings.strict && !report.converged {

@@ -19,6 +19,7 @@ mod correction;
 mod detect;
 pub mod driven;
 pub mod external;
+mod failed;
 mod failure;
 mod initial;
 mod input;
@@ -38,6 +39,7 @@ mod verify;
 mod workspace;
 
 pub(crate) use external::release;
+pub use failed::FailedStep;
 pub use initial::{initial_forces, remove_overlaps};
 pub use input::{Effort, StepInput};
 pub use output::{StepFailure, StepOutput, Tunnelling};
@@ -86,7 +88,10 @@ fn stages(
 ) -> Result<StepOutput, StepFailure> {
     let mut prediction = predict(scene, state, input, take(&mut workspace.prediction));
     let (mut assembly, mut solution) = linear_problem(&mut prediction, state, workspace);
-    let output = resolve(&mut assembly, &mut solution, (state, effort), workspace)?;
+    let resolved = resolve(&mut assembly, &mut solution, (state, effort), workspace);
+    let (when, what) = ((state.time, input.dt), (&assembly, &solution));
+    workspace.failed.note(when, what, &resolved);
+    let output = resolved?;
     spread_impacts(&mut assembly, &solution, state);
     let solved = Solved {
         assembly: &assembly,

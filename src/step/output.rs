@@ -11,6 +11,8 @@ pub struct StepOutput {
     pub solver: Report,
     /// Largest true overlap over radius at the end \[-\].
     pub max_overlap: f64,
+    /// Largest gap over radius at which a contact carries load at the end \[-\].
+    pub max_opening: f64,
     /// How near a contact is to the edge of its state \[-\]: `state::StepReport::active_set_closeness`.
     pub active_set_closeness: f64,
     /// Whether the tolerances were not met and the best iterate was taken.
@@ -20,10 +22,11 @@ pub struct StepOutput {
 }
 
 impl StepOutput {
-    pub(super) fn of(solver: Report, max_overlap: f64) -> Self {
+    pub(super) fn of(solver: Report, (max_overlap, max_opening): (f64, f64)) -> Self {
         Self {
             solver,
             max_overlap,
+            max_opening,
             active_set_closeness: solver.residual.active_set_closeness,
             unconverged: false,
             squeezed: None,

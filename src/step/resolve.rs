@@ -5,7 +5,7 @@ use super::correction::Correction;
 use super::failure::{failed, failed_to_converge, pinch};
 use super::rebounds::Rebounds;
 use super::solution::Solution;
-use super::solve::solve;
+use super::solve::{reserve_share, solve};
 use super::verify::verify;
 use super::workspace::Workspace;
 use super::{Effort, StepFailure, StepOutput};
@@ -14,6 +14,8 @@ use crate::state::{Squeezed, State};
 
 /// Passes of re-linearisation and late contacts before the step is cut.
 const PASSES: usize = 30;
+/// Passes whose errors may use the reserve: one that such a solution spoils gets a better one.
+const LOOSE_PASSES: usize = 2;
 /// Weights that press a squeezed sphere into a boundary by its radius: a thousand by a hundredth of it.
 const WEIGHTS: f64 = 1e5;
 
@@ -43,6 +45,8 @@ pub(super) struct Passes {
     penalty: f64,
     effort: Effort,
     count: usize,
+    /// Share of the reserve that errors of the first passes may use.
+    share: f64,
     total: Report,
     /// Most sweeps of all passes, and of one.
     budget: Option<usize>,
@@ -71,6 +75,7 @@ impl Passes {
             penalty,
             effort,
             count: 0,
+            share: reserve_share(assembly),
             total: Report::default(),
             budget: settings.sweeps.filter(|_| assembly.moves),
             sweep_limit: effort.sweeps.filter(|_| assembly.moves),
@@ -101,7 +106,11 @@ impl Passes {
         self.count += 1;
         let limit = self.budget.map(|budget| budget - self.total.sweeps);
         let limit = limit.or(self.sweep_limit);
-        let how = (self.penalty, self.effort);
+        let share = match self.count <= LOOSE_PASSES {
+            true => self.share,
+            false => 0.0,
+        };
+        let how = (self.penalty, self.effort, share);
         let report = solve(assembly, solution, how, &mut workspace.solver, limit);
         self.total = self.total.then(report);
         if !self.total.converged
@@ -123,7 +132,8 @@ impl Passes {
             passed: Some(passed),
             ..failed(assembly, solution, &self.total)
         })?;
-        let output = StepOutput::of(self.total, verdict.max_overlap);
+        let gaps = (verdict.max_overlap, verdict.max_opening);
+        let output = StepOutput::of(self.total, gaps);
         let correction = match verdict.correction {
             None if !as_it_is => self.rebounds.limit(assembly, solution),
             correction => correction,

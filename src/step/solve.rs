@@ -13,19 +13,20 @@ use crate::solver::{self, Params, Report, SMOOTHING, SolverKind};
 /// Sweeps of every step where contacts keep their gaps. At rest one would do, and leave the same error in each step: a bed
 /// creeps by their sum.
 const STANDING_SWEEPS: usize = 3;
-/// Share of the gap tolerance left to the linear problem; the rest is for curvature and rounding.
-const LINEAR_SHARE: f64 = 0.9;
 
-/// Solves the problem as it stands from the impulses of `solution`, with `penalty` \[N/m\] to begin with; by `sweeps` at most,
-/// if so many are given.
+/// Share of a sphere's motion in a step by which the gaps of the step may be wrong, within their tolerances.
+const MOTION_SHARE: f64 = 0.1;
+
+/// Solves the problem as it stands from the impulses of `solution`, with `penalty` \[N/m\] to begin with and
+/// errors that may use a `share` of the reserve; by `sweeps` at most, if so many are given.
 pub(super) fn solve(
     assembly: &Assembly,
     solution: &mut Solution,
-    (penalty, effort): (f64, Effort),
+    (penalty, effort, share): (f64, Effort, f64),
     workspace: &mut SolverWorkspace,
     sweeps: Option<usize>,
 ) -> Report {
-    let mut params = params(&assembly.prediction.scene.settings, penalty);
+    let mut params = params(&assembly.prediction.scene.settings, penalty, share);
     params.accept = effort.accept;
     if let Some(sweeps) = sweeps {
         params.kind = SolverKind::GaussSeidel;
@@ -50,7 +51,7 @@ pub(super) fn polish(
     workspace: &mut SolverWorkspace,
     force: f64,
 ) {
-    let mut params = params(&assembly.prediction.scene.settings, penalty);
+    let mut params = params(&assembly.prediction.scene.settings, penalty, 0.0);
     params.kind = SolverKind::GaussSeidel;
     params.tolerance.force = params.tolerance.force.min(force);
     let mut before = solution.impulses.clone();
@@ -67,13 +68,25 @@ pub(super) fn polish(
     }
 }
 
-fn params(settings: &Settings, penalty: f64) -> Params {
-    let mut tolerance = settings.tolerance;
-    tolerance.gap *= LINEAR_SHARE;
+/// Share of the reserve that errors of this step may use: as much as [`MOTION_SHARE`] of the mean motion of the spheres within
+/// it. Forces of what rests are as good as without reserve, whatever else moves.
+pub(super) fn reserve_share(assembly: &Assembly) -> f64 {
+    let prediction = assembly.prediction;
+    let reserve = prediction.scene.settings.reserve();
+    if reserve == 0.0 {
+        return 0.0;
+    }
+    let radius = &prediction.scene.particles.radius;
+    let whole = MOTION_SHARE * prediction.step / reserve;
+    let share = |i: usize| (whole * prediction.velocity(i).linear.norm() / radius[i]).min(1.0);
+    (0..radius.len()).map(share).sum::<f64>() / radius.len().max(1) as f64
+}
+
+fn params(settings: &Settings, penalty: f64, share: f64) -> Params {
     let penalty_method = settings.method == Method::Penalty;
     Params {
         kind: settings.solver,
-        tolerance,
+        tolerance: settings.linear_tolerance(share),
         accept: false,
         min_sweeps: match settings.opening > 0.0 {
             true => STANDING_SWEEPS,

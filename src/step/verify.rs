@@ -12,14 +12,15 @@ use super::workspace::Workspace;
 use crate::detection::configuration::{Candidate, Configuration};
 use crate::scene::Method;
 
-/// A loaded contact may leave its linearised surface by this share of the radius before its gap is
-/// re-linearised; overlaps are held to the tolerance whatever this is.
-const OPENING: f64 = 1e-3;
+/// Opening over the tolerance of overlaps that curvature may leave where a scene asks for contacts at zero gap.
+const CURVATURE: f64 = 10.0;
 
 /// What the true geometry says.
 pub(super) struct Verdict {
     /// Largest overlap over radius at the end of the step \[-\].
     pub(super) max_overlap: f64,
+    /// Largest gap over radius at which a contact carries load at the end of the step \[-\].
+    pub(super) max_opening: f64,
     /// What the problem lacks; `None` where it may stay as it is.
     pub(super) correction: Option<Correction>,
 }
@@ -57,8 +58,9 @@ pub(super) fn verify(
         true => struck(assembly, &end, &overlapping),
         false => None,
     };
+    let gaps = Gaps::of(assembly, solution, &end);
     let correction = match late_contact.is_none() && alm && !as_it_is {
-        true => correction(assembly, solution, &end, &overlapping),
+        true => correction(assembly, solution, &end, (&gaps, &overlapping)),
         false => None,
     };
     (solution.position, solution.overlapping) = (position, overlapping);
@@ -70,8 +72,59 @@ pub(super) fn verify(
         Some(tunnelling) => Err(tunnelling),
         None => Ok(Verdict {
             max_overlap,
+            max_opening: gaps.opening,
             correction,
         }),
+    }
+}
+
+/// What the contacts of the problem have in common at the end of a step.
+struct Gaps {
+    /// Largest gap over radius of a contact that carries load and did not rebound \[-\].
+    opening: f64,
+    /// Whether a contact overlaps or opens by more than it may.
+    off: bool,
+}
+
+impl Gaps {
+    /// Two spheres without load that overlap are left out: they are among the overlapping pairs.
+    fn of(assembly: &Assembly, solution: &Solution, end: &Configuration) -> Self {
+        let settings = &assembly.prediction.scene.settings;
+        let tolerance = settings.tolerance.gap;
+        let widest = match settings.reserve() > 0.0 {
+            true => settings.opening,
+            false => CURVATURE * tolerance,
+        };
+        let of = |k: usize| {
+            let loaded = solution.loads(k);
+            if !(loaded || assembly.is_with_boundary(k)) || assembly.elastic(k).is_some() {
+                return Self::NONE;
+            }
+            let gap = true_gap(assembly, solution, end, k) / assembly.problem.rows.radius(k);
+            let opening = match loaded && !assembly.impact[k] {
+                true => gap.max(0.0),
+                false => 0.0,
+            };
+            Self {
+                opening,
+                off: gap < -tolerance || opening > widest,
+            }
+        };
+        let all = 0..assembly.candidates.len();
+        let piece = |_, range: Range<usize>| range.map(of).fold(Self::NONE, Self::and);
+        assembly.pool.pieces(all, piece, Self::and)
+    }
+
+    const NONE: Self = Self {
+        opening: 0.0,
+        off: false,
+    };
+
+    fn and(self, other: Self) -> Self {
+        Self {
+            opening: self.opening.max(other.opening),
+            off: self.off || other.off,
+        }
     }
 }
 
@@ -80,25 +133,10 @@ fn correction(
     assembly: &Assembly,
     solution: &Solution,
     end: &Configuration,
-    overlapping: &[Candidate],
+    (gaps, overlapping): (&Gaps, &[Candidate]),
 ) -> Option<Correction> {
-    let settings = &assembly.prediction.scene.settings;
-    let tolerance = settings.tolerance.gap;
-    let opening = OPENING.max(3.0 * settings.opening);
-    let gap = |k: usize| true_gap(assembly, solution, end, k);
-    let radius = |k: usize| assembly.problem.rows.radius(k);
-    // Two spheres without load that overlap are among the overlapping ones below.
-    let is_off = |k: usize| {
-        let loaded = solution.loads(k);
-        (loaded || assembly.is_with_boundary(k)) && {
-            let (gap, radius) = (gap(k), radius(k));
-            let opens = loaded && !assembly.impact[k] && gap > opening * radius;
-            (gap < -tolerance * radius || opens) && assembly.elastic(k).is_none()
-        }
-    };
-    let any = |_, range: Range<usize>| range.into_iter().any(is_off);
-    let all = 0..assembly.candidates.len();
-    let mut off = assembly.pool.pieces(all, any, |a, b| a | b);
+    let tolerance = assembly.prediction.scene.settings.tolerance.gap;
+    let mut off = gaps.off;
     let mut late = Vec::new();
     for found in overlapping {
         let known = |candidate: &Candidate| candidate.key;
@@ -112,7 +150,8 @@ fn correction(
     }
     // A rebound yields only to an overlap; a spring is as it is.
     let yields = |k: usize| {
-        let overlaps = || gap(k) < -tolerance * radius(k);
+        let radius = assembly.problem.rows.radius(k);
+        let overlaps = || true_gap(assembly, solution, end, k) < -tolerance * radius;
         assembly.elastic(k).is_none() && (!assembly.impact[k] || overlaps())
     };
     Some(Correction {

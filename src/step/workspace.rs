@@ -1,6 +1,7 @@
 //! What is kept between steps for speed and memory and never shows in results.
 
 use super::assemble::{Assembly, AssemblyArrays};
+use super::failed::FailedSteps;
 use super::prediction::PredictionArrays;
 use super::solution::Solution;
 use crate::detection::broad_phase::NeighborList;
@@ -18,6 +19,8 @@ pub struct Workspace {
     pub(super) assembly: AssemblyArrays,
     pub(super) solution: Solution,
     pub(super) accelerations: Vec<SpatialVector>,
+    /// Steps that missed their tolerances, if someone asked for them.
+    pub(crate) failed: FailedSteps,
 }
 
 impl Workspace {

@@ -2,9 +2,10 @@
 //!
 //! [`document`] and [`table`] hold the text, [`folder`] puts it on the disk with the drawings, [`report`] keeps them
 //! together, [`parallel`] runs the cases. [`paper`] is the study of Beyabanaki and Bagtzoglou (2020), [`laws`] that of
-//! the laws of granular matter. Nothing in a report depends on
+//! the laws of granular matter, [`corpus`] that of contact problems of others. Nothing in a report depends on
 //! the clock, the number of threads or the machine's load.
 
+pub mod corpus;
 pub mod document;
 pub mod error;
 pub mod folder;

@@ -213,7 +213,9 @@ fn unsafe_outside_the_wall(file: &str, text: &str) -> Vec<String> {
         return Vec::new();
     }
     code(text)
-        .filter(|(_, line)| names(line, "unsafe") || line.contains("no_mangle"))
+        .filter(|(_, line)| {
+            names(&line.replace("unsafe-", ""), "unsafe") || line.contains("no_mangle")
+        })
         .map(|(k, _)| format!("{file}:{k}: unsafe code belongs into {}", UNSAFE.join(", ")))
         .collect()
 }
@@ -342,7 +344,12 @@ fn every_rule_can_fail() {
     for (rule, file, text) in breaches {
         assert!(!rule(file, text).is_empty(), "{file}: {text}");
     }
-    let clean: [(Rule, &str, &str); 5] = [
+    let clean: [(Rule, &str, &str); 6] = [
+        (
+            unsafe_outside_the_wall,
+            "cli/src/page.rs",
+            "let policy = \"script-src 'unsafe-inline'\";",
+        ),
         (forbidden, "src/step.rs", "// .unwrap() is for tests"),
         (forbidden, "src/step.rs", "let x = y.unwrap_or(0);"),
         (

@@ -127,6 +127,7 @@ fn the_demo_runs_anywhere_and_replaces_only_its_own_output() {
             "wall time",
             "than real time",
             "view.py",
+            "view.html",
             "meshio",
         ] {
             assert!(told.out.contains(part), "{part} is not in\n{}", told.out);
@@ -135,6 +136,8 @@ fn the_demo_runs_anywhere_and_replaces_only_its_own_output() {
         assert_eq!(frames(&output.join("results/spheres.pvd")), 4);
         assert_eq!(rows(&output.join("outputs.csv")), 31);
         assert!(output.join("funnel.fmu").is_file());
+        let page = fs::read_to_string(output.join("view.html")).unwrap();
+        assert!(page.trim_end().ends_with("</html>"));
     }
     let mine = folder.join("mine");
     fs::create_dir(&mine).unwrap();
@@ -316,7 +319,11 @@ fn heap(more: &str) -> String {
 fn a_step_that_is_discarded_late_in_a_run_is_halved() {
     let folder = tempfile::tempdir().unwrap();
     let folder = folder.path();
-    fs::write(folder.join("heap.toml"), heap("")).unwrap();
+    fs::write(
+        folder.join("heap.toml"),
+        heap("tolerance = { opening = 0 }"),
+    )
+    .unwrap();
     for version in ["2", "3"] {
         let export = ["export", "heap.toml", "--fmi", version, "--overwrite"];
         done(folder, &export);

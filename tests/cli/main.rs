@@ -2,6 +2,7 @@
 
 mod check;
 mod command;
+mod corpus;
 mod failing;
 mod fmus;
 #[path = "../foreign_fmu/mod.rs"]
@@ -16,3 +17,4 @@ mod resumed;
 mod runs;
 mod schema;
 mod settled;
+mod view;

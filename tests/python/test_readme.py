@@ -40,7 +40,7 @@ def test_commands_exist(command):
     """Every `sphere-dda NAME` on the pages is a subcommand; those of research stand in a line of the help."""
     text = "".join((ROOT / page).read_text(encoding="utf-8") for page in PAGES)
     named = set(re.findall(r"(?:sphere-dda|cargo run --release --) ([a-z]+(?:-[a-z]+)*)\b(?! --release)", text))
-    assert {"demo", "run", "export", "check", "simulate", "inspect"} <= named
+    assert {"demo", "run", "export", "check", "simulate", "inspect", "view", "movie"} <= named
     told = subprocess.run([command, "--help"], capture_output=True, text=True, check=True).stdout
     commands = set(re.findall(r"^  ([a-z-]+)  ", told, re.M))
     research = set(re.findall(r"`sphere-dda ([a-z-]+)`", told))

@@ -3,27 +3,36 @@
 import json
 import os
 import subprocess
+from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
 
+import child
 import measures
 from runs import INTERVAL, Case, Outcome
-from scenes import FRICTION, GRAVITY, Array, Plane, Scene
+from scenes import FRICTION, GRAVITY, Array, Moving, Plane, Scene
+from scenes.feeder import AMPLITUDE, FREQUENCY, LINE
 
 FORCE = 0.1  # force residual that goes with every gap tolerance [-]
 ROOT = Path(__file__).resolve().parents[3]
+CANNOT: dict[str, str] = {}  # scenes that this code does not run, and why
 
 
 def build() -> Path:
     """Path of the driver, built if need be."""
-    command = ["cargo", "bench", "--locked", "--bench", "peers", "--no-run", "--message-format", "json"]
+    return executable(["bench", "--bench", "peers", "--no-run"], "peers")
+
+
+def executable(words: list[str], target: str) -> Path:
+    """What `cargo` has built for a target."""
+    command = ["cargo", *words, "--locked", "--message-format", "json"]
     done = subprocess.run(command, cwd=ROOT, stdout=subprocess.PIPE, text=True, check=True)
     for line in done.stdout.splitlines():
         message = json.loads(line)
-        if message.get("executable") and message["target"]["name"] == "peers":
+        if message.get("executable") and message["target"]["name"] == target:
             return Path(message["executable"])
-    raise SystemExit("cargo built no bench target `peers`")
+    raise SystemExit(f"cargo built no target `{target}`")
 
 
 def write(scene: Scene, case: Case, folder: Path) -> Path:
@@ -46,18 +55,21 @@ def write(scene: Scene, case: Case, folder: Path) -> Path:
         "",
         "[pair_default]",
         f"friction = {FRICTION}",
+        *([f"rolling_friction = {scene.rolling}"] if scene.rolling else []),
         "",
         "[[spheres]]",
         'name = "grains"',
         'material = "grain"',
         'csv = "spheres.csv"',
     ]
-    if scene.sheets:
+    if len(scene.triangles) and scene.sheets:
         write_stl(folder / "walls.stl", scene.triangles)
         lines += _boundary("walls", ['stl = { file = "walls.stl" }'])
-    else:
+    elif scene.planes:
         first, *others = scene.planes
         lines += _boundary("floor", [_face(first)]) + _boundary("walls", [_face(p) for p in others])
+    if scene.moving is not None:
+        lines += _moving(scene, scene.moving, case, folder)
     path = folder / "scene.toml"
     path.write_text("\n".join(lines) + "\n")
     return path
@@ -79,6 +91,29 @@ def _face(plane: Plane) -> str:
     return f"plane = {{ point = {point}, normal = {normal} }}"
 
 
+def _moving(scene: Scene, body: Moving, case: Case, folder: Path) -> list[str]:
+    """The boundary that moves; that of the feeder by its FMU's input or by the same motion in the scene."""
+    if scene.name == "feeder":
+        write_stl(folder / "moving.stl", body.triangles)
+        line = [float(q) for q in LINE]
+        shaken = f"sinusoid = {{ translation = {[AMPLITUDE * q for q in line]}, frequency = {FREQUENCY} }}"
+        key = f"input = {{ slide = {line} }}" if case.code == "sphere-dda-fmi" else f"motion = {{ {shaken} }}"
+        return [*_boundary(body.name, ['stl = { file = "moving.stl" }']), key]
+    if body.box:
+        low, high = ([float(q) for q in corner] for corner in body.box)
+        faces = [f"box = {{ min = {low}, max = {high} }}"]
+    else:
+        faces = [_face(plane) for plane in body.planes]
+    past = max(case.duration - body.begin, 1e-3)
+    spin, velocity = ([float(q) for q in v] for v in (body.spin, body.velocity))
+    if any(spin):
+        motion = f"constant = {{ velocity = {velocity}, angular_velocity = {spin} }}"
+    else:
+        ways = [[0.0] * 3, [0.0] * 3, [q * past for q in velocity]]
+        motion = f"table = {{ time = {[0.0, body.begin, body.begin + past]}, translation = {ways} }}"
+    return [*_boundary(body.name, faces), f"motion = {{ {motion} }}", f"point_of_action = {[float(q) for q in body.point]}"]
+
+
 def write_stl(path: Path, triangles: Array) -> None:
     """Writes an ASCII STL file."""
     lines = ["solid walls"]
@@ -93,19 +128,19 @@ def write_stl(path: Path, triangles: Array) -> None:
 def run(case: Case, scene: Scene, folder: Path) -> Outcome:
     """One run; the driver is named in SPHERE_DDA_PEERS."""
     driver = os.environ["SPHERE_DDA_PEERS"]
-    frames, end = folder / "frames", folder / "end"
-    command = [driver, write(scene, case, folder), "--end", end]
+    frames, contacts, end = folder / "frames", folder / "contacts", folder / "end"
+    command = [driver, str(write(scene, case, folder)), "--end", str(end)]
     if case.watch:
-        command += ["--frames", frames]
-    done = subprocess.run([str(word) for word in command], capture_output=True, text=True, check=False)
-    if done.returncode != 0:
-        raise RuntimeError(done.stderr.strip())
-    told = json.loads(done.stdout)
+        command += ["--frames", str(frames), "--contacts", str(contacts)]
+    done = child.run(command, folder)
+    if done.status != 0:
+        raise RuntimeError(done.error.strip())
+    told = json.loads(done.out)
     n = len(scene.radius)
     x, v, w = np.split(np.fromfile(end).reshape(n, 9), 3, axis=1)
     watched = None
     if case.watch:
-        watched = measures.course(scene, np.fromfile(frames).reshape(-1, n, 3), INTERVAL)
+        watched = measures.course(scene, np.fromfile(frames).reshape(-1, n, 3), INTERVAL, loaded(contacts))
     floor, memory = told["floor_force"], told["memory_bytes"]
     return Outcome(
         version=told["version"],
@@ -113,14 +148,37 @@ def run(case: Case, scene: Scene, folder: Path) -> Outcome:
         wall_s=told["wall_s"],
         spheres=n,
         steps=told["internal_steps"],
-        end=measures.end(scene, x, v, w),
+        end=measures.end(scene, x, v, w, case.duration),
         watched=watched,
         worst=told["max_overlap"],
-        floor=measures.over_weight(scene, floor) if scene.name == "bed" else None,
+        # Of versions that report it.
+        opening=told.get("max_opening"),
+        floor=measures.over_weight(scene, floor) if scene.rests else None,
+        force=force(scene, told["wrenches"]),
         memory=None if memory is None else memory / n,
+        peak=done.peak,
         sweeps=told["sweeps"],
         factorizations=told["factorizations"],
         force_residual=told["force_residual"],
         contacts=told["loaded_contacts"],
         course=told["course"] if case.trace else {},
     )
+
+
+def force(scene: Scene, wrenches: dict[str, list[list[float]]]) -> list[float]:
+    """The scene's load over its last intervals, of the wrenches of all boundaries."""
+    load = scene.load
+    if load is None:
+        return []
+    part = slice(3, 6) if load.couple else slice(0, 3)
+    course = [float(np.dot(wrench[part], load.direction)) for wrench in wrenches[load.on]]
+    return [float(f"{value:.6g}") for value in course[-round(load.window / INTERVAL) :]]
+
+
+def loaded(path: Path) -> Iterator[measures.Pairs]:
+    """Loaded contacts at the ends of intervals, as the driver wrote them."""
+    data, at = np.fromfile(path, np.int64), 0
+    while at < len(data):
+        count = int(data[at])
+        yield data[at + 1 : at + 1 + 2 * count].reshape(count, 2)
+        at += 1 + 2 * count

@@ -18,8 +18,8 @@ mod read;
 
 use std::fmt::Write as _;
 
-pub use read::decode;
-pub(crate) use read::{Cloud, VtuError};
+pub(crate) use read::Cloud;
+pub use read::{Contents, Field, VtuError, decode, decode_contents};
 
 use super::error::OutputError;
 use crate::Vec3;

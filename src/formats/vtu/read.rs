@@ -1,4 +1,4 @@
-//! Reads the points of a VTU file as this module writes it: one piece, raw appended data, uncompressed.
+//! Reads a VTU file as this module writes it: one piece, raw appended data, uncompressed.
 //!
 //! The lay-out of the header is free, so frames that VTK or ParaView wrote with the same choices are read as well;
 //! everything else is refused by name.
@@ -9,6 +9,7 @@ use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};
 use thiserror::Error;
 
+use super::{Array, Grid, Values};
 use crate::Vec3;
 
 /// Where the header ends.
@@ -84,21 +85,133 @@ impl Cloud {
     }
 }
 
+/// A named array over the points or cells of a file.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Field {
+    /// Its name.
+    pub name: String,
+    /// Its unit; empty where there is none.
+    pub unit: String,
+    /// Numbers per point or cell.
+    pub components: usize,
+    /// `[components * P]` or `[components * C]`.
+    pub values: Vec<f64>,
+}
+
+impl From<&Array> for Field {
+    fn from(array: &Array) -> Self {
+        Self {
+            name: array.name.to_owned(),
+            unit: array.unit.to_owned(),
+            components: array.components,
+            values: match &array.values {
+                Values::Real(values) => values.clone(),
+                Values::Integer(values) => values.iter().copied().map(f64::from).collect(),
+            },
+        }
+    }
+}
+
+/// All that a file of this form holds: a [`Grid`] as it is read back.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Contents {
+    /// Points \[m\], `[P]`.
+    pub points: Vec<Vec3>,
+    /// Point indices of all cells one after the other, each less than `P`.
+    pub connectivity: Vec<u32>,
+    /// Arrays over the points.
+    pub point_data: Vec<Field>,
+    /// Arrays over the cells.
+    pub cell_data: Vec<Field>,
+}
+
+impl From<&Grid> for Contents {
+    fn from(grid: &Grid) -> Self {
+        Self {
+            points: grid.points.clone(),
+            connectivity: grid.connectivity.clone(),
+            point_data: grid.point_data.iter().map(Field::from).collect(),
+            cell_data: grid.cell_data.iter().map(Field::from).collect(),
+        }
+    }
+}
+
 /// How an array lies in the file.
 struct Block {
     name: String,
-    /// Of the points themselves instead of over them.
-    coordinates: bool,
+    unit: String,
+    /// The element of the header that it stands in.
+    section: String,
     kind: String,
     components: usize,
     offset: usize,
 }
 
-/// Reads a file.
+/// Reads the points of a file and the arrays over them; its cells may be of any kind.
 ///
 /// # Errors
 /// `VtuError` for anything that is not a whole file of this form.
 pub fn decode(file: &[u8]) -> Result<Cloud, VtuError> {
+    let (header, data) = split(file)?;
+    let (Sizes { points, .. }, blocks) = blocks(header, &["Points", "PointData"])?;
+    let mut cloud = Cloud::default();
+    for block in blocks {
+        let values = values(&block, Some(points), data)?;
+        if block.section == "Points" {
+            cloud.points = coordinates(&values);
+        } else {
+            cloud.arrays.insert(block.name, (block.components, values));
+        }
+    }
+    check_points(cloud.points.len(), points)?;
+    Ok(cloud)
+}
+
+/// Reads a file with its cells, of which all have as many points.
+///
+/// # Errors
+/// `VtuError` for anything that is not a whole file of this form.
+pub fn decode_contents(file: &[u8]) -> Result<Contents, VtuError> {
+    let (header, data) = split(file)?;
+    let sections = ["Points", "Cells", "PointData", "CellData"];
+    let (Sizes { points, cells }, blocks) = blocks(header, &sections)?;
+    let mut contents = Contents::default();
+    for block in blocks {
+        let count = match block.section.as_str() {
+            "Cells" if block.name == "connectivity" => None,
+            "Cells" => continue,
+            "CellData" => Some(cells),
+            _ => Some(points),
+        };
+        let values = values(&block, count, data)?;
+        match block.section.as_str() {
+            "Points" => contents.points = coordinates(&values),
+            "Cells" => contents.connectivity = indices(&values, points)?,
+            section => {
+                let field = Field {
+                    name: block.name,
+                    unit: block.unit,
+                    components: block.components,
+                    values,
+                };
+                match section {
+                    "CellData" => contents.cell_data.push(field),
+                    _ => contents.point_data.push(field),
+                }
+            }
+        }
+    }
+    check_points(contents.points.len(), points)?;
+    if cells > 0 && !contents.connectivity.len().is_multiple_of(cells) {
+        let found = format!("{} long", contents.connectivity.len());
+        let expected = format!("as many points for each of {cells} cells");
+        return Err(form("the array `connectivity`", found, expected));
+    }
+    Ok(contents)
+}
+
+/// Header and appended data.
+fn split(file: &[u8]) -> Result<(&str, &[u8]), VtuError> {
     let expected = "`<AppendedData encoding=\"raw\">`: the spheres frame of a run";
     let at = file.windows(APPENDED.len()).position(|w| w == APPENDED);
     let (header, rest) = at
@@ -109,49 +222,76 @@ pub fn decode(file: &[u8]) -> Result<Cloud, VtuError> {
         .strip_prefix(b"_")
         .ok_or_else(|| form("the start of the data", "damaged", "`_`"))?;
     let header = std::str::from_utf8(header).map_err(|e| VtuError::Xml(e.to_string()))?;
-    let (points, blocks) = blocks(header)?;
-    let mut cloud = Cloud::default();
-    for block in blocks {
-        let values = values(&block, points, data)?;
-        if block.coordinates {
-            let coordinates = values.as_chunks::<3>().0;
-            cloud.points = coordinates.iter().map(|c| Vec3::from(*c)).collect();
-        } else {
-            cloud.arrays.insert(block.name, (block.components, values));
-        }
-    }
-    if cloud.points.len() != points {
-        let found = format!("of {} points", cloud.points.len());
-        return Err(form(
-            "the array of the points",
-            found,
-            format!("{points} points"),
-        ));
-    }
-    Ok(cloud)
+    Ok((header, data))
 }
 
-/// Number of points and the arrays of real numbers over them.
-fn blocks(header: &str) -> Result<(usize, Vec<Block>), VtuError> {
+fn coordinates(values: &[f64]) -> Vec<Vec3> {
+    values
+        .as_chunks()
+        .0
+        .iter()
+        .map(|c| Vec3::from(*c))
+        .collect()
+}
+
+fn check_points(found: usize, expected: usize) -> Result<(), VtuError> {
+    if found == expected {
+        return Ok(());
+    }
+    let found = format!("of {found} points");
+    let expected = format!("{expected} points");
+    Err(form("the array of the points", found, expected))
+}
+
+/// Point indices, each below `points`.
+fn indices(values: &[f64], points: usize) -> Result<Vec<u32>, VtuError> {
+    let index = |value: &f64| {
+        let inside = (0.0..points as f64).contains(value);
+        let expected = format!("a point below {points}");
+        let refused = || form("an entry of `connectivity`", value.to_string(), expected);
+        inside.then_some(*value as u32).ok_or_else(refused)
+    };
+    values.iter().map(index).collect()
+}
+
+/// Numbers of points and cells.
+struct Sizes {
+    points: usize,
+    cells: usize,
+}
+
+/// How large the piece is, and its arrays in those sections that are `wanted`.
+fn blocks(header: &str, wanted: &[&str]) -> Result<(Sizes, Vec<Block>), VtuError> {
     let xml = |error: quick_xml::Error| VtuError::Xml(error.to_string());
     let mut reader = Reader::from_str(header);
-    let (mut points, mut blocks, mut section) = (None, Vec::new(), String::new());
+    let (mut sizes, mut section) = (None, String::new());
+    let mut blocks: Vec<Block> = Vec::new();
+    let mut labelled = false;
     loop {
         let (tag, open) = match reader.read_event().map_err(xml)? {
             Event::Start(tag) => (tag, true),
             Event::Empty(tag) => (tag, false),
+            Event::Text(text) if std::mem::take(&mut labelled) => {
+                if let Some(block) = blocks.last_mut() {
+                    (*text).clone_into(&mut block.unit);
+                }
+                continue;
+            }
             Event::Eof => break,
             _ => continue,
         };
         match tag.name().as_ref() {
             "VTKFile" => check_kind(&tag)?,
             "Piece" => {
-                if points.is_some() {
+                if sizes.is_some() {
                     return Err(form("the file", "of several pieces", "one piece"));
                 }
-                points = Some(number(&tag, "NumberOfPoints", None)?);
+                sizes = Some(Sizes {
+                    points: number(&tag, "NumberOfPoints", None)?,
+                    cells: number(&tag, "NumberOfCells", Some(0))?,
+                });
             }
-            "DataArray" if section == "Points" || section == "PointData" => {
+            "DataArray" if wanted.contains(&section.as_str()) => {
                 let kind = attribute(&tag, "type")?.unwrap_or_default();
                 let name = attribute(&tag, "Name")?.unwrap_or_default();
                 let place = attribute(&tag, "format")?.unwrap_or_default();
@@ -160,21 +300,27 @@ fn blocks(header: &str) -> Result<(usize, Vec<Block>), VtuError> {
                     return Err(form(what, format!("`{place}`"), "`appended`"));
                 }
                 blocks.push(Block {
-                    coordinates: section == "Points",
+                    section: section.clone(),
+                    unit: String::new(),
                     components: number(&tag, "NumberOfComponents", Some(1))?,
                     offset: number(&tag, "offset", None)?,
                     kind,
                     name,
                 });
             }
-            // Units of arrays.
-            "DataArray" | "InformationKey" => {}
+            "InformationKey" => {
+                let key = attribute(&tag, "name")?;
+                labelled = open
+                    && wanted.contains(&section.as_str())
+                    && key.as_deref() == Some("UNITS_LABEL");
+            }
+            "DataArray" => {}
             name if open => name.clone_into(&mut section),
             _ => {}
         }
     }
-    let points = points.ok_or_else(|| form("the file", "without a piece", "one piece"))?;
-    Ok((points, blocks))
+    let sizes = sizes.ok_or_else(|| form("the file", "without a piece", "one piece"))?;
+    Ok((sizes, blocks))
 }
 
 fn check_kind(tag: &BytesStart<'_>) -> Result<(), VtuError> {
@@ -210,17 +356,17 @@ fn number(tag: &BytesStart<'_>, key: &str, default: Option<usize>) -> Result<usi
     })
 }
 
-/// The values of a block: its length in bytes, then as many.
-fn values(block: &Block, points: usize, data: &[u8]) -> Result<Vec<f64>, VtuError> {
+/// The values of a block: its length in bytes, then as many; over `count` points or cells, or as many as there are.
+fn values(block: &Block, count: Option<usize>, data: &[u8]) -> Result<Vec<f64>, VtuError> {
     let size = match block.kind.as_str() {
         "Float32" | "Int32" => 4,
-        "Float64" => 8,
+        "Float64" | "Int64" => 8,
         other => {
             let what = format!("the type of array `{}`", block.name);
             return Err(form(
                 what,
                 format!("`{other}`"),
-                "Float32, Float64 or Int32",
+                "Float32, Float64, Int32 or Int64",
             ));
         }
     };
@@ -233,8 +379,11 @@ fn values(block: &Block, points: usize, data: &[u8]) -> Result<Vec<f64>, VtuErro
     let rest = data.get(block.offset..).unwrap_or_default();
     let (length, rest) = rest.split_first_chunk().ok_or_else(|| short(start))?;
     let length = u64::from_le_bytes(*length);
-    let expected = points.saturating_mul(block.components).saturating_mul(size);
-    if length != expected as u64 {
+    let expected = match count {
+        Some(count) => count.saturating_mul(block.components).saturating_mul(size),
+        None => usize::try_from(length).unwrap_or(usize::MAX),
+    };
+    if length != expected as u64 || !expected.is_multiple_of(size) {
         let what = format!("array `{}`", block.name);
         return Err(form(
             what,
@@ -252,6 +401,10 @@ fn values(block: &Block, points: usize, data: &[u8]) -> Result<Vec<f64>, VtuErro
             .iter()
             .map(|b| f64::from_le_bytes(*b))
             .collect(),
+        "Int64" => {
+            let integers = bytes.as_chunks().0.iter().map(|b| i64::from_le_bytes(*b));
+            integers.map(|value| value as f64).collect()
+        }
         "Float32" => {
             let singles = bytes.as_chunks().0.iter().map(|b| f32::from_le_bytes(*b));
             singles.map(f64::from).collect()

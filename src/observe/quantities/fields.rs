@@ -196,7 +196,7 @@ pub(super) const SINK: [Field<f64>; 1] =
     [real("mass", "kg", "Mass removed since the start", |m| *m)];
 
 #[rustfmt::skip]
-pub(super) const WHOLE: [Field<Whole>; 29] = [
+pub(super) const WHOLE: [Field<Whole>; 30] = [
     real("mass", "kg", "Mass of all spheres in the scene", |w| w.totals.mass),
     count("sphereCount", "Number of spheres in the scene", |w| w.totals.spheres),
     vector("momentum", "kg.m/s", "Momentum of the spheres at half-step velocities; it changes by the impulses of averaged wrenches and weight", |w| w.totals.momentum.linear),
@@ -215,6 +215,7 @@ pub(super) const WHOLE: [Field<Whole>; 29] = [
     real("springWork", "J", "Work of constrained springs, contacts that give way and springs of joints since the start", |w| w.work.springs),
     count("contactCount", LOADED, |w| w.contacts),
     number("maxOverlap", "Largest true overlap over radius in the communication step", |w| w.max_overlap),
+    number("maxOpening", "Largest gap over radius at which a contact carried load in the communication step, impacts left out", |w| w.report.max_opening),
     count("solver.internalSteps", "Internal steps of the communication step", |w| w.report.internal_steps),
     count("solver.cuts", "Halvings of internal steps in the communication step", |w| w.report.cuts),
     count("solver.unconvergedSteps", "Internal steps that missed the tolerances; their best iterate was taken", |w| w.report.unconverged_steps),

@@ -108,7 +108,10 @@ impl Prediction<'_> {
             true => 0.0,
             false => split(contact.centres, n).1.norm_squared() * candidate.curvature,
         };
-        let carried = self.scene.settings.carried(candidate.gap, contact.radius);
+        let carried = self
+            .scene
+            .settings
+            .carried(candidate.gap, contact.radius, self.step);
         let excess = candidate.gap - carried;
         let bodies = (a, contact.b);
         let elastic = self.elastic_of(candidate.key, bodies, &pair, contact.stiffness);

@@ -1,0 +1,262 @@
+//! How numbers become few bytes: whole numbers, their change from frame to frame, byte planes, deflate.
+//!
+//! ```text
+//! position  n = round((x - origin) / q)       |x - x'| <= q/2 along each axis
+//! field     n = round(K asinh(v / s))         |v - v'| <= sqrt(v^2 + s^2) / (2 K)
+//! change    d = n - n1, or n - (2 n1 - n2) where that is shorter (n1, n2: the frames before, same sphere)
+//! planes    zigzag(d) = 2 d or -2 d - 1, all lowest bytes, then all second bytes ...
+//! ```
+//!
+//! What rests becomes zeros, which deflate to nothing.
+
+use std::io::Write as _;
+
+use flate2::Compression;
+use flate2::write::DeflateEncoder;
+
+/// Largest value of a field over the `s` of its coding: what is smaller by that much reads as zero within `s/(2 K)`.
+pub(super) const RANGE: f64 = 1e4;
+/// Largest whole number that the page holds exactly, with room for second differences.
+pub(super) const LARGEST: f64 = (1_i64 << 46) as f64;
+
+/// The whole number of a field's component in `steps` `K` per unit of its logarithm; `scale` is `s`, zero for a field
+/// that is zero everywhere.
+pub(super) fn compressed(value: f64, scale: f64, steps: f64) -> i64 {
+    if scale == 0.0 {
+        return 0;
+    }
+    (steps * (value / scale).asinh()).round() as i64
+}
+
+/// 0, -1, 1, -2, 2 ... as 0, 1, 2, 3, 4 ...
+fn zigzag(d: i64) -> u64 {
+    ((d << 1) ^ (d >> 63)) as u64
+}
+
+/// Appends whole numbers as byte planes: the number of planes (at most 6), then each.
+pub(super) fn put_planes(out: &mut Vec<u8>, values: &[i64]) {
+    let largest = values.iter().map(|&d| zigzag(d)).max().unwrap_or(0);
+    let count = (64 - largest.leading_zeros()).div_ceil(8);
+    out.push(count as u8);
+    for plane in 0..count {
+        out.extend(values.iter().map(|&d| (zigzag(d) >> (8 * plane)) as u8));
+    }
+}
+
+/// Appends a whole number, seven bits to a byte, lowest first.
+pub(super) fn put_varint(out: &mut Vec<u8>, value: i64) {
+    let mut rest = zigzag(value);
+    while rest >= 0x80 {
+        out.push(rest as u8 | 0x80);
+        rest >>= 7;
+    }
+    out.push(rest as u8);
+}
+
+/// Appends one bit for each of `bits`, lowest first.
+pub(super) fn put_bits(out: &mut Vec<u8>, bits: impl Iterator<Item = bool>) {
+    let (mut byte, mut count) = (0_u8, 0_u32);
+    for bit in bits {
+        byte |= u8::from(bit) << count;
+        count += 1;
+        if count == 8 {
+            out.push(byte);
+            (byte, count) = (0, 0);
+        }
+    }
+    if count > 0 {
+        out.push(byte);
+    }
+}
+
+/// The changes of whole numbers over the frames of a block: frame by frame, in each those slots that are `present`.
+/// The first time a slot is there it is told against the slot before it. The flag says whether motion is continued.
+pub(super) fn changes(frames: &[Vec<i64>], present: &[Vec<bool>]) -> (bool, Vec<i64>) {
+    let plain = told(frames, present, false);
+    let continued = told(frames, present, true);
+    let cost = |list: &[i64]| -> u64 {
+        let bits = |&d: &i64| u64::from(64 - zigzag(d).leading_zeros());
+        list.iter().map(bits).sum()
+    };
+    if cost(&continued) < cost(&plain) {
+        (true, continued)
+    } else {
+        (false, plain)
+    }
+}
+
+fn told(frames: &[Vec<i64>], present: &[Vec<bool>], continued: bool) -> Vec<i64> {
+    let slots = frames.first().map_or(0, Vec::len);
+    let mut last = vec![0_i64; slots];
+    let mut before = vec![0_i64; slots];
+    let mut known = vec![0_u8; slots];
+    let mut out = Vec::new();
+    for (values, here) in frames.iter().zip(present) {
+        let mut neighbour = 0;
+        for slot in 0..slots {
+            if !here[slot] {
+                continue;
+            }
+            let expected = match known[slot] {
+                0 => neighbour,
+                2 if continued => 2 * last[slot] - before[slot],
+                _ => last[slot],
+            };
+            out.push(values[slot] - expected);
+            before[slot] = last[slot];
+            last[slot] = values[slot];
+            known[slot] = (known[slot] + 1).min(2);
+            neighbour = values[slot];
+        }
+    }
+    out
+}
+
+/// Deflates bytes (RFC 1951, without a header).
+pub(super) fn deflated(bytes: &[u8]) -> Vec<u8> {
+    let mut encoder = DeflateEncoder::new(Vec::new(), Compression::new(6));
+    // Writing to memory cannot fail; if it did, the page would say that a block is cut short.
+    let written = encoder.write_all(bytes);
+    let out = encoder.finish().unwrap_or_default();
+    written.map(|()| out).unwrap_or_default()
+}
+
+/// The bytes of numbers in single precision, little endian, deflated by byte planes.
+pub(super) fn singles(values: &[f32]) -> Vec<u8> {
+    let mut bytes = Vec::with_capacity(4 * values.len());
+    for plane in 0..4 {
+        bytes.extend(values.iter().map(|v| v.to_le_bytes()[plane]));
+    }
+    deflated(&bytes)
+}
+
+/// As [`singles`], in double precision.
+pub(super) fn doubles(values: &[f64]) -> Vec<u8> {
+    let mut bytes = Vec::with_capacity(8 * values.len());
+    for plane in 0..8 {
+        bytes.extend(values.iter().map(|v| v.to_le_bytes()[plane]));
+    }
+    deflated(&bytes)
+}
+
+/// Whole numbers, each told against the one before, as byte planes, deflated.
+pub(super) fn wholes(values: impl Iterator<Item = i64>) -> Vec<u8> {
+    let mut last = 0;
+    let changes: Vec<i64> = values
+        .map(|v| v - std::mem::replace(&mut last, v))
+        .collect();
+    let mut bytes = Vec::new();
+    put_planes(&mut bytes, &changes);
+    deflated(&bytes)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::io::Read as _;
+
+    use flate2::read::DeflateDecoder;
+    use proptest::prelude::*;
+
+    use super::*;
+
+    fn inflated(bytes: &[u8]) -> Vec<u8> {
+        let mut out = Vec::new();
+        DeflateDecoder::new(bytes).read_to_end(&mut out).unwrap();
+        out
+    }
+
+    /// What the page does, in `data.js`.
+    fn planes(bytes: &[u8], count: usize) -> Vec<i64> {
+        let (planes, rest) = bytes.split_first().unwrap();
+        assert_eq!(rest.len(), usize::from(*planes) * count);
+        let number = |k: usize| {
+            let plane = |p: usize| u64::from(rest[p * count + k]) << (8 * p);
+            let z: u64 = (0..usize::from(*planes)).map(plane).sum();
+            (z >> 1) as i64 ^ -((z & 1) as i64)
+        };
+        (0..count).map(number).collect()
+    }
+
+    /// Likewise: the codes of the slots that are present, frame by frame.
+    fn undone(continued: bool, changes: &[i64], present: &[Vec<bool>]) -> Vec<Vec<i64>> {
+        let mut changes = changes.iter();
+        let mut known: Vec<Vec<i64>> = vec![Vec::new(); present.first().map_or(0, Vec::len)];
+        let mut out = Vec::new();
+        for here in present {
+            let mut neighbour = 0;
+            let mut row = Vec::new();
+            for (slot, _) in here.iter().enumerate().filter(|(_, is)| **is) {
+                let own = &mut known[slot];
+                let expected = match own[..] {
+                    [] => neighbour,
+                    [.., before, last] if continued => 2 * last - before,
+                    [.., last] => last,
+                };
+                let value = expected + changes.next().unwrap();
+                own.push(value);
+                row.push(value);
+                neighbour = value;
+            }
+            out.push(row);
+        }
+        assert!(changes.next().is_none());
+        out
+    }
+
+    /// Frames of codes, and which slots are there.
+    fn block() -> impl Strategy<Value = (Vec<Vec<i64>>, Vec<Vec<bool>>)> {
+        (1..9_usize, 1..8_usize).prop_flat_map(|(frames, slots)| {
+            let code = -(1_i64 << 45)..(1_i64 << 45);
+            let row = proptest::collection::vec(code, slots);
+            let here = proptest::collection::vec(any::<bool>(), slots);
+            let all = |row| proptest::collection::vec(row, frames);
+            (all(row), proptest::collection::vec(here, frames))
+        })
+    }
+
+    proptest! {
+        #[test]
+        fn a_block_comes_back((frames, present) in block()) {
+            let (continued, changes) = changes(&frames, &present);
+            let mut bytes = Vec::new();
+            put_planes(&mut bytes, &changes);
+            let bytes = inflated(&deflated(&bytes));
+            let changes = planes(&bytes, changes.len());
+            let expected: Vec<Vec<i64>> = frames.iter().zip(&present)
+                .map(|(row, here)| row.iter().zip(here).filter(|(_, is)| **is).map(|(&v, _)| v).collect())
+                .collect();
+            prop_assert_eq!(undone(continued, &changes, &present), expected);
+        }
+
+        /// The stated error: half a step of the logarithm, near zero that of the smallest value.
+        #[test]
+        fn a_field_is_as_exact_as_stated(value in -1e6..1e6_f64, scale in 1e-3..1e5_f64, steps in 20.0..200.0_f64) {
+            let back = scale * (compressed(value, scale, steps) as f64 / steps).sinh();
+            // Half a step, its second order included.
+            let bound = value.hypot(scale) * (0.5 / steps) * (1.0 + 1.0 / steps);
+            prop_assert!((back - value).abs() <= bound, "{} came back as {}", value, back);
+        }
+
+        #[test]
+        fn varints_and_bits_come_back(value in any::<i32>(), bits in proptest::collection::vec(any::<bool>(), 0..40)) {
+            let mut bytes = Vec::new();
+            put_varint(&mut bytes, i64::from(value));
+            let z: u64 = bytes.iter().enumerate().map(|(k, &b)| u64::from(b & 127) << (7 * k)).sum();
+            prop_assert_eq!((z >> 1) as i64 ^ -((z & 1) as i64), i64::from(value));
+            bytes.clear();
+            put_bits(&mut bytes, bits.iter().copied());
+            let back: Vec<bool> = (0..bits.len()).map(|k| bytes[k / 8] >> (k % 8) & 1 == 1).collect();
+            prop_assert_eq!(back, bits);
+        }
+    }
+
+    #[test]
+    fn motion_that_goes_on_costs_nothing() {
+        let falling: Vec<Vec<i64>> = (0..16).map(|f| vec![1000 * f, -700 * f]).collect();
+        let present = vec![vec![true; 2]; 16];
+        let (continued, changes) = changes(&falling, &present);
+        assert!(continued);
+        assert!(changes[4..].iter().all(|&d| d == 0), "{changes:?}");
+        assert_eq!(compressed(0.0, 0.0, 100.0), 0);
+    }
+}

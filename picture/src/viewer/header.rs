@@ -1,0 +1,79 @@
+//! What the page reads first, as JSON.
+
+use serde::Serialize;
+
+use super::labels::Label;
+
+/// The head of a page. Lengths in m, all units SI.
+#[derive(Debug, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub(super) struct Header {
+    /// Of this layout.
+    pub(super) version: u32,
+    pub(super) generator: String,
+    pub(super) title: String,
+    /// Frames of the run for each that is kept.
+    pub(super) thinned: usize,
+    /// Frames of the run.
+    pub(super) recorded: usize,
+    pub(super) times: Vec<f64>,
+    pub(super) frames_per_block: usize,
+    pub(super) spheres: usize,
+    pub(super) materials: Vec<String>,
+    pub(super) origin: [f64; 3],
+    pub(super) step: f64,
+    /// What is to be seen at first: lowest and highest corner.
+    pub(super) extent: [[f64; 3]; 2],
+    pub(super) height: [f64; 2],
+    pub(super) fields: Vec<FieldHeader>,
+    pub(super) forces: ForceHeader,
+    pub(super) boundaries: Vec<BoundaryHeader>,
+    pub(super) tables: Vec<TableHeader>,
+    pub(super) labels: Vec<Label>,
+    /// Of a scene that has not run.
+    pub(super) still: bool,
+    /// A text that stands over the picture, empty if there is none.
+    pub(super) notice: String,
+    /// Changes with each page of `--watch`; empty without it.
+    pub(super) watched: String,
+}
+
+#[derive(Debug, Serialize)]
+pub(super) struct FieldHeader {
+    pub(super) name: String,
+    pub(super) unit: String,
+    pub(super) components: usize,
+    /// Whether this is the magnitude of a vector.
+    pub(super) magnitude: bool,
+    /// `s` of the coding.
+    pub(super) scale: f64,
+    /// `K` of the coding.
+    pub(super) steps: f64,
+    /// Where colours end: 99 % of the values lie below.
+    pub(super) top: f64,
+}
+
+#[derive(Debug, Serialize)]
+pub(super) struct ForceHeader {
+    pub(super) largest: f64,
+    pub(super) top: f64,
+    pub(super) decades: f64,
+}
+
+#[derive(Debug, Serialize)]
+pub(super) struct BoundaryHeader {
+    /// In the scene.
+    pub(super) index: usize,
+    pub(super) name: String,
+    pub(super) centre: [f64; 3],
+    pub(super) points: usize,
+    pub(super) triangles: usize,
+}
+
+#[derive(Debug, Serialize)]
+pub(super) struct TableHeader {
+    pub(super) name: String,
+    pub(super) rows: usize,
+    pub(super) thinned: usize,
+    pub(super) columns: Vec<[String; 2]>,
+}

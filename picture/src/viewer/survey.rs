@@ -1,0 +1,171 @@
+//! The first look at a recording: which spheres there are, how far they get, how large their fields are.
+
+use std::collections::BTreeMap;
+
+use sphere_dda::Vec3;
+use sphere_dda::formats::vtu::Field;
+
+use super::error::ViewError;
+use super::recording::{Moment, Recording};
+
+/// Spheres of a frame whose fields are sampled for the ranges of colours.
+const SAMPLES: usize = 400;
+/// Share of the sampled values that lies below the top of the colours.
+const TOP: f64 = 0.99;
+/// Rim around the boundaries, or the first frame's spheres, over their diagonal: beyond it spheres are lost in space.
+const RIM: f64 = 0.1;
+
+/// A sphere of the recording; the page calls it by its rank.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Slot {
+    pub(super) id: i64,
+    pub(super) radius: f64,
+    pub(super) material: i64,
+}
+
+/// An array over the spheres.
+#[derive(Debug, Clone, Default)]
+pub(super) struct FieldRange {
+    pub(super) name: String,
+    pub(super) unit: String,
+    pub(super) components: usize,
+    /// Largest magnitude of a component.
+    pub(super) largest: f64,
+    /// Magnitudes of some spheres in all frames.
+    samples: Vec<f64>,
+}
+
+impl FieldRange {
+    /// Where the colours end: nearly all values lie below.
+    pub(super) fn top(&self) -> f64 {
+        quantile(&self.samples, TOP)
+    }
+}
+
+fn quantile(samples: &[f64], share: f64) -> f64 {
+    let mut sorted = samples.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    let at = (share * sorted.len().saturating_sub(1) as f64).round() as usize;
+    sorted.get(at).copied().unwrap_or(0.0)
+}
+
+/// What all frames have in common.
+#[derive(Debug, Default)]
+pub(super) struct Survey {
+    /// Spheres by ascending id.
+    pub(super) slots: Vec<Slot>,
+    /// Lowest and highest corner that centres reach \[m\]; `None` without spheres.
+    pub(super) reach: Option<(Vec3, Vec3)>,
+    /// The same in the first frame, whole spheres.
+    pub(super) start: Option<(Vec3, Vec3)>,
+    /// Where most of the run is: what is far from here has no say in the ranges of colours.
+    near: Option<(Vec3, Vec3)>,
+    pub(super) fields: Vec<FieldRange>,
+    /// Largest normal force \[N\] of a contact.
+    pub(super) largest_force: f64,
+    forces: Vec<f64>,
+}
+
+impl Survey {
+    /// Reads the frames with these indices; `seen` hears how many are done.
+    pub(super) fn of(
+        recording: &Recording,
+        wanted: &[usize],
+        mut seen: impl FnMut(usize),
+    ) -> Result<Self, ViewError> {
+        let mut survey = Self::default();
+        let mut slots = BTreeMap::new();
+        for (done, &index) in wanted.iter().enumerate() {
+            survey.add(&recording.frame(index)?, &mut slots)?;
+            seen(done + 1);
+        }
+        survey.slots = slots.into_values().collect();
+        Ok(survey)
+    }
+
+    fn add(&mut self, moment: &Moment, slots: &mut BTreeMap<i64, Slot>) -> Result<(), ViewError> {
+        let spheres = &moment.spheres;
+        for (k, &id) in spheres.id.iter().enumerate() {
+            let (radius, material) = (spheres.radius[k], spheres.material[k]);
+            let slot = Slot {
+                id,
+                radius,
+                material,
+            };
+            let known = slots.entry(id).or_insert(slot);
+            if known.radius != radius {
+                return Err(ViewError::Frame {
+                    time: moment.time,
+                    what: format!("the radius of sphere {id}"),
+                    found: format!("{radius} m"),
+                    expected: format!("{} m as in the frames before", known.radius),
+                });
+            }
+        }
+        let joined = |reach: Option<(Vec3, Vec3)>, (low, high): (Vec3, Vec3)| match reach {
+            None => Some((low, high)),
+            Some((l, h)) => Some((l.inf(&low), h.sup(&high))),
+        };
+        let centres = spheres.position.iter().map(|&x| (x, x));
+        self.reach = centres.fold(self.reach, joined);
+        if self.start.is_none() {
+            let whole = spheres.position.iter().zip(&spheres.radius);
+            let whole = whole.map(|(x, &r)| (x.add_scalar(-r), x.add_scalar(r)));
+            self.start = whole.fold(None, joined);
+        }
+        if self.near.is_none() {
+            let corners = moment.surface.points.iter().map(|&x| (x, x));
+            let around = corners.chain(self.start).fold(None, joined);
+            self.near = around.map(|(low, high)| {
+                let rim = RIM * (high - low).norm();
+                (low.add_scalar(-rim), high.add_scalar(rim))
+            });
+        }
+        let near = |x: &Vec3| self.near.is_none_or(|(low, high)| *x >= low && *x <= high);
+        let near: Vec<bool> = spheres.position.iter().map(near).collect();
+        for field in &spheres.fields {
+            self.add_field(field, &near);
+        }
+        let forces = moment.contacts.iter().map(|contact| contact.force);
+        self.largest_force = forces.clone().fold(self.largest_force, f64::max);
+        let stride = forces.len().div_ceil(SAMPLES).max(1);
+        self.forces.extend(forces.step_by(stride));
+        Ok(())
+    }
+
+    fn add_field(&mut self, field: &Field, near: &[bool]) {
+        let at = self.fields.iter().position(|own| own.name == field.name);
+        let at = at.unwrap_or_else(|| {
+            self.fields.push(FieldRange {
+                name: field.name.clone(),
+                unit: field.unit.clone(),
+                components: field.components,
+                ..FieldRange::default()
+            });
+            self.fields.len() - 1
+        });
+        let own = &mut self.fields[at];
+        let magnitudes = field.values.iter().map(|v| v.abs());
+        own.largest = magnitudes.fold(own.largest, f64::max);
+        let rows = field.values.chunks_exact(field.components.max(1));
+        let stride = rows.len().div_ceil(SAMPLES).max(1);
+        let norm = |row: &[f64]| row.iter().map(|v| v * v).sum::<f64>().sqrt();
+        let rows = rows.zip(near).step_by(stride).filter(|(_, near)| **near);
+        own.samples.extend(rows.map(|(row, _)| norm(row)));
+    }
+
+    /// Rank of a sphere.
+    pub(super) fn rank(&self, id: i64) -> Option<usize> {
+        self.slots.binary_search_by_key(&id, |slot| slot.id).ok()
+    }
+
+    /// Normal force \[N\] below which nearly all contacts lie.
+    pub(super) fn top_force(&self) -> f64 {
+        quantile(&self.forces, TOP)
+    }
+
+    /// Smallest radius \[m\]; `None` without spheres.
+    pub(super) fn smallest_radius(&self) -> Option<f64> {
+        self.slots.iter().map(|slot| slot.radius).reduce(f64::min)
+    }
+}
