@@ -56,11 +56,12 @@ def turn(fmu, stop=4.0, h=1e-3):
 
 
 def balance(table):
-    """What is missing in the drum's angular momentum, over the impulse of the motor."""
+    """What is missing at most in the drum's angular momentum [N.m.s], and what acts at most in half a step [N.m.s]."""
     h = np.diff(table["time"])
-    speed = table[DRUM + "angularVelocity[2]"]
-    given = np.cumsum(h * (table["motor"] + table[DRUM + "averageTorque[2]"])[1:])
-    return np.abs(INERTIA * (speed[1:] - speed[0]) - given).max() / np.sum(h * np.abs(table["motor"][1:]))
+    speed, motor, grains = (table[name] for name in (DRUM + "angularVelocity[2]", "motor", DRUM + "averageTorque[2]"))
+    missing = INERTIA * (speed[1:] - speed[0]) - np.cumsum(h * (motor + grains)[1:])
+    half = 0.5 * h * (np.abs(motor) + np.abs(grains))[1:]
+    return np.abs(missing).max(), half.max()
 
 
 def steady(table, since=2.0):
@@ -104,7 +105,8 @@ def main():
     speed, motor, grains = steady(table)
     print(f"steady: {speed:.4f} rad/s, motor {motor:.5f} N.m, grains {grains:.5f} N.m")
     print(f"the motor's curve at that speed: {STALL * (1 - speed / IDLE):.5f} N.m")
-    print(f"angular momentum that is missing: {balance(table):.1e} of what the motor gave")
+    missing, half = balance(table)
+    print(f"angular momentum: {missing:.1e} N.m.s are missing at most; in half a step act up to {half:.1e} N.m.s")
 
 
 if __name__ == "__main__":
