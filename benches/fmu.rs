@@ -30,7 +30,8 @@ fn main() {
     let variables = description.model_variables.iter();
     let outputs: Vec<u32> = variables
         .filter(|v| {
-            v.causality == Causality::Output && matches!(v.variable_type, VariableType::Real(_))
+            matches!(v.causality, Causality::Output | Causality::Local)
+                && matches!(v.variable_type, VariableType::Real(_))
         })
         .map(|v| v.value_reference)
         .collect();

@@ -6,6 +6,9 @@ use clap::Args;
 use miette::miette;
 use sphere_dda::scene::Scene;
 use sphere_dda::scene_file::{Loaded, Summary};
+use sphere_dda_fmu::table::Table;
+use sphere_dda_fmu::version::Version;
+use sphere_dda_model_description::fmi2::Causality;
 use sphere_dda_picture::portrait::portrait;
 
 use crate::arguments::free;
@@ -43,8 +46,24 @@ pub(crate) fn run(arguments: &Check) -> Result<(), Failure> {
     let loaded = Scene::from_file(&arguments.scene)?;
     warn(&loaded);
     let scene = &loaded.scene;
+    let table = Table::new(scene).map_err(Failure::input)?;
+    let entries = table.entries(Version::Two);
+    let of = |causality| {
+        entries
+            .iter()
+            .filter(|entry| entry.variable.causality == causality)
+            .count()
+    };
     print(|out| {
         writeln!(out, "{}", Summary::of(scene))?;
+        writeln!(
+            out,
+            "  as FMI 2.0        {} inputs, {} outputs, {} parameters, {} local variables",
+            of(Causality::Input),
+            of(Causality::Output),
+            of(Causality::Parameter),
+            of(Causality::Local)
+        )?;
         writeln!(out, "  hash              {}", scene.hash)
     })?;
     match &arguments.picture {

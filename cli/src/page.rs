@@ -101,9 +101,9 @@ pub(crate) fn kind(input: &Path) -> Result<Input, Failure> {
 /// The scene as it starts, with the names of boundaries, inputs and sensors.
 ///
 /// # Errors
-/// A start that the solver refuses, a table that cannot be read.
+/// A start that the solver refuses, a table that cannot be read, outputs that there are not.
 pub(crate) fn of_scene(scene: Scene, tables: &[PathBuf]) -> Result<(Recording, Options), Failure> {
-    let table = Variables::new(&scene);
+    let table = Variables::new(&scene).map_err(Failure::input)?;
     let inputs = table
         .variables()
         .iter()

@@ -10,7 +10,7 @@ use sphere_dda::scene_file::{Attachment, SceneError};
 use sphere_dda_fmi_interface::guid::guid;
 use thiserror::Error;
 
-use crate::table::Table;
+use crate::table::{Table, UnknownOutputs};
 use crate::version::VERSION;
 
 /// Name of the scene file inside `resources/` of an FMU.
@@ -62,7 +62,7 @@ impl Model {
         if let Some(start) = &start {
             loaded.scene.start_from(start)?;
         }
-        let table = Table::new(&loaded.scene);
+        let table = Table::new(&loaded.scene)?;
         // One for both versions, so that a saved state of one is a state of the other. States hold settings: where these have
         // another field, the model is another.
         let layout = postcard::to_stdvec(&(&table, Settings::default()))?;
@@ -102,6 +102,9 @@ pub enum ModelError {
         /// The reason.
         source: io::Error,
     },
+    /// The scene names outputs that there are not.
+    #[error(transparent)]
+    Outputs(#[from] UnknownOutputs),
     /// The variables cannot be hashed.
     #[error("variables: {0}; this is a fault of sphere-dda")]
     Variables(#[from] postcard::Error),

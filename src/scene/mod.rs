@@ -277,6 +277,18 @@ pub struct Probe {
     pub name: String,
     /// Sphere index.
     pub sphere: usize,
+    /// Whether the scene asks for it; the first, the middle and the last sphere are probed where it asks for none.
+    pub asked: bool,
+}
+
+/// `[fmu]`: what importers see of the scene.
+#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct Exposed {
+    /// Names of the variables that are outputs, `*` for any text and `?` for one letter; all others that are measured are `local`:
+    /// recorded on demand, not to be connected. `["*"]` makes all of them outputs.
+    #[schemars(extend("x-default" = "what the scene asks for, see [outputs](fmu.md#outputs)"))]
+    pub outputs: Option<Vec<String>>,
 }
 
 /// `[output]`: result files.
@@ -362,6 +374,8 @@ pub struct Scene {
     pub probes: Vec<Probe>,
     /// Result files.
     pub output: Output,
+    /// What importers of its FMU see.
+    pub exposed: Exposed,
 }
 
 impl Scene {

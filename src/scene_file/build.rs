@@ -138,6 +138,7 @@ fn build(document: &mut Document<'_>, file: &SceneFile) -> Option<Scene> {
         sensors: sensors(document, &boundary_names, &file.sensors),
         probes: probes(document, &context, &file.probes, particles.len()),
         output: output(document, file.output),
+        exposed: file.fmu.clone(),
         settings: settings?,
         materials,
         pairs,
@@ -371,6 +372,7 @@ fn probes(
             .map(|(name, sphere)| Probe {
                 name: name.to_owned(),
                 sphere,
+                asked: false,
             })
             .collect();
     }
@@ -379,6 +381,7 @@ fn probes(
         Some(Probe {
             name: value.name.clone(),
             sphere: context.sphere(document, &format!("{}.sphere", element.path), &value.sphere)?,
+            asked: true,
         })
     });
     probes.collect()

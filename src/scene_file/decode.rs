@@ -68,6 +68,7 @@ pub(super) struct SceneFile {
     pub(super) sensors: Vec<Entry<file::Sensor>>,
     pub(super) probes: Vec<Entry<file::Probe>>,
     pub(super) output: file::Output,
+    pub(super) fmu: file::Exposed,
 }
 
 impl SceneFile {
@@ -92,6 +93,7 @@ impl SceneFile {
             sensors: list(document, &root, "sensor"),
             probes: list(document, &root, "probe"),
             output: optional(document, &root, "output").unwrap_or_default(),
+            fmu: optional(document, &root, "fmu").unwrap_or_default(),
         }
     }
 }

@@ -26,9 +26,11 @@ fn inputs(scene: &Scene) -> Vec<(u32, String)> {
     })
 }
 
-/// All outputs are numbers.
+/// All that is measured are numbers.
 fn assert_finite(scene: &Scene, instance: &Instance, what: &str) {
-    for (reference, name) in reals(scene, |causality, _| causality == Causality::Output) {
+    for (reference, name) in reals(scene, |causality, _| {
+        matches!(causality, Causality::Output | Causality::Local)
+    }) {
         let value = instance.real(reference);
         assert!(value.is_finite(), "{what}: {name} = {value}");
     }

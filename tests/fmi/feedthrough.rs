@@ -42,7 +42,8 @@ fn a_set_without_a_step_changes_no_output() {
     let outputs: Vec<u32> = entries
         .iter()
         .filter(|e| {
-            e.variable.causality == Causality::Output && e.variable.scalar == ScalarType::Float64
+            matches!(e.variable.causality, Causality::Output | Causality::Local)
+                && e.variable.scalar == ScalarType::Float64
         })
         .map(|e| e.reference)
         .collect();

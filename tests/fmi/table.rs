@@ -1,11 +1,13 @@
 //! One table behind both versions: what FMI 2.0 has is the elements of what FMI 3.0 has.
 
+use sphere_dda_fmu::model::Model;
 use sphere_dda_fmu::table::{Binding, Parameters, Table, Variable};
 use sphere_dda_fmu::version::Version;
+use sphere_dda_model_description::fmi2::Causality;
 use sphere_dda_model_description::names::is_c_identifier;
 use sphere_dda_model_description::value::Value;
 
-use crate::box_scene;
+use crate::{BOX, box_scene};
 
 fn row<'t>(table: &'t Table, name: &str) -> &'t Variable {
     let found = table.variables().iter().find(|v| v.name == name);
@@ -101,4 +103,75 @@ fn a_parameter_reads_back_what_was_set_and_leaves_the_others() {
             assert_eq!(set.get(other, j), expected, "{}[{k}]", variable.name);
         }
     }
+}
+
+/// Outputs of the scene with `more` at its end, whole vectors.
+fn outputs(more: &str) -> Result<Vec<String>, String> {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("scene.toml");
+    std::fs::write(&path, format!("{BOX}{more}")).unwrap();
+    let model = Model::read(&path, None).map_err(|error| error.to_string())?;
+    let rows = model.table.variables().iter();
+    let outputs = rows.filter(|row| row.causality == Causality::Output);
+    Ok(outputs.map(|row| row.name.clone()).collect())
+}
+
+#[test]
+fn what_a_scene_asks_for_is_an_output() {
+    let fixed = "[[boundary]]\nname = 'bin'\nmaterial = 'stone'\n\
+                 faces = [{ plane = { point = [0.3, 0.0, 0.0], normal = [-1.0, 0.0, 0.0] } }]\n";
+    let of = |owner: &str, fields: &[&str]| -> Vec<String> {
+        fields
+            .iter()
+            .map(|field| format!("{owner}.{field}"))
+            .collect()
+    };
+    let moving = ["averageForce", "averageTorque", "position", "orientation"];
+    let inside = [
+        "mass",
+        "count",
+        "solidFraction",
+        "centreOfMass",
+        "coordinationNumber",
+        "stress",
+    ];
+    let expected = [
+        of("boundary.floor", &moving),
+        of("boundary.wall", &moving),
+        of("sensor.fall", &["mass", "rate"]),
+        of("sensor.low", &inside),
+        of("sensor.low", &["maxNormalForce", "meanNormalForce"]),
+        vec![
+            "maxOverlap".to_owned(),
+            "solver.unconvergedSteps".to_owned(),
+        ],
+    ];
+    assert_eq!(outputs(fixed).unwrap(), expected.concat());
+    // Of a belt, and of a sphere that the scene names, too.
+    let belt = format!("{fixed}surface_velocity = [0.0, 1.0, 0.0]\n");
+    let probe = "[[probe]]\nname = 'one'\nsphere = 'balls[1]'\n";
+    let more = outputs(&format!("{belt}{probe}")).unwrap();
+    assert!(more.contains(&"boundary.bin.averageForce".to_owned()));
+    assert!(more.contains(&"probe.one.velocity".to_owned()));
+}
+
+#[test]
+fn a_scene_names_its_outputs_with_wildcards() {
+    let named = outputs("[fmu]\noutputs = ['boundary.*.force', 'momentum[3]', 'spheres.positio?']");
+    let expected = [
+        "boundary.floor.force",
+        "boundary.wall.force",
+        "momentum",
+        "spheres.position",
+    ];
+    assert_eq!(named.unwrap(), expected);
+    let all = outputs("[fmu]\noutputs = ['*']").unwrap();
+    assert!(all.contains(&"solver.sweeps".to_owned()) && !all.contains(&"gravity".to_owned()));
+    let refused = outputs("[fmu]\noutputs = ['boundary.flor.force', 'mass', 'maxOverlp']");
+    assert_eq!(
+        refused.unwrap_err(),
+        "`[fmu] outputs`: found `boundary.flor.force`, expected the name of a measured variable; did you mean \
+         `boundary.floor.force`? `*` stands for any text; `[fmu] outputs`: found `maxOverlp`, expected the name of a \
+         measured variable; did you mean `maxOverlap`? `*` stands for any text"
+    );
 }

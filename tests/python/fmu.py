@@ -64,6 +64,7 @@ class Slave:
         finally:
             self.fmi.freeFMUstate(state)
 
-    def names(self, causality):
-        """Names of the real variables of a causality."""
-        return [v.name for v in self.description.modelVariables if v.causality == causality and v.type == "Real"]
+    def measured(self):
+        """Names of the real variables that are measured, outputs or not."""
+        kinds = ("output", "local")
+        return [v.name for v in self.description.modelVariables if v.causality in kinds and v.type == "Real"]

@@ -93,7 +93,7 @@ def load(time):
 
 def advance(slave, start, end):
     """Steps with a growing load; all real outputs after each step, as bytes."""
-    outputs = slave.names("output")
+    outputs = slave.measured()
     seen = []
     for k in range(start, end):
         slave.set("boundary.piston.appliedForce", load(k * STEP))

@@ -104,7 +104,7 @@ def test_both_versions_give_the_same_bytes_and_share_states(units, fmus):
                 unit.step(k * H, H)
         blob = two.save()
         assert blob == three.save()
-        scalars = [n for n in two.names("output")]
+        scalars = [n for n in two.measured()]
         for name in scalars:
             stem, _, index = name.partition("[")
             value = three.get(stem)

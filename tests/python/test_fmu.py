@@ -24,7 +24,7 @@ def displacement(time):
 
 def advance(slave, start, end):
     """Drives the feeder from communication step `start` to `end`; all real outputs after each step, as bytes."""
-    outputs = slave.names("output")
+    outputs = slave.measured()
     seen = []
     for k in range(start, end):
         slave.set(INPUT, displacement((k + 1) * STEP))
@@ -83,7 +83,7 @@ def test_averaged_wrench_and_weight_are_the_change_of_momentum(fmus, name):
     with Slave(fmus[name]) as slave:
         h = float(slave.description.defaultExperiment.stepSize)
         marker = ".averageForce[1]"
-        boundaries = [n.removesuffix(marker) for n in slave.names("output") if n.endswith(marker)]
+        boundaries = [n.removesuffix(marker) for n in slave.measured() if n.endswith(marker)]
         assert boundaries
         gravity = np.array([0.0, 0.0, -9.81])
         weight = slave.get("mass")[0] * gravity

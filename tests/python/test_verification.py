@@ -29,7 +29,7 @@ class Run:
     def __init__(self, slave, h, gravity=G):
         self.slave, self.h, self.k = slave, h, 0
         marker = ".averageForce[1]"
-        self.boundaries = [n.removesuffix(marker) for n in slave.names("output") if n.endswith(marker)]
+        self.boundaries = [n.removesuffix(marker) for n in slave.measured() if n.endswith(marker)]
         self.weight = slave.get("mass")[0] * np.array([0.0, 0.0, -gravity])
         self.momentum = np.array(slave.vector("momentum"))
 

@@ -114,6 +114,7 @@ pub(crate) fn scene(n: usize) -> Scene {
             float64: false,
             checkpoint_interval: 0.0,
         },
+        exposed: Default::default(),
     }
 }
 

@@ -83,6 +83,7 @@ impl Case {
                     float64: true,
                     checkpoint_interval: 0.0,
                 },
+                exposed: Default::default(),
             },
         }
     }

@@ -18,6 +18,18 @@ pub(super) fn choices(
         .collect()
 }
 
+/// The unit in which people read values of `unit`.
+pub(super) fn display_unit(unit: &str) -> Option<&'static str> {
+    match unit {
+        "m" => Some("mm"),
+        "rad" => Some("deg"),
+        "rad/s" => Some("rpm"),
+        "kg/s" => Some("t/h"),
+        "Pa" => Some("kPa"),
+        _ => None,
+    }
+}
+
 /// Every unit of the table, with SI exponents and display units.
 pub(super) fn units() -> Vec<Unit> {
     const ONE: BaseUnit = BaseUnit::DIMENSIONLESS;

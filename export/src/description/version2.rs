@@ -12,7 +12,7 @@ use sphere_dda_model_description::value::{ScalarType, Value};
 use sphere_dda_fmu::table::{Entry, Enumeration, Table};
 use sphere_dda_fmu::version::{VERSION, Version};
 
-use super::definitions::{DESCRIPTION, choices, units};
+use super::definitions::{DESCRIPTION, choices, display_unit, units};
 
 /// The model description of a scene with its `guid`: the same scene, identifier and version give the same bytes.
 ///
@@ -104,10 +104,7 @@ fn variable_type(entry: &Entry) -> VariableType {
         }),
         _ => VariableType::Real(RealVariable {
             unit: variable.unit.map(str::to_owned),
-            display_unit: match variable.unit {
-                Some("rad") => Some("deg".to_owned()),
-                _ => None,
-            },
+            display_unit: variable.unit.and_then(display_unit).map(str::to_owned),
             min: variable.min,
             max: variable.max,
             start: match start {

@@ -12,7 +12,7 @@ use sphere_dda_fmu::runtime::document::{self, MEDIA_TYPE};
 use sphere_dda_fmu::table::{Binding, Entry, Enumeration, Table};
 use sphere_dda_fmu::version::{VERSION, Version};
 
-use super::definitions::{DESCRIPTION, choices, units};
+use super::definitions::{DESCRIPTION, choices, display_unit, units};
 
 /// The description with the instantiation token `guid`: the same scene, identifier and version give the same bytes.
 #[must_use]
@@ -92,7 +92,7 @@ fn variable(entry: &Entry, spheres: usize) -> Variable {
     variable.intermediate_update = own.is_intermediate();
     variable.unit = own.unit.map(str::to_owned);
     variable.declared_type = own.choices.map(|choices| choices.name.to_owned());
-    variable.display_unit = (own.unit == Some("rad")).then(|| "deg".to_owned());
+    variable.display_unit = own.unit.and_then(display_unit).map(str::to_owned);
     let bound = |value: Option<f64>| {
         value.map(|value| match own.scalar {
             ScalarType::Float64 => format!("{value:?}"),

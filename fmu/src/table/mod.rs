@@ -2,14 +2,14 @@
 //!
 //! One table is built from a [scene](sphere_dda::scene::Scene). FMI 3.0 has its rows as they are; FMI 2.0 has the elements of
 //! each vector as scalars `x[1]`, `x[2]` ..., and nothing of boundaries and spheres as a whole. The XML of the model
-//! descriptions and the dispatch of every get and set come from it, so they cannot disagree. Its outputs are the solver's own
-//! list of what is measured, [`sphere_dda::observe::quantities`]. Names of the scene are identifiers, so they need no quotes.
+//! descriptions and the dispatch of every get and set come from it, so they cannot disagree. Its outputs and
+//! local variables are the solver's own list of what is measured, [`sphere_dda::observe::quantities`]. Names of the scene are identifiers, so they need no quotes.
 //! The value reference is the rank in the list of the version, from 0.
 //!
 //! | name               | shape             | is                                                              |
 //! |--------------------|-------------------|-----------------------------------------------------------------|
-//! | `x`                | `[k]` or none     | time, a parameter, an input or an output                        |
-//! | `boundaries.x`     | `[B, k]` or `[B]` | the outputs `boundary.NAME.x` of all boundaries, in their order |
+//! | `x`                | `[k]` or none     | time, a parameter, an input, measured                           |
+//! | `boundaries.x`     | `[B, k]` or `[B]` | `boundary.NAME.x` of all boundaries, in their order             |
 //! | `spheres.*`        | `[N, k]` or `[N]` | all spheres: [`Field`]                                          |
 //! | `spheres.document` | none              | all spheres as one binary: [`crate::runtime::document`]         |
 //!
@@ -26,6 +26,7 @@
 mod binding;
 mod enumeration;
 mod inputs;
+mod outputs;
 mod parameters;
 mod spheres;
 mod variable;
@@ -42,6 +43,7 @@ use crate::version::Version;
 
 pub use binding::{Binding, Field, Input};
 pub use enumeration::{Enumeration, solver_value};
+pub use outputs::UnknownOutputs;
 pub use parameters::{PARAMETERS, Parameter, Parameters};
 pub use variable::{Entry, Variable};
 
@@ -57,9 +59,11 @@ pub struct Table {
 
 impl Table {
     /// Builds the table: time, parameters, inputs of driven boundaries, everything that is measured; then the arrays over all
-    /// boundaries and spheres.
-    #[must_use]
-    pub fn new(scene: &Scene) -> Self {
+    /// boundaries and spheres. What is measured is an output if the scene asks for it, or `local`.
+    ///
+    /// # Errors
+    /// Patterns of `[fmu] outputs` that name nothing.
+    pub fn new(scene: &Scene) -> Result<Self, UnknownOutputs> {
         let (real, time) = (ScalarType::Float64, Causality::Independent);
         let mut variables = vec![Variable {
             unit: Some("s"),
@@ -71,7 +75,7 @@ impl Table {
         }
         let mut measured = 0;
         for quantity in quantities(scene) {
-            variables.push(output(measured, &quantity));
+            variables.push(measure(measured, &quantity));
             measured += quantity.count();
         }
         let scalars = (0..).zip(&variables).flat_map(|(row, variable)| {
@@ -81,11 +85,14 @@ impl Table {
         let scalars = scalars.collect();
         variables.extend(over_boundaries(&variables, scene.boundaries.len()));
         variables.extend(spheres::spheres(scene.particles.len()));
-        Self {
+        if let Some(patterns) = &scene.exposed.outputs {
+            outputs::choose(patterns, &mut variables)?;
+        }
+        Ok(Self {
             variables,
             measured,
             scalars,
-        }
+        })
     }
 
     /// All rows: the variables of FMI 3.0.
@@ -123,17 +130,21 @@ impl Table {
     }
 }
 
-fn output(rank: usize, quantity: &Quantity) -> Variable {
+fn measure(rank: usize, quantity: &Quantity) -> Variable {
     let scalar = match quantity.is_count {
         true => ScalarType::Int32,
         false => ScalarType::Float64,
     };
     let (name, text) = (&*quantity.name, quantity.description);
+    let causality = match quantity.is_asked {
+        true => Causality::Output,
+        false => Causality::Local,
+    };
     Variable {
         boundary: quantity.boundary.map(|b| (b, quantity.field)),
         unit: quantity.unit,
         min: quantity.is_count.then_some(0.0),
-        ..Variable::new(name, scalar, Causality::Output, Binding::Output(rank), text)
+        ..Variable::new(name, scalar, causality, Binding::Output(rank), text)
     }
     .vector(quantity.components)
 }
@@ -153,6 +164,7 @@ fn over_boundaries(variables: &[Variable], boundaries: usize) -> Vec<Variable> {
         let mut whole = Variable {
             name: format!("boundaries.{field}"),
             boundary: None,
+            causality: Causality::Local,
             binding: Binding::Boundaries(ranks.collect::<Option<_>>()?),
             ..variable.clone()
         };

@@ -34,7 +34,7 @@ pub(super) fn spheres(spheres: usize) -> Vec<Variable> {
     let variable = |(field, name, scalar, unit, text): Row| {
         let causality = match field {
             Field::Id | Field::Radius => Causality::CalculatedParameter,
-            _ => Causality::Output,
+            _ => Causality::Local,
         };
         let (name, binding) = (format!("spheres.{name}"), Binding::Spheres(field));
         Variable {
@@ -49,7 +49,7 @@ pub(super) fn spheres(spheres: usize) -> Vec<Variable> {
     let document = Variable::new(
         "spheres.document",
         ScalarType::Binary,
-        Causality::Output,
+        Causality::Local,
         Binding::Document,
         "All spheres in one binary",
     );

@@ -101,7 +101,10 @@ impl Variable {
     /// Whether it can be read and, if it is an input, set between two internal steps: `intermediateUpdate` of FMI 3.0.
     #[must_use]
     pub fn is_intermediate(&self) -> bool {
-        matches!(self.causality, Causality::Input | Causality::Output)
+        matches!(
+            self.causality,
+            Causality::Input | Causality::Output | Causality::Local
+        )
     }
 
     /// Place of an element in the list of what is measured.

@@ -40,6 +40,8 @@ pub struct Quantity {
     pub unit: Option<&'static str>,
     /// Whether it is a count, 0 or more.
     pub is_count: bool,
+    /// Whether the scene asks for it: an output of its FMU, unless `[fmu]` says otherwise.
+    pub is_asked: bool,
     /// One line for people.
     pub description: &'static str,
 }
@@ -61,6 +63,11 @@ impl Quantity {
     }
 }
 
+/// What is asked for of a boundary that moves, besides what its joint has: the wrench and the pose.
+const MOVING: [&str; 4] = ["averageForce", "averageTorque", "position", "orientation"];
+/// What is asked for of the whole: whether the steps are as good as they should be.
+const TRUST: [&str; 2] = ["maxOverlap", "solver.unconvergedSteps"];
+
 /// All quantities of a scene, in the order of [`values`].
 #[must_use]
 pub fn quantities(scene: &Scene) -> Vec<Quantity> {
@@ -71,12 +78,19 @@ pub fn quantities(scene: &Scene) -> Vec<Quantity> {
         for fields in of_boundary(&boundary.motion) {
             describe(&mut list, owner, fields);
         }
+        let moves = !matches!(boundary.motion, Motion::Fixed) || boundary.belt.is_some();
         for quantity in &mut list[first..] {
             quantity.boundary = Some(b);
+            let of_any = BODY.iter().any(|field| field.name == quantity.field);
+            quantity.is_asked = moves && (!of_any || MOVING.contains(&quantity.field));
         }
     }
     for probe in &scene.probes {
+        let first = list.len();
         describe(&mut list, ("probe", &probe.name), &PROBE);
+        list[first..]
+            .iter_mut()
+            .for_each(|quantity| quantity.is_asked = probe.asked);
     }
     for sensor in &scene.sensors {
         let owner = ("sensor", &*sensor.name);
@@ -92,7 +106,11 @@ pub fn quantities(scene: &Scene) -> Vec<Quantity> {
     for sink in &scene.sinks {
         describe(&mut list, ("sink", &sink.name), &SINK);
     }
+    let first = list.len();
     describe(&mut list, ("", ""), &WHOLE);
+    for quantity in &mut list[first..] {
+        quantity.is_asked = TRUST.contains(&quantity.field);
+    }
     list
 }
 
@@ -163,6 +181,7 @@ fn describe<T>(list: &mut Vec<Quantity>, (kind, owner): (&str, &str), fields: &[
         components: field.components(),
         unit: field.unit,
         is_count: field.is_count(),
+        is_asked: true,
         description: field.text,
     }));
 }

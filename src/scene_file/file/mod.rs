@@ -15,8 +15,8 @@ use serde::{Deserialize, Serialize};
 
 pub use super::values::{OneOrMany, Triple, Vector};
 use crate::integrator::Integrator;
-pub use crate::scene::Output;
 use crate::scene::{Accuracy, Method};
+pub use crate::scene::{Exposed, Output};
 use crate::solver::{Registers, SolverKind};
 pub use boundaries::{
     Boundary, Cone, Constant, Cuboid, Cylinder, Face, Input, Motion, Plane, Rectangle, Sinusoid,
@@ -95,6 +95,9 @@ pub struct TopLevel {
     /// Result files.
     #[serde(default)]
     pub output: Output,
+    /// The FMU's variables.
+    #[serde(default)]
+    pub fmu: Exposed,
 }
 
 /// `[simulation]`: the run and its numerics.

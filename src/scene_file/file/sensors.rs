@@ -33,7 +33,7 @@ pub enum MassFlow {
     Polygon(Vec<Vector>),
 }
 
-/// `[[probe]]`: a sphere whose state is an output. Default: the first, the middle and the last sphere.
+/// `[[probe]]`: a sphere whose state is an output. Without any the first, the middle and the last sphere are measured, and no outputs.
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Probe {
