@@ -146,13 +146,18 @@ fn the_table_is_the_description() {
     }
 }
 
-/// One list behind both: the outputs of the FMU are the columns of the history, in the same order.
+/// One list behind both: what the FMU measures are the columns of the history, in the same order.
 #[test]
 fn the_history_and_the_fmu_name_the_same_quantities() {
     let model = box_scene().model;
-    let outputs = model.table.entries(Version::Two).into_iter();
-    let outputs = outputs.filter(|entry| entry.variable.causality == Causality::Output);
-    let names: Vec<String> = outputs
+    let measured = model.table.entries(Version::Two).into_iter();
+    let measured = measured.filter(|entry| {
+        matches!(
+            entry.variable.causality,
+            Causality::Output | Causality::Local
+        )
+    });
+    let names: Vec<String> = measured
         .map(|entry| format!("{} [{}]", entry.name(), entry.variable.unit.unwrap_or("-")))
         .collect();
     assert_eq!(columns(&model.scene)[1..], names);
