@@ -1,7 +1,8 @@
 //! Terminals of a scene: one per boundary, with what belongs to its pose, twist, wrench and load.
 //!
-//! Members are the variables of either version, scalars or arrays, and keep their names without the boundary's, so that a driver that
-//! names its variables alike connects by member name. Inputs and outputs of a boundary have different ones.
+//! Members of two terminals of the same name match where an output of one is what an input of the other asks for, so that a
+//! body of one FMU and the boundary that follows it in another connect by member name: its pose goes one way, the average
+//! force of the spheres back as its load. All other members have the variables' names without the boundary's.
 
 use sphere_dda::scene::Scene;
 use sphere_dda_fmu::table::Entry;
@@ -9,34 +10,55 @@ use sphere_dda_model_description::terminals::{
     GraphicalRepresentation, Member, Terminal, TerminalsAndIcons,
 };
 
-/// Parts of a boundary's terminal: name, description, names of its variables without index.
-const PARTS: [(&str, &str, &[&str]); 4] = [
+/// Parts of a boundary's terminal: name, description, and its members with the names of the variables that may be each,
+/// without index; the first that the boundary has is the member.
+type Part = (
+    &'static str,
+    &'static str,
+    &'static [(&'static str, &'static [&'static str])],
+);
+
+const PARTS: [Part; 4] = [
     (
         "pose",
         "Where the boundary is, or shall be",
         &[
-            "translation",
-            "rotation",
-            "displacement",
-            "angle",
-            "position",
-            "orientation",
+            ("translation", &["translation"]),
+            ("rotation", &["rotation"]),
+            ("position", &["position"]),
+            ("orientation", &["orientation"]),
         ],
     ),
     (
         "twist",
         "How fast it moves, or shall move",
-        &["velocity", "angularVelocity", "speed", "angularSpeed"],
+        &[
+            ("velocity", &["velocity"]),
+            ("angularVelocity", &["angularVelocity"]),
+        ],
     ),
     (
         "wrench",
-        "Action of the spheres on it",
-        &["force", "torque", "averageForce", "averageTorque"],
+        "Load on the boundary: that of the spheres, or what a body takes from outside",
+        &[
+            ("force", &["appliedForce", "averageForce"]),
+            ("torque", &["appliedTorque", "averageTorque"]),
+        ],
     ),
     (
-        "load",
-        "What acts on it from outside",
-        &["appliedForce", "appliedTorque"],
+        "joint",
+        "The same along its slide or about its hinge",
+        &[
+            (
+                "position",
+                &["displacement", "angle", "jointTravel", "jointAngle"],
+            ),
+            ("speed", &["speed", "angularSpeed", "jointSpeed"]),
+            (
+                "effort",
+                &["appliedForce", "appliedTorque", "slideForce", "hingeTorque"],
+            ),
+        ],
     ),
 ];
 
@@ -55,26 +77,40 @@ pub(crate) fn terminals(scene: &Scene, variables: &[Entry], icon: bool) -> Termi
 }
 
 fn terminal(b: usize, boundary: &str, variables: &[Entry]) -> Terminal {
+    let own: Vec<(&Entry, &str, String)> = variables
+        .iter()
+        .filter_map(|entry| {
+            let ((owner, field), (_, name)) = (entry.variable.boundary?, entry.member()?);
+            (owner == b).then_some((entry, field, name))
+        })
+        .collect();
     let mut whole = Terminal::bus(boundary, format!("Boundary {boundary}"));
-    let mut parts = PARTS.map(|(name, text, _)| Terminal::bus(name, text));
-    for entry in variables {
-        let (Some((owner, field)), Some((_, name))) = (entry.variable.boundary, entry.member())
-        else {
-            continue;
-        };
-        if owner != b {
-            continue;
+    let mut taken = Vec::new();
+    for (part, text, members) in PARTS {
+        let mut part = Terminal::bus(part, text);
+        // Only what goes along a slide or about a hinge is a single number.
+        let fits = |entry: &Entry| entry.variable.components.is_empty() == (part.name == "joint");
+        for (member, fields) in members {
+            let has = |field: &&&str| own.iter().any(|(entry, of, _)| of == *field && fits(entry));
+            let Some(field) = fields.iter().find(has) else {
+                continue;
+            };
+            for (entry, _, name) in own.iter().filter(|(_, of, _)| of == field) {
+                part.members.push(Member::signal(
+                    entry.name(),
+                    name.replacen(field, member, 1),
+                ));
+            }
+            taken.push(*field);
         }
-        let part = PARTS
-            .iter()
-            .position(|(_, _, fields)| fields.contains(&field));
-        let members = match part {
-            Some(part) => &mut parts[part].members,
-            None => &mut whole.members,
-        };
-        members.push(Member::signal(entry.name(), name));
+        if !part.members.is_empty() {
+            whole.terminals.push(part);
+        }
     }
-    whole.terminals = parts.into();
-    whole.terminals.retain(|part| !part.members.is_empty());
+    let others = own
+        .into_iter()
+        .filter(|(_, field, _)| !taken.contains(field));
+    let signal = |(entry, _, name): (&Entry, &str, String)| Member::signal(entry.name(), name);
+    whole.members = others.map(signal).collect();
     whole
 }

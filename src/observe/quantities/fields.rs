@@ -103,7 +103,19 @@ pub(super) const BODY: [Field<Body>; 9] = [
 ];
 
 /// Of driven bodies, whose motion is a result.
-pub(super) const DRIVEN: [Field<Body>; 2] = [
+pub(super) const DRIVEN: [Field<Body>; 4] = [
+    vector(
+        "translation",
+        "m",
+        "Translation from the scene's placement",
+        |b| b.state.pose.translation,
+    ),
+    vector(
+        "rotation",
+        "rad",
+        "Rotation vector from the scene's placement, at most pi long",
+        |b| b.state.pose.rotation_vector(),
+    ),
     vector("velocity", "m/s", "Velocity of the reference point", |b| {
         b.state.twist.linear
     }),
