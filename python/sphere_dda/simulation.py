@@ -69,6 +69,11 @@ class Simulation:
         return self._time
 
     @property
+    def calls(self) -> dict[str, int]:
+        """Calls of FMI functions so far, by name: what a loop costs beside the steps themselves."""
+        return {name: count for name, count in self._instance.calls.items() if count}
+
+    @property
     def positions(self) -> np.ndarray:
         """Centres of all spheres [m], `[N, 3]`."""
         return self._whole("spheres.position")
