@@ -15,6 +15,7 @@ import numpy as np
 from .description import Variable
 from .errors import SimulationError, SimulationWarning
 
+ENDED = "the simulation has ended: it was closed, or its recording is complete; make a new one"
 _OK, _WARNING, _DISCARD = 0, 1, 2
 _Log = CFUNCTYPE(None, c_void_p, c_int, c_char_p, c_char_p)
 
@@ -94,7 +95,7 @@ class Instance:
     def call(self, name: str, *arguments: Any) -> None:
         """Calls `fmi3<name>`."""
         if not self._instance:
-            raise SimulationError("the simulation is closed; make a new one")
+            raise SimulationError(ENDED)
         self.calls[name] += 1
         status = self._library.calls[name](self._instance, *arguments)
         if status == _OK and not self._messages:
@@ -151,9 +152,9 @@ class Instance:
             value = variable.choices[value]
         try:
             array = np.asarray(value)
-            plain = np.ascontiguousarray(array, dtype=number).reshape(np.shape(value))
+            plain = np.array(array, dtype=number, order="C")
             # A count of 2.5 or a text is no value of this variable.
-            fits = array.dtype.kind in "biuf" and np.array_equal(plain, array, equal_nan=True)
+            fits = array.dtype.kind in "biuf" and (number is np.float64 or bool((plain == array).all()))
         except (TypeError, ValueError, OverflowError):
             fits = False
         if not fits or plain.shape != variable.shape:

@@ -15,7 +15,7 @@ import numpy as np
 from . import command
 from .description import Description, Variable
 from .errors import SimulationError
-from .fmi3 import Instance
+from .fmi3 import ENDED, Instance
 from .results import Run
 from .results import open as open_run
 from .scene import Scene
@@ -235,7 +235,7 @@ class Simulation:
     def _start(self) -> None:
         """Ends the initialization."""
         if self._stage == _ENDED:
-            raise SimulationError("the simulation has ended, as its recording has; make a new one")
+            raise SimulationError(ENDED)
         if self._stage == _INSTANTIATED:
             self._initialize()
         self._instance.call("ExitInitializationMode")

@@ -4,6 +4,7 @@ import json
 import multiprocessing
 import pickle
 import subprocess
+import sys
 import time
 import tomllib
 import warnings
@@ -30,7 +31,7 @@ SHAKEN = {
         {"name": "box", "material": "steel", "input": {"slide": [0.0, 0.0, 1.0]},
          "faces": [{"box": {"min": [-0.06, -0.06, 0.0], "max": [0.06, 0.06, 0.2]}}]},
     ],
-    "sensor": [{"name": "load", "wrench": {"boundary": "box"}}],
+    "sensor": [{"name": "load", "wrench": "box"}],
 }
 
 
@@ -74,9 +75,9 @@ def test_problems_of_a_scene_have_places(sphere_dda):
     assert scene.text.splitlines()[two.line - 1].startswith("frction")
     assert "did you mean `friction`" in two.help and "expected a time > 0 [s]" in one.message
     assert str(caught.value).startswith(f"wrong.toml:{one.line}: simulation.duration: found -1")
-    for call in (scene.view, sphere_dda.Simulation, lambda s: s.export("x.fmu"), lambda s: s.run("out")):
+    for call in (sphere_dda.Scene.view, sphere_dda.Simulation, lambda s: s.export("x.fmu"), lambda s: s.run("out")):
         with pytest.raises(sphere_dda.SceneError):
-            call(scene) if call is not scene.view else call()
+            call(scene)
     again = pickle.loads(pickle.dumps(caught.value))
     assert again.problems == caught.value.problems and str(again) == str(caught.value)
     with pytest.raises(sphere_dda.SceneError, match="cannot read"):
@@ -127,7 +128,7 @@ def test_arrays_have_their_shapes_and_follow_the_steps(sphere_dda, scene):
         assert sim.variables["boundary.box.displacement"].unit == "m" and "maxOverlap" in sim
         force = sim["boundaries.averageForce"]
         assert force.shape == (1, 3) and np.array_equal(force[0], sim["boundary.box.averageForce"])
-    assert fallen.shape == (60, 3) and "closed" in refusal(sphere_dda, lambda: sim.step(H))
+    assert fallen.shape == (60, 3) and "has ended: it was closed" in refusal(sphere_dda, lambda: sim.step(H))
 
 
 def refusal(sphere_dda, call):
@@ -165,7 +166,7 @@ def test_refusals_say_what_was_found(sphere_dda, scene):
         assert sim["solver.tolerance.gap"] == 1e-6
 
 
-def test_a_discarded_step_changes_nothing_and_a_warning_is_one(sphere_dda):
+def test_a_discarded_step_can_be_mended_and_a_warning_is_one(sphere_dda):
     # Two plates squeeze a sphere: there is no solution.
     plate = {"material": "steel", "input": {"slide": [0, 0, 1]}}
     squeezed = SHAKEN | {
@@ -178,6 +179,7 @@ def test_a_discarded_step_changes_nothing_and_a_warning_is_one(sphere_dda):
     }
 
     def press(sim):
+        sim.step(H)
         sim["boundary.press.displacement"] = -4e-3
         sim.step(H)
 
@@ -185,10 +187,12 @@ def test_a_discarded_step_changes_nothing_and_a_warning_is_one(sphere_dda):
         press(sim)
     strict = squeezed | {"simulation": SHAKEN["simulation"] | {"strict": True}}
     with sphere_dda.Simulation(strict) as sim:
-        before = sim.positions.copy()
-        with pytest.raises(sphere_dda.SimulationError, match="fmi3DoStep") as caught:
+        with pytest.raises(sphere_dda.SimulationError, match="fmi3DoStep.*squeezed between `floor` and `press`") as caught:
             press(sim)
-        assert caught.value.status == "discard" and sim.time == 0.0 and np.array_equal(sim.positions, before)
+        assert caught.value.status == "discard" and sim.time == H
+        sim["boundary.press.displacement"] = 0.0
+        sim.step(0.5 * H)
+        assert sim.time == 1.5 * H and np.allclose(sim.positions, [[0, 0, 0.01]], atol=1e-6)
 
 
 def test_save_and_restore_are_bitwise(sphere_dda, scene):
@@ -225,10 +229,10 @@ def test_a_recording_is_the_run_of_the_command(sphere_dda, scene, tmp_path):
     for name in ("history.csv", *files):
         assert digest(run.folder / name) == digest(recorded.folder / name), name
     assert json.loads((recorded.folder / "run.json").read_text())["settings"] == run.about["settings"]
-    with pytest.raises(sphere_dda.CommandError, match="overwrite") as caught:
+    with pytest.raises(sphere_dda.CommandError, match="already holds a run") as caught:
         scene.run(tmp_path / "command")
     assert caught.value.code == 2
-    with sphere_dda.Simulation(scene) as sim, pytest.raises(sphere_dda.SimulationError, match="overwrite"):
+    with sphere_dda.Simulation(scene) as sim, pytest.raises(sphere_dda.SimulationError, match="already holds a run"):
         with sim.record(tmp_path / "command"):
             pass
     assert digest(run.folder / "history.csv") == digest(recorded.folder / "history.csv")
@@ -303,8 +307,11 @@ def test_processes_share_a_scene(scene):
     assert set(results) == {study(scene)}
 
 
-def test_a_step_is_one_call_and_costs_what_the_library_does(sphere_dda):
-    """Not the time of a step, but the share of it that is spent outside of the library: 5 % at most at 1000 spheres."""
+def test_a_step_costs_what_the_library_does(sphere_dda):
+    """What is spent outside of a step's one call: calls are counted, and its time is 5 % at most at 1000 spheres.
+
+    The least of 200 steps is compared: on a busy machine what runs after a step is slower by what others have in the caches.
+    """
     lattice = {"origin": [-0.11, -0.11, 0.02], "count": [10, 10, 10], "spacing": 0.0244, "jitter": 0.05}
     box = [{"box": {"min": [-0.13, -0.13, 0.0], "max": [0.13, 0.13, 0.4]}}]
     bed = SHAKEN | {
@@ -313,7 +320,7 @@ def test_a_step_is_one_call_and_costs_what_the_library_does(sphere_dda):
     }
     with sphere_dda.Simulation(bed) as sim:
         drive(sim, 100)
-        before, inside = sim.calls, []
+        before, inside, whole, counted = sim.calls, [], [], []
         functions = sim._instance._library.calls
         step = functions["DoStep"]
 
@@ -325,14 +332,23 @@ def test_a_step_is_one_call_and_costs_what_the_library_does(sphere_dda):
 
         functions["DoStep"] = timed
         try:
-            start = time.thread_time()
-            drive(sim, 100, lambda sim: (sim.positions, sim.velocities))
-            whole = time.thread_time() - start
+            for _ in range(200):
+                start = time.thread_time()
+                drive(sim, 1)
+                whole.append(time.thread_time() - start)
         finally:
             functions["DoStep"] = step
         made = {name: count - before.get(name, 0) for name, count in sim.calls.items() if count != before.get(name, 0)}
-    assert made == {"DoStep": 100, "SetFloat64": 100, "GetFloat64": 200}
-    assert len(inside) == 100 and whole <= 1.05 * sum(inside), f"{whole / sum(inside):.3f}"
+        sys.setprofile(lambda _, event, __: counted.append(event))
+        try:
+            drive(sim, 1, lambda sim: (sim.positions, sim.velocities))
+        finally:
+            sys.setprofile(None)
+        assert sim.calls["GetFloat64"] - before.get("GetFloat64", 0) == 2
+    assert made == {"DoStep": 200, "SetFloat64": 200}
+    assert counted.count("call") + counted.count("c_call") < 60, "calls of Python functions, arrays read"
+    share = np.min(np.subtract(whole, inside)) / np.min(inside)
+    assert len(inside) == 200 and share <= 0.05, f"{share:.3f}"
 
 
 def test_the_program_is_the_package(sphere_dda, wheel):

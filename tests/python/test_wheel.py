@@ -6,6 +6,7 @@ import subprocess
 import time
 import zipfile
 
+import fmpy
 import pytest
 from conftest import ROOT
 from test_readme import blocks
@@ -35,7 +36,7 @@ def test_the_readmes_five_lines(machine, tmp_path):
     assert time.monotonic() - start < 60.0
     assert (tmp_path / "results" / "view.html").stat().st_size > 1e5
     assert (tmp_path / "scene.fmu").is_file()
-    assert float(told.split()[-1]) > 0.0, "nothing flows out"
+    assert float(told.split()[-2]) > 0.0, "nothing flows out"
 
 
 def test_the_pages_example(machine, tmp_path):
@@ -83,11 +84,11 @@ def test_the_released_folder_alone_is_enough(released, tmp_path):
     copy = tmp_path / "release"
     shutil.copytree(released, copy)
     machine = Machine(tmp_path / "machine")
-    machine.install("numpy", "fmpy")
+    machine.install("numpy")
     machine.install("--no-index", "--find-links", copy, "sphere-dda")
-    fmu = copy / "fmus" / "feeder-fmi3.fmu"
-    told = machine.run("python", "-c", f"import fmpy; print(fmpy.simulate_fmu({str(fmu)!r}, stop_time=0.02)[-1][0])")
-    assert float(told) == pytest.approx(0.02)
+    machine.run("python", "-c", "import sphere_dda")
+    for fmu in (copy / "fmus").iterdir():
+        assert fmpy.simulate_fmu(str(fmu), stop_time=0.01)[-1][0] == pytest.approx(0.01), fmu.name
     (archive,) = copy.glob("*.tar.gz")
     shutil.unpack_archive(archive, tmp_path / "command", filter="data")
     (program,) = (tmp_path / "command").glob("*/sphere-dda")
