@@ -78,15 +78,17 @@ class Description:
         step, stop = (float("nan") if experiment is None else float(experiment.get(k, "nan")) for k in ("stepSize", "stopTime"))
         return cls(root.get("instantiationToken", ""), step, stop, variables)
 
-    def find(self, name: str) -> Variable:
-        """A variable by name.
+    def find(self, name: str, causality: str | None = None) -> Variable:
+        """A variable by name, of this causality if one is given.
 
         Raises:
             SimulationError: with names that are alike.
         """
         found = self.variables.get(name)
-        if found is None:
-            alike = difflib.get_close_matches(name, self.variables, 3, 0.5)
-            hint = f"did you mean {' or '.join(f'`{one}`' for one in alike)}?" if alike else "see `variables` for all names"
-            raise SimulationError(f"found no variable `{name}`; {hint}")
-        return found
+        if found is not None and causality in (None, found.causality):
+            return found
+        names = [one.name for one in self.variables.values() if causality in (None, one.causality)]
+        alike = difflib.get_close_matches(name, names, 3, 0.5)
+        others = f"there are {', '.join(names)}" if causality else "see `variables` for all names"
+        hint = f"did you mean {' or '.join(f'`{one}`' for one in alike)}?" if alike else others
+        raise SimulationError(f"found no {causality or 'variable'} `{name}`; {hint}")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import sys
 import threading
 import warnings
 from ctypes import CDLL, CFUNCTYPE, POINTER, byref, c_bool, c_char_p, c_double, c_int, c_size_t, c_ubyte, c_uint32, c_void_p
@@ -81,8 +82,9 @@ class Instance:
         self._messages: list[str] = []
         #: Calls so far, by name.
         self.calls = dict.fromkeys(_ARGUMENTS, 0)
+        messages = self._messages
         # ctypes does not keep the callback alive.
-        self._log = _Log(lambda _, __, ___, text: self._messages.append(text.decode(errors="replace")))
+        self._log = _Log(lambda _, __, ___, text: messages.append(text.decode(errors="replace")))
         folder = os.path.join(os.fspath(resources), "")
         self._instance = self._library.instantiate(
             name.encode(), token.encode(), os.fsencode(folder), False, False, False, False, None, 0, None, self._log, None
@@ -103,7 +105,7 @@ class Instance:
         text = self._told() or f"fmi3{name} failed"
         if status > _WARNING:
             raise SimulationError(text, "discard" if status == _DISCARD else "error")
-        warnings.warn(text, SimulationWarning, stacklevel=4)
+        _warn(text)
 
     def _told(self) -> str:
         text = "\n".join(self._messages)
@@ -183,3 +185,11 @@ class Instance:
             self.call("SetFMUState", state)
         finally:
             self.call("FreeFMUState", byref(state))
+
+
+def _warn(text: str) -> None:
+    """Warns at the line that called the package."""
+    level, frame = 1, sys._getframe()
+    while frame.f_back and frame.f_globals.get("__package__") == __package__:
+        level, frame = level + 1, frame.f_back
+    warnings.warn(text, SimulationWarning, stacklevel=level)

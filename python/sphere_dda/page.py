@@ -13,19 +13,23 @@ from . import command
 class Page:
     """An HTML page of a scene or a run. The last line of a notebook cell shows it."""
 
-    def __init__(self, path: Path, height: int = 600):
+    def __init__(self, path: Path, height: int = 600, keep: object = None):
         #: The file.
         self.path = path
         #: Height of the frame in a notebook [px].
         self.height = height
+        # A page in a temporary folder lives as long as that.
+        self._keep = keep
 
     @classmethod
-    def of(cls, source: str | os.PathLike[str], output: str | os.PathLike[str], **options: object) -> Page:
+    def of(
+        cls, source: str | os.PathLike[str], output: str | os.PathLike[str], keep: object = None, **options: object
+    ) -> Page:
         """Has the command write the page of a scene or a result folder; `max_size="10MB"` is its `--max-size`."""
         path = Path(output).absolute()
         flags = [text for key, value in options.items() for text in (f"--{key.replace('_', '-')}", str(value))]
         command.run("view", source, "-o", path, "--overwrite", *flags)
-        return cls(path)
+        return cls(path, keep=keep)
 
     def open(self) -> None:
         """Starts the browser."""

@@ -21,7 +21,7 @@ from .page import Page
 _FILES = ("file", "csv", "vtu", "checkpoint")
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Check:
     """What `Scene.check` found."""
 
@@ -32,6 +32,8 @@ class Check:
 
     def __str__(self) -> str:
         return "\n".join([*(f"{warning.severity}: {warning}" for warning in self.warnings), self.summary])
+
+    __repr__ = __str__
 
 
 class Scene:
@@ -100,7 +102,7 @@ class Scene:
         """
         output = output or Path(self._own_folder(), f"{self.path.stem}.html")
         with _named(self):
-            return Page.of(self.path, output, **options)
+            return Page.of(self.path, output, keep=self._scratch, **options)
 
     def run(self, output: str | os.PathLike[str], *, overwrite: bool = False, **options: object):
         """Runs the scene by the command, to the end of its duration or to `stop=` [s], and returns the `Run`.

@@ -51,8 +51,7 @@ class Simulation:
         self._stage, self._time, self._arrays = _INSTANTIATED, 0.0, {}
         try:
             for name, value in parameters.items():
-                if self._description.find(_split(name)[0]).causality != "parameter":
-                    raise SimulationError(f"`{name}` is no parameter: set it as `sim[{name!r}] = ...`")
+                self._description.find(_split(name)[0], "parameter")
                 self[name] = value
         except BaseException:
             self.close()
