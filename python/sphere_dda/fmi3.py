@@ -26,11 +26,11 @@ _NUMBERS = {
     "Enumeration": ("Int64", np.int64), "Boolean": ("Boolean", np.bool_),
 }
 
-_ARGUMENTS = {
+_ARGUMENTS: dict[str, list[Any]] = {
     "EnterInitializationMode": [c_bool, c_double, c_double, c_bool, c_double],
     "ExitInitializationMode": [],
     "Terminate": [],
-    "DoStep": [c_double, c_double, c_bool, *[POINTER(c_bool)] * 3, POINTER(c_double)],
+    "DoStep": [c_double, c_double, c_bool, POINTER(c_bool), POINTER(c_bool), POINTER(c_bool), POINTER(c_double)],
     "GetFMUState": [POINTER(c_void_p)],
     "SetFMUState": [c_void_p],
     "FreeFMUState": [POINTER(c_void_p)],
@@ -55,7 +55,7 @@ class Library:
         self.instantiate = self._library.fmi3InstantiateCoSimulation
         self.instantiate.restype = c_void_p
         self.instantiate.argtypes = [
-            c_char_p, c_char_p, c_char_p, *[c_bool] * 4, c_void_p, c_size_t, c_void_p, _Log, c_void_p
+            c_char_p, c_char_p, c_char_p, c_bool, c_bool, c_bool, c_bool, c_void_p, c_size_t, c_void_p, _Log, c_void_p
         ]
         self.free = self._library.fmi3FreeInstance
         self.free.restype, self.free.argtypes = None, [c_void_p]
@@ -154,7 +154,7 @@ class Instance:
             value = variable.choices[value]
         try:
             array = np.asarray(value)
-            plain = np.array(array, dtype=number, order="C")
+            plain: np.ndarray = np.array(array, dtype=number, order="C")
             # A count of 2.5 or a text is no value of this variable.
             fits = array.dtype.kind in "biuf" and (number is np.float64 or bool((plain == array).all()))
         except (TypeError, ValueError, OverflowError):

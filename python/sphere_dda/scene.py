@@ -16,6 +16,8 @@ from typing import Any
 from . import command, toml
 from .errors import CommandError, Problem, SceneError
 from .page import Page
+from .results import Run
+from .results import open as open_run
 
 #: Keys of a scene whose value is a file beside it.
 _FILES = ("file", "csv", "vtu", "checkpoint")
@@ -82,7 +84,7 @@ class Scene:
         Raises:
             SceneError: with all its problems at once.
         """
-        call = [command.program(), "check", "--json", self.path]
+        call = [os.fspath(command.program()), "check", "--json", os.fspath(self.path)]
         done = subprocess.run(call, capture_output=True, text=True, encoding="utf-8")
         try:
             told = json.loads(done.stdout)
@@ -104,7 +106,7 @@ class Scene:
         with _named(self):
             return Page.of(self.path, output, keep=self._scratch, **options)
 
-    def run(self, output: str | os.PathLike[str], *, overwrite: bool = False, **options: object):
+    def run(self, output: str | os.PathLike[str], *, overwrite: bool = False, **options: object) -> Run:
         """Runs the scene by the command, to the end of its duration or to `stop=` [s], and returns the `Run`.
 
         Args:
@@ -112,10 +114,8 @@ class Scene:
             overwrite: whether an earlier run in it may be replaced.
             options: as of `sphere-dda run`: `stop=1.5`, `until_rest=True`, `settle=2.0`.
         """
-        from .results import open
-
         self._command("run", "-o", Path(output), *["--overwrite"] * overwrite, *_flags(options))
-        return open(output)
+        return open_run(output)
 
     def export(
         self, path: str | os.PathLike[str], *, fmi: int = 2, settle: float | str | None = None,
@@ -160,11 +160,11 @@ class Scene:
         """Files lie beside or below the scene file: copies those that the dict names. The command tells of missing ones."""
         if isinstance(value, Mapping):
             for key, one in value.items():
-                found = self._folder / one if key in _FILES and isinstance(one, (str, os.PathLike)) else None
-                place = self.path.parent / one if found else None
-                if found and found.is_file() and place.resolve().is_relative_to(self.path.parent.resolve()):
-                    place.parent.mkdir(parents=True, exist_ok=True)
-                    shutil.copyfile(found, place)
+                if key in _FILES and isinstance(one, (str, os.PathLike)):
+                    found, place = self._folder / one, self.path.parent / one
+                    if found.is_file() and place.resolve().is_relative_to(self.path.parent.resolve()):
+                        place.parent.mkdir(parents=True, exist_ok=True)
+                        shutil.copyfile(found, place)
                 else:
                     self._copy_files(one)
         elif isinstance(value, (list, tuple)):

@@ -48,7 +48,8 @@ class Simulation:
         self._folder = self.scene.prepare(settle)
         self._description = Description.read(self._folder / "modelDescription.xml")
         self._instance = self._instantiate("simulation")
-        self._stage, self._time, self._arrays = _INSTANTIATED, 0.0, {}
+        self._stage, self._time = _INSTANTIATED, 0.0
+        self._arrays: dict[str, np.ndarray] = {}
         try:
             for name, value in parameters.items():
                 self._description.find(_split(name)[0], "parameter")
