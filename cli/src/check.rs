@@ -4,8 +4,9 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use miette::miette;
+use serde_json::{Value, json};
 use sphere_dda::scene::Scene;
-use sphere_dda::scene_file::{Loaded, Summary};
+use sphere_dda::scene_file::{Diagnostic, Loaded, Summary};
 use sphere_dda_fmu::table::Table;
 use sphere_dda_fmu::version::Version;
 use sphere_dda_model_description::fmi2::Causality;
@@ -23,7 +24,8 @@ const WIDTH: f64 = 960.0;
 #[command(after_help = "\
 Examples:
   sphere-dda check examples/funnel/funnel.toml
-  sphere-dda check scene.toml --picture scene.png")]
+  sphere-dda check scene.toml --picture scene.png
+  sphere-dda check scene.toml --json")]
 pub(crate) struct Check {
     /// The scene file (TOML).
     scene: PathBuf,
@@ -33,6 +35,10 @@ pub(crate) struct Check {
     /// Replace the picture if there is one.
     #[arg(long, requires = "picture")]
     overwrite: bool,
+    /// Write problems, warnings and the summary as JSON, for programs: {"problems": [{"severity", "path", "line", "message",
+    /// "help"}], "summary": text or null}. The exit code is the same.
+    #[arg(long, conflicts_with = "picture")]
+    json: bool,
 }
 
 /// Prints the summary of a scene, warnings before it.
@@ -42,6 +48,9 @@ pub(crate) struct Check {
 pub(crate) fn run(arguments: &Check) -> Result<(), Failure> {
     if let Some(picture) = &arguments.picture {
         free("--picture", picture, "png", arguments.overwrite)?;
+    }
+    if arguments.json {
+        return tell(&arguments.scene);
     }
     let loaded = Scene::from_file(&arguments.scene)?;
     warn(&loaded);
@@ -70,6 +79,55 @@ pub(crate) fn run(arguments: &Check) -> Result<(), Failure> {
         Some(path) => draw(scene, path),
         None => Ok(()),
     }
+}
+
+/// Prints all that there is to say about a scene as JSON.
+fn tell(scene: &Path) -> Result<(), Failure> {
+    let (problems, summary, outputs) = match Scene::from_file(scene) {
+        Ok(loaded) => {
+            let summary = Summary::of(&loaded.scene).to_string();
+            (
+                loaded.warnings,
+                Some(summary),
+                Table::new(&loaded.scene).err(),
+            )
+        }
+        Err(error) => (error.problems, None, None),
+    };
+    let failed = summary.is_none() || outputs.is_some();
+    let mut problems: Vec<Value> = problems.iter().map(problem).collect();
+    problems.extend(outputs.map(|error| {
+        json!({
+            "severity": "error",
+            "path": "fmu.outputs",
+            "line": null,
+            "message": error.to_string(),
+            "help": null,
+        })
+    }));
+    print(|out| {
+        writeln!(
+            out,
+            "{}",
+            json!({ "problems": problems, "summary": summary })
+        )
+    })?;
+    match failed {
+        true => Err(Failure::Told),
+        false => Ok(()),
+    }
+}
+
+/// A problem as JSON.
+fn problem(found: &Diagnostic) -> Value {
+    let severity = miette::Diagnostic::severity(found);
+    json!({
+        "severity": format!("{:?}", severity.unwrap_or_default()).to_lowercase(),
+        "path": found.path,
+        "line": found.line,
+        "message": found.message,
+        "help": found.help,
+    })
 }
 
 /// Draws a scene as it starts.

@@ -36,8 +36,8 @@ Examples:
 
 With --settle or --until-rest the FMU carries the settled spheres: a full hopper is there at t = 0.
 
-The library is looked for beside this program and in its `deps` folder, unless --library or the environment variable
-SPHERE_DDA_LIBRARY names it; one that was built from other sources than this program is refused.")]
+The library is looked for beside this program, in its `deps` folder and in `platforms/NAME`, unless --library or the
+environment variable SPHERE_DDA_LIBRARY names it; one that was built from other sources than this program is refused.")]
 pub(crate) struct Export {
     /// The scene file (TOML).
     scene: PathBuf,

@@ -20,6 +20,8 @@ use sphere_dda_master::{
 pub(crate) enum Failure {
     /// Another scene, file or argument would do: exit code 2, as clap's own.
     Input(Report),
+    /// Bad input whose problems were printed as the result: exit code 2.
+    Told,
     /// The run itself failed: exit code 1.
     Run(Report),
     /// Ctrl-C, SIGTERM or SIGHUP, all files being complete: exit code 130, as shells have it.
@@ -41,7 +43,7 @@ impl Failure {
     pub(crate) fn code(&self) -> ExitCode {
         ExitCode::from(match self {
             Self::Run(_) => 1,
-            Self::Input(_) => 2,
+            Self::Input(_) | Self::Told => 2,
             Self::Interrupted => 130,
         })
     }

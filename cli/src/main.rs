@@ -40,6 +40,7 @@ use progress::{Interrupt, note};
 /// Sphere-based 3-D discontinuous deformation analysis with augmented-Lagrangian contact.
 #[derive(Debug, Parser)]
 #[command(
+    name = "sphere-dda",
     version,
     arg_required_else_help = true,
     after_help = "\

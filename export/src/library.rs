@@ -81,8 +81,8 @@ fn own_folder() -> PathBuf {
         .unwrap_or_default()
 }
 
-/// The library to pack: `explicit`, else the environment variable [`LIBRARY_VARIABLE`], else beside this program or in
-/// its `deps` folder, where one that fits this program comes first.
+/// The library to pack: `explicit`, else the environment variable [`LIBRARY_VARIABLE`], else beside this program, in its
+/// `deps` folder or in `platforms/NAME`, where one that fits this program comes first.
 ///
 /// # Errors
 /// [`ExportError::NoLibrary`].
@@ -106,6 +106,8 @@ pub fn find_library(explicit: Option<&Path>) -> Result<PathBuf, ExportError> {
     // Tests and examples run from below the folder that has the library.
     let mut searched = vec![own.clone(), own.join("deps")];
     searched.extend(own.parent().map(Path::to_path_buf));
+    // A program that was installed has the libraries of all platforms beside it, and no other.
+    searched.push(own.join(PLATFORMS).join(Platform::HERE.name));
     let mut found: Vec<PathBuf> = searched
         .iter()
         .map(|folder| folder.join(&name))

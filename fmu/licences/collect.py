@@ -1,6 +1,7 @@
 """Collects the licences of all crates that the FMU's library links, on any platform it is built for, from the sources that cargo has.
 
     python3 fmu/licences/collect.py > fmu/licences/third-party.txt
+    python3 fmu/licences/collect.py sphere-dda-cli         those of the command, for wheels
 
 A test compares the names and versions in the file with Cargo.lock.
 """
@@ -20,11 +21,11 @@ def cargo(*arguments):
     return subprocess.run(["cargo", *arguments], cwd=ROOT, check=True, capture_output=True, text=True).stdout
 
 
-def linked():
-    """(name, version) of all crates of others in the library; procedural macros run in the compiler only."""
+def linked(ours):
+    """(name, version) of all crates of others that our crate links; procedural macros run in the compiler only."""
     found = set()
     for platform in PLATFORMS:
-        tree = cargo("tree", "--locked", "-p", "sphere-dda-fmu", "-e", "normal,no-proc-macro", "--prefix", "none",
+        tree = cargo("tree", "--locked", "-p", ours, "-e", "normal,no-proc-macro", "--prefix", "none",
                      "--target", platform, "--format", "{p}")
         for line in tree.splitlines():
             name, version = line.split()[:2]
@@ -49,13 +50,15 @@ def texts(package):
 
 
 def main():
+    ours = sys.argv[1] if len(sys.argv) > 1 else "sphere-dda-fmu"
+    what = "the library of this FMU" if ours == "sphere-dda-fmu" else "the command sphere-dda"
     packages = json.loads(cargo("metadata", "--locked", "--format-version", "1"))["packages"]
     known = {(p["name"], p["version"]): p for p in packages}
     shared = {}
-    print("Crates that the library of this FMU links; made by fmu/licences/collect.py.\n")
+    print(f"Crates that {what} links; made by fmu/licences/collect.py.\n")
     print("The Rust standard library is linked too: MIT OR Apache-2.0, https://github.com/rust-lang/rust.\n")
     bodies = []
-    for key in linked():
+    for key in linked(ours):
         package = known[key]
         numbers = []
         for text in texts(package):

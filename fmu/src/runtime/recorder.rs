@@ -146,10 +146,30 @@ impl Recorder {
     }
 }
 
-/// An instance name, which comes from the importer, as the name of one folder.
+/// An instance name, which comes from the importer, as the name of one folder of any system.
 fn folder(name: &str) -> String {
-    let plain = |c: char| c.is_alphanumeric() || "-_ ".contains(c);
-    name.chars()
-        .map(|c| if plain(c) { c } else { '_' })
-        .collect()
+    let refused = |c: char| c.is_control() || "/\\:*?\"<>|".contains(c);
+    // Windows drops dots and blanks at the end, and `..` leads elsewhere.
+    let end = name.trim_end_matches(['.', ' ']).len();
+    let place = |(k, c)| if refused(c) || k >= end { '_' } else { c };
+    name.char_indices().map(place).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::folder;
+
+    #[test]
+    fn an_instance_name_is_one_folder_below() {
+        for (name, expected) in [
+            ("mill-1_a b", "mill-1_a b"),
+            ("friction=0.4", "friction=0.4"),
+            ("a/b\\c:d", "a_b_c_d"),
+            ("..", "__"),
+            ("a. ", "a__"),
+            ("", ""),
+        ] {
+            assert_eq!(folder(name), expected);
+        }
+    }
 }
