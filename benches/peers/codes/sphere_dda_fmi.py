@@ -39,6 +39,7 @@ def run(case: Case, scene: Scene, folder: Path) -> Outcome:
     """One run; the command is named in SPHERE_DDA, or on the PATH. The trough's displacement is the input, every interval."""
     command = os.environ.get("SPHERE_DDA", "sphere-dda")
     toml = write(scene, case, folder)
+    toml.write_text(toml.read_text() + '\n[fmu]\noutputs = ["*"]\n')
     fmu = folder / "scene.fmu"
     exported = child.run([command, "export", str(toml), "-o", str(fmu)], folder)
     if exported.status != 0:
