@@ -8,7 +8,7 @@ use sphere_dda::scene::Scene;
 use sphere_dda::scene_file::{Loaded, Summary};
 use sphere_dda_picture::portrait::portrait;
 
-use crate::arguments::free;
+use crate::arguments::{Values, free};
 use crate::failure::Failure;
 use crate::progress::{note, print};
 
@@ -20,7 +20,8 @@ const WIDTH: f64 = 960.0;
 #[command(after_help = "\
 Examples:
   sphere-dda check examples/funnel/funnel.toml
-  sphere-dda check scene.toml --picture scene.png")]
+  sphere-dda check scene.toml --picture scene.png
+  sphere-dda check scene.toml --set friction=0.4         with another value of its parameter `friction`")]
 pub(crate) struct Check {
     /// The scene file (TOML).
     scene: PathBuf,
@@ -30,6 +31,8 @@ pub(crate) struct Check {
     /// Replace the picture if there is one.
     #[arg(long, requires = "picture")]
     overwrite: bool,
+    #[command(flatten)]
+    values: Values,
 }
 
 /// Prints the summary of a scene, warnings before it.
@@ -40,7 +43,7 @@ pub(crate) fn run(arguments: &Check) -> Result<(), Failure> {
     if let Some(picture) = &arguments.picture {
         free("--picture", picture, "png", arguments.overwrite)?;
     }
-    let loaded = Scene::from_file(&arguments.scene)?;
+    let loaded = Scene::from_file_with(&arguments.scene, &arguments.values.set)?;
     warn(&loaded);
     let scene = &loaded.scene;
     print(|out| {

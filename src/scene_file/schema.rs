@@ -171,7 +171,7 @@ fn order(schema: &mut Value) {
         Simulation Turning GravityTable RotatingFrame Cell Tolerance Material PairDefault Pair Load Spring Output
         Spheres Lattice Uniform Normal LogNormal MassTable Packing Source Sink
         Boundary Body Limits JointSpring Servo Plane Rectangle Cuboid Cone Cylinder Stl Terrain Constant Sinusoid Table
-        Tube Sensor Probe
+        Tube Sensor Probe Parameter
     };
     schema["x-order"] = keys_of::<file::TopLevel>().into();
     for (table, keys) in tables {

@@ -15,10 +15,10 @@ mod values;
 
 use std::collections::BTreeMap;
 use std::path::Path;
+use std::sync::Arc;
 
 use sphere_dda::error::StepError;
-use sphere_dda::scene::Boundary;
-use sphere_dda::scene::{Command, CommandDerivatives};
+use sphere_dda::scene::{Boundary, Command, CommandDerivatives, Scene};
 use sphere_dda::simulation::Simulation;
 
 use crate::model::Model;
@@ -64,6 +64,10 @@ pub struct Instance {
     model: Model,
     log: Log,
     run: InstanceState,
+    /// The scene with the values it was built with.
+    base: Arc<Scene>,
+    /// The scene with the values that are set, as far as it is known.
+    latest: Arc<Scene>,
     simulation: Option<Simulation>,
     /// The step under way, if it is taken in pieces.
     step: Option<StepInProgress>,
@@ -85,6 +89,8 @@ impl Instance {
     ) -> Result<Self, InstantiationError> {
         Self::try_new(name, guid, resources).map(|(model, run)| Self {
             name: name.to_owned(),
+            base: Arc::clone(&model.scene),
+            latest: Arc::clone(&model.scene),
             model,
             log,
             run,
@@ -311,6 +317,10 @@ impl Instance {
                 expected: "one",
             });
         };
+        if self.run.stepped != self.run.values {
+            simulation.tune(simulation.scene().tuned(&self.latest).into());
+            self.run.stepped.clone_from(&self.run.values);
+        }
         simulation.set_gravity(self.run.parameters.settings.gravity)?;
         command(simulation, &self.run)?;
         Ok(simulation)
@@ -331,6 +341,8 @@ impl Instance {
     pub fn reset(&mut self) -> bool {
         let whole = self.recorder.close(&self.log);
         self.run = initial(&self.model);
+        self.base = Arc::clone(&self.model.scene);
+        self.latest = Arc::clone(&self.model.scene);
         self.simulation = None;
         self.step = None;
         self.measured = Measured::default();
@@ -379,7 +391,7 @@ impl Instance {
     /// # Errors
     /// [`Refusal::State`].
     pub fn verify(&self, bytes: &[u8]) -> Result<(), Refusal> {
-        Ok(SavedState::decode(bytes, &self.model.guid)?.check(self.run.commands.len())?)
+        Ok(SavedState::decode(bytes, &self.model.guid)?.check(&self.run)?)
     }
 
     /// Puts the instance into a saved state, also one of another instance or process.
@@ -388,25 +400,38 @@ impl Instance {
     /// [`Refusal::State`], [`Refusal::Snapshot`]: the instance is as before.
     pub fn load(&mut self, bytes: &[u8]) -> Result<(), Refusal> {
         let saved = SavedState::decode(bytes, &self.model.guid)?;
-        saved.check(self.run.commands.len())?;
+        saved.check(&self.run)?;
+        let (parameters, values) = (&saved.run.parameters, &saved.run.values);
+        let base = match saved.run.built == self.run.built {
+            true => Arc::clone(&self.base),
+            false => self.model.scene_with(&saved.run.built)?,
+        };
+        let latest = match (*values == self.run.values, *values == saved.run.built) {
+            (true, _) => Arc::clone(&self.latest),
+            (_, true) => Arc::clone(&base),
+            _ => self.model.scene_with(values)?,
+        };
+        let same = saved.run.built == self.run.built && saved.run.stepped == self.run.stepped;
         match &saved.snapshot {
             None => self.simulation = None,
-            Some(snapshot) => {
-                let parameters = &saved.run.parameters;
-                match self
-                    .simulation
-                    .as_mut()
-                    .filter(|s| parameters.fit(s.scene()))
-                {
-                    Some(simulation) => simulation.resume(snapshot, saved.replay)?,
-                    None => {
-                        let mut simulation = self.simulate(parameters)?;
-                        simulation.resume(snapshot, saved.replay)?;
-                        self.simulation = Some(simulation);
+            Some(snapshot) => match self
+                .simulation
+                .as_mut()
+                .filter(|s| same && parameters.fit(s.scene()))
+            {
+                Some(simulation) => simulation.resume(snapshot, saved.replay)?,
+                None => {
+                    let mut scene = parameters.apply(&base);
+                    if saved.run.stepped != saved.run.built {
+                        scene = scene.tuned(&*self.model.scene_with(&saved.run.stepped)?);
                     }
+                    let mut simulation = Simulation::new(scene.into())?;
+                    simulation.resume(snapshot, saved.replay)?;
+                    self.simulation = Some(simulation);
                 }
-            }
+            },
         }
+        (self.base, self.latest) = (base, latest);
         self.run = saved.run;
         self.measured = Measured::default();
         match &self.simulation {
@@ -427,14 +452,52 @@ impl Instance {
         Ok(())
     }
 
-    fn simulate(&self, parameters: &Parameters) -> Result<Simulation, StepError> {
-        Simulation::new(parameters.apply(&self.model.scene).into())
+    /// Builds the scene that its parameters ask for. What an importer has left as in the scene is then as in the new one.
+    fn build(&mut self) -> Result<(), Refusal> {
+        let run = &mut self.run;
+        if run.values == run.built {
+            return Ok(());
+        }
+        let scene = self.model.scene_with(&run.values)?;
+        run.parameters.follow(&self.base, &scene);
+        let boundaries = self.base.boundaries.iter().zip(&scene.boundaries);
+        for (command, (old, new)) in run.commands.iter_mut().zip(boundaries) {
+            if *command == old.rest() {
+                *command = new.rest();
+            }
+        }
+        run.built.clone_from(&run.values);
+        run.stepped.clone_from(&run.values);
+        self.base = Arc::clone(&scene);
+        self.latest = scene;
+        Ok(())
+    }
+
+    /// Takes new values of the scene's parameters; between steps the scene must take them.
+    fn turn(&mut self, values: Vec<f64>) -> Result<(), Refusal> {
+        if values == self.run.values {
+            return Ok(());
+        }
+        if !matches!(
+            self.run.stage,
+            LifeCycle::Instantiated | LifeCycle::Initialization
+        ) {
+            let scene = self.model.scene_with(&values)?;
+            let gravity = scene.settings.gravity;
+            if gravity != self.latest.settings.gravity {
+                self.run.parameters.settings.gravity = gravity;
+            }
+            self.latest = scene;
+        }
+        self.run.values = values;
+        Ok(())
     }
 
     /// Brings the simulation to the start that parameters and inputs ask for.
     fn prepare(&mut self) -> Result<(), Refusal> {
         self.measured = Measured::default();
-        let mut simulation = self.simulate(&self.run.parameters)?;
+        self.build()?;
+        let mut simulation = Simulation::new(self.run.parameters.apply(&self.base).into())?;
         let gravity = self.run.parameters.settings.gravity;
         // A start that is the scene's own is left alone: the FMU then gives the bytes that the library gives.
         if gravity != simulation.state().gravity
@@ -452,12 +515,16 @@ impl Instance {
 
 /// The state after instantiation: everything as in the scene.
 fn initial(model: &Model) -> InstanceState {
+    let values: Vec<f64> = model.scene.parameters.iter().map(|p| p.value).collect();
     InstanceState {
         stage: LifeCycle::Instantiated,
         start: 0.0,
         stop: None,
         time: 0.0,
         parameters: Parameters::of(&model.scene),
+        values: values.clone(),
+        built: values.clone(),
+        stepped: values,
         commands: model.scene.boundaries.iter().map(Boundary::rest).collect(),
         rates: vec![CommandDerivatives::default(); model.scene.boundaries.len()],
         pending: false,
