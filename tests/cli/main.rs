@@ -12,6 +12,7 @@ mod interrupted;
 mod isolated;
 mod killed;
 mod paper;
+mod parameters;
 mod refused;
 mod resumed;
 mod runs;
