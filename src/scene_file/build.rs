@@ -9,10 +9,12 @@ use super::checks::{accept, direction};
 use super::decode::{self, Entry, SceneFile};
 use super::diagnostic::SceneError;
 use super::document::Document;
+use super::edits::written;
 use super::names::{Context, Names};
 use super::overlap::Overlaps;
 use super::pairs::pairs;
 use super::parameters;
+use super::quantities::quantities;
 use super::regions::measured;
 use super::resources::hash;
 use super::settings::{choose_steps, fall, materials, settings};
@@ -44,8 +46,10 @@ pub(super) fn load(
         None
     } else {
         let entries = decode::parameters(&mut document);
-        let (parameters, settings) = parameters::parameters(&mut document, &entries, values);
-        let root = parameters::written(document.root().clone(), &settings);
+        let numbers = quantities(document.root());
+        let root = written(document.root().clone(), &numbers);
+        let (parameters, edits) = parameters::parameters(&mut document, &root, &entries, values);
+        let root = written(root, &edits);
         edited = parameters::with_defaults(text, &document, &entries, &parameters, values);
         let file = SceneFile::decode(&mut document, &root);
         build(&mut document, &file).map(|scene| Scene {

@@ -6,21 +6,25 @@ use serde_json::Value;
 use toml::de::DeValue;
 
 use super::document::Step;
-use super::schema::json_schema;
+use super::schema::plain_schema;
+use super::units;
 
 /// Longest text of a value that is quoted in a message \[characters\].
 const LONGEST: usize = 40;
 
 /// `found "1 ms", expected a number (in s)` for the value at the steps of a key path; `None` if the schema does not know it.
 pub(super) fn mismatch(steps: &[Step], found: &DeValue<'_>) -> Option<String> {
-    let root = json_schema();
+    let root = plain_schema();
     let mut place = Place::top(&root);
     for step in steps {
         place = place.below(step)?;
     }
-    let expected = match named_option(&place, found) {
-        Some(expected) => expected,
-        None => place.form(),
+    let text = matches!(found, DeValue::String(_));
+    let quantity = place.quantity().filter(|_| text).and_then(units::expected);
+    let expected = match (named_option(&place, found), quantity) {
+        (Some(expected), _) => expected,
+        (None, Some(quantity)) => format!("{quantity}, or {}", place.form()),
+        (None, None) => place.form(),
     };
     Some(format!("found {}, expected {expected}", typed(found)))
 }
@@ -88,6 +92,14 @@ impl<'s> Place<'s> {
     /// Unit of the numbers in it.
     pub(super) fn unit(self) -> Option<&'s str> {
         self.unit
+    }
+
+    /// The unit of the numbers in it, unless they have another one on a hinge than on a slide.
+    pub(super) fn quantity(self) -> Option<&'s str> {
+        let numbers = self.kinds().contains(&"number");
+        let text = self.node["description"].as_str().unwrap_or_default();
+        self.unit
+            .filter(|_| numbers && !text.contains("of a hinge"))
     }
 
     /// The types of what may stand here.

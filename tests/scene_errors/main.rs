@@ -93,7 +93,11 @@ const CASES: &[Case] = cases! {
     "step = 1e-3\n" => "fixed_step = true\n", "simulation", "[simulation]", "missing key `step`";
     "step = 1e-3" => "step = 1e-3\naccuracy = \"high\"", "simulation.accuracy", "high", "standard";
     "[simulation]\nduration = 1.0\nstep = 1e-3\n[simulation.tolerance]\ngap = 1e-6\n" => "", "simulation", "title", "missing table `[simulation]`";
-    "step = 1e-3" => "step = \"1 ms\"", "simulation.step", "\"1 ms\"", "found \"1 ms\", expected a number > 0 (in s)";
+    "step = 1e-3" => "step = \"1 mm\"", "simulation.step", "\"1 mm\"", "found \"1 mm\", expected a time like \"5 ms\", or a number > 0 (in s)";
+    "radius = 0.1\n" => "radius = \"3 kg\"\n", "spheres[0].radius", "3 kg", "found \"3 kg\", expected a length like \"8 mm\", or a number > 0 (in m)";
+    "radius = [0.2]" => "radius = [\"3 foo\"]", "spheres[1].radius[0]", "3 foo", "expected a length like";
+    "friction = 0.3" => "friction = \"1 m\"", "pair_default.friction", "1 m", "found \"1 m\", expected a number >= 0";
+    "radius = 0.1\n" => "radius = \"-1 mm\"\n", "spheres[0].radius", "-1 mm", "found -0.001";
     "step = 1e-3" => "step = ", "scene", "step =", "found nothing after `step =`, expected a value";
     "name = \"steel\"" => "name = steel", "scene", "name = steel", "found `steel` without quotes";
     "motion = { table = { time = [0.0, 1.0], translation = [[0.0, 0.0, 0.0], [0.0, 0.0, 1.0]] } }" => "input = \"slide\"", "boundary[1].input", "\"slide\"", "found \"slide\", expected `{ slide = [x, y, z] }`";

@@ -6,10 +6,11 @@ mod path;
 use std::ops::Range;
 
 use toml::Spanned;
-use toml::de::{DeTable, DeValue};
+use toml::de::DeValue;
 
 use super::decode::Entry;
 use super::document::{Document, LARGEST, Step, child, did_you_mean, join};
+use super::edits::Edit;
 use super::file;
 use super::names::Names;
 use super::values::OneOrMany;
@@ -19,29 +20,21 @@ use path::{Target, number, resolve};
 /// Whole numbers of parameters, as those of FMUs: 32 bits.
 const LARGEST_WHOLE: f64 = i32::MAX as f64;
 
-/// What a parameter writes.
-pub(super) struct Setting {
-    /// The way to the key.
-    steps: Vec<Step>,
-    /// The value as TOML.
-    literal: String,
-}
-
-/// The parameters of the scene, with `values` instead of their defaults, and what they write; what is wrong is added to the
+/// The parameters of the scene `root`, with `values` instead of their defaults, and what they write; what is wrong is added to the
 /// problems.
 pub(super) fn parameters(
     document: &mut Document<'_>,
+    root: &Spanned<DeValue<'_>>,
     entries: &[Entry<file::Parameter>],
     values: &[(String, f64)],
-) -> (Vec<Parameter>, Vec<Setting>) {
+) -> (Vec<Parameter>, Vec<Edit>) {
     Names::declare(document, "parameter", entries);
     refuse_unknown(document, entries, values);
-    let root = document.root().clone();
     let mut taken: Vec<(Vec<Step>, &str)> = Vec::new();
-    let (mut parameters, mut settings) = (Vec::new(), Vec::new());
+    let (mut parameters, mut edits) = (Vec::new(), Vec::new());
     for entry in entries {
         let Some(typed) = &entry.value else { continue };
-        let Some(targets) = targets(document, &root, entry, typed) else {
+        let Some(targets) = targets(document, root, entry, typed) else {
             continue;
         };
         for target in &targets {
@@ -64,24 +57,13 @@ pub(super) fn parameters(
                     document.mark(&target.steps, &parameter.name);
                     let literal = literal(&parameter);
                     let steps = target.steps;
-                    settings.push(Setting { steps, literal });
+                    edits.push(Edit { steps, literal });
                 }
             }
             parameters.push(parameter);
         }
     }
-    (parameters, settings)
-}
-
-/// The document as its parameters set it.
-pub(super) fn written<'s>(
-    mut root: Spanned<DeValue<'s>>,
-    settings: &'s [Setting],
-) -> Spanned<DeValue<'s>> {
-    for setting in settings {
-        write(&mut root, &setting.steps, &setting.literal);
-    }
-    root
+    (parameters, edits)
 }
 
 /// Reports the values of parameters that the scene does not have.
@@ -243,29 +225,6 @@ fn literal(parameter: &Parameter) -> String {
         true => format!("{value:.0}"),
         // The shortest text that reads back to the same bits.
         false => format!("{value:?}"),
-    }
-}
-
-/// Writes a value at `steps`; tables that are missing are made, entries of lists are there.
-fn write<'s>(place: &mut Spanned<DeValue<'s>>, steps: &[Step], literal: &'s str) {
-    let Some((step, rest)) = steps.split_first() else {
-        if let Ok(value) = DeValue::parse(literal) {
-            *place.get_mut() = value.into_inner();
-        }
-        return;
-    };
-    let span = place.span();
-    let next = match (place.get_mut(), step) {
-        (DeValue::Table(table), Step::Key(key)) => Some(
-            table
-                .entry(Spanned::new(span.clone(), key.clone().into()))
-                .or_insert_with(|| Spanned::new(span, DeValue::Table(DeTable::new()))),
-        ),
-        (DeValue::Array(array), Step::Index(index)) => array.get_mut(*index),
-        _ => None,
-    };
-    if let Some(next) = next {
-        write(next, rest, literal);
     }
 }
 

@@ -55,7 +55,7 @@ struct Walk<'a, 't> {
 
 /// The number that `path` leads to from the top level of a scene file.
 pub(super) fn resolve(root: &Spanned<DeValue<'_>>, path: &str) -> Result<Target, Wrong> {
-    let schema = super::super::schema::json_schema();
+    let schema = super::super::schema::plain_schema();
     let mut walk = Walk {
         place: Place::top(&schema),
         value: Some(root),
