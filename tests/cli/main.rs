@@ -11,6 +11,7 @@ mod foreign_fmu;
 mod interrupted;
 mod isolated;
 mod killed;
+mod new;
 mod paper;
 mod parameters;
 mod refused;
