@@ -16,7 +16,7 @@ import numpy as np
 from distributed import Client, LocalCluster
 
 FRICTIONS = [0.1, 0.2, 0.3, 0.5, 0.8]
-ANGLES = [0.3, 0.5, 0.7]  # [rad]
+ANGLES = [0.3, 0.4, 0.5]  # [rad]
 STEP = 5e-3  # communication step of the scene [s]
 MASS = "sensor.out.mass"
 
@@ -29,7 +29,7 @@ def outflow(folder, friction, angle, stop):
     return rows["time"], rows[MASS]
 
 
-def sweep(fmu, frictions=FRICTIONS, angles=ANGLES, stop=1.0, workers=2):
+def sweep(fmu, frictions=FRICTIONS, angles=ANGLES, stop=0.6, workers=2):
     """(friction, angle) -> times and masses, runs spread over processes."""
     folder = fmpy.extract(str(fmu))
     pairs = list(itertools.product(frictions, angles))
@@ -63,7 +63,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--fmu", type=Path, default=Path("gate.fmu"))
     parser.add_argument("--output", type=Path, default=Path("gate-sweep"), help="folder for CSV and picture")
-    parser.add_argument("--stop", type=float, default=1.0, help="end time [s]")
+    parser.add_argument("--stop", type=float, default=0.6, help="end time [s]")
     parser.add_argument("--workers", type=int, default=2, help="processes")
     a = parser.parse_args()
     runs = sweep(a.fmu, stop=a.stop, workers=a.workers)

@@ -52,7 +52,7 @@ impl Kind {
                 scene: include_str!("../../../examples/hopper/hopper.toml"),
                 files: &[],
                 inputs: &[("boundary.gate.angle", "0.9 * min(t / 0.3, 1)")],
-                outputs: &["boundary.gate.averageForce[3]", "sensor.outflow.mass"],
+                outputs: &["sensor.stock.mass", "sensor.outflow.mass"],
                 times: ["2.0", "5e-3"],
             },
             Self::Drum => Parts {
