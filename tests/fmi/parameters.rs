@@ -233,6 +233,14 @@ fn states_hold_the_values() {
     assert_eq!(first.load(&bytes), OK);
     advance(&first, 8, 12);
     assert_eq!(second.bytes(), first.bytes());
+    // One that has the values of the state, but has not built their scene.
+    let third = scene.instance();
+    for (name, value) in [("radius", 0.04), ("friction", 0.2), ("down", -5.0)] {
+        assert_eq!(third.set(scene.reference(name), value), OK);
+    }
+    assert_eq!(third.load(&bytes), OK);
+    advance(&third, 8, 12);
+    assert_eq!(third.bytes(), second.bytes());
     assert_eq!(first.reset(), OK);
     assert_eq!(first.real(scene.reference("radius")), 0.05);
 }

@@ -9,6 +9,8 @@
 //! accumulated, the simulation is asked for what is left to that point. A refused call changes nothing.
 
 mod derivatives;
+mod scene;
+mod states;
 mod step;
 mod step_in_progress;
 mod values;
@@ -25,7 +27,7 @@ use crate::model::Model;
 use crate::runtime::life_cycle::LifeCycle;
 use crate::runtime::recorder::Recorder;
 use crate::runtime::refusal::{InstantiationError, Refusal};
-use crate::runtime::state::{InstanceState, SavedState};
+use crate::runtime::state::InstanceState;
 use crate::table::Parameters;
 use sphere_dda_fmi_interface::log::{Level, Log};
 use sphere_dda_fmi_interface::pointers::BadArgument;
@@ -366,131 +368,6 @@ impl Instance {
     #[must_use]
     pub fn wants_to_terminate(&self) -> bool {
         self.run.stage == LifeCycle::Error
-    }
-
-    /// The complete state as bytes: see [`crate::runtime::state`].
-    ///
-    /// # Errors
-    /// [`Refusal::State`] if the serializer fails.
-    pub fn save(&self) -> Result<Vec<u8>, Refusal> {
-        let saved = SavedState {
-            guid: self.model.guid.clone(),
-            run: self.run.clone(),
-            snapshot: self.simulation.as_ref().map(Simulation::snapshot),
-            replay: self
-                .simulation
-                .as_ref()
-                .and_then(Simulation::replay_record)
-                .cloned(),
-        };
-        Ok(saved.encode()?)
-    }
-
-    /// Whether bytes are a state of this model.
-    ///
-    /// # Errors
-    /// [`Refusal::State`].
-    pub fn verify(&self, bytes: &[u8]) -> Result<(), Refusal> {
-        Ok(SavedState::decode(bytes, &self.model.guid)?.check(&self.run)?)
-    }
-
-    /// Puts the instance into a saved state, also one of another instance or process.
-    ///
-    /// # Errors
-    /// [`Refusal::State`], [`Refusal::Snapshot`]: the instance is as before.
-    pub fn load(&mut self, bytes: &[u8]) -> Result<(), Refusal> {
-        let saved = SavedState::decode(bytes, &self.model.guid)?;
-        saved.check(&self.run)?;
-        let (parameters, values) = (&saved.run.parameters, &saved.run.values);
-        let base = match saved.run.built == self.run.built {
-            true => Arc::clone(&self.base),
-            false => self.model.scene_with(&saved.run.built)?,
-        };
-        let latest = match (*values == self.run.values, *values == saved.run.built) {
-            (true, _) => Arc::clone(&self.latest),
-            (_, true) => Arc::clone(&base),
-            _ => self.model.scene_with(values)?,
-        };
-        let same = saved.run.built == self.run.built && saved.run.stepped == self.run.stepped;
-        match &saved.snapshot {
-            None => self.simulation = None,
-            Some(snapshot) => match self
-                .simulation
-                .as_mut()
-                .filter(|s| same && parameters.fit(s.scene()))
-            {
-                Some(simulation) => simulation.resume(snapshot, saved.replay)?,
-                None => {
-                    let mut scene = parameters.apply(&base);
-                    if saved.run.stepped != saved.run.built {
-                        scene = scene.tuned(&*self.model.scene_with(&saved.run.stepped)?);
-                    }
-                    let mut simulation = Simulation::new(scene.into())?;
-                    simulation.resume(snapshot, saved.replay)?;
-                    self.simulation = Some(simulation);
-                }
-            },
-        }
-        (self.base, self.latest) = (base, latest);
-        self.run = saved.run;
-        self.measured = Measured::default();
-        match &self.simulation {
-            Some(simulation) if self.run.stage == LifeCycle::StepComplete => {
-                self.recorder
-                    .follow(&self.name, &self.run.parameters, simulation, &self.log);
-            }
-            Some(_) if self.run.stage == LifeCycle::StepFailed => {}
-            _ => {
-                // The log tells of files that were not written; the restored state is whole all the same.
-                self.recorder.close(&self.log);
-            }
-        }
-        self.log.write(
-            Level::Ok,
-            format_args!("restored the state of t = {} s", self.run.time),
-        );
-        Ok(())
-    }
-
-    /// Builds the scene that its parameters ask for. What an importer has left as in the scene is then as in the new one.
-    fn build(&mut self) -> Result<(), Refusal> {
-        let run = &mut self.run;
-        if run.values == run.built {
-            return Ok(());
-        }
-        let scene = self.model.scene_with(&run.values)?;
-        run.parameters.follow(&self.base, &scene);
-        let boundaries = self.base.boundaries.iter().zip(&scene.boundaries);
-        for (command, (old, new)) in run.commands.iter_mut().zip(boundaries) {
-            if *command == old.rest() {
-                *command = new.rest();
-            }
-        }
-        run.built.clone_from(&run.values);
-        run.stepped.clone_from(&run.values);
-        self.base = Arc::clone(&scene);
-        self.latest = scene;
-        Ok(())
-    }
-
-    /// Takes new values of the scene's parameters; between steps the scene must take them.
-    fn turn(&mut self, values: Vec<f64>) -> Result<(), Refusal> {
-        if values == self.run.values {
-            return Ok(());
-        }
-        if !matches!(
-            self.run.stage,
-            LifeCycle::Instantiated | LifeCycle::Initialization
-        ) {
-            let scene = self.model.scene_with(&values)?;
-            let gravity = scene.settings.gravity;
-            if gravity != self.latest.settings.gravity {
-                self.run.parameters.settings.gravity = gravity;
-            }
-            self.latest = scene;
-        }
-        self.run.values = values;
-        Ok(())
     }
 
     /// Brings the simulation to the start that parameters and inputs ask for.
