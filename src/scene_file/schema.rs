@@ -107,7 +107,15 @@ fn simplify(value: &mut Value) {
                     .replace("\\]", "]")
                     .replace('\n', " ");
             }
-            object.values_mut().for_each(simplify);
+            for (key, value) in object.iter_mut() {
+                match value {
+                    // Names of keys, which may be those of keywords.
+                    Value::Object(own) if key == "properties" => {
+                        own.values_mut().for_each(simplify);
+                    }
+                    value => simplify(value),
+                }
+            }
             if let Some(Value::Object(properties)) = object.get_mut("properties") {
                 for property in properties.values_mut().filter_map(Value::as_object_mut) {
                     spread_range(property);

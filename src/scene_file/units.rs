@@ -194,7 +194,7 @@ mod tests {
         ] {
             let found: f64 = number(text, unit).expect(text).parse().unwrap();
             let close = (found - value).abs() <= 2.0 * f64::EPSILON * value.abs();
-            let exact = !["rad", "deg", "rad/s", "kg/s"].contains(&unit);
+            let exact = !["rad", "deg", "rad/s", "kg/s"].contains(&unit) && !text.contains("in");
             assert!(
                 close && (!exact || found == value),
                 "{text}: {found:?} {value:?}"
