@@ -377,3 +377,44 @@ fn all_values_that_are_wrong_are_told_together() {
     let last = set(&text, &[("p", 0.5), ("p", 0.6)]).unwrap();
     assert_eq!(last.scene.parameters[0].value, 0.6);
 }
+
+/// Numbers with a unit, also in lists and in a mesh's file, are the numbers in the unit of their key.
+#[test]
+fn quantities_are_their_numbers() {
+    let folder = tempfile::tempdir().unwrap();
+    let facet = "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1000 0 0\nvertex 0 1000 0\nendloop\nendfacet\n";
+    std::fs::write(
+        folder.path().join("part.stl"),
+        format!("solid part\n{facet}endsolid part\n"),
+    )
+    .unwrap();
+    let mesh = |more: &str| {
+        format!(
+            "[[boundary]]\nname = \"mesh\"\nmaterial = \"steel\"\nfaces = [{{ stl = {{ file = \"part.stl\", {more} }} }}]\n"
+        )
+    };
+    let scene = |text: &str| {
+        let loaded = Scene::from_toml("scene", text, folder.path()).map_err(|e| e.plain());
+        loaded.map(|loaded| Scene {
+            hash: String::new(),
+            ..loaded.scene
+        })
+    };
+    let plain = format!("{GOOD}{}", mesh("scale = 0.001"));
+    let mut typed = format!("{GOOD}{}", mesh("unit = \"mm\""));
+    for (from, to) in [
+        ("step = 1e-3", "step = \"1 ms\""),
+        ("density = 2500.0", "density = \"2.5 g/cm^3\""),
+        ("radius = [0.2]", "radius = [\"20 cm\"]"),
+        ("[0.0, 0.0, 3.0]", "[0.0, 0.0, \"3000 mm\"]"),
+        ("friction_angle = 20.0", "friction_angle = \"20 deg\""),
+        ("stiffness = 1e3", "stiffness = \"1 kN/m\""),
+    ] {
+        assert!(typed.contains(from), "{from}");
+        typed = typed.replacen(from, to, 1);
+    }
+    assert_eq!(scene(&typed).unwrap(), scene(&plain).unwrap());
+    let error = scene(&format!("{GOOD}{}", mesh("unit = \"kg\""))).unwrap_err();
+    let expected = "found `kg`, expected a unit of length like \"mm\"";
+    assert!(error.contains(expected), "{error}");
+}
