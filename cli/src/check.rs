@@ -12,7 +12,7 @@ use sphere_dda_fmu::version::Version;
 use sphere_dda_model_description::fmi2::Causality;
 use sphere_dda_picture::portrait::portrait;
 
-use crate::arguments::free;
+use crate::arguments::{Values, free};
 use crate::failure::Failure;
 use crate::progress::{note, print};
 
@@ -25,7 +25,8 @@ const WIDTH: f64 = 960.0;
 Examples:
   sphere-dda check examples/funnel/funnel.toml
   sphere-dda check scene.toml --picture scene.png
-  sphere-dda check scene.toml --json")]
+  sphere-dda check scene.toml --json
+  sphere-dda check scene.toml --set friction=0.4         with another value of its parameter `friction`")]
 pub(crate) struct Check {
     /// The scene file (TOML).
     scene: PathBuf,
@@ -39,6 +40,8 @@ pub(crate) struct Check {
     /// "help"}], "summary": text or null}. The exit code is the same.
     #[arg(long, conflicts_with = "picture")]
     json: bool,
+    #[command(flatten)]
+    values: Values,
 }
 
 /// Prints the summary of a scene, warnings before it.
@@ -50,9 +53,9 @@ pub(crate) fn run(arguments: &Check) -> Result<(), Failure> {
         free("--picture", picture, "png", arguments.overwrite)?;
     }
     if arguments.json {
-        return tell(&arguments.scene);
+        return tell(&arguments.scene, &arguments.values.set);
     }
-    let loaded = Scene::from_file(&arguments.scene)?;
+    let loaded = Scene::from_file_with(&arguments.scene, &arguments.values.set)?;
     warn(&loaded);
     let scene = &loaded.scene;
     let table = Table::new(scene).map_err(Failure::input)?;
@@ -82,8 +85,8 @@ pub(crate) fn run(arguments: &Check) -> Result<(), Failure> {
 }
 
 /// Prints all that there is to say about a scene as JSON.
-fn tell(scene: &Path) -> Result<(), Failure> {
-    let (problems, summary, outputs) = match Scene::from_file(scene) {
+fn tell(scene: &Path, values: &[(String, f64)]) -> Result<(), Failure> {
+    let (problems, summary, outputs) = match Scene::from_file_with(scene, values) {
         Ok(loaded) => {
             let summary = Summary::of(&loaded.scene).to_string();
             (

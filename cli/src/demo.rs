@@ -57,7 +57,7 @@ pub(crate) fn run(arguments: &Demo, interrupt: &Interrupt) -> Result<(), Failure
     let (scene, archive) = (folder.join("funnel.toml"), folder.join("funnel.fmu"));
     put(&scene, SCENE.as_bytes())?;
     pack(
-        &scene,
+        (&scene, &[]),
         None,
         &archive,
         &find_libraries(None, &[])?,

@@ -15,7 +15,7 @@ use sphere_dda_picture::portrait::portrait;
 
 use package::Package;
 
-use crate::arguments::free;
+use crate::arguments::{assignment, free, parameter};
 use crate::failure::Failure;
 use crate::progress::{Interrupt, note, print};
 use crate::settle::Settling;
@@ -29,6 +29,7 @@ Examples:
   sphere-dda export hopper.toml --until-rest
   sphere-dda export hopper.toml --until-rest --start hopper.start     settles once, later exports read the start
   sphere-dda export scene.toml --fmi 3
+  sphere-dda export scene.toml --set friction=0.4             changes the start of the FMU's parameter `friction`
   sphere-dda export scene.toml --platform linux64,win64
   sphere-dda export bed.toml --ssp coupled.ssp --with shaker.fmu --set shaker.amplitude=0.001 \\
       --connect shaker.position=bed.boundary.tray.displacement \\
@@ -57,6 +58,10 @@ pub(crate) struct Export {
     /// Replace the FMU if there is one.
     #[arg(long)]
     overwrite: bool,
+    /// Default of a parameter of the scene, one of its `[[parameter]]`; can be repeated. With --ssp, FMU.VARIABLE=VALUE is a value
+    /// in the package's set of parameters, where all others have their start values.
+    #[arg(long = "set", value_name = "NAME=VALUE", value_parser = assignment)]
+    set: Vec<(String, String)>,
     #[command(flatten)]
     settling: Settling,
     #[command(flatten)]
@@ -110,29 +115,54 @@ pub(crate) fn run(arguments: &Export, interrupt: &Interrupt) -> Result<(), Failu
             fmu
         }
     };
+    let (values, of_package) = arguments.values()?;
     // What would stop the export shows before the spheres settle.
     let others = arguments.package.open()?;
     let libraries = find_libraries(arguments.library.as_deref(), &arguments.platforms)?;
     let start = arguments
         .settling
-        .start(&Scene::from_file(scene)?.scene, interrupt)?;
+        .start(&Scene::from_file_with(scene, &values)?.scene, interrupt)?;
+    let scene = (&**scene, &*values);
     if arguments.package.ssp.is_none() {
         return pack(scene, start, &output, &libraries, arguments.fmi.into());
     }
     // Its name in the package is that of the scene.
     let folder = tempfile::tempdir().map_err(Failure::run)?;
-    let fmu = folder.path().join(scene.file_stem().unwrap_or_default());
+    let fmu = folder.path().join(scene.0.file_stem().unwrap_or_default());
     let fmu = fmu.with_extension("fmu");
     write(scene, start, &fmu, &libraries, Version::Two)?;
-    arguments.package.write(&fmu, &others, &output)
+    arguments.package.write(&fmu, &others, &of_package, &output)
 }
+
+/// Values of parameters by name: those of the scene, and those of a package, as text.
+type Split = (Vec<(String, f64)>, Vec<(String, String)>);
+
+impl Export {
+    /// What `--set` says: of the scene's parameters, whose names have no point, and of the package.
+    fn values(&self) -> Result<Split, Failure> {
+        let (of_package, own): (Vec<_>, Vec<_>) =
+            (self.set.iter().cloned()).partition(|(name, _)| name.contains('.'));
+        if let (None, Some((name, _))) = (&self.package.ssp, of_package.first()) {
+            return Err(Failure::Input(miette!(
+                "--set: found `{name}`, expected the name of a parameter of the scene; with --ssp, FMU.VARIABLE"
+            )));
+        }
+        let number = |(name, value): &(String, String)| parameter(&format!("{name}={value}"));
+        let own: Result<Vec<_>, _> = own.iter().map(number).collect();
+        let own = own.map_err(|problem| Failure::Input(miette!("--set: {problem}")))?;
+        Ok((own, of_package))
+    }
+}
+
+/// A scene file, and other defaults of its parameters.
+type Given<'a> = (&'a Path, &'a [(String, f64)]);
 
 /// Exports `scene` and its settled start, if there is one, with `library`, and says what was packed.
 ///
 /// # Errors
 /// As [`run`].
 pub(crate) fn pack(
-    scene: &Path,
+    scene: Given<'_>,
     start: Option<Vec<u8>>,
     fmu: &Path,
     libraries: &[Library],
@@ -153,14 +183,16 @@ pub(crate) fn pack(
 
 /// Exports with warnings.
 fn write(
-    scene: &Path,
+    scene: Given<'_>,
     start: Option<Vec<u8>>,
     fmu: &Path,
     libraries: &[Library],
     version: Version,
 ) -> Result<Exported, Failure> {
+    let (scene, values) = scene;
     let contents = Contents {
         scene,
+        values,
         start,
         libraries,
         version,

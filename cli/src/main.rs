@@ -15,6 +15,7 @@ mod export;
 mod failure;
 mod inspect;
 mod movie;
+mod new;
 mod page;
 mod progress;
 mod recorded;
@@ -46,6 +47,7 @@ use progress::{Interrupt, note};
     after_help = "\
 Examples:
   sphere-dda demo
+  sphere-dda new hopper silo
   sphere-dda run scene.toml -o results && sphere-dda view results --open
   sphere-dda view scene.toml --watch --open
   sphere-dda export scene.toml && sphere-dda simulate scene.fmu -o outputs.csv
@@ -65,6 +67,8 @@ struct Arguments {
 enum Command {
     /// Run the funnel example as an FMU and report how to look at it.
     Demo(demo::Demo),
+    /// Begin a scene: a folder with a scene of a hopper, a drum ..., a Python driver and a README.
+    New(new::New),
     /// Check a scene: report all its problems, or its counts, mass, extent and suggested step.
     Check(check::Check),
     /// Run a scene and write VTU, PVD and CSV files.
@@ -115,6 +119,7 @@ fn main() -> ExitCode {
 fn dispatch(command: &Command) -> Result<(), Failure> {
     match command {
         Command::Demo(arguments) => demo::run(arguments, &Interrupt::listen()?),
+        Command::New(arguments) => new::run(arguments),
         Command::Check(arguments) => check::run(arguments),
         Command::View(arguments) => view::run(arguments, &Interrupt::listen()?),
         Command::Movie(arguments) => movie::run(arguments, &Interrupt::listen()?),

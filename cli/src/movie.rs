@@ -12,13 +12,12 @@ use miette::miette;
 use serde_json::{Value, json};
 use sphere_dda::scene::Scene;
 
-use crate::arguments::{interval, positive};
+use crate::arguments::{assignment, interval, positive};
 use crate::browser::{Browser, on_path};
 use crate::check::warn;
 use crate::failure::Failure;
 use crate::page::{self, Input};
 use crate::progress::{Interrupt, Progress, count, note, print};
-use crate::simulate::assignment;
 
 /// Length \[s\] of a film that is asked for without a speed.
 const LENGTH: f64 = 12.0;

@@ -148,7 +148,8 @@ impl<'s> Reference<'s> {
             let kinds: Vec<_> = options.iter().map(|o| self.kind(o)).collect();
             return kinds.join(" or ");
         }
-        match value["type"].as_str() {
+        // Numbers in a unit may be texts as well, which the page says once.
+        match value["type"].as_str().or(value["type"][0].as_str()) {
             Some("array") if value["minItems"] == 3 && value["maxItems"] == 3 => {
                 let of = value["items"]["type"].as_str().unwrap_or_default();
                 if of == "integer" {
@@ -214,7 +215,7 @@ fn range(property: &Value) -> String {
         (Some(1), None) => found.push("not empty".to_owned()),
         (low, high) => found.push(format!("{low:?} to {high:?} entries")),
     }
-    if property["pattern"].is_string() {
+    if property["pattern"].is_string() && property["type"] == "string" {
         found.push("letters, digits, `_`".to_owned());
     }
     found.join(", ")

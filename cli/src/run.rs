@@ -18,7 +18,7 @@ use sphere_dda::simulation::Simulation;
 use sphere_dda::solver::SolverKind;
 use sphere_dda::state::StepReport;
 
-use crate::arguments::{interval, positive};
+use crate::arguments::{Values, interval, positive};
 use crate::check;
 use crate::dump::Dump;
 use crate::failure::Failure;
@@ -35,6 +35,7 @@ const LONGEST_WORK: Duration = Duration::from_mins(5);
 Examples:
   sphere-dda run examples/funnel/funnel.toml -o funnel-results
   sphere-dda run scene.toml -o results --stop 0.5 --overwrite
+  sphere-dda run scene.toml -o results --set friction=0.4     with another value of the scene's parameter
   sphere-dda run scene.toml -o results --view                 ends with results/view.html, for the browser
   sphere-dda run scene.toml -o results --resume               begins, goes on, or has nothing left to do
   sphere-dda run scene.toml -o results --resume --stop 2      makes a run longer
@@ -75,6 +76,8 @@ pub(crate) struct Run {
     /// Write DIR/view.html at the end: the run in one HTML file, see `sphere-dda view`.
     #[arg(long)]
     view: bool,
+    #[command(flatten)]
+    values: Values,
     #[command(flatten)]
     settling: Settling,
 }
@@ -120,7 +123,7 @@ impl Run {
 /// # Errors
 /// All problems of the scene, a folder that cannot be used, or the step that could not be taken.
 pub(crate) fn run(arguments: &Run, interrupt: &Interrupt) -> Result<(), Failure> {
-    let loaded = Scene::from_file(&arguments.scene)?;
+    let loaded = Scene::from_file_with(&arguments.scene, &arguments.values.set)?;
     check::warn(&loaded);
     let mut scene = arguments.adjust(loaded.scene)?;
     if !arguments.overwrite && !arguments.resume {

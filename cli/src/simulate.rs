@@ -14,7 +14,7 @@ use sphere_dda_master::{
     Table, Value, simulate,
 };
 
-use crate::arguments::positive;
+use crate::arguments::{assignment, positive};
 use crate::failure::Failure;
 use crate::progress::{Interrupt, Progress, count, note};
 use crate::recorded::Recorded;
@@ -129,26 +129,6 @@ pub(crate) fn connection(text: &str) -> Result<(String, String), String> {
     let (output, input) =
         assignment(text).map_err(|_| format!("found `{text}`, expected OUTPUT=INPUT"))?;
     Ok((output, input.trim().to_owned()))
-}
-
-/// `name=value`, split at the first `=` that is not in single quotes, as names may have.
-pub(crate) fn assignment(text: &str) -> Result<(String, String), String> {
-    let mut quoted = false;
-    let mut escaped = false;
-    for (at, character) in text.char_indices() {
-        match character {
-            _ if escaped => escaped = false,
-            '\\' if quoted => escaped = true,
-            '\'' => quoted = !quoted,
-            '=' if !quoted => {
-                let (name, value) = text.split_at(at);
-                let value = value.strip_prefix('=').unwrap_or(value);
-                return Ok((name.trim().to_owned(), value.to_owned()));
-            }
-            _ => {}
-        }
-    }
-    Err(format!("found `{text}`, expected NAME=VALUE"))
 }
 
 /// Simulates FMUs and writes their outputs; what was recorded before a failure or Ctrl-C is written too.

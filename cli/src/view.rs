@@ -11,7 +11,7 @@ use sphere_dda::scene::Scene;
 use sphere_dda::scene_file::{Loaded, SceneError};
 use sphere_dda_picture::viewer::{Options, Recording};
 
-use crate::arguments::free;
+use crate::arguments::{Values, free};
 use crate::check::warn;
 use crate::failure::Failure;
 use crate::page::{self, Input};
@@ -53,6 +53,8 @@ pub(crate) struct View {
     /// Another table over time to plot: CSV with the header `time,name,...`; can be repeated.
     #[arg(long = "table", value_name = "CSV")]
     tables: Vec<PathBuf>,
+    #[command(flatten)]
+    values: Values,
 }
 
 /// A number of bytes: `50MB`.
@@ -85,6 +87,13 @@ pub(crate) fn run(arguments: &View, interrupt: &Interrupt) -> Result<(), Failure
             input.display()
         )));
     }
+    let values = &arguments.values.set;
+    if !values.is_empty() && !matches!(kind, Input::Scene) {
+        return Err(Failure::Input(miette!(
+            "--set: found `{}`, expected a scene file: results have their values already",
+            input.display()
+        )));
+    }
     let output = match (&arguments.output, &kind) {
         (Some(output), _) => output.clone(),
         (None, Input::Folder) => input.join(page::NAME),
@@ -100,7 +109,7 @@ pub(crate) fn run(arguments: &View, interrupt: &Interrupt) -> Result<(), Failure
         Input::Folder => show(page::of_folder(input, &arguments.tables)?, String::new())?,
         Input::Fmu => show(page::of_fmu(input, &arguments.tables)?, String::new())?,
         Input::Scene => {
-            let loaded = Scene::from_file(input)?;
+            let loaded = Scene::from_file_with(input, values)?;
             warn(&loaded);
             let mark = if arguments.watch {
                 stamp()
@@ -146,7 +155,8 @@ fn references(input: &Path, loaded: &Result<Loaded, SceneError>) -> Vec<PathBuf>
 /// Renews the page until Ctrl-C; a scene with problems is told here and on the page, which keeps the last sound one.
 fn watch(arguments: &View, interrupt: &Interrupt, output: &Path) -> Result<(), Failure> {
     let input = &arguments.input;
-    let mut loaded = Scene::from_file(input);
+    let values = &arguments.values.set;
+    let mut loaded = Scene::from_file_with(input, values);
     let mut files = references(input, &loaded);
     let mut seen = traces(input, &files);
     let sound = loaded.map(|loaded| loaded.scene)?;
@@ -163,7 +173,7 @@ fn watch(arguments: &View, interrupt: &Interrupt, output: &Path) -> Result<(), F
         if now == seen {
             continue;
         }
-        loaded = Scene::from_file(input);
+        loaded = Scene::from_file_with(input, values);
         if loaded.is_ok() {
             files = references(input, &loaded);
         }

@@ -66,6 +66,8 @@ pub struct Exported {
 pub struct Contents<'a> {
     /// The scene file.
     pub scene: &'a Path,
+    /// Other defaults of its parameters.
+    pub values: &'a [(String, f64)],
     /// What the scene has settled to, see [`sphere_dda::simulation::Settled`].
     pub start: Option<Vec<u8>>,
     /// The libraries, see [`find_libraries`](crate::find_libraries).
@@ -83,12 +85,13 @@ pub struct Contents<'a> {
 pub fn export(contents: Contents<'_>, fmu: &Path) -> Result<Exported, ExportError> {
     let Contents {
         scene,
+        values,
         start,
         libraries,
         version,
         draw,
     } = contents;
-    let model = Model::read(scene, start)?;
+    let model = Model::read_with(scene, values, start)?;
     let identifier = identifier(scene);
     let pictures = draw(&model.scene);
     let (mut files, findings) = described(&model, &identifier, version, pictures.is_some())?;

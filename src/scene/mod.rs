@@ -9,6 +9,7 @@ mod command;
 pub mod gravity;
 pub mod materials;
 pub(crate) mod motion;
+mod parameters;
 pub mod particles;
 pub mod rotating_frame;
 
@@ -16,6 +17,7 @@ pub use accuracy::Accuracy;
 pub use boundary::{Belt, Boundary};
 pub use command::{Command, CommandDerivatives, InputKind};
 pub use motion::Motion;
+pub use parameters::Parameter;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -372,6 +374,8 @@ pub struct Scene {
     pub sensors: Vec<Sensor>,
     /// Probed spheres.
     pub probes: Vec<Probe>,
+    /// Numbers with a name.
+    pub parameters: Vec<Parameter>,
     /// Result files.
     pub output: Output,
     /// What importers of its FMU see.

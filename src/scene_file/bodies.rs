@@ -8,6 +8,7 @@ use super::document::Document;
 use super::driven::body;
 use super::file;
 use super::names::{Context, Names};
+use super::units::metres;
 use crate::Vec3;
 use crate::geometry::{Facets, Geometry, GeometryError, HalfSpace, HeightField, Revolution, Shape};
 use crate::scene::{Belt, Boundary, InputKind, Motion};
@@ -304,15 +305,24 @@ fn stl(document: &mut Document<'_>, path: &str, mesh: &file::Stl) -> Option<Shap
 
 /// The facets of an STL file where the scene puts them.
 pub(super) fn facets(document: &mut Document<'_>, path: &str, mesh: &file::Stl) -> Option<Facets> {
-    let scaled = document.positive((path, "scale"), mesh.scale, "a factor > 0 [-]");
+    let mut good = document.positive((path, "scale"), mesh.scale, "a factor > 0 [-]");
+    let unit = mesh.unit.as_deref().unwrap_or("m");
+    let metres = metres(unit);
+    let expected = "a unit of length like \"mm\"";
+    good &= document.demand(
+        metres.is_some(),
+        (path, "unit"),
+        format!("`{unit}`"),
+        expected,
+    );
     let key = format!("{path}.file");
     document.read(&key, &mesh.file)?;
     let mut facets = accept(document, &key, Facets::stl(&document.place(&mesh.file)))?;
     // The scene must not depend on where its folder lies.
     facets.name.clone_from(&mesh.file);
-    scaled.then(|| {
+    good.then(|| {
         facets.placed(
-            mesh.scale,
+            mesh.scale * metres.unwrap_or(1.0),
             UnitQuaternion::identity(),
             mesh.translate.into(),
         )

@@ -6,12 +6,15 @@ use super::advice::advise;
 use super::bodies::{boundary, motion};
 use super::cell::cell;
 use super::checks::{accept, direction};
-use super::decode::{Entry, SceneFile};
+use super::decode::{self, Entry, SceneFile};
 use super::diagnostic::SceneError;
 use super::document::Document;
+use super::edits::written;
 use super::names::{Context, Names};
 use super::overlap::Overlaps;
 use super::pairs::pairs;
+use super::parameters;
+use super::quantities::quantities;
 use super::regions::measured;
 use super::resources::hash;
 use super::settings::{choose_steps, fall, materials, settings};
@@ -28,28 +31,45 @@ use crate::scene::{
     Boundary, Measure, Motion, Output, PointLoad, Probe, Scene, Sensor, Source, Spring,
 };
 
-/// Reads, checks and builds; `name` is what problems call the file, `folder` where its files lie.
-pub(super) fn load(name: &str, text: &str, folder: &Path) -> Result<Loaded, SceneError> {
+/// Reads, checks and builds; `name` is what problems call the file, `folder` where its files lie, `values` those of parameters
+/// that are not to have their default.
+pub(super) fn load(
+    name: &str,
+    text: &str,
+    folder: &Path,
+    values: &[(String, f64)],
+) -> Result<Loaded, SceneError> {
+    let mut edited = None;
     let mut document = Document::parse(text, folder);
     // A broken syntax shifts keys into wrong tables: its consequences would only hide it.
     let scene = if document.refused() {
         None
     } else {
-        let file = SceneFile::decode(&mut document);
-        build(&mut document, &file)
+        let entries = decode::parameters(&mut document);
+        let numbers = quantities(document.root());
+        let root = written(document.root().clone(), &numbers);
+        let (parameters, edits) = parameters::parameters(&mut document, &root, &entries, values);
+        let root = written(root, &edits);
+        edited = parameters::with_defaults(text, &document, &entries, &parameters, values);
+        let file = SceneFile::decode(&mut document, &root);
+        build(&mut document, &file).map(|scene| Scene {
+            parameters,
+            ..scene
+        })
     };
     let refused = document.refused();
     let (errors, warnings, attachments) = document.into_parts();
     match scene {
         Some(mut scene) if !refused => {
-            scene.hash = hash(text, &attachments);
+            let text = edited.unwrap_or_else(|| text.to_owned());
+            scene.hash = hash(&text, &attachments);
             if scene.title.is_empty() {
                 scene.title = stem(name);
             }
             Ok(Loaded {
                 scene,
                 name: name.to_owned(),
-                text: text.to_owned(),
+                text,
                 attachments,
                 warnings,
             })
@@ -147,6 +167,8 @@ fn build(document: &mut Document<'_>, file: &SceneFile) -> Option<Scene> {
         initial_contacts: ContactForces::default(),
         cell: cell(document, &file.cell),
         boundaries: boundaries?,
+        // Known to whoever has set them.
+        parameters: Vec::new(),
     };
     if context.ranges.iter().all(Option::is_some) {
         super::frame::judge(document, &scene, &file.boundaries);

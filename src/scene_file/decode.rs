@@ -72,30 +72,36 @@ pub(super) struct SceneFile {
 }
 
 impl SceneFile {
-    /// Decodes the whole document; what is wrong is added to its problems.
-    pub(super) fn decode(document: &mut Document<'_>) -> Self {
-        let root = document.root().clone();
+    /// Decodes `root`, the document with what parameters set, but for the parameters themselves; what is wrong is added to its
+    /// problems.
+    pub(super) fn decode(document: &mut Document<'_>, root: &Spanned<DeValue<'_>>) -> Self {
         refuse_unknown_tables(document, root.get_ref());
         Self {
-            title: optional(document, &root, "title").unwrap_or_default(),
-            about: about(document, &root),
-            simulation: simulation(document, &root),
-            materials: list(document, &root, "material"),
-            pairs: list(document, &root, "pair"),
-            pair_default: optional(document, &root, "pair_default").unwrap_or_default(),
-            spheres: list(document, &root, "spheres"),
-            sources: list(document, &root, "source"),
-            sinks: list(document, &root, "sink"),
-            cell: optional(document, &root, "cell").unwrap_or_default(),
-            boundaries: list(document, &root, "boundary"),
-            loads: list(document, &root, "load"),
-            springs: list(document, &root, "spring"),
-            sensors: list(document, &root, "sensor"),
-            probes: list(document, &root, "probe"),
-            output: optional(document, &root, "output").unwrap_or_default(),
-            fmu: optional(document, &root, "fmu").unwrap_or_default(),
+            title: optional(document, root, "title").unwrap_or_default(),
+            about: about(document, root),
+            simulation: simulation(document, root),
+            materials: list(document, root, "material"),
+            pairs: list(document, root, "pair"),
+            pair_default: optional(document, root, "pair_default").unwrap_or_default(),
+            spheres: list(document, root, "spheres"),
+            sources: list(document, root, "source"),
+            sinks: list(document, root, "sink"),
+            cell: optional(document, root, "cell").unwrap_or_default(),
+            boundaries: list(document, root, "boundary"),
+            loads: list(document, root, "load"),
+            springs: list(document, root, "spring"),
+            sensors: list(document, root, "sensor"),
+            probes: list(document, root, "probe"),
+            output: optional(document, root, "output").unwrap_or_default(),
+            fmu: optional(document, root, "fmu").unwrap_or_default(),
         }
     }
+}
+
+/// The entries of `[[parameter]]`.
+pub(super) fn parameters(document: &mut Document<'_>) -> Vec<Entry<file::Parameter>> {
+    let root = document.root().clone();
+    list(document, &root, "parameter")
 }
 
 /// What its author says of the scene; an empty text says nothing.

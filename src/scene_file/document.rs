@@ -96,6 +96,8 @@ pub(super) struct Document<'t> {
     /// Where the lines after the first begin.
     lines: Vec<usize>,
     resources: Resources<'t>,
+    /// Keys that a parameter has set, and its name.
+    marks: Vec<(String, String)>,
 }
 
 impl<'t> Document<'t> {
@@ -109,6 +111,7 @@ impl<'t> Document<'t> {
             problems: Vec::new(),
             lines: text.match_indices('\n').map(|(at, _)| at + 1).collect(),
             resources: Resources::new(folder),
+            marks: Vec::new(),
         };
         for error in errors {
             let span = error.span().unwrap_or(0..0);
@@ -152,6 +155,11 @@ impl<'t> Document<'t> {
             message.replace("literal string", "a value"),
             help.to_owned(),
         )
+    }
+
+    /// Notes that the value at `steps` is that of a parameter: problems with it say so.
+    pub(super) fn mark(&mut self, steps: &[Step], parameter: &str) {
+        self.marks.push((join("", steps), parameter.to_owned()));
     }
 
     /// Whether an error (not only warnings) was reported.
@@ -304,6 +312,13 @@ impl<'t> Document<'t> {
     ) {
         let span = pointed_at(self.text, span.start, span.end);
         let start = span.offset();
+        let help = match self.marks.iter().find(|(key, _)| *key == path) {
+            Some((_, parameter)) if help.is_empty() => {
+                format!("the parameter `{parameter}` has set it")
+            }
+            Some((_, parameter)) => format!("the parameter `{parameter}` has set it; {help}"),
+            None => help,
+        };
         self.problems.push(Diagnostic {
             path: if path.is_empty() {
                 "scene".to_owned()

@@ -13,6 +13,7 @@ mod decode;
 mod diagnostic;
 mod document;
 mod driven;
+mod edits;
 pub mod file;
 mod frame;
 mod keys;
@@ -20,6 +21,8 @@ mod loaded;
 mod names;
 mod overlap;
 mod pairs;
+mod parameters;
+mod quantities;
 mod regions;
 mod resources;
 mod schema;
@@ -29,6 +32,7 @@ mod source_text;
 mod sources;
 mod spheres;
 mod summary;
+mod units;
 mod values;
 mod wording;
 
@@ -50,10 +54,25 @@ impl Scene {
     /// # Errors
     /// All problems of the scene, or the one of reading the file.
     pub fn from_file(path: impl AsRef<Path>) -> Result<Loaded, SceneError> {
+        Self::from_file_with(path, &[])
+    }
+
+    /// As [`Self::from_file`], with other values of its parameters: the same scene as one whose text has these as their
+    /// `default`, its hash included.
+    ///
+    /// # Errors
+    /// As [`Self::from_file`]; parameters that the scene does not have, values outside their bounds.
+    pub fn from_file_with(
+        path: impl AsRef<Path>,
+        values: &[(String, f64)],
+    ) -> Result<Loaded, SceneError> {
         let path = path.as_ref();
         let name = path.display().to_string();
         match std::fs::read(path).map(String::from_utf8) {
-            Ok(Ok(text)) => Self::from_toml(&name, &text, path.parent().unwrap_or(Path::new(""))),
+            Ok(Ok(text)) => {
+                let folder = path.parent().unwrap_or(Path::new(""));
+                build::load(&name, &text, folder, values)
+            }
             Ok(Err(error)) => Err(SceneError::unreadable(
                 &name,
                 &error.to_string(),
@@ -72,6 +91,6 @@ impl Scene {
     /// # Errors
     /// All problems of the scene.
     pub fn from_toml(name: &str, text: &str, folder: &Path) -> Result<Loaded, SceneError> {
-        build::load(name, text, folder)
+        build::load(name, text, folder, &[])
     }
 }

@@ -14,6 +14,10 @@ use serde_json::{Map, Value};
 
 use super::file;
 use super::keys::keys_of;
+use super::units;
+
+/// A number and a unit.
+const QUANTITY: &str = "^ *[-+]?[0-9.]+([eE][-+]?[0-9]+)? *(1/)?[A-Za-z°µ]";
 
 /// Keywords of a range of numbers.
 const RANGE: [&str; 4] = ["minimum", "exclusiveMinimum", "maximum", "exclusiveMaximum"];
@@ -21,6 +25,37 @@ const RANGE: [&str; 4] = ["minimum", "exclusiveMinimum", "maximum", "exclusiveMa
 /// The JSON schema (draft 7) of a scene file.
 #[must_use]
 pub fn json_schema() -> Value {
+    let mut schema = plain_schema();
+    allow_quantities(&mut schema, false);
+    schema
+}
+
+/// Numbers in a unit may be written as a text with a unit.
+fn allow_quantities(value: &mut Value, within: bool) {
+    match value {
+        Value::Array(list) => list.iter_mut().for_each(|v| allow_quantities(v, within)),
+        Value::Object(object) => {
+            let text = object.get("description").and_then(Value::as_str);
+            let on_hinge = text.is_some_and(|text| text.contains("of a hinge"));
+            let unit = object.get("x-unit").and_then(Value::as_str);
+            let within = match unit {
+                Some(unit) => units::expected(unit).is_some() && !on_hinge,
+                None => within && !object.contains_key("properties"),
+            };
+            if within && object.get("type").is_some_and(|kind| kind == "number") {
+                object.insert("type".into(), vec!["number", "string"].into());
+                object.insert("pattern".into(), QUANTITY.into());
+            }
+            for value in object.values_mut() {
+                allow_quantities(value, within);
+            }
+        }
+        _ => {}
+    }
+}
+
+/// The same with all quantities as numbers.
+pub(super) fn plain_schema() -> Value {
     let generator = SchemaSettings::draft07().into_generator();
     let mut schema = generator
         .into_root_schema_for::<file::TopLevel>()
@@ -72,7 +107,15 @@ fn simplify(value: &mut Value) {
                     .replace("\\]", "]")
                     .replace('\n', " ");
             }
-            object.values_mut().for_each(simplify);
+            for (key, value) in object.iter_mut() {
+                match value {
+                    // Names of keys, which may be those of keywords.
+                    Value::Object(own) if key == "properties" => {
+                        own.values_mut().for_each(simplify);
+                    }
+                    value => simplify(value),
+                }
+            }
             if let Some(Value::Object(properties)) = object.get_mut("properties") {
                 for property in properties.values_mut().filter_map(Value::as_object_mut) {
                     spread_range(property);
@@ -171,7 +214,7 @@ fn order(schema: &mut Value) {
         Simulation Turning GravityTable RotatingFrame Cell Tolerance Material PairDefault Pair Load Spring Output Exposed
         Spheres Lattice Uniform Normal LogNormal MassTable Packing Source Sink
         Boundary Body Limits JointSpring Servo Plane Rectangle Cuboid Cone Cylinder Stl Terrain Constant Sinusoid Table
-        Tube Sensor Probe
+        Tube Sensor Probe Parameter
     };
     schema["x-order"] = keys_of::<file::TopLevel>().into();
     for (table, keys) in tables {

@@ -6,25 +6,25 @@ use serde_json::Value;
 use toml::de::DeValue;
 
 use super::document::Step;
-use super::schema::json_schema;
+use super::schema::plain_schema;
+use super::units;
 
 /// Longest text of a value that is quoted in a message \[characters\].
 const LONGEST: usize = 40;
 
 /// `found "1 ms", expected a number (in s)` for the value at the steps of a key path; `None` if the schema does not know it.
 pub(super) fn mismatch(steps: &[Step], found: &DeValue<'_>) -> Option<String> {
-    let root = json_schema();
-    let mut place = Place {
-        root: &root,
-        node: &root,
-        unit: None,
-    };
+    let root = plain_schema();
+    let mut place = Place::top(&root);
     for step in steps {
         place = place.below(step)?;
     }
-    let expected = match named_option(&place, found) {
-        Some(expected) => expected,
-        None => place.form(),
+    let text = matches!(found, DeValue::String(_));
+    let quantity = place.quantity().filter(|_| text).and_then(units::expected);
+    let expected = match (named_option(&place, found), quantity) {
+        (Some(expected), _) => expected,
+        (None, Some(quantity)) => format!("{quantity}, or {}", place.form()),
+        (None, None) => place.form(),
     };
     Some(format!("found {}, expected {expected}", typed(found)))
 }
@@ -72,7 +72,7 @@ fn named_option(place: &Place<'_>, found: &DeValue<'_>) -> Option<String> {
 
 /// A place in the schema.
 #[derive(Clone, Copy)]
-struct Place<'s> {
+pub(super) struct Place<'s> {
     root: &'s Value,
     node: &'s Value,
     /// Unit of the numbers in it.
@@ -80,6 +80,55 @@ struct Place<'s> {
 }
 
 impl<'s> Place<'s> {
+    /// The top level of the schema `root`.
+    pub(super) fn top(root: &'s Value) -> Self {
+        Self {
+            root,
+            node: root,
+            unit: None,
+        }
+    }
+
+    /// Unit of the numbers in it.
+    pub(super) fn unit(self) -> Option<&'s str> {
+        self.unit
+    }
+
+    /// The unit of the numbers in it, unless they have another one on a hinge than on a slide.
+    pub(super) fn quantity(self) -> Option<&'s str> {
+        let numbers = self.kinds().contains(&"number");
+        let text = self.node["description"].as_str().unwrap_or_default();
+        self.unit
+            .filter(|_| numbers && !text.contains("of a hinge"))
+    }
+
+    /// The types of what may stand here.
+    pub(super) fn kinds(self) -> Vec<&'s str> {
+        self.options().into_iter().map(Self::kind).collect()
+    }
+
+    /// Whether tables stand here, one after the other.
+    pub(super) fn is_list(self) -> bool {
+        let entry = self.below(&Step::Index(0));
+        entry.is_some_and(|entry| entry.kinds().contains(&"object"))
+    }
+
+    /// The keys that may stand here, in whatever form.
+    pub(super) fn keys_of_all(self) -> Vec<&'s str> {
+        self.options().into_iter().flat_map(Self::keys).collect()
+    }
+
+    /// Those of them that hold a number.
+    pub(super) fn number_keys(self) -> Vec<&'s str> {
+        let mut keys = self.keys_of_all();
+        keys.retain(|key| {
+            let place = self.below(&Step::Key((*key).to_owned()));
+            let kinds = place.map_or(Vec::new(), Self::kinds);
+            kinds.contains(&"number") || kinds.contains(&"integer")
+        });
+        keys
+    }
+
     fn at(self, node: &'s Value) -> Self {
         let unit = node["x-unit"].as_str().or(self.unit);
         let target = node["$ref"].as_str().or(node["allOf"][0]["$ref"].as_str());
@@ -104,7 +153,8 @@ impl<'s> Place<'s> {
         }
     }
 
-    fn below(self, step: &Step) -> Option<Self> {
+    /// The place one step below.
+    pub(super) fn below(self, step: &Step) -> Option<Self> {
         self.options().into_iter().find_map(|option| {
             let next = match step {
                 Step::Key(key) => option.node["properties"].get(key)?,

@@ -26,7 +26,7 @@ const EARLY: f64 = 1e-9;
 
 impl Source {
     /// What is due since its start, at time `t` \[s\]: spheres, or mass \[kg\].
-    fn due(&self, t: f64) -> f64 {
+    pub(super) fn due(&self, t: f64) -> f64 {
         let (Supply::Spheres(rate) | Supply::Mass(rate)) = self.supply;
         rate * (t.min(self.stop) - self.start).max(0.0)
     }

@@ -13,6 +13,7 @@ mod start;
 mod step_control;
 mod step_plan;
 pub mod trajectory;
+mod tune;
 
 use std::borrow::Cow;
 use std::sync::Arc;

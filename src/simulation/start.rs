@@ -15,7 +15,16 @@ impl Scene {
     /// # Errors
     /// [`SnapshotError`] if the blob is damaged or belongs to another scene or version; the scene is unchanged.
     pub fn start_from(&mut self, blob: &[u8]) -> Result<(), SnapshotError> {
-        let state: State = snapshot::restore(blob, &self.hash)?;
+        let own = self.hash.clone();
+        self.start_from_that_of(blob, &own)
+    }
+
+    /// As [`Self::start_from`], from the start of the scene with this `hash`, whose spheres and boundaries are the same.
+    ///
+    /// # Errors
+    /// As [`Self::start_from`].
+    pub fn start_from_that_of(&mut self, blob: &[u8], hash: &str) -> Result<(), SnapshotError> {
+        let state: State = snapshot::restore(blob, hash)?;
         // The state has the velocities of the half step before.
         (_, self.initial) = snapshot::spheres(blob)?;
         for (boundary, pose) in self.boundaries.iter_mut().zip(state.poses) {

@@ -31,6 +31,7 @@ fn bed(folder: &Path, name: &str, edit: impl FnOnce(&mut String)) -> Fmu {
     fs::write(&scene, text).unwrap();
     let contents = Contents {
         scene: &scene,
+        values: &[],
         start: None,
         libraries: &find_libraries(None, &[]).unwrap(),
         version: Version::Two,

@@ -5,6 +5,7 @@ mod c;
 mod extremes;
 mod feedthrough;
 mod licences;
+mod parameters;
 mod refusals;
 mod rollback;
 mod states;

@@ -84,6 +84,7 @@ pub(crate) fn scene(n: usize) -> Scene {
         particles,
         initial,
         initial_contacts: Default::default(),
+        parameters: Vec::new(),
         cell: Cell::default(),
         boundaries: vec![boundary("floor", floor()), boundary("crate", crate_box())],
         loads: Vec::new(),

@@ -1,5 +1,6 @@
 //! Bad scenes: each is refused with the key path, the line, what was found and what is expected.
 
+mod parameters;
 mod warnings;
 
 use std::path::Path;
@@ -92,7 +93,11 @@ const CASES: &[Case] = cases! {
     "step = 1e-3\n" => "fixed_step = true\n", "simulation", "[simulation]", "missing key `step`";
     "step = 1e-3" => "step = 1e-3\naccuracy = \"high\"", "simulation.accuracy", "high", "standard";
     "[simulation]\nduration = 1.0\nstep = 1e-3\n[simulation.tolerance]\ngap = 1e-6\n" => "", "simulation", "title", "missing table `[simulation]`";
-    "step = 1e-3" => "step = \"1 ms\"", "simulation.step", "\"1 ms\"", "found \"1 ms\", expected a number > 0 (in s)";
+    "step = 1e-3" => "step = \"1 mm\"", "simulation.step", "\"1 mm\"", "found \"1 mm\", expected a time like \"5 ms\", or a number > 0 (in s)";
+    "radius = 0.1\n" => "radius = \"3 kg\"\n", "spheres[0].radius", "3 kg", "found \"3 kg\", expected a length like \"8 mm\", or a number (in m), or a list";
+    "radius = [0.2]" => "radius = [\"3 foo\"]", "spheres[1].radius[0]", "3 foo", "expected a length like";
+    "friction = 0.3" => "friction = \"1 m\"", "pair_default.friction", "1 m", "found \"1 m\", expected a number >= 0";
+    "radius = 0.1\n" => "radius = \"-1 mm\"\n", "spheres[0].radius", "-1 mm", "found -0.001";
     "step = 1e-3" => "step = ", "scene", "step =", "found nothing after `step =`, expected a value";
     "name = \"steel\"" => "name = steel", "scene", "name = steel", "found `steel` without quotes";
     "motion = { table = { time = [0.0, 1.0], translation = [[0.0, 0.0, 0.0], [0.0, 0.0, 1.0]] } }" => "input = \"slide\"", "boundary[1].input", "\"slide\"", "found \"slide\", expected `{ slide = [x, y, z] }`";
@@ -178,7 +183,7 @@ const CASES: &[Case] = cases! {
     "jitter = 0.1" => "axes = [[1, 0, 0], [2, 0, 0]]", "spheres[0].lattice.axes", "axes", "not parallel";
     "positions = [[0.0, 0.0, 3.0]]\n" => "", "spheres[1]", "name = \"one\"", "found 0 of lattice, packing, positions, csv, vtu, checkpoint";
     "positions = [[0.0, 0.0, 3.0]]" => "positions = []", "spheres[1].positions", "positions", "an empty list";
-    "positions = [[0.0, 0.0, 3.0]]" => "positions = [[0.0, 0.0, \"3\"]]", "spheres[1].positions[0][2]", "positions", "found \"3\", expected a number (in m)";
+    "positions = [[0.0, 0.0, 3.0]]" => "positions = [[0.0, 0.0, \"3\"]]", "spheres[1].positions[0][2]", "positions", "found \"3\", expected a length like \"8 mm\", or a number (in m)";
     "radius = [0.2]\npositions = [[0.0, 0.0, 3.0]]" => "csv = \"none.csv\"", "spheres[1].csv", "csv", "cannot read";
     "radius = [0.2]\npositions = [[0.0, 0.0, 3.0]]" => "csv = \"../a.csv\"", "spheres[1].csv", "csv", "below the scene's folder";
     "radius = [0.2]\npositions = [[0.0, 0.0, 3.0]]" => "csv = \"bad.csv\"", "spheres[1].csv", "csv", "`abc` in `bad.csv` line 3, column `radius`";

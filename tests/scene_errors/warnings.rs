@@ -82,7 +82,7 @@ fn what_will_hurt_is_warned_of() {
             floor,
             "{ plane = { point = [0, 0, 0], normal = [0, 0, 1] } }, { stl = { file = \"large.stl\" } }",
             "boundary[0]",
-            "`large.stl` is in mm, add `scale = 0.001`",
+            "`large.stl` is in mm, add `unit = \"mm\"`",
         ),
     ];
     let corners = ["-500 -500 -1", "500 -500 -1", "0 500 -1"].map(|c| format!("vertex {c}\n"));

@@ -69,6 +69,7 @@ impl Case {
                 particles: Particles::default(),
                 initial: Kinematics::default(),
                 initial_contacts: Default::default(),
+                parameters: Vec::new(),
                 cell: Cell::default(),
                 boundaries: vec![],
                 loads: vec![],

@@ -7,7 +7,7 @@ use sphere_dda_master::{Fmu, System};
 
 use crate::failure::Failure;
 use crate::progress::print;
-use crate::simulate::{assignment, connection, stem};
+use crate::simulate::{connection, stem};
 
 /// Arguments about a package.
 #[derive(Debug, Args)]
@@ -23,10 +23,6 @@ pub(super) struct Package {
     /// Let an output feed an input; can be repeated.
     #[arg(long = "connect", value_name = "OUTPUT=INPUT", value_parser = connection, requires = "ssp")]
     connect: Vec<(String, String)>,
-    /// Value of a parameter, for the package's set of parameters; can be repeated. Numbers that are not given have
-    /// their start values in the set.
-    #[arg(long = "set", value_name = "NAME=VALUE", value_parser = assignment, requires = "ssp")]
-    set: Vec<(String, String)>,
 }
 
 impl Package {
@@ -39,14 +35,21 @@ impl Package {
             .collect::<Result<_, _>>()?)
     }
 
-    /// Connects the FMU of the scene and the others, and writes them to `ssp`.
-    pub(super) fn write(&self, fmu: &Path, others: &[Fmu], ssp: &Path) -> Result<(), Failure> {
+    /// Connects the FMU of the scene and the others, and writes them to `ssp` with a set of parameters that has the values `set`
+    /// and the start values of all others.
+    pub(super) fn write(
+        &self,
+        fmu: &Path,
+        others: &[Fmu],
+        set: &[(String, String)],
+        ssp: &Path,
+    ) -> Result<(), Failure> {
         let own = Fmu::open(fmu)?;
         let all = others.iter().chain([&own]);
         let mut system = System::coupled(all.map(|fmu| (stem(fmu.path()), fmu)))?;
         let pairs = self.connect.iter();
         system.connect(pairs.map(|(output, input)| (&**output, &**input)))?;
-        system.package(&stem(ssp), &self.set, ssp)?;
+        system.package(&stem(ssp), set, ssp)?;
         print(|out| {
             writeln!(
                 out,

@@ -30,12 +30,12 @@ pub(super) fn display_unit(unit: &str) -> Option<&'static str> {
     }
 }
 
-/// Every unit of the table, with SI exponents and display units.
-pub(super) fn units() -> Vec<Unit> {
+/// Every unit of the table, with SI exponents and display units; those that parameters of a scene alone have if they are `used`.
+pub(super) fn units<'u>(used: impl Iterator<Item = &'u str>) -> Vec<Unit> {
     const ONE: BaseUnit = BaseUnit::DIMENSIONLESS;
     let degrees = 180.0 / std::f64::consts::PI;
     let si = |name: &str, kg: i32, m: i32, s: i32| Unit::new(name, BaseUnit { kg, m, s, ..ONE });
-    vec![
+    let mut units = vec![
         si("s", 0, 0, 1).with_display_unit("ms", 1e3, 0.0),
         si("m", 0, 1, 0).with_display_unit("mm", 1e3, 0.0),
         si("m/s", 0, 1, -1),
@@ -60,5 +60,35 @@ pub(super) fn units() -> Vec<Unit> {
         si("J", 1, 2, -2),
         si("W", 1, 2, -3),
         si("Pa", 1, -1, -2).with_display_unit("kPa", 1e-3, 0.0),
-    ]
+    ];
+    let used: Vec<&str> = used.collect();
+    let damping = BaseUnit {
+        kg: 1,
+        m: 2,
+        s: -1,
+        rad: -1,
+        ..ONE
+    };
+    let degree = BaseUnit {
+        rad: 1,
+        factor: degrees.recip(),
+        ..ONE
+    };
+    let of_parameters = [
+        si("1/s", 0, 0, -1),
+        si("Hz", 0, 0, -1),
+        si("N/m", 1, 0, -2),
+        si("N.s/m", 1, 0, -1),
+        Unit::new("N.m.s/rad", damping),
+        Unit::new("deg", degree),
+        si("kg.m2", 1, 2, 0),
+        si("kg/m3", 1, -3, 0).with_display_unit("t/m3", 1e-3, 0.0),
+        si("m2", 0, 2, 0),
+    ];
+    units.extend(
+        of_parameters
+            .into_iter()
+            .filter(|unit| used.contains(&&*unit.name)),
+    );
+    units
 }

@@ -45,7 +45,8 @@ pub fn describe(scene: &Scene, table: &Table, identifier: &str, guid: &str) -> M
     model.copyright = about.copyright.clone();
     model.license = about.license.clone();
     model.generation_tool = Some(format!("sphere-dda {VERSION}"));
-    model.unit_definitions = units();
+    let used = entries.iter().filter_map(|entry| entry.variable.unit);
+    model.unit_definitions = units(used);
     let used = choices(entries.iter().map(|entry| entry.variable.choices));
     let definition = |c: &Enumeration| SimpleType::enumeration(c.name, c.items.iter().copied());
     model.type_definitions = used.into_values().map(definition).collect();
@@ -89,8 +90,9 @@ fn variable_type(entry: &Entry) -> VariableType {
     }
     match variable.scalar {
         ScalarType::Int32 => VariableType::Integer(IntegerVariable {
-            // Bounds of counts: the only integers of the table.
-            min: variable.min.map(|_| 0),
+            // Bounds of integers are whole and of 32 bits.
+            min: variable.min.map(|min| min as i32),
+            max: variable.max.map(|max| max as i32),
             start: integer,
             ..IntegerVariable::new()
         }),

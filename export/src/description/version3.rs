@@ -41,7 +41,8 @@ pub fn describe(scene: &Scene, table: &Table, identifier: &str, guid: &str) -> M
     model.copyright = about.copyright.clone();
     model.license = about.license.clone();
     model.generation_tool = Some(format!("sphere-dda {VERSION}"));
-    model.unit_definitions = units();
+    let used = entries.iter().filter_map(|entry| entry.variable.unit);
+    model.unit_definitions = units(used);
     let used = choices(entries.iter().map(|entry| entry.variable.choices));
     let definition = |c: &Enumeration| {
         let items = c.items.iter();
@@ -96,7 +97,6 @@ fn variable(entry: &Entry, spheres: usize) -> Variable {
     let bound = |value: Option<f64>| {
         value.map(|value| match own.scalar {
             ScalarType::Float64 => format!("{value:?}"),
-            // Bounds of counts: the only integers of the table.
             _ => format!("{value}"),
         })
     };

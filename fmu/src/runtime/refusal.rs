@@ -125,6 +125,9 @@ pub enum Refusal {
     /// The simulation's part of a saved state does not fit.
     #[error("{0}")]
     Snapshot(#[from] SnapshotError),
+    /// The scene does not take the values of its parameters.
+    #[error("{0}")]
+    Model(#[from] ModelError),
     /// Result files cannot be written.
     #[error("{0}")]
     Output(#[from] OutputError),

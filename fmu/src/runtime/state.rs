@@ -6,7 +6,7 @@
 //! 8..12     format version, little endian as all numbers
 //! 12..20    length of the body
 //! 20..24    CRC-32 of the body
-//! 24..      body (postcard): guid, life cycle, parameters, commands, snapshot of the simulation, start of its last step
+//! 24..      body (postcard): guid, life cycle, parameters, values, commands, snapshot of the simulation, start of its last step
 //! ```
 //!
 //! The snapshot is [`sphere_dda::simulation::Simulation::snapshot`], the same blob as a checkpoint file. There are no
@@ -21,7 +21,7 @@ use crate::runtime::life_cycle::LifeCycle;
 use crate::table::Parameters;
 
 const MAGIC: [u8; 8] = *b"SDDAFMU\0";
-const FORMAT: u32 = 9;
+const FORMAT: u32 = 10;
 const HEADER: usize = 24;
 
 /// Everything an instance holds beside the simulation.
@@ -37,6 +37,12 @@ pub struct InstanceState {
     pub time: f64,
     /// Settings.
     pub parameters: Parameters,
+    /// Values of the scene's parameters, as set; `[P]`.
+    pub values: Vec<f64>,
+    /// Those with which the scene was built.
+    pub built: Vec<f64>,
+    /// Those of the last step.
+    pub stepped: Vec<f64>,
     /// Command of every boundary, zero where it is not driven; `[B]`.
     pub commands: Vec<Command>,
     /// Their derivatives by time, for the next step; `[B]`.
@@ -85,16 +91,20 @@ pub enum StateError {
 }
 
 impl SavedState {
-    /// Whether the parts fit each other and a scene of `boundaries` boundaries.
+    /// Whether the parts fit each other and an instance in the state `own`.
     ///
     /// # Errors
     /// [`StateError::Format`].
-    pub fn check(&self, boundaries: usize) -> Result<(), StateError> {
-        for (what, found) in [
-            ("number of commands", self.run.commands.len()),
-            ("number of derivatives", self.run.rates.len()),
+    pub fn check(&self, own: &InstanceState) -> Result<(), StateError> {
+        let (run, boundaries, parameters) = (&self.run, own.commands.len(), own.values.len());
+        for (what, found, expected) in [
+            ("number of commands", run.commands.len(), boundaries),
+            ("number of derivatives", run.rates.len(), boundaries),
+            ("number of values", run.values.len(), parameters),
+            ("number of values at the start", run.built.len(), parameters),
+            ("number of values in steps", run.stepped.len(), parameters),
         ] {
-            expect(what, found as u64, boundaries as u64)?;
+            expect(what, found as u64, expected as u64)?;
         }
         let stage = self.run.stage;
         if matches!(stage, LifeCycle::Error | LifeCycle::Intermediate) {

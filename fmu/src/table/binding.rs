@@ -13,6 +13,8 @@ pub enum Binding {
     Time,
     /// A setting of the run: its rank in [`super::PARAMETERS`].
     Parameter(usize),
+    /// A parameter of the scene: its rank in [`sphere_dda::scene::Scene::parameters`].
+    SceneParameter(usize),
     /// A part of the command of a driven boundary.
     Input {
         /// Index of the boundary.

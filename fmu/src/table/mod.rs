@@ -28,6 +28,7 @@ mod enumeration;
 mod inputs;
 mod outputs;
 mod parameters;
+mod scene_parameters;
 mod spheres;
 mod variable;
 
@@ -45,6 +46,7 @@ pub use binding::{Binding, Field, Input};
 pub use enumeration::{Enumeration, solver_value};
 pub use outputs::UnknownOutputs;
 pub use parameters::{PARAMETERS, Parameter, Parameters};
+pub(crate) use scene_parameters::value;
 pub use variable::{Entry, Variable};
 
 /// The variables of a scene.
@@ -70,6 +72,7 @@ impl Table {
             ..Variable::new("time", real, time, Binding::Time, "Simulated time")
         }];
         variables.extend(parameters::parameters(scene));
+        variables.extend(scene_parameters::scene_parameters(scene));
         for (b, boundary) in scene.boundaries.iter().enumerate() {
             variables.extend(inputs::inputs(b, boundary));
         }
@@ -99,6 +102,24 @@ impl Table {
     #[must_use]
     pub fn variables(&self) -> &[Variable] {
         &self.variables
+    }
+
+    /// Whether another table has the same variables, whatever their start values and bounds.
+    #[must_use]
+    pub fn is_like(&self, other: &Self) -> bool {
+        let shape = |v: &Variable| (v.name.clone(), v.dims.clone(), v.scalar, v.variability);
+        self.measured == other.measured
+            && self.scalars == other.scalars
+            && (self.variables.iter().map(shape)).eq(other.variables.iter().map(shape))
+    }
+
+    /// A name that two variables have.
+    #[must_use]
+    pub fn repeated(&self) -> Option<&str> {
+        let mut names: Vec<&str> = self.variables.iter().map(|v| &*v.name).collect();
+        names.sort_unstable();
+        let repeated = names.windows(2).find(|pair| pair[0] == pair[1]);
+        repeated.map(|pair| pair[0])
     }
 
     /// Number of values in [`sphere_dda::observe::quantities::values`].

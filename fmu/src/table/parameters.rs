@@ -159,6 +159,23 @@ impl Parameters {
         settings
     }
 
+    /// Takes over what scene `new` sets otherwise than scene `old`: where both agree, what an importer has set stays.
+    pub fn follow(&mut self, old: &Scene, new: &Scene) {
+        let (old, mut fresh) = (Self::of(old), Self::of(new));
+        for (rank, parameter) in PARAMETERS.iter().enumerate() {
+            let elements = match parameter.access {
+                Access::Vector(..) => XYZ.len(),
+                _ => 1,
+            };
+            for element in 0..elements {
+                if fresh.get(rank, element) == old.get(rank, element) {
+                    fresh.set(rank, element, self.get(rank, element));
+                }
+            }
+        }
+        *self = fresh;
+    }
+
     /// An element of a parameter, by its rank in [`PARAMETERS`].
     #[must_use]
     pub fn get(&self, rank: usize, element: usize) -> Value {

@@ -94,7 +94,10 @@ impl Variable {
     pub fn is_computed(&self) -> bool {
         !matches!(
             self.binding,
-            Binding::Time | Binding::Parameter(_) | Binding::Input { .. }
+            Binding::Time
+                | Binding::Parameter(_)
+                | Binding::SceneParameter(_)
+                | Binding::Input { .. }
         )
     }
 

@@ -28,6 +28,7 @@ impl Target for Scenes {
             include_str!("../../../examples/drum/drum.toml"),
             include_str!("../../../examples/two_fmus/bed.toml"),
             include_str!("../../../examples/shear/shear.toml"),
+            include_str!("../../../examples/gate/gate.toml"),
         ]
         .map(|text| text.as_bytes().to_vec())
         .into()

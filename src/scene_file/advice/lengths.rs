@@ -66,11 +66,12 @@ fn large(
     );
     match mesh {
         Some(name) if size > LARGE_MESH * around => {
-            let help = format!("if `{name}` is in mm, add `scale = 0.001` next to `file`");
+            let help = format!("if `{name}` is in mm, add `unit = \"mm\"` next to `file`");
             Some(Advice::warning(path, found, help))
         }
         Some(name) if size < smallest => {
-            let help = format!("lengths are in m: add `scale` next to `file = \"{name}\"`");
+            let help =
+                format!("lengths are in m: add `unit` or `scale` next to `file = \"{name}\"`");
             Some(Advice::warning(path, found, help))
         }
         None if size > LARGE_FACES * around && !has_terrain(boundary) => {

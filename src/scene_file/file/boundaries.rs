@@ -142,10 +142,13 @@ pub struct Cylinder {
 pub struct Stl {
     /// File beside or below the scene file.
     pub file: String,
-    /// Factor on the file's coordinates: 0.001 for millimetres.
+    /// Factor on the file's coordinates.
     #[serde(default = "super::defaults::one")]
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub scale: f64,
+    /// Unit of the file's coordinates, like `"mm"` or `"in"`; `scale` counts on top of it.
+    #[schemars(extend("x-default" = "`\"m\"`"))]
+    pub unit: Option<String>,
     /// Translation after scaling \[m\].
     #[serde(default)]
     pub translate: Vector,

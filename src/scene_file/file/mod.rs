@@ -6,6 +6,7 @@ mod cell;
 mod defaults;
 mod driven;
 mod frame;
+mod parameters;
 mod regions;
 mod sensors;
 mod spheres;
@@ -25,6 +26,7 @@ pub use boundaries::{
 pub use cell::Cell;
 pub use driven::{Body, Joint, JointSpring, Limits, Servo};
 pub use frame::{GravityMotion, GravityTable, RotatingFrame, Turning};
+pub use parameters::Parameter;
 pub use regions::{Region, Tube};
 pub use sensors::{MassFlow, Probe, Sensor};
 pub use spheres::{
@@ -92,6 +94,9 @@ pub struct TopLevel {
     /// Spheres whose states are outputs.
     #[serde(default)]
     pub probe: Vec<Probe>,
+    /// Numbers of the scene with a name, which commands and FMUs can set.
+    #[serde(default)]
+    pub parameter: Vec<Parameter>,
     /// Result files.
     #[serde(default)]
     pub output: Output,

@@ -9,23 +9,25 @@
 //! accumulated, the simulation is asked for what is left to that point. A refused call changes nothing.
 
 mod derivatives;
+mod scene;
+mod states;
 mod step;
 mod step_in_progress;
 mod values;
 
 use std::collections::BTreeMap;
 use std::path::Path;
+use std::sync::Arc;
 
 use sphere_dda::error::StepError;
-use sphere_dda::scene::Boundary;
-use sphere_dda::scene::{Command, CommandDerivatives};
+use sphere_dda::scene::{Boundary, Command, CommandDerivatives, Scene};
 use sphere_dda::simulation::Simulation;
 
 use crate::model::Model;
 use crate::runtime::life_cycle::LifeCycle;
 use crate::runtime::recorder::Recorder;
 use crate::runtime::refusal::{InstantiationError, Refusal};
-use crate::runtime::state::{InstanceState, SavedState};
+use crate::runtime::state::InstanceState;
 use crate::table::Parameters;
 use sphere_dda_fmi_interface::log::{Level, Log};
 use sphere_dda_fmi_interface::pointers::BadArgument;
@@ -64,6 +66,10 @@ pub struct Instance {
     model: Model,
     log: Log,
     run: InstanceState,
+    /// The scene with the values it was built with.
+    base: Arc<Scene>,
+    /// The scene with the values that are set, as far as it is known.
+    latest: Arc<Scene>,
     simulation: Option<Simulation>,
     /// The step under way, if it is taken in pieces.
     step: Option<StepInProgress>,
@@ -85,6 +91,8 @@ impl Instance {
     ) -> Result<Self, InstantiationError> {
         Self::try_new(name, guid, resources).map(|(model, run)| Self {
             name: name.to_owned(),
+            base: Arc::clone(&model.scene),
+            latest: Arc::clone(&model.scene),
             model,
             log,
             run,
@@ -311,6 +319,10 @@ impl Instance {
                 expected: "one",
             });
         };
+        if self.run.stepped != self.run.values {
+            simulation.tune(simulation.scene().tuned(&self.latest).into());
+            self.run.stepped.clone_from(&self.run.values);
+        }
         simulation.set_gravity(self.run.parameters.settings.gravity)?;
         command(simulation, &self.run)?;
         Ok(simulation)
@@ -331,6 +343,8 @@ impl Instance {
     pub fn reset(&mut self) -> bool {
         let whole = self.recorder.close(&self.log);
         self.run = initial(&self.model);
+        self.base = Arc::clone(&self.model.scene);
+        self.latest = Arc::clone(&self.model.scene);
         self.simulation = None;
         self.step = None;
         self.measured = Measured::default();
@@ -356,85 +370,11 @@ impl Instance {
         self.run.stage == LifeCycle::Error
     }
 
-    /// The complete state as bytes: see [`crate::runtime::state`].
-    ///
-    /// # Errors
-    /// [`Refusal::State`] if the serializer fails.
-    pub fn save(&self) -> Result<Vec<u8>, Refusal> {
-        let saved = SavedState {
-            guid: self.model.guid.clone(),
-            run: self.run.clone(),
-            snapshot: self.simulation.as_ref().map(Simulation::snapshot),
-            replay: self
-                .simulation
-                .as_ref()
-                .and_then(Simulation::replay_record)
-                .cloned(),
-        };
-        Ok(saved.encode()?)
-    }
-
-    /// Whether bytes are a state of this model.
-    ///
-    /// # Errors
-    /// [`Refusal::State`].
-    pub fn verify(&self, bytes: &[u8]) -> Result<(), Refusal> {
-        Ok(SavedState::decode(bytes, &self.model.guid)?.check(self.run.commands.len())?)
-    }
-
-    /// Puts the instance into a saved state, also one of another instance or process.
-    ///
-    /// # Errors
-    /// [`Refusal::State`], [`Refusal::Snapshot`]: the instance is as before.
-    pub fn load(&mut self, bytes: &[u8]) -> Result<(), Refusal> {
-        let saved = SavedState::decode(bytes, &self.model.guid)?;
-        saved.check(self.run.commands.len())?;
-        match &saved.snapshot {
-            None => self.simulation = None,
-            Some(snapshot) => {
-                let parameters = &saved.run.parameters;
-                match self
-                    .simulation
-                    .as_mut()
-                    .filter(|s| parameters.fit(s.scene()))
-                {
-                    Some(simulation) => simulation.resume(snapshot, saved.replay)?,
-                    None => {
-                        let mut simulation = self.simulate(parameters)?;
-                        simulation.resume(snapshot, saved.replay)?;
-                        self.simulation = Some(simulation);
-                    }
-                }
-            }
-        }
-        self.run = saved.run;
-        self.measured = Measured::default();
-        match &self.simulation {
-            Some(simulation) if self.run.stage == LifeCycle::StepComplete => {
-                self.recorder
-                    .follow(&self.name, &self.run.parameters, simulation, &self.log);
-            }
-            Some(_) if self.run.stage == LifeCycle::StepFailed => {}
-            _ => {
-                // The log tells of files that were not written; the restored state is whole all the same.
-                self.recorder.close(&self.log);
-            }
-        }
-        self.log.write(
-            Level::Ok,
-            format_args!("restored the state of t = {} s", self.run.time),
-        );
-        Ok(())
-    }
-
-    fn simulate(&self, parameters: &Parameters) -> Result<Simulation, StepError> {
-        Simulation::new(parameters.apply(&self.model.scene).into())
-    }
-
     /// Brings the simulation to the start that parameters and inputs ask for.
     fn prepare(&mut self) -> Result<(), Refusal> {
         self.measured = Measured::default();
-        let mut simulation = self.simulate(&self.run.parameters)?;
+        self.build()?;
+        let mut simulation = Simulation::new(self.run.parameters.apply(&self.base).into())?;
         let gravity = self.run.parameters.settings.gravity;
         // A start that is the scene's own is left alone: the FMU then gives the bytes that the library gives.
         if gravity != simulation.state().gravity
@@ -452,12 +392,16 @@ impl Instance {
 
 /// The state after instantiation: everything as in the scene.
 fn initial(model: &Model) -> InstanceState {
+    let values: Vec<f64> = model.scene.parameters.iter().map(|p| p.value).collect();
     InstanceState {
         stage: LifeCycle::Instantiated,
         start: 0.0,
         stop: None,
         time: 0.0,
         parameters: Parameters::of(&model.scene),
+        values: values.clone(),
+        built: values.clone(),
+        stepped: values,
         commands: model.scene.boundaries.iter().map(Boundary::rest).collect(),
         rates: vec![CommandDerivatives::default(); model.scene.boundaries.len()],
         pending: false,

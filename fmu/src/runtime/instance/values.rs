@@ -14,7 +14,7 @@ use super::Instance;
 use crate::runtime::document;
 use crate::runtime::life_cycle::LifeCycle;
 use crate::runtime::refusal::Refusal;
-use crate::table::{Binding, Entry, Table, Variable};
+use crate::table::{Binding, Entry, Table, Variable, value};
 use crate::version::Version;
 
 /// Which value references a call uses, and the type of its values in C.
@@ -111,6 +111,10 @@ impl Instance {
     fn element(&self, variable: &Variable, k: usize) -> Value {
         match variable.binding {
             Binding::Parameter(rank) => self.run.parameters.get(rank, k),
+            Binding::SceneParameter(rank) => {
+                let is_integer = variable.scalar == ScalarType::Int32;
+                value(is_integer, self.run.values[rank])
+            }
             Binding::Input { boundary, input } => {
                 let mut command = self.run.commands[boundary];
                 Value::Real(*input.of(&mut command, k))
@@ -146,7 +150,7 @@ impl Instance {
     ///
     /// # Errors
     /// [`Refusal::Reference`], [`Refusal::NotSettable`], [`Refusal::Argument`] if there are more or fewer values than
-    /// elements, [`Refusal::Item`], [`Refusal::Range`].
+    /// elements, [`Refusal::Item`], [`Refusal::Range`]; [`Refusal::Model`] if the scene does not take parameters between steps.
     pub fn set(
         &mut self,
         call: Call,
@@ -167,6 +171,17 @@ impl Instance {
         for ((variable, k), value) in places.iter().zip(&values) {
             within(variable, *k, value)?;
         }
+        let mut turned = self.run.values.clone();
+        for ((variable, _), value) in places.iter().zip(&values) {
+            match (&variable.binding, value) {
+                (Binding::SceneParameter(rank), Value::Real(value)) => turned[*rank] = *value,
+                (Binding::SceneParameter(rank), Value::Integer(value)) => {
+                    turned[*rank] = *value as f64;
+                }
+                _ => {}
+            }
+        }
+        self.turn(turned)?;
         for ((variable, k), value) in places.into_iter().zip(values) {
             match (&variable.binding, value) {
                 (Binding::Parameter(rank), value) => self.run.parameters.set(*rank, k, value),
@@ -176,6 +191,7 @@ impl Instance {
                         *input.of(rate, k) = 0.0;
                     }
                 }
+                (Binding::SceneParameter(_), _) => {}
                 _ => continue,
             }
             self.run.pending = true;
