@@ -6,16 +6,12 @@ import sys
 
 import pytest
 from conftest import ROOT
-
-
-def blocks(language, page="README.md"):
-    text = (ROOT / page).read_text(encoding="utf-8")
-    return re.findall(rf"^```{language}\n(.*?)^```$", text, re.S | re.M)
+from pages import texts
 
 
 def test_python(fmus, tmp_path):
     (tmp_path / "feeder.fmu").symlink_to(fmus["feeder"].resolve())
-    (block,) = blocks("python")
+    (block,) = texts("README.md", "python")
     done = subprocess.run([sys.executable, "-c", block], cwd=tmp_path, capture_output=True, text=True, timeout=300)
     assert done.returncode == 0, done.stderr
     time, force, _, overlap = map(float, re.findall(r"-?[0-9.]+(?:e[-+][0-9]+)?", done.stdout))
@@ -23,7 +19,7 @@ def test_python(fmus, tmp_path):
 
 
 def test_scenes(command, tmp_path):
-    for block in blocks("toml"):
+    for block in texts("README.md", "toml"):
         scene = tmp_path / "scene.toml"
         scene.write_text(block)
         subprocess.run([command, "check", scene], check=True)
@@ -32,7 +28,8 @@ def test_scenes(command, tmp_path):
 
 PAGES = (
     "README.md", "examples/README.md", "examples/two_fmus/README.md", "docs/scene.md", "docs/results.md",
-    "docs/fmu-tutorial.md", "docs/fmu.md", "docs/master.md", "docs/coupling.md",
+    "docs/fmu.md", "docs/master.md", "docs/coupling.md", "docs/faq.md", "docs/index.md",
+    *(str(path.relative_to(ROOT)) for pages in ("*tutorial.md", "howto/*.md") for path in sorted(ROOT.glob(f"docs/{pages}"))),
 )
 
 
