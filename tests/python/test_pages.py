@@ -10,7 +10,7 @@ from pages import run_page
 
 def numbers(pattern, said):
     """The numbers of every line that matches."""
-    return [tuple(map(float, found)) for found in re.findall(pattern, said)]
+    return [tuple(map(float, match.groups())) for match in re.finditer(pattern, said)]
 
 
 def test_every_page_that_teaches_is_run():
