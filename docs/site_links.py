@@ -11,6 +11,7 @@ log = logging.getLogger("mkdocs.hooks.site_links")
 
 
 def on_page_markdown(markdown, page, config, files):
+    repository = config.extra["repository"]
     folder = posixpath.dirname(f"docs/{page.file.src_uri}")
 
     def outward(match):
@@ -22,6 +23,6 @@ def on_page_markdown(markdown, page, config, files):
         if not path.exists():
             log.warning("%s: the link %s leads to no file", page.file.src_uri, link)
         kind = "raw" if image else "tree" if path.is_dir() else "blob"
-        return f"{image}{text}{config.repo_url}/{kind}/main/{target}"
+        return f"{image}{text}{repository}/{kind}/main/{target}"
 
     return LINK.sub(outward, markdown)
