@@ -1,4 +1,4 @@
-"""The site of docs/: every page is in the navigation, every link and anchor leads somewhere, no page asks another server."""
+"""The site of docs/: every page is in the navigation, every link leads somewhere, no page asks another server."""
 
 import os
 import re
