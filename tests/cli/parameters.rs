@@ -38,6 +38,8 @@ unit = "m"
 name = "count"
 sets = "spheres.fill.lattice.count[1]"
 min = 1
+[fmu]
+outputs = ["*"]
 "#;
 
 fn put(folder: &Path, name: &str, changes: &[(&str, &str)]) {

@@ -65,7 +65,8 @@ fn outputs(scene: &Scene, instance: &Instance) -> Vec<u64> {
     let entries = scene.model.table.entries(Version::Two);
     let real = |entry: &&sphere_dda_fmu::table::Entry<'_>| {
         let variable = entry.variable;
-        variable.causality == Causality::Output && variable.scalar == ScalarType::Float64
+        let measured = matches!(variable.causality, Causality::Output | Causality::Local);
+        measured && variable.scalar == ScalarType::Float64
     };
     let references: Vec<u32> = entries.iter().filter(real).map(|e| e.reference).collect();
     let mut values = vec![0.0; references.len()];

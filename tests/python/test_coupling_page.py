@@ -1,6 +1,5 @@
 """The recipes of docs/coupling.md run and agree."""
 
-import os
 import re
 import shlex
 import subprocess
@@ -9,12 +8,9 @@ import sys
 import numpy as np
 import pytest
 from conftest import ROOT
+from pages import environment, texts
 
-PAGE = (ROOT / "docs" / "coupling.md").read_text(encoding="utf-8")
-
-
-def blocks(language):
-    return re.findall(rf"^```{language}\n(.*?)^```$", PAGE, re.S | re.M)
+PAGE = "docs/coupling.md"
 
 
 @pytest.fixture
@@ -32,9 +28,8 @@ def python(block, folder):
 
 
 def shell(block, command, folder):
-    path = os.pathsep.join([str(command.parent), os.environ["PATH"]])
     done = subprocess.run(
-        ["bash", "-euc", block], cwd=folder, env={**os.environ, "PATH": path}, capture_output=True, text=True, timeout=300
+        ["bash", "-euc", block], cwd=folder, env=environment(command), capture_output=True, text=True, timeout=300
     )
     assert done.returncode == 0, done.stderr
     return done.stderr
@@ -45,7 +40,7 @@ def last(path):
 
 
 def test_all_masters_agree(command, folder):
-    making, ours, package = blocks("sh")
+    making, ours, package = texts(PAGE, "sh")
     assert shlex.split(making)[:2] == ["sphere-dda", "export"]
     said = shell(ours, command, folder)
     assert 1.0 < float(re.search(r"([\d.]+) iterations per step", said)[1]) < 8.0
@@ -53,7 +48,7 @@ def test_all_masters_agree(command, folder):
     strong = last(folder / "coupled.csv")
     assert (folder / "coupled.csv").read_bytes() == (folder / "from-ssp.csv").read_bytes()
 
-    by_states, by_cosim = blocks("python")
+    by_states, by_cosim = texts(PAGE, "python")
     told = python(by_states, folder)
     position, iterations = (float(re.search(pattern, told)[1]) for pattern in (r"position (\S+) m", r"([\d.]+) iterations per step"))
     # Grains in motion magnify what is left of the tolerance.

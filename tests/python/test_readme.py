@@ -6,17 +6,13 @@ import sys
 
 import pytest
 from conftest import ROOT
-
-
-def blocks(language, page="README.md"):
-    text = (ROOT / page).read_text(encoding="utf-8")
-    return re.findall(rf"^```{language}\n(.*?)^```$", text, re.S | re.M)
+from pages import texts
 
 
 def test_python(fmus, tmp_path):
     (tmp_path / "feeder.fmu").symlink_to(fmus["feeder"].resolve())
     # The other block is tests/python/test_wheel.py's.
-    (block,) = (block for block in blocks("python") if "simulate_fmu(\n" in block)
+    (block,) = (block for block in texts("README.md", "python") if "simulate_fmu(\n" in block)
     done = subprocess.run([sys.executable, "-c", block], cwd=tmp_path, capture_output=True, text=True, timeout=300)
     assert done.returncode == 0, done.stderr
     time, force, _, overlap = map(float, re.findall(r"-?[0-9.]+(?:e[-+][0-9]+)?", done.stdout))
@@ -24,7 +20,7 @@ def test_python(fmus, tmp_path):
 
 
 def test_scenes(command, tmp_path):
-    for block in blocks("toml"):
+    for block in texts("README.md", "toml"):
         scene = tmp_path / "scene.toml"
         scene.write_text(block)
         subprocess.run([command, "check", scene], check=True)
@@ -33,7 +29,8 @@ def test_scenes(command, tmp_path):
 
 PAGES = (
     "README.md", "examples/README.md", "examples/two_fmus/README.md", "docs/scene.md", "docs/results.md",
-    "docs/fmu-tutorial.md", "docs/fmu.md", "docs/master.md", "docs/coupling.md", "docs/python.md",
+    "docs/fmu.md", "docs/master.md", "docs/coupling.md", "docs/faq.md", "docs/index.md", "docs/python.md",
+    *(str(path.relative_to(ROOT)) for pages in ("*tutorial.md", "howto/*.md") for path in sorted(ROOT.glob(f"docs/{pages}"))),
 )
 
 

@@ -269,7 +269,8 @@ proptest! {
         Plain::<4, false>.double(cases[1].sweep(0, pace));
         let [a, b] = cases.map(|case| case.bodies);
         for (a, b) in a.iter().zip(&b).flat_map(|(a, b)| a.0.iter().zip(b.0)) {
-            prop_assert!((a - b).abs() < 1e-10, "{} and {}", a, b);
+            // The direction of a short slip magnifies rounding by 1 over its length.
+            prop_assert!((a - b).abs() < 1e-8, "{} and {}", a, b);
         }
     }
 }
