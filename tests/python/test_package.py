@@ -25,10 +25,10 @@ def unit(request, fmus, units):
 
 
 def members(terminal):
-    """Member name -> variable name of a terminal and of all below it."""
-    found = {m.get("memberName"): m.get("variableName") for m in terminal.findall("TerminalMemberVariable")}
-    for below in terminal.findall("Terminal"):
-        found |= members(below)
+    """Member name -> variable name of a terminal, without those below it."""
+    listed = terminal.findall("TerminalMemberVariable")
+    found = {m.get("memberName"): m.get("variableName") for m in listed}
+    assert len(found) == len(listed)
     return found
 
 
@@ -44,14 +44,15 @@ def test_terminals_follow_the_schema_and_hold_every_variable_of_a_boundary(unit)
     assert of_boundaries
     assert set(terminals) == {v.split(".")[1] for v in of_boundaries}
     for boundary, terminal in terminals.items():
-        prefix = f"boundary.{boundary}."
-        wanted = {v.removeprefix(prefix): v for v in of_boundaries if v.startswith(prefix)}
-        assert members(terminal) == wanted
-        parts = {part.get("name"): members(part) for part in terminal.findall("Terminal")}
+        own = [v for v in of_boundaries if v.startswith(f"boundary.{boundary}.")]
+        parts = {part.get("name"): members(part) for part in [terminal, *terminal.findall("Terminal")]}
+        assert sorted(v for part in parts.values() for v in part.values()) == sorted(own)
         first, last = ("[1]", "[3]") if version == 2 else ("", "")
-        assert f"position{first}" in parts["pose"] and f"averageForce{last}" in parts["wrench"]
+        assert parts["pose"][f"position{first}"] == f"boundary.{boundary}.position{first}"
+        assert parts["wrench"][f"force{last}"] == f"boundary.{boundary}.averageForce{last}"
     if name == "feeder":
-        assert "displacement" in members(terminals["trough"].find("Terminal[@name='pose']"))
+        trough = members(terminals["trough"].find("Terminal[@name='joint']"))
+        assert trough == {"position": "boundary.trough.displacement", "effort": "boundary.trough.slideForce"}
 
 
 class Page(HTMLParser):
