@@ -8,8 +8,9 @@ use thiserror::Error;
 pub enum StepError {
     /// The tolerances were not reached, also after the step had been cut as often as allowed.
     #[error(
-        "step from t = {time} s, dt = {step:e} s: {what} {residual:e} stays above {tolerance:e} at {contact} after {cuts} cuts{broken}; \
-         loosen tolerance.{what}, or remove `strict = true` to take the best iterate and go on"
+        "step from t = {time} s, dt = {step:e} s: {what} {} stays above {tolerance:e} at {contact} after {cuts} cuts{broken}; \
+         loosen tolerance.{what}, or remove `strict = true` to take the best iterate and go on",
+        size(*residual)
     )]
     NotConverged {
         /// Start of the step \[s\].
@@ -18,7 +19,7 @@ pub enum StepError {
         step: f64,
         /// Which residual: `gap`, `slip` or `force`.
         what: &'static str,
-        /// Its value \[-\].
+        /// Its value \[-\]; not a number where contacts come and go until the passes end.
         residual: f64,
         /// What was asked for \[-\].
         tolerance: f64,
@@ -106,6 +107,14 @@ pub enum StepError {
         /// Quantity.
         what: &'static str,
     },
+}
+
+/// A residual in three digits.
+fn size(residual: f64) -> String {
+    match residual.is_nan() {
+        true => "of contacts that come and go".to_owned(),
+        false => format!("{residual:.2e}"),
+    }
 }
 
 impl StepError {

@@ -242,8 +242,9 @@ impl Simulation {
                 self.state.control.cut(settings, &failure, dt);
                 let half = 0.5 * dt;
                 let middle = self.state.time + half;
-                self.step_to(scene, paths, (middle, half), cuts + 1, totals)?;
-                self.step_to(scene, paths, (target, half), cuts + 1, totals)
+                let mut part = |end| self.step_to(scene, paths, (end, half), cuts + 1, totals);
+                let parts = part(middle).and_then(|()| part(target));
+                parts.map_err(|error| self.explain_part(error, failure.pinched))
             }
             Remedy::Accept => {
                 let effort = Effort {

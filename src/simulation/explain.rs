@@ -30,11 +30,7 @@ impl Simulation {
     pub(super) fn explain(&self, failure: StepFailure, step: f64, cuts: u32) -> StepError {
         let time = self.state.time;
         if let Some(squeezed) = failure.pinched {
-            return StepError::Pinched {
-                time,
-                sphere: squeezed.sphere,
-                boundaries: boundaries(&self.scene, squeezed),
-            };
+            return self.pinched(squeezed);
         }
         if let Some(passed) = failure.passed {
             return StepError::TooFast {
@@ -61,6 +57,22 @@ impl Simulation {
                 .broken
                 .map_or_else(String::new, |why| format!(" ({why})"))
                 .into(),
+        }
+    }
+
+    /// A failure of a part of a step in which a sphere is squeezed: over a short part boundaries hardly approach each other.
+    pub(super) fn explain_part(&self, error: StepError, whole: Option<Squeezed>) -> StepError {
+        match (error, whole) {
+            (StepError::NotConverged { .. }, Some(squeezed)) => self.pinched(squeezed),
+            (error, _) => error,
+        }
+    }
+
+    fn pinched(&self, squeezed: Squeezed) -> StepError {
+        StepError::Pinched {
+            time: self.state.time,
+            sphere: squeezed.sphere,
+            boundaries: boundaries(&self.scene, squeezed),
         }
     }
 

@@ -46,13 +46,24 @@ pub(super) fn singular(
     }
 }
 
-/// Passes that never met the true geometry. Forces without bound satisfy a pinch on paper: then only the geometry refuses it.
-pub(super) fn failed_to_converge(assembly: &Assembly, solution: &Solution) -> StepFailure {
+/// Passes that never met the true geometry, whose worst overlap and opening are `gaps`. Forces without bound satisfy a pinch on
+/// paper: then only the geometry refuses it.
+pub(super) fn failed_to_converge(
+    assembly: &Assembly,
+    solution: &Solution,
+    (overlap, opening): (f64, f64),
+) -> StepFailure {
     let mut rows = 0..assembly.candidates.len();
+    let settings = &assembly.prediction.scene.settings;
+    let (what, residual, tolerance) = match (settings.tolerance.gap, settings.opening) {
+        (gap, _) if overlap > gap => ("gap", overlap, gap),
+        (_, limit) if limit > 0.0 && opening > limit => ("opening", opening, limit),
+        (gap, _) => ("gap", f64::NAN, gap),
+    };
     StepFailure {
-        what: "gap",
-        residual: f64::NAN,
-        tolerance: assembly.prediction.scene.settings.tolerance.gap,
+        what,
+        residual,
+        tolerance,
         contact: None,
         pinched: rows.find_map(|row| pinch(assembly, solution, row)),
         passed: None,

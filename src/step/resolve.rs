@@ -140,7 +140,7 @@ impl Passes {
         };
         match correction {
             Some(correction) if self.count < PASSES => Ok(Pass::Corrected(correction)),
-            Some(_) if !accept => Err(failed_to_converge(assembly, solution)),
+            Some(_) if !accept => Err(failed_to_converge(assembly, solution, gaps)),
             correction => Ok(Pass::Accepted(StepOutput {
                 unconverged: correction.is_some()
                     || !self.total.converged

@@ -1,10 +1,11 @@
 //! A sphere squeezed between boundaries whose motion is prescribed has no rigid solution.
 
+use std::path::Path;
 use std::sync::Arc;
 
 use sphere_dda::Vec3;
 use sphere_dda::error::StepError;
-use sphere_dda::scene::Motion;
+use sphere_dda::scene::{Motion, Scene};
 use sphere_dda::simulation::Simulation;
 use sphere_dda::solver::SolverKind;
 use sphere_dda::spatial::Twist;
@@ -102,4 +103,24 @@ fn a_sphere_that_gives_way_is_named() {
     assert_eq!((found.sphere, found.boundaries), (0, [0, 1]));
     let advice = found.advice(simulation.scene());
     assert!(advice.contains("`wall0` and `wall1`"), "{advice}");
+}
+
+/// Steps of a scene's defaults are cut until lid and floor hardly approach each other in one: the squeeze is still what is told.
+#[test]
+fn a_press_is_named_however_short_the_last_step() {
+    let text = "[simulation]\nduration = 1.0\nstrict = true\n[[material]]\nname = 'glass'\ndensity = 2500.0\n\
+                [[spheres]]\nname = 'ball'\nmaterial = 'glass'\nradius = 0.05\npositions = [[0.0, 0.0, 0.05]]\n\
+                [[boundary]]\nname = 'floor'\nmaterial = 'glass'\nfaces = [{ plane = { point = [0, 0, 0], normal = [0, 0, 1] } }]\n\
+                [[boundary]]\nname = 'lid'\nmaterial = 'glass'\nmotion = { constant = { velocity = [0, 0, -0.1] } }\n\
+                faces = [{ plane = { point = [0, 0, 0.12], normal = [0, 0, -1] } }]\n";
+    let loaded = Scene::from_toml("press", text, Path::new(".")).expect("a good scene");
+    let mut simulation = Simulation::new(Arc::new(loaded.scene)).expect("it starts");
+    let ran = (0..40).try_for_each(|_| simulation.advance(1e-2).map(drop));
+    let error = ran
+        .expect_err("the lid went through the sphere")
+        .to_string();
+    assert!(
+        error.contains("sphere 0 is squeezed between `floor` and `lid`"),
+        "{error}"
+    );
 }

@@ -59,7 +59,7 @@ fn told(source: &StepError, own: &Tolerance) -> String {
         ("that of the scene", format!("loosen tolerance.{what}, "))
     };
     format!(
-        "{what} {residual:e} stays above {tolerance:e}, {whose} (tolerance.{what} = {own:e}), at {contact} after {cuts} cuts of a step to \
+        "{what} {residual:.2e} stays above {tolerance:e}, {whose} (tolerance.{what} = {own:e}), at {contact} after {cuts} cuts of a step to \
          {step:e} s{broken}; {loosen}reduce simulation.step or raise simulation.max_iterations"
     )
 }
