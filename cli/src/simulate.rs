@@ -72,7 +72,7 @@ pub(crate) struct Simulate {
     /// Replace the file of outputs, and the page, if there are any.
     #[arg(long)]
     overwrite: bool,
-    /// Name of a variable to record, instead of all outputs; can be repeated.
+    /// Name of a variable to record, instead of all outputs, `*` for any text; can be repeated.
     #[arg(long = "record", value_name = "NAME")]
     record: Vec<String>,
     /// Start time [s]; that of the FMU's default experiment if absent.

@@ -80,6 +80,16 @@ fn an_exported_scene_is_inspected_and_simulated() {
         printed.out
     );
     assert_eq!(printed.out.lines().count(), 4);
+    // Wildcards name local variables too, but no binary ones.
+    let all = ["simulate", "x.fmu", "--stop", "0.01", "--record"];
+    let header = |pattern: &str| {
+        let printed = done(folder, &[&all[..], &[pattern]].concat());
+        printed.out.lines().next().unwrap().to_owned()
+    };
+    assert_eq!(header("solver.?uts"), "time,solver.cuts");
+    assert!(header("*").contains(",kineticEnergy,"));
+    let unknown = said(folder, &[&all[..], &["solver.*x"]].concat());
+    assert!(unknown.error.contains("`solver.*x`"), "{}", unknown.error);
 }
 
 #[test]

@@ -9,7 +9,7 @@ import zipfile
 import fmpy
 import pytest
 from conftest import ROOT
-from test_readme import blocks
+from pages import texts
 from wheel import SYSTEM, Machine, digest, released, wheel  # noqa: F401 - fixtures
 
 
@@ -29,8 +29,8 @@ def test_no_rust_and_no_tree(machine):
 
 def test_the_readmes_five_lines(machine, tmp_path):
     """Scene -> run -> HTML -> FMU -> fmpy, under 60 s."""
-    (tmp_path / "scene.toml").write_text(blocks("toml")[0])
-    (lines,) = (block for block in blocks("python") if "sphere_dda.Scene" in block)
+    (tmp_path / "scene.toml").write_text(texts("README.md", "toml")[0])
+    (lines,) = (block for block in texts("README.md", "python") if "sphere_dda.Scene" in block)
     start = time.monotonic()
     told = machine.run("python", "-c", lines, cwd=tmp_path)
     assert time.monotonic() - start < 60.0
@@ -41,8 +41,8 @@ def test_the_readmes_five_lines(machine, tmp_path):
 
 def test_the_pages_example(machine, tmp_path):
     """What docs/python.md shows, from its first line to its last."""
-    (tmp_path / "scene.toml").write_text(blocks("toml")[0])
-    machine.run("python", "-c", "\n".join(blocks("python", "docs/python.md")), cwd=tmp_path)
+    (tmp_path / "scene.toml").write_text(texts("README.md", "toml")[0])
+    machine.run("python", "-c", "\n".join(texts("docs/python.md", "python")), cwd=tmp_path)
     assert (tmp_path / "results" / "view.html").is_file() and (tmp_path / "recorded" / "history.csv").is_file()
 
 
@@ -53,7 +53,7 @@ def test_the_command_is_on_the_path(machine, tmp_path):
     call = [machine.folder / "bin" / "sphere-dda", "check", "bad.toml"]
     done = subprocess.run(call, cwd=tmp_path, env=machine.environment, capture_output=True, text=True)
     assert done.returncode == 2 and "simulaton" in done.stderr
-    (tmp_path / "scene.toml").write_text(blocks("toml")[0])
+    (tmp_path / "scene.toml").write_text(texts("README.md", "toml")[0])
     machine.run("sphere-dda", "export", "scene.toml", "--platform", "linux64", cwd=tmp_path)
 
 
@@ -92,7 +92,7 @@ def test_the_released_folder_alone_is_enough(released, tmp_path):
     (archive,) = copy.glob("*.tar.gz")
     shutil.unpack_archive(archive, tmp_path / "command", filter="data")
     (program,) = (tmp_path / "command").glob("*/sphere-dda")
-    (tmp_path / "scene.toml").write_text(blocks("toml")[0])
+    (tmp_path / "scene.toml").write_text(texts("README.md", "toml")[0])
     machine.run(program, "export", "scene.toml", "-o", "alone.fmu", cwd=tmp_path)
     machine.run("sphere-dda", "simulate", "alone.fmu", "--stop", "0.02", "-o", "out.csv", cwd=tmp_path)
     assert (tmp_path / "out.csv").stat().st_size > 100

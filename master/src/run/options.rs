@@ -66,7 +66,7 @@ pub struct Options {
     pub iteration: Iteration,
     /// Inputs over time.
     pub inputs: Option<InputTable>,
-    /// Names of the variables to record; all outputs if `None`.
+    /// Names of the variables to record, `*` for any text and `?` for a letter; all outputs if `None`.
     pub outputs: Option<Vec<String>>,
     /// Values, as text, of parameters and other variables that can be set before the initialization.
     pub set: Vec<(String, String)>,

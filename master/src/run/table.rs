@@ -3,6 +3,7 @@
 use std::io::Write;
 
 use sphere_dda_model_description::fmi3::Causality;
+use wildmatch::WildMatch;
 
 use crate::calls::Participant;
 use crate::system::{System, SystemVariable, VariableError};
@@ -65,24 +66,36 @@ pub struct Table {
 }
 
 impl Table {
-    /// An empty table for the variables of these names, or for all outputs but large arrays and binary ones.
+    /// An empty table for the variables of these names, `*` and `?` for any text or letter, or for all outputs. Without a name of
+    /// their own, large arrays and binary variables are left out.
     pub(super) fn for_outputs(
         system: &System<'_>,
         names: Option<&[String]>,
     ) -> Result<Self, VariableError> {
+        let small = || {
+            system.variables().filter(|variable| {
+                variable.declared.elements() <= SMALL_ARRAY
+                    && variable.declared.scalar.value_type() != ValueType::Binary
+            })
+        };
+        let is_output =
+            |variable: &SystemVariable<'_>| variable.declared.causality == Causality::Output;
         let variables: Vec<SystemVariable<'_>> = match names {
-            Some(names) => names
-                .iter()
-                .map(|name| system.find(name))
-                .collect::<Result<_, _>>()?,
-            None => system
-                .variables()
-                .filter(|variable| {
-                    variable.declared.causality == Causality::Output
-                        && variable.declared.elements() <= SMALL_ARRAY
-                        && variable.declared.scalar.value_type() != ValueType::Binary
-                })
-                .collect(),
+            Some(names) => {
+                let mut listed = Vec::new();
+                for name in names {
+                    let pattern = WildMatch::new(name);
+                    let before = listed.len();
+                    if name.contains(['*', '?']) {
+                        listed.extend(small().filter(|variable| pattern.matches(&variable.name)));
+                    }
+                    if listed.len() == before {
+                        listed.push(system.find(name)?);
+                    }
+                }
+                listed
+            }
+            None => small().filter(is_output).collect(),
         };
         let columns = |variable: &SystemVariable<'_>| {
             let elements = variable.elements();
