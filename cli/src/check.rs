@@ -86,28 +86,27 @@ pub(crate) fn run(arguments: &Check) -> Result<(), Failure> {
 
 /// Prints all that there is to say about a scene as JSON.
 fn tell(scene: &Path, values: &[(String, f64)]) -> Result<(), Failure> {
-    let (problems, summary, outputs) = match Scene::from_file_with(scene, values) {
+    let (problems, summary) = match Scene::from_file_with(scene, values) {
         Ok(loaded) => {
-            let summary = Summary::of(&loaded.scene).to_string();
-            (
-                loaded.warnings,
-                Some(summary),
-                Table::new(&loaded.scene).err(),
-            )
+            let mut problems: Vec<Value> = loaded.warnings.iter().map(problem).collect();
+            let outputs = Table::new(&loaded.scene).map_err(|error| {
+                json!({
+                    "severity": "error",
+                    "path": "fmu.outputs",
+                    "line": null,
+                    "message": error.to_string(),
+                    "help": null,
+                })
+            });
+            let refused = outputs.err();
+            let summary = refused
+                .is_none()
+                .then(|| Summary::of(&loaded.scene).to_string());
+            problems.extend(refused);
+            (problems, summary)
         }
-        Err(error) => (error.problems, None, None),
+        Err(error) => (error.problems.iter().map(problem).collect(), None),
     };
-    let failed = summary.is_none() || outputs.is_some();
-    let mut problems: Vec<Value> = problems.iter().map(problem).collect();
-    problems.extend(outputs.map(|error| {
-        json!({
-            "severity": "error",
-            "path": "fmu.outputs",
-            "line": null,
-            "message": error.to_string(),
-            "help": null,
-        })
-    }));
     print(|out| {
         writeln!(
             out,
@@ -115,10 +114,7 @@ fn tell(scene: &Path, values: &[(String, f64)]) -> Result<(), Failure> {
             json!({ "problems": problems, "summary": summary })
         )
     })?;
-    match failed {
-        true => Err(Failure::Told),
-        false => Ok(()),
-    }
+    summary.map_or(Err(Failure::Told), |_| Ok(()))
 }
 
 /// A problem as JSON.

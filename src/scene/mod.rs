@@ -140,6 +140,9 @@ pub struct Settings {
 /// Share of the largest overlap and opening left to the linear problem; the rest is for curvature and rounding.
 const LINEAR_SHARE: f64 = 0.9;
 
+/// Opening over the tolerance of overlaps that curvature may leave where a scene asks for contacts at zero gap.
+const CURVATURE: f64 = 10.0;
+
 /// Acceleration by which a contact below the reserve opens, over gravity.
 const OPENED: f64 = 0.01;
 
@@ -162,6 +165,14 @@ impl Settings {
         match self.method {
             Method::Alm => LINEAR_SHARE / 3.0 * (self.opening - self.tolerance.gap).max(0.0),
             Method::Penalty => 0.0,
+        }
+    }
+
+    /// Largest opening of a loaded contact that a step may leave \[-\]: without a reserve what curvature does.
+    pub(crate) fn widest(&self) -> f64 {
+        match self.reserve() > 0.0 {
+            true => self.opening,
+            false => CURVATURE * self.tolerance.gap,
         }
     }
 

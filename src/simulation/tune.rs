@@ -4,7 +4,6 @@ use std::sync::Arc;
 
 use crate::scene::{Motion, Scene};
 use crate::simulation::Simulation;
-use crate::step::Workspace;
 
 impl Scene {
     /// This scene with all that a run takes between two steps from `other`, the same scene with other values of its tunable
@@ -42,7 +41,6 @@ impl Simulation {
             reserve.spent += new.due(time) - old.due(time);
         }
         self.state.wake();
-        self.workspace = Workspace::default();
         self.replay = None;
         self.scene = scene;
     }

@@ -55,10 +55,13 @@ pub(super) fn failed_to_converge(
 ) -> StepFailure {
     let mut rows = 0..assembly.candidates.len();
     let settings = &assembly.prediction.scene.settings;
-    let (what, residual, tolerance) = match (settings.tolerance.gap, settings.opening) {
-        (gap, _) if overlap > gap => ("gap", overlap, gap),
-        (_, limit) if limit > 0.0 && opening > limit => ("opening", opening, limit),
-        (gap, _) => ("gap", f64::NAN, gap),
+    let (gap, widest) = (settings.tolerance.gap, settings.widest());
+    let (what, residual, tolerance) = if overlap > gap {
+        ("gap", overlap, gap)
+    } else if opening > widest {
+        ("opening", opening, widest)
+    } else {
+        ("gap", f64::NAN, gap)
     };
     StepFailure {
         what,

@@ -12,9 +12,6 @@ use super::workspace::Workspace;
 use crate::detection::configuration::{Candidate, Configuration};
 use crate::scene::Method;
 
-/// Opening over the tolerance of overlaps that curvature may leave where a scene asks for contacts at zero gap.
-const CURVATURE: f64 = 10.0;
-
 /// What the true geometry says.
 pub(super) struct Verdict {
     /// Largest overlap over radius at the end of the step \[-\].
@@ -91,10 +88,7 @@ impl Gaps {
     fn of(assembly: &Assembly, solution: &Solution, end: &Configuration) -> Self {
         let settings = &assembly.prediction.scene.settings;
         let tolerance = settings.tolerance.gap;
-        let widest = match settings.reserve() > 0.0 {
-            true => settings.opening,
-            false => CURVATURE * tolerance,
-        };
+        let widest = settings.widest();
         let of = |k: usize| {
             let loaded = solution.loads(k);
             if !(loaded || assembly.is_with_boundary(k)) || assembly.elastic(k).is_some() {

@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::process::Output;
 
-use crate::command::{command, example};
+use crate::command::{command, example, funnel, said};
 
 fn check(scene: &Path) -> Output {
     let arguments = ["check", scene.to_str().unwrap()];
@@ -119,4 +119,20 @@ fn a_missing_file_and_wrong_usage_exit_with_2() {
     );
     let usage = command(Path::new("."), &["chek"]).output().unwrap();
     assert_eq!(usage.status.code(), Some(2));
+}
+
+#[test]
+fn json_has_no_summary_where_outputs_are_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = funnel(folder.path(), &[]);
+    let text = std::fs::read_to_string(&path).unwrap();
+    std::fs::write(&path, format!("{text}\n[fmu]\noutputs = [\"maxOverlp\"]\n")).unwrap();
+    let told = said(folder.path(), &["check", "funnel.toml", "--json"]);
+    assert_eq!(told.code, Some(2));
+    assert!(told.out.contains("\"summary\":null"), "{}", told.out);
+    assert!(
+        told.out.contains("did you mean `maxOverlap`"),
+        "{}",
+        told.out
+    );
 }

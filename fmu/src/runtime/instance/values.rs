@@ -171,17 +171,21 @@ impl Instance {
         for ((variable, k), value) in places.iter().zip(&values) {
             within(variable, *k, value)?;
         }
-        let mut turned = self.run.values.clone();
+        let mut turned: Option<Vec<f64>> = None;
         for ((variable, _), value) in places.iter().zip(&values) {
-            match (&variable.binding, value) {
-                (Binding::SceneParameter(rank), Value::Real(value)) => turned[*rank] = *value,
-                (Binding::SceneParameter(rank), Value::Integer(value)) => {
-                    turned[*rank] = *value as f64;
-                }
+            let Binding::SceneParameter(rank) = variable.binding else {
+                continue;
+            };
+            let turned = turned.get_or_insert_with(|| self.run.values.clone());
+            match value {
+                Value::Real(value) => turned[rank] = *value,
+                Value::Integer(value) => turned[rank] = *value as f64,
                 _ => {}
             }
         }
-        self.turn(turned)?;
+        if let Some(turned) = turned {
+            self.turn(turned)?;
+        }
         for ((variable, k), value) in places.into_iter().zip(values) {
             match (&variable.binding, value) {
                 (Binding::Parameter(rank), value) => self.run.parameters.set(*rank, k, value),
