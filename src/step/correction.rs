@@ -69,7 +69,7 @@ impl Correction {
             let force = assembly.past[k].force(&state.contacts);
             let (free, found) = (&assembly.problem.free, &assembly.candidates[k]);
             let newton = prediction.contact_row(free, found, force, Some(true)).row;
-            let now = assembly.problem.rows.get(k).bias.dot(&newton.normal);
+            let now = assembly.problem.rows.bias(k);
             let wanted = share * newton.bias.dot(&newton.normal);
             assembly.problem.rows.shift(k, wanted - now);
         }
@@ -93,13 +93,16 @@ fn relinearise(assembly: &mut Assembly, solution: &Solution, k: usize, gap: f64)
         assembly.prediction.step,
         &assembly.prediction.scene.settings,
     );
-    let row = assembly.problem.rows.get(k);
-    let n = row.normal;
-    let linear = step * n.dot(&row.relative_velocity(&solution.velocity));
-    let compression = solution.impulses[k].dot(&n) * row.compliance_n * step;
-    let carried = settings.carried(assembly.candidates[k].gap, row.radius, step);
+    let rows = &assembly.problem.rows;
+    let n = rows.normal(k);
+    let linear = step * n.dot(&rows.relative(k, |i| solution.velocity[i]));
+    let compression = match rows.compliance(k) {
+        0.0 => 0.0,
+        c => solution.impulses[k].dot(&n) * c * step,
+    };
+    let carried = settings.carried(assembly.candidates[k].gap, rows.radius(k), step);
     let wanted = (gap - carried - compression - linear) / step;
-    let now = row.bias.dot(&n);
+    let now = rows.bias(k);
     let wanted = match assembly.impact[k] {
         true => wanted.min(now),
         false => wanted,

@@ -8,7 +8,7 @@ use super::sphere_motion::SphereMotion;
 use crate::Vec3;
 use crate::problem::Problem;
 use crate::scene::particles::Kinematics;
-use crate::scene::{Command, Scene};
+use crate::scene::{Boundary, Command, Method, Scene};
 use crate::spatial::{Pose, SpatialVector, Twist};
 use crate::state::State;
 
@@ -52,6 +52,8 @@ pub(super) struct Prediction<'a> {
     pub(super) targets: Vec<Vec3>,
     /// [`mean_acceleration`] \[m/s^2\].
     pub(super) mean_acceleration: f64,
+    /// Whether some contacts give way: by the penalty method, or the `stiffness` of a boundary.
+    pub(super) gives_way: bool,
 }
 
 /// Predicts the step that `input` asks for from `state`, in the memory of `arrays`.
@@ -99,6 +101,7 @@ pub(super) fn predict<'a>(
         gravity,
         gravity_size: gravity.norm(),
         mean_acceleration: mean_acceleration(scene, &external, &bodies),
+        gives_way: gives_way(scene),
         spheres: SphereMotion::all(scene, &kinematics, spheres),
         external,
         asleep: state.asleep(),
@@ -121,6 +124,12 @@ fn surfaces(scene: &Scene, state: &State, commands: &[Command]) -> Vec<Vec3> {
         .collect()
 }
 
+/// Whether a scene has contacts that give way.
+fn gives_way(scene: &Scene) -> bool {
+    let elastic = |boundary: &Boundary| boundary.stiffness.is_some();
+    scene.settings.method == Method::Penalty || scene.boundaries.iter().any(elastic)
+}
+
 fn motions(scene: &Scene, from: &[Pose], to: &[Pose], dt: f64) -> Vec<BoundaryMotion> {
     let poses = from.iter().zip(to);
     let boundaries = scene.boundaries.iter().zip(poses);
@@ -141,6 +150,7 @@ impl<'a> Prediction<'a> {
             gravity,
             gravity_size: gravity.norm(),
             mean_acceleration: mean_acceleration(scene, &external, &bodies),
+            gives_way: gives_way(scene),
             spheres: SphereMotion::all(scene, &state.kinematics, Vec::new()),
             external,
             asleep: Vec::new(),
@@ -166,6 +176,7 @@ impl<'a> Prediction<'a> {
             gravity: Vec3::zeros(),
             gravity_size: 0.0,
             mean_acceleration: mean_acceleration(scene, &external, &[]),
+            gives_way: gives_way(scene),
             spheres: SphereMotion::all(scene, &kinematics, Vec::new()),
             external,
             asleep: Vec::new(),

@@ -154,11 +154,22 @@ impl Rows {
         self.bodies[k]
     }
 
+    /// Those of all rows, `[C]`.
+    pub(crate) fn all_bodies(&self) -> &[[u32; 2]] {
+        &self.bodies
+    }
+
     /// Normal of row `k`.
     #[must_use]
     #[inline]
     pub fn normal(&self, k: usize) -> Vec3 {
         self.compact[k].normal()
+    }
+
+    /// Bias along the normal of row `k` \[m/s\].
+    #[inline]
+    pub(crate) fn bias(&self, k: usize) -> f64 {
+        self.compact[k].0[BIAS]
     }
 
     /// Smaller radius \[m\] of the pair of row `k`.
@@ -172,6 +183,11 @@ impl Rows {
     pub(crate) fn general(&self, k: usize) -> Option<&Row> {
         let general = self.compact.get(k)?.general()?;
         Some(&self.general[general])
+    }
+
+    /// Whether all are rigid contacts of spheres on each other or on ground at rest.
+    pub(crate) fn are_of_spheres(&self) -> bool {
+        self.general.is_empty()
     }
 
     /// The rows that are resistances, and the contacts that they belong to.

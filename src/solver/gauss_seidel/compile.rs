@@ -24,6 +24,13 @@ impl Kernel {
     pub(super) fn sort(&mut self, problem: &Problem) {
         let rows = &problem.rows;
         let parts = self.layout.parts();
+        if parts == 1 && rows.are_of_spheres() && self.radius.iter().all(|r| *r > 0.0) {
+            refill(&mut self.resistance, rows.len(), NONE);
+            refill(&mut self.group, rows.len(), 0);
+            self.order.clear();
+            self.order.extend(0..rows.len() as u32);
+            return;
+        }
         let moves_alike = |body: u32| self.radius[body as usize] > 0.0;
         let part = |body: u32| self.layout.place(body as usize).1;
         refill(&mut self.resistance, rows.len(), NONE);

@@ -5,7 +5,6 @@ use std::ops::Range;
 use crate::Vec3;
 use crate::integrator::Integrator;
 use crate::problem::Law;
-use crate::scene::Method;
 use crate::spatial::{Pose, SpatialVector};
 use crate::state::{BodyState, EnergyLedger, State};
 use crate::step::rows::elastic::Elastic;
@@ -31,13 +30,10 @@ impl Solved<'_> {
         let mut work = EnergyLedger::default();
         // Work on the spheres that is accounted for.
         let mut known = 0.0;
-        let (scene, rows) = (self.prediction().scene, &self.assembly.problem.rows);
-        let gives_way = scene.settings.method == Method::Penalty
-            || scene.boundaries.iter().any(|b| b.stiffness.is_some());
+        let rows = &self.assembly.problem.rows;
         for k in range {
             let p = &self.solution.impulses[k];
-            let elastic = gives_way.then(|| self.assembly.elastic(k)).flatten();
-            if let Some(elastic) = elastic {
+            if let Some(elastic) = self.assembly.elastic(k) {
                 let [spring, lost] = self.work_of_spring(k, &elastic);
                 work.springs += spring;
                 work.impact += lost;

@@ -15,20 +15,23 @@ impl Solved<'_> {
     /// Contact forces and boundary wrenches into `state`. What sleeps keeps its forces.
     pub(crate) fn store(&self, state: &mut State) {
         let step = self.prediction().step;
-        let mut sleeping = self.sleeping(&state.contacts).into_iter().peekable();
+        let sleeping = self.sleeping(&state.contacts);
+        let mut asleep = 0;
         state.contacts.clear();
         state.wrenches = vec![Wrench::default(); state.poses.len()];
         state.smooth_wrenches.clone_from(&state.wrenches);
         let couples = self.couples();
         for (k, candidate) in self.assembly.candidates.iter().enumerate() {
             let key = candidate.key;
-            while let Some((load, couple)) = sleeping.next_if(|(load, _)| load.key < key) {
-                self.carry(state, load, couple, true);
+            while let Some((load, couple)) = sleeping.get(asleep).filter(|(load, _)| load.key < key)
+            {
+                self.carry(state, *load, *couple, true);
+                asleep += 1;
             }
-            sleeping.next_if(|(load, _)| load.key == key);
-            let force = self.solution.impulses[k] / step;
-            if force != Vec3::zeros() {
-                let normal = candidate.normal;
+            let same = sleeping.get(asleep).is_some_and(|(load, _)| load.key == key);
+            asleep += usize::from(same);
+            if self.solution.loads(k) {
+                let (normal, force) = (candidate.normal, self.solution.impulses[k] / step);
                 let load = ContactForce { key, normal, force };
                 self.carry(
                     state,
@@ -38,8 +41,8 @@ impl Solved<'_> {
                 );
             }
         }
-        for (load, couple) in sleeping {
-            self.carry(state, load, couple, true);
+        for (load, couple) in &sleeping[asleep..] {
+            self.carry(state, *load, *couple, true);
         }
     }
 

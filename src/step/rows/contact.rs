@@ -168,7 +168,11 @@ impl Prediction<'_> {
     }
 
     /// Spring and damper of a contact, if it has them: by the penalty method, or the `stiffness` of a boundary.
+    #[inline]
     pub(crate) fn elastic(&self, key: ContactId, [a, b]: [u32; 2]) -> Option<Elastic> {
+        if !self.gives_way {
+            return None;
+        }
         let stiffness = match key.partner {
             Partner::Sphere { .. } => None,
             Partner::Boundary { boundary, .. } => {

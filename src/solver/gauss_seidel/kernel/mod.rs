@@ -54,6 +54,8 @@ pub struct Kernel {
     pub(super) counts: Vec<u32>,
     /// For each body of the group that fills, by its place in it, the filling blocks that hold it, as bits.
     pub(super) held: Vec<u16>,
+    /// Bodies of the rows that were shared out last, `[C]`; empty where blocks have more than plain contacts, or not all rows.
+    shared_out: Vec<[u32; 2]>,
     pub(super) tolerance: Tolerance,
 }
 
@@ -74,6 +76,44 @@ impl Kernel {
             }));
         self.radius.resize(problem.free.len(), NO_SPHERE);
         self.layout.fit(spheres);
+        let [length, force] = SINGLE;
+        let single = tolerance.gap.min(tolerance.slip) >= length && tolerance.force >= force;
+        let known = single == self.single && self.holds(problem);
+        self.single = single;
+        if !known {
+            self.divide(problem);
+        }
+        let group = &self.group;
+        self.others.take(problem, impulses, |k| group[k] == NONE);
+        let masses = problem.inverse_mass.iter().map(|w| w.linear.max());
+        self.unit = match self.single {
+            true => masses.fold(f64::MIN_POSITIVE, f64::max),
+            false => 1.0,
+        };
+        let exact = exact(problem, (&self.rows, &self.resistances), self.unit);
+        let (turns, pool) = (&self.turns, &self.pool);
+        match self.single {
+            true => self.quick.fill(exact, impulses, turns, pool),
+            false => self.exact.fill(exact, impulses, turns, pool),
+        }
+        self.reload(problem);
+    }
+
+    /// Whether the rows of `problem` are plain contacts of spheres, of the bodies that those in the blocks have.
+    fn holds(&self, problem: &Problem) -> bool {
+        let (rows, spheres) = (&problem.rows, problem.inverse_mass.len());
+        let parts = self.layout.parts();
+        let interiors = self.turns[0].last().map(|group| group.bodies.end);
+        !self.shared_out.is_empty()
+            && rows.are_of_spheres()
+            && self.shared_out == rows.all_bodies()
+            && (interiors, self.place.len()) == (Some(spheres + parts), problem.free.len())
+            && self.radius[..spheres].iter().all(|radius| *radius > 0.0)
+    }
+
+    /// Puts the bodies in their places, and the rows into blocks.
+    fn divide(&mut self, problem: &Problem) {
+        let spheres = problem.inverse_mass.len();
         let (layout, parts) = (&self.layout, self.layout.parts());
         refill(&mut self.held, problem.free.len() + parts, 0);
         self.place.clear();
@@ -84,15 +124,6 @@ impl Kernel {
         let driven = (spheres..problem.free.len()).map(|d| (d + parts) as u32);
         self.place.extend(driven);
         self.sort(problem);
-        let group = &self.group;
-        self.others.take(problem, impulses, |k| group[k] == NONE);
-        let [length, force] = SINGLE;
-        self.single = tolerance.gap.min(tolerance.slip) >= length && tolerance.force >= force;
-        let masses = problem.inverse_mass.iter().map(|w| w.linear.max());
-        self.unit = match self.single {
-            true => masses.fold(f64::MIN_POSITIVE, f64::max),
-            false => 1.0,
-        };
         match self.single {
             true => {
                 let mut blocks = take(&mut self.quick.blocks);
@@ -108,18 +139,18 @@ impl Kernel {
                 self.exact.blocks = blocks;
             }
         }
-        let exact = exact(problem, (&self.rows, &self.resistances), self.unit);
-        let (turns, pool) = (&self.turns, &self.pool);
-        match self.single {
-            true => self.quick.fill(exact, impulses, turns, pool),
-            false => self.exact.fill(exact, impulses, turns, pool),
+        self.shared_out.clear();
+        if problem.rows.are_of_spheres() && self.order.len() == problem.rows.len() {
+            self.shared_out.extend_from_slice(problem.rows.all_bodies());
         }
-        self.reload(problem);
     }
 
     /// Says where the spheres are, `[N]` \[m\]; `diameter` \[m\] is the largest. Forgotten by a problem of another size.
     pub fn prepare(&mut self, centres: &[Vec3], diameter: f64) {
         self.layout.arrange(centres, diameter);
+        if self.layout.parts() > 1 {
+            self.shared_out.clear();
+        }
     }
 
     /// Its threads, so many of them. Sweeps then use these registers.
