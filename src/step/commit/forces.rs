@@ -28,7 +28,9 @@ impl Solved<'_> {
                 self.carry(state, *load, *couple, true);
                 asleep += 1;
             }
-            let same = sleeping.get(asleep).is_some_and(|(load, _)| load.key == key);
+            let same = sleeping
+                .get(asleep)
+                .is_some_and(|(load, _)| load.key == key);
             asleep += usize::from(same);
             if self.solution.loads(k) {
                 let (normal, force) = (candidate.normal, self.solution.impulses[k] / step);

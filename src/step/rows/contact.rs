@@ -103,10 +103,11 @@ impl Prediction<'_> {
         };
         let pair = self.pair(candidate.key);
         let (approach, _) = split(contact.before, n);
+        let opening = split(contact.centres, n).1.norm_squared() * candidate.curvature;
         // Only a contact that was loaded can be taken for an approaching one because its normal turns.
         let turning = match force == Vec3::zeros() {
             true => 0.0,
-            false => split(contact.centres, n).1.norm_squared() * candidate.curvature,
+            false => opening,
         };
         let carried = self
             .scene
@@ -127,7 +128,12 @@ impl Prediction<'_> {
         // The impact of a contact that the step does not resolve is rigid.
         let rigid = impact && self.scene.settings.integrator == Integrator::Moreau;
         let elastic = elastic.filter(|_| !rigid);
-        let (mut bias, compliance) = self.bias(elastic, n, (excess, rebound), force);
+        // As far as the motion before the step goes on, a curved pair opens more than its linear gap.
+        let bend = match impact || elastic.is_some() {
+            true => 0.0,
+            false => 0.5 * self.step * self.step * opening,
+        };
+        let (mut bias, compliance) = self.bias(elastic, n, (excess + bend, rebound), force);
         if !impact {
             bias += contact.rolling;
         }
