@@ -103,11 +103,10 @@ impl Prediction<'_> {
         };
         let pair = self.pair(candidate.key);
         let (approach, _) = split(contact.before, n);
-        let opening = split(contact.centres, n).1.norm_squared() * candidate.curvature;
         // Only a contact that was loaded can be taken for an approaching one because its normal turns.
         let turning = match force == Vec3::zeros() {
             true => 0.0,
-            false => opening,
+            false => split(contact.centres, n).1.norm_squared() * candidate.curvature,
         };
         let carried = self
             .scene
@@ -128,10 +127,12 @@ impl Prediction<'_> {
         // The impact of a contact that the step does not resolve is rigid.
         let rigid = impact && self.scene.settings.integrator == Integrator::Moreau;
         let elastic = elastic.filter(|_| !rigid);
-        // As far as the motion before the step goes on, a curved pair opens more than its linear gap.
-        let bend = match impact || elastic.is_some() {
-            true => 0.0,
-            false => 0.5 * self.step * self.step * opening,
+        // As the motion before the step goes on, two spheres that touch part by more than their linear gap.
+        let bend = match candidate.key.partner {
+            Partner::Sphere { .. } if !impact && elastic.is_none() => {
+                0.5 * self.step * self.step * turning
+            }
+            _ => 0.0,
         };
         let (mut bias, compliance) = self.bias(elastic, n, (excess + bend, rebound), force);
         if !impact {
