@@ -11,10 +11,12 @@
 //! twist and speeds     x(s) = x_0 + v s + v' s^2/2 + v'' s^3/6
 //!                      Q(s) = exp(w s + w' s^2/2 + w'' s^3/6 - (w x w') s^3/12) Q_0     (Magnus, to s^3)
 //! motion               as a pose; where that has no derivatives, U(s) is the pose moved on by the twist's x(s), Q(s)
+//! world pose           a motion: v = p', v' = p'', w = 2 Im(q' q^-1), w' = 2 Im(q'' q^-1 - (q' q^-1)^2)
 //! ```
 
 use std::borrow::Cow;
 
+use nalgebra::UnitQuaternion;
 use serde::{Deserialize, Serialize};
 
 use crate::Vec3;
@@ -79,10 +81,14 @@ impl BoundaryPath {
         if *rates == CommandDerivatives::default() {
             return Self::commanded(kind, command, from, start, end);
         }
+        let (kind, command, rates) = match kind {
+            InputKind::WorldPose { .. } => as_motion(kind, command, rates),
+            _ => (kind, *command, *rates),
+        };
         let way = Form::Along(Box::new(CommandPath {
             kind,
-            command: *command,
-            rates: *rates,
+            command,
+            rates,
             h: end - start,
         }));
         Self { start, from, way }
@@ -162,11 +168,43 @@ fn carried(
     from.advanced(&motion, 1.0)
 }
 
+/// A world pose with derivatives as pose and twist: a constant angular velocity stays one, whatever the polynomial of its
+/// quaternion leaves out.
+fn as_motion(
+    kind: InputKind,
+    command: &Command,
+    [first, second]: &CommandDerivatives,
+) -> (InputKind, Command, CommandDerivatives) {
+    let q = command.orientation;
+    let inverse = q.conjugate() / q.norm_squared();
+    let turn = first.orientation * inverse;
+    let pose = target(kind, command).unwrap_or_default();
+    let motion = Command {
+        translation: pose.translation,
+        rotation: pose.rotation_vector(),
+        velocity: first.position,
+        angular_velocity: turn.imag() * 2.0,
+        ..*command
+    };
+    let bend = Command {
+        velocity: second.position,
+        angular_velocity: (second.orientation * inverse - turn * turn).imag() * 2.0,
+        ..Command::default()
+    };
+    (InputKind::Motion, motion, [bend, Command::default()])
+}
+
 /// The pose a command asks for; `None` for kinds that command speeds only.
 #[must_use]
 pub fn target(kind: InputKind, command: &Command) -> Option<Pose> {
     let (translation, rotation) = match kind {
         InputKind::Pose | InputKind::Motion => (command.translation, command.rotation),
+        InputKind::WorldPose { reference } => {
+            return Some(Pose {
+                translation: command.position - reference,
+                rotation: UnitQuaternion::new_normalize(command.orientation),
+            });
+        }
         InputKind::Slide { axis } => (axis * command.scalar, Vec3::zeros()),
         InputKind::Hinge { axis } => (Vec3::zeros(), axis * command.scalar),
         InputKind::Twist
