@@ -1,5 +1,6 @@
 //! The simulation: owns the state, advances it (`communication`), takes and restores snapshots.
 
+mod command_motion;
 mod communication_step;
 mod derivatives;
 mod exchange;
