@@ -45,7 +45,8 @@ def rotation_vector(q):
 
 def matrix(q):
     """Columns: the body's axes in the world."""
-    return np.array([product(product(q, [0, *axis]), q * [1, -1, -1, -1])[1:] for axis in np.eye(3)]).T
+    back = q * [1, -1, -1, -1]
+    return np.array([product(product(q, np.array([0, *axis])), back)[1:] for axis in np.eye(3)]).T
 
 
 class Body:

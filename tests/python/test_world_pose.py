@@ -1,5 +1,4 @@
-"""Boundaries placed by position and quaternion: against the motion that the scene prescribes, against the other inputs, and in
-feedback with a rigid body."""
+"""Boundaries placed by position and quaternion: against the motion that the scene prescribes, the other inputs, a rigid body."""
 
 import subprocess
 import sys
@@ -352,13 +351,13 @@ faces = [{ box = { min = [-0.2, -0.2, 0.0], max = [0.2, 0.2, 0.4] } }]
 name = "part"
 material = "glass"
 point_of_action = [0.0, 0.0, 0.12]
-faces = [{ rectangle = { corner = [-0.1, 0.0, 0.03], u = [0.2, 0.0, 0.0], v = [0.0, 0.0, 0.06] } }]
+faces = [{ rectangle = { corner = [-0.1, 0.0, 0.035], u = [0.2, 0.0, 0.0], v = [0.0, 0.0, 0.06] } }]
 INPUT
 [[spheres]]
 name = "grains"
 material = "glass"
 radius = 0.014
-lattice = { origin = [-0.12, -0.12, 0.02], count = [5, 2, 2], spacing = 0.035, jitter = 0.05 }
+lattice = { origin = [-0.07, -0.13, 0.02], count = [5, 4, 2], spacing = 0.035, jitter = 0.05 }
 """,
         '"pose"',
         np.array([0.0, 0.0, 0.12]),
@@ -396,16 +395,18 @@ def test_untuned_scenes_move_as_by_the_other_input(command, tmp_path, name):
             apart.append(np.abs(spheres(one) - spheres(other)).max())
         energies = [unit.get("boundaryWork") for unit in (one, other)]
         overlaps = [unit.get("maxOverlap") for unit in (one, other)]
-    print(f"{name}: poses {max(poses):.1e}, spheres after 10, 100, 500 steps {apart[9]:.1e} {apart[99]:.1e} {apart[-1]:.1e}, work {energies}")
     assert max(poses) < 1e-12
-    # Rounding grows where grains knock together: at first they are the same.
-    assert max(apart[:10]) < 1e-10
+    # Grains that knock together carry rounding on, as that of a rotation vector changed in its last digit; 0.8 s show none.
+    assert max(apart[:200]) < 1e-9
     assert max(overlaps) < 2e-4
-    assert abs(energies[0] - energies[1]) < 0.2 * max(map(abs, energies))
+    assert energies[0] > 0.01, "nothing is moved"
+    assert abs(energies[0] - energies[1]) < 0.05 * energies[0]
 
 
 def test_a_tray_on_springs_comes_to_rest_where_statics_says(command, tmp_path):
-    table, statics = swing(exported(command, tmp_path, scene("tray").read_text(), 3, "tray"))
+    fmu = tmp_path / "tray.fmu"
+    subprocess.run([command, "export", scene("tray"), "--fmi", "3", "-o", fmu], check=True)
+    table, statics = swing(fmu)
     last = table[-1]
     turn = rotation_vector(np.array([last[f"q[{k}]"] for k in (1, 2, 3, 4)]))
     assert abs((last["r[3]"] - REST[2]) / statics["sag"] - 1) < 1e-3
@@ -414,4 +415,4 @@ def test_a_tray_on_springs_comes_to_rest_where_statics_says(command, tmp_path):
     assert statics["lost"] < 1e-12
     # It has swung before.
     swung = max(np.linalg.norm(rotation_vector(np.array([row[f"q[{k}]"] for k in (1, 2, 3, 4)]))) for row in table)
-    assert swung > 0.2
+    assert swung > 4 * np.linalg.norm(statics["turn"])
