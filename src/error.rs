@@ -77,7 +77,7 @@ pub enum StepError {
     },
     /// A commanded orientation is no rotation.
     #[error(
-        "boundary.{boundary}.targetOrientation: found {found:?} of length {length:.3}, expected a unit quaternion w, x, y, z \
+        "boundary.{boundary}.targetOrientation: found {found:.4?} of length {length:.3}, expected a unit quaternion w, x, y, z \
          (length 0.99 to 1.01): divide it by its length; in a table that is interpolated, keep its sign from row to row"
     )]
     Orientation {

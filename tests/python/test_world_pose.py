@@ -416,3 +416,32 @@ def test_a_tray_on_springs_comes_to_rest_where_statics_says(command, tmp_path):
     # It has swung before.
     swung = max(np.linalg.norm(rotation_vector(np.array([row[f"q[{k}]"] for k in (1, 2, 3, 4)]))) for row in table)
     assert swung > 4 * np.linalg.norm(statics["turn"])
+
+
+def to_t(q):
+    """Modelica.Mechanics.MultiBody.Frames.Quaternions.to_T of its {x, y, z, w}, as the library has it."""
+    x, y, z, w = q
+    return np.array([
+        [2 * (x * x + w * w) - 1, 2 * (x * y + z * w), 2 * (x * z - y * w)],
+        [2 * (y * x - z * w), 2 * (y * y + w * w) - 1, 2 * (y * z + x * w)],
+        [2 * (z * x + y * w), 2 * (z * y - x * w), 2 * (z * z + w * w) - 1],
+    ])
+
+
+def test_the_quaternion_of_a_multibody_frame_is_ours_in_another_order(command, tmp_path):
+    """What BoundaryFrame.mo does, with matrices: T of a frame is to_T of our quaternion reordered, and the boundary goes where the
+    frame's axes are, also where the frame did not stand along the world's axes at first."""
+    text = (HEAD + BOX).replace("GRAVITY", "[0.0, 0.0, 0.0]").replace("MOTION", 'input = "world_pose"')
+    first, frame = Rotation.from_rotvec([0.4, -1.2, 0.3]), Rotation.from_rotvec([0.5, -1.1, 0.4])
+    # from_T is the inverse of to_T: the q whose to_T is transpose(to_T(Q_scene)) R.T.
+    wanted = to_t(first.as_quat()).T @ to_t(frame.as_quat())
+    q = Rotation.from_matrix(wanted.T).as_quat()
+    assert np.abs(to_t(q) - wanted).max() < 1e-14
+    with Slave(exported(command, tmp_path, text)) as slave:
+        give(slave, PIVOT, (q[3], *q[:3]))
+        for k in range(5):
+            slave.step(k * H, H)
+        turned = Rotation.from_quat(read(slave, "boundary.box.orientation", 4), scalar_first=True)
+    # An axis of the frame in the scene, carried along, is that axis of the frame now. Rows of T: the frame's axes in the world.
+    for axis in np.eye(3):
+        assert np.abs(turned.apply(first.apply(axis)) - to_t(frame.as_quat()).T @ axis).max() < 1e-12
