@@ -75,6 +75,19 @@ pub enum StepError {
         /// Limit \[m\].
         limit: f64,
     },
+    /// A commanded orientation is no rotation.
+    #[error(
+        "boundary.{boundary}.targetOrientation: found {found:.4?} of length {length:.3}, expected a unit quaternion w, x, y, z \
+         (length 0.99 to 1.01): divide it by its length; in a table that is interpolated, keep its sign from row to row"
+    )]
+    Orientation {
+        /// Boundary name.
+        boundary: String,
+        /// The quaternion w, x, y, z.
+        found: [f64; 4],
+        /// Its length \[-\].
+        length: f64,
+    },
     /// The caller asked for something impossible.
     #[error("{what}: found {found}, expected {expected}")]
     Argument {
@@ -126,7 +139,7 @@ impl StepError {
             | Self::TooFast { time, .. }
             | Self::BoundaryNotFinite { time, .. }
             | Self::NotFinite { time, .. } => *time += by,
-            Self::Jump { .. } | Self::Argument { .. } => {}
+            Self::Jump { .. } | Self::Orientation { .. } | Self::Argument { .. } => {}
         }
         self
     }

@@ -25,8 +25,8 @@ const PARTS: [Part; 4] = [
         &[
             ("translation", &["translation"]),
             ("rotation", &["rotation"]),
-            ("position", &["position"]),
-            ("orientation", &["orientation"]),
+            ("position", &["targetPosition", "position"]),
+            ("orientation", &["targetOrientation", "orientation"]),
         ],
     ),
     (

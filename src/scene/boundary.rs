@@ -1,8 +1,9 @@
 //! Named rigid boundaries: faces with a material and a motion.
 
+use nalgebra::Quaternion;
 use serde::{Deserialize, Serialize};
 
-use super::{Command, Motion};
+use super::{Command, InputKind, Motion};
 use crate::Vec3;
 use crate::geometry::Geometry;
 use crate::spatial::Pose;
@@ -74,7 +75,13 @@ impl Boundary {
     /// The command that leaves everything as in the scene.
     #[must_use]
     pub fn rest(&self) -> Command {
+        let (position, orientation) = match self.motion.input() {
+            Some(InputKind::WorldPose { reference }) => (reference, Quaternion::identity()),
+            _ => Default::default(),
+        };
         Command {
+            position,
+            orientation,
             surface_velocity: self.belt.map_or_else(Vec3::zeros, |belt| belt.velocity),
             pressure: self.motion.pressure_input().unwrap_or_default(),
             ..Command::default()

@@ -1,5 +1,6 @@
 //! What is commanded of a boundary from outside, constant or changing over a communication step.
 
+use nalgebra::Quaternion;
 use serde::{Deserialize, Serialize};
 
 use crate::Vec3;
@@ -9,6 +10,11 @@ use crate::Vec3;
 pub enum InputKind {
     /// Total translation \[m\] and rotation vector \[rad\], reached at the end of the communication step.
     Pose,
+    /// Position \[m\] and orientation in the world, reached at the end of the communication step.
+    WorldPose {
+        /// Reference point \[m\] where the scene has it: the position that leaves it there.
+        reference: Vec3,
+    },
     /// Pose and twist together: reaches `pose + twist * h`, no lag.
     Motion,
     /// Velocity \[m/s\] and angular velocity \[rad/s\], constant over the step and integrated inside.
@@ -56,6 +62,10 @@ pub struct Command {
     pub translation: Vec3,
     /// Total rotation vector \[rad\] from the scene (`Pose`, `Motion`); may exceed pi.
     pub rotation: Vec3,
+    /// Position \[m\] of the reference point (`WorldPose`).
+    pub position: Vec3,
+    /// Rotation from the scene's placement (`WorldPose`): its length counts as 1, `q` and `-q` are the same.
+    pub orientation: Quaternion<f64>,
     /// Velocity \[m/s\] (`Motion`, `Twist`).
     pub velocity: Vec3,
     /// Angular velocity \[rad/s\] (`Motion`, `Twist`).
@@ -88,6 +98,8 @@ impl Command {
         Self {
             translation: self.translation + other.translation * scale,
             rotation: self.rotation + other.rotation * scale,
+            position: self.position + other.position * scale,
+            orientation: self.orientation + other.orientation * scale,
             velocity: self.velocity + other.velocity * scale,
             angular_velocity: self.angular_velocity + other.angular_velocity * scale,
             force: self.force + other.force * scale,

@@ -34,7 +34,10 @@ pub(super) fn boundary(
     let motion = match (&value.motion, value.input, &value.body) {
         (None, None, None) => Some(Motion::Fixed),
         (Some(given), None, None) => motion(document, &format!("{path}.motion"), given),
-        (None, Some(given), None) => input(document, &format!("{path}.input"), given),
+        (None, Some(given), None) => {
+            let reference = value.point_of_action.into();
+            input(document, &format!("{path}.input"), given, reference)
+        }
         (None, None | Some(file::Input::Load), Some(given)) => {
             let at = value.point_of_action.into();
             let load = value.input.is_some();
@@ -86,10 +89,16 @@ fn belt(value: &file::Boundary) -> Option<Belt> {
 }
 
 /// A motion that is an input.
-fn input(document: &mut Document<'_>, path: &str, given: file::Input) -> Option<Motion> {
+fn input(
+    document: &mut Document<'_>,
+    path: &str,
+    given: file::Input,
+    reference: Vec3,
+) -> Option<Motion> {
     let mut axis = |key: &str, v| direction(document, &format!("{path}.{key}"), v);
     let kind = match given {
         file::Input::Pose => InputKind::Pose,
+        file::Input::WorldPose => InputKind::WorldPose { reference },
         file::Input::Motion => InputKind::Motion,
         file::Input::Twist => InputKind::Twist,
         file::Input::Slide(v) => InputKind::Slide {

@@ -161,7 +161,11 @@ fn spins(motion: &Motion) -> Option<Vec<Vec3>> {
             InputKind::Hinge { axis }
             | InputKind::HingeSpeed { axis }
             | InputKind::HingeTorque { axis } => Some(vec![*axis]),
-            InputKind::Pose | InputKind::Motion | InputKind::Twist | InputKind::Load => None,
+            InputKind::Pose
+            | InputKind::WorldPose { .. }
+            | InputKind::Motion
+            | InputKind::Twist
+            | InputKind::Load => None,
         },
         Motion::Driven(body) => match body.joint {
             Joint::Free => None,

@@ -1,5 +1,6 @@
 //! The simulation: owns the state, advances it (`communication`), takes and restores snapshots.
 
+mod command_motion;
 mod communication_step;
 mod derivatives;
 mod exchange;
@@ -23,7 +24,7 @@ use crate::error::{SnapshotError, StepError};
 use crate::formats::snapshot;
 use crate::problem::{Impulses, Problem};
 use crate::scene::gravity::GravityMotion;
-use crate::scene::{Boundary, Command, CommandDerivatives, Scene};
+use crate::scene::{Boundary, Command, CommandDerivatives, InputKind, Scene};
 use crate::simulation::trajectory::BoundaryPaths;
 use crate::spatial::{Pose, SpatialVector, Wrench};
 use crate::state::{BodyState, EnergyLedger, Reserve, State, StepControl, StepReport};
@@ -162,7 +163,8 @@ impl Simulation {
     /// next one.
     ///
     /// # Errors
-    /// [`StepError::Argument`] if the boundary is no input or a component is NaN or beyond [`LARGEST`].
+    /// [`StepError::Argument`] if the boundary is no input or a component is NaN or beyond [`LARGEST`];
+    /// [`StepError::Orientation`] if that of a world pose is no unit quaternion.
     pub fn command(&mut self, b: usize, command: Command) -> Result<(), StepError> {
         self.command_along(b, command, CommandDerivatives::default())
     }
@@ -180,17 +182,18 @@ impl Simulation {
         rates: CommandDerivatives,
     ) -> Result<(), StepError> {
         let boundary = self.scene.boundaries.get(b);
-        if !boundary.is_some_and(Boundary::is_commanded) {
+        let Some(boundary) = boundary.filter(|boundary| boundary.is_commanded()) else {
             return Err(StepError::Argument {
                 what: "boundary",
                 found: b.to_string(),
                 expected: "the index of a boundary with `input`, `surface_input` or `servo.input`",
             });
-        }
+        };
         for part in [&command, &rates[0], &rates[1]] {
             let vectors = [
                 part.translation,
                 part.rotation,
+                part.position,
                 part.velocity,
                 part.angular_velocity,
                 part.surface_velocity,
@@ -198,7 +201,18 @@ impl Simulation {
                 part.torque,
             ];
             let components = vectors.iter().flat_map(|v| v.iter());
-            bounded("command", components.chain([&part.scalar, &part.pressure]))?;
+            let orientation = part.orientation.coords.iter();
+            let others = orientation.chain([&part.scalar, &part.pressure]);
+            bounded("command", components.chain(others))?;
+        }
+        let q = command.orientation;
+        let is_unit = (q.norm() - 1.0).abs() <= LENGTH_TOLERANCE;
+        if matches!(boundary.motion.input(), Some(InputKind::WorldPose { .. })) && !is_unit {
+            return Err(StepError::Orientation {
+                boundary: boundary.name.clone(),
+                found: [q.w, q.i, q.j, q.k],
+                length: q.norm(),
+            });
         }
         let state = &mut self.state;
         state.commands[b] = command;
@@ -292,6 +306,10 @@ impl Simulation {
 
 /// Largest size of what is commanded, as of every number of a scene file: squares and products of it are still numbers.
 pub const LARGEST: f64 = 1e30;
+
+/// How far the length of a commanded quaternion may be from 1: far above the rounding of single precision and the drift of
+/// integrators, far below what is no quaternion. Chords between quaternions up to 32 degrees apart stay within it.
+const LENGTH_TOLERANCE: f64 = 0.01;
 
 /// Whether all of what is commanded can be computed with.
 fn bounded<'a>(what: &'static str, values: impl Iterator<Item = &'a f64>) -> Result<(), StepError> {

@@ -11,6 +11,7 @@
 //! twist and speeds     x(s) = x_0 + v s + v' s^2/2 + v'' s^3/6
 //!                      Q(s) = exp(w s + w' s^2/2 + w'' s^3/6 - (w x w') s^3/12) Q_0     (Magnus, to s^3)
 //! motion               as a pose; where that has no derivatives, U(s) is the pose moved on by the twist's x(s), Q(s)
+//! world pose           a motion: v = p', v' = p'', w = 2 Im(q' q^-1), w' = 2 Im(q'' q^-1 - (q' q^-1)^2)
 //! ```
 
 use std::borrow::Cow;
@@ -20,6 +21,7 @@ use serde::{Deserialize, Serialize};
 use crate::Vec3;
 use crate::integrator::Integrator;
 use crate::scene::{Boundary, Command, CommandDerivatives, InputKind, Motion, Scene};
+use crate::simulation::command_motion::{as_motion, carried, speeds, target};
 use crate::spatial::{Pose, Twist};
 use crate::state::State;
 use crate::step::StepInput;
@@ -79,10 +81,14 @@ impl BoundaryPath {
         if *rates == CommandDerivatives::default() {
             return Self::commanded(kind, command, from, start, end);
         }
+        let (kind, command, rates) = match kind {
+            InputKind::WorldPose { .. } => as_motion(kind, command, rates),
+            _ => (kind, *command, *rates),
+        };
         let way = Form::Along(Box::new(CommandPath {
             kind,
-            command: *command,
-            rates: *rates,
+            command,
+            rates,
             h: end - start,
         }));
         Self { start, from, way }
@@ -121,62 +127,6 @@ impl CommandPath {
         let missed = first.twist_to(from, 1.0);
         wanted.advanced(&missed, 1.0 - s / h)
     }
-}
-
-/// The speeds of a command.
-fn speeds(kind: InputKind, command: &Command) -> Twist {
-    match kind {
-        InputKind::SlideSpeed { axis } => Twist {
-            linear: axis * command.scalar,
-            ..Twist::default()
-        },
-        InputKind::HingeSpeed { axis } => Twist {
-            angular: axis * command.scalar,
-            ..Twist::default()
-        },
-        _ => Twist {
-            linear: command.velocity,
-            angular: command.angular_velocity,
-        },
-    }
-}
-
-/// Where speeds that change carry a boundary from `from` within `s` \[s\].
-fn carried(
-    kind: InputKind,
-    command: &Command,
-    rates: &CommandDerivatives,
-    from: &Pose,
-    s: f64,
-) -> Pose {
-    let [v, first, second] = [command, &rates[0], &rates[1]].map(|c| speeds(kind, c));
-    let moved = |v: Vec3, first: Vec3, second: Vec3| {
-        v * s + first * (s * s / 2.0) + second * (s * s * s / 6.0)
-    };
-    let turned = moved(v.angular, first.angular, second.angular)
-        - v.angular.cross(&first.angular) * (s * s * s / 12.0);
-    let motion = Twist {
-        linear: moved(v.linear, first.linear, second.linear),
-        angular: turned,
-    };
-    from.advanced(&motion, 1.0)
-}
-
-/// The pose a command asks for; `None` for kinds that command speeds only.
-#[must_use]
-pub fn target(kind: InputKind, command: &Command) -> Option<Pose> {
-    let (translation, rotation) = match kind {
-        InputKind::Pose | InputKind::Motion => (command.translation, command.rotation),
-        InputKind::Slide { axis } => (axis * command.scalar, Vec3::zeros()),
-        InputKind::Hinge { axis } => (Vec3::zeros(), axis * command.scalar),
-        InputKind::Twist
-        | InputKind::SlideSpeed { .. }
-        | InputKind::HingeSpeed { .. }
-        | InputKind::Load
-        | InputKind::SlideForce { .. }
-        | InputKind::HingeTorque { .. } => return None,
-    };
-    Some(Pose::from_rotation_vector(translation, rotation))
 }
 
 /// How all boundaries move during one communication step.
@@ -351,6 +301,7 @@ impl Trajectory {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use nalgebra::{Quaternion, UnitQuaternion};
 
     /// A pose follows its polynomial from wherever it stands, and misses nothing at the end.
     #[test]
@@ -381,6 +332,85 @@ mod tests {
             let turn = pose.rotation_vector() - Vec3::z() * angle;
             assert!(turn.norm() < 1e-14, "{s}");
         }
+    }
+
+    fn world(
+        reference: Vec3,
+        position: Vec3,
+        orientation: Quaternion<f64>,
+    ) -> (InputKind, Command) {
+        let command = Command {
+            position,
+            orientation,
+            ..Command::default()
+        };
+        (InputKind::WorldPose { reference }, command)
+    }
+
+    /// A world pose is reached with constant velocities, the shorter way round, whatever the sign of its quaternion.
+    #[test]
+    fn a_world_pose_is_reached_at_constant_angular_velocity() {
+        let (reference, h) = (Vec3::new(0.3, -0.2, 0.5), 0.04);
+        let (linear, angular) = (Vec3::new(1.0, -2.0, 0.5), Vec3::new(20.0, -31.0, 45.0));
+        let start = Pose::from_rotation_vector(Vec3::new(0.1, 0.0, 0.2), Vec3::new(2.0, 1.0, -2.0));
+        let moved = |s: f64| start.advanced(&Twist { linear, angular }, s);
+        let end = moved(h);
+        let position = reference + end.translation;
+        let path = |scale: f64| {
+            let (kind, command) = world(reference, position, end.rotation.into_inner() * scale);
+            BoundaryPath::commanded(kind, &command, start, 1.0, 1.0 + h)
+        };
+        for s in [0.0, 0.3 * h, 0.5 * h, h] {
+            let (found, expected) = (path(1.0).at(1.0 + s), moved(s));
+            assert!(
+                (found.translation - expected.translation).norm() < 1e-14,
+                "{s}"
+            );
+            assert!(
+                (found.rotation.inverse() * expected.rotation).angle() < 1e-14,
+                "{s}"
+            );
+            assert_eq!(path(-1.0).at(1.0 + s), found);
+            let longer = path(1.005).at(1.0 + s);
+            assert!((longer.rotation.inverse() * found.rotation).angle() < 1e-14);
+        }
+    }
+
+    /// The derivatives of a quaternion are angular velocity and acceleration: a constant one stays, to rounding, with and without
+    /// the second derivative, and the length of the quaternion does not matter.
+    #[test]
+    fn derivatives_of_a_world_pose_turn_it_exactly() {
+        let (reference, h) = (Vec3::new(0.3, -0.2, 0.5), 0.04);
+        let (v, w) = (Vec3::new(1.0, -2.0, 0.5), Vec3::new(20.0, -31.0, 45.0));
+        let start = Pose::from_rotation_vector(Vec3::zeros(), Vec3::new(2.0, 1.0, -2.0));
+        let turned = |r: Vec3| UnitQuaternion::from_scaled_axis(r) * start.rotation;
+        let q = start.rotation.into_inner() * -0.995;
+        let half = Quaternion::from_imag(w * 0.5);
+        let (kind, command) = world(reference, reference, q);
+        let rate = |position, orientation| world(reference, position, orientation).1;
+        let path = |rates: &CommandDerivatives| {
+            BoundaryPath::along(kind, (&command, rates), start, 0.0, h)
+        };
+        let none = Quaternion::default();
+        for second in [half * half * q, none] {
+            let rates = [rate(v, half * q), rate(Vec3::zeros(), second)];
+            for s in [0.25 * h, h] {
+                let pose = path(&rates).at(s);
+                assert!((pose.translation - v * s).norm() < 1e-15);
+                let wrong = (pose.rotation.inverse() * turned(w * s)).angle();
+                assert!(
+                    wrong < if second == none { 1e-12 } else { 1e-14 },
+                    "{wrong:e}"
+                );
+            }
+        }
+        // q'' of an angular acceleration about the same axis: r = w s + w' s^2/2.
+        let growth = w * 3.0;
+        let second = half * half * q + Quaternion::from_imag(growth * 0.5) * q;
+        let rates = [rate(v, half * q), rate(Vec3::zeros(), second)];
+        let pose = path(&rates).at(h);
+        let wrong = pose.rotation.inverse() * turned(w * h + growth * (h * h / 2.0));
+        assert!(wrong.angle() < 1e-14, "{:e}", wrong.angle());
     }
 
     /// A turning axis: against a product of many small turns, of fourth order in the step.

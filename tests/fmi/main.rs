@@ -10,6 +10,7 @@ mod refusals;
 mod rollback;
 mod states;
 mod table;
+mod world_pose;
 
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;

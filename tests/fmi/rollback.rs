@@ -16,7 +16,7 @@ const ABROAD: u64 = 50;
 const TICK: f64 = 4e-3;
 
 /// All that a state has to carry: forces of contacts that stick, slip and resist rolling, a source's random numbers, flows, a belt,
-/// a body with stops, a pose and a twist from outside.
+/// a body with stops, a pose, a twist and a world pose from outside.
 const RICH: &str = r#"
 title = "Everything"
 [simulation]
@@ -46,6 +46,11 @@ material = "stone"
 input = "twist"
 faces = [{ plane = { point = [-0.2, 0.0, 0.0], normal = [1.0, 0.0, 0.0] } }]
 [[boundary]]
+name = "paddle"
+material = "stone"
+input = "world_pose"
+faces = [{ rectangle = { corner = [0.08, -0.15, 0.0], u = [0.0, 0.3, 0.0], v = [0.0, 0.0, 0.1] } }]
+[[boundary]]
 name = "lid"
 material = "stone"
 input = "load"
@@ -69,10 +74,12 @@ mass_flow = { plane = { point = [0.0, 0.0, 0.1], normal = [0.0, 0.0, -1.0] } }
 "#;
 
 /// Inputs and how far they may go.
-const INPUTS: [(&str, f64); 6] = [
+const INPUTS: [(&str, f64); 8] = [
     ("boundary.floor.translation[3]", 2e-3),
     ("boundary.floor.surfaceVelocity[1]", 0.5),
     ("boundary.wall.velocity[1]", 0.2),
+    ("boundary.paddle.targetPosition[1]", 2e-3),
+    ("boundary.paddle.targetOrientation[3]", 1e-2),
     ("boundary.lid.appliedForce", 30.0),
     ("gravity[1]", 2.0),
     ("gravity[3]", 20.0),

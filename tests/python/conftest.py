@@ -12,7 +12,7 @@ import pytest
 ROOT = Path(__file__).resolve().parents[2]
 EXAMPLES = ("funnel", "slopes", "feeder", "conveyor", "landslide", "bed", "shear", "triaxial")
 # All scenes of the examples, also those that other tests run: what lies in the archive is judged for each.
-SCENES = (*EXAMPLES, "plate", "bucket", "drum", "dropped", "hopper", "gate")
+SCENES = (*EXAMPLES, "plate", "bucket", "drum", "dropped", "hopper", "gate", "tray")
 
 
 def scene(name):

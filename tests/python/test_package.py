@@ -48,7 +48,8 @@ def test_terminals_follow_the_schema_and_hold_every_variable_of_a_boundary(unit)
         parts = {part.get("name"): members(part) for part in [terminal, *terminal.findall("Terminal")]}
         assert sorted(v for part in parts.values() for v in part.values()) == sorted(own)
         first, last = ("[1]", "[3]") if version == 2 else ("", "")
-        assert parts["pose"][f"position{first}"] == f"boundary.{boundary}.position{first}"
+        where = "targetPosition" if f"boundary.{boundary}.targetPosition{first}" in own else "position"
+        assert parts["pose"][f"position{first}"] == f"boundary.{boundary}.{where}{first}"
         assert parts["wrench"][f"force{last}"] == f"boundary.{boundary}.averageForce{last}"
     if name == "feeder":
         trough = members(terminals["trough"].find("Terminal[@name='joint']"))

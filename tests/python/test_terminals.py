@@ -44,6 +44,7 @@ positions = [[9.0, 9.0, 9.0]]
 # How the plate moves as a body, and how it follows.
 JOINTS = {
     "free": ("body = { mass = 0.5, inertia = [2e-3, 2e-3, 4e-3], gravity = false }", 'input = "pose"'),
+    "world": ("body = { mass = 0.5, inertia = [2e-3, 2e-3, 4e-3], gravity = false }", 'input = "world_pose"'),
     "slide": (
         "body = { mass = 0.5, inertia = [2e-3, 2e-3, 4e-3], gravity = false, joint = { slide = [0.0, 0.0, 1.0] } }",
         "input = { slide = [0.0, 0.0, 1.0] }",
@@ -95,8 +96,8 @@ def test_a_body_and_its_follower_connect_by_terminal(command, tmp_path, joint, v
     plate = exported(command, tmp_path, "plate", f'{HEAD}{PLATE}{body}\ninput = "load"\n{FAR}', version)
     bed = exported(command, tmp_path, "bed", f"{HEAD}{PLATE}{follows}\n{GRAINS}", version)
     wires = list(connections(plate, bed))
-    one = (2 if joint != "free" else 12) if version == "2" else (2 if joint != "free" else 4)
-    assert len(wires) == one, wires
+    elements = {"free": (12, 4), "world": (13, 4)}.get(joint, (2, 2))
+    assert len(wires) == elements[version == "3"], wires
     out = tmp_path / "out.csv"
     wired = [part for wire in wires for part in ("--connect", wire)]
     subprocess.run([command, "simulate", plate, bed, *wired, "-o", out, "--stop", "0.3"], check=True)

@@ -156,6 +156,7 @@ const CASES: &[Case] = cases! {
     "[[probe]]" => "[cell]\nx = [9, 22.1]\n[[probe]]", "boundary[1]", "name = \"gate\"", "takes 13 m of the cell's";
     "normal = [0.0, 0.0, 2.0] } }]" => "normal = [0.0, 0.0, 2.0] } }]\nmotion = { constant = { angular_velocity = [0, 1, 0] } }\n[cell]\nx = [-99, 99]", "boundary[0]", "name = \"floor\"", "may tilt its plane towards x";
     "normal = [0.0, 0.0, 2.0] } }]" => "normal = [0.0, 0.0, 2.0] } }]\ninput = \"pose\"\n[cell]\nx = [-99, 99]", "boundary[0]", "name = \"floor\"", "may tilt its plane towards x";
+    "normal = [0.0, 0.0, 2.0] } }]" => "normal = [0.0, 0.0, 2.0] } }]\ninput = \"world_pose\"\n[cell]\nx = [-99, 99]", "boundary[0]", "name = \"floor\"", "may tilt its plane towards x";
     "[simulation.tolerance]\ngap = 1e-6\n" => "rotating_frame = { axis = [0, 0, 1], speed = 1 }\n[cell]\nx = [-99, 99]\n", "simulation.rotating_frame", "rotating_frame", "turns about an axis that is not x";
     "[[probe]]" => "[cell]\nx = [-99, 99]\n[[sensor]]\nname = \"leaning\"\nmass_flow = { plane = { point = [0, 0, 0], normal = [1, 0, 1] } }\n[[probe]]", "sensor[2].mass_flow", "normal = [1, 0, 1]", "the plane leans to x";
     // Materials and pairs.
@@ -256,6 +257,8 @@ const CASES: &[Case] = cases! {
     "{ cone = { base = [20.0, 0.0, 0.0], r0 = 1.0, r1 = 2.0, height = 1.0 } }" => "{ terrain = { file = \"good.asc\", scale = [1, 0, 1] } }", "boundary[1].faces[1].terrain.scale", "good.asc", "found [1.0, 0.0, 1.0], expected one or three factors > 0";
     // Motion.
     "motion = {" => "input = \"pose\"\nmotion = {", "boundary[1].input", "input", "both `motion` and `input`";
+    "motion = { table = { time = [0.0, 1.0], translation = [[0.0, 0.0, 0.0], [0.0, 0.0, 1.0]] } }" => "input = \"worldpose\"", "boundary[1].input", "worldpose", "`world_pose`";
+    "motion = { table = { time = [0.0, 1.0], translation = [[0.0, 0.0, 0.0], [0.0, 0.0, 1.0]] } }" => "body = { mass = 1.0 }\ninput = \"world_pose\"", "boundary[1].body", "body", "expected one of them";
     "time = [0.0, 1.0]" => "time = [1.0, 1.0]", "boundary[1].motion.table.time", "time", "strictly increasing";
     "time = [0.0, 1.0]" => "time = [0.0]", "boundary[1].motion.table.translation", "time", "2 vectors";
     "time = [0.0, 1.0]" => "csv = \"a.csv\"", "boundary[1].motion.table", "csv", "expected `csv` or `time`";

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use serde::Serialize;
-use sphere_dda::observe::quantities::XYZ;
+use sphere_dda::observe::quantities::{WXYZ, XYZ};
 use sphere_dda::scene::Command;
 
 /// What a variable stands for: the getter, and for inputs and parameters the setter.
@@ -39,6 +39,10 @@ pub enum Input {
     Translation,
     /// Total rotation vector \[rad\].
     Rotation,
+    /// Position \[m\] of the reference point.
+    Position,
+    /// Orientation, quaternion w, x, y, z.
+    Orientation,
     /// Velocity \[m/s\].
     Velocity,
     /// Angular velocity \[rad/s\].
@@ -62,6 +66,9 @@ impl Input {
         match self {
             Self::Translation => &mut command.translation[component],
             Self::Rotation => &mut command.rotation[component],
+            Self::Position => &mut command.position[component],
+            // nalgebra has the scalar part last.
+            Self::Orientation => &mut command.orientation.coords[(component + 3) % 4],
             Self::Velocity => &mut command.velocity[component],
             Self::AngularVelocity => &mut command.angular_velocity[component],
             Self::Force => &mut command.force[component],
@@ -75,6 +82,7 @@ impl Input {
     pub(super) fn components(self) -> &'static [&'static str] {
         match self {
             Self::Scalar | Self::Pressure => &[],
+            Self::Orientation => WXYZ,
             _ => XYZ,
         }
     }

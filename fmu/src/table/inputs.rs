@@ -8,43 +8,54 @@ use super::binding::{Binding, Input};
 use super::variable::Variable;
 
 /// Part, name, unit and meaning of an input.
-type Row = (Input, &'static str, &'static str, &'static str);
+type Row = (Input, &'static str, Option<&'static str>, &'static str);
 
 const HELD: &str = "held over the communication step";
 const REACHED: &str = "from the scene; reached linearly at the end of the communication step";
+const ARRIVED: &str = "reached linearly at the end of the communication step";
 const ADVANCED: &str =
     "from the scene; pose + twist x h is reached at the end of the communication step";
 
 #[rustfmt::skip]
 const POSE: [Row; 2] = [
-    (Input::Translation, "translation", "m", "Total translation"),
-    (Input::Rotation, "rotation", "rad", "Total rotation vector about the reference point"),
+    (Input::Translation, "translation", Some("m"), "Total translation"),
+    (Input::Rotation, "rotation", Some("rad"), "Total rotation vector about the reference point"),
+];
+#[rustfmt::skip]
+const WORLD_POSE: [Row; 2] = [
+    (Input::Position, "targetPosition", Some("m"), "Position of the reference point in the world"),
+    (Input::Orientation, "targetOrientation", None, "Orientation in the world, unit quaternion w, x, y, z"),
 ];
 #[rustfmt::skip]
 const TWIST: [Row; 2] = [
-    (Input::Velocity, "velocity", "m/s", "Velocity of the reference point"),
-    (Input::AngularVelocity, "angularVelocity", "rad/s", "Angular velocity"),
+    (Input::Velocity, "velocity", Some("m/s"), "Velocity of the reference point"),
+    (Input::AngularVelocity, "angularVelocity", Some("rad/s"), "Angular velocity"),
 ];
 #[rustfmt::skip]
 const LOAD: [Row; 2] = [
-    (Input::Force, "appliedForce", "N", "Force at the reference point, world axes"),
-    (Input::Torque, "appliedTorque", "N.m", "Torque, world axes"),
+    (Input::Force, "appliedForce", Some("N"), "Force at the reference point, world axes"),
+    (Input::Torque, "appliedTorque", Some("N.m"), "Torque, world axes"),
 ];
 #[rustfmt::skip]
-const SLIDE: [Row; 1] = [(Input::Scalar, "displacement", "m", "Displacement along the slide")];
-const SLIDE_SPEED: [Row; 1] = [(Input::Scalar, "speed", "m/s", "Speed along the slide")];
-const SLIDE_FORCE: [Row; 1] = [(Input::Scalar, "appliedForce", "N", "Force along the slide")];
-const HINGE: [Row; 1] = [(Input::Scalar, "angle", "rad", "Angle about the hinge")];
+const SLIDE: [Row; 1] = [(Input::Scalar, "displacement", Some("m"), "Displacement along the slide")];
+const SLIDE_SPEED: [Row; 1] = [(Input::Scalar, "speed", Some("m/s"), "Speed along the slide")];
+const SLIDE_FORCE: [Row; 1] = [(
+    Input::Scalar,
+    "appliedForce",
+    Some("N"),
+    "Force along the slide",
+)];
+const HINGE: [Row; 1] = [(Input::Scalar, "angle", Some("rad"), "Angle about the hinge")];
 #[rustfmt::skip]
-const HINGE_SPEED: [Row; 1] = [(Input::Scalar, "angularSpeed", "rad/s", "Angular speed about the hinge")];
+const HINGE_SPEED: [Row; 1] = [(Input::Scalar, "angularSpeed", Some("rad/s"), "Angular speed about the hinge")];
 #[rustfmt::skip]
-const HINGE_TORQUE: [Row; 1] = [(Input::Scalar, "appliedTorque", "N.m", "Torque about the hinge")];
+const HINGE_TORQUE: [Row; 1] = [(Input::Scalar, "appliedTorque", Some("N.m"), "Torque about the hinge")];
 #[rustfmt::skip]
-const BELT: [Row; 1] = [(Input::SurfaceVelocity, "surfaceVelocity", "m/s", "Velocity of the surface along the faces, the boundary's own axes")];
+const BELT: [Row; 1] = [(Input::SurfaceVelocity, "surfaceVelocity", Some("m/s"), "Velocity of the surface along the faces, the boundary's own axes")];
 const SERVO: [Row; 1] = [(
     Input::Pressure,
     "pressure",
-    "Pa",
+    Some("Pa"),
     "Pressure of the servo wall",
 )];
 
@@ -54,6 +65,7 @@ type Group = (&'static [Row], &'static str);
 fn groups(kind: InputKind) -> Vec<Group> {
     match kind {
         InputKind::Pose => vec![(&POSE, REACHED)],
+        InputKind::WorldPose { .. } => vec![(&WORLD_POSE, ARRIVED)],
         InputKind::Motion => vec![(&POSE, ADVANCED), (&TWIST, HELD)],
         InputKind::Twist => vec![(&TWIST, HELD)],
         InputKind::Load => vec![(&LOAD, HELD)],
@@ -89,7 +101,7 @@ pub(super) fn inputs(b: usize, boundary: &Boundary) -> Vec<Variable> {
         )
         .vector(input.components());
         variable.boundary = Some((b, name));
-        variable.unit = Some(unit);
+        variable.unit = unit;
         variable.start = (0..variable.count())
             .map(|k| Value::Real(*input.of(&mut rest, k)))
             .collect();

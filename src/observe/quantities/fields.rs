@@ -7,6 +7,8 @@ use crate::spatial::Wrench;
 
 /// Components of a vector.
 pub const XYZ: &[&str] = &["x", "y", "z"];
+/// Components of a quaternion.
+pub const WXYZ: &[&str] = &["w", "x", "y", "z"];
 
 /// One quantity of a reading `T`, a number or several components.
 pub(super) struct Field<T> {
@@ -30,7 +32,7 @@ impl<T> Field<T> {
         match self.value {
             Read::Real(_) | Read::Count(_) => &[],
             Read::Vector(_) => XYZ,
-            Read::Quaternion(_) => &["w", "x", "y", "z"],
+            Read::Quaternion(_) => WXYZ,
             Read::Tensor(_) => &["xx", "yy", "zz", "xy", "yz", "xz"],
         }
     }

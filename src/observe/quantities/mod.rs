@@ -18,11 +18,11 @@ use super::loads::Loads;
 use super::sensors::region;
 use crate::scene::body::Joint;
 use crate::scene::{Measure, Motion, Scene};
-pub use fields::XYZ;
 use fields::{
     BODY, DRIVEN, FLOW, Field, HINGE, HINGE_HELD, HINGED, PROBE, REGION, SINK, SLIDE, SLIDE_HELD,
     SLIDING, SOURCE, WHOLE, WRENCH,
 };
+pub use fields::{WXYZ, XYZ};
 use readings::{Body, Flow, Sphere, Whole};
 
 /// A number or several components.

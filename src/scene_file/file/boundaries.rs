@@ -228,12 +228,15 @@ pub struct Table {
     pub csv: Option<String>,
 }
 
-/// What drives a boundary from outside. Zero always means "as in the scene".
+/// What drives a boundary from outside. Zero means "as in the scene", but for `world_pose`.
 #[derive(Debug, Clone, Copy, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Input {
     /// Total translation \[m\] and rotation vector \[rad\].
     Pose,
+    /// Position \[m\] of the reference point and orientation as a quaternion w, x, y, z, in the world: what MultiBody
+    /// frames and most tools for rigid bodies have. It starts as in the scene: `point_of_action` and 1, 0, 0, 0.
+    WorldPose,
     /// Pose and twist together.
     Motion,
     /// Velocity \[m/s\] and angular velocity \[rad/s\].

@@ -134,6 +134,8 @@ impl Simulation {
         let length = |v: Vec3| v.norm();
         let displacement = length(change.translation)
             + length(change.rotation) * turn
+            + length(change.position)
+            + 2.0 * change.orientation.norm() * turn
             + length(change.velocity) * speed
             + length(change.angular_velocity) * turn * speed
             + length(change.force) * force

@@ -20,7 +20,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use sphere_dda::error::StepError;
-use sphere_dda::scene::{Boundary, Command, CommandDerivatives, Scene};
+use sphere_dda::scene::{Boundary, CommandDerivatives, Scene};
 use sphere_dda::simulation::Simulation;
 
 use crate::model::Model;
@@ -251,9 +251,11 @@ impl Instance {
                 }
                 Ok(Step::Complete)
             }
-            Err(error @ (StepError::Jump { .. } | StepError::Argument { .. })) => {
-                Err(Refusal::Step(error))
-            }
+            Err(
+                error @ (StepError::Jump { .. }
+                | StepError::Orientation { .. }
+                | StepError::Argument { .. }),
+            ) => Err(Refusal::Step(error)),
             Err(error) if self.run.failed.is_some_and(|failed| h >= failed) => {
                 self.run.stage = LifeCycle::Error;
                 Err(Refusal::Repeated(error))
@@ -377,9 +379,9 @@ impl Instance {
         let mut simulation = Simulation::new(self.run.parameters.apply(&self.base).into())?;
         let gravity = self.run.parameters.settings.gravity;
         // A start that is the scene's own is left alone: the FMU then gives the bytes that the library gives.
-        if gravity != simulation.state().gravity
-            || self.run.commands.iter().any(|c| *c != Command::default())
-        {
+        let boundaries = &self.base.boundaries;
+        let rest = boundaries.iter().map(Boundary::rest);
+        if gravity != simulation.state().gravity || !rest.eq(self.run.commands.iter().copied()) {
             simulation.set_gravity(gravity)?;
             command(&mut simulation, &self.run)?;
             simulation.place()?;
