@@ -208,9 +208,10 @@ fn simulate_tells_all_that_it_cannot_set_or_record() {
         .error
         .lines()
         .map(|line| line.trim_matches(['×', '│', ' ']))
+        .filter(|line| !line.is_empty())
         .collect();
     let expected = [
-        "variable `solver.tolerance.gap`: found \"-1\", expected a number > 0",
+        "variable `solver.tolerance.gap`: found \"-1\", expected a number from 1e-12 to 0.1",
         "variable: found `solver.maxSweps`, expected a name in the model description: did you mean `solver.maxSweeps`",
         "variable `solver.kind`: found \"Newton\", expected an item of `Auto`, `Direct`, `GaussSeidel`",
         "variable `mass`: found a variable of causality Local and variability Continuous, expected a parameter",

@@ -223,13 +223,23 @@ pub(crate) fn parse_start(
         name: variable.name.clone(),
         found: text.to_owned(),
         expected: match (least, greatest) {
-            (Some(least), Some(greatest)) => format!("a number from {least} to {greatest}"),
+            (Some(least), Some(greatest)) => {
+                format!("a number from {} to {}", short(least), short(greatest))
+            }
             // The least positive number is how a model description says "not 0".
             (Some(least), None) if least == f64::MIN_POSITIVE => "a number > 0".to_owned(),
-            (Some(least), None) => format!("a number >= {least}"),
-            (None, greatest) => format!("a number <= {}", greatest.unwrap_or(f64::INFINITY)),
+            (Some(least), None) => format!("a number >= {}", short(least)),
+            (None, greatest) => format!("a number <= {}", short(greatest.unwrap_or(f64::INFINITY))),
         },
     })
+}
+
+/// A bound as a person writes it.
+fn short(bound: f64) -> String {
+    match (1e-3..1e6).contains(&bound.abs()) || bound == 0.0 {
+        true => bound.to_string(),
+        false => format!("{bound:e}"),
+    }
 }
 
 /// As [`parse`], for one value.
