@@ -272,8 +272,12 @@ mod tests {
         assert_eq!(against, 2);
         assert!(moves < rests + 200, "{moves} {rests}");
         // Noise has nothing to do with the frame before.
-        let noise =
-            |frame: i64, slot: i64| ((frame * 7919 + slot * 104_729) * 2_654_435_761) >> 7 & 63;
+        let noise = |frame: i64, slot: i64| {
+            let seed = (100 * frame + slot) as u64;
+            let mixed = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15);
+            let mixed = (mixed ^ (mixed >> 31)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+            (mixed >> 40) as i64 % 64
+        };
         assert_eq!(stream(&noise).0, 0);
         assert_eq!(compressed(0.0, 0.0, 100.0), 0);
     }
