@@ -167,12 +167,19 @@ pub(crate) fn write(
 pub(crate) fn told(made: &Page, output: &Path) -> String {
     match made.detail {
         Detail::Whole => {}
-        Detail::Coarse => note(
-            "to keep the page within its size, velocities and forces of spheres are in it to 2 %, other values are not; \
+        Detail::Fine => note(
+            "to keep the page within its size, values of spheres are in it to 2 %; --max-size allows more",
+        ),
+        Detail::Colours => note(
+            "to keep the page within its size, values of spheres are in it as finely as colours show, to 6 %; --max-size allows \
+             more",
+        ),
+        Detail::Telling => note(
+            "to keep the page within its size, velocities and forces of spheres are in it to 6 %, other values are not; \
              --max-size allows more",
         ),
         Detail::Magnitudes => note(
-            "to keep the page within its size, magnitudes of the velocities and forces of spheres are in it to 2 %, \
+            "to keep the page within its size, magnitudes of the velocities and forces of spheres are in it to 6 %, \
              other values are not; --max-size allows more",
         ),
     }

@@ -8,6 +8,7 @@
         print(sim.time, sim.positions)
 """
 
+from .contacts import Contacts
 from .errors import CommandError, Problem, SceneError, SimulationError, SimulationWarning, SphereDdaError
 from .page import Page
 from .results import Frame, Frames, Run, open  # noqa: A004 - `sphere_dda.open` reads like `numpy.load`
@@ -15,6 +16,6 @@ from .scene import Check, Scene
 from .simulation import Simulation
 
 __all__ = [
-    "Check", "CommandError", "Frame", "Frames", "Page", "Problem", "Run", "Scene", "SceneError", "Simulation",
+    "Check", "CommandError", "Contacts", "Frame", "Frames", "Page", "Problem", "Run", "Scene", "SceneError", "Simulation",
     "SimulationError", "SimulationWarning", "SphereDdaError", "open",
 ]

@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 
 from . import command
+from .contacts import Contacts
 from .description import Description, Variable
 from .errors import SimulationError
 from .fmi3 import ENDED, Instance
@@ -102,6 +103,11 @@ class Simulation:
     def present(self) -> np.ndarray:
         """Which spheres are in the scene, `[N]`; others wait in a source or have left through a sink."""
         return self._whole("spheres.present")
+
+    @property
+    def contacts(self) -> Contacts:
+        """The contacts that carry a force or overlap, as arrays: read anew each time, in no fixed number."""
+        return Contacts.read(self["contacts.document"])
 
     def __getitem__(self, name: str) -> Any:
         whole, index = _split(name)

@@ -113,6 +113,16 @@ impl<'a> Observation<'a> {
             .filter(|contact| contact.gap < 0.0 || contact.force != Vec3::zeros())
     }
 
+    /// Closest point \[m\] on body B, of the copies that touch, beside the centre of body A.
+    #[must_use]
+    pub fn contact_point(&self, contact: &Contact) -> Vec3 {
+        let own = self.kinematics.position[contact.key.sphere as usize];
+        match contact.key.partner {
+            Partner::Sphere { .. } => contact.point,
+            Partner::Boundary { .. } => self.scene.cell.nearest(contact.point, own),
+        }
+    }
+
     /// From the centre of body B, or the closest point on a boundary, to the centre of body A \[m\]: the copies that touch.
     pub(crate) fn branch(&self, contact: &Contact) -> [Vec3; 2] {
         let (centre, cell) = (&self.kinematics.position, &self.scene.cell);

@@ -302,6 +302,8 @@ pub struct Exposed {
     /// recorded on demand, not to be connected. `["*"]` makes all of them outputs.
     #[schemars(extend("x-default" = "what the scene asks for, see [outputs](fmu.md#outputs)"))]
     pub outputs: Option<Vec<String>>,
+    /// Rows of the arrays `contacts.*` of its FMU of FMI 3.0, outputs with all loaded contacts; 0: no such arrays.
+    pub contacts: u32,
 }
 
 /// `[output]`: result files.

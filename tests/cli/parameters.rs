@@ -128,14 +128,23 @@ fn an_fmu_of_either_version_with_values_has_the_bits_of_an_edited_scene() {
             "{}",
             refused.error
         );
-        let refused = said(folder, &["simulate", "x.fmu", "--set", "friction=1.5"]);
-        assert!(
-            refused
-                .error
-                .contains("`friction` = 1.5, expected a number from 0 to 1"),
-            "{}",
-            refused.error
-        );
+        let wrong = [
+            "--set",
+            "friction=1.5",
+            "--set",
+            "count=0",
+            "--set",
+            "radus=1",
+        ];
+        let refused = said(folder, &[&["simulate", "x.fmu"][..], &wrong].concat());
+        assert_eq!(refused.code, Some(2), "{}", refused.error);
+        for part in [
+            "`friction`: found \"1.5\", expected a number from 0 to 1",
+            "`count`: found \"0\", expected a number >= 1",
+            "found `radus`, expected a name in the model description: did you mean `radius`?",
+        ] {
+            assert!(refused.error.contains(part), "{}", refused.error);
+        }
     }
 }
 

@@ -179,19 +179,49 @@ fn bad_command_lines_and_files_exit_with_2_and_say_why() {
 }
 
 #[test]
-fn a_value_that_the_fmu_refuses_makes_a_failed_run() {
+fn simulate_tells_all_that_it_cannot_set_or_record() {
     let folder = tempfile::tempdir().unwrap();
     prepare(folder.path());
     let said = said(
         folder.path(),
-        &["simulate", "funnel.fmu", "--set", "solver.tolerance.gap=-1"],
+        &[
+            "simulate",
+            "funnel.fmu",
+            "--set",
+            "solver.tolerance.gap=-1",
+            "--set",
+            "solver.maxSweps=3",
+            "--set",
+            "solver.kind=Newton",
+            "--set",
+            "solver.step=0.001",
+            "--set",
+            "mass=1",
+            "--set",
+            "gravity[3]=down",
+            "--record",
+            "maxOverlp",
+        ],
     );
-    assert_eq!(said.code, Some(1), "{}", said.error);
-    assert!(
-        said.error.contains("solver.tolerance.gap"),
-        "{}",
-        said.error
-    );
+    assert_eq!(said.code, Some(2), "{}", said.error);
+    let told: Vec<&str> = said
+        .error
+        .lines()
+        .map(|line| line.trim_matches(['×', '│', ' ']))
+        .filter(|line| !line.is_empty())
+        .collect();
+    let expected = [
+        "variable `solver.tolerance.gap`: found \"-1\", expected a number from 1e-12 to 0.1",
+        "variable: found `solver.maxSweps`, expected a name in the model description: did you mean `solver.maxSweeps`",
+        "variable `solver.kind`: found \"Newton\", expected an item of `Auto`, `Direct`, `GaussSeidel`",
+        "variable `mass`: found a variable of causality Local and variability Continuous, expected a parameter",
+        "variable `gravity[3]`: found \"down\", expected a finite number",
+        "variable: found `maxOverlp`, expected a name in the model description: did you mean `maxOverlap`",
+    ];
+    assert_eq!(told.len(), expected.len(), "{}", said.error);
+    for (told, expected) in told.iter().zip(expected) {
+        assert!(told.starts_with(expected), "{told}");
+    }
 }
 
 /// What lies in a folder.

@@ -103,7 +103,7 @@ fn values_of_every_type_are_set() {
     assert_eq!(line, "0.0,1.0,0.0,0.0,0,0,\"hello, you, \"\"there\"\"\"");
 
     let refused = |set: &[(&str, &str)]| match run(&fmu, &with(set)).unwrap_err() {
-        SimulateError::Variable(error) => error,
+        SimulateError::Variables(mut errors) => errors.pop().unwrap(),
         error => panic!("{error}"),
     };
     let error = refused(&[("damping.", "1")]);

@@ -8,7 +8,7 @@ use sphere_dda_model_description::fmi3::{
 };
 use sphere_dda_model_description::value::{ScalarType, Value};
 
-use sphere_dda_fmu::runtime::document::{self, MEDIA_TYPE};
+use sphere_dda_fmu::runtime::{contacts, document};
 use sphere_dda_fmu::table::{Binding, Entry, Enumeration, Table};
 use sphere_dda_fmu::version::{VERSION, Version};
 
@@ -111,9 +111,15 @@ fn variable(entry: &Entry, spheres: usize) -> Variable {
         }
         _ => {}
     }
-    if own.binding == Binding::Document {
-        variable.mime_type = Some(MEDIA_TYPE.to_owned());
-        variable.max_size = u32::try_from(document::size(spheres)).ok();
+    match own.binding {
+        Binding::Document => {
+            variable.mime_type = Some(document::MEDIA_TYPE.to_owned());
+            variable.max_size = u32::try_from(document::size(spheres)).ok();
+        }
+        Binding::ContactsDocument => {
+            variable.mime_type = Some(contacts::MEDIA_TYPE.to_owned());
+        }
+        _ => {}
     }
     variable
 }

@@ -1,5 +1,6 @@
 //! An instance: its life cycle, values, steps, saved states and results.
 
+pub mod contacts;
 pub mod document;
 pub mod instance;
 pub mod life_cycle;

@@ -30,6 +30,10 @@ pub enum Binding {
     Spheres(Field),
     /// All spheres as one binary.
     Document,
+    /// A field of the loaded contacts.
+    Contacts(ContactField),
+    /// All loaded contacts as one binary.
+    ContactsDocument,
 }
 
 /// Parts of a [`Command`].
@@ -117,6 +121,38 @@ impl Field {
             Self::Orientation => Some(3..7),
             Self::Velocity => Some(7..10),
             Self::AngularVelocity => Some(10..13),
+        }
+    }
+}
+
+/// What is known of every loaded contact.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub enum ContactField {
+    /// Row of sphere A; row of sphere B, or -1 - index of the boundary.
+    Bodies,
+    /// Closest point on B \[m\].
+    Position,
+    /// Unit normal from B to A.
+    Normal,
+    /// Force on A \[N\].
+    Force,
+    /// Couple of resistances on A \[N m\].
+    Torque,
+    /// Gap \[m\].
+    Gap,
+}
+
+impl ContactField {
+    /// Where it stands among the 13 real numbers of a contact: position, normal, force, torque, gap.
+    #[must_use]
+    pub fn columns(self) -> Option<Range<usize>> {
+        match self {
+            Self::Bodies => None,
+            Self::Position => Some(0..3),
+            Self::Normal => Some(3..6),
+            Self::Force => Some(6..9),
+            Self::Torque => Some(9..12),
+            Self::Gap => Some(12..13),
         }
     }
 }

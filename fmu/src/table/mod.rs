@@ -12,6 +12,8 @@
 //! | `boundaries.x`     | `[B, k]` or `[B]` | `boundary.NAME.x` of all boundaries, in their order             |
 //! | `spheres.*`        | `[N, k]` or `[N]` | all spheres: [`Field`]                                          |
 //! | `spheres.document` | none              | all spheres as one binary: [`crate::runtime::document`]         |
+//! | `contacts.*`       | `[K, k]` or `[K]` | loaded contacts, if the scene asks for it: [`ContactField`]     |
+//! | `contacts.document`| none              | all of them as one binary: [`crate::runtime::contacts`]         |
 //!
 //! `N` is the number of spheres the scene has room for, and a sphere keeps its row. A row whose `spheres.present` is
 //! false belongs to a sphere that waits in a source or has left through a sink: it rests where it was.
@@ -24,6 +26,7 @@
 //! and for a belt or a servo wall the scene's surface velocity or pressure.
 
 mod binding;
+mod contacts;
 mod enumeration;
 mod inputs;
 mod outputs;
@@ -42,7 +45,7 @@ use sphere_dda_model_description::value::ScalarType;
 
 use crate::version::Version;
 
-pub use binding::{Binding, Field, Input};
+pub use binding::{Binding, ContactField, Field, Input};
 pub use enumeration::{Enumeration, solver_value};
 pub use outputs::UnknownOutputs;
 pub use parameters::{PARAMETERS, Parameter, Parameters};
@@ -88,6 +91,7 @@ impl Table {
         let scalars = scalars.collect();
         variables.extend(over_boundaries(&variables, scene.boundaries.len()));
         variables.extend(spheres::spheres(scene.particles.len()));
+        variables.extend(contacts::contacts(scene));
         if let Some(patterns) = &scene.exposed.outputs {
             outputs::choose(patterns, &mut variables)?;
         }

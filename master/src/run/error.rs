@@ -15,9 +15,9 @@ pub enum SimulateError {
     /// The FMU cannot be loaded or instantiated.
     #[error(transparent)]
     Import(#[from] Box<ImportError>),
-    /// A variable to set or to record is not there, or not so.
-    #[error(transparent)]
-    Variable(#[from] VariableError),
+    /// Variables to set or to record that are not there, or not so: all of them.
+    #[error("{}", list(.0))]
+    Variables(Vec<VariableError>),
     /// Nobody says when to stop.
     #[error("stop time: found none in a model description, expected one: give a stop time")]
     NoStop,
@@ -130,6 +130,11 @@ pub enum SimulateError {
         /// What was recorded so far.
         table: Box<Table>,
     },
+}
+
+fn list(errors: &[VariableError]) -> String {
+    let lines: Vec<String> = errors.iter().map(VariableError::to_string).collect();
+    lines.join("\n")
 }
 
 fn prefix(component: &Option<String>) -> String {

@@ -7,7 +7,7 @@ use crate::error::ImportError;
 use crate::fmu::Fmu;
 use crate::isolate;
 use crate::open::Description;
-use crate::system::{System, check_settable_at_start, parse};
+use crate::system::{System, SystemVariable, VariableError, parse_start};
 
 use super::accelerate::QuasiNewton;
 use super::communication_points::CommunicationPoints;
@@ -19,6 +19,7 @@ use super::exchange::Exchange;
 use super::halt::Halt;
 use super::options::{Coupling, Iteration, Options};
 use super::table::Table;
+use crate::value::Value;
 
 /// Simulates the FMUs of a system once, from start to stop. `observe` hears every [`Event`] and can end the simulation
 /// by breaking.
@@ -39,8 +40,16 @@ pub fn simulate(
     mut observe: impl FnMut(Event<'_>) -> ControlFlow<()>,
 ) -> Result<Table, SimulateError> {
     let points = CommunicationPoints::new(system, options)?;
-    let mut table = Table::for_outputs(system, options.outputs.as_deref())?;
-    let start_values = start_values(system, options)?;
+    let (mut table, start_values) = match (
+        Table::for_outputs(system, options.outputs.as_deref()),
+        start_values(system, options),
+    ) {
+        (Ok(table), Ok(start_values)) => (table, start_values),
+        (table, start_values) => {
+            let faults = [start_values.err(), table.err()].into_iter().flatten();
+            return Err(SimulateError::Variables(faults.flatten().collect()));
+        }
+    };
     let instances = instantiate(system, options)?;
     let exchange = Exchange::new(system, options.allow_nan);
     check_iteration(system, options, &exchange)?;
@@ -69,19 +78,38 @@ pub fn simulate(
     }
 }
 
-/// What each component gets before it is initialized.
-fn start_values(system: &System<'_>, options: &Options) -> Result<Vec<InputValues>, SimulateError> {
+/// What each component gets before it is initialized; or all that is wrong with it.
+fn start_values(
+    system: &System<'_>,
+    options: &Options,
+) -> Result<Vec<InputValues>, Vec<VariableError>> {
     let mut start_values = vec![InputValues::new(); system.fmus().len()];
+    let mut faults = Vec::new();
     for (name, text) in &options.set {
-        let variable = system.find(name)?;
-        check_settable_at_start(&variable)?;
-        system.check_free(&variable)?;
-        let values = parse(&variable, text)?;
-        if let Some(load) = start_values.get_mut(variable.component) {
-            load.extend(variable.places().into_iter().zip(values));
+        match start_value(system, name, text) {
+            Ok((variable, values)) => {
+                if let Some(load) = start_values.get_mut(variable.component) {
+                    load.extend(variable.places().into_iter().zip(values));
+                }
+            }
+            Err(fault) => faults.push(fault),
         }
     }
-    Ok(start_values)
+    match faults.is_empty() {
+        true => Ok(start_values),
+        false => Err(faults),
+    }
+}
+
+fn start_value<'f>(
+    system: &System<'f>,
+    name: &str,
+    text: &str,
+) -> Result<(SystemVariable<'f>, Vec<Value>), VariableError> {
+    let variable = system.find(name)?;
+    system.check_free(&variable)?;
+    let values = parse_start(&variable, text)?;
+    Ok((variable, values))
 }
 
 /// An instance of every component, in their order.

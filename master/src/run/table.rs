@@ -67,11 +67,11 @@ pub struct Table {
 
 impl Table {
     /// An empty table for the variables of these names, `*` and `?` for any text or letter, or for all outputs. Without a name of
-    /// their own, large arrays and binary variables are left out.
+    /// their own, large arrays and binary variables are left out. Or all names that are of no variable.
     pub(super) fn for_outputs(
         system: &System<'_>,
         names: Option<&[String]>,
-    ) -> Result<Self, VariableError> {
+    ) -> Result<Self, Vec<VariableError>> {
         let small = || {
             system.variables().filter(|variable| {
                 variable.declared.elements() <= SMALL_ARRAY
@@ -82,7 +82,7 @@ impl Table {
             |variable: &SystemVariable<'_>| variable.declared.causality == Causality::Output;
         let variables: Vec<SystemVariable<'_>> = match names {
             Some(names) => {
-                let mut listed = Vec::new();
+                let (mut listed, mut faults) = (Vec::new(), Vec::new());
                 for name in names {
                     let pattern = WildMatch::new(name);
                     let before = listed.len();
@@ -90,8 +90,14 @@ impl Table {
                         listed.extend(small().filter(|variable| pattern.matches(&variable.name)));
                     }
                     if listed.len() == before {
-                        listed.push(system.find(name)?);
+                        match system.find(name) {
+                            Ok(variable) => listed.push(variable),
+                            Err(fault) => faults.push(fault),
+                        }
                     }
+                }
+                if !faults.is_empty() {
+                    return Err(faults);
                 }
                 listed
             }

@@ -17,7 +17,7 @@ pub use variable::VariableError;
 
 pub(crate) use connection::Connection;
 pub(crate) use variable::{
-    SystemVariable, check_settable_at_start, check_settable_in_steps, parse, parse_one,
+    SystemVariable, check_settable_at_start, check_settable_in_steps, parse_one, parse_start,
 };
 
 /// Names that resemble an unknown one, at most.

@@ -183,10 +183,7 @@ fn settable_or(
 
 /// The values that `text` stands for: one, or those of an array with blanks between them. Reals must be finite; an item
 /// of an enumeration may be given by its name.
-pub(crate) fn parse(
-    variable: &SystemVariable<'_>,
-    text: &str,
-) -> Result<Vec<Value>, VariableError> {
+fn parse(variable: &SystemVariable<'_>, text: &str) -> Result<Vec<Value>, VariableError> {
     let count = variable.places().len();
     if !variable.is_array() {
         return Ok(vec![parse_one(variable, text)?]);
@@ -200,6 +197,49 @@ pub(crate) fn parse(
         });
     }
     texts.iter().map(|text| parse_one(variable, text)).collect()
+}
+
+/// The values that a text stands for where the variable gets them before the initialization: within its bounds.
+pub(crate) fn parse_start(
+    variable: &SystemVariable<'_>,
+    text: &str,
+) -> Result<Vec<Value>, VariableError> {
+    check_settable_at_start(variable)?;
+    let values = parse(variable, text)?;
+    let [least, greatest] = variable.declared.range;
+    let outside = |value: &Value| {
+        let number = match value {
+            Value::Real(number) => *number,
+            Value::Integer(number) => *number as f64,
+            _ => return false,
+        };
+        least.is_some_and(|least| number < least)
+            || greatest.is_some_and(|greatest| number > greatest)
+    };
+    if !values.iter().any(outside) {
+        return Ok(values);
+    }
+    Err(VariableError::Value {
+        name: variable.name.clone(),
+        found: text.to_owned(),
+        expected: match (least, greatest) {
+            (Some(least), Some(greatest)) => {
+                format!("a number from {} to {}", short(least), short(greatest))
+            }
+            // The least positive number is how a model description says "not 0".
+            (Some(least), None) if least == f64::MIN_POSITIVE => "a number > 0".to_owned(),
+            (Some(least), None) => format!("a number >= {}", short(least)),
+            (None, greatest) => format!("a number <= {}", short(greatest.unwrap_or(f64::INFINITY))),
+        },
+    })
+}
+
+/// A bound as a person writes it.
+fn short(bound: f64) -> String {
+    match (1e-3..1e6).contains(&bound.abs()) || bound == 0.0 {
+        true => bound.to_string(),
+        false => format!("{bound:e}"),
+    }
 }
 
 /// As [`parse`], for one value.

@@ -65,6 +65,8 @@ pub(crate) struct Variable {
     pub(crate) unit: Option<Unit>,
     /// Of an enumeration.
     pub(crate) items: Option<Items>,
+    /// Least and greatest number.
+    pub(crate) range: [Option<f64>; 2],
     /// Start values, one for each element; empty if there are none.
     pub(crate) start: Vec<Value>,
 }
@@ -165,6 +167,7 @@ mod tests {
             settable_at_start: false,
             unit: None,
             items: None,
+            range: [None; 2],
             start: Vec::new(),
         };
         assert_eq!(array.elements(), 6);

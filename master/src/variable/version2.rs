@@ -21,6 +21,7 @@ pub(crate) fn variables(description: &ModelDescription) -> Vec<Variable> {
 fn variable(description: &ModelDescription, scalar: &ScalarVariable) -> Variable {
     let mut unit = None;
     let mut items = None;
+    let mut range = [None; 2];
     let (own_type, start) = match &scalar.variable_type {
         VariableType::Real(real) => {
             let name = real.unit.as_deref().or_else(|| {
@@ -37,12 +38,16 @@ fn variable(description: &ModelDescription, scalar: &ScalarVariable) -> Variable
                     .find(|unit| unit.name == name)
                     .and_then(|unit| unit.base_unit),
             });
+            range = [real.min, real.max];
             (ScalarType::Float64, real.start.map(Value::Real))
         }
-        VariableType::Integer(own) => (
-            ScalarType::Int32,
-            own.start.map(i64::from).map(Value::Integer),
-        ),
+        VariableType::Integer(own) => {
+            range = [own.min, own.max].map(|bound| bound.map(f64::from));
+            (
+                ScalarType::Int32,
+                own.start.map(i64::from).map(Value::Integer),
+            )
+        }
         VariableType::Boolean(own) => (ScalarType::Boolean, own.start.map(Value::Boolean)),
         VariableType::String(own) => (ScalarType::String, own.start.clone().map(Value::String)),
         VariableType::Enumeration(own) => {
@@ -74,6 +79,7 @@ fn variable(description: &ModelDescription, scalar: &ScalarVariable) -> Variable
         settable_at_start: settable_at_start(scalar),
         unit,
         items,
+        range,
         start: start.into_iter().collect(),
     }
 }

@@ -99,6 +99,7 @@ fn declared(
                 name,
             }
         }),
+        range: [&variable.min, &variable.max].map(|bound| bound.as_ref()?.trim().parse().ok()),
         start: start(variable, scalar, extents.iter().product::<u64>() as usize),
     }
 }

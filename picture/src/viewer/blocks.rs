@@ -4,7 +4,7 @@
 //! ```text
 //! motion    presence, then jumps, of each frame; three streams of positions
 //! field k   a stream for each component
-//! stream    1 byte: 1 where motion is continued; byte planes (see coding)
+//! stream    1 byte: what numbers are told against; their code (see coding)
 //! presence  1 byte for each frame: 0 as before, 1 all, 2 as a bit for each sphere follows
 //! jumps     1 byte for each frame: 0 none, 2 a bit for each sphere: there is no way from the frame before to this one
 //! contacts  see contacts
@@ -12,9 +12,9 @@
 
 use sphere_dda::Vec3;
 
-use super::coding::{LARGEST, RANGE, changes, compressed, deflated, put_bits, put_planes};
+use super::coding::{LARGEST, compressed, deflated, put_bits, put_stream};
 use super::contacts::Contacts;
-use super::detail::Kept;
+use super::detail::{Detail, Kept};
 use super::error::ViewError;
 use super::recording::Moment;
 use super::survey::Survey;
@@ -22,7 +22,7 @@ use super::survey::Survey;
 /// Position step `q` over the smallest radius: the error of a centre is at most 0.87 of this.
 const STEP: f64 = 1e-3;
 /// Most frames of a block, and most values of a stream that should be unpacked for one picture.
-const FRAMES: usize = 16;
+const FRAMES: usize = 24;
 const VALUES: usize = 1_500_000;
 
 /// How positions are coded.
@@ -80,7 +80,12 @@ pub(super) struct Packed {
 pub(super) type Images = Vec<Option<[f64; 3]>>;
 
 impl<'a> Block<'a> {
-    pub(super) fn new(survey: &'a Survey, grating: Grating, fields: &'a [Kept]) -> Self {
+    pub(super) fn new(
+        survey: &'a Survey,
+        grating: Grating,
+        detail: Detail,
+        fields: &'a [Kept],
+    ) -> Self {
         let components = fields.iter().map(|kept| kept.components);
         Self {
             survey,
@@ -90,7 +95,7 @@ impl<'a> Block<'a> {
             jumps: Vec::new(),
             positions: Default::default(),
             values: vec![Vec::new(); components.sum()],
-            contacts: Contacts::new(survey),
+            contacts: Contacts::new(survey, detail.force_levels()),
         }
     }
 
@@ -131,7 +136,6 @@ impl<'a> Block<'a> {
             let range = &self.survey.fields[kept.field];
             let field = spheres.fields.iter().find(|field| field.name == range.name);
             let field = field.ok_or_else(|| unknown(&format!("array `{}`", range.name)))?;
-            let scale = range.largest / RANGE;
             for component in 0..kept.components {
                 let mut codes = vec![0; slots];
                 for (row, &slot) in field.values.chunks_exact(range.components).zip(&ranks) {
@@ -139,7 +143,7 @@ impl<'a> Block<'a> {
                         true => row.iter().map(|v| v * v).sum::<f64>().sqrt(),
                         false => row[component],
                     };
-                    codes[slot] = compressed(value, scale, kept.steps);
+                    codes[slot] = compressed(value, kept.scale, kept.steps);
                 }
                 self.values[stream].push(codes);
                 stream += 1;
@@ -190,10 +194,4 @@ impl<'a> Block<'a> {
             contacts: deflated(&self.contacts.pack()),
         }
     }
-}
-
-fn put_stream(out: &mut Vec<u8>, frames: &[Vec<i64>], present: &[Vec<bool>]) {
-    let (continued, changes) = changes(frames, present);
-    out.push(u8::from(continued));
-    put_planes(out, &changes);
 }

@@ -1,18 +1,20 @@
-//! How numbers become few bytes: whole numbers, their change from frame to frame, byte planes, deflate.
+//! How numbers become few bytes: whole numbers, their change from frame to frame, their odds ([`super::entropy`]).
 //!
 //! ```text
 //! position  n = round((x - origin) / q)       |x - x'| <= q/2 along each axis
 //! field     n = round(K asinh(v / s))         |v - v'| <= sqrt(v^2 + s^2) / (2 K)
-//! change    d = n - n1, or n - (2 n1 - n2) where that is shorter (n1, n2: the frames before, same sphere)
-//! planes    zigzag(d) = 2 d or -2 d - 1, all lowest bytes, then all second bytes ...
+//! change    d = n, n - n1 or n - (2 n1 - n2), whichever is shortest (n1, n2: the frames before, same sphere)
+//! planes    zigzag(d) = 2 d or -2 d - 1, all lowest bytes, then all second bytes ...; deflated
 //! ```
 //!
-//! What rests becomes zeros, which deflate to nothing.
+//! What rests becomes zeros, which cost nothing.
 
 use std::io::Write as _;
 
 use flate2::Compression;
 use flate2::write::DeflateEncoder;
+
+use super::entropy::{Encoder, Numbers};
 
 /// Largest value of a field over the `s` of its coding: what is smaller by that much reads as zero within `s/(2 K)`.
 pub(super) const RANGE: f64 = 1e4;
@@ -43,16 +45,6 @@ pub(super) fn put_planes(out: &mut Vec<u8>, values: &[i64]) {
     }
 }
 
-/// Appends a whole number, seven bits to a byte, lowest first.
-pub(super) fn put_varint(out: &mut Vec<u8>, value: i64) {
-    let mut rest = zigzag(value);
-    while rest >= 0x80 {
-        out.push(rest as u8 | 0x80);
-        rest >>= 7;
-    }
-    out.push(rest as u8);
-}
-
 /// Appends one bit for each of `bits`, lowest first.
 pub(super) fn put_bits(out: &mut Vec<u8>, bits: impl Iterator<Item = bool>) {
     let (mut byte, mut count) = (0_u8, 0_u32);
@@ -69,46 +61,57 @@ pub(super) fn put_bits(out: &mut Vec<u8>, bits: impl Iterator<Item = bool>) {
     }
 }
 
-/// The changes of whole numbers over the frames of a block: frame by frame, in each those slots that are `present`.
-/// The first time a slot is there it is told against the slot before it. The flag says whether motion is continued.
-pub(super) fn changes(frames: &[Vec<i64>], present: &[Vec<bool>]) -> (bool, Vec<i64>) {
-    let plain = told(frames, present, false);
-    let continued = told(frames, present, true);
-    let cost = |list: &[i64]| -> u64 {
-        let bits = |&d: &i64| u64::from(64 - zigzag(d).leading_zeros());
-        list.iter().map(bits).sum()
-    };
-    if cost(&continued) < cost(&plain) {
-        (true, continued)
-    } else {
-        (false, plain)
-    }
+/// What a whole number of a sphere is told against.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Against {
+    /// Zero.
+    Nothing,
+    /// The one in the frame before.
+    Last,
+    /// What comes if the last change goes on.
+    Motion,
 }
 
-fn told(frames: &[Vec<i64>], present: &[Vec<bool>], continued: bool) -> Vec<i64> {
+/// Appends whole numbers over the frames of a block: frame by frame, in each those slots that are `present`. The first time
+/// a slot is there it is told against the slot before it, or against nothing. A byte says which way is taken, the shortest.
+pub(super) fn put_stream(out: &mut Vec<u8>, frames: &[Vec<i64>], present: &[Vec<bool>]) {
+    let told = [Against::Nothing, Against::Last, Against::Motion]
+        .map(|against| told(frames, present, against));
+    let shortest = (0..told.len()).min_by_key(|&k| told[k].len()).unwrap_or(0);
+    out.push(shortest as u8);
+    out.extend(&told[shortest]);
+}
+
+fn told(frames: &[Vec<i64>], present: &[Vec<bool>], against: Against) -> Vec<u8> {
     let slots = frames.first().map_or(0, Vec::len);
     let mut last = vec![0_i64; slots];
     let mut before = vec![0_i64; slots];
+    let mut change = vec![0_i64; slots];
     let mut known = vec![0_u8; slots];
-    let mut out = Vec::new();
+    let (mut encoder, mut odds) = (Encoder::new(), Numbers::new());
     for (values, here) in frames.iter().zip(present) {
         let mut neighbour = 0;
-        for slot in 0..slots {
-            if !here[slot] {
-                continue;
-            }
-            let expected = match known[slot] {
-                0 => neighbour,
-                2 if continued => 2 * last[slot] - before[slot],
+        for slot in (0..slots).filter(|&slot| here[slot]) {
+            let expected = match (against, known[slot]) {
+                (Against::Nothing, _) => 0,
+                (_, 0) => neighbour,
+                (Against::Motion, 2) => 2 * last[slot] - before[slot],
                 _ => last[slot],
             };
-            out.push(values[slot] - expected);
+            let told = values[slot] - expected;
+            odds.put(&mut encoder, told, change[slot]);
+            // How a slot begins says nothing of how it changes.
+            if known[slot] > 0 || against == Against::Nothing {
+                change[slot] = told;
+            }
             before[slot] = last[slot];
             last[slot] = values[slot];
             known[slot] = (known[slot] + 1).min(2);
             neighbour = values[slot];
         }
     }
+    let mut out = Vec::new();
+    encoder.finish(&mut out);
     out
 }
 
@@ -157,6 +160,7 @@ mod tests {
     use flate2::read::DeflateDecoder;
     use proptest::prelude::*;
 
+    use super::super::entropy::tests::Decoder;
     use super::*;
 
     fn inflated(bytes: &[u8]) -> Vec<u8> {
@@ -165,41 +169,35 @@ mod tests {
         out
     }
 
-    /// What the page does, in `data.js`.
-    fn planes(bytes: &[u8], count: usize) -> Vec<i64> {
-        let (planes, rest) = bytes.split_first().unwrap();
-        assert_eq!(rest.len(), usize::from(*planes) * count);
-        let number = |k: usize| {
-            let plane = |p: usize| u64::from(rest[p * count + k]) << (8 * p);
-            let z: u64 = (0..usize::from(*planes)).map(plane).sum();
-            (z >> 1) as i64 ^ -((z & 1) as i64)
-        };
-        (0..count).map(number).collect()
-    }
-
-    /// Likewise: the codes of the slots that are present, frame by frame.
-    fn undone(continued: bool, changes: &[i64], present: &[Vec<bool>]) -> Vec<Vec<i64>> {
-        let mut changes = changes.iter();
-        let mut known: Vec<Vec<i64>> = vec![Vec::new(); present.first().map_or(0, Vec::len)];
+    /// What the page does, in `data.js`: the codes of the slots that are present, frame by frame.
+    fn undone(stream: &[u8], present: &[Vec<bool>]) -> Vec<Vec<i64>> {
+        let (&against, mut rest) = stream.split_first().unwrap();
+        let (mut decoder, mut odds) = (Decoder::new(&mut rest), Numbers::new());
+        assert!(rest.is_empty());
+        let slots = present.first().map_or(0, Vec::len);
+        let (mut known, mut changes) = (vec![Vec::new(); slots], vec![0; slots]);
         let mut out = Vec::new();
         for here in present {
             let mut neighbour = 0;
             let mut row = Vec::new();
             for (slot, _) in here.iter().enumerate().filter(|(_, is)| **is) {
-                let own = &mut known[slot];
+                let own: &mut Vec<i64> = &mut known[slot];
                 let expected = match own[..] {
+                    _ if against == 0 => 0,
                     [] => neighbour,
-                    [.., before, last] if continued => 2 * last - before,
+                    [.., before, last] if against == 2 => 2 * last - before,
                     [.., last] => last,
                 };
-                let value = expected + changes.next().unwrap();
-                own.push(value);
-                row.push(value);
-                neighbour = value;
+                let change = decoder.number(&mut odds, changes[slot]);
+                if !own.is_empty() || against == 0 {
+                    changes[slot] = change;
+                }
+                own.push(expected + change);
+                row.push(expected + change);
+                neighbour = expected + change;
             }
             out.push(row);
         }
-        assert!(changes.next().is_none());
         out
     }
 
@@ -217,15 +215,12 @@ mod tests {
     proptest! {
         #[test]
         fn a_block_comes_back((frames, present) in block()) {
-            let (continued, changes) = changes(&frames, &present);
-            let mut bytes = Vec::new();
-            put_planes(&mut bytes, &changes);
-            let bytes = inflated(&deflated(&bytes));
-            let changes = planes(&bytes, changes.len());
+            let mut stream = Vec::new();
+            put_stream(&mut stream, &frames, &present);
             let expected: Vec<Vec<i64>> = frames.iter().zip(&present)
                 .map(|(row, here)| row.iter().zip(here).filter(|(_, is)| **is).map(|(&v, _)| v).collect())
                 .collect();
-            prop_assert_eq!(undone(continued, &changes, &present), expected);
+            prop_assert_eq!(undone(&stream, &present), expected);
         }
 
         /// The stated error: half a step of the logarithm, near zero that of the smallest value.
@@ -238,12 +233,22 @@ mod tests {
         }
 
         #[test]
-        fn varints_and_bits_come_back(value in any::<i32>(), bits in proptest::collection::vec(any::<bool>(), 0..40)) {
+        fn planes_and_bits_come_back(values in proptest::collection::vec(-(1_i64 << 40)..1 << 40, 1..50),
+            bits in proptest::collection::vec(any::<bool>(), 0..40))
+        {
+            let bytes = inflated(&wholes(values.iter().copied()));
+            let (planes, rest) = bytes.split_first().unwrap();
+            let number = |k: usize| {
+                let plane = |p: usize| u64::from(rest[p * values.len() + k]) << (8 * p);
+                let z: u64 = (0..usize::from(*planes)).map(plane).sum();
+                (z >> 1) as i64 ^ -((z & 1) as i64)
+            };
+            let mut last = 0;
+            for (k, &value) in values.iter().enumerate() {
+                last += number(k);
+                prop_assert_eq!(last, value);
+            }
             let mut bytes = Vec::new();
-            put_varint(&mut bytes, i64::from(value));
-            let z: u64 = bytes.iter().enumerate().map(|(k, &b)| u64::from(b & 127) << (7 * k)).sum();
-            prop_assert_eq!((z >> 1) as i64 ^ -((z & 1) as i64), i64::from(value));
-            bytes.clear();
             put_bits(&mut bytes, bits.iter().copied());
             let back: Vec<bool> = (0..bits.len()).map(|k| bytes[k / 8] >> (k % 8) & 1 == 1).collect();
             prop_assert_eq!(back, bits);
@@ -252,11 +257,28 @@ mod tests {
 
     #[test]
     fn motion_that_goes_on_costs_nothing() {
-        let falling: Vec<Vec<i64>> = (0..16).map(|f| vec![1000 * f, -700 * f]).collect();
-        let present = vec![vec![true; 2]; 16];
-        let (continued, changes) = changes(&falling, &present);
-        assert!(continued);
-        assert!(changes[4..].iter().all(|&d| d == 0), "{changes:?}");
+        let present = vec![vec![true; 100]; 16];
+        let stream = |code: &dyn Fn(i64, i64) -> i64| {
+            let frames: Vec<Vec<i64>> = (0..16)
+                .map(|frame| (0..100).map(|slot| code(frame, slot)).collect())
+                .collect();
+            let mut out = Vec::new();
+            put_stream(&mut out, &frames, &present);
+            assert_eq!(undone(&out, &present), frames);
+            (out[0], out.len())
+        };
+        let rests = stream(&|_, slot| 1000 * slot).1;
+        let (against, moves) = stream(&|frame, slot| 1000 * slot + 700 * frame);
+        assert_eq!(against, 2);
+        assert!(moves < rests + 200, "{moves} {rests}");
+        // Noise has nothing to do with the frame before.
+        let noise = |frame: i64, slot: i64| {
+            let seed = (100 * frame + slot) as u64;
+            let mixed = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15);
+            let mixed = (mixed ^ (mixed >> 31)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+            (mixed >> 40) as i64 % 64
+        };
+        assert_eq!(stream(&noise).0, 0);
         assert_eq!(compressed(0.0, 0.0, 100.0), 0);
     }
 }

@@ -1,18 +1,18 @@
-//! Contacts of a block: those of the frame before that are still there, the new ones, how hard each presses.
+//! Contacts of a block: every pair that has touched in it, how hard it presses in each frame.
 //!
 //! ```text
-//! for each frame   bits: which of the frame before stay, in their order; varint: number of new ones,
-//!                  each varint rank of sphere 1 less that of the one before, varint partner, 1 byte form
+//! for each frame   of every pair so far, in their order: its force; the number of new pairs, then of each: rank of sphere 1
+//!                  less that of the pair before, partner, form, force. Behind a force that is not none, forms 1 and 2: branch
 //! partner          rank of sphere 2, or boundary
 //! form             0 sphere, 1 boundary, 2 sphere across a face of the periodic cell
-//! force            1 byte: 0 none, else F = F_max 10^(DECADES (c - 255)/254); change modulo 256
-//! branch           forms 1 and 2: 3 bytes, 127 times the branch over its length scale; change modulo 256
-//! file             three lengths u32, then bits and new ones, forces, branches
+//! force            1 byte: 0 none, else F = F_max 10^(DECADES (c - L)/(L - 1)); its odds depend on that of the frame before
+//! branch           3 bytes, 127 times the branch over its length scale; change modulo 256
+//! file             see entropy
 //! ```
 
 use std::collections::BTreeMap;
 
-use super::coding::{put_bits, put_varint};
+use super::entropy::{Bytes, Encoder, Numbers};
 use super::recording::{Contact, Moment};
 use super::survey::Survey;
 
@@ -36,20 +36,32 @@ struct Known {
 /// The contacts of a block that is being filled.
 pub(super) struct Contacts<'a> {
     survey: &'a Survey,
-    last: Vec<Known>,
-    heads: Vec<u8>,
-    forces: Vec<u8>,
-    branches: Vec<u8>,
+    /// Codes of forces `L`.
+    levels: u8,
+    /// Every pair so far, as it was last.
+    pairs: Vec<Known>,
+    encoder: Encoder,
+    forces: Bytes,
+    branches: Bytes,
+    forms: Bytes,
+    counts: Numbers,
+    ranks: Numbers,
+    partners: Numbers,
 }
 
 impl<'a> Contacts<'a> {
-    pub(super) fn new(survey: &'a Survey) -> Self {
+    pub(super) fn new(survey: &'a Survey, levels: u8) -> Self {
         Self {
             survey,
-            last: Vec::new(),
-            heads: Vec::new(),
-            forces: Vec::new(),
-            branches: Vec::new(),
+            levels,
+            pairs: Vec::new(),
+            encoder: Encoder::new(),
+            forces: Bytes::new(64),
+            branches: Bytes::new(1),
+            forms: Bytes::new(1),
+            counts: Numbers::new(),
+            ranks: Numbers::new(),
+            partners: Numbers::new(),
         }
     }
 
@@ -61,50 +73,57 @@ impl<'a> Contacts<'a> {
         }
         let mut now: BTreeMap<Key, Known> = BTreeMap::new();
         for contact in &moment.contacts {
+            let force = self.force_code(contact.force);
             let Some((rank, form, partner, length)) = self.place(contact, moment, &places) else {
                 continue;
             };
+            if force == 0 {
+                continue;
+            }
             let mut key = (rank, form, partner, 0);
             while now.contains_key(&key) {
                 key.3 += 1;
             }
             let scaled = contact.branch * (127.0 / length);
-            let known = Known {
-                key,
-                force: self.force_code(contact.force),
-                branch: scaled.map(|v| v.round().clamp(-127.0, 127.0) as i8).into(),
-            };
-            now.insert(key, known);
+            let branch = scaled.map(|v| v.round().clamp(-127.0, 127.0) as i8).into();
+            now.insert(key, Known { key, force, branch });
         }
-        let mut list = Vec::with_capacity(now.len());
-        let stays = self.last.iter().map(|known| now.contains_key(&known.key));
-        put_bits(&mut self.heads, stays);
-        for known in &self.last {
-            if let Some(own) = now.remove(&known.key) {
-                self.forces.push(own.force.wrapping_sub(known.force));
-                if own.key.1 != SPHERE {
-                    let changes = own.branch.iter().zip(known.branch);
-                    let changes = changes.map(|(a, b)| a.wrapping_sub(b) as u8);
-                    self.branches.extend(changes);
-                }
-                list.push(own);
-            }
+        for k in 0..self.pairs.len() {
+            let last = self.pairs[k];
+            let none = Known { force: 0, ..last };
+            let own = now.remove(&last.key).unwrap_or(none);
+            self.put(own, last);
+            self.pairs[k] = own;
         }
-        put_varint(&mut self.heads, now.len() as i64);
+        self.counts.put(&mut self.encoder, now.len() as i64, 0);
         let mut before = 0;
         for own in now.into_values() {
             let (rank, form, partner, _) = own.key;
-            put_varint(&mut self.heads, rank as i64 - before);
+            self.ranks.put(&mut self.encoder, rank as i64 - before, 0);
             before = rank as i64;
-            put_varint(&mut self.heads, partner);
-            self.heads.push(form);
-            self.forces.push(own.force);
-            if form != SPHERE {
-                self.branches.extend(own.branch.map(|b| b as u8));
-            }
-            list.push(own);
+            self.partners.put(&mut self.encoder, partner, 0);
+            self.forms.put(&mut self.encoder, form, 0);
+            let none = Known {
+                force: 0,
+                branch: [0; 3],
+                ..own
+            };
+            self.put(own, none);
+            self.pairs.push(own);
         }
-        self.last = list;
+    }
+
+    /// Force and branch of a pair that was `last` before.
+    fn put(&mut self, own: Known, last: Known) {
+        let context = usize::from(last.force >> 2);
+        self.forces.put(&mut self.encoder, own.force, context);
+        if own.force == 0 || own.key.1 == SPHERE {
+            return;
+        }
+        for (a, b) in own.branch.iter().zip(last.branch) {
+            let change = a.wrapping_sub(b) as u8;
+            self.branches.put(&mut self.encoder, change, 0);
+        }
     }
 
     /// Rank of sphere 1, form, partner and length scale \[m\] of a contact.
@@ -129,21 +148,16 @@ impl<'a> Contacts<'a> {
     }
 
     fn force_code(&self, force: f64) -> u8 {
+        let levels = f64::from(self.levels);
         let decades = (force / self.survey.largest_force).log10();
-        let code = 255.0 + 254.0 * decades / DECADES;
+        let code = levels + (levels - 1.0) * decades / DECADES;
         // Also what is no number: no force.
         if code >= 0.5 { code.round() as u8 } else { 0 }
     }
 
     pub(super) fn pack(self) -> Vec<u8> {
-        let parts = [self.heads, self.forces, self.branches];
         let mut out = Vec::new();
-        for part in &parts {
-            out.extend((part.len() as u32).to_le_bytes());
-        }
-        for part in parts {
-            out.extend(part);
-        }
+        self.encoder.finish(&mut out);
         out
     }
 }

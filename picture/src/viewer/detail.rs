@@ -1,15 +1,28 @@
-//! How much of the spheres' fields a page holds: what must be small is told more coarsely before frames are left out.
+//! How much of the spheres' fields a page holds: what must be small is told more coarsely before anything is left out.
+//!
+//! | | error of a component `v` at most | fields |
+//! |---|---|---|
+//! | `Whole` | 0.5 % of it, 5e-7 of the largest in the run | all but orientations |
+//! | `Fine` | 2 % of it, 1/1000 of where the colours end | the same |
+//! | `Colours` | 6 % of it, 1/128 of where the colours end | the same |
+//! | `Telling` | likewise | velocity and force |
+//! | `Magnitudes` | likewise | their magnitudes |
 
-use super::survey::Survey;
+use super::coding::RANGE;
+use super::survey::{FieldRange, Survey};
 
 /// What is kept of the fields.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Detail {
-    /// All but orientations, each component to 0.5 %.
+    /// All but orientations, each component to 0.5 %, contact forces to 2.3 %.
     Whole,
-    /// Velocity and force, each component to 2 %.
-    Coarse,
-    /// Their magnitudes, to 2 %.
+    /// Likewise, to 2 %.
+    Fine,
+    /// Likewise, to 6 %, as finely as colours show; contact forces to 10 %.
+    Colours,
+    /// Velocity and force alone.
+    Telling,
+    /// Their magnitudes.
     Magnitudes,
 }
 
@@ -29,35 +42,64 @@ pub(super) struct Kept {
     pub(super) components: usize,
     /// Steps `K` of its coding.
     pub(super) steps: f64,
+    /// Its `s`: below it steps are of one size.
+    pub(super) scale: f64,
 }
 
 impl Detail {
     /// The next coarser one.
     pub(super) fn coarser(self) -> Option<Self> {
         match self {
-            Self::Whole => Some(Self::Coarse),
-            Self::Coarse => Some(Self::Magnitudes),
+            Self::Whole => Some(Self::Fine),
+            Self::Fine => Some(Self::Colours),
+            Self::Colours => Some(Self::Telling),
+            Self::Telling => Some(Self::Magnitudes),
             Self::Magnitudes => None,
+        }
+    }
+
+    /// Codes of contact forces.
+    pub(super) fn force_levels(self) -> u8 {
+        match self {
+            Self::Whole | Self::Fine => 255,
+            _ => 63,
         }
     }
 
     /// The fields of a recording that are kept.
     pub(super) fn kept(self, survey: &Survey) -> Vec<Kept> {
         let wanted = |name: &str| match self {
-            Self::Whole => !LEFT_OUT.contains(&name),
-            _ => TELLING.contains(&name),
+            Self::Telling | Self::Magnitudes => TELLING.contains(&name),
+            _ => !LEFT_OUT.contains(&name),
         };
         let fields = survey.fields.iter().enumerate();
         let fields = fields.filter(|(_, field)| wanted(&field.name));
-        let kept = |(index, field): (usize, &super::survey::FieldRange)| {
+        let kept = |(index, field): (usize, &FieldRange)| {
             let magnitude = self == Self::Magnitudes;
+            let (steps, scale) = self.coding(field);
             Kept {
                 field: index,
                 magnitude,
                 components: if magnitude { 1 } else { field.components },
-                steps: if self == Self::Whole { 100.0 } else { 25.0 },
+                steps,
+                scale,
             }
         };
         fields.map(kept).collect()
+    }
+
+    /// `K` and `s` of a field; near zero a step is `s/K`.
+    fn coding(self, field: &FieldRange) -> (f64, f64) {
+        let (steps, shades) = match self {
+            Self::Whole => return (100.0, field.largest / RANGE),
+            Self::Fine => (25.0, 512.0),
+            _ => (8.0, 64.0),
+        };
+        let top = field.top();
+        match top > 0.0 {
+            true => (steps, steps * top / shades),
+            // Nearly all is zero: there is no colour to go by.
+            false => (steps, field.largest / RANGE),
+        }
     }
 }

@@ -58,6 +58,8 @@ pub(super) struct ForceHeader {
     pub(super) largest: f64,
     pub(super) top: f64,
     pub(super) decades: f64,
+    /// Codes of forces `L`.
+    pub(super) levels: u8,
 }
 
 #[derive(Debug, Serialize)]

@@ -9,6 +9,7 @@ mod bodies;
 mod coding;
 mod contacts;
 mod detail;
+mod entropy;
 mod error;
 mod header;
 pub mod labels;
@@ -16,6 +17,7 @@ mod page;
 mod recording;
 mod survey;
 mod tables;
+mod text;
 
 pub use detail::Detail;
 pub use error::ViewError;
@@ -26,7 +28,7 @@ use sphere_dda::Vec3;
 
 use blocks::{Block, Grating};
 use bodies::Bodies;
-use coding::{RANGE, doubles, singles, wholes};
+use coding::{doubles, singles, wholes};
 use contacts::DECADES;
 use detail::Kept;
 use header::{BoundaryHeader, FieldHeader, ForceHeader, Header, TableHeader};
@@ -97,6 +99,7 @@ pub fn page(
         let fields = detail.kept(&survey);
         let taken = Taken {
             frames: &kept,
+            detail,
             fields: &fields,
             thinned,
         };
@@ -166,6 +169,7 @@ fn kept(recorded: usize, thinned: usize) -> Vec<usize> {
 struct Taken<'a> {
     /// Indices of the frames.
     frames: &'a [usize],
+    detail: Detail,
     fields: &'a [Kept],
     /// Frames of the recording for each that is taken.
     thinned: usize,
@@ -191,13 +195,14 @@ fn fill(
     let grating = Grating::of(survey);
     let Taken {
         frames: kept,
+        detail,
         fields,
         ..
     } = taken;
     let length = blocks::length(survey.slots.len());
     let mut parts = Parts::default();
     let mut images = vec![None; survey.slots.len()];
-    let mut block = Block::new(survey, grating, fields);
+    let mut block = Block::new(survey, grating, detail, fields);
     let mut number = 0;
     bodies.restart();
     for (done, &index) in kept.iter().enumerate() {
@@ -205,7 +210,7 @@ fn fill(
         block.push(&moment, &mut images)?;
         bodies.push(&moment)?;
         if block.frames() == length || done + 1 == kept.len() {
-            let whole = std::mem::replace(&mut block, Block::new(survey, grating, fields));
+            let whole = std::mem::replace(&mut block, Block::new(survey, grating, detail, fields));
             let packed = whole.pack();
             parts.push(format!("motion-{number}"), packed.motion);
             parts.push(format!("contacts-{number}"), packed.contacts);
@@ -297,7 +302,7 @@ fn header(
     let (low, high) = extent.unwrap_or((Vec3::repeat(-0.5), Vec3::repeat(0.5)));
     let (bottom, top) = survey.reach.unwrap_or((low, high));
     Header {
-        version: 1,
+        version: 2,
         generator: format!("sphere-dda {}", env!("CARGO_PKG_VERSION")),
         title: options.title.clone(),
         thinned: taken.thinned,
@@ -316,7 +321,7 @@ fn header(
                 unit: field.unit.clone(),
                 components: kept.components,
                 magnitude: kept.magnitude,
-                scale: field.largest / RANGE,
+                scale: kept.scale,
                 steps: kept.steps,
                 top: field.top(),
             })
@@ -325,6 +330,7 @@ fn header(
             largest: survey.largest_force,
             top: survey.top_force(),
             decades: DECADES,
+            levels: taken.detail.force_levels(),
         },
         boundaries: bodies.list.iter().map(boundary).collect(),
         tables: options.tables.iter().map(table).collect(),

@@ -1,9 +1,7 @@
 //! One HTML file: head, program, data. It asks for nothing from outside and forbids itself to.
 
-use base64::Engine as _;
-use base64::engine::general_purpose::STANDARD;
-
 use super::header::Header;
+use super::text;
 
 /// The program and its style, made by `web/build` from `web/src`.
 const SCRIPT: &str = include_str!("web/bundle.js");
@@ -22,7 +20,7 @@ pub(super) struct Parts {
 impl Parts {
     pub(super) fn push(&mut self, name: impl Into<String>, bytes: Vec<u8>) {
         let name = name.into();
-        self.size += (name.len() + 64) as u64 + 4 * (bytes.len() as u64).div_ceil(3);
+        self.size += (name.len() + 64) as u64 + text::length(&bytes);
         self.list.push((name, bytes));
     }
 
@@ -69,7 +67,7 @@ pub(super) fn html(header: &Header, parts: &Parts) -> String {
     );
     for (name, bytes) in &parts.list {
         out += &format!("<script type=\"text/plain\" id=\"{name}\">");
-        STANDARD.encode_string(bytes, &mut out);
+        text::put(&mut out, bytes);
         out += "</script>\n";
     }
     out += &format!(

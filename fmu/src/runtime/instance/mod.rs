@@ -19,6 +19,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Arc;
 
+use sphere_dda::contact::Contact;
 use sphere_dda::error::StepError;
 use sphere_dda::scene::{Boundary, CommandDerivatives, Scene};
 use sphere_dda::simulation::Simulation;
@@ -54,6 +55,8 @@ pub enum Step {
 struct Measured {
     /// Values, in the order of the table.
     outputs: Option<Vec<f64>>,
+    /// Loaded contacts.
+    contacts: Option<Vec<Contact>>,
     /// Derivatives by time of all that [`derivatives`] measures.
     rates: Option<Vec<f64>>,
     /// Its derivatives by inputs, by row of the table and element.
@@ -76,6 +79,8 @@ pub struct Instance {
     measured: Measured,
     recorder: Recorder,
     read_ahead: bool,
+    /// Whether the log has said that there are more contacts than rows.
+    left_out: bool,
 }
 
 impl Instance {
@@ -101,6 +106,7 @@ impl Instance {
             measured: Measured::default(),
             recorder: Recorder::default(),
             read_ahead: false,
+            left_out: false,
         })
     }
 
@@ -350,7 +356,7 @@ impl Instance {
         self.simulation = None;
         self.step = None;
         self.measured = Measured::default();
-        self.read_ahead = false;
+        (self.read_ahead, self.left_out) = (false, false);
         whole
     }
 

@@ -11,9 +11,9 @@ use sphere_dda_model_description::fmi2::{Causality, Variability};
 use sphere_dda_model_description::value::{ScalarType, Value};
 
 use super::Instance;
-use crate::runtime::document;
 use crate::runtime::life_cycle::LifeCycle;
 use crate::runtime::refusal::Refusal;
+use crate::runtime::{contacts, document};
 use crate::table::{Binding, Entry, Table, Variable, value};
 use crate::version::Version;
 
@@ -90,12 +90,45 @@ impl Instance {
         if measured && self.measured.outputs.is_none() {
             self.measured.outputs = Some(values(&Observation::of(simulation)));
         }
+        let of_contacts = |entry: &&Entry<'_>| {
+            matches!(
+                entry.variable.binding,
+                Binding::Contacts(_) | Binding::ContactsDocument
+            )
+        };
+        if self.measured.contacts.is_none() && entries.iter().any(|entry| of_contacts(&entry)) {
+            self.measured.contacts = Some(contacts::loaded(&Observation::of(simulation)));
+        }
         Ok(())
     }
 
-    fn read(&self, entry: &Entry<'_>, give: &mut dyn FnMut(Value)) {
+    /// Says once that arrays of contacts have fewer rows than there are contacts.
+    fn tell_left_out(&mut self, contacts: usize, rows: usize) {
+        if contacts > rows && !self.left_out {
+            self.left_out = true;
+            self.log.write(
+                Level::Warning,
+                format_args!(
+                    "contacts: found {contacts} loaded ones at t = {} s, room for {rows} in the arrays: the others are left out, \
+                     contactCount counts all (reported once); set `contacts` in [fmu] of the scene",
+                    self.run.time
+                ),
+            );
+        }
+    }
+
+    fn read(&mut self, entry: &Entry<'_>, give: &mut dyn FnMut(Value)) {
         let variable = entry.variable;
+        let loaded = self.measured.contacts.as_deref().unwrap_or_default();
         match (&variable.binding, &self.simulation) {
+            (Binding::Contacts(field), Some(_)) => {
+                let (count, rows) = (loaded.len(), variable.dims[0]);
+                contacts::field(loaded, rows, *field, give);
+                self.tell_left_out(count, rows);
+            }
+            (Binding::ContactsDocument, Some(_)) => {
+                give(Value::Binary(contacts::of(loaded, self.run.time)));
+            }
             (Binding::Spheres(field), Some(simulation)) => {
                 document::field(simulation, *field, give);
             }

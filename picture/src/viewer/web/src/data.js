@@ -1,4 +1,6 @@
-// Reads the parts of the page: head, tables, blocks of frames. The layout is told in coding.rs, blocks.rs and contacts.rs.
+// Reads the parts of the page: head, tables, blocks of frames. The layout is told in coding.rs, blocks.rs, contacts.rs and text.rs.
+
+import { Bytes, Decoder, Numbers } from "./entropy.js";
 
 /** Bytes of decoded blocks that are kept. */
 const CACHE = 384e6;
@@ -9,11 +11,30 @@ function element(name) {
   return found;
 }
 
+/** Undoes text.rs: bytes of seven bits for each character. */
 function bytes(text) {
-  if (Uint8Array.fromBase64) return Uint8Array.fromBase64(text);
-  const binary = atob(text);
-  const out = new Uint8Array(binary.length);
-  for (let k = 0; k < out.length; k++) out[k] = binary.charCodeAt(k);
+  const barred = [0, 13, 60];
+  const sevens = new Uint8Array(2 * text.length);
+  let count = 0;
+  for (let k = 0; k < text.length; k++) {
+    const code = text.charCodeAt(k);
+    if (code < 128) sevens[count++] = code;
+    else {
+      const place = (code >> 7) - 1;
+      sevens[count++] = barred[place % 3];
+      if (place < 3) sevens[count++] = code & 127;
+    }
+  }
+  const out = new Uint8Array(Math.floor((7 * count) / 8));
+  let [held, bits, at] = [0, 0, 0];
+  for (let k = 0; k < count; k++) {
+    held = ((held << 7) | sevens[k]) & 0xffff;
+    bits += 7;
+    if (bits >= 8) {
+      bits -= 8;
+      out[at++] = held >> bits;
+    }
+  }
   return out;
 }
 
@@ -80,39 +101,30 @@ class Reader {
     for (let k = 0; k < count; k++) out[k] = (packed[k >> 3] >> (k & 7)) & 1;
     return out;
   }
-  varint() {
-    let [out, factor, byte] = [0, 1, 0];
-    do {
-      byte = this.byte();
-      out += factor * (byte & 127);
-      factor *= 128;
-    } while (byte & 128);
-    return out % 2 === 0 ? out / 2 : -(out + 1) / 2;
-  }
 }
 
-/** Undoes `changes` of coding.rs: whole numbers by frame and slot. */
+/** Undoes `put_stream` of coding.rs: whole numbers by frame and slot. */
 function stream(reader, present) {
   const slots = present[0].length;
-  const continued = reader.byte() === 1;
-  let count = 0;
-  for (const here of present) for (let s = 0; s < slots; s++) count += here[s];
-  const changes = planes(reader, count);
+  const [nothing, motion] = ((against) => [against === 0, against === 2])(reader.byte());
+  const [decoder, numbers] = [new Decoder(reader), new Numbers()];
   const last = new Float64Array(slots);
   const before = new Float64Array(slots);
+  const change = new Float64Array(slots);
   const known = new Uint8Array(slots);
-  let at = 0;
   return present.map((here) => {
     let neighbour = 0;
     for (let s = 0; s < slots; s++) {
       if (!here[s]) continue;
-      const expected =
-        known[s] === 0 ? neighbour : known[s] === 2 && continued ? 2 * last[s] - before[s] : last[s];
-      const value = changes[at++] + expected;
+      let expected = last[s];
+      if (nothing) expected = 0;
+      else if (known[s] === 0) expected = neighbour;
+      else if (known[s] === 2 && motion) expected = 2 * last[s] - before[s];
+      const told = decoder.number(numbers, change[s]);
+      if (known[s] > 0 || nothing) change[s] = told;
       before[s] = last[s];
-      last[s] = value;
+      neighbour = last[s] = expected + told;
       if (known[s] < 2) known[s]++;
-      neighbour = value;
     }
     return last.slice();
   });
@@ -222,26 +234,24 @@ export class Data {
   contacts(block) {
     const frames = this.framesIn(block);
     return this.decoded(`contacts-${block}`, frames * this.head.spheres * 60, async () => {
-      const all = await part(`contacts-${block}`);
-      const lengths = new DataView(all.buffer, all.byteOffset);
-      const ends = [12];
-      for (let k = 0; k < 3; k++) ends.push(ends[k] + lengths.getUint32(4 * k, true));
-      const [heads, forces, branches] = [0, 1, 2].map((k) => new Reader(all.subarray(ends[k], ends[k + 1])));
-      const { largest, decades } = this.head.forces;
-      let last = [];
+      const decoder = new Decoder(new Reader(await part(`contacts-${block}`)));
+      const [counts, ranks, partners] = [new Numbers(), new Numbers(), new Numbers()];
+      const [forms, forces, branches] = [new Bytes(1), new Bytes(64), new Bytes(1)];
+      const { largest, decades, levels } = this.head.forces;
+      const pairs = [];
+      const press = (one) => {
+        one.code = decoder.byte(forces, one.code >> 2);
+        if (one.code && one.form) one.bytes = one.bytes.map((b) => (b + decoder.byte(branches, 0)) & 255);
+      };
       return Array.from({ length: frames }, () => {
-        const list = last.filter(((stays) => (_, k) => stays[k])(heads.bits(last.length)));
-        const now = list.map((old) => ({ ...old }));
-        const added = heads.varint();
-        for (let k = 0, rank = 0; k < added; k++) {
-          rank += heads.varint();
-          now.push({ rank, partner: heads.varint(), form: heads.byte(), code: 0, bytes: [0, 0, 0] });
+        pairs.forEach(press);
+        for (let left = decoder.number(counts, 0), rank = 0; left > 0; left--) {
+          rank += decoder.number(ranks, 0);
+          const one = { rank, partner: decoder.number(partners, 0), form: decoder.byte(forms, 0), code: 0, bytes: [0, 0, 0] };
+          press(one);
+          pairs.push(one);
         }
-        for (const one of now) {
-          one.code = (one.code + forces.byte()) & 255;
-          if (one.form > 0) one.bytes = one.bytes.map((b) => (b + branches.byte()) & 255);
-        }
-        last = now;
+        const now = pairs.filter((one) => one.code);
         const count = now.length;
         const out = {
           count,
@@ -255,7 +265,7 @@ export class Data {
           out.rank[k] = one.rank;
           out.partner[k] = one.partner;
           out.form[k] = one.form;
-          out.force[k] = one.code ? largest * 10 ** ((decades * (one.code - 255)) / 254) : 0;
+          out.force[k] = largest * 10 ** ((decades * (one.code - levels)) / (levels - 1));
           const other = one.form === 2 ? this.radius[one.partner] : 0;
           const length = 1.05 * (this.radius[one.rank] + other);
           one.bytes.forEach((b, axis) => {
