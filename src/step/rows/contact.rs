@@ -127,10 +127,12 @@ impl Prediction<'_> {
         // The impact of a contact that the step does not resolve is rigid.
         let rigid = impact && self.scene.settings.integrator == Integrator::Moreau;
         let elastic = elastic.filter(|_| !rigid);
-        // As the motion before the step goes on, two spheres that touch part by more than their linear gap.
+        // As the motion before the step goes on, two spheres that touch part by more than their linear gap. What is within
+        // the tolerance is no matter: what rests is not to follow its own noise.
+        let parting = 0.5 * self.step * self.step * turning;
         let bend = match candidate.key.partner {
             Partner::Sphere { .. } if !impact && elastic.is_none() => {
-                0.5 * self.step * self.step * turning
+                (parting - self.scene.settings.tolerance.gap * contact.radius).max(0.0)
             }
             _ => 0.0,
         };
