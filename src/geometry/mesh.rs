@@ -148,6 +148,30 @@ impl Mesh {
         cube
     }
 
+    /// What [`Self::facets_near`] appends for a smaller `range`, in place of what it has appended from `first` on for `cube`.
+    pub(super) fn facets_among(
+        &self,
+        centre: Vec3,
+        range: f64,
+        (cube, first): (Cube, usize),
+        out: &mut Vec<u32>,
+    ) -> Cube {
+        let smaller = Cube::around(centre, range + self.topology.tolerance);
+        if !cube.contains(&smaller) {
+            out.truncate(first);
+            return self.facets_near(centre, range, out);
+        }
+        let mut kept = first;
+        for k in first..out.len() {
+            if self.meets(out[k], &smaller) {
+                out[kept] = out[k];
+                kept += 1;
+            }
+        }
+        out.truncate(kept);
+        smaller
+    }
+
     /// As [`super::Geometry::closest_points`]; searches inside the cube of `known` look through its facets only.
     pub(super) fn closest_points(
         &self,

@@ -180,6 +180,25 @@ impl Geometry {
         }
     }
 
+    /// Whether some of it is made of facets.
+    pub(crate) fn has_facets(&self) -> bool {
+        self.mesh.is_some()
+    }
+
+    /// What [`Self::facets_near`] appends for a smaller `range`, in place of what it has appended from `first` on for `cube`.
+    pub(crate) fn facets_among(
+        &self,
+        centre: Vec3,
+        range: f64,
+        (cube, first): (Cube, usize),
+        out: &mut Vec<u32>,
+    ) -> Cube {
+        match &self.mesh {
+            Some(mesh) => mesh.facets_among(centre, range, (cube, first), out),
+            None => Cube::empty(),
+        }
+    }
+
     fn touches_by(
         &self,
         known: Option<&Vicinity>,

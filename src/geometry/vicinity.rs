@@ -18,6 +18,11 @@ impl Cube {
         Self(AABB::from_corners(low, high))
     }
 
+    /// Whether the other cube lies in it.
+    pub(super) fn contains(&self, other: &Self) -> bool {
+        self.0.contains_envelope(&other.0)
+    }
+
     /// One that contains nothing.
     pub(super) fn empty() -> Self {
         Self(AABB::new_empty())
@@ -39,9 +44,6 @@ impl<'f> Vicinity<'f> {
 
     /// The facets to look through for those of `cube`; `None` if there may be others.
     pub(super) fn facets(&self, cube: &Cube) -> Option<&'f [u32]> {
-        self.cube
-            .0
-            .contains_envelope(&cube.0)
-            .then_some(self.facets)
+        self.cube.contains(cube).then_some(self.facets)
     }
 }
