@@ -22,6 +22,8 @@ use crate::spatial::cell::Image;
 pub(super) const SKIN: f64 = 0.1;
 /// Skin over the reach asked for: how many steps a list should serve in fast motion.
 pub(super) const STEPS: f64 = 4.0;
+/// Most that a skin is longer than the reach, over the radius: fast spheres look around more often rather than farther.
+const ROOM: f64 = 0.25;
 /// A skin of so many times what is wanted costs too many pairs.
 const LOOSE: f64 = 4.0;
 /// If more than one of so many spheres leave their skins, the list is built anew.
@@ -93,17 +95,17 @@ impl NeighborList {
             if !now.present[i] || !self.present[i] {
                 return now.present[i] != self.present[i];
             }
-            let (skin, wanted) = (self.skin[i], self.wanted(i, reach, smallest));
+            let (skin, wanted) = (
+                self.skin[i],
+                self.wanted(i, reach, (now.particles.radius[i], smallest)),
+            );
             let room = skin - self.reach(i, reach);
             let path = now.position[i] - self.common - self.anchor[i];
             let serves = room > 0.0 && path.norm_squared() < room * room;
             !serves || (!reach.is_empty() && skin > LOOSE * wanted)
         };
         let spheres = 0..now.position.len();
-        spheres
-            .filter(|&i| is_stale(i))
-            .map(|i| i as u32)
-            .collect()
+        spheres.filter(|&i| is_stale(i)).map(|i| i as u32).collect()
     }
 
     /// What sphere `i` may come towards others \[m\].
@@ -116,10 +118,13 @@ impl NeighborList {
     }
 
     /// The skin that sphere `i` should have \[m\]; where nothing is said about its motion, the one it has.
-    fn wanted(&self, i: usize, reach: &[DetectionDistance], smallest: f64) -> f64 {
+    fn wanted(&self, i: usize, reach: &[DetectionDistance], (radius, smallest): (f64, f64)) -> f64 {
         let wanted = match reach.is_empty() {
             true => self.skin[i],
-            false => STEPS * self.reach(i, reach),
+            false => {
+                let own = self.reach(i, reach);
+                own + ((STEPS - 1.0) * own).min(ROOM * radius)
+            }
         };
         wanted.max(0.5 * SKIN * smallest)
     }
@@ -128,7 +133,7 @@ impl NeighborList {
     fn build(&mut self, now: &Configuration, reach: &[DetectionDistance]) {
         let smallest = now.particles.smallest_radius();
         for i in 0..self.skin.len() {
-            self.skin[i] = self.wanted(i, reach, smallest);
+            self.skin[i] = self.wanted(i, reach, (now.particles.radius[i], smallest));
         }
         self.anchor.copy_from_slice(now.position);
         self.present.copy_from_slice(now.present);
@@ -148,7 +153,7 @@ impl NeighborList {
         let smallest = now.particles.smallest_radius();
         let mut kept = vec![true; self.skin.len()];
         for i in stale.iter().map(|&i| i as usize) {
-            self.skin[i] = self.wanted(i, reach, smallest);
+            self.skin[i] = self.wanted(i, reach, (now.particles.radius[i], smallest));
             self.anchor[i] = now.position[i] - self.common;
             self.present[i] = now.present[i];
             kept[i] = false;

@@ -93,7 +93,6 @@ impl Member {
             index,
         }
     }
-
 }
 
 /// What a sphere is tested against, and the pairs found.

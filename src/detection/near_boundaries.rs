@@ -7,12 +7,14 @@ use super::broad_phase::{SKIN, STEPS};
 use super::configuration::Configuration;
 use super::detection_distance::DetectionDistance;
 use crate::Vec3;
-use crate::geometry::{ClosestPoint, Cube, Vicinity};
+use crate::geometry::{Ball, ClosestPoint, Vicinity};
 use crate::spatial::Pose;
 use crate::spatial::extent::{around, larger};
 
 /// Rounding of gaps over the skin, generously.
 const ROUNDING: f64 = 1e-6;
+/// Up to so many times the distance looked at, boundaries are known by the boxes around them.
+const FAR: f64 = 8.0;
 /// Distances so many times as long as wanted are too long: too many facets are within.
 const LOOSE: f64 = 2.0;
 
@@ -26,7 +28,7 @@ pub(crate) struct NearBoundary {
     /// A bound below their gap at the anchor \[m\], and the boundary's [`NearBoundaries::carried`] then.
     gap: f64,
     /// The part of the boundary's frame whose facets are known, and where they are in the list.
-    cube: Cube,
+    ball: Ball,
     facets: [u32; 2],
 }
 
@@ -57,7 +59,7 @@ impl NearBoundaries {
     /// The facets of its boundary around a sphere.
     pub(crate) fn vicinity(&self, near: &NearBoundary) -> Vicinity<'_> {
         let [first, end] = near.facets.map(|k| k as usize);
-        Vicinity::new(near.cube, &self.facets[first..end])
+        Vicinity::new(near.ball, &self.facets[first..end])
     }
 
     /// Whether a sphere, in the configuration where the list was ensured last, may be within `reach` \[m\] of the boundary: false
@@ -71,7 +73,12 @@ impl NearBoundaries {
 
     /// Makes sure that all are known that have a gap of at most what their sphere may `reach`, `[N]` or none, and `carried` \[m\]
     /// more in `now`.
-    pub(super) fn ensure(&mut self, now: &Configuration, reach: &[DetectionDistance], carried: f64) {
+    pub(super) fn ensure(
+        &mut self,
+        now: &Configuration,
+        reach: &[DetectionDistance],
+        carried: f64,
+    ) {
         if self.known.len() != now.position.len() || self.poses.len() != now.poses.len() {
             *self = Self {
                 anchor: vec![Vec3::zeros(); now.position.len()],
@@ -97,16 +104,29 @@ impl NearBoundaries {
             let own = reach.get(i).copied().unwrap_or_default();
             let room = known - own.boundaries - carried;
             let path = now.position[i] - self.anchor[i];
-            let serves = room > 0.0 && path.norm_squared() < room * room;
-            let most = |own: f64| LOOSE * larger(own, now.particles.radius[i]);
-            !serves || (!reach.is_empty() && known > most(wanted(i, 0.0)))
+            !(room > 0.0 && path.norm_squared() < room * room)
         };
-        let spheres = 0..now.position.len();
-        let stale: Vec<usize> = spheres.filter(|&i| is_stale(i)).collect();
+        let mut stale: Vec<bool> = (0..now.position.len()).map(is_stale).collect();
+        if !reach.is_empty() {
+            for near in self
+                .near
+                .iter()
+                .filter(|near| near.facets[0] < near.facets[1])
+            {
+                let i = near.sphere as usize;
+                let most = LOOSE * larger(wanted(i, 0.0), now.particles.radius[i]);
+                stale[i] |= self.known[i] - self.fastest > most;
+            }
+        }
+        let stale = (0..stale.len()).filter(|&i| stale[i]);
+        let stale: Vec<usize> = stale.collect();
         if stale.is_empty() {
             return;
         }
-        let (near, facets) = (std::mem::take(&mut self.near), std::mem::take(&mut self.facets));
+        let (near, facets) = (
+            std::mem::take(&mut self.near),
+            std::mem::take(&mut self.facets),
+        );
         self.near.reserve_exact(near.len() + near.len() / 8);
         self.facets.reserve_exact(facets.len() + facets.len() / 8);
         let mut others = near.iter().peekable();
@@ -135,7 +155,8 @@ impl NearBoundaries {
     fn keep(&mut self, near: &NearBoundary, facets: &[u32]) {
         let first = self.facets.len() as u32;
         let [from, to] = near.facets;
-        self.facets.extend_from_slice(&facets[from as usize..to as usize]);
+        self.facets
+            .extend_from_slice(&facets[from as usize..to as usize]);
         let facets = [first, first + to - from];
         self.near.push(NearBoundary { facets, ..*near });
     }
@@ -155,37 +176,39 @@ impl NearBoundaries {
             true => larger(skin, radius),
             false => skin,
         };
-        let mut known = far;
+        let mut known = FAR * far;
         let near = radius + far * (1.0 + ROUNDING);
         for (b, bounds) in boxes.iter().enumerate() {
-            let misses = |(low, high): &(Vec3, Vec3)| {
-                let outside = |k: usize| x[k] + near < low[k] || x[k] - near > high[k];
-                outside(0) || outside(1) || outside(2)
-            };
-            if bounds.as_ref().is_some_and(misses) {
-                continue;
+            if let Some((low, high)) = bounds {
+                let outside = (low - x).sup(&(x - high)).max();
+                if outside > near {
+                    known = known.min(outside - radius);
+                    continue;
+                }
             }
             let (sphere, boundary) = (i as u32, b as u16);
             let centre = now.seen_by(boundary, sphere);
             let geometry = &now.boundaries[b].geometry;
             let first = self.facets.len();
-            let mut cube = geometry.facets_near(centre, radius + far, &mut self.facets);
-            let around = Vicinity::new(cube, &self.facets[first..]);
+            let mut ball = geometry.facets_near(centre, radius + far, &mut self.facets);
+            let around = Vicinity::new(ball, &self.facets[first..]);
             let gap = geometry.least_gap(&around, (centre, radius), far, closest_points);
             if gap > skin {
+                let gap = gap.min(far);
                 self.facets.truncate(first);
                 known = known.min(gap);
                 continue;
             }
             if geometry.has_facets() {
                 known = known.min(skin);
-                cube = geometry.facets_among(centre, radius + skin, (cube, first), &mut self.facets);
+                ball =
+                    geometry.facets_among(centre, radius + skin, (ball, first), &mut self.facets);
             }
             self.near.push(NearBoundary {
                 sphere,
                 boundary,
                 gap: gap + self.carried[b],
-                cube,
+                ball,
                 facets: [first, self.facets.len()].map(|k| k as u32),
             });
         }
