@@ -1,144 +1,144 @@
-//! Broad phase: the pairs that may touch before the next rebuild.
+//! Broad phase: the pairs that may touch before they are looked for again.
 //!
-//! Each sphere has a skin of its own. The list keeps every pair whose gap is below the sum of their two, so it serves until
-//! the displacement of a sphere since, and what it may still move, exceed its skin: one fast sphere costs the others nothing. What is
-//! in the list never shows in results: the narrow phase takes from it the pairs within reach, in canonical order.
+//! Each sphere has a skin of its own around where it was when its pairs were found, its anchor `a`:
+//!
+//! ```text
+//! the list has every pair with   |a_i - a_j| < R_i + s_i + R_j + s_j
+//! and serves a sphere while      |x_i - c - a_i| + reach_i < s_i
+//! ```
+//! with `c` a displacement that all have in common. A sphere that leaves its skin looks for its pairs anew, the others keep
+//! theirs: one fast sphere costs the others nothing. What is in the list never shows in results: the narrow phase takes from
+//! it the pairs within reach, in canonical order.
 
 use super::configuration::Configuration;
-use super::grid::sphere_pairs;
-use super::near_boundaries::{NearBoundaries, NearBoundary, ROUNDING, corners};
+use super::grid::{pairs_of, sphere_pairs};
+use super::near_boundaries::NearBoundaries;
 use super::periodic::periodic_pairs;
 use crate::Vec3;
 use crate::detection::detection_distance::DetectionDistance;
-use crate::spatial::Pose;
 use crate::spatial::cell::Image;
-use crate::spatial::extent::{around, larger};
 
 /// Skin of a pair, and of a sphere to boundaries, over the smallest radius when nothing moves.
-const SKIN: f64 = 0.1;
+pub(super) const SKIN: f64 = 0.1;
 /// Skin over the reach asked for: how many steps a list should serve in fast motion.
-const STEPS: f64 = 4.0;
+pub(super) const STEPS: f64 = 4.0;
+/// Most that a skin is longer than the reach, over the radius: fast spheres look around more often rather than farther.
+const ROOM: f64 = 0.25;
+/// A skin of so many times what is wanted costs too many pairs.
+const LOOSE: f64 = 4.0;
+/// If more than one of so many spheres leave their skins, the list is built anew.
+const SHARE: usize = 3;
 
-/// Pairs with a gap below their skins when the list was built.
+/// Pairs with a gap below their skins where they were found.
 #[derive(Debug, Clone, Default)]
 pub struct NeighborList {
     /// Skin of each sphere, of a pair the sum of two \[m\], `[N]`.
-    skin: Vec<DetectionDistance>,
-    built_at: Vec<Vec3>,
-    built_present: Vec<bool>,
-    built_poses: Vec<Pose>,
+    skin: Vec<f64>,
+    /// Where each sphere's pairs were found, less what all had moved in common until then \[m\], `[N]`.
+    anchor: Vec<Vec3>,
+    present: Vec<bool>,
+    /// What all have moved in common \[m\], and whether that is what they move by.
+    common: Vec3,
+    alike: bool,
     /// Sphere pairs `(i, j)`, `i < j`, ascending.
     pub pairs: Vec<(u32, u32)>,
     /// Sphere pairs `(i, j)`, `i < j`, with an image of `j` in a periodic cell, ascending.
     pub images: Vec<(u32, u32, Image)>,
     /// Spheres near boundaries, ascending.
     pub boundaries: NearBoundaries,
-    /// Bounds of how much gaps at boundaries have shrunk from when the list was built to where it was ensured last \[m\]: of
-    /// any sphere and boundary, and by the motion of each boundary, `[B]`.
-    shrunk: f64,
-    carried: Vec<f64>,
 }
 
 impl NeighborList {
     /// Makes sure that every pair is listed whose gap in `now` is at most what its spheres `reach`, `[N]` or none, and for a
     /// boundary `carried` \[m\] more.
     pub fn ensure(&mut self, now: &Configuration, reach: &[DetectionDistance], carried: f64) {
-        self.carry(now);
-        if self.built_present != now.present || !self.serves(now, reach, carried) {
-            self.build(now, reach, carried);
-        }
-    }
-
-    /// Whether a sphere, in the configuration where the list was ensured last, may be within `reach` \[m\] of the boundary: false
-    /// only if it is clearly not, so that what follows does not depend on when the list was built.
-    pub(crate) fn may_touch(&self, now: &Configuration, near: &NearBoundary, reach: f64) -> bool {
-        // In a periodic cell another copy of the sphere may be the nearest by now.
-        let shrunk = if now.cell.is_open() {
-            let i = near.sphere as usize;
-            (now.position[i] - self.built_at[i]).norm() + self.carried[usize::from(near.boundary)]
-        } else {
-            self.shrunk
-        };
-        near.gap - shrunk <= reach + ROUNDING * self.skin[near.sphere as usize].boundaries
-    }
-
-    /// Whether no sphere leaves its skin: pairs against what all have moved in common, or against nothing.
-    fn serves(&mut self, now: &Configuration, reach: &[DetectionDistance], carried: f64) -> bool {
-        let present = || (0..now.position.len()).filter(|&i| now.present[i]);
-        let path = |i: usize| now.position[i] - self.built_at[i];
-        let count = present().count().max(1) as f64;
-        let common = present().map(path).sum::<Vec3>() / count;
-        let carried_so_far = self.carried.iter().copied().fold(0.0, f64::max);
-        let mut longest = 0.0;
-        let (mut against_none, mut against_all, mut at_boundaries) = (false, false, false);
-        for i in present() {
-            let (path, skin) = (path(i), self.skin[i]);
-            let reach = reach.get(i).copied().unwrap_or_default();
-            let length = path.norm();
-            longest = larger(longest, length);
-            against_none |= length + reach.boundaries > skin.pairs;
-            against_all |= (path - common).norm() + reach.pairs > skin.pairs;
-            at_boundaries |= length + carried_so_far + reach.boundaries + carried > skin.boundaries;
-        }
-        self.shrunk = longest + carried_so_far;
-        !(against_none && against_all || at_boundaries)
-    }
-
-    /// Notes how far each boundary has moved since the list was built, where spheres are.
-    fn carry(&mut self, now: &Configuration) {
-        self.carried.clear();
-        self.carried.resize(now.poses.len(), 0.0);
-        if self.built_poses == now.poses {
+        self.boundaries.ensure(now, reach, carried);
+        let stale = self.stale(now, reach);
+        if stale.is_empty() {
             return;
         }
-        // A rigid displacement is largest at a corner of the box around the spheres.
-        let (low, high) = around(now.present_positions());
-        let corners = corners(low, high);
-        let poses = self.built_poses.iter().zip(now.poses);
-        for ((carried, boundary), (then, pose)) in
-            self.carried.iter_mut().zip(now.boundaries).zip(poses)
-        {
-            if then != pose {
-                let path = |corner: Vec3| {
-                    let x = boundary.to_frame(pose, corner);
-                    (boundary.from_frame(then, x) - corner).norm()
-                };
-                *carried = corners.map(path).into_iter().fold(0.0, f64::max);
-            }
+        if stale.len() * SHARE > now.position.len() || !now.cell.is_open() {
+            self.build(now, reach);
+        } else {
+            self.renew(now, reach, &stale);
         }
     }
 
-    fn build(&mut self, now: &Configuration, reach: &[DetectionDistance], carried: f64) {
-        let radius = &now.particles.radius;
-        let smallest = now.particles.smallest_radius();
-        // Pairs by the smaller reaches: all move alike, or most stand still.
-        let [alike, still] = [
-            |own: &DetectionDistance| own.pairs,
-            |own: &DetectionDistance| own.boundaries,
-        ]
-        .map(|of| reach.iter().map(of).sum::<f64>());
-        let skin = |i: usize| {
-            let own = reach.get(i).copied().unwrap_or_default();
-            let pairs = if alike < still {
-                own.pairs
-            } else {
-                own.boundaries
+    /// Spheres whose pairs have to be found anew.
+    fn stale(&mut self, now: &Configuration, reach: &[DetectionDistance]) -> Vec<u32> {
+        if self.present.len() != now.present.len() {
+            *self = Self {
+                skin: vec![0.0; now.present.len()],
+                anchor: vec![Vec3::zeros(); now.present.len()],
+                present: vec![false; now.present.len()],
+                boundaries: std::mem::take(&mut self.boundaries),
+                ..Self::default()
             };
-            DetectionDistance {
-                pairs: (STEPS * pairs).max(0.5 * SKIN * smallest),
-                boundaries: (STEPS * (own.boundaries + carried)).max(SKIN * smallest),
+        }
+        if !reach.is_empty() {
+            // Pairs by the smaller reaches: all move alike, or most stand still.
+            let of = |of: fn(&DetectionDistance) -> f64| reach.iter().map(of).sum::<f64>();
+            self.alike = of(|own| own.pairs) < of(|own| own.boundaries);
+        }
+        if self.alike {
+            let both = self.present.iter().zip(now.present).map(|(a, b)| *a && *b);
+            let paths = now.position.iter().zip(&self.anchor).map(|(x, a)| x - a);
+            let (mut sum, mut count) = (Vec3::zeros(), 0.0);
+            for (path, _) in paths.zip(both).filter(|(_, both)| *both) {
+                sum += path;
+                count += 1.0;
+            }
+            self.common = sum / f64::max(count, 1.0);
+        }
+        let smallest = now.particles.smallest_radius();
+        let is_stale = |i: usize| {
+            if !now.present[i] || !self.present[i] {
+                return now.present[i] != self.present[i];
+            }
+            let (skin, wanted) = (
+                self.skin[i],
+                self.wanted(i, reach, (now.particles.radius[i], smallest)),
+            );
+            let room = skin - self.reach(i, reach);
+            let path = now.position[i] - self.common - self.anchor[i];
+            let serves = room > 0.0 && path.norm_squared() < room * room;
+            !serves || (!reach.is_empty() && skin > LOOSE * wanted)
+        };
+        let spheres = 0..now.position.len();
+        spheres.filter(|&i| is_stale(i)).map(|i| i as u32).collect()
+    }
+
+    /// What sphere `i` may come towards others \[m\].
+    fn reach(&self, i: usize, reach: &[DetectionDistance]) -> f64 {
+        let own = reach.get(i).copied().unwrap_or_default();
+        match self.alike {
+            true => own.pairs,
+            false => own.boundaries,
+        }
+    }
+
+    /// The skin that sphere `i` should have \[m\]; where nothing is said about its motion, the one it has.
+    fn wanted(&self, i: usize, reach: &[DetectionDistance], (radius, smallest): (f64, f64)) -> f64 {
+        let wanted = match reach.is_empty() {
+            true => self.skin[i],
+            false => {
+                let own = self.reach(i, reach);
+                own + ((STEPS - 1.0) * own).min(ROOM * radius)
             }
         };
-        self.skin.clear();
-        self.skin.extend((0..radius.len()).map(skin));
-        self.built_at.clear();
-        self.built_at.extend_from_slice(now.position);
-        self.built_present.clear();
-        self.built_present.extend_from_slice(now.present);
-        self.built_poses.clear();
-        self.built_poses.extend_from_slice(now.poses);
-        let sizes = radius.iter().zip(&self.skin);
-        let sizes: Vec<f64> = sizes.map(|(radius, skin)| radius + skin.pairs).collect();
+        wanted.max(0.5 * SKIN * smallest)
+    }
+
+    /// Finds all pairs.
+    fn build(&mut self, now: &Configuration, reach: &[DetectionDistance]) {
+        let smallest = now.particles.smallest_radius();
+        for i in 0..self.skin.len() {
+            self.skin[i] = self.wanted(i, reach, (now.particles.radius[i], smallest));
+        }
+        self.anchor.copy_from_slice(now.position);
+        self.present.copy_from_slice(now.present);
+        self.common = Vec3::zeros();
+        let sizes = self.sizes(now);
         // The old lists give their memory back before there are new ones.
         (self.pairs, self.images) = (Vec::new(), Vec::new());
         if now.cell.is_open() {
@@ -146,9 +146,46 @@ impl NeighborList {
         } else {
             self.images = periodic_pairs(now.cell, now.position, now.present, &sizes);
         }
-        self.boundaries.build(now, &self.skin);
-        self.shrunk = 0.0;
-        self.carried.fill(0.0);
+    }
+
+    /// Finds the pairs of the spheres that are `stale`, ascending.
+    fn renew(&mut self, now: &Configuration, reach: &[DetectionDistance], stale: &[u32]) {
+        let smallest = now.particles.smallest_radius();
+        let mut kept = vec![true; self.skin.len()];
+        for i in stale.iter().map(|&i| i as usize) {
+            self.skin[i] = self.wanted(i, reach, (now.particles.radius[i], smallest));
+            self.anchor[i] = now.position[i] - self.common;
+            self.present[i] = now.present[i];
+            kept[i] = false;
+        }
+        self.pairs
+            .retain(|&(i, j)| kept[i as usize] && kept[j as usize]);
+        let found = pairs_of(stale, &self.anchor, &self.present, &self.sizes(now));
+        merge(&mut self.pairs, &found);
+    }
+
+    fn sizes(&self, now: &Configuration) -> Vec<f64> {
+        let sizes = now.particles.radius.iter().zip(&self.skin);
+        sizes.map(|(radius, skin)| radius + skin).collect()
+    }
+}
+
+/// Adds what was `found` to `pairs`; both ascend and have none in common.
+fn merge(pairs: &mut Vec<(u32, u32)>, found: &[(u32, u32)]) {
+    let (mut old, mut new) = (pairs.len(), found.len());
+    let mut all = old + new;
+    if all > pairs.capacity() {
+        pairs.reserve_exact(new + all / 8);
+    }
+    pairs.resize(all, (0, 0));
+    // From the end, where there is room.
+    while new > 0 {
+        let older = old > 0 && pairs[old - 1] > found[new - 1];
+        let from = if older { &mut old } else { &mut new };
+        *from -= 1;
+        let from = *from;
+        all -= 1;
+        pairs[all] = if older { pairs[from] } else { found[from] };
     }
 }
 

@@ -1,17 +1,28 @@
 //! Pairs of spheres that are near each other, by a hierarchical grid.
 //!
 //! Spheres go by size into levels, each of sizes within a factor of two and with a uniform grid of its own. Within a level they
-//! are sorted by cell: five runs of cells hold all forward neighbours of a sphere, and as cells are visited in order each run
-//! is a pair of advancing pointers. A sphere of a coarser level looks into the cells of the finer ones that it reaches.
+//! are sorted by cell, so that a row of neighbouring cells is a run of members. A sphere looks into the cells ahead of its own,
+//! and into those of the coarser levels around it.
+//!
+//! ```text
+//! number of cell (x, y, z) = x + y a + z b       modulo the number of cells, where they are scattered
+//! ```
+//! `a`, `b` are the counts along the axes where the box around the spheres has few cells. In a larger one, where most are empty,
+//! they scatter the rows over as many cells as there are spheres: then far spheres share a cell, which costs tests alone.
 
 use crate::Vec3;
-use crate::sorting::counting_sort;
-use crate::spatial::extent::around;
+use crate::sorting::{counting_sort, first_places};
+use crate::spatial::extent::{around, larger};
 
-/// Most cells along an axis; the grid coarsens beyond.
-const CELLS: f64 = 1e6;
 /// The coarsest level; a sphere of any size beyond is in it.
 const LEVELS: usize = 40;
+/// Most cells for each sphere before they are scattered, and the fewest that are.
+const CELLS: usize = 4;
+const FEWEST: usize = 1024;
+/// Edge of a cell over the largest diameter, so that rounding cannot put near spheres two cells apart.
+const MARGIN: f64 = 1.0 + 1e-5;
+/// So many spheres look at all others sooner than a grid is made.
+const FEW: usize = 4;
 
 /// All pairs `i < j` of present spheres whose distance is below the sum of their `size` \[m\], `[N]`, ascending.
 pub(crate) fn sphere_pairs(position: &[Vec3], present: &[bool], size: &[f64]) -> Vec<(u32, u32)> {
@@ -25,152 +36,256 @@ pub(crate) fn pairs_up_to(
     present: &[bool],
     size: &[f64],
 ) -> Vec<(u32, u32)> {
-    let spheres = || (0..position.len()).filter(|&i| present[i]);
-    let smallest = spheres().map(|i| size[i]).fold(f64::INFINITY, f64::min);
-    let mut levels: Vec<Vec<u32>> = Vec::new();
-    for i in spheres() {
-        let level = ((size[i] / smallest).log2() as usize).min(LEVELS);
-        if level >= levels.len() {
-            levels.resize_with(level + 1, Vec::new);
-        }
-        levels[level].push(i as u32);
-    }
-    let levels = levels.into_iter().filter(|level| !level.is_empty());
-    let grids: Vec<Grid> = levels
-        .map(|level| Grid::new(position, size, level))
-        .collect();
-    let mut pairs = Vec::new();
-    for (k, grid) in grids.iter().enumerate() {
-        grid.pairs(most, &mut pairs);
-        for finer in &grids[..k] {
-            finer.pairs_with(grid, most, &mut pairs);
-        }
+    let grids = Grids::new(position, present, size);
+    let mut search = Search::default();
+    for (k, grid) in grids.0.iter().enumerate() {
+        grid.pairs(&grids.0[k + 1..], most, &mut search);
     }
     drop(grids);
-    ascending(&pairs)
+    ascending(&search.pairs)
+}
+
+/// The pairs of [`sphere_pairs`] that have one of `chosen` in them.
+pub(super) fn pairs_of(
+    chosen: &[u32],
+    position: &[Vec3],
+    present: &[bool],
+    size: &[f64],
+) -> Vec<(u32, u32)> {
+    let chosen = chosen.iter().filter(|&&i| present[i as usize]);
+    let chosen = chosen.map(|&i| Member::new(i, position, size));
+    let mut search = Search::default();
+    if chosen.clone().count() <= FEW {
+        let present = (0..).zip(present).filter(|(_, present)| **present);
+        let others = present.map(|(j, _)| Member::new(j, position, size));
+        search.others.extend(others);
+        chosen.for_each(|own| search.test(&own, 0));
+    } else {
+        let grids = Grids::new(position, present, size);
+        for own in chosen {
+            search.others.clear();
+            for grid in &grids.0 {
+                grid.around(&own, &mut search.others);
+            }
+            search.test(&own, 0);
+        }
+    }
+    let mut pairs = search.pairs;
+    pairs.sort_unstable();
+    pairs.dedup();
+    pairs
 }
 
 /// A sphere of a level.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Default)]
 struct Member {
-    index: u32,
     position: Vec3,
     size: f64,
+    index: u32,
 }
 
 impl Member {
-    /// The pair with `other`, if they are near.
-    fn pair(&self, other: &Self) -> Option<(u32, u32)> {
-        let reach = self.size + other.size;
-        let near = (self.position - other.position).norm_squared() < reach * reach;
-        let [i, j] = [self.index, other.index];
-        near.then(|| (i.min(j), i.max(j)))
+    fn new(index: u32, position: &[Vec3], size: &[f64]) -> Self {
+        let i = index as usize;
+        Self {
+            position: position[i],
+            size: size[i],
+            index,
+        }
+    }
+}
+
+/// What a sphere is tested against, and the pairs found.
+#[derive(Default)]
+struct Search {
+    others: Vec<Member>,
+    near: Vec<u32>,
+    pairs: Vec<(u32, u32)>,
+}
+
+impl Search {
+    /// Adds the pairs of `own` with those of the others from `first` on that are near.
+    fn test(&mut self, own: &Member, first: usize) {
+        let others = &self.others[first..];
+        if self.near.len() < others.len() {
+            self.near.resize(others.len(), 0);
+        }
+        // Without a branch for each: which ones are near is hard to foresee.
+        let mut count = 0;
+        for other in others {
+            let reach = own.size + other.size;
+            let squared = (own.position - other.position).norm_squared();
+            self.near[count] = other.index;
+            count += usize::from(squared < reach * reach);
+        }
+        let i = own.index;
+        let pairs = self.near[..count].iter().filter(|&&j| j != i);
+        self.pairs.extend(pairs.map(|&j| (i.min(j), i.max(j))));
+    }
+}
+
+/// The levels that have spheres, from the finest on.
+struct Grids(Vec<Grid>);
+
+impl Grids {
+    fn new(position: &[Vec3], present: &[bool], size: &[f64]) -> Self {
+        let spheres = || (0..position.len()).filter(|&i| present[i]);
+        let smallest = spheres().map(|i| size[i]).fold(f64::INFINITY, f64::min);
+        // The exponent of a number is its logarithm, rounded down.
+        let level = |i: usize| ((size[i] / smallest).to_bits() >> 52) as usize;
+        let one = 1.0_f64.to_bits() as usize >> 52;
+        let mut levels: Vec<Vec<Member>> = Vec::new();
+        for i in spheres() {
+            let level = level(i).saturating_sub(one).min(LEVELS);
+            if level >= levels.len() {
+                levels.resize_with(level + 1, Vec::new);
+            }
+            levels[level].push(Member::new(i as u32, position, size));
+        }
+        let levels = levels.into_iter().filter(|level| !level.is_empty());
+        Self(levels.map(Grid::new).collect())
     }
 }
 
 /// The spheres of a level, sorted by cell.
 struct Grid {
     low: Vec3,
-    /// Edge of a cell \[m\]: two spheres that are near each other are in neighbouring ones.
-    cell: f64,
-    /// Cells along each axis, with an empty layer on either side that keeps runs of cells from wrapping around.
-    count: [i64; 3],
-    /// Cell of each member, ascending.
-    cells: Vec<i64>,
+    /// One over the edge of a cell \[1/m\]: two spheres that are near each other are in neighbouring ones.
+    cells: f64,
+    /// Cells along each axis, with an empty layer on either side; none where cells are scattered.
+    count: Option<[i32; 3]>,
+    /// Between the numbers of cells beside each other along y and z.
+    stride: [u32; 2],
+    /// The bits that count in the number of a cell.
+    mask: u32,
+    /// Where the members of each cell begin, and the end of the last.
+    first: Vec<u32>,
     members: Vec<Member>,
     largest: f64,
 }
 
 impl Grid {
-    fn new(position: &[Vec3], size: &[f64], level: Vec<u32>) -> Self {
-        let (low, high) = around(level.iter().map(|&i| position[i as usize]));
-        let largest = level.iter().map(|&i| size[i as usize]);
-        let largest = largest.fold(0.0, f64::max);
+    fn new(level: Vec<Member>) -> Self {
+        let (low, high) = around(level.iter().map(|own| own.position));
+        let largest = level.iter().map(|own| own.size).fold(0.0, f64::max);
         let mut grid = Self {
             low,
-            cell: (2.0 * largest).max((high - low).max() / CELLS),
-            count: [0; 3],
-            cells: Vec::new(),
+            cells: 1.0 / (2.0 * largest * MARGIN),
+            count: None,
+            stride: [0; 2],
+            mask: u32::MAX,
+            first: Vec::new(),
             members: Vec::new(),
             largest,
         };
-        grid.count = grid.place(high).map(|last| last + 2);
-        let mut order: Vec<(i64, u32)> = level
-            .into_iter()
-            .map(|i| (grid.key(grid.place(position[i as usize])), i))
-            .collect();
-        order.sort_unstable();
-        // In the order of the cells, so that neighbours are near in memory too.
-        grid.cells = order.iter().map(|(key, _)| *key).collect();
-        let member = |&(_, index): &(i64, u32)| Member {
-            index,
-            position: position[index as usize],
-            size: size[index as usize],
+        let most = CELLS * level.len() + FEWEST;
+        let count = grid.place(high).map(|last| last.saturating_add(2));
+        let product = count.iter().map(|&n| f64::from(n)).product::<f64>();
+        let cells = if product <= most as f64 {
+            grid.count = Some(count);
+            grid.stride = [count[0] as u32, (count[0] * count[1]) as u32];
+            product as usize
+        } else {
+            // Multiples of these fractions are far from whole numbers and from each other: rows of cells that are searched
+            // together have no cell in common.
+            let cells = (2 * level.len()).next_power_of_two().max(FEWEST);
+            grid.mask = cells as u32 - 1;
+            grid.stride = [0.618, 0.2764].map(|share| (share * cells as f64) as u32 | 1);
+            cells
         };
-        grid.members = order.iter().map(member).collect();
+        let place = |own: &Member| grid.key(grid.place(own.position));
+        let keys: Vec<u32> = level.iter().map(place).collect();
+        let mut first = Vec::new();
+        first_places(keys.iter().map(|key| key + 1), cells + 1, &mut first);
+        grid.members.resize(level.len(), Member::default());
+        for (key, own) in keys.iter().zip(level) {
+            let next = &mut first[*key as usize + 1];
+            grid.members[*next as usize] = own;
+            *next += 1;
+        }
+        // Where a cell ended is where the next one begins.
+        first.truncate(cells + 1);
+        grid.first = first;
         grid
     }
 
-    /// The cell of `x` along each axis; of what lies outside, one outside.
-    fn place(&self, x: Vec3) -> [i64; 3] {
-        let cell = |k: usize| ((x[k] - self.low[k]) / self.cell).clamp(-1.0, 2.0 * CELLS);
-        std::array::from_fn(|k| cell(k) as i64 + 1)
+    /// The cell of `x` along each axis, at least 0; those of the level's own spheres are above.
+    fn place(&self, x: Vec3) -> [i32; 3] {
+        let cell = |k: usize| (x[k] - self.low[k]) * self.cells + 1.0;
+        std::array::from_fn(|k| larger(cell(k), 0.0) as i32)
     }
 
     /// The number of a cell.
-    fn key(&self, [x, y, z]: [i64; 3]) -> i64 {
-        (z * self.count[1] + y) * self.count[0] + x
+    fn key(&self, [x, y, z]: [i32; 3]) -> u32 {
+        let [x, y, z] = [x, y, z].map(|k| k as u32);
+        let row = y.wrapping_mul(self.stride[0]);
+        let layer = z.wrapping_mul(self.stride[1]);
+        x.wrapping_add(row).wrapping_add(layer) & self.mask
     }
 
-    /// Pairs within the level.
-    fn pairs(&self, most: usize, pairs: &mut Vec<(u32, u32)>) {
-        let [nx, ny, _] = self.count;
-        let (cells, members) = (&self.cells[..], &self.members[..]);
-        // Rows of three cells ahead of the own one, as offsets of their middle.
-        let rows = [nx, nx * ny - nx, nx * ny, nx * ny + nx];
-        let mut starts = [0; 4];
-        for (rank, (key, own)) in cells.iter().zip(members).enumerate() {
-            if pairs.len() > most {
+    /// Appends the members of the `length` cells from this number on.
+    fn run(&self, key: u32, length: u32, others: &mut Vec<Member>) {
+        let cells = self.first.len() as u32 - 1;
+        let (from, length) = (key & self.mask, length.min(cells));
+        let to = from + length;
+        let [begin, end] = [from, to.min(cells)].map(|key| self.first[key as usize] as usize);
+        others.extend_from_slice(&self.members[begin..end]);
+        if to > cells {
+            let end = self.first[(to - cells) as usize] as usize;
+            others.extend_from_slice(&self.members[..end]);
+        }
+    }
+
+    /// Pairs within the level, and with the `coarser` ones.
+    fn pairs(&self, coarser: &[Self], most: usize, search: &mut Search) {
+        let [row, layer] = self.stride;
+        // Rows of three cells ahead of the own one, as offsets of their first.
+        let rows = [row, layer.wrapping_sub(row), layer, layer.wrapping_add(row)];
+        let rows = rows.map(|middle| middle.wrapping_sub(1));
+        for (key, ends) in (0_u32..).zip(self.first.windows(2)) {
+            let members = &self.members[ends[0] as usize..ends[1] as usize];
+            if members.is_empty() {
+                continue;
+            }
+            if search.pairs.len() > most {
                 return;
             }
-            let ahead = cells[rank + 1..].iter().zip(&members[rank + 1..]);
-            let beside = ahead.take_while(|(other, _)| **other <= key + 1);
-            pairs.extend(beside.filter_map(|(_, other)| own.pair(other)));
-            for (start, offset) in starts.iter_mut().zip(rows) {
-                while *start < cells.len() && cells[*start] < key + offset - 1 {
-                    *start += 1;
+            search.others.clear();
+            self.run(key, 2, &mut search.others);
+            for offset in rows {
+                self.run(key.wrapping_add(offset), 3, &mut search.others);
+            }
+            let all = search.others.len();
+            for (rank, own) in members.iter().enumerate() {
+                for coarser in coarser {
+                    coarser.around(own, &mut search.others);
                 }
-                let row = cells[*start..].iter().zip(&members[*start..]);
-                let row = row.take_while(|(other, _)| **other <= key + offset + 1);
-                pairs.extend(row.filter_map(|(_, other)| own.pair(other)));
+                search.test(own, rank + 1);
+                search.others.truncate(all);
             }
         }
     }
 
-    /// Pairs with the spheres of a coarser level.
-    fn pairs_with(&self, coarser: &Self, most: usize, pairs: &mut Vec<(u32, u32)>) {
-        for big in &coarser.members {
-            if pairs.len() > most {
-                return;
-            }
-            let reach = Vec3::repeat(big.size + self.largest);
-            let (from, to) = (
-                self.place(big.position - reach),
-                self.place(big.position + reach),
-            );
-            let within = |k: usize| from[k].max(1)..=to[k].min(self.count[k] - 2);
-            let rows = |k: usize| (within(k).end() - within(k).start() + 1).max(0);
-            if rows(1).saturating_mul(rows(2)) > self.members.len() as i64 {
-                pairs.extend(self.members.iter().filter_map(|own| own.pair(big)));
-                continue;
-            }
-            for (y, z) in within(2).flat_map(|z| within(1).map(move |y| (y, z))) {
-                let [first, last] =
-                    [*within(0).start(), *within(0).end()].map(|x| self.key([x, y, z]));
-                let start = self.cells.partition_point(|key| *key < first);
-                let row = self.cells[start..].iter().zip(&self.members[start..]);
-                let row = row.take_while(|(key, _)| **key <= last);
-                pairs.extend(row.filter_map(|(_, own)| own.pair(big)));
+    /// Appends the members that may be near `own`.
+    fn around(&self, own: &Member, others: &mut Vec<Member>) {
+        let reach = Vec3::repeat((own.size + self.largest) * MARGIN);
+        let from = self.place(own.position - reach);
+        let mut to = self.place(own.position + reach);
+        if let Some(count) = self.count {
+            to = std::array::from_fn(|k| to[k].min(count[k] - 1));
+        }
+        let [x, y, z] = std::array::from_fn(|k| i64::from(to[k]) - i64::from(from[k]) + 1);
+        if x.min(y).min(z) <= 0 {
+            return;
+        }
+        if y.saturating_mul(z) > self.members.len() as i64 {
+            return others.extend_from_slice(&self.members);
+        }
+        for z in from[2]..=to[2] {
+            let first = self.key([from[0], from[1], z]);
+            for y in 0..y as u32 {
+                let key = first.wrapping_add(y.wrapping_mul(self.stride[0]));
+                self.run(key, x as u32, others);
             }
         }
     }
@@ -221,6 +336,34 @@ mod tests {
                     }
                 }
             }
+            prop_assert_eq!(&sphere_pairs(&position, &present, &size), &expected);
+            // Of some of the spheres, few or many.
+            for every in [3, 20] {
+                let chosen: Vec<u32> = (0..position.len() as u32).step_by(every).collect();
+                let own = |(i, j): &(u32, u32)| chosen.contains(i) || chosen.contains(j);
+                let theirs: Vec<(u32, u32)> = expected.iter().copied().filter(own).collect();
+                prop_assert_eq!(pairs_of(&chosen, &position, &present, &size), theirs);
+            }
+        }
+
+        /// Far apart, so that the cells of the box around them are more than there may be.
+        #[test]
+        fn scattered_cells_find_what_all_pairs_find(
+            spheres in prop::collection::vec((prop::array::uniform3(-9.0..9.0f64), -1.0..2.5f64), 0..300),
+            far in 1.0..1e7_f64,
+        ) {
+            let place = |(k, (p, _)): (usize, &([f64; 3], f64))| Vec3::from(*p) * if k % 50 == 7 { far } else { 1.0 };
+            let position: Vec<Vec3> = spheres.iter().enumerate().map(place).collect();
+            let size: Vec<f64> = spheres.iter().map(|(_, s)| 0.05 * s.exp()).collect();
+            let mut expected = Vec::new();
+            for i in 0..position.len() {
+                for j in i + 1..position.len() {
+                    if (position[i] - position[j]).norm() < size[i] + size[j] {
+                        expected.push((i as u32, j as u32));
+                    }
+                }
+            }
+            let present = vec![true; position.len()];
             prop_assert_eq!(sphere_pairs(&position, &present, &size), expected);
         }
     }

@@ -126,7 +126,7 @@ impl Configuration<'_> {
         closest_points: &mut Vec<ClosestPoint>,
         found: &mut Vec<Candidate>,
     ) {
-        if !list.may_touch(self, near, reach) {
+        if !list.boundaries.may_touch(self, near, reach) {
             return;
         }
         let (i, b) = (near.sphere, near.boundary);

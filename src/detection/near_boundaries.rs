@@ -1,13 +1,22 @@
 //! Spheres near boundaries, each with the facets around it.
+//!
+//! Where a sphere was when its boundaries were looked for is its anchor. As with pairs, it looks for them anew when it has left the
+//! distance within which they are known; far from all boundaries that is its radius.
 
+use super::broad_phase::{SKIN, STEPS};
 use super::configuration::Configuration;
 use super::detection_distance::DetectionDistance;
 use crate::Vec3;
-use crate::geometry::{Cube, Vicinity};
-use crate::spatial::extent::around;
+use crate::geometry::{Ball, ClosestPoint, Vicinity};
+use crate::spatial::Pose;
+use crate::spatial::extent::{around, larger};
 
 /// Rounding of gaps over the skin, generously.
-pub(super) const ROUNDING: f64 = 1e-6;
+const ROUNDING: f64 = 1e-6;
+/// Up to so many times the distance looked at, boundaries are known by the boxes around them.
+const FAR: f64 = 8.0;
+/// Distances so many times as long as wanted are too long: too many facets are within.
+const LOOSE: f64 = 2.0;
 
 /// A sphere near a boundary.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -16,10 +25,10 @@ pub(crate) struct NearBoundary {
     pub sphere: u32,
     /// The boundary.
     pub boundary: u16,
-    /// A bound below their gap when the list was built \[m\].
-    pub(super) gap: f64,
+    /// A bound below their gap at the anchor \[m\], and the boundary's [`NearBoundaries::carried`] then.
+    gap: f64,
     /// The part of the boundary's frame whose facets are known, and where they are in the list.
-    cube: Cube,
+    ball: Ball,
     facets: [u32; 2],
 }
 
@@ -28,6 +37,17 @@ pub(crate) struct NearBoundary {
 pub struct NearBoundaries {
     near: Vec<NearBoundary>,
     facets: Vec<u32>,
+    /// Where the boundaries of each sphere were looked for \[m\], `[N]`.
+    anchor: Vec<Vec3>,
+    /// Gap \[m\] up to which those of each sphere are known, and [`Self::fastest`] then, `[N]`.
+    known: Vec<f64>,
+    present: Vec<bool>,
+    /// The largest distance within which boundaries are known \[m\].
+    farthest: f64,
+    poses: Vec<Pose>,
+    /// How far each boundary has moved in all where spheres are \[m\], `[B]`, and the fastest one at any time.
+    carried: Vec<f64>,
+    fastest: f64,
 }
 
 impl NearBoundaries {
@@ -39,46 +59,188 @@ impl NearBoundaries {
     /// The facets of its boundary around a sphere.
     pub(crate) fn vicinity(&self, near: &NearBoundary) -> Vicinity<'_> {
         let [first, end] = near.facets.map(|k| k as usize);
-        Vicinity::new(near.cube, &self.facets[first..end])
+        Vicinity::new(near.ball, &self.facets[first..end])
     }
 
-    /// Finds all that may have a gap of at most the sphere's `skin`, `[N]`, in `now`.
-    pub(super) fn build(&mut self, now: &Configuration, skin: &[DetectionDistance]) {
-        self.near.clear();
-        self.facets.clear();
-        let boxes = boxes(now);
-        let mut closest_points = Vec::new();
-        let spheres = now.position.iter().zip(&now.particles.radius);
-        for (i, (&x, &radius)) in spheres.enumerate().filter(|(i, _)| now.present[*i]) {
-            let skin = skin[i].boundaries;
-            let near = radius + skin * (1.0 + ROUNDING);
-            for (b, bounds) in boxes.iter().enumerate() {
-                let misses = |(low, high): &(Vec3, Vec3)| {
-                    let outside = |k: usize| x[k] + near < low[k] || x[k] - near > high[k];
-                    outside(0) || outside(1) || outside(2)
-                };
-                if bounds.as_ref().is_some_and(misses) {
-                    continue;
-                }
-                let (sphere, boundary) = (i as u32, b as u16);
-                let centre = now.seen_by(boundary, sphere);
-                let geometry = &now.boundaries[b].geometry;
-                let first = self.facets.len();
-                let cube = geometry.facets_near(centre, radius + skin, &mut self.facets);
-                let known = Vicinity::new(cube, &self.facets[first..]);
-                let gap = geometry.least_gap(&known, (centre, radius), skin, &mut closest_points);
-                match gap <= skin {
-                    false => self.facets.truncate(first),
-                    true => self.near.push(NearBoundary {
-                        sphere,
-                        boundary,
-                        gap,
-                        cube,
-                        facets: [first, self.facets.len()].map(|k| k as u32),
-                    }),
-                }
+    /// Whether a sphere, in the configuration where the list was ensured last, may be within `reach` \[m\] of the boundary: false
+    /// only if it is clearly not, so that what follows does not depend on when the list was built.
+    pub(crate) fn may_touch(&self, now: &Configuration, near: &NearBoundary, reach: f64) -> bool {
+        let i = near.sphere as usize;
+        let room = near.gap - self.carried[usize::from(near.boundary)] - reach;
+        let path = (now.position[i] - self.anchor[i]).norm();
+        path >= room - ROUNDING * (self.farthest + path)
+    }
+
+    /// Makes sure that all are known that have a gap of at most what their sphere may `reach`, `[N]` or none, and `carried` \[m\]
+    /// more in `now`.
+    pub(super) fn ensure(
+        &mut self,
+        now: &Configuration,
+        reach: &[DetectionDistance],
+        carried: f64,
+    ) {
+        if self.known.len() != now.position.len() || self.poses.len() != now.poses.len() {
+            *self = Self {
+                anchor: vec![Vec3::zeros(); now.position.len()],
+                known: vec![0.0; now.position.len()],
+                present: vec![false; now.position.len()],
+                poses: now.poses.to_vec(),
+                carried: vec![0.0; now.poses.len()],
+                ..Self::default()
+            };
+        }
+        self.carry(now);
+        let smallest = now.particles.smallest_radius();
+        let wanted = |i: usize, moved: f64| match reach.get(i) {
+            Some(own) => (STEPS * (own.boundaries + carried)).max(SKIN * smallest),
+            // Nothing is said about its motion: as far as it has moved.
+            None => moved.max(SKIN * smallest),
+        };
+        let is_stale = |i: usize| {
+            if !now.present[i] || !self.present[i] {
+                return now.present[i] != self.present[i];
+            }
+            let known = self.known[i] - self.fastest;
+            let own = reach.get(i).copied().unwrap_or_default();
+            let room = known - own.boundaries - carried;
+            let path = now.position[i] - self.anchor[i];
+            !(room > 0.0 && path.norm_squared() < room * room)
+        };
+        let mut stale: Vec<bool> = (0..now.position.len()).map(is_stale).collect();
+        if !reach.is_empty() {
+            for near in self
+                .near
+                .iter()
+                .filter(|near| near.facets[0] < near.facets[1])
+            {
+                let i = near.sphere as usize;
+                let most = LOOSE * larger(wanted(i, 0.0), now.particles.radius[i]);
+                stale[i] |= self.known[i] - self.fastest > most;
             }
         }
+        let stale = (0..stale.len()).filter(|&i| stale[i]);
+        let stale: Vec<usize> = stale.collect();
+        if stale.is_empty() {
+            return;
+        }
+        let (near, facets) = (
+            std::mem::take(&mut self.near),
+            std::mem::take(&mut self.facets),
+        );
+        self.near.reserve_exact(near.len() + near.len() / 8);
+        self.facets.reserve_exact(facets.len() + facets.len() / 8);
+        let mut others = near.iter().peekable();
+        let boxes = boxes(now);
+        let mut closest_points = Vec::new();
+        for i in stale {
+            while let Some(near) = others.next_if(|near| (near.sphere as usize) < i) {
+                self.keep(near, &facets);
+            }
+            while others.next_if(|near| near.sphere as usize == i).is_some() {}
+            let moved = match self.present[i] {
+                true => (now.position[i] - self.anchor[i]).norm(),
+                false => 0.0,
+            };
+            (self.anchor[i], self.present[i]) = (now.position[i], now.present[i]);
+            if now.present[i] {
+                let known = self.search(now, (i, wanted(i, moved)), &boxes, &mut closest_points);
+                self.known[i] = known + self.fastest;
+                self.farthest = larger(self.farthest, known);
+            }
+        }
+        others.for_each(|near| self.keep(near, &facets));
+    }
+
+    /// Takes over one with its `facets`.
+    fn keep(&mut self, near: &NearBoundary, facets: &[u32]) {
+        let first = self.facets.len() as u32;
+        let [from, to] = near.facets;
+        self.facets
+            .extend_from_slice(&facets[from as usize..to as usize]);
+        let facets = [first, first + to - from];
+        self.near.push(NearBoundary { facets, ..*near });
+    }
+
+    /// Adds what is near sphere `i`: all that may have a gap of at most `skin` \[m\]. Returns the gap \[m\] up to which there is
+    /// nothing else.
+    fn search(
+        &mut self,
+        now: &Configuration,
+        (i, skin): (usize, f64),
+        boxes: &[Option<(Vec3, Vec3)>],
+        closest_points: &mut Vec<ClosestPoint>,
+    ) -> f64 {
+        let (x, radius) = (now.position[i], now.particles.radius[i]);
+        // In a periodic cell another copy of the sphere may be the nearest soon.
+        let far = match now.cell.is_open() {
+            true => larger(skin, radius),
+            false => skin,
+        };
+        let mut known = FAR * far;
+        let near = radius + far * (1.0 + ROUNDING);
+        for (b, bounds) in boxes.iter().enumerate() {
+            if let Some((low, high)) = bounds {
+                let outside = (low - x).sup(&(x - high)).max();
+                if outside > near {
+                    known = known.min(outside - radius);
+                    continue;
+                }
+            }
+            let (sphere, boundary) = (i as u32, b as u16);
+            let centre = now.seen_by(boundary, sphere);
+            let geometry = &now.boundaries[b].geometry;
+            let first = self.facets.len();
+            let mut ball = geometry.facets_near(centre, radius + far, &mut self.facets);
+            let around = Vicinity::new(ball, &self.facets[first..]);
+            let gap = geometry.least_gap(&around, (centre, radius), far, closest_points);
+            if gap > skin {
+                let gap = gap.min(far);
+                self.facets.truncate(first);
+                known = known.min(gap);
+                continue;
+            }
+            if geometry.has_facets() {
+                known = known.min(skin);
+                ball =
+                    geometry.facets_among(centre, radius + skin, (ball, first), &mut self.facets);
+            }
+            self.near.push(NearBoundary {
+                sphere,
+                boundary,
+                gap: gap + self.carried[b],
+                ball,
+                facets: [first, self.facets.len()].map(|k| k as u32),
+            });
+        }
+        known
+    }
+
+    /// Notes how far each boundary has moved since the last time, where spheres are or were when they looked for it.
+    fn carry(&mut self, now: &Configuration) {
+        if self.poses == now.poses {
+            return;
+        }
+        // A rigid displacement is largest at a corner of the box around the spheres.
+        let (low, high) = around(now.present_positions());
+        let margin = Vec3::repeat(self.farthest);
+        let corners = corners(low - margin, high + margin);
+        let mut longest = 0.0;
+        let poses = self.poses.iter().zip(now.poses);
+        for ((carried, boundary), (then, pose)) in
+            self.carried.iter_mut().zip(now.boundaries).zip(poses)
+        {
+            if then != pose {
+                let path = |corner: Vec3| {
+                    let x = boundary.to_frame(pose, corner);
+                    (boundary.from_frame(then, x) - corner).norm()
+                };
+                let path = corners.map(path).into_iter().fold(0.0, larger);
+                *carried += path;
+                longest = larger(longest, path);
+            }
+        }
+        self.fastest += longest;
+        self.poses.copy_from_slice(now.poses);
     }
 }
 

@@ -16,7 +16,7 @@ use super::facets::Facets;
 use super::features::{Feature, Repair, Topology};
 use super::topology;
 use super::triangle::{on_segment, on_triangle};
-use super::vicinity::{Cube, Vicinity};
+use super::vicinity::{Ball, Vicinity, cube};
 use crate::Vec3;
 use crate::sorting::counting_sort;
 
@@ -46,9 +46,24 @@ struct TriangleBounds {
     bounds: AABB<[f64; 3]>,
     normal: Vec3,
     offset: f64,
+    /// A circle around it.
+    middle: Vec3,
+    radius: f64,
 }
 
 impl TriangleBounds {
+    /// Whether the triangle is clearly farther than `range` \[m\] from a point, or no feature of it is nearer that lies off its
+    /// plane by up to `bulge` \[m\].
+    fn is_beyond(&self, x: Vec3, range: f64, bulge: f64) -> bool {
+        let (height, range) = (self.height(x), range + bulge);
+        if height > range {
+            return true;
+        }
+        // Within its plane, by Pythagoras, rounded generously.
+        let wide = (range * range - height * height).sqrt() + self.radius;
+        (x - self.middle).norm_squared() > (wide * wide + height * height) * (1.0 + 1e-9)
+    }
+
     /// Distance of a point from the plane \[m\].
     fn height(&self, x: Vec3) -> f64 {
         (self.normal.dot(&x) - self.offset).abs()
@@ -66,10 +81,14 @@ impl Mesh {
             largest = largest.max(min.amax()).max(max.amax());
             let (normal, offset) = topology.plane(t);
             let bounds = AABB::from_corners(min.into(), max.into());
+            let middle = (a + b + c) / 3.0;
+            let radius = [a, b, c].map(|corner| (corner - middle).norm());
             TriangleBounds {
                 bounds,
                 normal,
                 offset,
+                middle,
+                radius: radius.into_iter().fold(0.0, f64::max) + topology.tolerance,
             }
         });
         let sheets: Vec<_> = sheets.collect();
@@ -129,13 +148,15 @@ impl Mesh {
             .map(|leaf| leaf.data)
     }
 
-    /// Appends the triangles in which [`Self::closest_points`] finds all places up to `range` \[m\] from `centre`; the cube that
-    /// they meet. None, and a cube without contents, where they are many.
-    pub(super) fn facets_near(&self, centre: Vec3, range: f64, out: &mut Vec<u32>) -> Cube {
+    /// Appends the triangles in which [`Self::closest_points`] finds all places up to `range` \[m\] from `centre`; the ball that
+    /// they meet. None, and a ball without contents, where they are many.
+    pub(super) fn facets_near(&self, centre: Vec3, range: f64, out: &mut Vec<u32>) -> Ball {
         let start = out.len();
-        let cube = Cube::around(centre, range + self.topology.tolerance);
-        let many = self.near(&cube, None, |t| {
-            out.push(t);
+        let range = self.widened(range);
+        let many = self.near((centre, range), None, |t| {
+            if !self.sheets[t as usize].is_beyond(centre, range, self.bulge) {
+                out.push(t);
+            }
             match out.len() - start > MOST_FACETS {
                 true => ControlFlow::Break(()),
                 false => ControlFlow::Continue(()),
@@ -143,12 +164,42 @@ impl Mesh {
         });
         if many.is_break() {
             out.truncate(start);
-            return Cube::empty();
+            return Ball::default();
         }
-        cube
+        Ball::around(centre, range)
     }
 
-    /// As [`super::Geometry::closest_points`]; searches inside the cube of `known` look through its facets only.
+    /// What [`Self::facets_near`] appends for a smaller `range`, in place of what it has appended from `first` on for `ball`.
+    pub(super) fn facets_among(
+        &self,
+        centre: Vec3,
+        range: f64,
+        (ball, first): (Ball, usize),
+        out: &mut Vec<u32>,
+    ) -> Ball {
+        let smaller = self.widened(range);
+        if !ball.contains(centre, smaller) {
+            out.truncate(first);
+            return self.facets_near(centre, range, out);
+        }
+        let mut kept = first;
+        for k in first..out.len() {
+            let t = out[k];
+            if !self.sheets[t as usize].is_beyond(centre, smaller, self.bulge) {
+                out[kept] = t;
+                kept += 1;
+            }
+        }
+        out.truncate(kept);
+        Ball::around(centre, smaller)
+    }
+
+    /// A range in which all facets lie that a place at most `range` \[m\] away may be on, and those around that place.
+    fn widened(&self, range: f64) -> f64 {
+        range + 4.0 * self.topology.tolerance
+    }
+
+    /// As [`super::Geometry::closest_points`]; searches inside the ball of `known` look through its facets only.
     pub(super) fn closest_points(
         &self,
         known: Option<&Vicinity>,
@@ -158,9 +209,8 @@ impl Mesh {
     ) {
         let start = out.len();
         let range = radius + reach + self.topology.tolerance;
-        let cube = Cube::around(centre, range);
-        let _: ControlFlow<()> = self.near(&cube, known, |t| {
-            if self.sheets[t as usize].height(centre) > range + self.bulge {
+        let _: ControlFlow<()> = self.near((centre, range), known, |t| {
+            if self.sheets[t as usize].is_beyond(centre, range, self.bulge) {
                 return ControlFlow::Continue(());
             }
             let (closest, feature) = self.closest_in(t, centre);
@@ -184,9 +234,8 @@ impl Mesh {
     /// looking for them; infinite if there are clearly none.
     pub(super) fn clearance(&self, known: Option<&Vicinity>, centre: Vec3, range: f64) -> f64 {
         let tolerance = self.topology.tolerance;
-        let cube = Cube::around(centre, range + tolerance);
         let (mut least, place) = (f64::INFINITY, centre.into());
-        let _: ControlFlow<()> = self.near(&cube, known, |t| {
+        let _: ControlFlow<()> = self.near((centre, range + tolerance), known, |t| {
             let sheet = &self.sheets[t as usize];
             let height = sheet.height(centre) - self.bulge;
             if height < least {
@@ -306,8 +355,7 @@ impl Mesh {
 
     /// Whether a triangle through `x` has a point closer to the centre `c` than `x`.
     fn is_undercut(&self, known: Option<&Vicinity>, x: Vec3, c: Vec3) -> bool {
-        let cube = Cube::around(x, self.topology.tolerance);
-        self.near(&cube, known, |t| {
+        self.near((x, self.topology.tolerance), known, |t| {
             let corners = &self.topology.corners(t);
             if (on_triangle(corners, x).0 - x).norm() > self.topology.tolerance {
                 return ControlFlow::Continue(());
@@ -325,13 +373,14 @@ impl Mesh {
     }
 
     fn face_contains(&self, feature: u32, foot: Vec3) -> bool {
-        let cube = Cube::around(foot, self.topology.tolerance);
+        let around = (foot, self.topology.tolerance);
+        let cube = cube(foot, self.topology.tolerance);
         let contains = |t: u32| self.closest_in(t, foot).0.is_some();
         let facets = self.facets_of(feature);
         if facets.len() <= MOST_IN_FACE {
             return facets.iter().any(|&t| self.meets(t, &cube) && contains(t));
         }
-        self.near(&cube, None, |t| {
+        self.near(around, None, |t| {
             if self.topology.parts[t as usize][0] == feature && contains(t) {
                 ControlFlow::Break(())
             } else {
@@ -349,25 +398,26 @@ impl Mesh {
     }
 
     /// Whether the bounding box of triangle `t` meets `cube`.
-    fn meets(&self, t: u32, cube: &Cube) -> bool {
-        self.sheets[t as usize].bounds.intersects(&cube.0)
+    fn meets(&self, t: u32, cube: &AABB<[f64; 3]>) -> bool {
+        self.sheets[t as usize].bounds.intersects(cube)
     }
 
-    /// Visits the triangles whose bounding box meets `cube`, in the order of the tree.
+    /// Visits the triangles whose bounding box meets the cube around a ball, and at least those that meet the ball.
     fn near<B>(
         &self,
-        cube: &Cube,
+        (middle, range): (Vec3, f64),
         known: Option<&Vicinity>,
         mut visit: impl FnMut(u32) -> ControlFlow<B>,
     ) -> ControlFlow<B> {
-        match known.and_then(|known| known.facets(cube)) {
+        let cube = cube(middle, range);
+        match known.and_then(|known| known.facets(middle, range)) {
             Some(facets) => {
-                let mut met = facets.iter().filter(|&&t| self.meets(t, cube));
+                let mut met = facets.iter().filter(|&&t| self.meets(t, &cube));
                 met.try_for_each(|&t| visit(t))
             }
             None => self
                 .tree
-                .locate_in_envelope_intersecting_int(cube.0, |leaf| visit(leaf.data)),
+                .locate_in_envelope_intersecting_int(cube, |leaf| visit(leaf.data)),
         }
     }
 }

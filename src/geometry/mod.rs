@@ -38,7 +38,7 @@ pub use revolution::Revolution;
 pub use solid::Solid;
 pub use terrain::HeightField;
 pub use tessellate::Triangulation;
-pub(crate) use vicinity::{Cube, Vicinity};
+pub(crate) use vicinity::{Ball, Vicinity};
 
 use crate::Vec3;
 use crate::spatial::extent::joined;
@@ -161,7 +161,7 @@ impl Geometry {
     }
 
     /// [`Self::closest_points`], exactly, by facets that were found before: faster while the centre stays so near that its
-    /// reach lies in their cube.
+    /// reach lies in their ball.
     pub(crate) fn touches_near(
         &self,
         known: &Vicinity,
@@ -172,11 +172,30 @@ impl Geometry {
         self.touches_by(Some(known), (centre, radius), reach, out);
     }
 
-    /// Appends the facets that [`Self::touches_near`] needs for places up to `range` \[m\] from `centre`; their cube.
-    pub(crate) fn facets_near(&self, centre: Vec3, range: f64, out: &mut Vec<u32>) -> Cube {
+    /// Appends the facets that [`Self::touches_near`] needs for places up to `range` \[m\] from `centre`; their ball.
+    pub(crate) fn facets_near(&self, centre: Vec3, range: f64, out: &mut Vec<u32>) -> Ball {
         match &self.mesh {
             Some(mesh) => mesh.facets_near(centre, range, out),
-            None => Cube::empty(),
+            None => Ball::default(),
+        }
+    }
+
+    /// Whether some of it is made of facets.
+    pub(crate) fn has_facets(&self) -> bool {
+        self.mesh.is_some()
+    }
+
+    /// What [`Self::facets_near`] appends for a smaller `range`, in place of what it has appended from `first` on for `ball`.
+    pub(crate) fn facets_among(
+        &self,
+        centre: Vec3,
+        range: f64,
+        (ball, first): (Ball, usize),
+        out: &mut Vec<u32>,
+    ) -> Ball {
+        match &self.mesh {
+            Some(mesh) => mesh.facets_among(centre, range, (ball, first), out),
+            None => Ball::default(),
         }
     }
 

@@ -1,47 +1,54 @@
-//! Facets near a place: a search within a cube looks through those of a larger cube instead of the whole mesh.
+//! Facets near a place: a search within a ball looks through those of a larger ball instead of the whole mesh.
 //!
-//! The facets of a cube are those whose bounding box meets it. A cube inside another meets no others, so that both ways
-//! find the same facets, in the same order.
+//! The facets of a ball are those that are not clearly outside. What a smaller ball inside it meets is among them, so that both
+//! ways find the same places.
 
-use rstar::{AABB, Envelope};
+use rstar::AABB;
 
 use crate::Vec3;
 
-/// A cube along the axes \[m\].
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Cube(pub(super) AABB<[f64; 3]>);
+/// All points within a distance of a point; the default has none.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct Ball {
+    middle: Vec3,
+    /// Radius \[m\]; 0: no point at all.
+    range: f64,
+}
 
-impl Cube {
-    /// All points within `range` \[m\] of `middle` \[m\] along every axis.
+impl Ball {
+    /// All points within `range` \[m\] of `middle` \[m\].
     pub(super) fn around(middle: Vec3, range: f64) -> Self {
-        let [low, high] = [-range, range].map(|way| middle.add_scalar(way).into());
-        Self(AABB::from_corners(low, high))
+        Self { middle, range }
     }
 
-    /// One that contains nothing.
-    pub(super) fn empty() -> Self {
-        Self(AABB::new_empty())
+    /// Whether all points within `range` \[m\] of `middle` \[m\] lie in it.
+    pub(super) fn contains(&self, middle: Vec3, range: f64) -> bool {
+        let room = (self.range - range) * (1.0 - 1e-9);
+        room >= 0.0 && (self.middle - middle).norm_squared() <= room * room
     }
 }
 
-/// All facets of a mesh that meet a cube.
+/// The cube along the axes around a ball \[m\].
+pub(super) fn cube(middle: Vec3, range: f64) -> AABB<[f64; 3]> {
+    let [low, high] = [-range, range].map(|way| middle.add_scalar(way).into());
+    AABB::from_corners(low, high)
+}
+
+/// All facets of a mesh that meet a ball.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Vicinity<'f> {
-    cube: Cube,
+    ball: Ball,
     facets: &'f [u32],
 }
 
 impl<'f> Vicinity<'f> {
-    /// `facets` as [`super::Geometry::facets_near`] found them in `cube`.
-    pub(crate) fn new(cube: Cube, facets: &'f [u32]) -> Self {
-        Self { cube, facets }
+    /// `facets` as [`super::Geometry::facets_near`] found them in `ball`.
+    pub(crate) fn new(ball: Ball, facets: &'f [u32]) -> Self {
+        Self { ball, facets }
     }
 
-    /// The facets to look through for those of `cube`; `None` if there may be others.
-    pub(super) fn facets(&self, cube: &Cube) -> Option<&'f [u32]> {
-        self.cube
-            .0
-            .contains_envelope(&cube.0)
-            .then_some(self.facets)
+    /// The facets to look through for those within `range` \[m\] of `middle` \[m\]; `None` if there may be others.
+    pub(super) fn facets(&self, middle: Vec3, range: f64) -> Option<&'f [u32]> {
+        self.ball.contains(middle, range).then_some(self.facets)
     }
 }
