@@ -15,13 +15,9 @@ use super::grid::{pairs_of, sphere_pairs};
 use super::near_boundaries::NearBoundaries;
 use super::periodic::periodic_pairs;
 use crate::Vec3;
-use crate::detection::detection_distance::DetectionDistance;
+use crate::detection::detection_distance::{DetectionDistance, SKIN, STEPS};
 use crate::spatial::cell::Image;
 
-/// Skin of a pair, and of a sphere to boundaries, over the smallest radius when nothing moves.
-pub(super) const SKIN: f64 = 0.1;
-/// Skin over the reach asked for: how many steps a list should serve in fast motion.
-pub(super) const STEPS: f64 = 4.0;
 /// Most that a skin is longer than the reach, over the radius: fast spheres look around more often rather than farther.
 const ROOM: f64 = 0.25;
 /// A skin of so many times what is wanted costs too many pairs.
@@ -194,6 +190,7 @@ mod tests {
     use super::*;
     use crate::scene::particles::Particles;
     use crate::spatial::cell::Cell;
+    use proptest::prelude::*;
 
     /// A lattice at rest in which one sphere flies: its own pairs are listed, and of the others those of a lattice at rest.
     #[test]
@@ -230,11 +227,64 @@ mod tests {
         };
         let moving = pairs(&reach);
         let own = moving.iter().filter(|(i, j)| *i == fast || *j == fast);
-        assert!(own.count() > 26);
+        // Gaps of 0.04 and 0.454 are within its reach, those of 0.77 are beyond its skin.
+        assert_eq!(own.count(), 6 + 12);
         let others = |pairs: &[(u32, u32)]| {
             let of_others = |(i, j): &&(u32, u32)| *i != fast && *j != fast;
             pairs.iter().filter(of_others).copied().collect::<Vec<_>>()
         };
         assert_eq!(others(&moving), others(&resting));
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(200) })]
+
+        /// While spheres drift together and apart, slowly and fast, come and go, and the list is kept, renewed or built anew.
+        #[test]
+        fn every_pair_within_reach_is_listed(
+            places in prop::collection::vec(prop::array::uniform3(0.0..1.5_f64), 40),
+            radius in prop::collection::vec(0.02..0.2_f64, 40),
+            ways in prop::collection::vec((prop::collection::vec(prop::array::uniform3(-1.0..1.0_f64), 40), -4.0..-0.5_f64, 0_usize..80), 12),
+            drift in prop::array::uniform3(-0.3..0.3_f64),
+        ) {
+            let particles = Particles { radius, ..Particles::default() };
+            let mut position: Vec<Vec3> = places.into_iter().map(Vec3::from).collect();
+            let (mut present, cell) = (vec![true; 40], Cell::default());
+            let mut list = NeighborList::default();
+            for (k, (steps, exponent, changed)) in ways.iter().enumerate() {
+                // Every fourth sphere is slower by far than the fastest.
+                let length = |i: usize| 10_f64.powf(exponent - (i % 4) as f64);
+                for (i, (x, step)) in position.iter_mut().zip(steps).enumerate() {
+                    *x += Vec3::from(*step) * length(i) + Vec3::from(drift);
+                }
+                if let Some(present) = present.get_mut(*changed) {
+                    *present = !*present;
+                }
+                let now = Configuration {
+                    particles: &particles,
+                    position: &position,
+                    present: &present,
+                    boundaries: &[],
+                    poses: &[],
+                    cell: &cell,
+                };
+                // Nothing is said about the motion at the end of a step.
+                let reach: Vec<DetectionDistance> = match k % 2 {
+                    0 => (0..40).map(|i| DetectionDistance { pairs: length(i), boundaries: length(i) + 0.5 }).collect(),
+                    _ => Vec::new(),
+                };
+                list.ensure(&now, &reach, 0.0);
+                prop_assert!(list.pairs.is_sorted_by(|a, b| a < b));
+                for i in 0..40_u32 {
+                    for j in i + 1..40 {
+                        let [a, b] = [i, j].map(|k| k as usize);
+                        let own = |k: usize| reach.get(k).map_or(0.0, |own| own.pairs);
+                        let gap = (position[a] - position[b]).norm() - particles.radius[a] - particles.radius[b];
+                        let within = present[a] && present[b] && gap <= own(a) + own(b);
+                        prop_assert!(!within || list.pairs.binary_search(&(i, j)).is_ok(), "{i} {j} {gap}");
+                    }
+                }
+            }
+        }
     }
 }

@@ -3,6 +3,11 @@
 use crate::Vec3;
 use crate::spatial::extent::{around, larger};
 
+/// Skin of a pair, and of a sphere to boundaries, over the smallest radius when nothing moves.
+pub(super) const SKIN: f64 = 0.1;
+/// Skin over the reach asked for: how many steps a list should serve in fast motion.
+pub(super) const STEPS: f64 = 4.0;
+
 /// How far a sphere may move \[m\].
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct DetectionDistance {

@@ -3,9 +3,8 @@
 //! Where a sphere was when its boundaries were looked for is its anchor. As with pairs, it looks for them anew when it has left the
 //! distance within which they are known; far from all boundaries that is its radius.
 
-use super::broad_phase::{SKIN, STEPS};
 use super::configuration::Configuration;
-use super::detection_distance::DetectionDistance;
+use super::detection_distance::{DetectionDistance, SKIN, STEPS};
 use crate::Vec3;
 use crate::geometry::{Ball, ClosestPoint, Vicinity};
 use crate::spatial::Pose;

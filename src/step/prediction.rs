@@ -12,6 +12,9 @@ use crate::scene::{Boundary, Command, Method, Scene};
 use crate::spatial::{Pose, SpatialVector, Twist};
 use crate::state::State;
 
+/// Length of the step before over that of this one from which on its velocities count for this one \[-\].
+const STEADY: f64 = 0.25;
+
 /// Arrays of a [`Prediction`], kept for their memory alone.
 #[derive(Debug, Default)]
 pub(super) struct PredictionArrays {
@@ -52,6 +55,8 @@ pub(super) struct Prediction<'a> {
     pub(super) targets: Vec<Vec3>,
     /// [`mean_acceleration`] \[m/s^2\].
     pub(super) mean_acceleration: f64,
+    /// Whether velocities before the step tell how it goes on: after a much shorter step they are noise.
+    pub(super) steady: bool,
     /// Whether some contacts give way: by the penalty method, or the `stiffness` of a boundary.
     pub(super) gives_way: bool,
 }
@@ -101,6 +106,7 @@ pub(super) fn predict<'a>(
         gravity,
         gravity_size: gravity.norm(),
         mean_acceleration: mean_acceleration(scene, &external, &bodies),
+        steady: state.last_step >= STEADY * dt,
         gives_way: gives_way(scene),
         spheres: SphereMotion::all(scene, &kinematics, spheres),
         external,
@@ -150,6 +156,7 @@ impl<'a> Prediction<'a> {
             gravity,
             gravity_size: gravity.norm(),
             mean_acceleration: mean_acceleration(scene, &external, &bodies),
+            steady: false,
             gives_way: gives_way(scene),
             spheres: SphereMotion::all(scene, &state.kinematics, Vec::new()),
             external,
@@ -176,6 +183,7 @@ impl<'a> Prediction<'a> {
             gravity: Vec3::zeros(),
             gravity_size: 0.0,
             mean_acceleration: mean_acceleration(scene, &external, &[]),
+            steady: false,
             gives_way: gives_way(scene),
             spheres: SphereMotion::all(scene, &kinematics, Vec::new()),
             external,

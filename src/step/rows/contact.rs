@@ -131,7 +131,7 @@ impl Prediction<'_> {
         // the tolerance is no matter: what rests is not to follow its own noise.
         let parting = 0.5 * self.step * self.step * turning;
         let bend = match candidate.key.partner {
-            Partner::Sphere { .. } if !impact && elastic.is_none() => {
+            Partner::Sphere { .. } if self.steady && !impact && elastic.is_none() => {
                 (parting - self.scene.settings.tolerance.gap * contact.radius).max(0.0)
             }
             _ => 0.0,
