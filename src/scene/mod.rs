@@ -168,6 +168,11 @@ impl Settings {
         }
     }
 
+    /// Whether nothing acts on all spheres that changes with time or place.
+    pub(crate) fn is_steady(&self) -> bool {
+        self.gravity_motion == GravityMotion::default() && self.rotating_frame.is_none()
+    }
+
     /// Largest opening of a loaded contact that a step may leave \[-\]: without a reserve what curvature does.
     pub(crate) fn widest(&self) -> f64 {
         match self.reserve() > 0.0 {

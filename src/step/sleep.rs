@@ -16,7 +16,6 @@ use crate::contact::history::find;
 use crate::contact::{ContactForce, ContactId, Partner};
 use crate::detection::configuration::Candidate;
 use crate::scene::Scene;
-use crate::scene::gravity::GravityMotion;
 use crate::spatial::{SpatialVector, Wrench};
 use crate::state::{ASLEEP, State};
 
@@ -256,12 +255,9 @@ impl Solved<'_> {
     }
 }
 
-/// Whether spheres may fall asleep in a scene: nothing acts on all of them that changes with time.
+/// Whether spheres may fall asleep in a scene.
 fn may_rest(scene: &Scene) -> bool {
-    let settings = &scene.settings;
-    settings.rest_speed > 0.0
-        && settings.gravity_motion == GravityMotion::default()
-        && settings.rotating_frame.is_none()
+    scene.settings.rest_speed > 0.0 && scene.settings.is_steady()
 }
 
 fn is_loaded(state: &State, key: ContactId) -> bool {

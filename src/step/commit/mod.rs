@@ -14,6 +14,9 @@ use crate::Vec3;
 use crate::spatial::{SpatialVector, turned};
 use crate::state::State;
 
+/// A step below this share of the one before it has no accelerations of its own.
+const REMAINDER: f64 = 0.05;
+
 /// Of pieces of the spheres: centres and orientations.
 type Places<'a> = (&'a mut [Vec3], &'a mut [UnitQuaternion<f64>]);
 /// Likewise velocities and spins.
@@ -26,10 +29,21 @@ pub(super) fn commit(solved: &Solved, state: &mut State, spare: &mut Vec<Spatial
     let ends = prediction.end_poses(&solved.solution.velocity);
     solved.smooth_acceleration(spare);
     solved.still(spare);
-    let finished = solved.finished(&ends);
+    let mut finished = solved.finished(&ends);
+    let remainder = solved.is_remainder(state);
+    if remainder {
+        spare.clone_from(&state.smooth);
+        for ((after, _), before) in finished.iter_mut().zip(&state.bodies) {
+            after.smooth = before.smooth;
+        }
+    }
+    let smooth_wrenches = remainder.then(|| state.smooth_wrenches.clone());
     solved.work(state);
     solved.body_work(state, &finished, &ends);
     solved.store(state);
+    if let Some(smooth) = smooth_wrenches {
+        state.smooth_wrenches = smooth;
+    }
     state.springs = solved.spring_forces();
     solved.advance(state, spare);
     swap(&mut state.smooth, spare);
@@ -76,6 +90,13 @@ pub(super) fn spread_impacts(assembly: &mut Assembly, solution: &Solution, state
 }
 
 impl Solved<'_> {
+    /// Whether the step is so much shorter than the one before it that what it leaves of velocities says nothing of forces: smooth
+    /// accelerations, by which the half step of the next one is shifted, stay those before it.
+    fn is_remainder(&self, state: &State) -> bool {
+        let prediction = self.prediction();
+        prediction.step < REMAINDER * state.last_step && prediction.scene.settings.is_steady()
+    }
+
     /// Moves the spheres. What of the change of their kinetic energy external forces and [`Self::work`] do not account for is
     /// numerical work.
     fn advance(&self, state: &mut State, smooth: &[SpatialVector]) {
