@@ -247,9 +247,6 @@ impl Grid {
             if members.is_empty() {
                 continue;
             }
-            if search.pairs.len() > most {
-                return;
-            }
             search.others.clear();
             self.run(key, 2, &mut search.others);
             for offset in rows {
@@ -257,6 +254,9 @@ impl Grid {
             }
             let all = search.others.len();
             for (rank, own) in members.iter().enumerate() {
+                if search.pairs.len() > most {
+                    return;
+                }
                 for coarser in coarser {
                     coarser.around(own, &mut search.others);
                 }
