@@ -15,7 +15,7 @@ use super::grid::{pairs_of, sphere_pairs};
 use super::near_boundaries::NearBoundaries;
 use super::periodic::periodic_pairs;
 use crate::Vec3;
-use crate::detection::detection_distance::{DetectionDistance, SKIN, STEPS};
+use crate::detection::detection_distance::{DetectionDistance, SKIN, SOON, STEPS};
 use crate::spatial::cell::Image;
 
 /// Most that a skin is longer than the reach, over the radius: fast spheres look around more often rather than farther.
@@ -87,7 +87,7 @@ impl NeighborList {
             self.common = sum / f64::max(count, 1.0);
         }
         let smallest = now.particles.smallest_radius();
-        let is_stale = |i: usize| {
+        let is_stale = |i: usize, share: f64| {
             if !now.present[i] || !self.present[i] {
                 return now.present[i] != self.present[i];
             }
@@ -95,13 +95,19 @@ impl NeighborList {
                 self.skin[i],
                 self.wanted(i, reach, (now.particles.radius[i], smallest)),
             );
-            let room = skin - self.reach(i, reach);
+            let room = share * (skin - self.reach(i, reach));
             let path = now.position[i] - self.common - self.anchor[i];
             let serves = room > 0.0 && path.norm_squared() < room * room;
             !serves || (!reach.is_empty() && skin > LOOSE * wanted)
         };
         let spheres = 0..now.position.len();
-        spheres.filter(|&i| is_stale(i)).map(|i| i as u32).collect()
+        match spheres.clone().any(|i| is_stale(i, 1.0)) {
+            true => spheres
+                .filter(|&i| is_stale(i, SOON))
+                .map(|i| i as u32)
+                .collect(),
+            false => Vec::new(),
+        }
     }
 
     /// What sphere `i` may come towards others \[m\].

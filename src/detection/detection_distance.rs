@@ -7,6 +7,8 @@ use crate::spatial::extent::{around, larger};
 pub(super) const SKIN: f64 = 0.1;
 /// Skin over the reach asked for: how many steps a list should serve in fast motion.
 pub(super) const STEPS: f64 = 4.0;
+/// Where one sphere leaves its skin, those join it that have this share of theirs behind them: they would soon follow.
+pub(super) const SOON: f64 = 0.5;
 
 /// How far a sphere may move \[m\].
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

@@ -4,7 +4,7 @@
 //! distance within which they are known; far from all boundaries that is its radius.
 
 use super::configuration::Configuration;
-use super::detection_distance::{DetectionDistance, SKIN, STEPS};
+use super::detection_distance::{DetectionDistance, SKIN, SOON, STEPS};
 use crate::Vec3;
 use crate::geometry::{Ball, ClosestPoint, Vicinity};
 use crate::spatial::Pose;
@@ -95,33 +95,34 @@ impl NearBoundaries {
             // Nothing is said about its motion: as far as it has moved.
             None => moved.max(SKIN * smallest),
         };
-        let is_stale = |i: usize| {
+        let is_stale = |i: usize, share: f64| {
             if !now.present[i] || !self.present[i] {
                 return now.present[i] != self.present[i];
             }
             let known = self.known[i] - self.fastest;
             let own = reach.get(i).copied().unwrap_or_default();
-            let room = known - own.boundaries - carried;
+            let room = share * (known - own.boundaries - carried);
             let path = now.position[i] - self.anchor[i];
             !(room > 0.0 && path.norm_squared() < room * room)
         };
-        let mut stale: Vec<bool> = (0..now.position.len()).map(is_stale).collect();
-        if !reach.is_empty() {
-            for near in self
-                .near
+        let is_loose = |near: &&NearBoundary| {
+            let i = near.sphere as usize;
+            let most = LOOSE * larger(wanted(i, 0.0), now.particles.radius[i]);
+            near.facets[0] < near.facets[1] && self.known[i] - self.fastest > most
+        };
+        let loose = || {
+            self.near
                 .iter()
-                .filter(|near| near.facets[0] < near.facets[1])
-            {
-                let i = near.sphere as usize;
-                let most = LOOSE * larger(wanted(i, 0.0), now.particles.radius[i]);
-                stale[i] |= self.known[i] - self.fastest > most;
-            }
-        }
-        let stale = (0..stale.len()).filter(|&i| stale[i]);
-        let stale: Vec<usize> = stale.collect();
-        if stale.is_empty() {
+                .filter(|_| !reach.is_empty())
+                .filter(is_loose)
+        };
+        let spheres = 0..now.position.len();
+        if loose().next().is_none() && !spheres.clone().any(|i| is_stale(i, 1.0)) {
             return;
         }
+        let mut stale: Vec<bool> = spheres.clone().map(|i| is_stale(i, SOON)).collect();
+        loose().for_each(|near| stale[near.sphere as usize] = true);
+        let stale: Vec<usize> = spheres.filter(|&i| stale[i]).collect();
         let (near, facets) = (
             std::mem::take(&mut self.near),
             std::mem::take(&mut self.facets),

@@ -152,12 +152,16 @@ fn a_squeezed_sphere_does_not_end_the_run() {
     assert!(squeeze("strict = true").is_err());
 }
 
-/// Symptom: a remainder of 1e-9 s, as masters make them by rounding, put out forces of 1e5 N on a bed of 5 N.
+/// Symptom: a remainder of 1e-9 s, as masters make them by rounding, put out forces of 1e5 N on a bed of 5 N; and the step after
+/// it took the noise of its forces into the half step, which moved those of 106 grains by 5 %.
 #[test]
 fn a_remainder_of_a_step_is_no_shock() {
-    let scene = Arc::new(settled(grains(100, "", "")));
-    for remainder in [1e-5, 1e-7, 1e-9] {
-        let mut simulation = Simulation::new(Arc::clone(&scene)).unwrap();
+    let cases = [97, 100, 106].map(|count| (count, Arc::new(settled(grains(count, "", "")))));
+    let remainders = cases
+        .iter()
+        .flat_map(|case| [1e-5, 1e-7, 1e-9].map(|r| (case, r)));
+    for ((count, scene), remainder) in remainders {
+        let mut simulation = Simulation::new(Arc::clone(scene)).unwrap();
         simulation.advance(0.01).unwrap();
         let before = simulation.mean_wrench(1).force.z;
         simulation.advance(remainder).unwrap();
@@ -167,7 +171,7 @@ fn a_remainder_of_a_step_is_no_shock() {
         for force in [during, after] {
             assert!(
                 (force / before - 1.0).abs() < 0.01,
-                "{remainder} s: {force} N, {before} N"
+                "{count} grains, {remainder} s: {force} N, {before} N"
             );
         }
     }

@@ -206,3 +206,30 @@ fn a_rolling_sphere_slips_and_leaves() {
         }
     }
 }
+
+/// The first problem of a step foresees by how much the gap of a sphere that goes round another opens beside its linear change:
+/// `v^2 dt^2/2L`, of which the tolerance is left to the true geometry.
+#[test]
+fn a_step_foresees_how_a_curved_pair_opens() {
+    let (radius, dt, gap) = (0.01, 1e-3, 1e-6);
+    let held = Locks {
+        translation: [true; 3],
+        rotation: [true; 3],
+    };
+    let mut run = Case::new(dt, 0.0, 0.0)
+        .tolerance(gap, gap, gap)
+        .body(radius, Vec3::zeros(), Vec3::zeros(), Vec3::zeros(), held)
+        .sphere(radius, Vec3::z() * (2.0 * radius), Vec3::x() * 0.3)
+        .start();
+    run.step();
+    let (problem, _) = run.simulation.problem(dt).expect("a problem");
+    let row = problem.rows.get(0);
+    let kinematics = run.simulation.kinematics();
+    let apart = (kinematics.position[1] - kinematics.position[0]).norm();
+    let v = kinematics.velocity[1];
+    let across = v - row.normal * v.dot(&row.normal);
+    let opens = across.norm_squared() * dt * dt / (2.0 * apart);
+    assert!(opens > 100.0 * gap * radius);
+    let expected = apart - 2.0 * radius + opens - gap * radius;
+    close(row.bias.dot(&row.normal) * dt, expected, 1e-6, 0.0);
+}
