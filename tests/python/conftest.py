@@ -9,6 +9,9 @@ from pathlib import Path
 
 import pytest
 
+# Fixtures of the wheel, made once for all tests.
+pytest_plugins = ("wheel",)
+
 ROOT = Path(__file__).resolve().parents[2]
 EXAMPLES = ("funnel", "slopes", "feeder", "conveyor", "landslide", "bed", "shear", "triaxial")
 # All scenes of the examples, also those that other tests run: what lies in the archive is judged for each.

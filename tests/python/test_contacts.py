@@ -8,7 +8,6 @@ import subprocess
 import numpy as np
 import pytest
 from test_fmi3 import Unit
-from wheel import released, sphere_dda, wheel  # noqa: F401 - fixtures
 
 H = 5e-3
 # 36 balls of two sizes fall on a tilting floor between two walls; sideways the box is periodic. Contacts resist rolling.

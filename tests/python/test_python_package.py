@@ -15,7 +15,7 @@ from pathlib import Path
 import meshio
 import numpy as np
 import pytest
-from wheel import digest, released, sphere_dda, wheel  # noqa: F401 - fixtures
+from wheel import digest
 
 H = 2e-3
 # A box on a shaker: 60 balls fall into it.

@@ -10,7 +10,7 @@ import fmpy
 import pytest
 from conftest import ROOT
 from pages import texts
-from wheel import SYSTEM, Machine, digest, released, wheel  # noqa: F401 - fixtures
+from wheel import SYSTEM, Machine, digest
 
 
 @pytest.fixture(scope="module")
