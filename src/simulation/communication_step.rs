@@ -14,7 +14,7 @@ use crate::simulation::impulse_totals::{Before, ImpulseTotals};
 use crate::simulation::trajectory::{BoundaryPaths, Trajectory, displacement};
 use crate::spatial::Wrench;
 use crate::state::{State, StepControl, StepReport};
-use crate::step::{Effort, StepFailure, step};
+use crate::step::{Effort, REMAINDER, StepFailure, step};
 
 /// A communication step under way: see [`Simulation::begin`].
 #[derive(Debug)]
@@ -39,9 +39,6 @@ impl CommunicationStep {
 
 /// Most internal steps of a communication step: more would take hours, and is a mistake in its units as a rule.
 const MOST_STEPS: f64 = 1e7;
-
-/// A communication step below this share of the last internal step has no forces of its own.
-const REMAINDER: f64 = 0.05;
 
 impl Simulation {
     /// Begins a step to exactly `end` \[s\] in equal internal steps, which [`Self::internal_step`] takes one by one:

@@ -38,6 +38,7 @@ mod tunnelling;
 mod verify;
 mod workspace;
 
+pub(crate) use commit::REMAINDER;
 pub(crate) use external::release;
 pub use failed::FailedStep;
 pub use initial::{initial_forces, remove_overlaps};

@@ -14,8 +14,8 @@ use crate::Vec3;
 use crate::spatial::{SpatialVector, turned};
 use crate::state::State;
 
-/// A step below this share of the one before it has no accelerations of its own.
-const REMAINDER: f64 = 0.05;
+/// A step below this share of the one before it has no forces and accelerations of its own.
+pub(crate) const REMAINDER: f64 = 0.05;
 
 /// Of pieces of the spheres: centres and orientations.
 type Places<'a> = (&'a mut [Vec3], &'a mut [UnitQuaternion<f64>]);
