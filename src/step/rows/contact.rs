@@ -127,12 +127,14 @@ impl Prediction<'_> {
         // The impact of a contact that the step does not resolve is rigid.
         let rigid = impact && self.scene.settings.integrator == Integrator::Moreau;
         let elastic = elastic.filter(|_| !rigid);
-        // As the motion before the step goes on, two spheres that touch part by more than their linear gap. What is within
-        // the tolerance is no matter: what rests is not to follow its own noise.
+        // As the motion before the step goes on, two spheres that touch part by more than their linear gap. A little
+        // is no matter: what rests is not to follow its own noise.
         let parting = 0.5 * self.step * self.step * turning;
         let bend = match candidate.key.partner {
             Partner::Sphere { .. } if self.steady && !impact && elastic.is_none() => {
-                (parting - self.scene.settings.tolerance.gap * contact.radius).max(0.0)
+                let settings = &self.scene.settings;
+                let little = settings.reserve().max(settings.tolerance.gap);
+                (parting - little * contact.radius).max(0.0)
             }
             _ => 0.0,
         };
