@@ -3,6 +3,31 @@
 use super::forces::ContactForces;
 use super::{ContactForce, ContactId};
 use crate::Vec3;
+use crate::problem::law::split;
+
+/// What a contact carried in the last step.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Carried {
+    /// Force on A \[N\].
+    pub(crate) force: Vec3,
+    /// Unit normal from B to A in that step.
+    pub(crate) normal: Vec3,
+    /// Energy \[J\] of its shear spring.
+    pub(crate) stored: f64,
+}
+
+impl Carried {
+    /// Along the normal, and across it where that is `normal` now \[N\]: the shear force turns with the contact.
+    pub(crate) fn along_and_across(&self, normal: Vec3) -> (f64, Vec3) {
+        let (along, shear) = split(self.force, self.normal);
+        let turned = split(shear, normal).1;
+        let shear = match turned.try_normalize(0.0) {
+            Some(direction) => direction * shear.norm(),
+            None => turned,
+        };
+        (along, shear)
+    }
+}
 
 /// Which of the last step's contacts a candidate goes on with, if any.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -17,6 +42,17 @@ impl HistoryIndex {
     pub(crate) fn force(self, contacts: &[ContactForce]) -> Vec3 {
         let load = contacts.get(self.0 as usize);
         load.map_or_else(Vec3::zeros, |load| load.force)
+    }
+
+    /// All that its row is made from.
+    #[inline]
+    pub(crate) fn carried(self, contacts: &ContactForces) -> Carried {
+        let load = contacts.get(self.0 as usize);
+        Carried {
+            force: load.map_or_else(Vec3::zeros, |load| load.force),
+            normal: load.map_or_else(Vec3::zeros, |load| load.normal),
+            stored: contacts.stored(self.0 as usize),
+        }
     }
 
     /// Likewise the couple of its resistance on A \[N m\].
@@ -55,6 +91,7 @@ pub(crate) fn find(contacts: &[ContactForce], key: ContactId) -> HistoryIndex {
 mod tests {
     use super::*;
     use crate::contact::Partner;
+    use crate::contact::forces::Beside;
 
     #[test]
     fn forces_follow_their_keys() {
@@ -69,7 +106,11 @@ mod tests {
         };
         let mut old = ContactForces::default();
         for (key, f) in [(key(0, 1), 1.0), (key(0, 3), 2.0), (key(2, 4), 3.0)] {
-            old.push(contact(key, f), Some(Vec3::x() * f));
+            let beside = Beside {
+                torque: Some(Vec3::x() * f),
+                stored: None,
+            };
+            old.push(contact(key, f), beside);
         }
         let new = [key(0, 2), key(0, 3), key(1, 2), key(2, 4), key(5, 6)];
         let past: Vec<HistoryIndex> = transfer(&old, new.into_iter()).collect();

@@ -1,5 +1,6 @@
 //! Contacts: who touches whom, with which force, and what goes on from step to step.
 
+pub mod elasticity;
 pub(crate) mod forces;
 pub(crate) mod history;
 

@@ -7,6 +7,7 @@
 use super::Observation;
 use crate::contact::{Contact, Partner};
 use crate::problem::law::split;
+use crate::scene::Method;
 use crate::spatial::Wrench;
 
 /// All loaded contacts of one body.
@@ -48,7 +49,7 @@ pub struct Loads {
     pub boundaries: Vec<BodyLoad>,
     /// Number of loaded contacts.
     pub contacts: u64,
-    /// Largest overlap over the smaller radius of its pair \[-\].
+    /// Largest overlap over the smaller radius of its pair \[-\], contacts that give way left out.
     pub max_overlap: f64,
 }
 
@@ -93,7 +94,14 @@ impl Loads {
                     loads.boundaries[b].belt_power -= contact.force.dot(&belt);
                 }
             }
-            loads.max_overlap = loads.max_overlap.max(-contact.gap / smaller);
+            // The penalty method's springs are not of the materials.
+            let scene = state.scene;
+            let rigid = || {
+                scene.settings.method == Method::Penalty || scene.elasticity(contact.key).is_none()
+            };
+            if contact.gap < 0.0 && rigid() {
+                loads.max_overlap = loads.max_overlap.max(-contact.gap / smaller);
+            }
         }
         // A sphere that was asked for twice was summed up once, at its last place.
         for (k, &sphere) in asked.iter().enumerate() {

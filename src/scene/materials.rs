@@ -2,6 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::contact::elasticity::{Elasticity, damping_ratio};
+
 /// A material.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Material {
@@ -23,6 +25,8 @@ pub struct Pair {
     pub rolling_friction: f64,
     /// Coefficient of twisting resistance `mu_t` \[-\], >= 0: the couple about the normal is at most `mu_t R* p_n`.
     pub twisting_friction: f64,
+    /// How the two give way; `None`: they are rigid.
+    pub elasticity: Option<Elasticity>,
 }
 
 /// Symmetric table of [`Pair`]s for `n` materials.
@@ -30,6 +34,8 @@ pub struct Pair {
 pub struct PairTable {
     materials: usize,
     pairs: Vec<Pair>,
+    /// Damping ratio \[-\] of each pair by its restitution.
+    damping: Vec<f64>,
 }
 
 impl PairTable {
@@ -39,6 +45,7 @@ impl PairTable {
         Self {
             materials,
             pairs: vec![default; materials * materials],
+            damping: vec![damping_ratio(default.restitution); materials * materials],
         }
     }
 
@@ -46,6 +53,16 @@ impl PairTable {
     #[must_use]
     pub fn get(&self, a: u16, b: u16) -> Pair {
         self.pairs[usize::from(a) * self.materials + usize::from(b)]
+    }
+
+    /// Damping ratio \[-\] that gives the pair its restitution where it gives way.
+    pub(crate) fn damping(&self, a: u16, b: u16) -> f64 {
+        self.damping[usize::from(a) * self.materials + usize::from(b)]
+    }
+
+    /// Whether any pair gives way.
+    pub(crate) fn gives_way(&self) -> bool {
+        self.pairs.iter().any(|pair| pair.elasticity.is_some())
     }
 
     /// Whether any pair rebounds.
@@ -61,7 +78,10 @@ impl PairTable {
 
     /// Sets the pair of `a` and `b`, in both orders.
     pub fn set(&mut self, a: u16, b: u16, pair: Pair) {
-        self.pairs[usize::from(a) * self.materials + usize::from(b)] = pair;
-        self.pairs[usize::from(b) * self.materials + usize::from(a)] = pair;
+        let ratio = damping_ratio(pair.restitution);
+        for (a, b) in [(a, b), (b, a)] {
+            let at = usize::from(a) * self.materials + usize::from(b);
+            (self.pairs[at], self.damping[at]) = (pair, ratio);
+        }
     }
 }

@@ -23,7 +23,9 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::Vec3;
+use crate::contact::elasticity::Elasticity;
 use crate::contact::forces::ContactForces;
+use crate::contact::{ContactId, Partner};
 use crate::geometry::region::{Primitive, Region};
 use crate::integrator::Integrator;
 use crate::scene::body::Body;
@@ -401,6 +403,32 @@ pub struct Scene {
 }
 
 impl Scene {
+    /// The materials that touch in a contact.
+    #[inline]
+    pub(crate) fn touching(&self, key: ContactId) -> [u16; 2] {
+        let material = &self.particles.material;
+        let of_b = match key.partner {
+            Partner::Sphere { index, .. } => material[index as usize],
+            Partner::Boundary { boundary, .. } => self.boundaries[usize::from(boundary)].material,
+        };
+        [material[key.sphere as usize], of_b]
+    }
+
+    /// How a contact gives way, if it does: by the penalty method, the `stiffness` of its boundary, or its materials.
+    pub(crate) fn elasticity(&self, key: ContactId) -> Option<Elasticity> {
+        if let (Method::Penalty, Some(penalty)) = (self.settings.method, self.settings.penalty) {
+            return Some(Elasticity::linear(penalty));
+        }
+        if let Partner::Boundary { boundary, .. } = key.partner
+            && let Some(stiffness) = self.boundaries[usize::from(boundary)].stiffness
+        {
+            let shear = f64::INFINITY;
+            return Some(Elasticity::Linear { stiffness, shear });
+        }
+        let [a, b] = self.touching(key);
+        self.pairs.get(a, b).elasticity
+    }
+
     /// The driven bodies and the index of their boundary, ascending.
     pub fn driven(&self) -> impl Iterator<Item = (usize, &Body)> {
         let boundaries = self.boundaries.iter().enumerate();

@@ -3,6 +3,7 @@
 use super::decode::SceneFile;
 use super::document::Document;
 use super::names::Context;
+use crate::contact::elasticity::{Elastic, Elasticity};
 use crate::integrator::Integrator;
 use crate::scene::materials::{Pair, PairTable};
 
@@ -13,7 +14,11 @@ struct Given {
     restitution: Option<f64>,
     rolling: Option<f64>,
     twisting: Option<f64>,
+    stiffness: Option<f64>,
 }
+
+/// Poisson's ratio of a material that gives Young's modulus alone.
+const POISSON: f64 = 0.25;
 
 impl Given {
     /// What two materials say together: of each coefficient the smaller one, or that of the one that gives it.
@@ -27,6 +32,7 @@ impl Given {
             restitution: smaller(a.restitution, b.restitution),
             rolling: smaller(a.rolling, b.rolling),
             twisting: smaller(a.twisting, b.twisting),
+            stiffness: smaller(a.stiffness, b.stiffness),
         }
     }
 
@@ -37,6 +43,7 @@ impl Given {
             restitution: self.restitution.unwrap_or(default.restitution),
             rolling_friction: self.rolling.unwrap_or(default.rolling_friction),
             twisting_friction: self.twisting.unwrap_or(default.twisting_friction),
+            elasticity: self.stiffness.map(Elasticity::linear).or(default.elasticity),
         }
     }
 }
@@ -50,6 +57,7 @@ macro_rules! given {
             restitution: table.restitution,
             rolling: table.rolling_friction,
             twisting: table.twisting_friction,
+            stiffness: table.stiffness,
         };
         checked($document, $path, given, table.friction_angle)
     }};
@@ -65,7 +73,17 @@ pub(super) fn pairs(document: &mut Document<'_>, context: &Context, file: &Scene
             None => Given::default(),
         })
         .collect();
-    let both = |a: usize, b: usize| Given::of_both(materials[a], materials[b]).over(default);
+    let elastic = elastic(document, file);
+    let both = |a: usize, b: usize| {
+        // Moduli of the materials are more than a default.
+        let hertz = Elasticity::hertz([elastic[a], elastic[b]]);
+        let elasticity = hertz.or(default.elasticity);
+        let default = Pair {
+            elasticity,
+            ..default
+        };
+        Given::of_both(materials[a], materials[b]).over(default)
+    };
     let mut table = PairTable::new(materials.len(), default);
     let indices = || (0..materials.len()).filter_map(|a| u16::try_from(a).ok());
     for (a, b) in indices().flat_map(|a| indices().map(move |b| (a, b))) {
@@ -119,6 +137,38 @@ pub(super) fn pairs(document: &mut Document<'_>, context: &Context, file: &Scene
     table
 }
 
+/// Young's modulus and Poisson's ratio of the materials that give them, checked.
+fn elastic(document: &mut Document<'_>, file: &SceneFile) -> Vec<Option<Elastic>> {
+    let mut all = Vec::new();
+    for element in &file.materials {
+        let (path, Some(value)) = (&element.path, &element.value) else {
+            all.push(None);
+            continue;
+        };
+        if let Some(young) = value.young {
+            document.positive((path, "young"), young, "young > 0 [Pa]");
+        }
+        if let Some(poisson) = value.poisson {
+            let expected = "0 <= poisson <= 0.5 [-]";
+            document.within((path, "poisson"), poisson, 0.0..=0.5, expected);
+        }
+        if value.young.is_none() && value.poisson.is_some() {
+            let message = "found `poisson` without `young`";
+            document.error((path, "poisson"), message, "give `young` [Pa] as well, or leave both out: rigid");
+        }
+        if value.young.is_some() && value.stiffness.is_some() {
+            let message = "found both `young` and `stiffness`, expected one of them";
+            let help = "`young` is Hertz's law, `stiffness` a linear spring";
+            document.error((path, "stiffness"), message, help);
+        }
+        all.push(value.young.map(|young| Elastic {
+            young,
+            poisson: value.poisson.unwrap_or(POISSON),
+        }));
+    }
+    all
+}
+
 /// Checks the coefficients of the table at `path`.
 fn checked(document: &mut Document<'_>, path: &str, given: Given, angle: Option<f64>) -> Given {
     let coefficients = [
@@ -155,6 +205,9 @@ fn checked(document: &mut Document<'_>, path: &str, given: Given, angle: Option<
             0.0..=1.0,
             "0 <= restitution <= 1 [-]",
         );
+    }
+    if let Some(stiffness) = given.stiffness {
+        document.positive((path, "stiffness"), stiffness, "stiffness > 0 [N/m]");
     }
     Given {
         friction: given.friction.or(angle.map(|a| a.to_radians().tan())),

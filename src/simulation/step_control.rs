@@ -48,6 +48,7 @@ impl StepReport {
         self.squeezed = outcome.squeezed.or(self.squeezed);
         self.max_overlap = self.max_overlap.max(outcome.max_overlap);
         self.max_opening = self.max_opening.max(outcome.max_opening);
+        self.max_compression = self.max_compression.max(outcome.max_compression);
         self.active_set_closeness = self.active_set_closeness.max(outcome.active_set_closeness);
         self.gap_residual = self.gap_residual.max(solver.residual.gap);
         self.slip_residual = self.slip_residual.max(solver.residual.slip);

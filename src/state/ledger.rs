@@ -21,8 +21,10 @@ pub struct EnergyLedger {
     pub loads: f64,
     /// Work of the dampers of driven bodies: at most zero.
     pub dampers: f64,
-    /// Work of constrained springs and of contacts that give way on the spheres, and of the springs of joints on driven bodies.
+    /// Work of constrained springs on the spheres, and of the springs of joints on driven bodies.
     pub springs: f64,
+    /// Work of the springs of contacts that give way: what they have stored since t = 0, with a minus.
+    pub contacts: f64,
 }
 
 impl EnergyLedger {
@@ -46,6 +48,7 @@ impl Add for EnergyLedger {
             loads: self.loads + other.loads,
             dampers: self.dampers + other.dampers,
             springs: self.springs + other.springs,
+            contacts: self.contacts + other.contacts,
         }
     }
 }

@@ -30,6 +30,8 @@ pub struct StepReport {
     pub max_overlap: f64,
     /// Largest gap over radius at which a contact carried load at the end of any internal step, impacts left out \[-\].
     pub max_opening: f64,
+    /// Largest compression over radius of a contact that gives way at the end of any internal step \[-\]: no error.
+    pub max_compression: f64,
     /// Largest gap residual of any solve \[-\].
     pub gap_residual: f64,
     /// Largest slip residual \[-\].
@@ -54,6 +56,7 @@ impl StepReport {
         self.factorizations += later.factorizations;
         self.max_overlap = self.max_overlap.max(later.max_overlap);
         self.max_opening = self.max_opening.max(later.max_opening);
+        self.max_compression = self.max_compression.max(later.max_compression);
         self.gap_residual = self.gap_residual.max(later.gap_residual);
         self.slip_residual = self.slip_residual.max(later.slip_residual);
         self.force_residual = self.force_residual.max(later.force_residual);

@@ -1,7 +1,7 @@
 //! Third stage of a step: the rows of its problem, who they are, and the impulses that the solve starts from.
 
 use super::prediction::Prediction;
-use super::rows::elastic::Elastic;
+use super::rows::elastic::ElasticContact;
 use super::rows::joint::JointConstraint;
 use crate::Vec3;
 use crate::contact::history::{self, HistoryIndex};
@@ -18,6 +18,7 @@ pub(super) struct AssemblyArrays {
     pub(super) candidates: Vec<Candidate>,
     pub(super) impact: Vec<bool>,
     pub(super) past: Vec<HistoryIndex>,
+    pub(super) elastic: Vec<Option<ElasticContact>>,
     pub(super) joints: Vec<JointConstraint>,
 }
 
@@ -31,6 +32,8 @@ pub(super) struct Assembly<'a> {
     pub(super) impact: Vec<bool>,
     /// Which contacts of the last step the candidates continue.
     pub(super) past: Vec<HistoryIndex>,
+    /// How they give way; empty where none does.
+    pub(super) elastic: Vec<Option<ElasticContact>>,
     /// Stops and springs of the driven bodies.
     pub(super) joints: Vec<JointConstraint>,
     /// Whether bodies move through the step; a displacement that removes overlaps has no path.
@@ -57,6 +60,7 @@ pub(super) fn assemble<'a>(
         candidates: arrays.candidates,
         impact: arrays.impact,
         past: arrays.past,
+        elastic: arrays.elastic,
         joints: arrays.joints,
         moves: true,
     };
@@ -91,7 +95,7 @@ impl Assembly<'_> {
         known_impact: Option<&[bool]>,
         impulses: &mut Vec<Vec3>,
     ) {
-        let (prediction, contacts) = (self.prediction, &*state.contacts);
+        let (prediction, contacts) = (self.prediction, &state.contacts);
         let candidates = &self.candidates[..];
         let Problem { free, rows, .. } = &mut self.problem;
         let count = candidates.len();
@@ -107,9 +111,10 @@ impl Assembly<'_> {
             let mut general = false;
             for (k, (past, transferred)) in past.iter_mut().zip(transferred).enumerate() {
                 *past = transferred;
-                let (candidate, force) = (&candidates[first + k], past.force(contacts));
+                let (candidate, carried) = (&candidates[first + k], past.carried(contacts));
+                let force = carried.force;
                 let contact =
-                    prediction.contact_row(free, candidate, force, known_impact(first + k));
+                    prediction.contact_row(free, candidate, carried, known_impact(first + k));
                 rows.write(k, &contact.row, contact.is_of_spheres);
                 impact[k] = contact.impact;
                 impulses[k] = force * prediction.step;
@@ -119,14 +124,20 @@ impl Assembly<'_> {
         };
         let others = (&mut self.impact[..], &mut impulses[..]);
         let all = (rows.extend_plain(count), (&mut self.past[..], others));
-        if self.pool.pieces(all, write, |a, b| a | b) {
-            let past = &self.past;
+        let general = self.pool.pieces(all, write, |a, b| a | b);
+        self.elastic.clear();
+        if prediction.gives_way {
+            self.elastic.resize(count, None);
+        }
+        if general {
+            let (past, elastic) = (&self.past, &mut self.elastic);
             rows.settle(|k| {
-                let force = past[k].force(contacts);
-                let known = known_impact(k);
-                prediction
-                    .contact_row(free, &candidates[k], force, known)
-                    .row
+                let (carried, known) = (past[k].carried(contacts), known_impact(k));
+                let contact = prediction.contact_row(free, &candidates[k], carried, known);
+                if let Some(known) = elastic.get_mut(k) {
+                    *known = contact.elastic;
+                }
+                contact.row
             });
         }
     }
@@ -152,6 +163,7 @@ impl Assembly<'_> {
             candidates: self.candidates,
             impact: self.impact,
             past: self.past,
+            elastic: self.elastic,
             joints: self.joints,
         }
     }
@@ -202,11 +214,15 @@ impl Assembly<'_> {
         (b != GROUND && b as usize >= spheres).then_some(b as usize)
     }
 
-    /// Spring and damper of candidate `k`, if it gives way by the penalty method or the `stiffness` of its boundary.
-    pub(super) fn elastic(&self, k: usize) -> Option<Elastic> {
-        let candidate = self.candidates.get(k)?;
-        self.prediction
-            .elastic(candidate.key, self.problem.rows.bodies(k))
+    /// How candidate `k` gives way, if it does.
+    pub(super) fn elastic(&self, k: usize) -> Option<&ElasticContact> {
+        self.elastic.get(k)?.as_ref()
+    }
+
+    /// Likewise where a step does not resolve it and no impact is rigid: its gap follows its force.
+    pub(super) fn compressed(&self, k: usize) -> Option<&ElasticContact> {
+        self.elastic(k)
+            .filter(|elastic| !elastic.is_resolved() && self.problem.rows.compliance(k) > 0.0)
     }
 
     /// Whether candidate `k` is a contact with a boundary.

@@ -2,6 +2,7 @@
 
 use super::assemble::Assembly;
 use super::external;
+use super::rows::elastic::ElasticContact;
 use super::rows::joint::JointConstraint;
 use super::solution::Solved;
 use crate::Vec3;
@@ -10,12 +11,19 @@ use crate::problem::{Law, Row, retain};
 use crate::state::State;
 
 impl Assembly<'_> {
-    /// Leaves contacts without friction, for a displacement.
+    /// Leaves contacts without friction, for a displacement. Those that give way may overlap, but not more than they do.
     pub(super) fn displace(&mut self, impulses: &mut Vec<Vec3>) {
         self.problem.rows.truncate(self.candidates.len());
         impulses.truncate(self.candidates.len());
         let frictionless = |_, row: &mut Row| row.law = Law::Contact { mu: 0.0 };
         self.problem.rows.update_all(frictionless);
+        for (k, _) in self.elastic.iter().enumerate().filter(|(_, e)| e.is_some()) {
+            let gap = self.candidates[k].gap.max(0.0) / self.prediction.step;
+            self.problem.rows.update(k, |row| {
+                row.bias = row.normal * gap;
+                (row.compliance_n, row.compliance_t) = (0.0, 0.0);
+            });
+        }
         self.moves = false;
     }
 
@@ -30,8 +38,10 @@ impl Assembly<'_> {
         let closed = (settings.tolerance.gap + settings.opening).max(1e-9);
         let rests = |k: usize| {
             let row = self.problem.rows.get(k);
-            self.candidates[k].gap <= closed * row.radius
-                && row.normal.dot(&row.relative_velocity(&velocity)).abs() <= 1e-3 * creep
+            let at_rest = row.normal.dot(&row.relative_velocity(&velocity)).abs() <= 1e-3 * creep;
+            let pressed = self.elastic(k).is_some_and(ElasticContact::is_resolved)
+                && self.candidates[k].gap < 0.0;
+            pressed || at_rest && self.candidates[k].gap <= closed * row.radius
         };
         let stop_rests = |joint: &JointConstraint, row: &Row| {
             joint.limit.distance <= closed * row.radius
@@ -78,7 +88,7 @@ impl Assembly<'_> {
             ..Configuration::of(scene, kinematics, &self.prediction.poses[0])
         };
         for (k, candidate) in self.candidates.iter().enumerate() {
-            if self.problem.rows.compliance(k) == 0.0 {
+            if self.elastic(k).is_none() {
                 self.problem.rows.update(k, |row| {
                     let linear = step * row.normal.dot(&row.relative_velocity(&velocity));
                     let curved = slid.follow(candidate).gap - candidate.gap - linear;
@@ -90,6 +100,7 @@ impl Assembly<'_> {
         retain(impulses, keep);
         self.problem.rows.retain(keep);
         retain(&mut self.candidates, keep);
+        retain(&mut self.elastic, keep);
         self.impact.truncate(self.candidates.len());
     }
 }

@@ -19,7 +19,7 @@ pub(super) struct Correction {
     pub(super) rebounds: Vec<(usize, f64)>,
 }
 
-/// Gap \[m\] of contact `k` at `end`, without the compression of a contact spring, which is not an overlap.
+/// Gap \[m\] of contact `k` at `end`, without the compression of a contact that gives way, which is not an overlap.
 pub(super) fn true_gap(
     assembly: &Assembly,
     solution: &Solution,
@@ -27,10 +27,12 @@ pub(super) fn true_gap(
     k: usize,
 ) -> f64 {
     let gap = end.gap(&assembly.candidates[k]);
-    let rows = &assembly.problem.rows;
-    match rows.compliance(k) {
-        0.0 => gap,
-        c => gap + solution.impulses[k].dot(&rows.normal(k)) * c * assembly.prediction.step,
+    let (rows, step) = (&assembly.problem.rows, assembly.prediction.step);
+    let along = || solution.impulses[k].dot(&rows.normal(k));
+    match (assembly.compressed(k), rows.compliance(k)) {
+        (Some(elastic), _) => gap + elastic.compression(along() / step),
+        (None, 0.0) => gap,
+        (None, c) => gap + along() * c * step,
     }
 }
 
@@ -62,13 +64,14 @@ impl Correction {
             Some(_) => self.late.iter().map(|found| follow(&end, found)).collect(),
         };
         for k in (0..self.yields.len()).filter(|&k| self.yields[k]) {
-            let gap = true_gap(assembly, solution, &end, k);
-            relinearise(assembly, solution, k, gap);
+            relinearise(assembly, solution, &end, k);
         }
         for &(k, share) in &self.rebounds {
-            let force = assembly.past[k].force(&state.contacts);
+            let carried = assembly.past[k].carried(&state.contacts);
             let (free, found) = (&assembly.problem.free, &assembly.candidates[k]);
-            let newton = prediction.contact_row(free, found, force, Some(true)).row;
+            let newton = prediction
+                .contact_row(free, found, carried, Some(true))
+                .row;
             let now = assembly.problem.rows.bias(k);
             let wanted = share * newton.bias.dot(&newton.normal);
             assembly.problem.rows.shift(k, wanted - now);
@@ -87,8 +90,8 @@ impl Correction {
     }
 }
 
-/// Lets the gap of contact `k` be the true `gap` \[m\] where the solution leads.
-fn relinearise(assembly: &mut Assembly, solution: &Solution, k: usize, gap: f64) {
+/// Lets the gap of contact `k` be the true one at `end`, where the solution leads, and its spring have its tangent there.
+fn relinearise(assembly: &mut Assembly, solution: &Solution, end: &Configuration, k: usize) {
     let (step, settings) = (
         assembly.prediction.step,
         &assembly.prediction.scene.settings,
@@ -96,6 +99,19 @@ fn relinearise(assembly: &mut Assembly, solution: &Solution, k: usize, gap: f64)
     let rows = &assembly.problem.rows;
     let n = rows.normal(k);
     let linear = step * n.dot(&rows.relative(k, |i| solution.velocity[i]));
+    if assembly.compressed(k).is_some()
+        && let Some(elastic) = &mut assembly.elastic[k]
+    {
+        let gap = end.gap(&assembly.candidates[k]);
+        elastic.follow(solution.impulses[k].dot(&n) / step, gap);
+        let [bias, compliance] = elastic.along(gap - linear);
+        assembly.problem.rows.update(k, |row| {
+            row.bias += n * (bias - row.bias.dot(&n));
+            row.compliance_n = compliance;
+        });
+        return;
+    }
+    let gap = true_gap(assembly, solution, end, k);
     let compression = match rows.compliance(k) {
         0.0 => 0.0,
         c => solution.impulses[k].dot(&n) * c * step,
@@ -120,9 +136,9 @@ fn insert(
 ) -> bool {
     let prediction = assembly.prediction;
     let past = history::find(&state.contacts, found.key);
-    let force = past.force(&state.contacts);
-    let contact = prediction.contact_row(&assembly.problem.free, found, force, known_impact);
-    let (mut row, impact) = (contact.row, contact.impact);
+    let past_load = past.carried(&state.contacts);
+    let contact = prediction.contact_row(&assembly.problem.free, found, past_load, known_impact);
+    let (mut row, impact, mut elastic) = (contact.row, contact.impact, contact.elastic);
     let step = prediction.step;
     let linear = step * found.normal.dot(&row.relative_velocity(&solution.velocity));
     let carried = 2.0 * prediction.scene.settings.reserve() * row.radius;
@@ -132,9 +148,8 @@ fn insert(
             ..*found
         };
         let free = &assembly.problem.free;
-        row = prediction
-            .contact_row(free, &start, force, Some(impact))
-            .row;
+        let contact = prediction.contact_row(free, &start, past_load, Some(impact));
+        (row, elastic) = (contact.row, contact.elastic);
     } else {
         let wanted = (found.gap - carried - linear) / step;
         row.bias += row.normal * (wanted - row.bias.dot(&row.normal));
@@ -144,6 +159,9 @@ fn insert(
     assembly.problem.rows.insert(at, row);
     assembly.impact.insert(at, impact);
     assembly.past.insert(at, past);
+    if prediction.gives_way {
+        assembly.elastic.insert(at, elastic);
+    }
     solution.impulses.insert(at, Vec3::zeros());
     assembly
         .problem

@@ -13,6 +13,8 @@ pub struct StepOutput {
     pub max_overlap: f64,
     /// Largest gap over radius at which a contact carries load at the end \[-\].
     pub max_opening: f64,
+    /// Largest compression over radius of a contact that gives way at the end \[-\].
+    pub max_compression: f64,
     /// How near a contact is to the edge of its state \[-\]: `state::StepReport::active_set_closeness`.
     pub active_set_closeness: f64,
     /// Whether the tolerances were not met and the best iterate was taken.
@@ -22,11 +24,12 @@ pub struct StepOutput {
 }
 
 impl StepOutput {
-    pub(super) fn of(solver: Report, (max_overlap, max_opening): (f64, f64)) -> Self {
+    pub(super) fn of(solver: Report, [max_overlap, max_opening, max_compression]: [f64; 3]) -> Self {
         Self {
             solver,
             max_overlap,
             max_opening,
+            max_compression,
             active_set_closeness: solver.residual.active_set_closeness,
             unconverged: false,
             squeezed: None,

@@ -57,7 +57,7 @@ pub(super) struct Prediction<'a> {
     pub(super) mean_acceleration: f64,
     /// Whether velocities before the step tell how it goes on: after a much shorter step they are noise.
     pub(super) steady: bool,
-    /// Whether some contacts give way: by the penalty method, or the `stiffness` of a boundary.
+    /// Whether some contacts give way: by the penalty method, the `stiffness` of a boundary, or materials.
     pub(super) gives_way: bool,
 }
 
@@ -133,7 +133,9 @@ fn surfaces(scene: &Scene, state: &State, commands: &[Command]) -> Vec<Vec3> {
 /// Whether a scene has contacts that give way.
 fn gives_way(scene: &Scene) -> bool {
     let elastic = |boundary: &Boundary| boundary.stiffness.is_some();
-    scene.settings.method == Method::Penalty || scene.boundaries.iter().any(elastic)
+    scene.settings.method == Method::Penalty
+        || scene.pairs.gives_way()
+        || scene.boundaries.iter().any(elastic)
 }
 
 fn motions(scene: &Scene, from: &[Pose], to: &[Pose], dt: f64) -> Vec<BoundaryMotion> {

@@ -133,7 +133,8 @@ impl Passes {
             ..failed(assembly, solution, &self.total)
         })?;
         let gaps = (verdict.max_overlap, verdict.max_opening);
-        let output = StepOutput::of(self.total, gaps);
+        let compression = verdict.max_compression;
+        let output = StepOutput::of(self.total, [gaps.0, gaps.1, compression]);
         let correction = match verdict.correction {
             None if !as_it_is => self.rebounds.limit(assembly, solution),
             correction => correction,

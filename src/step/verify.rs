@@ -14,8 +14,10 @@ use crate::scene::Method;
 
 /// What the true geometry says.
 pub(super) struct Verdict {
-    /// Largest overlap over radius at the end of the step \[-\].
+    /// Largest overlap over radius at the end of the step \[-\], without what contacts that give way are compressed by.
     pub(super) max_overlap: f64,
+    /// Largest compression over radius of a contact that gives way \[-\].
+    pub(super) max_compression: f64,
     /// Largest gap over radius at which a contact carries load at the end of the step \[-\].
     pub(super) max_opening: f64,
     /// What the problem lacks; `None` where it may stay as it is.
@@ -47,7 +49,7 @@ pub(super) fn verify(
     let neighbors = &mut workspace.neighbors;
     neighbors.ensure(&end, &[], 0.0);
     let limit = settings.tolerance.gap;
-    let max_overlap = end.overlaps(neighbors, limit, &assembly.pool, &mut overlapping);
+    let mut max_overlap = end.overlaps(neighbors, limit, &assembly.pool, &mut overlapping);
     // The penalty method lets bodies overlap as they like.
     let alm = settings.method == Method::Alm;
     let swept = alm && assembly.moves && !pass;
@@ -56,6 +58,9 @@ pub(super) fn verify(
         false => None,
     };
     let gaps = Gaps::of(assembly, solution, &end);
+    if alm && !assembly.elastic.is_empty() {
+        max_overlap = rigid_overlap(assembly, &overlapping).max(gaps.overlap);
+    }
     let correction = match late_contact.is_none() && alm && !as_it_is {
         true => correction(assembly, solution, &end, (&gaps, &overlapping)),
         false => None,
@@ -69,6 +74,7 @@ pub(super) fn verify(
         Some(tunnelling) => Err(tunnelling),
         None => Ok(Verdict {
             max_overlap,
+            max_compression: gaps.compression,
             max_opening: gaps.opening,
             correction,
         }),
@@ -79,6 +85,9 @@ pub(super) fn verify(
 struct Gaps {
     /// Largest gap over radius of a contact that carries load and did not rebound \[-\].
     opening: f64,
+    /// Largest overlap and compression over radius of those that give way \[-\].
+    overlap: f64,
+    compression: f64,
     /// Whether a contact overlaps or opens by more than it may.
     off: bool,
 }
@@ -91,7 +100,10 @@ impl Gaps {
         let widest = settings.widest();
         let of = |k: usize| {
             let loaded = solution.loads(k);
-            if !(loaded || assembly.is_with_boundary(k)) || assembly.elastic(k).is_some() {
+            if assembly.elastic(k).is_some() {
+                return Self::of_spring(assembly, solution, end, k);
+            }
+            if !(loaded || assembly.is_with_boundary(k)) {
                 return Self::NONE;
             }
             let gap = true_gap(assembly, solution, end, k) / assembly.problem.rows.radius(k);
@@ -102,6 +114,7 @@ impl Gaps {
             Self {
                 opening,
                 off: gap < -tolerance || opening > widest,
+                ..Self::NONE
             }
         };
         let all = 0..assembly.candidates.len();
@@ -109,17 +122,59 @@ impl Gaps {
         assembly.pool.pieces(all, piece, Self::and)
     }
 
+    /// Of a contact that gives way: its compression is no error, what the force misses it by is one.
+    fn of_spring(
+        assembly: &Assembly,
+        solution: &Solution,
+        end: &Configuration,
+        k: usize,
+    ) -> Self {
+        let radius = assembly.problem.rows.radius(k);
+        let compression = -end.gap(&assembly.candidates[k]) / radius;
+        let error = match assembly.compressed(k) {
+            Some(_) if solution.loads(k) || compression > 0.0 => {
+                true_gap(assembly, solution, end, k) / radius
+            }
+            _ => 0.0,
+        };
+        Self {
+            opening: error.max(0.0),
+            overlap: (-error).max(0.0),
+            compression: compression.max(0.0),
+            off: error.abs() > assembly.prediction.scene.settings.tolerance.gap,
+        }
+    }
+
     const NONE: Self = Self {
         opening: 0.0,
+        overlap: 0.0,
+        compression: 0.0,
         off: false,
     };
 
     fn and(self, other: Self) -> Self {
         Self {
             opening: self.opening.max(other.opening),
+            overlap: self.overlap.max(other.overlap),
+            compression: self.compression.max(other.compression),
             off: self.off || other.off,
         }
     }
+}
+
+/// Largest overlap over radius of the pairs that do not give way.
+fn rigid_overlap(assembly: &Assembly, overlapping: &[Candidate]) -> f64 {
+    let radius = &assembly.prediction.scene.particles.radius;
+    let gives_way = |found: &Candidate| {
+        let at = assembly.candidates.binary_search_by_key(&found.key, |c| c.key);
+        at.is_ok_and(|k| assembly.elastic(k).is_some())
+    };
+    let rigid = overlapping.iter().filter(|found| !gives_way(found));
+    let smaller = |found: &Candidate| {
+        let spheres = found.key.spheres().map(|i| radius[i]);
+        spheres.fold(f64::INFINITY, f64::min)
+    };
+    rigid.map(|found| -found.gap / smaller(found)).fold(0.0, f64::max)
 }
 
 /// Contacts whose linear gaps are off, and those that closed without being candidates; `None` without any.
@@ -132,21 +187,23 @@ fn correction(
     let tolerance = assembly.prediction.scene.settings.tolerance.gap;
     let mut off = gaps.off;
     let mut late = Vec::new();
+    let resolves = |k: usize| assembly.elastic(k).is_some() && assembly.compressed(k).is_none();
     for found in overlapping {
         let known = |candidate: &Candidate| candidate.key;
         match assembly.candidates.binary_search_by_key(&found.key, known) {
-            Ok(k) => off |= !solution.loads(k) && assembly.elastic(k).is_none(),
+            Ok(k) => off |= !solution.loads(k) && !resolves(k),
             Err(_) => late.push(*found),
         }
     }
     if !off && late.is_empty() {
         return None;
     }
-    // A rebound yields only to an overlap; a spring is as it is.
+    // A rebound yields only to an overlap; a spring that the step resolves is as it is.
     let yields = |k: usize| {
         let radius = assembly.problem.rows.radius(k);
         let overlaps = || true_gap(assembly, solution, end, k) < -tolerance * radius;
-        assembly.elastic(k).is_none() && (!assembly.impact[k] || overlaps())
+        assembly.compressed(k).is_some()
+            || assembly.elastic(k).is_none() && (!assembly.impact[k] || overlaps())
     };
     Some(Correction {
         yields: (0..assembly.candidates.len()).map(yields).collect(),

@@ -72,7 +72,7 @@ fn ledger(penalty: bool) {
             "e = {e}: {}",
             work.numerical_work / before
         );
-        let stored = -work.springs;
+        let stored = -work.contacts;
         let balance = run.energy().kinetic() + stored - before + work.impact - work.numerical_work;
         assert!(
             balance.abs() < 1e-9 * before,

@@ -210,7 +210,7 @@ pub(super) const SINK: [Field<f64>; 1] =
     [real("mass", "kg", "Mass removed since the start", |m| *m)];
 
 #[rustfmt::skip]
-pub(super) const WHOLE: [Field<Whole>; 30] = [
+pub(super) const WHOLE: [Field<Whole>; 32] = [
     real("mass", "kg", "Mass of all spheres in the scene", |w| w.totals.mass),
     count("sphereCount", "Number of spheres in the scene", |w| w.totals.spheres),
     vector("momentum", "kg.m/s", "Momentum of the spheres at half-step velocities; it changes by the impulses of averaged wrenches and weight", |w| w.totals.momentum.linear),
@@ -226,9 +226,11 @@ pub(super) const WHOLE: [Field<Whole>; 30] = [
     real("gravityWork", "J", "Potential energy gained since the start because gravity changed with time", |w| w.work.gravity),
     real("loadWork", "J", "Work of point loads and of the loads on driven bodies since the start", |w| w.work.loads),
     real("damperWork", "J", "Work of the dampers of driven bodies since the start", |w| w.work.dampers),
-    real("springWork", "J", "Work of constrained springs, contacts that give way and springs of joints since the start", |w| w.work.springs),
+    real("springWork", "J", "Work of constrained springs and springs of joints since the start", |w| w.work.springs),
+    real("contactWork", "J", "Work of the springs of contacts that give way since the start: what they have stored, with a minus", |w| w.work.contacts),
     count("contactCount", LOADED, |w| w.contacts),
-    number("maxOverlap", "Largest true overlap over radius in the communication step", |w| w.max_overlap),
+    number("maxOverlap", "Largest true overlap over radius in the communication step, beyond what contacts that give way are compressed by", |w| w.max_overlap),
+    number("maxCompression", "Largest overlap over radius of a contact that gives way in the communication step: no error", |w| w.report.max_compression),
     number("maxOpening", "Largest gap over radius at which a contact carried load in the communication step, impacts left out", |w| w.report.max_opening),
     count("solver.internalSteps", "Internal steps of the communication step", |w| w.report.internal_steps),
     count("solver.cuts", "Halvings of internal steps in the communication step", |w| w.report.cuts),

@@ -244,6 +244,16 @@ pub struct Material {
     /// times the normal force.
     #[schemars(extend("minimum" = 0))]
     pub twisting_friction: Option<f64>,
+    /// Young's modulus \[Pa\]: contacts give way as elastic spheres do, by Hertz and Mindlin, and keep the `restitution`. A material
+    /// without it is rigid.
+    #[schemars(extend("exclusiveMinimum" = 0, "x-default" = "rigid"))]
+    pub young: Option<f64>,
+    /// Poisson's ratio \[-\] beside `young`.
+    #[schemars(extend("minimum" = 0, "maximum" = 0.5, "x-default" = "`0.25`"))]
+    pub poisson: Option<f64>,
+    /// Contact stiffness \[N/m\]: contacts give way as a spring that keeps the `restitution`; across the normal 2/5 of it.
+    #[schemars(extend("exclusiveMinimum" = 0, "x-default" = "rigid"))]
+    pub stiffness: Option<f64>,
 }
 
 /// `[pair_default]`: how materials touch unless a `[[pair]]` or their own `[[material]]`s say otherwise.
@@ -267,6 +277,9 @@ pub struct PairDefault {
     /// times the normal force.
     #[schemars(extend("x-default" = "`0`", "minimum" = 0))]
     pub twisting_friction: Option<f64>,
+    /// Contact stiffness \[N/m\]: contacts give way as a spring that keeps the `restitution`; across the normal 2/5 of it.
+    #[schemars(extend("exclusiveMinimum" = 0, "x-default" = "rigid"))]
+    pub stiffness: Option<f64>,
 }
 
 /// `[[pair]]`: how two materials touch; what is left out is taken from their `[[material]]`s, then from `[pair_default]`.
@@ -293,6 +306,9 @@ pub struct Pair {
     /// times the normal force.
     #[schemars(extend("minimum" = 0))]
     pub twisting_friction: Option<f64>,
+    /// Contact stiffness \[N/m\]: contacts give way as a spring that keeps the `restitution`; across the normal 2/5 of it.
+    #[schemars(extend("exclusiveMinimum" = 0, "x-default" = "what the materials and `[pair_default]` say"))]
+    pub stiffness: Option<f64>,
 }
 
 /// `[[load]]`: a force on a sphere at a point that moves with it.

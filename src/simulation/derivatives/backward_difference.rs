@@ -151,5 +151,6 @@ fn grown(now: &EnergyLedger, then: &EnergyLedger, share: f64) -> EnergyLedger {
         loads: grow(|w| w.loads),
         dampers: grow(|w| w.dampers),
         springs: grow(|w| w.springs),
+        contacts: grow(|w| w.contacts),
     }
 }

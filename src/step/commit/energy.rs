@@ -3,11 +3,13 @@
 use std::ops::Range;
 
 use crate::Vec3;
+use crate::contact::forces::ContactForces;
+use crate::detection::configuration::Configuration;
 use crate::integrator::Integrator;
 use crate::problem::Law;
 use crate::spatial::{Pose, SpatialVector};
 use crate::state::{BodyState, EnergyLedger, State};
-use crate::step::rows::elastic::Elastic;
+use crate::step::rows::elastic::ElasticContact;
 use crate::step::solution::Solved;
 
 impl Solved<'_> {
@@ -17,7 +19,8 @@ impl Solved<'_> {
     pub(super) fn work(&self, state: &mut State) {
         let (scene, step) = (self.prediction().scene, self.prediction().step);
         let all = 0..self.solution.impulses.len();
-        let of = |_, rows| self.work_of(rows);
+        let end = self.end();
+        let of = |_, rows| self.work_of(rows, end.as_ref(), &state.contacts);
         state.work = state.work + self.assembly.pool.pieces(all, of, |a, b| a + b);
         for load in &scene.loads {
             let arm = self.prediction().kinematics.orientation[load.sphere] * load.arm;
@@ -25,19 +28,40 @@ impl Solved<'_> {
         }
     }
 
-    /// What the contacts and springs `range` of the rows do.
-    fn work_of(&self, range: Range<usize>) -> EnergyLedger {
+    /// Where the spheres and the boundaries end, if some contacts give way.
+    fn end(&self) -> Option<(Vec<Vec3>, Vec<Pose>)> {
+        let (prediction, velocity) = (self.prediction(), &self.solution.velocity);
+        prediction.gives_way.then(|| {
+            let mut position = Vec::new();
+            prediction.end_positions(velocity, &mut position);
+            (position, prediction.end_poses(velocity))
+        })
+    }
+
+    /// What the contacts and springs `range` of the rows do; `end` as [`Self::end`], `contacts` are those before.
+    fn work_of(
+        &self,
+        range: Range<usize>,
+        end: Option<&(Vec<Vec3>, Vec<Pose>)>,
+        contacts: &ContactForces,
+    ) -> EnergyLedger {
         let mut work = EnergyLedger::default();
         // Work on the spheres that is accounted for.
         let mut known = 0.0;
         let rows = &self.assembly.problem.rows;
         for k in range {
             let p = &self.solution.impulses[k];
-            if let Some(elastic) = self.assembly.elastic(k) {
-                let [spring, lost] = self.work_of_spring(k, &elastic);
-                work.springs += spring;
+            // What the shear spring gives back.
+            let mut returned = 0.0;
+            if let (Some(elastic), Some(end)) = (self.assembly.elastic(k), end) {
+                let [spring, lost] = self.work_of_spring(k, elastic, end);
+                returned = self.assembly.past[k].carried(contacts).stored - self.stored_in_shear(k);
+                work.contacts += spring + returned;
                 work.impact += lost;
                 known += spring - lost;
+                if *p == Vec3::zeros() {
+                    work.friction += returned;
+                }
             }
             if *p == Vec3::zeros() || self.assembly.joint(k).is_some() {
                 continue;
@@ -64,7 +88,7 @@ impl Solved<'_> {
             // A couple of resistance is friction as a whole.
             let p_n = if couple { 0.0 } else { p.dot(&n) };
             let friction = -(p - n * p_n).dot(&u);
-            work.friction += friction;
+            work.friction += friction + returned;
             known -= friction;
             if impact && rows.compliance(k) == 0.0 {
                 let loss = -p_n * u.dot(&n);
@@ -86,19 +110,32 @@ impl Solved<'_> {
         work
     }
 
-    /// Work of the spring of a contact and what its damper loses \[J\]. A contact that a step does not press any more loses what
-    /// its spring still holds.
-    fn work_of_spring(&self, k: usize, elastic: &Elastic) -> [f64; 2] {
-        let (rows, step) = (&self.assembly.problem.rows, self.prediction().step);
-        let gap = self.assembly.candidates[k].gap;
-        let u = rows
-            .relative(k, |i| self.solution.velocity[i])
-            .dot(&rows.normal(k));
-        let spring = elastic.energy(gap) - elastic.energy(gap + step * u);
+    /// Work of the normal spring of a contact and what its damper loses \[J\]. A contact that a step does not press any more loses
+    /// what its spring still holds.
+    fn work_of_spring(
+        &self,
+        k: usize,
+        elastic: &ElasticContact,
+        (position, poses): &(Vec<Vec3>, Vec<Pose>),
+    ) -> [f64; 2] {
+        let (assembly, rows) = (self.assembly, &self.assembly.problem.rows);
+        let candidate = &assembly.candidates[k];
+        let end = Configuration {
+            position,
+            poses,
+            ..assembly.start()
+        };
+        let spring = elastic.energy(candidate.gap) - elastic.energy(end.gap(candidate));
         let lost = match (self.solution.loads(k), rows.compliance(k) == 0.0) {
             (false, _) => spring,
             (true, true) => 0.0,
-            (true, false) => step * elastic.damping * u * u,
+            (true, false) => {
+                let speed = |velocity: &dyn Fn(usize) -> SpatialVector| {
+                    rows.relative(k, velocity).dot(&rows.normal(k))
+                };
+                let before = speed(&|i| self.prediction().velocity(i));
+                elastic.damped([before, speed(&|i| self.solution.velocity[i])])
+            }
         };
         [spring, lost]
     }

@@ -3,9 +3,10 @@
 use std::iter::repeat;
 
 use crate::Vec3;
-use crate::contact::forces::ContactForces;
+use crate::contact::forces::{Beside, ContactForces};
 use crate::contact::{ContactForce, Partner};
 use crate::problem::Law;
+use crate::problem::law::split;
 use crate::spatial::{Pose, SpatialVector, Wrench};
 use crate::state::{BodyState, State};
 use crate::step::rows::joint::JointConstraint;
@@ -21,11 +22,12 @@ impl Solved<'_> {
         state.wrenches = vec![Wrench::default(); state.poses.len()];
         state.smooth_wrenches.clone_from(&state.wrenches);
         let couples = self.couples();
+        let gives_way = self.prediction().gives_way;
         for (k, candidate) in self.assembly.candidates.iter().enumerate() {
             let key = candidate.key;
-            while let Some((load, couple)) = sleeping.get(asleep).filter(|(load, _)| load.key < key)
+            while let Some((load, beside)) = sleeping.get(asleep).filter(|(load, _)| load.key < key)
             {
-                self.carry(state, *load, *couple, true);
+                self.carry(state, *load, *beside, true);
                 asleep += 1;
             }
             let same = sleeping
@@ -35,36 +37,46 @@ impl Solved<'_> {
             if self.solution.loads(k) {
                 let (normal, force) = (candidate.normal, self.solution.impulses[k] / step);
                 let load = ContactForce { key, normal, force };
-                self.carry(
-                    state,
-                    load,
-                    couples.get(k).copied(),
-                    !self.assembly.impact[k],
-                );
+                let beside = Beside {
+                    torque: couples.get(k).copied(),
+                    stored: gives_way.then(|| self.stored_in_shear(k)),
+                };
+                self.carry(state, load, beside, !self.assembly.impact[k]);
             }
         }
-        for (load, couple) in &sleeping[asleep..] {
-            self.carry(state, *load, *couple, true);
+        for (load, beside) in &sleeping[asleep..] {
+            self.carry(state, *load, *beside, true);
         }
     }
 
-    /// The contacts of spheres that sleep, with their couples.
-    fn sleeping(&self, contacts: &ContactForces) -> Vec<(ContactForce, Option<Vec3>)> {
+    /// Energy \[J\] that the shear spring of contact `k` has stored at the end of the step.
+    pub(super) fn stored_in_shear(&self, k: usize) -> f64 {
+        let general = self.assembly.problem.rows.general(k);
+        match (self.assembly.elastic(k), general) {
+            (Some(elastic), Some(row)) if row.compliance_t > 0.0 => {
+                let force = self.solution.impulses[k] / self.prediction().step;
+                elastic.shear_energy(split(force, row.normal).1)
+            }
+            _ => 0.0,
+        }
+    }
+
+    /// The contacts of spheres that sleep, with what goes with them.
+    fn sleeping(&self, contacts: &ContactForces) -> Vec<(ContactForce, Beside)> {
         let prediction = self.prediction();
         if prediction.asleep.is_empty() {
             return Vec::new();
         }
-        let resists = prediction.scene.pairs.resists();
         let loads = contacts.iter().enumerate();
         let sleeping = loads.filter(|(_, load)| prediction.sleeps(load.key));
         sleeping
-            .map(|(k, load)| (*load, resists.then(|| contacts.torque(k))))
+            .map(|(k, load)| (*load, contacts.beside(k)))
             .collect()
     }
 
     /// Adds a contact and what it does to a boundary.
-    fn carry(&self, state: &mut State, load: ContactForce, couple: Option<Vec3>, smooth: bool) {
-        state.contacts.push(load, couple);
+    fn carry(&self, state: &mut State, load: ContactForce, beside: Beside, smooth: bool) {
+        state.contacts.push(load, beside);
         let Partner::Boundary { boundary, .. } = load.key.partner else {
             return;
         };
@@ -76,7 +88,7 @@ impl Solved<'_> {
         let pivot = boundary.point_of_action + pose.translation;
         let wrench = Wrench {
             force: -load.force,
-            torque: -(point - pivot).cross(&load.force) - couple.unwrap_or_default(),
+            torque: -(point - pivot).cross(&load.force) - beside.torque.unwrap_or_default(),
         };
         state.wrenches[b].add(&wrench, 1.0);
         if smooth {

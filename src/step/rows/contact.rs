@@ -3,18 +3,19 @@
 use nalgebra::UnitQuaternion;
 
 use crate::Vec3;
-use crate::contact::{ContactId, Partner};
+use crate::contact::Partner;
+use crate::contact::history::Carried;
 use crate::detection::configuration::Candidate;
 use crate::integrator::Integrator;
-use crate::problem::law::{SHEAR_RATIO, split};
+use crate::problem::law::split;
 use crate::problem::{GROUND, Law, Row};
-use crate::scene::Method;
-use crate::scene::materials::Pair;
 use crate::spatial::SpatialVector;
 use crate::step::prediction::Prediction;
-use crate::step::rows::elastic::Elastic;
+use crate::step::rows::elastic::{Before, ElasticContact, Terms};
 use crate::step::sphere_motion::SphereMotion;
 
+/// Share of the tolerated overlap that is the least at which a spring has its tangent \[-\].
+const UNSEEN: f64 = 1e-3;
 /// Rounding of a velocity that several impulses have changed, over its size \[-\].
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
@@ -24,6 +25,8 @@ pub(crate) struct ContactRow {
     pub(crate) impact: bool,
     /// Whether it is rigid and of spheres on each other or on ground at rest.
     pub(crate) is_of_spheres: bool,
+    /// How it gives way, if it does; an impact that the step does not resolve is rigid all the same.
+    pub(crate) elastic: Option<ElasticContact>,
 }
 
 /// How the bodies of a contact meet.
@@ -31,8 +34,11 @@ struct ContactKinematics {
     b: u32,
     arm_b: Vec3,
     prescribed_velocity: Vec3,
-    /// Smaller radius of the pair.
+    /// Velocity of a belt \[m/s\], with a minus.
+    belt: Vec3,
+    /// Smaller radius of the pair, and `1/(1/R_A + 1/R_B)`.
     radius: f64,
+    reduced_radius: f64,
     /// What turning of the normal until the middle of the step adds to the velocity across it.
     rolling: Vec3,
     /// Velocity of A's surface against B's before the step.
@@ -44,9 +50,10 @@ struct ContactKinematics {
     /// Largest acceleration that acts: gravity, loads, of the surface.
     acceleration: f64,
     lightest: f64,
+    /// `1/(1/m_A + 1/m_B)` \[kg\].
+    reduced_mass: f64,
     /// Square of the larger speed.
     speed: f64,
-    stiffness: Option<f64>,
 }
 
 impl Prediction<'_> {
@@ -83,16 +90,16 @@ impl Prediction<'_> {
     }
 
     /// The row of a candidate: an impact as `known_impact`, or as it finds. `free` are the velocities without contacts;
-    /// `force` \[N\] is the contact's last one.
+    /// `carried` is what the contact did in the last step.
     #[inline(always)]
     pub(crate) fn contact_row(
         &self,
         free: &[SpatialVector],
         candidate: &Candidate,
-        force: Vec3,
+        carried: Carried,
         known_impact: Option<bool>,
     ) -> ContactRow {
-        let n = candidate.normal;
+        let (n, force) = (candidate.normal, carried.force);
         let a = candidate.key.sphere as usize;
         let own = &self.spheres[a];
         let contact = match candidate.key.partner {
@@ -108,15 +115,23 @@ impl Prediction<'_> {
             true => 0.0,
             false => split(contact.centres, n).1.norm_squared() * candidate.curvature,
         };
-        let carried = self
-            .scene
-            .settings
-            .carried(candidate.gap, contact.radius, self.step);
-        let excess = candidate.gap - carried;
-        let bodies = (a, contact.b);
-        let elastic = self.elastic_of(candidate.key, bodies, &pair, contact.stiffness);
+        let impulse_scale = self.impulse_scale(&contact, turning);
+        let before = || Before {
+            gap: candidate.gap,
+            velocity: split(contact.before + contact.belt, n),
+            force: carried.along_and_across(n),
+            stored: carried.stored,
+        };
+        let elastic = self.elastic(candidate, &contact, (&before, impulse_scale));
+        let excess = match elastic {
+            Some(_) => candidate.gap,
+            None => {
+                let settings = &self.scene.settings;
+                candidate.gap - settings.carried(candidate.gap, contact.radius, self.step)
+            }
+        };
         let impact = known_impact.unwrap_or_else(|| {
-            if elastic.is_some_and(|elastic| elastic.resolved) {
+            if elastic.is_some_and(|elastic| elastic.is_resolved()) {
                 return false;
             }
             let freely = || n.dot(&(free[a].linear - contact.partner));
@@ -126,19 +141,20 @@ impl Prediction<'_> {
         let rebound = (impact && pair.restitution > 0.0).then_some(pair.restitution * approach);
         // The impact of a contact that the step does not resolve is rigid.
         let rigid = impact && self.scene.settings.integrator == Integrator::Moreau;
-        let elastic = elastic.filter(|_| !rigid);
+        let acting = elastic.filter(|_| !rigid);
         // As the motion before the step goes on, two spheres that touch part by more than their linear gap. A little
         // is no matter: what rests is not to follow its own noise.
         let parting = 0.5 * self.step * self.step * turning;
         let bend = match candidate.key.partner {
-            Partner::Sphere { .. } if self.steady && !impact && elastic.is_none() => {
+            Partner::Sphere { .. } if self.steady && !impact && acting.is_none() => {
                 let settings = &self.scene.settings;
                 let little = settings.reserve().max(settings.tolerance.gap);
                 (parting - little * contact.radius).max(0.0)
             }
             _ => 0.0,
         };
-        let (mut bias, compliance) = self.bias(elastic, n, (excess + bend, rebound), force);
+        let terms = acting.map(|elastic| elastic.terms(&before()));
+        let (mut bias, compliance) = self.bias(terms, n, (excess + bend, rebound));
         if !impact {
             bias += contact.rolling;
         }
@@ -154,15 +170,15 @@ impl Prediction<'_> {
             compliance_t: compliance[1],
             law: Law::Contact { mu: pair.friction },
             radius: contact.radius,
-            impulse_scale: self.impulse_scale(&contact, turning),
+            impulse_scale,
         };
         let sphere = contact.b == GROUND || (contact.b as usize) < self.kinematics.len();
         let at_rest = row.prescribed_velocity == Vec3::zeros() && contact.rolling == Vec3::zeros();
-        let is_of_spheres = sphere && at_rest && compliance == [0.0; 2];
         ContactRow {
             row,
             impact,
-            is_of_spheres,
+            is_of_spheres: sphere && at_rest && elastic.is_none(),
+            elastic,
         }
     }
 
@@ -178,77 +194,45 @@ impl Prediction<'_> {
         threshold.max(2.0 * self.step * acting.max(turning))
     }
 
-    /// Spring and damper of a contact, if it has them: by the penalty method, or the `stiffness` of a boundary.
+    /// How a contact gives way, if it does. `before` is what it was, and forces times the step \[N s\] of the size of `impulse_scale` are to be expected.
     #[inline]
-    pub(crate) fn elastic(&self, key: ContactId, [a, b]: [u32; 2]) -> Option<Elastic> {
+    fn elastic(
+        &self,
+        candidate: &Candidate,
+        contact: &ContactKinematics,
+        (before, impulse_scale): (&impl Fn() -> Before, f64),
+    ) -> Option<ElasticContact> {
         if !self.gives_way {
             return None;
         }
-        let stiffness = match key.partner {
-            Partner::Sphere { .. } => None,
-            Partner::Boundary { boundary, .. } => {
-                self.scene.boundaries[usize::from(boundary)].stiffness
-            }
-        };
-        self.elastic_of(key, (a as usize, b), &self.pair(key), stiffness)
-    }
-
-    #[inline]
-    fn elastic_of(
-        &self,
-        key: ContactId,
-        (a, b): (usize, u32),
-        pair: &Pair,
-        stiffness: Option<f64>,
-    ) -> Option<Elastic> {
         let settings = &self.scene.settings;
-        let penalty = match settings.method {
-            Method::Penalty => settings.penalty,
-            Method::Alm => None,
-        };
-        let stiffness = penalty.or(stiffness)?;
-        let own = self.spheres[a].mass;
-        let mass = match key.partner {
-            Partner::Sphere { index, .. } => {
-                let other = self.spheres[index as usize].mass;
-                own * other / (own + other)
-            }
-            Partner::Boundary { .. } if b == GROUND => own,
-            Partner::Boundary { .. } => {
-                let body = self.bodies[b as usize - self.kinematics.len()].mass();
-                own * body / (own + body)
-            }
-        };
-        let step = (mass, self.step, settings.integrator);
-        Some(Elastic::new(stiffness, pair.restitution, step))
+        let elasticity = self.scene.elasticity(candidate.key)?;
+        let spring = elasticity.spring(contact.reduced_radius);
+        let [a, b] = self.scene.touching(candidate.key);
+        let body = (contact.reduced_mass, self.scene.pairs.damping(a, b));
+        // Where nothing acts, as much as an overlap that nobody sees.
+        let least = spring.force(UNSEEN * settings.tolerance.gap * contact.radius);
+        let load = least.max(impulse_scale / self.step);
+        let resolves = settings.integrator == Integrator::Moreau;
+        let step = (self.step, resolves, load);
+        Some(ElasticContact::new(spring, body, &before(), step))
     }
 
-    /// Bias \[m/s\] and compliances of a contact whose gap exceeds what it carries by `excess` \[m\], or that parts with the
-    /// speed `-rebound` \[m/s\].
+    /// Bias \[m/s\] and compliances of a contact: its spring's, or rigid with a gap that exceeds what it carries by `excess` \[m\],
+    /// or parting with the speed `-rebound` \[m/s\].
     #[inline]
     fn bias(
         &self,
-        elastic: Option<Elastic>,
+        spring: Option<Terms>,
         n: Vec3,
         (excess, rebound): (f64, Option<f64>),
-        force: Vec3,
     ) -> (Vec3, [f64; 2]) {
-        let settings = &self.scene.settings;
-        let dt2 = self.step * self.step;
-        let gap_bias = excess / self.step;
-        let rebound = rebound.filter(|_| settings.integrator == Integrator::Moreau);
-        match (elastic, rebound) {
+        let rebound = rebound.filter(|_| self.scene.settings.integrator == Integrator::Moreau);
+        match (spring, rebound) {
             (_, Some(rebound)) => (n * rebound, [0.0; 2]),
-            (None, None) => (n * gap_bias, [0.0; 2]),
-            (Some(elastic), None) => {
-                let along = elastic.weight / (elastic.stiffness * dt2);
-                let across = match settings.method {
-                    Method::Penalty => 1.0 / (SHEAR_RATIO * elastic.stiffness * dt2),
-                    Method::Alm => 0.0,
-                };
-                // The shear spring keeps the stretch that carried the last force.
-                let stretch = split(force * self.step, n).1 * across;
-                (n * (gap_bias * elastic.weight) - stretch, [along, across])
+            (None, None) => (n * (excess / self.step), [0.0; 2]),
+            (Some(Terms { along, across }), None) => {
+                (n * along[0] + across.0, [along[1], across.1])
             }
         }
     }
@@ -286,15 +270,17 @@ impl Prediction<'_> {
             b: index,
             arm_b: n * other.radius,
             prescribed_velocity: Vec3::zeros(),
+            belt: Vec3::zeros(),
             rolling: Vec3::zeros(),
             radius: own.radius.min(other.radius),
+            reduced_radius: own.radius * other.radius / (own.radius + other.radius),
             before: own.velocity - other.velocity - (own.rolling + other.rolling).cross(&n),
             centres: own.velocity - other.velocity,
             partner: free[index as usize].linear,
             acceleration: self.gravity_size.max(pull.sqrt()),
             lightest: own.mass.min(other.mass),
+            reduced_mass: own.mass * other.mass / (own.mass + other.mass),
             speed: own.speed().max(other.speed()),
-            stiffness: None,
         }
     }
 
@@ -312,20 +298,23 @@ impl Prediction<'_> {
         let (surface, pose) = (&self.scene.boundaries[boundary], &self.poses[0][boundary]);
         let centre = surface.copy_near(&self.scene.cell, pose, self.kinematics.position[a]);
         let point = centre - n * own.radius;
+        // A belt slides along the shape: it takes no part in the approach.
+        let belt = -split(self.surfaces[boundary], n).1;
         let mut contact = ContactKinematics {
             b: GROUND,
             arm_b: Vec3::zeros(),
-            // A belt slides along the shape: it takes no part in the approach.
-            prescribed_velocity: -split(self.surfaces[boundary], n).1,
+            prescribed_velocity: belt,
+            belt,
             rolling: Vec3::zeros(),
             radius: own.radius,
+            reduced_radius: own.radius,
             before: own.velocity - own.rolling.cross(&n),
             centres: own.velocity,
             partner: Vec3::zeros(),
             acceleration: self.gravity_size,
             lightest: own.mass,
+            reduced_mass: own.mass,
             speed: own.speed(),
-            stiffness: surface.stiffness,
         };
         let acceleration = if let Some((rank, body)) = self.body(boundary) {
             let (rank, arm) = (self.kinematics.len() + rank, point - body.reference);
@@ -334,6 +323,7 @@ impl Prediction<'_> {
             contact.before -= body.velocity.at(arm);
             contact.centres -= body.velocity.at(arm);
             contact.lightest = contact.lightest.min(body.mass());
+            contact.reduced_mass = own.mass * body.mass() / (own.mass + body.mass());
             contact.partner = free[rank].at(arm);
             body.acceleration_at(arm).norm()
         } else {

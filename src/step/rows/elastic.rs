@@ -1,122 +1,241 @@
-//! Contacts that give way: a spring and a damper side by side that cannot pull,
+//! Contacts that give way, as rows of a step: the spring and damper of [`crate::contact::elasticity`], which cannot pull.
+//!
+//! A step that resolves a contact, `k dt^2 <= 0.04 m` at the overlap that its energy will reach, takes the spring where it is at the
+//! start of the step, which is the middle of the staggered velocities `u-` before and `u1` after, and the damper at their mean, but
+//! for one so strong that it would turn the motion round in the step:
 //!
 //! ```text
-//! F = -k g - d g' >= 0,   p = -dt (k g + (theta k dt + d) u1)
+//! p_n = dt (F(d) - D (a u- + (1 - a) u1) - b k dt (u1 - u-)) >= 0,    a = 1/2 min(1, m/(D dt)),   b = 1/12
+//! p_t = dt (F_t - k_t dt u-_t - D_t (a u- + (1 - a) u1)_t - b k_t dt (u1 - u-)_t)
 //! ```
 //!
-//! as a row of bias `w g/dt` and compliance `w/(k dt^2)`, `w = k dt/(theta k dt + d)`. A free sphere of reduced mass `m` that such
-//! a contact throws back has, with `z = d/(2 sqrt(k m))`,
+//! `F_t` is the shear force of the last step, cut where the contact has become less stiff; the share `b` of the acceleration makes
+//! the period of a spring right to fourth order (Newmark 1959, Fox and Goodwin). All of it is of second order.
+//!
+//! In a longer step an impact is that of a rigid contact, by Newton's law, and what persists is a spring alone as it is after the
+//! step, which is stable at any step:
 //!
 //! ```text
-//! e = exp(-2 z/s atan(s/z)), s = sqrt(1 - z^2)    and for z > 1    e = exp(-2 z/s artanh(s/z)), s = sqrt(z^2 - 1)
+//! p_n = dt F(-g - dt u1),    p_t = dt (F_t - k_t dt u1_t)
 //! ```
 //!
-//! of its speed (Schwager and Poeschel, Granular Matter 9, 2007): the damper follows from the coefficient of restitution. A
-//! step that resolves the contact, `k dt^2 <= 0.1 m`, takes the spring nearly as it is before it (`theta` = 0.02), which keeps the
-//! energy to second order. In a longer one an impact is that of a rigid contact, by Newton's law, and what persists is a spring
-//! alone, as it is after the step (`theta` = 1), which is stable at any step. So is every contact with the integrator of Shi,
-//! which has no restitution.
+//! with the tangent of `F` at a known overlap in the row; the step's passes bring that where the solution is (Newton's method).
+//! So is every contact with the integrator of Shi, which has no restitution.
 
-use crate::integrator::Integrator;
+use crate::Vec3;
+use crate::contact::elasticity::ContactSpring;
 
-/// Largest `k dt^2/m` of a step that resolves a contact: 10 steps from touching to parting.
-const RESOLVED: f64 = 0.1;
-/// `theta` of a step that resolves it.
-const AHEAD: f64 = 0.02;
-/// Damping ratio of the least coefficient of restitution, 0.01.
-const STIFFEST: f64 = 5.0;
+/// Largest `k dt^2/m` of a step that resolves a contact: 16 steps from touching to parting.
+const RESOLVED: f64 = 0.04;
+/// Share `b` of the acceleration.
+const AHEAD: f64 = 1.0 / 12.0;
+/// Reduced mass of a pair of spheres across the normal over that along it.
+const ACROSS: f64 = 2.0 / 7.0;
 
-/// Spring and damper of a contact in a step.
+/// A contact that gives way, in a step.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Elastic {
-    /// `k` \[N/m\].
-    pub(crate) stiffness: f64,
-    /// `d` \[N s/m\].
-    pub(crate) damping: f64,
-    /// `w`.
-    pub(super) weight: f64,
-    /// Whether the step resolves the contact.
-    pub(super) resolved: bool,
+pub(crate) struct ElasticContact {
+    spring: ContactSpring,
+    dt: f64,
+    /// Overlap \[m\] at the start of the step, or where the row has its tangent.
+    overlap: f64,
+    /// Shear stiffness \[N/m\]; infinite: rigid.
+    shear: f64,
+    /// What resolves it, if the step does.
+    resolved: Option<Resolved>,
 }
 
-impl Elastic {
-    /// Of a contact between bodies of the reduced mass `mass` \[kg\], in a step of `dt` \[s\].
+/// A contact that the step resolves.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Resolved {
+    /// `D a` and `D (1 - a)` \[N s/m\], along and across the normal.
+    damping: [[f64; 2]; 2],
+    /// Stiffnesses \[N/m\] where the energy leads, along and across the normal.
+    reached: [f64; 2],
+}
+
+/// What a contact was and how it moves before the step.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Before {
+    /// Gap \[m\].
+    pub(super) gap: f64,
+    /// Relative velocity of the surfaces along the normal \[m/s\], negative where they approach, and across it.
+    pub(super) velocity: (f64, Vec3),
+    /// Force of the last step along the normal \[N\], and across it.
+    pub(super) force: (f64, Vec3),
+    /// Energy \[J\] that its shear spring has stored.
+    pub(super) stored: f64,
+}
+
+/// Bias \[m/s\] and compliance \[m/(s N s)\] of a row, along and across the normal.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Terms {
+    pub(super) along: [f64; 2],
+    pub(super) across: (Vec3, f64),
+}
+
+impl ElasticContact {
+    /// Of a pair of the reduced mass `mass` \[kg\] and the given damping ratio; a normal force \[N\] of the size of `load` is to be
+    /// expected. `resolves`: whether the integrator takes springs where they are.
     pub(super) fn new(
-        stiffness: f64,
-        restitution: f64,
-        (mass, dt, integrator): (f64, f64, Integrator),
+        spring: ContactSpring,
+        (mass, ratio): (f64, f64),
+        before: &Before,
+        (dt, resolves, load): (f64, bool, f64),
     ) -> Self {
-        let resolved = integrator == Integrator::Moreau && stiffness * dt * dt <= RESOLVED * mass;
-        let damping = match resolved {
-            true => 2.0 * damping_ratio(restitution) * (stiffness * mass).sqrt(),
-            false => 0.0,
+        let overlap = (-before.gap).max(0.0);
+        let speed = before.velocity.0;
+        let reached = spring.reach(0.5 * mass * speed * speed + spring.energy(overlap));
+        let stiffness = spring.slope(reached);
+        let resolved = (resolves && stiffness * dt * dt <= RESOLVED * mass).then(|| Resolved {
+            damping: match before.gap < 0.0 {
+                true => {
+                    let across = ACROSS * mass;
+                    let stiffness = finite(spring.shear(overlap));
+                    let along = shares(spring.damping(ratio, mass, overlap), mass, dt);
+                    [along, shares(2.0 * ratio * (across * stiffness).sqrt(), across, dt)]
+                }
+                false => [[0.0; 2]; 2],
+            },
+            reached: [stiffness, spring.shear(reached)],
+        });
+        let overlap = match resolved {
+            Some(_) => overlap,
+            None => spring.overlap(before.force.0.max(load)),
         };
-        let theta = if resolved { AHEAD } else { 1.0 };
-        let spring = stiffness * dt;
         Self {
-            stiffness,
-            damping,
-            weight: spring / (theta * spring + damping),
+            spring,
+            dt,
+            overlap,
+            shear: spring.shear(overlap),
             resolved,
         }
     }
 
-    /// Energy stored at a gap \[J\].
+    /// Whether the step resolves it.
+    pub(crate) fn is_resolved(&self) -> bool {
+        self.resolved.is_some()
+    }
+
+    /// Energy \[J\] stored along the normal at a gap \[m\].
     pub(crate) fn energy(&self, gap: f64) -> f64 {
-        0.5 * self.stiffness * gap.min(0.0).powi(2)
+        self.spring.energy((-gap).max(0.0))
     }
-}
 
-/// The coefficient of restitution of a damping ratio.
-fn restitution(ratio: f64) -> f64 {
-    let s = (1.0 - ratio * ratio).abs().sqrt();
-    let turn = match ratio.partial_cmp(&1.0) {
-        Some(std::cmp::Ordering::Less) => libm::atan2(s, ratio) / s,
-        Some(std::cmp::Ordering::Greater) => libm::atanh(s / ratio) / s,
-        _ => 1.0,
-    };
-    libm::exp(-2.0 * ratio * turn)
-}
-
-/// The damping ratio of a coefficient of restitution.
-fn damping_ratio(e: f64) -> f64 {
-    if e >= 1.0 {
-        return 0.0;
-    }
-    let [mut low, mut high] = [0.0, STIFFEST];
-    for _ in 0..50 {
-        let middle = 0.5 * (low + high);
-        match restitution(middle) > e {
-            true => low = middle,
-            false => high = middle,
+    /// Energy \[J\] stored by a shear force \[N\].
+    pub(crate) fn shear_energy(&self, force: Vec3) -> f64 {
+        if self.shear > 0.0 {
+            0.5 * force.norm_squared() / self.shear
+        } else {
+            0.0
         }
     }
-    high
-}
 
-#[cfg(test)]
-mod tests {
-    use super::*;
+    /// Energy \[J\] that its dampers take in a step that begins and ends with these relative velocities along the normal \[m/s\].
+    pub(crate) fn damped(&self, [before, after]: [f64; 2]) -> f64 {
+        let taken = |resolved: &Resolved| {
+            let [early, late] = resolved.damping[0];
+            self.dt * (early * before + late * after) * after
+        };
+        self.resolved.as_ref().map_or(0.0, taken)
+    }
 
-    /// The contact integrated in tiny explicit steps parts with `e`.
-    #[test]
-    fn the_damper_gives_the_coefficient_of_restitution() {
-        for e in [0.02, 0.1, (-2.0_f64).exp(), 0.3, 0.6, 0.9, 1.0] {
-            let z = damping_ratio(e);
-            let (dt, mut x, mut v) = (1e-5, 0.0_f64, -1.0_f64);
-            loop {
-                let force = -x - 2.0 * z * v;
-                if force < 0.0 && x < 0.0 {
-                    break;
-                }
-                v += force.max(0.0) * dt;
-                x += v * dt;
-                if x >= 0.0 {
-                    break;
-                }
+    /// Overlap \[m\] that the spring has under a normal force \[N\].
+    pub(crate) fn compression(&self, force: f64) -> f64 {
+        self.spring.overlap(force.max(0.0))
+    }
+
+    /// Takes the tangent at the normal force \[N\] that a solution has, or at its `gap` \[m\] where it has none.
+    pub(crate) fn follow(&mut self, force: f64, gap: f64) {
+        if force > 0.0 {
+            self.overlap = self.spring.overlap(force);
+        } else if gap < 0.0 {
+            self.overlap = -gap;
+        }
+    }
+
+    /// Along the normal at a `gap` \[m\] of the start of a step that does not resolve it: bias and compliance.
+    pub(crate) fn along(&self, gap: f64) -> [f64; 2] {
+        let (force, slope) = (
+            self.spring.force(self.overlap),
+            self.spring.slope(self.overlap),
+        );
+        let rest = self.overlap - force / slope;
+        [
+            (gap + rest) / self.dt,
+            1.0 / (slope * self.dt * self.dt),
+        ]
+    }
+
+    /// Its row.
+    pub(super) fn terms(&self, before: &Before) -> Terms {
+        let shear = self.shear;
+        let carried = self.carried(before);
+        let Some(resolved) = self.resolved else {
+            return Terms {
+                along: self.along(before.gap),
+                across: match shear.is_finite() {
+                    true => (
+                        carried * (-1.0 / (shear * self.dt)),
+                        1.0 / (shear * self.dt * self.dt),
+                    ),
+                    false => (Vec3::zeros(), 0.0),
+                },
+            };
+        };
+        let (speed, slip) = before.velocity;
+        let [ahead, ahead_t] = resolved.reached.map(|k| AHEAD * k * self.dt);
+        let [[early, late], [early_t, late_t]] = resolved.damping;
+        let force = match before.gap < 0.0 {
+            true => self.spring.force(self.overlap),
+            // Nothing acts yet, whatever the other contacts of the step do but for a push through all of the gap.
+            false => -resolved.reached[0] * before.gap,
+        };
+        let weight = ahead + late;
+        let along = [
+            -(force + (ahead - early) * speed) / weight,
+            1.0 / (weight * self.dt),
+        ];
+        let across = match shear.is_finite() {
+            true => {
+                let weight = ahead_t + late_t;
+                let touching = self.touching(before);
+                let force = carried + slip * (ahead_t - early_t - shear * touching);
+                (force * (-1.0 / weight), 1.0 / (weight * self.dt))
             }
-            assert!((v - e).abs() < 1e-3, "{v} for {e} at {z}");
-        }
-        assert!((damping_ratio(0.0) - STIFFEST).abs() < 1e-9);
+            false => (Vec3::zeros(), 0.0),
+        };
+        Terms { along, across }
     }
+
+    /// Shear force \[N\] that goes on from the last step: where the contact is less stiff than it was, its stretch does.
+    fn carried(&self, before: &Before) -> Vec3 {
+        let force = before.force.1;
+        if before.stored <= 0.0 {
+            return Vec3::zeros();
+        }
+        let was = 0.5 * force.norm_squared() / before.stored;
+        force * (self.shear / was).min(1.0)
+    }
+
+    /// Time \[s\] of the step before for which the surfaces have touched.
+    fn touching(&self, before: &Before) -> f64 {
+        let (speed, _) = before.velocity;
+        let last = before.force != (0.0, Vec3::zeros());
+        match last || speed >= 0.0 {
+            true => self.dt,
+            false => (self.overlap / -speed).min(self.dt),
+        }
+    }
+}
+
+/// Shares of a damper \[N s/m\] for the velocities before and after a step of a mass \[kg\].
+fn shares(damping: f64, mass: f64, dt: f64) -> [f64; 2] {
+    let early = 0.5 * damping.min(mass / dt);
+    [early, damping - early]
+}
+
+/// A stiffness that a damper can go with: none beside a rigid one.
+fn finite(stiffness: f64) -> f64 {
+    if stiffness.is_finite() { stiffness } else { 0.0 }
 }

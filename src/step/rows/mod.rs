@@ -47,14 +47,8 @@ impl Prediction<'_> {
 
     /// The properties of a contact.
     pub(super) fn pair(&self, key: ContactId) -> Pair {
-        let material = &self.scene.particles.material;
-        let of_b = match key.partner {
-            Partner::Sphere { index, .. } => material[index as usize],
-            Partner::Boundary { boundary, .. } => {
-                self.scene.boundaries[usize::from(boundary)].material
-            }
-        };
-        self.scene.pairs.get(material[key.sphere as usize], of_b)
+        let [a, b] = self.scene.touching(key);
+        self.scene.pairs.get(a, b)
     }
 
     /// The resistance to rolling and twisting of a contact, if it has one: `row` is the contact's row, `rank` its place,
