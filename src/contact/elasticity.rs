@@ -246,7 +246,14 @@ mod tests {
     fn the_damper_gives_the_coefficient_of_restitution() {
         let mass = 0.01;
         for spring in springs() {
-            for (e, v) in [(0.02, 1.0), (0.1, 0.1), (0.3, 1.0), (0.6, 10.0), (0.9, 0.01), (1.0, 1.0)] {
+            for (e, v) in [
+                (0.02, 1.0),
+                (0.1, 0.1),
+                (0.3, 1.0),
+                (0.6, 10.0),
+                (0.9, 0.01),
+                (1.0, 1.0),
+            ] {
                 let z = damping_ratio(e);
                 let deepest = spring.reach(0.5 * mass * v * v);
                 let dt = 1e-5 * deepest / v;

@@ -14,8 +14,35 @@ pub struct ContactForces {
     loads: Vec<ContactForce>,
     /// `[C]`; empty unless pairs of materials resist: most scenes have none.
     torques: Vec<Vec3>,
-    /// Energy \[J\] that shear springs have stored, `[C]`; empty unless contacts give way.
-    stored: Vec<f64>,
+    /// Their springs, `[C]`; empty unless contacts give way.
+    springs: Vec<SpringState>,
+}
+
+/// What the spring of a contact goes on with.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub(crate) enum SpringState {
+    /// The last step has not resolved its impact, which was rigid.
+    Struck,
+    /// What it holds across the normal.
+    Stretched {
+        /// Force on A \[N\]: of its stretch, not of what a solver has found.
+        shear: Vec3,
+        /// Shear stiffness \[N/m\]; infinite: rigid.
+        stiffness: f64,
+    },
+}
+
+impl SpringState {
+    /// Energy \[J\] that it has stored across the normal.
+    pub(crate) fn energy(&self) -> f64 {
+        match self {
+            Self::Struck => 0.0,
+            Self::Stretched { shear, stiffness } => match shear.norm_squared() {
+                0.0 => 0.0,
+                square => 0.5 * square / stiffness,
+            },
+        }
+    }
 }
 
 /// What goes with the force of a contact; all contacts have it, or none has.
@@ -23,8 +50,8 @@ pub struct ContactForces {
 pub(crate) struct Beside {
     /// Couple of rolling and twisting resistance on A \[N m\].
     pub(crate) torque: Option<Vec3>,
-    /// Energy \[J\] that its shear spring has stored.
-    pub(crate) stored: Option<f64>,
+    /// Its spring.
+    pub(crate) spring: Option<SpringState>,
 }
 
 impl ContactForces {
@@ -32,13 +59,8 @@ impl ContactForces {
     pub(crate) fn beside(&self, k: usize) -> Beside {
         Beside {
             torque: self.torques.get(k).copied(),
-            stored: self.stored.get(k).copied(),
+            spring: self.springs.get(k).copied(),
         }
-    }
-
-    /// Energy \[J\] that the shear spring of contact `k` has stored.
-    pub(crate) fn stored(&self, k: usize) -> f64 {
-        self.stored.get(k).copied().unwrap_or_default()
     }
 
     /// Couple of rolling and twisting resistance of contact `k` on A \[N m\], mean over the step; its opposite acts on B.
@@ -50,14 +72,14 @@ impl ContactForces {
     pub(crate) fn push(&mut self, load: ContactForce, beside: Beside) {
         self.loads.push(load);
         self.torques.extend(beside.torque);
-        self.stored.extend(beside.stored);
+        self.springs.extend(beside.spring);
     }
 
     /// Forgets all contacts, but keeps the memory.
     pub(crate) fn clear(&mut self) {
         self.loads.clear();
         self.torques.clear();
-        self.stored.clear();
+        self.springs.clear();
     }
 
     /// Forgets the contacts whose keys are not `kept`.
@@ -67,7 +89,7 @@ impl ContactForces {
         self.torques.retain(|_| next());
         let mut loads = self.loads.iter();
         let mut next = || loads.next().is_some_and(|load| kept(&load.key));
-        self.stored.retain(|_| next());
+        self.springs.retain(|_| next());
         self.loads.retain(|load| kept(&load.key));
     }
 
@@ -82,7 +104,7 @@ impl ContactForces {
     /// Whether all that goes with contacts belongs to them.
     pub(crate) fn fits(&self) -> bool {
         let fits = |count: usize| count == 0 || count == self.loads.len();
-        fits(self.torques.len()) && fits(self.stored.len())
+        fits(self.torques.len()) && fits(self.springs.len())
     }
 }
 
@@ -99,7 +121,7 @@ impl Clone for ContactForces {
         Self {
             loads: self.loads.clone(),
             torques: self.torques.clone(),
-            stored: self.stored.clone(),
+            springs: self.springs.clone(),
         }
     }
 
@@ -107,7 +129,7 @@ impl Clone for ContactForces {
     fn clone_from(&mut self, other: &Self) {
         self.loads.clone_from(&other.loads);
         self.torques.clone_from(&other.torques);
-        self.stored.clone_from(&other.stored);
+        self.springs.clone_from(&other.springs);
     }
 }
 
@@ -126,20 +148,26 @@ mod tests {
             normal: Vec3::z(),
             force: Vec3::z(),
         };
+        let stretched = |shear| SpringState::Stretched {
+            shear: Vec3::x() * shear,
+            stiffness: 2.0,
+        };
         let mut carried = ContactForces::default();
         for i in 0..4 {
             carried.push(
                 load(i),
                 Beside {
                     torque: Some(Vec3::x() * f64::from(i)),
-                    stored: Some(f64::from(i)),
+                    spring: Some(stretched(f64::from(i))),
                 },
             );
         }
         carried.retain(|key| key.sphere % 2 == 1);
         assert_eq!(carried.len(), 2);
         assert_eq!([0, 1].map(|k| carried.torque(k).x), [1.0, 3.0]);
-        assert_eq!([0, 1].map(|k| carried.stored(k)), [1.0, 3.0]);
+        let springs = [0, 1].map(|k| carried.beside(k).spring);
+        assert_eq!(springs, [1.0, 3.0].map(|shear| Some(stretched(shear))));
+        assert_eq!(springs.map(|spring| spring.unwrap().energy()), [0.25, 2.25]);
         assert!(carried.fits());
         carried.clear();
         carried.push(load(0), Beside::default());

@@ -1,6 +1,6 @@
 //! Contact transfer: what the last step's contacts hand to the next step's candidates.
 
-use super::forces::ContactForces;
+use super::forces::{ContactForces, SpringState};
 use super::{ContactForce, ContactId};
 use crate::Vec3;
 use crate::problem::law::split;
@@ -12,20 +12,27 @@ pub(crate) struct Carried {
     pub(crate) force: Vec3,
     /// Unit normal from B to A in that step.
     pub(crate) normal: Vec3,
-    /// Energy \[J\] of its shear spring.
-    pub(crate) stored: f64,
+    /// Its spring, if it gave way.
+    pub(crate) spring: Option<SpringState>,
 }
 
 impl Carried {
-    /// Along the normal, and across it where that is `normal` now \[N\]: the shear force turns with the contact.
-    pub(crate) fn along_and_across(&self, normal: Vec3) -> (f64, Vec3) {
-        let (along, shear) = split(self.force, self.normal);
-        let turned = split(shear, normal).1;
-        let shear = match turned.try_normalize(0.0) {
-            Some(direction) => direction * shear.norm(),
-            None => turned,
+    /// Force \[N\] along its normal by which its spring was pressed.
+    pub(crate) fn pressed(&self) -> f64 {
+        match self.spring {
+            Some(SpringState::Stretched { .. }) => self.force.dot(&self.normal),
+            _ => 0.0,
+        }
+    }
+
+    /// Shear force \[N\] and stiffness \[N/m\] of its spring where the normal is `normal` now: the force turns with the contact.
+    pub(crate) fn shear(&self, normal: Vec3) -> Option<(Vec3, f64)> {
+        let Some(SpringState::Stretched { shear, stiffness }) = self.spring else {
+            return None;
         };
-        (along, shear)
+        let turned = split(shear, normal).1;
+        let direction = turned.try_normalize(0.0)?;
+        Some((direction * shear.norm(), stiffness))
     }
 }
 
@@ -44,6 +51,12 @@ impl HistoryIndex {
         load.map_or_else(Vec3::zeros, |load| load.force)
     }
 
+    /// Energy \[J\] that its shear spring has stored.
+    pub(crate) fn stored(self, contacts: &ContactForces) -> f64 {
+        let spring = contacts.beside(self.0 as usize).spring;
+        spring.map_or(0.0, |spring| spring.energy())
+    }
+
     /// All that its row is made from.
     #[inline]
     pub(crate) fn carried(self, contacts: &ContactForces) -> Carried {
@@ -51,7 +64,7 @@ impl HistoryIndex {
         Carried {
             force: load.map_or_else(Vec3::zeros, |load| load.force),
             normal: load.map_or_else(Vec3::zeros, |load| load.normal),
-            stored: contacts.stored(self.0 as usize),
+            spring: contacts.beside(self.0 as usize).spring,
         }
     }
 
@@ -108,7 +121,7 @@ mod tests {
         for (key, f) in [(key(0, 1), 1.0), (key(0, 3), 2.0), (key(2, 4), 3.0)] {
             let beside = Beside {
                 torque: Some(Vec3::x() * f),
-                stored: None,
+                spring: None,
             };
             old.push(contact(key, f), beside);
         }

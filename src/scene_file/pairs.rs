@@ -43,7 +43,10 @@ impl Given {
             restitution: self.restitution.unwrap_or(default.restitution),
             rolling_friction: self.rolling.unwrap_or(default.rolling_friction),
             twisting_friction: self.twisting.unwrap_or(default.twisting_friction),
-            elasticity: self.stiffness.map(Elasticity::linear).or(default.elasticity),
+            elasticity: self
+                .stiffness
+                .map(Elasticity::linear)
+                .or(default.elasticity),
         }
     }
 }
@@ -154,7 +157,11 @@ fn elastic(document: &mut Document<'_>, file: &SceneFile) -> Vec<Option<Elastic>
         }
         if value.young.is_none() && value.poisson.is_some() {
             let message = "found `poisson` without `young`";
-            document.error((path, "poisson"), message, "give `young` [Pa] as well, or leave both out: rigid");
+            document.error(
+                (path, "poisson"),
+                message,
+                "give `young` [Pa] as well, or leave both out: rigid",
+            );
         }
         if value.young.is_some() && value.stiffness.is_some() {
             let message = "found both `young` and `stiffness`, expected one of them";

@@ -69,9 +69,7 @@ impl Correction {
         for &(k, share) in &self.rebounds {
             let carried = assembly.past[k].carried(&state.contacts);
             let (free, found) = (&assembly.problem.free, &assembly.candidates[k]);
-            let newton = prediction
-                .contact_row(free, found, carried, Some(true))
-                .row;
+            let newton = prediction.contact_row(free, found, carried, Some(true)).row;
             let now = assembly.problem.rows.bias(k);
             let wanted = share * newton.bias.dot(&newton.normal);
             assembly.problem.rows.shift(k, wanted - now);

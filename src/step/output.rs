@@ -24,7 +24,10 @@ pub struct StepOutput {
 }
 
 impl StepOutput {
-    pub(super) fn of(solver: Report, [max_overlap, max_opening, max_compression]: [f64; 3]) -> Self {
+    pub(super) fn of(
+        solver: Report,
+        [max_overlap, max_opening, max_compression]: [f64; 3],
+    ) -> Self {
         Self {
             solver,
             max_overlap,

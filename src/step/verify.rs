@@ -123,12 +123,7 @@ impl Gaps {
     }
 
     /// Of a contact that gives way: its compression is no error, what the force misses it by is one.
-    fn of_spring(
-        assembly: &Assembly,
-        solution: &Solution,
-        end: &Configuration,
-        k: usize,
-    ) -> Self {
+    fn of_spring(assembly: &Assembly, solution: &Solution, end: &Configuration, k: usize) -> Self {
         let radius = assembly.problem.rows.radius(k);
         let compression = -end.gap(&assembly.candidates[k]) / radius;
         let error = match assembly.compressed(k) {
@@ -166,7 +161,9 @@ impl Gaps {
 fn rigid_overlap(assembly: &Assembly, overlapping: &[Candidate]) -> f64 {
     let radius = &assembly.prediction.scene.particles.radius;
     let gives_way = |found: &Candidate| {
-        let at = assembly.candidates.binary_search_by_key(&found.key, |c| c.key);
+        let at = assembly
+            .candidates
+            .binary_search_by_key(&found.key, |c| c.key);
         at.is_ok_and(|k| assembly.elastic(k).is_some())
     };
     let rigid = overlapping.iter().filter(|found| !gives_way(found));
@@ -174,7 +171,9 @@ fn rigid_overlap(assembly: &Assembly, overlapping: &[Candidate]) -> f64 {
         let spheres = found.key.spheres().map(|i| radius[i]);
         spheres.fold(f64::INFINITY, f64::min)
     };
-    rigid.map(|found| -found.gap / smaller(found)).fold(0.0, f64::max)
+    rigid
+        .map(|found| -found.gap / smaller(found))
+        .fold(0.0, f64::max)
 }
 
 /// Contacts whose linear gaps are off, and those that closed without being candidates; `None` without any.

@@ -158,7 +158,12 @@ fn the_residue_on_a_curved_path_is_of_second_order() {
 /// What the ledger leaves open of the change of the energy of spheres and driven bodies; springs do work.
 fn open_with_bodies(run: &Run, start: f64) -> f64 {
     let (work, energy) = (run.simulation.work(), run.whole_energy());
-    let gained = work.boundaries + work.loads + work.dampers + work.springs + work.contacts + work.numerical_work;
+    let gained = work.boundaries
+        + work.loads
+        + work.dampers
+        + work.springs
+        + work.contacts
+        + work.numerical_work;
     energy.kinetic() + energy.gravity - start - gained + work.friction + work.impact
 }
 

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use nalgebra::UnitQuaternion;
 use sphere_dda::Vec3;
+use sphere_dda::contact::elasticity::{Elastic, Elasticity};
 use sphere_dda::geometry::{Facets, Geometry, HalfSpace, Revolution, Shape};
 use sphere_dda::integrator::Integrator;
 use sphere_dda::observe::Observation;
@@ -161,6 +162,23 @@ impl Case {
         self
     }
 
+    /// Spheres of a material that gives way as Hertz and Mindlin say, on walls that are rigid.
+    pub fn elastic(self, young: f64, poisson: f64) -> Self {
+        let ball = Some(Elastic { young, poisson });
+        self.giving_way(0, 0, Elasticity::hertz([ball; 2]))
+            .giving_way(0, 1, Elasticity::hertz([ball, None]))
+    }
+
+    /// Lets two materials give way.
+    pub fn giving_way(mut self, a: u16, b: u16, elasticity: Option<Elasticity>) -> Self {
+        let pair = Pair {
+            elasticity,
+            ..self.scene.pairs.get(a, b)
+        };
+        self.scene.pairs.set(a, b, pair);
+        self
+    }
+
     /// Makes the last boundary a belt, `velocity` in its own axes.
     pub fn belt(mut self, velocity: Vec3) -> Self {
         let boundary = self.scene.boundaries.last_mut().expect("a boundary");
@@ -314,8 +332,7 @@ impl Run {
         let last = self.simulation.state().last_step;
         self.simulation.advance(h).expect("the step converges");
         let scene = Arc::clone(self.simulation.scene());
-        let compliant = scene.boundaries.iter().any(|b| b.stiffness.is_some());
-        if scene.settings.method == Method::Alm && !compliant {
+        if scene.settings.method == Method::Alm {
             let overlap = self.simulation.report().max_overlap;
             assert!(
                 overlap <= scene.settings.tolerance.gap,

@@ -55,7 +55,7 @@ impl Solved<'_> {
             let mut returned = 0.0;
             if let (Some(elastic), Some(end)) = (self.assembly.elastic(k), end) {
                 let [spring, lost] = self.work_of_spring(k, elastic, end);
-                returned = self.assembly.past[k].carried(contacts).stored - self.stored_in_shear(k);
+                returned = self.assembly.past[k].stored(contacts) - self.spring_state(k).energy();
                 work.contacts += spring + returned;
                 work.impact += lost;
                 known += spring - lost;

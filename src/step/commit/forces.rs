@@ -3,7 +3,7 @@
 use std::iter::repeat;
 
 use crate::Vec3;
-use crate::contact::forces::{Beside, ContactForces};
+use crate::contact::forces::{Beside, ContactForces, SpringState};
 use crate::contact::{ContactForce, Partner};
 use crate::problem::Law;
 use crate::problem::law::split;
@@ -39,7 +39,7 @@ impl Solved<'_> {
                 let load = ContactForce { key, normal, force };
                 let beside = Beside {
                     torque: couples.get(k).copied(),
-                    stored: gives_way.then(|| self.stored_in_shear(k)),
+                    spring: gives_way.then(|| self.spring_state(k)),
                 };
                 self.carry(state, load, beside, !self.assembly.impact[k]);
             }
@@ -49,16 +49,21 @@ impl Solved<'_> {
         }
     }
 
-    /// Energy \[J\] that the shear spring of contact `k` has stored at the end of the step.
-    pub(super) fn stored_in_shear(&self, k: usize) -> f64 {
-        let general = self.assembly.problem.rows.general(k);
-        match (self.assembly.elastic(k), general) {
-            (Some(elastic), Some(row)) if row.compliance_t > 0.0 => {
-                let force = self.solution.impulses[k] / self.prediction().step;
-                elastic.shear_energy(split(force, row.normal).1)
-            }
-            _ => 0.0,
+    /// The spring of contact `k` at the end of the step.
+    pub(super) fn spring_state(&self, k: usize) -> SpringState {
+        let rows = &self.assembly.problem.rows;
+        let (Some(elastic), Some(row)) = (self.assembly.elastic(k), rows.general(k)) else {
+            return SpringState::Struck;
+        };
+        let Law::Contact { mu } = row.law else {
+            return SpringState::Struck;
+        };
+        if row.is_rigid() {
+            return SpringState::Struck;
         }
+        let slip = split(rows.relative(k, |i| self.solution.velocity[i]), row.normal).1;
+        let pressed = self.solution.impulses[k].dot(&row.normal) / self.prediction().step;
+        elastic.state_after(slip, mu * pressed)
     }
 
     /// The contacts of spheres that sleep, with what goes with them.

@@ -77,7 +77,11 @@ pub(super) fn spread_impacts(assembly: &mut Assembly, solution: &Solution, state
     }
     for (k, (impact, past)) in assembly.impact.iter_mut().zip(&assembly.past).enumerate() {
         // What a step resolves is no impact.
-        if assembly.elastic.get(k).is_some_and(|e| e.is_some_and(|e| e.is_resolved())) {
+        if assembly
+            .elastic
+            .get(k)
+            .is_some_and(|e| e.is_some_and(|e| e.is_resolved()))
+        {
             continue;
         }
         let size = solution.impulses[k].norm();

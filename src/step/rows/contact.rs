@@ -115,14 +115,14 @@ impl Prediction<'_> {
             true => 0.0,
             false => split(contact.centres, n).1.norm_squared() * candidate.curvature,
         };
-        let impulse_scale = self.impulse_scale(&contact, turning);
+        let loading = self.loading(&contact, turning);
         let before = || Before {
             gap: candidate.gap,
             velocity: split(contact.before + contact.belt, n),
-            force: carried.along_and_across(n),
-            stored: carried.stored,
+            pressed: carried.force.dot(&carried.normal),
+            shear: carried.shear(n),
         };
-        let elastic = self.elastic(candidate, &contact, (&before, impulse_scale));
+        let elastic = self.elastic(candidate, &contact, (&before, loading));
         let excess = match elastic {
             Some(_) => candidate.gap,
             None => {
@@ -135,8 +135,13 @@ impl Prediction<'_> {
                 return false;
             }
             let freely = || n.dot(&(free[a].linear - contact.partner));
-            approach < -self.impact_threshold(&contact, turning)
-                && excess + self.step * freely() < 0.0
+            // What presses a spring may press it further.
+            let brought = match &elastic {
+                Some(elastic) => elastic.swing(loading.max(carried.pressed() / contact.lightest)),
+                None => 2.0 * self.step * loading,
+            };
+            let threshold = self.scene.settings.threshold_velocity;
+            approach < -threshold.max(brought) && excess + self.step * freely() < 0.0
         });
         let rebound = (impact && pair.restitution > 0.0).then_some(pair.restitution * approach);
         // The impact of a contact that the step does not resolve is rigid.
@@ -154,6 +159,12 @@ impl Prediction<'_> {
             _ => 0.0,
         };
         let terms = acting.map(|elastic| elastic.terms(&before()));
+        // A spring is not pushed out of its compression at once.
+        let excess = if rigid && elastic.is_some() {
+            excess.max(0.0)
+        } else {
+            excess
+        };
         let (mut bias, compliance) = self.bias(terms, n, (excess + bend, rebound));
         if !impact {
             bias += contact.rolling;
@@ -170,7 +181,7 @@ impl Prediction<'_> {
             compliance_t: compliance[1],
             law: Law::Contact { mu: pair.friction },
             radius: contact.radius,
-            impulse_scale,
+            impulse_scale: self.impulse_scale(&contact, turning),
         };
         let sphere = contact.b == GROUND || (contact.b as usize) < self.kinematics.len();
         let at_rest = row.prescribed_velocity == Vec3::zeros() && contact.rolling == Vec3::zeros();
@@ -182,25 +193,24 @@ impl Prediction<'_> {
         }
     }
 
-    /// Speed of approach above which a contact is an impact \[m/s\]: what the loads that act on it bring in two steps.
+    /// Acceleration \[m/s^2\] that loads and a normal that turns by `turning` bring to a contact.
     #[inline]
-    fn impact_threshold(&self, contact: &ContactKinematics, turning: f64) -> f64 {
+    fn loading(&self, contact: &ContactKinematics, turning: f64) -> f64 {
         // Where nothing acts itself, loads elsewhere press the contact.
         let acting = match contact.acceleration {
             0.0 => self.mean_acceleration,
             acceleration => acceleration,
         };
-        let threshold = self.scene.settings.threshold_velocity;
-        threshold.max(2.0 * self.step * acting.max(turning))
+        acting.max(turning)
     }
 
-    /// How a contact gives way, if it does. `before` is what it was, and forces times the step \[N s\] of the size of `impulse_scale` are to be expected.
+    /// How a contact gives way, if it does. `before` is what it was, and it is to be pressed by `loading` \[m/s^2\].
     #[inline]
     fn elastic(
         &self,
         candidate: &Candidate,
         contact: &ContactKinematics,
-        (before, impulse_scale): (&impl Fn() -> Before, f64),
+        (before, loading): (&impl Fn() -> Before, f64),
     ) -> Option<ElasticContact> {
         if !self.gives_way {
             return None;
@@ -212,7 +222,7 @@ impl Prediction<'_> {
         let body = (contact.reduced_mass, self.scene.pairs.damping(a, b));
         // Where nothing acts, as much as an overlap that nobody sees.
         let least = spring.force(UNSEEN * settings.tolerance.gap * contact.radius);
-        let load = least.max(impulse_scale / self.step);
+        let load = least.max(contact.lightest * loading);
         let resolves = settings.integrator == Integrator::Moreau;
         let step = (self.step, resolves, load);
         Some(ElasticContact::new(spring, body, &before(), step))

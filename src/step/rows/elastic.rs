@@ -1,6 +1,6 @@
 //! Contacts that give way, as rows of a step: the spring and damper of [`crate::contact::elasticity`], which cannot pull.
 //!
-//! A step that resolves a contact, `k dt^2 <= 0.04 m` at the overlap that its energy will reach, takes the spring where it is at the
+//! A step that resolves a contact, `k dt^2 <= 0.04 m` at the overlap that its energy or its load will reach, takes the spring where it is at the
 //! start of the step, which is the middle of the staggered velocities `u-` before and `u1` after, and the damper at their mean, but
 //! for one so strong that it would turn the motion round in the step:
 //!
@@ -24,6 +24,7 @@
 
 use crate::Vec3;
 use crate::contact::elasticity::ContactSpring;
+use crate::contact::forces::SpringState;
 
 /// Largest `k dt^2/m` of a step that resolves a contact: 16 steps from touching to parting.
 const RESOLVED: f64 = 0.04;
@@ -41,6 +42,10 @@ pub(crate) struct ElasticContact {
     overlap: f64,
     /// Shear stiffness \[N/m\]; infinite: rigid.
     shear: f64,
+    /// Shear force \[N\] that does not depend on what the step does.
+    held: Vec3,
+    /// Time \[s\] in which it answers to loads: `sqrt(m/k)`.
+    response: f64,
     /// What resolves it, if the step does.
     resolved: Option<Resolved>,
 }
@@ -50,7 +55,7 @@ pub(crate) struct ElasticContact {
 struct Resolved {
     /// `D a` and `D (1 - a)` \[N s/m\], along and across the normal.
     damping: [[f64; 2]; 2],
-    /// Stiffnesses \[N/m\] where the energy leads, along and across the normal.
+    /// Stiffnesses \[N/m\] where energy and load lead, along and across the normal.
     reached: [f64; 2],
 }
 
@@ -61,10 +66,10 @@ pub(super) struct Before {
     pub(super) gap: f64,
     /// Relative velocity of the surfaces along the normal \[m/s\], negative where they approach, and across it.
     pub(super) velocity: (f64, Vec3),
-    /// Force of the last step along the normal \[N\], and across it.
-    pub(super) force: (f64, Vec3),
-    /// Energy \[J\] that its shear spring has stored.
-    pub(super) stored: f64,
+    /// Force \[N\] that pressed it in the last step.
+    pub(super) pressed: f64,
+    /// Shear force \[N\] and stiffness \[N/m\] of its spring, if it had one.
+    pub(super) shear: Option<(Vec3, f64)>,
 }
 
 /// Bias \[m/s\] and compliance \[m/(s N s)\] of a row, along and across the normal.
@@ -85,7 +90,12 @@ impl ElasticContact {
     ) -> Self {
         let overlap = (-before.gap).max(0.0);
         let speed = before.velocity.0;
-        let reached = spring.reach(0.5 * mass * speed * speed + spring.energy(overlap));
+        let pressed = spring.overlap(match before.pressed > 0.0 {
+            true => before.pressed,
+            false => load,
+        });
+        let thrown = spring.reach(0.5 * mass * speed * speed + spring.energy(overlap));
+        let reached = thrown.max(pressed);
         let stiffness = spring.slope(reached);
         let resolved = (resolves && stiffness * dt * dt <= RESOLVED * mass).then(|| Resolved {
             damping: match before.gap < 0.0 {
@@ -93,7 +103,10 @@ impl ElasticContact {
                     let across = ACROSS * mass;
                     let stiffness = finite(spring.shear(overlap));
                     let along = shares(spring.damping(ratio, mass, overlap), mass, dt);
-                    [along, shares(2.0 * ratio * (across * stiffness).sqrt(), across, dt)]
+                    [
+                        along,
+                        shares(2.0 * ratio * (across * stiffness).sqrt(), across, dt),
+                    ]
                 }
                 false => [[0.0; 2]; 2],
             },
@@ -101,15 +114,28 @@ impl ElasticContact {
         });
         let overlap = match resolved {
             Some(_) => overlap,
-            None => spring.overlap(before.force.0.max(load)),
+            None => pressed,
         };
+        let shear = spring.shear(overlap);
+        let mut held = before.carried(shear);
+        if resolved.is_some() && shear.is_finite() {
+            held -= before.velocity.1 * (shear * before.touching(overlap, dt));
+        }
         Self {
             spring,
             dt,
             overlap,
-            shear: spring.shear(overlap),
+            shear,
+            held,
+            response: (mass / stiffness).sqrt(),
             resolved,
         }
+    }
+
+    /// Speed \[m/s\] up to which it swings under loads of this acceleration \[m/s^2\], and twice that of a step: what is slower is no
+    /// impact.
+    pub(super) fn swing(&self, loading: f64) -> f64 {
+        2.0 * loading * self.response.max(self.dt)
     }
 
     /// Whether the step resolves it.
@@ -122,13 +148,20 @@ impl ElasticContact {
         self.spring.energy((-gap).max(0.0))
     }
 
-    /// Energy \[J\] stored by a shear force \[N\].
-    pub(crate) fn shear_energy(&self, force: Vec3) -> f64 {
-        if self.shear > 0.0 {
-            0.5 * force.norm_squared() / self.shear
-        } else {
-            0.0
-        }
+    /// What its spring goes on with after a step in which the surfaces slip at `slip` \[m/s\] and friction bears `most` \[N\].
+    pub(crate) fn state_after(&self, slip: Vec3, most: f64) -> SpringState {
+        let stiffness = self.shear;
+        let stretched = match (self.resolved, stiffness.is_finite()) {
+            (_, false) => Vec3::zeros(),
+            (Some(_), true) => self.held,
+            (None, true) => self.held - slip * (stiffness * self.dt),
+        };
+        let size = stretched.norm();
+        let shear = match size > most {
+            true => stretched * (most.max(0.0) / size),
+            false => stretched,
+        };
+        SpringState::Stretched { shear, stiffness }
     }
 
     /// Energy \[J\] that its dampers take in a step that begins and ends with these relative velocities along the normal \[m/s\].
@@ -161,22 +194,18 @@ impl ElasticContact {
             self.spring.slope(self.overlap),
         );
         let rest = self.overlap - force / slope;
-        [
-            (gap + rest) / self.dt,
-            1.0 / (slope * self.dt * self.dt),
-        ]
+        [(gap + rest) / self.dt, 1.0 / (slope * self.dt * self.dt)]
     }
 
     /// Its row.
     pub(super) fn terms(&self, before: &Before) -> Terms {
         let shear = self.shear;
-        let carried = self.carried(before);
         let Some(resolved) = self.resolved else {
             return Terms {
                 along: self.along(before.gap),
                 across: match shear.is_finite() {
                     true => (
-                        carried * (-1.0 / (shear * self.dt)),
+                        self.held * (-1.0 / (shear * self.dt)),
                         1.0 / (shear * self.dt * self.dt),
                     ),
                     false => (Vec3::zeros(), 0.0),
@@ -199,32 +228,30 @@ impl ElasticContact {
         let across = match shear.is_finite() {
             true => {
                 let weight = ahead_t + late_t;
-                let touching = self.touching(before);
-                let force = carried + slip * (ahead_t - early_t - shear * touching);
+                let force = self.held + slip * (ahead_t - early_t);
                 (force * (-1.0 / weight), 1.0 / (weight * self.dt))
             }
             false => (Vec3::zeros(), 0.0),
         };
         Terms { along, across }
     }
+}
 
+impl Before {
     /// Shear force \[N\] that goes on from the last step: where the contact is less stiff than it was, its stretch does.
-    fn carried(&self, before: &Before) -> Vec3 {
-        let force = before.force.1;
-        if before.stored <= 0.0 {
-            return Vec3::zeros();
+    fn carried(&self, stiffness: f64) -> Vec3 {
+        match self.shear {
+            Some((force, was)) if was.is_finite() => force * (stiffness / was).min(1.0),
+            _ => Vec3::zeros(),
         }
-        let was = 0.5 * force.norm_squared() / before.stored;
-        force * (self.shear / was).min(1.0)
     }
 
     /// Time \[s\] of the step before for which the surfaces have touched.
-    fn touching(&self, before: &Before) -> f64 {
-        let (speed, _) = before.velocity;
-        let last = before.force != (0.0, Vec3::zeros());
-        match last || speed >= 0.0 {
-            true => self.dt,
-            false => (self.overlap / -speed).min(self.dt),
+    fn touching(&self, overlap: f64, dt: f64) -> f64 {
+        let (speed, _) = self.velocity;
+        match self.pressed > 0.0 || speed >= 0.0 {
+            true => dt,
+            false => (overlap / -speed).min(dt),
         }
     }
 }
@@ -237,5 +264,9 @@ fn shares(damping: f64, mass: f64, dt: f64) -> [f64; 2] {
 
 /// A stiffness that a damper can go with: none beside a rigid one.
 fn finite(stiffness: f64) -> f64 {
-    if stiffness.is_finite() { stiffness } else { 0.0 }
+    if stiffness.is_finite() {
+        stiffness
+    } else {
+        0.0
+    }
 }
