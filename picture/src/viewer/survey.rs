@@ -71,14 +71,17 @@ impl Survey {
     pub(super) fn of(
         recording: &Recording,
         wanted: &[usize],
-        mut seen: impl FnMut(usize),
+        mut seen: impl FnMut(usize) + Send,
     ) -> Result<Self, ViewError> {
         let mut survey = Self::default();
         let mut slots = BTreeMap::new();
-        for (done, &index) in wanted.iter().enumerate() {
-            survey.add(&recording.frame(index)?, &mut slots)?;
-            seen(done + 1);
-        }
+        let mut done = 0;
+        recording.each(wanted, |moment| {
+            survey.add(&moment, &mut slots)?;
+            done += 1;
+            seen(done);
+            Ok(true)
+        })?;
         survey.slots = slots.into_values().collect();
         Ok(survey)
     }
