@@ -174,6 +174,10 @@ pub(crate) fn told(made: &Page, output: &Path) -> String {
             "to keep the page within its size, values of spheres are in it as finely as colours show, to 6 %; --max-size allows \
              more",
         ),
+        Detail::Sizes => note(
+            "to keep the page within its size, velocities and forces of spheres are in it to 6 %, of other values their magnitudes; \
+             --max-size allows more",
+        ),
         Detail::Telling => note(
             "to keep the page within its size, velocities and forces of spheres are in it to 6 %, other values are not; \
              --max-size allows more",

@@ -72,12 +72,25 @@ impl Progress {
 
     /// Of the work `done` parts of `of` are done, called by `noun`.
     pub(crate) fn part(&mut self, done: usize, of: usize, noun: &str) {
-        let share = done as f64 / of.max(1) as f64;
+        self.reached(done as f64 / of.max(1) as f64, || {
+            format!("{noun} {done} of {of}")
+        });
+    }
+
+    /// Of the work so much is done, 0 to 1.
+    pub(crate) fn share(&mut self, share: f64) {
+        self.reached(share, || format!("{:.0} %", (100.0 * share).floor()));
+    }
+
+    fn reached(&mut self, share: f64, text: impl FnOnce() -> String) {
         if let Some(bar) = &self.bar {
             bar.set_position((share * BAR_LENGTH as f64) as u64);
         }
         let remaining = self.began.elapsed().as_secs_f64() * (1.0 - share) / share;
-        self.say(|| format!("{noun} {done} of {of}, ETA {remaining:.0} s"));
+        self.say(|| match remaining.is_finite() {
+            true => format!("{}, ETA {:.0} s", text(), remaining.max(0.0)),
+            false => text(),
+        });
     }
 
     fn begin(template: &str, span: Option<(f64, f64)>) -> Self {

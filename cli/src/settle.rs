@@ -114,9 +114,19 @@ fn shown(hash: &str) -> &str {
 
 /// Settles `scene` and says how it went.
 fn settled(scene: &Scene, settle: Settle, interrupt: &Interrupt) -> Result<Vec<u8>, Failure> {
-    let mut progress = Progress::open();
+    // When the spheres come to rest nobody knows; a given time is an end.
+    let mut progress = match settle.until_rest {
+        true => Progress::open(),
+        false => Progress::new(0.0, settle.time),
+    };
     let settled = Settled::new(scene, settle, |reached| {
-        progress.say(|| line(reached));
+        match settle.until_rest {
+            true => progress.say(|| {
+                let time = reached.time;
+                format!("settling, {time:.3} s simulated, {}", line(reached))
+            }),
+            false => progress.show(reached.time, || line(reached)),
+        }
         match interrupt.requested() {
             true => ControlFlow::Break(()),
             false => ControlFlow::Continue(()),
@@ -167,16 +177,13 @@ fn settled(scene: &Scene, settle: Settle, interrupt: &Interrupt) -> Result<Vec<u
     Ok(start)
 }
 
-/// A line of progress.
+/// The pass, and how far from rest the spheres are.
 fn line(reached: &SettleProgress<'_>) -> String {
     let SettleProgress {
         pass,
-        time,
         speed,
         rest_speed,
         ..
     } = reached;
-    format!(
-        "settling, {pass}: {time:.3} s simulated, fastest sphere {speed:.1e} m/s (at rest below {rest_speed:.1e} m/s)"
-    )
+    format!("{pass}, fastest sphere {speed:.1e} m/s (at rest below {rest_speed:.1e} m/s)")
 }

@@ -1,8 +1,7 @@
 //! What the commands that write a report have in common: its folder, progress on standard error, Ctrl-C.
 
 use std::path::PathBuf;
-use std::sync::Mutex;
-use std::time::Instant;
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use clap::Args;
 use sphere_dda_studies::Watch;
@@ -10,7 +9,7 @@ use sphere_dda_studies::error::ReportError;
 use sphere_dda_studies::folder::Folder;
 
 use crate::failure::Failure;
-use crate::progress::{Interrupt, note, print};
+use crate::progress::{Interrupt, Progress, print};
 
 /// Where a report goes.
 #[derive(Debug, Args)]
@@ -26,22 +25,42 @@ pub(crate) struct Destination {
 /// Progress on standard error, Ctrl-C.
 struct Terminal<'a> {
     interrupt: &'a Interrupt,
-    began: Instant,
-    /// One line at a time, whichever thread has it.
-    line: Mutex<()>,
+    work: Mutex<Work>,
+}
+
+/// What is behind of all that is expected, one line at a time, whichever thread has it.
+struct Work {
+    progress: Progress,
+    expected: f64,
+    spent: f64,
 }
 
 impl Watch for Terminal<'_> {
     fn note(&self, text: &str) {
-        let _line = self.line.lock();
-        note(format_args!(
-            "{:4.0} s  {text}",
-            self.began.elapsed().as_secs_f64()
-        ));
+        let work = self.work();
+        let wall = work.progress.wall_time();
+        work.progress.note(format_args!("{wall:4.0} s  {text}"));
+    }
+
+    fn expect(&self, cost: f64) {
+        self.work().expected = cost;
+    }
+
+    fn spent(&self, cost: f64) {
+        let work = &mut *self.work();
+        work.spent += cost;
+        work.progress.share(work.spent / work.expected);
     }
 
     fn stop(&self) -> bool {
         self.interrupt.requested()
+    }
+}
+
+impl Terminal<'_> {
+    fn work(&self) -> MutexGuard<'_, Work> {
+        // Who panicked with it left numbers that are sound.
+        self.work.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 
@@ -59,16 +78,20 @@ pub(crate) fn write(
     Folder::claim(folder, destination.overwrite)?;
     let terminal = Terminal {
         interrupt,
-        began: Instant::now(),
-        line: Mutex::new(()),
+        work: Mutex::new(Work {
+            progress: Progress::counted(),
+            expected: f64::INFINITY,
+            spent: 0.0,
+        }),
     };
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
     let report = study(threads, &terminal)?;
     report.write(folder)?;
+    let wall = terminal.work().progress.wall_time();
+    drop(terminal);
     print(|out| {
         let (place, files) = (folder.join(name), report.files().count());
         writeln!(out, "report          {}, {files} files", place.display())?;
-        let wall = terminal.began.elapsed().as_secs_f64();
         writeln!(out, "wall time       {wall:.0} s")
     })
 }

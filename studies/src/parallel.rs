@@ -3,6 +3,8 @@
 use std::sync::Mutex;
 use std::sync::PoisonError;
 
+use crate::error::ReportError;
+
 /// Runs `jobs` on at most `threads` threads, the first ones first; returns their results in order.
 pub fn run<T: Send, J: FnOnce() -> T + Send>(threads: usize, jobs: Vec<J>) -> Vec<T> {
     let mut done: Vec<Option<T>> = jobs.iter().map(|_| None).collect();
@@ -21,6 +23,20 @@ pub fn run<T: Send, J: FnOnce() -> T + Send>(threads: usize, jobs: Vec<J>) -> Ve
         });
     }
     done.into_iter().flatten().collect()
+}
+
+/// Runs `job` for each of `cases` on at most `threads` threads; its results in order, or its first error.
+///
+/// # Errors
+/// What the first case that fails says.
+pub fn all<C: Send, T: Send>(
+    threads: usize,
+    cases: Vec<C>,
+    job: impl Fn(C) -> Result<T, ReportError> + Sync,
+) -> Result<Vec<T>, ReportError> {
+    let job = &job;
+    let jobs = cases.into_iter().map(|case| move || job(case)).collect();
+    run(threads, jobs).into_iter().collect()
 }
 
 #[cfg(test)]

@@ -6,6 +6,29 @@ use tempfile::tempdir;
 
 use crate::command::{done, said};
 
+/// On a terminal a bar says how much of the whole is behind and how long the rest takes; a pipe hears of cases alone.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_study_tells_on_a_terminal_when_it_will_be_done() {
+    let folder = tempdir().unwrap();
+    let command = env!("CARGO_BIN_EXE_sphere-dda");
+    let study = format!("{command} reproduce-paper -o report --duration 0.005");
+    let shown = std::process::Command::new("script")
+        .args(["-qec", &study, "/dev/null"])
+        .current_dir(folder.path())
+        .env("TERM", "xterm")
+        .output()
+        .unwrap();
+    assert!(shown.status.success(), "{shown:?}");
+    let text = String::from_utf8_lossy(&shown.stdout).into_owned();
+    let shares: Vec<u32> = text
+        .split(" %, ETA ")
+        .filter_map(|before| before.rsplit(' ').next()?.parse().ok())
+        .collect();
+    assert!(shares.len() > 2 && shares.is_sorted(), "{text}");
+    assert!(shares.iter().all(|&share| share <= 100), "{shares:?}");
+}
+
 #[test]
 fn a_short_study_writes_its_report_once() {
     let folder = tempdir().unwrap();

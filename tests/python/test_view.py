@@ -252,7 +252,25 @@ def test_first_picture_of_a_thousand_spheres(window, command, tmp_path):
     check_positions(window, tmp_path / "run", 100)
 
 
-@pytest.mark.parametrize(("share", "told"), [(0.75, r"values of spheres are in it to 2 %"), (0.55, r"as finely as colours show, to 6 %"), (0.15, r"\d+ of \d+ frames are in it: one in \d+ and the last")])
+def test_long_runs_are_no_coarser_than_they_must_be(command, tmp_path):
+    """Some blocks tell beforehand what has room: a limit just above a page's size gives this page, one just below it the next coarser."""
+    folder = tmp_path / "run"
+    made(command, "run", stirred(tmp_path, 6, 6, 1.5, 0.005), "-o", folder)
+
+    def page(limit):
+        name = tmp_path / f"{limit}.html"
+        done = made(command, "view", folder, "-o", name, "--max-size", f"{limit}B")
+        return name.stat().st_size, done.stderr
+
+    size, told = page(50_000_000)
+    assert "keep the page within" not in told
+    for expected in ("to 2 %", "as finely as colours show", "of other values their magnitudes", "other values are not"):
+        assert page(int(1.01 * size))[0] == size
+        size, told = page(int(0.99 * size))
+        assert expected in told
+
+
+@pytest.mark.parametrize(("share", "told"), [(0.75, r"values of spheres are in it to 2 %"), (0.55, r"as finely as colours show, to 6 %"), (0.4, r"to 6 %, of other values their magnitudes"), (0.15, r"\d+ of \d+ frames are in it: one in \d+ and the last")])
 def test_size_is_kept(window, command, runs, tmp_path, share, told):
     """`--max-size`: values get coarser, then every n-th frame and the last are kept; the command says so, centres stay exact."""
     folder = runs["hopper"]
@@ -272,6 +290,8 @@ def test_size_is_kept(window, command, runs, tmp_path, share, told):
     assert np.abs(np.array(shown["centre"]) - mesh.points).max() < 1e-3 * mesh.point_data["radius"].min()
     velocity = next(field for field in head["fields"] if field["name"] == "velocity")
     assert (velocity["steps"], velocity["magnitude"]) == (25 if "2 %" in told else 8, "frames" in told)
+    spin = [field["magnitude"] for field in head["fields"] if field["name"] == "angular_velocity"]
+    assert spin == ([] if "frames" in told else ["magnitudes" in told])
     assert (len(head["fields"]) == 4) == ("frames" not in told), "nothing that the page shows is left out before"
     fastest = int(np.argmax(np.linalg.norm(mesh.point_data["velocity"], axis=1)))
     expected = float(np.linalg.norm(mesh.point_data["velocity"][fastest]))

@@ -10,12 +10,14 @@
 //! contacts  see contacts
 //! ```
 
+use rayon::prelude::*;
 use sphere_dda::Vec3;
 
 use super::coding::{LARGEST, compressed, deflated, put_bits, put_stream};
 use super::contacts::Contacts;
 use super::detail::{Detail, Kept};
 use super::error::ViewError;
+use super::page::Parts;
 use super::recording::Moment;
 use super::survey::Survey;
 
@@ -74,6 +76,19 @@ pub(super) struct Packed {
     pub(super) motion: Vec<u8>,
     pub(super) fields: Vec<Vec<u8>>,
     pub(super) contacts: Vec<u8>,
+}
+
+impl Packed {
+    /// The parts of the block of this number.
+    pub(super) fn parts(self, number: usize) -> Parts {
+        let mut parts = Parts::default();
+        parts.push(format!("motion-{number}"), self.motion);
+        parts.push(format!("contacts-{number}"), self.contacts);
+        for (k, bytes) in self.fields.into_iter().enumerate() {
+            parts.push(format!("field{k}-{number}"), bytes);
+        }
+        parts
+    }
 }
 
 /// Images of the spheres in the frame before, by slot.
@@ -177,16 +192,19 @@ impl<'a> Block<'a> {
                 motion.push(0);
             }
         }
-        for axis in &self.positions {
-            put_stream(&mut motion, axis, &self.present);
-        }
-        let mut streams = self.values.iter();
-        let fields = self.fields.iter().map(|kept| {
+        let streams: Vec<_> = self.positions.iter().chain(&self.values).collect();
+        let told = streams.into_par_iter().map(|stream| {
             let mut bytes = Vec::new();
-            for stream in streams.by_ref().take(kept.components) {
-                put_stream(&mut bytes, stream, &self.present);
-            }
-            deflated(&bytes)
+            put_stream(&mut bytes, stream, &self.present);
+            bytes
+        });
+        let told: Vec<Vec<u8>> = told.collect();
+        let (axes, mut told) = told.split_at(self.positions.len());
+        motion.extend(axes.iter().flatten());
+        let fields = self.fields.iter().map(|kept| {
+            let (own, rest) = told.split_at(kept.components);
+            told = rest;
+            deflated(&own.concat())
         });
         Packed {
             fields: fields.collect(),

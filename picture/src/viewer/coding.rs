@@ -61,6 +61,9 @@ pub(super) fn put_bits(out: &mut Vec<u8>, bits: impl Iterator<Item = bool>) {
     }
 }
 
+/// Slots of a stream that the choice of its way looks at.
+const SAMPLE: usize = 500;
+
 /// What a whole number of a sphere is told against.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Against {
@@ -73,16 +76,23 @@ enum Against {
 }
 
 /// Appends whole numbers over the frames of a block: frame by frame, in each those slots that are `present`. The first time
-/// a slot is there it is told against the slot before it, or against nothing. A byte says which way is taken, the shortest.
+/// a slot is there it is told against the slot before it, or against nothing. A byte says which way is taken: the shortest for
+/// every n-th slot, with at least [`SAMPLE`] of them.
 pub(super) fn put_stream(out: &mut Vec<u8>, frames: &[Vec<i64>], present: &[Vec<bool>]) {
-    let told = [Against::Nothing, Against::Last, Against::Motion]
-        .map(|against| told(frames, present, against));
-    let shortest = (0..told.len()).min_by_key(|&k| told[k].len()).unwrap_or(0);
+    let ways = [Against::Nothing, Against::Last, Against::Motion];
+    let slots = frames.first().map_or(0, Vec::len);
+    let stride = (slots / SAMPLE).max(1);
+    let tried = ways.map(|against| told(frames, present, against, stride));
+    let shortest = (0..ways.len()).min_by_key(|&k| tried[k].len()).unwrap_or(0);
     out.push(shortest as u8);
-    out.extend(&told[shortest]);
+    match stride {
+        1 => out.extend(&tried[shortest]),
+        _ => out.extend(told(frames, present, ways[shortest], 1)),
+    }
 }
 
-fn told(frames: &[Vec<i64>], present: &[Vec<bool>], against: Against) -> Vec<u8> {
+/// The code of every `stride`-th slot.
+fn told(frames: &[Vec<i64>], present: &[Vec<bool>], against: Against, stride: usize) -> Vec<u8> {
     let slots = frames.first().map_or(0, Vec::len);
     let mut last = vec![0_i64; slots];
     let mut before = vec![0_i64; slots];
@@ -91,7 +101,7 @@ fn told(frames: &[Vec<i64>], present: &[Vec<bool>], against: Against) -> Vec<u8>
     let (mut encoder, mut odds) = (Encoder::new(), Numbers::new());
     for (values, here) in frames.iter().zip(present) {
         let mut neighbour = 0;
-        for slot in (0..slots).filter(|&slot| here[slot]) {
+        for slot in (0..slots).step_by(stride).filter(|&slot| here[slot]) {
             let expected = match (against, known[slot]) {
                 (Against::Nothing, _) => 0,
                 (_, 0) => neighbour,

@@ -67,9 +67,9 @@ impl<'a> Contacts<'a> {
 
     /// Adds the contacts of a frame; `ranks` are those of its spheres. Contacts of spheres that are not there are left out.
     pub(super) fn push(&mut self, moment: &Moment, ranks: &[usize]) {
-        let mut places = BTreeMap::new();
+        let mut places = vec![None; self.survey.slots.len()];
         for (k, &rank) in ranks.iter().enumerate() {
-            places.insert(rank, k);
+            places[rank] = Some(k);
         }
         let mut now: BTreeMap<Key, Known> = BTreeMap::new();
         for contact in &moment.contacts {
@@ -131,7 +131,7 @@ impl<'a> Contacts<'a> {
         &self,
         contact: &Contact,
         moment: &Moment,
-        places: &BTreeMap<usize, usize>,
+        places: &[Option<usize>],
     ) -> Option<(usize, u8, i64, f64)> {
         let rank = self.survey.rank(contact.ids[0])?;
         let own = self.survey.slots[rank].radius;
@@ -139,8 +139,8 @@ impl<'a> Contacts<'a> {
             return Some((rank, BOUNDARY, contact.ids[1], 1.05 * own));
         }
         let other = self.survey.rank(contact.ids[1])?;
-        let position = |rank| places.get(rank).map(|&k| moment.spheres.position[k]);
-        let between = position(&other)? - position(&rank)?;
+        let position = |rank: usize| places[rank].map(|k| moment.spheres.position[k]);
+        let between = position(other)? - position(rank)?;
         let sum = own + self.survey.slots[other].radius;
         let across = (between - contact.branch).norm() > 0.1 * sum;
         let form = if across { ACROSS } else { SPHERE };

@@ -5,6 +5,7 @@
 //! | `Whole` | 0.5 % of it, 5e-7 of the largest in the run | all but orientations |
 //! | `Fine` | 2 % of it, 1/1000 of where the colours end | the same |
 //! | `Colours` | 6 % of it, 1/128 of where the colours end | the same |
+//! | `Sizes` | likewise | velocity and force, of the others their magnitudes |
 //! | `Telling` | likewise | velocity and force |
 //! | `Magnitudes` | likewise | their magnitudes |
 
@@ -20,6 +21,8 @@ pub enum Detail {
     Fine,
     /// Likewise, to 6 %, as finely as colours show; contact forces to 10 %.
     Colours,
+    /// Likewise, but of fields other than velocity and force their magnitudes.
+    Sizes,
     /// Velocity and force alone.
     Telling,
     /// Their magnitudes.
@@ -52,7 +55,8 @@ impl Detail {
         match self {
             Self::Whole => Some(Self::Fine),
             Self::Fine => Some(Self::Colours),
-            Self::Colours => Some(Self::Telling),
+            Self::Colours => Some(Self::Sizes),
+            Self::Sizes => Some(Self::Telling),
             Self::Telling => Some(Self::Magnitudes),
             Self::Magnitudes => None,
         }
@@ -75,7 +79,11 @@ impl Detail {
         let fields = survey.fields.iter().enumerate();
         let fields = fields.filter(|(_, field)| wanted(&field.name));
         let kept = |(index, field): (usize, &FieldRange)| {
-            let magnitude = self == Self::Magnitudes;
+            let magnitude = match self {
+                Self::Magnitudes => true,
+                Self::Sizes => field.components > 1 && !TELLING.contains(&&*field.name),
+                _ => false,
+            };
             let (steps, scale) = self.coding(field);
             Kept {
                 field: index,

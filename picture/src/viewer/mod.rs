@@ -24,6 +24,7 @@ pub use error::ViewError;
 pub use recording::Recording;
 pub use tables::Table;
 
+use rayon::prelude::*;
 use sphere_dda::Vec3;
 
 use blocks::{Block, Grating};
@@ -84,16 +85,31 @@ pub struct Page {
 pub fn page(
     recording: &Recording,
     options: &Options,
-    mut progress: impl FnMut(usize, usize),
+    mut progress: impl FnMut(usize, usize) + Send,
 ) -> Result<Page, ViewError> {
     let recorded = recording.times().len();
     let all: Vec<usize> = (0..recorded).collect();
     let mut total = 2 * recorded;
     let survey = Survey::of(recording, &all, |done| progress(done, total))?;
+    let limited = options.max_size.is_some();
+    let tried = if limited {
+        tried(recorded, &survey)
+    } else {
+        Vec::new()
+    };
+    total += tried.len();
     let first = recording.frame(0)?;
     let mut bodies = Bodies::new(&first.surface);
     let fixed = fixed_parts(&survey, &bodies, options);
-    let (mut thinned, mut detail) = (1, Detail::Whole);
+    let mut thinned = 1;
+    let mut detail = match options.max_size {
+        Some(limit) if !tried.is_empty() => {
+            let show = |done| progress(recorded + done, total);
+            let limit = limit.saturating_sub(fixed.size());
+            promising(recording, &survey, &tried, limit, show)?
+        }
+        _ => Detail::Whole,
+    };
     loop {
         let kept = kept(recorded, thinned);
         let fields = detail.kept(&survey);
@@ -154,6 +170,61 @@ pub fn page(
     }
 }
 
+/// Blocks that are tried before all are made, and how many times more there must be.
+const TRIED: usize = 3;
+const WORTH: usize = 4;
+/// A trial may be wrong by this: what is too large by no more is made.
+const DOUBT: f64 = 1.05;
+
+/// Frames of blocks over the whole recording; none if a trial costs about as much as the page.
+fn tried(recorded: usize, survey: &Survey) -> Vec<usize> {
+    let length = blocks::length(survey.slots.len());
+    let blocks = recorded / length;
+    if blocks < WORTH * TRIED {
+        return Vec::new();
+    }
+    let block = |k: usize| (2 * k + 1) * blocks / (2 * TRIED) * length;
+    (0..TRIED)
+        .flat_map(|k| block(k)..block(k) + length)
+        .collect()
+}
+
+/// The finest detail whose blocks promise to have room, by those with the frames `tried` of `recorded`.
+fn promising(
+    recording: &Recording,
+    survey: &Survey,
+    tried: &[usize],
+    room: u64,
+    mut progress: impl FnMut(usize) + Send,
+) -> Result<Detail, ViewError> {
+    let next = |detail: &Detail| detail.coarser();
+    let details: Vec<Detail> = std::iter::successors(Some(Detail::Whole), next).collect();
+    let fields: Vec<Vec<Kept>> = details.iter().map(|d| d.kept(survey)).collect();
+    let grating = Grating::of(survey);
+    let begin = |k: usize| Block::new(survey, grating, details[k], &fields[k]);
+    let mut blocks: Vec<Block> = (0..details.len()).map(begin).collect();
+    let mut sizes = vec![0; details.len()];
+    let mut images = vec![vec![None; survey.slots.len()]; details.len()];
+    let length = blocks::length(survey.slots.len());
+    let mut done = 0;
+    recording.each(tried, |moment| {
+        let all = blocks.par_iter_mut().zip(&mut images);
+        all.try_for_each(|(block, images)| block.push(&moment, images))?;
+        done += 1;
+        if done % length == 0 {
+            for (k, block) in blocks.iter_mut().enumerate() {
+                sizes[k] += std::mem::replace(block, begin(k)).pack().parts(0).size();
+            }
+        }
+        progress(done);
+        Ok(true)
+    })?;
+    let share = tried.len() as f64 / recording.times().len() as f64;
+    let has_room = |k: &usize| sizes[*k] as f64 <= DOUBT * share * room as f64;
+    let first = (0..details.len()).find(has_room);
+    Ok(first.map_or(Detail::Magnitudes, |k| details[k]))
+}
+
 /// Every `thinned`-th frame and the last; with as many as there are, the first alone.
 fn kept(recorded: usize, thinned: usize) -> Vec<usize> {
     let last = recorded - 1;
@@ -190,7 +261,7 @@ fn fill(
     bodies: &mut Bodies,
     taken: Taken<'_>,
     room: Option<u64>,
-    progress: &mut dyn FnMut(usize),
+    progress: &mut (dyn FnMut(usize) + Send),
 ) -> Result<Filled, ViewError> {
     let grating = Grating::of(survey);
     let Taken {
@@ -203,26 +274,24 @@ fn fill(
     let mut parts = Parts::default();
     let mut images = vec![None; survey.slots.len()];
     let mut block = Block::new(survey, grating, detail, fields);
-    let mut number = 0;
+    let (mut number, mut done) = (0, 0);
+    let mut full = false;
     bodies.restart();
-    for (done, &index) in kept.iter().enumerate() {
-        let moment = recording.frame(index)?;
+    recording.each(kept, |moment| {
         block.push(&moment, &mut images)?;
         bodies.push(&moment)?;
-        if block.frames() == length || done + 1 == kept.len() {
+        done += 1;
+        if block.frames() == length || done == kept.len() {
             let whole = std::mem::replace(&mut block, Block::new(survey, grating, detail, fields));
-            let packed = whole.pack();
-            parts.push(format!("motion-{number}"), packed.motion);
-            parts.push(format!("contacts-{number}"), packed.contacts);
-            for (k, bytes) in packed.fields.into_iter().enumerate() {
-                parts.push(format!("field{k}-{number}"), bytes);
-            }
+            parts.extend(whole.pack().parts(number));
             number += 1;
         }
-        if room.is_some_and(|room| parts.size() > room) {
-            return Ok(Filled::Full { done });
-        }
-        progress(done + 1);
+        full = room.is_some_and(|room| parts.size() > room);
+        progress(done);
+        Ok(!full)
+    })?;
+    if full {
+        return Ok(Filled::Full { done: done - 1 });
     }
     parts.push("boundary-motion", singles(&bodies.motion));
     parts.push("boundary-force", singles(&bodies.force));

@@ -27,6 +27,29 @@ impl Recording {
         }
     }
 
+    /// Frames in the order of `indices`, each read while `take` has the one before.
+    ///
+    /// # Errors
+    /// What cannot be read, or what `take` says; it ends all by `false`.
+    pub(super) fn each(
+        &self,
+        indices: &[usize],
+        mut take: impl FnMut(Moment) -> Result<bool, ViewError> + Send,
+    ) -> Result<(), ViewError> {
+        let mut next = indices
+            .first()
+            .map(|&index| self.frame(index))
+            .transpose()?;
+        let mut rest = indices.iter().skip(1);
+        while let Some(moment) = next {
+            let after = rest.next();
+            let read = || after.map(|&index| self.frame(index)).transpose();
+            let (goes_on, read) = rayon::join(|| take(moment), read);
+            next = if goes_on? { read? } else { None };
+        }
+        Ok(())
+    }
+
     pub(super) fn frame(&self, index: usize) -> Result<Moment, ViewError> {
         match self {
             Self::Folder(folder) => Moment::of(folder.frame(index)?),

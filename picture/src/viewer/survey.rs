@@ -12,6 +12,8 @@ use super::recording::{Moment, Recording};
 const SAMPLES: usize = 400;
 /// Share of the sampled values that lies below the top of the colours.
 const TOP: f64 = 0.99;
+/// Share of the frames whose forces all lie below the top of their colours.
+const MOST: f64 = 0.75;
 /// Rim around the boundaries, or the first frame's spheres, over their diagonal: beyond it spheres are lost in space.
 const RIM: f64 = 0.1;
 
@@ -63,7 +65,8 @@ pub(super) struct Survey {
     pub(super) fields: Vec<FieldRange>,
     /// Largest normal force \[N\] of a contact.
     pub(super) largest_force: f64,
-    forces: Vec<f64>,
+    /// Likewise, of each frame.
+    strongest: Vec<f64>,
 }
 
 impl Survey {
@@ -71,14 +74,17 @@ impl Survey {
     pub(super) fn of(
         recording: &Recording,
         wanted: &[usize],
-        mut seen: impl FnMut(usize),
+        mut seen: impl FnMut(usize) + Send,
     ) -> Result<Self, ViewError> {
         let mut survey = Self::default();
         let mut slots = BTreeMap::new();
-        for (done, &index) in wanted.iter().enumerate() {
-            survey.add(&recording.frame(index)?, &mut slots)?;
-            seen(done + 1);
-        }
+        let mut done = 0;
+        recording.each(wanted, |moment| {
+            survey.add(&moment, &mut slots)?;
+            done += 1;
+            seen(done);
+            Ok(true)
+        })?;
         survey.slots = slots.into_values().collect();
         Ok(survey)
     }
@@ -128,8 +134,9 @@ impl Survey {
         }
         let forces = moment.contacts.iter().map(|contact| contact.force);
         self.largest_force = forces.clone().fold(self.largest_force, f64::max);
-        let stride = forces.len().div_ceil(SAMPLES).max(1);
-        self.forces.extend(forces.step_by(stride));
+        // Frames in which nothing touches have no say.
+        self.strongest
+            .extend(forces.reduce(f64::max).filter(|&force| force > 0.0));
         Ok(())
     }
 
@@ -159,9 +166,10 @@ impl Survey {
         self.slots.binary_search_by_key(&id, |slot| slot.id).ok()
     }
 
-    /// Normal force \[N\] below which nearly all contacts lie.
+    /// Normal force \[N\] where lines have their last colour: in most frames none is larger, and an impact once in the run
+    /// does not make the others invisible.
     pub(super) fn top_force(&self) -> f64 {
-        quantile(&self.forces, TOP)
+        quantile(&self.strongest, MOST)
     }
 
     /// Smallest radius \[m\]; `None` without spheres.

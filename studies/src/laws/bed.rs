@@ -1,5 +1,6 @@
 //! Beds of grains that the laws are measured on: filling, runs, what is read from a state.
 
+use std::cell::Cell;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -9,7 +10,7 @@ use sphere_dda::scene::particles::Kinematics;
 use sphere_dda::simulation::Simulation;
 
 use crate::error::ReportError;
-use crate::{Watch, parallel};
+use crate::{Part, Watch, parallel};
 
 /// Gravity \[m/s^2\].
 pub(super) const G: f64 = 9.81;
@@ -106,16 +107,44 @@ pub(super) fn by_packing<C: Copy + Send, T: Send>(
         .collect()
 }
 
+/// What cases of a kind cost, as recorded with an eighth of the grains: shares of the whole are much the same.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Cost {
+    /// Number of cases.
+    pub(super) cases: usize,
+    /// Seconds of one core, of each.
+    pub(super) seconds: f64,
+    /// Simulated time \[s\], of each.
+    pub(super) simulated: f64,
+}
+
+impl Cost {
+    /// Of all cases.
+    pub(super) fn sum(costs: &[Self]) -> f64 {
+        costs.iter().map(|c| c.cases as f64 * c.seconds).sum()
+    }
+}
+
 /// A case of the study: its name in messages, and who watches.
-#[derive(Clone, Copy)]
 pub(super) struct Run<'a> {
     /// Name.
     pub(super) name: &'a str,
-    /// Who watches.
-    pub(super) watch: &'a dyn Watch,
+    part: Part<'a>,
+    simulated: f64,
+    looks: Cell<u64>,
 }
 
-impl Run<'_> {
+impl<'a> Run<'a> {
+    /// A case that begins.
+    pub(super) fn new(name: &'a str, watch: &'a dyn Watch, cost: Cost) -> Self {
+        Self {
+            name,
+            part: Part::new(watch, cost.seconds),
+            simulated: cost.simulated,
+            looks: Cell::new(0),
+        }
+    }
+
     /// Begins a scene.
     ///
     /// # Errors
@@ -137,9 +166,12 @@ impl Run<'_> {
         let start = simulation.time();
         let looks = ((end - start) / LOOK).round() as u64;
         for k in 1..=looks {
-            if self.watch.stop() {
+            if self.part.watch.stop() {
                 return Err(ReportError::Interrupted);
             }
+            self.part
+                .reached(self.looks.get() as f64 * LOOK / self.simulated);
+            self.looks.set(self.looks.get() + 1);
             simulation
                 .advance_to(start + k as f64 * LOOK)
                 .map_err(|error| self.failed(error))?;

@@ -14,7 +14,7 @@ use std::fmt::Write as _;
 
 use sphere_dda::scene::particles::Kinematics;
 
-use super::bed::{self, Friction, G, GRAIN, Run};
+use super::bed::{self, Cost, Friction, G, GRAIN, Run};
 use super::fit::{self, Line};
 use crate::Watch;
 use crate::error::ReportError;
@@ -107,6 +107,20 @@ impl Outflow {
     }
 }
 
+/// What a filling costs.
+pub(super) const FILLING: Cost = Cost {
+    cases: PACKINGS as usize,
+    seconds: 0.8,
+    simulated: 0.7,
+};
+
+/// What an outflow costs.
+pub(super) const OUTFLOW: Cost = Cost {
+    cases: ORIFICES.len() * PACKINGS as usize,
+    seconds: 2.3,
+    simulated: 1.3,
+};
+
 /// Fills bins, then opens every orifice in each.
 ///
 /// # Errors
@@ -139,7 +153,7 @@ pub fn run(share: f64, threads: usize, watch: &dyn Watch) -> Result<Beverloo, Re
 /// A bin at rest: bulk density \[kg/m^3\], and where its grains are.
 fn filled(count: usize, packing: u64, watch: &dyn Watch) -> Result<(f64, Kinematics), ReportError> {
     let name = format!("Beverloo, filling, packing {packing}");
-    let run = Run { name: &name, watch };
+    let run = Run::new(&name, watch, FILLING);
     let scene = bed::scene("beverloo.toml", &text((count, packing), None))?;
     let mut bin = run.begin(scene)?;
     run.wait(&mut bin, TIMES[0])?;
@@ -205,7 +219,7 @@ fn outflow(
         "Beverloo, orifice of {orifice} grains, packing {}",
         grains.1
     );
-    let run = Run { name: &name, watch };
+    let run = Run::new(&name, watch, OUTFLOW);
     let mut scene = bed::scene("beverloo.toml", &text(grains, Some(orifice * GRAIN)))?;
     scene.initial = full.clone();
     let mut bin = run.begin(scene)?;

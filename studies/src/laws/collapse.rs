@@ -11,7 +11,7 @@
 
 use sphere_dda::simulation::Simulation;
 
-use super::bed::{self, Friction, GRAIN, Run};
+use super::bed::{self, Cost, Friction, GRAIN, Run};
 use super::fit::{self, Line};
 use crate::Watch;
 use crate::error::ReportError;
@@ -93,6 +93,13 @@ pub struct Collapse {
     pub laws: [(f64, f64); 2],
 }
 
+/// What a column costs.
+pub(super) const COST: Cost = Cost {
+    cases: COLUMNS.len() * PACKINGS as usize,
+    seconds: 1.1,
+    simulated: 1.3,
+};
+
 /// Runs every column.
 ///
 /// # Errors
@@ -156,7 +163,7 @@ fn collapsed(
     watch: &dyn Watch,
 ) -> Result<Deposit, ReportError> {
     let name = format!("column of aspect {aspect}, packing {packing}");
-    let run = Run { name: &name, watch };
+    let run = Run::new(&name, watch, COST);
     let grains = count(aspect, radius);
     let size @ [radius, height] = [radius * GRAIN, aspect * radius * GRAIN];
     let scene = |wall| bed::scene("collapse.toml", &text(size, (grains, packing), wall));

@@ -12,7 +12,7 @@ use sphere_dda::contact::Partner;
 use sphere_dda::scene::Command;
 use sphere_dda::simulation::Simulation;
 
-use super::bed::{self, Friction, G, GRAIN, Run};
+use super::bed::{self, Cost, Friction, G, GRAIN, Run};
 use super::fit;
 use crate::Watch;
 use crate::error::ReportError;
@@ -31,6 +31,13 @@ const TIMES: [f64; 2] = [0.8, 0.6];
 const SINKING: f64 = 0.01;
 /// Levels at which the stress is read.
 const LEVELS: usize = 24;
+
+/// What the silo costs.
+pub(super) const COST: Cost = Cost {
+    cases: 1,
+    seconds: 1.1,
+    simulated: 1.4,
+};
 
 /// What was measured.
 #[derive(Debug, Clone, PartialEq)]
@@ -64,10 +71,7 @@ fn law(limit: f64, s: f64) -> f64 {
 /// # Errors
 /// What the run says.
 pub fn run(share: f64, watch: &dyn Watch) -> Result<Janssen, ReportError> {
-    let run = Run {
-        name: "Janssen silo",
-        watch,
-    };
+    let run = Run::new("Janssen silo", watch, COST);
     let radius = 0.5 * DIAMETER;
     let count = (share * COUNT as f64) as usize;
     let text = bed::head(

@@ -11,6 +11,8 @@ mod study;
 pub mod triaxial;
 
 pub use study::Options;
+
+use bed::Cost;
 use study::Study;
 
 use crate::Watch;
@@ -23,6 +25,15 @@ use crate::folder::Folder;
 /// What a case says, or [`ReportError::Interrupted`].
 pub fn study(options: &Options, watch: &dyn Watch) -> Result<Folder, ReportError> {
     let (share, threads) = (options.share, options.threads);
+    watch.expect(Cost::sum(&[
+        janssen::COST,
+        repose::COST,
+        collapse::COST,
+        beverloo::FILLING,
+        beverloo::OUTFLOW,
+        triaxial::COMPACTING,
+        triaxial::TEST,
+    ]));
     sections::write(&Study {
         share,
         janssen: janssen::run(share, watch)?,

@@ -16,7 +16,7 @@
 use sphere_dda::Vec3;
 use sphere_dda::simulation::Simulation;
 
-use super::bed::{self, Friction, GRAIN, Run};
+use super::bed::{self, Cost, Friction, GRAIN, Run};
 use crate::error::ReportError;
 use crate::{Watch, parallel};
 
@@ -58,15 +58,26 @@ pub struct Test {
     pub servo: f64,
 }
 
+/// What the compaction costs.
+pub(super) const COMPACTING: Cost = Cost {
+    cases: 1,
+    seconds: 1.6,
+    simulated: 0.4,
+};
+
+/// What a test costs.
+pub(super) const TEST: Cost = Cost {
+    cases: FRICTIONS.len(),
+    seconds: 1.8,
+    simulated: 1.3,
+};
+
 /// Runs every friction coefficient.
 ///
 /// # Errors
 /// What a run says.
 pub fn run(share: f64, threads: usize, watch: &dyn Watch) -> Result<Vec<Test>, ReportError> {
-    let run = Run {
-        name: "triaxial compaction",
-        watch,
-    };
+    let run = Run::new("triaxial compaction", watch, COMPACTING);
     let edge = EDGE * share.cbrt() * GRAIN;
     let count = (6.0 / std::f64::consts::PI * LOOSE * (edge / GRAIN).powi(3)) as usize;
     let loose = Walls {
@@ -194,7 +205,7 @@ fn test(
     watch: &dyn Watch,
 ) -> Result<Test, ReportError> {
     let name = format!("triaxial test at friction {friction}");
-    let run = Run { name: &name, watch };
+    let run = Run::new(&name, watch, TEST);
     let grains = sample.scene().particles.len();
     let rate = INERTIA / (GRAIN * (bed::DENSITY / PRESSURE).sqrt());
     let height = dense.edges().z;

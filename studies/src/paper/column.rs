@@ -107,6 +107,12 @@ impl Column {
         1.0 / (1.0 + p / self.inertia_stiffness() * (2.0 - 2.0 * angle.cos()))
     }
 
+    /// What a count at penalty `p` \[N/m\] costs, in seconds of one core as recorded.
+    #[must_use]
+    pub fn cost(&self, p: f64) -> f64 {
+        1.4e-5 * self.predicted(p, Stop::Force)
+    }
+
     /// `ln(tol/a)/ln q` of the slowest mode at penalty `p` \[N/m\]; not rounded.
     #[must_use]
     pub fn predicted(&self, p: f64, stop: Stop) -> f64 {

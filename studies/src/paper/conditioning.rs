@@ -12,7 +12,7 @@ use sphere_dda::solver::{SolverKind, Tolerance};
 
 use super::stepping::{Case, Example, Record, simulate};
 use crate::error::ReportError;
-use crate::{Watch, parallel};
+use crate::{Part, Watch, parallel};
 
 /// Factors on the paper's penalty: six decades.
 pub const DECADES: [f64; 7] = [1e-3, 1e-2, 1e-1, 1.0, 1e1, 1e2, 1e3];
@@ -59,6 +59,16 @@ pub fn condition(problem: &Problem, penalty: f64) -> Option<f64> {
     Some(Condition::of(&matrix, &factor).number())
 }
 
+/// What one penalty costs until `end` \[s\], both methods, in seconds of one core as recorded.
+#[must_use]
+pub fn cost(example: Example, end: f64) -> f64 {
+    let whole = match example {
+        Example::Funnel => 4.0,
+        Example::Slopes => 10.0,
+    };
+    whole * end / example.compared()
+}
+
 /// The study of one example; `problem` is the frozen step.
 ///
 /// # Errors
@@ -83,7 +93,7 @@ pub fn study(
                         factor,
                         end,
                     };
-                    simulate(case, watch)
+                    simulate(case, &Part::new(watch, 0.5 * cost(example, end)))
                 };
                 let point = Point {
                     factor,

@@ -9,7 +9,7 @@ use sphere_dda::simulation::Simulation;
 
 use super::column::{Column, Stop};
 use super::stepping::{Case, Example, Tally};
-use crate::Watch;
+use crate::Part;
 use crate::error::ReportError;
 
 /// Augmentations of a step beyond which an example is left out.
@@ -55,11 +55,22 @@ pub enum Outcome {
 }
 
 impl Held {
+    /// Cost of a run until `end` \[s\], in seconds of one core as recorded.
+    #[must_use]
+    pub fn cost(&self, end: f64) -> f64 {
+        let whole = match (self.example, self.friction) {
+            (Example::Slopes, true) if self.factor >= 100.0 => 86.0,
+            (Example::Slopes, false) => 11.0,
+            _ => 0.3,
+        };
+        whole * end / self.example.end()
+    }
+
     /// Runs it until `end` \[s\], or until a step needs more than [`MOST`] augmentations.
     ///
     /// # Errors
     /// A damaged scene, or [`ReportError::Interrupted`].
-    pub fn run(&self, end: f64, watch: &dyn Watch) -> Result<Outcome, ReportError> {
+    pub fn run(&self, end: f64, part: &Part<'_>) -> Result<Outcome, ReportError> {
         let column = Column::of(self.example, 1)?;
         let alone = column.predicted(self.factor * column.penalty, Stop::Force);
         if alone > MOST as f64 {
@@ -93,9 +104,10 @@ impl Held {
         let mut overlap = 0.0f64;
         let steps = (end / step).round() as u64;
         for k in 1..=steps {
-            if watch.stop() {
+            if part.watch.stop() {
                 return Err(ReportError::Interrupted);
             }
+            part.reached((k - 1) as f64 / steps as f64);
             let time = k as f64 * step;
             match simulation.advance_to(time) {
                 Ok(report) if report.augmentations <= MOST => {

@@ -20,21 +20,34 @@ use study::{STACKS, StackRow, Study};
 
 use crate::error::ReportError;
 use crate::folder::Folder;
-use crate::{Watch, parallel};
+use crate::{Part, Watch, parallel};
 use column::{Column, Stop};
-use held::{Held, Outcome};
-use stepping::{Case, Example, Record, simulate};
+use held::Held;
+use stepping::{Case, Example, simulate};
 
 /// Runs the study and writes it: `paper.md`, and below `paper/` its drawings (SVG) and tables (CSV).
 ///
 /// # Errors
 /// What a case that must run says, or [`ReportError::Interrupted`].
 pub fn study(options: &Options, watch: &dyn Watch) -> Result<Folder, ReportError> {
-    let end = |example: Example| {
-        let last = example.printed().iter().copied().fold(0.0, f64::max);
-        last * options.duration
+    let end = |example: Example| example.end() * options.duration;
+    let compared = |example: Example| example.compared().min(end(example));
+    let (cases, stacks, held) = (cases(&end), stacks(options)?, held());
+    let sweep = |example| {
+        conditioning::DECADES.len() as f64 * conditioning::cost(example, compared(example))
     };
-    let records = records(options, &end, watch)?;
+    watch.expect(
+        cases.iter().map(Case::cost).sum::<f64>()
+            + Example::ALL.map(sweep).iter().sum::<f64>()
+            + stacks.iter().map(Stack::cost).sum::<f64>()
+            + held.iter().map(|h| h.cost(end(h.example))).sum::<f64>(),
+    );
+    let threads = options.threads;
+    let records = parallel::all(threads, cases, |case| {
+        let record = simulate(case, &Part::new(watch, case.cost()))?;
+        watch.note(&format!("{}: {} steps", case.name(), record.steps));
+        Ok(record)
+    })?;
     let mut sweeps = Vec::new();
     for example in Example::ALL {
         let frozen = records.iter().find_map(|record| {
@@ -43,8 +56,7 @@ pub fn study(options: &Options, watch: &dyn Watch) -> Result<Folder, ReportError
             record.problem.as_ref().filter(|_| wanted)
         });
         if let Some(problem) = frozen {
-            let until = example.compared().min(end(example));
-            let points = conditioning::study(example, problem, until, options.threads, watch)?;
+            let points = conditioning::study(example, problem, compared(example), threads, watch)?;
             sweeps.push((example, points));
         }
     }
@@ -52,105 +64,122 @@ pub fn study(options: &Options, watch: &dyn Watch) -> Result<Folder, ReportError
         duration: options.duration,
         records,
         sweeps,
-        stacks: stacks(options, watch)?,
-        held: held(options, &end, watch)?,
+        stacks: parallel::all(threads, stacks, |stack| stack.count(watch))?,
+        held: parallel::all(threads, held, |held| {
+            let end = end(held.example);
+            let outcome = held.run(end, &Part::new(watch, held.cost(end)))?;
+            let Held {
+                example, factor, ..
+            } = held;
+            watch.note(&format!("{}: penalty held at {factor} P", example.name()));
+            Ok((held, outcome))
+        })?,
     };
     sections::write(&study)
 }
 
 /// Both examples, both integrators, both methods.
-fn records(
-    options: &Options,
-    end: &(dyn Fn(Example) -> f64 + Sync),
-    watch: &dyn Watch,
-) -> Result<Vec<Record>, ReportError> {
-    let mut jobs = Vec::new();
+fn cases(end: &dyn Fn(Example) -> f64) -> Vec<Case> {
+    let mut cases = Vec::new();
     for example in Example::ALL {
         for integrator in [Integrator::Shi, Integrator::Moreau] {
-            for method in [Method::Alm, Method::Penalty] {
-                jobs.push(move || {
-                    let case = Case {
-                        example,
-                        integrator,
-                        method,
-                        factor: 1.0,
-                        end: end(example),
-                    };
-                    let record = simulate(case, watch)?;
-                    watch.note(&format!("{}: {} steps", case.name(), record.steps));
-                    Ok(record)
-                });
-            }
+            cases.extend([Method::Alm, Method::Penalty].map(|method| Case {
+                example,
+                integrator,
+                method,
+                factor: 1.0,
+                end: end(example),
+            }));
         }
     }
-    parallel::run(options.threads, jobs).into_iter().collect()
+    cases
+}
+
+/// A stack at a held penalty.
+struct Stack {
+    example: Example,
+    spheres: usize,
+    factor: f64,
+    column: Column,
 }
 
 /// Stacks at held penalties; a trial leaves out those that need more than ten thousand augmentations.
-fn stacks(options: &Options, watch: &dyn Watch) -> Result<Vec<StackRow>, ReportError> {
-    let mut jobs = Vec::new();
+fn stacks(options: &Options) -> Result<Vec<Stack>, ReportError> {
+    let mut stacks = Vec::new();
     for example in Example::ALL {
         for spheres in STACKS {
             let column = Column::of(example, spheres)?;
-            for factor in column::FACTORS {
-                let p = factor * column.penalty;
-                if options.duration < 1.0 && column.predicted(p, Stop::Force) > 1e4 {
-                    continue;
-                }
-                jobs.push(move || {
-                    if watch.stop() {
-                        return Err(ReportError::Interrupted);
-                    }
-                    let counted = column.counted(p)?;
-                    let row = StackRow {
-                        example,
-                        spheres,
-                        factor,
-                        contraction: column.contraction(p),
-                        gap: (column.predicted(p, Stop::Gap), counted.gap),
-                        force: (column.predicted(p, Stop::Force), counted.force),
-                        error: counted.error,
-                        adapted: column.adapted(p)?,
-                        penalty: column.penalty_overlap(p)?,
-                    };
-                    let name = example.name();
-                    watch.note(&format!(
-                        "{name}: stack of {spheres} at {factor} P, {} augmentations",
-                        counted.force
-                    ));
-                    Ok(row)
-                });
-            }
+            stacks.extend(column::FACTORS.map(|factor| Stack {
+                example,
+                spheres,
+                factor,
+                column,
+            }));
         }
     }
-    parallel::run(options.threads, jobs).into_iter().collect()
+    let short = |s: &Stack| s.column.predicted(s.penalty(), Stop::Force) <= 1e4;
+    stacks.retain(|stack| options.duration >= 1.0 || short(stack));
+    Ok(stacks)
 }
 
-fn held(
-    options: &Options,
-    end: &(dyn Fn(Example) -> f64 + Sync),
-    watch: &dyn Watch,
-) -> Result<Vec<(Held, Outcome)>, ReportError> {
-    let mut jobs = Vec::new();
+impl Stack {
+    /// Penalty \[N/m\].
+    fn penalty(&self) -> f64 {
+        self.factor * self.column.penalty
+    }
+
+    fn cost(&self) -> f64 {
+        self.column.cost(self.penalty())
+    }
+
+    fn count(&self, watch: &dyn Watch) -> Result<StackRow, ReportError> {
+        if watch.stop() {
+            return Err(ReportError::Interrupted);
+        }
+        let _part = Part::new(watch, self.cost());
+        let (column, p) = (self.column, self.penalty());
+        let counted = column.counted(p)?;
+        let row = StackRow {
+            example: self.example,
+            spheres: self.spheres,
+            factor: self.factor,
+            contraction: column.contraction(p),
+            gap: (column.predicted(p, Stop::Gap), counted.gap),
+            force: (column.predicted(p, Stop::Force), counted.force),
+            error: counted.error,
+            adapted: column.adapted(p)?,
+            penalty: column.penalty_overlap(p)?,
+        };
+        let (
+            name,
+            Self {
+                spheres, factor, ..
+            },
+        ) = (self.example.name(), self);
+        watch.note(&format!(
+            "{name}: stack of {spheres} at {factor} P, {} augmentations",
+            counted.force
+        ));
+        Ok(row)
+    }
+}
+
+/// Both examples at every penalty, and at the largest without friction.
+fn held() -> Vec<Held> {
+    let mut list = Vec::new();
     for example in Example::ALL {
         for factor in column::FACTORS {
             let largest = factor == column::FACTORS[column::FACTORS.len() - 1];
             for friction in [true, false] {
-                if !friction && !largest {
-                    continue;
+                if friction || largest {
+                    list.push(Held {
+                        example,
+                        factor,
+                        friction,
+                    });
                 }
-                let held = Held {
-                    example,
-                    factor,
-                    friction,
-                };
-                jobs.push(move || {
-                    let outcome = held.run(end(example), watch)?;
-                    watch.note(&format!("{}: penalty held at {factor} P", example.name()));
-                    Ok((held, outcome))
-                });
             }
         }
     }
-    parallel::run(options.threads, jobs).into_iter().collect()
+    list
 }

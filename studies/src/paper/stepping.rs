@@ -17,7 +17,7 @@ use sphere_dda_picture::error::DrawingError;
 
 use super::beyond::Beyond;
 use super::overlap::Overlaps;
-use crate::Watch;
+use crate::Part;
 use crate::error::ReportError;
 
 /// The paper's examples.
@@ -49,6 +49,12 @@ impl Example {
             Self::Funnel => &[6.0, 8.6],
             Self::Slopes => &[20.0, 47.0, 63.0],
         }
+    }
+
+    /// The last of them \[s\]: a whole run ends there.
+    #[must_use]
+    pub fn end(self) -> f64 {
+        self.printed().iter().copied().fold(0.0, f64::max)
     }
 
     /// A time \[s\] before the first picture, with most of the spheres in contact.
@@ -120,6 +126,43 @@ impl Case {
         } = self;
         let (integrator, method) = (integrator_name(*integrator), method_name(*method));
         format!("{}, {integrator}, {method}, {factor} P", example.name())
+    }
+
+    /// What it costs from the paper's penalty, in seconds of one core as recorded.
+    #[must_use]
+    pub fn cost(&self) -> f64 {
+        let alm = self.method == Method::Alm;
+        let whole = match (self.example, self.integrator) {
+            (Example::Funnel, Integrator::Shi) => {
+                if alm {
+                    111.0
+                } else {
+                    7.0
+                }
+            }
+            (Example::Funnel, Integrator::Moreau) => {
+                if alm {
+                    180.0
+                } else {
+                    128.0
+                }
+            }
+            (Example::Slopes, Integrator::Shi) => {
+                if alm {
+                    107.0
+                } else {
+                    2.0
+                }
+            }
+            (Example::Slopes, Integrator::Moreau) => {
+                if alm {
+                    86.0
+                } else {
+                    18.0
+                }
+            }
+        };
+        whole * self.end / self.example.end()
     }
 
     /// The scene of this case; ALM by the paper's loop, which adapts the penalty as the library does by itself.
@@ -226,7 +269,7 @@ pub struct Record {
 ///
 /// # Errors
 /// A damaged scene, an augmented-Lagrangian run that does not start, or [`ReportError::Interrupted`].
-pub fn simulate(case: Case, watch: &dyn Watch) -> Result<Record, ReportError> {
+pub fn simulate(case: Case, part: &Part<'_>) -> Result<Record, ReportError> {
     let scene = Arc::new(case.scene()?);
     let mut simulation =
         Simulation::new(Arc::clone(&scene)).map_err(|error| ReportError::Step {
@@ -265,9 +308,10 @@ pub fn simulate(case: Case, watch: &dyn Watch) -> Result<Record, ReportError> {
     let step = scene.settings.communication_step;
     let count = (case.end / step).round() as u64;
     for k in 1..=count {
-        if watch.stop() {
+        if part.watch.stop() {
             return Err(ReportError::Interrupted);
         }
+        part.reached((k - 1) as f64 / count as f64);
         match simulation.advance_to(k as f64 * step) {
             Ok(report) => {
                 observer.record.augmentations.include(report.augmentations);

@@ -96,9 +96,10 @@ export class Forces {
         from[3 * line + axis] = start;
         to[3 * line + axis] = between ? centres[3 * b + axis] - origin[axis] : start + contacts.branch[3 * k + axis];
       }
-      const share = Math.min(contacts.force[k] / top, 2);
-      width[line] = thickest * share;
-      shade[line] = Math.min(share, 1);
+      const share = contacts.force[k] / top;
+      width[line] = thickest * Math.min(share, 1.2);
+      // By the root: most forces are small against the largest, and their chains should be seen.
+      shade[line] = Math.sqrt(Math.min(share, 1));
       line++;
     }
     geometry.instanceCount = line;

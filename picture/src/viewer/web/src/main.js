@@ -69,7 +69,7 @@ async function start() {
       const title = colouring.unit ? `${colouring.label} [${colouring.unit}]` : colouring.label;
       scales.push(colouring.kinds ? { names: colouring.kinds } : { title, ...range, capped: colouring.capped });
     }
-    if (settings.forces) scales.push({ title: "normal force [N]", low: 0, high: head.forces.top, heat: true, capped: true });
+    if (settings.forces) scales.push({ title: "normal force [N]", low: 0, high: head.forces.top, heat: true, capped: true, root: true, note: `largest ${brief(head.forces.largest)}` });
     return scales;
   }
 

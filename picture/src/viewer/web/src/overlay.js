@@ -23,13 +23,15 @@ function ticks(low, high, count) {
   return out;
 }
 
-function bar(ctx, x, y, { title, low, high, colour, capped }) {
+/** A scale; with `root` its colours go by the root of the amount. */
+function bar(ctx, x, y, { title, low, high, colour, capped, note, root }) {
   const [wide, tall] = [14, 150];
   const gradient = ctx.createLinearGradient(0, y + tall, 0, y);
   for (let k = 0; k <= 10; k++) gradient.addColorStop(k / 10, css(colour(k / 10)));
   ctx.fillStyle = INK;
   ctx.textAlign = "right";
-  ctx.fillText(title, x + wide, y - 10);
+  ctx.fillText(title, x + wide, y - 14);
+  if (note) ctx.fillText(note, x + wide, y + tall + 20);
   ctx.fillStyle = gradient;
   ctx.fillRect(x, y, wide, tall);
   ctx.strokeStyle = "#8b959e";
@@ -37,7 +39,8 @@ function bar(ctx, x, y, { title, low, high, colour, capped }) {
   ctx.fillStyle = INK;
   if (capped) ctx.fillText(`≥ ${brief(high)}`, x - 7, y + 4);
   for (const value of ticks(low, high, 5)) {
-    const at = y + tall * (1 - (value - low) / (high - low || 1));
+    const share = (value - low) / (high - low || 1);
+    const at = y + tall * (1 - (root ? Math.sqrt(share) : share));
     if (capped && at < y + 12) continue;
     ctx.fillRect(x - 4, at - 0.5, 4, 1);
     ctx.fillText(brief(value), x - 7, at + 4);

@@ -51,7 +51,8 @@ void main() {
     normal = -clip.xyz * sign(dot(clip.xyz, ray));
     flatness = 1.0;
   }
-  vec3 base = texture2D(colours, vec2(value, 0.5)).rgb;
+  // Pale spheres are of no colour: their legend is not shown.
+  vec3 base = pale > 0.0 ? vec3(0.66) : texture2D(colours, vec2(value, 0.5)).rgb;
   float key = max(dot(normal, normalize(vec3(-0.35, 0.55, 0.75))), 0.0);
   float sky = 0.5 + 0.5 * normal.y;
   float rim = 1.0 - max(-dot(normal, ray), 0.0);
