@@ -23,6 +23,8 @@ pub struct Pair {
     pub rolling_friction: f64,
     /// Coefficient of twisting resistance `mu_t` \[-\], >= 0: the couple about the normal is at most `mu_t R* p_n`.
     pub twisting_friction: f64,
+    /// Archard's wear coefficient `k` \[1/Pa\], >= 0: a boundary loses the volume `k F_n s` under a normal force that slides by `s`.
+    pub wear: f64,
 }
 
 /// Symmetric table of [`Pair`]s for `n` materials.

@@ -13,6 +13,7 @@ struct Given {
     restitution: Option<f64>,
     rolling: Option<f64>,
     twisting: Option<f64>,
+    wear: Option<f64>,
 }
 
 impl Given {
@@ -27,6 +28,7 @@ impl Given {
             restitution: smaller(a.restitution, b.restitution),
             rolling: smaller(a.rolling, b.rolling),
             twisting: smaller(a.twisting, b.twisting),
+            wear: smaller(a.wear, b.wear),
         }
     }
 
@@ -37,6 +39,7 @@ impl Given {
             restitution: self.restitution.unwrap_or(default.restitution),
             rolling_friction: self.rolling.unwrap_or(default.rolling_friction),
             twisting_friction: self.twisting.unwrap_or(default.twisting_friction),
+            wear: self.wear.unwrap_or(default.wear),
         }
     }
 }
@@ -50,6 +53,7 @@ macro_rules! given {
             restitution: table.restitution,
             rolling: table.rolling_friction,
             twisting: table.twisting_friction,
+            wear: table.wear,
         };
         checked($document, $path, given, table.friction_angle)
     }};
@@ -130,6 +134,14 @@ fn checked(document: &mut Document<'_>, path: &str, given: Given, angle: Option<
         if let Some(mu) = coefficient {
             document.within(format!("{path}.{key}"), mu, 0.0.., "a coefficient >= 0 [-]");
         }
+    }
+    if let Some(wear) = given.wear {
+        document.within(
+            format!("{path}.wear"),
+            wear,
+            0.0..,
+            "a coefficient >= 0 [1/Pa]",
+        );
     }
     if let Some(angle) = angle {
         let range = (0.0..90.0).contains(&angle);

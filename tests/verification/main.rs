@@ -35,3 +35,4 @@ mod solvers;
 mod springs;
 mod support;
 mod tunnelling;
+mod walls;

@@ -244,6 +244,9 @@ pub struct Material {
     /// times the normal force.
     #[schemars(extend("minimum" = 0))]
     pub twisting_friction: Option<f64>,
+    /// Archard's wear coefficient \[1/Pa\] of boundaries with `wall_fields`: the volume worn off per normal force and sliding path.
+    #[schemars(extend("minimum" = 0))]
+    pub wear: Option<f64>,
 }
 
 /// `[pair_default]`: how materials touch unless a `[[pair]]` or their own `[[material]]`s say otherwise.
@@ -267,6 +270,9 @@ pub struct PairDefault {
     /// times the normal force.
     #[schemars(extend("x-default" = "`0`", "minimum" = 0))]
     pub twisting_friction: Option<f64>,
+    /// Archard's wear coefficient \[1/Pa\] of boundaries with `wall_fields`: the volume worn off per normal force and sliding path.
+    #[schemars(extend("x-default" = "`0`", "minimum" = 0))]
+    pub wear: Option<f64>,
 }
 
 /// `[[pair]]`: how two materials touch; what is left out is taken from their `[[material]]`s, then from `[pair_default]`.
@@ -293,6 +299,9 @@ pub struct Pair {
     /// times the normal force.
     #[schemars(extend("minimum" = 0))]
     pub twisting_friction: Option<f64>,
+    /// Archard's wear coefficient \[1/Pa\] of boundaries with `wall_fields`: the volume worn off per normal force and sliding path.
+    #[schemars(extend("minimum" = 0))]
+    pub wear: Option<f64>,
 }
 
 /// `[[load]]`: a force on a sphere at a point that moves with it.

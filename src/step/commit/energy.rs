@@ -10,6 +10,18 @@ use crate::state::{BodyState, EnergyLedger, State};
 use crate::step::rows::elastic::Elastic;
 use crate::step::solution::Solved;
 
+/// What a contact loses in a step.
+pub(super) struct Lost {
+    /// By friction \[J\].
+    pub(super) friction: f64,
+    /// Along its normal, if it is a rigid impact \[J\].
+    pub(super) impact: f64,
+    /// Impulse along its normal \[N s\]; none of a couple.
+    pub(super) impulse: f64,
+    /// Speed across it \[m/s\].
+    pub(super) slip: f64,
+}
+
 impl Solved<'_> {
     /// Adds the step's work. Lasting forces act along the displacement `dt v1`; an impact's work is `p . (u^- + u1)/2`. What
     /// contacts take across their normals is friction, along those of impacts the impact's loss. Along the normals of lasting
@@ -43,34 +55,17 @@ impl Solved<'_> {
                 continue;
             }
             let general = rows.general(k);
-            let law = general.map(|row| row.law);
-            if law == Some(Law::Bilateral) {
+            if general.is_some_and(|row| row.law == Law::Bilateral) {
                 let spring = p.dot(&rows.relative(k, |i| self.solution.velocity[i]));
                 work.springs += spring;
                 known += spring;
                 continue;
             }
-            let impact = self.assembly.is_impact(k);
-            let velocity = |i: usize| match impact {
-                true => self.mean(i),
-                false => self.solution.velocity[i],
-            };
-            let (mut u, n) = (rows.relative(k, velocity), rows.normal(k));
-            // Friction works on the slip of the step's middle.
-            if let Some(row) = general.filter(|row| row.is_contact() && row.is_rigid()) {
-                u += row.across();
-            }
-            let couple = matches!(law, Some(Law::Resistance { .. }));
-            // A couple of resistance is friction as a whole.
-            let p_n = if couple { 0.0 } else { p.dot(&n) };
-            let friction = -(p - n * p_n).dot(&u);
-            work.friction += friction;
-            known -= friction;
-            if impact && rows.compliance(k) == 0.0 {
-                let loss = -p_n * u.dot(&n);
-                work.impact += loss;
-                known -= loss;
-            }
+            let lost = self.lost(k);
+            work.friction += lost.friction;
+            known -= lost.friction;
+            work.impact += lost.impact;
+            known -= lost.impact;
             // Of a prescribed motion, and of a belt also where its boundary is driven.
             if let Some(row) = general {
                 let boundary = -p.dot(&row.prescribed_velocity);
@@ -79,16 +74,49 @@ impl Solved<'_> {
             }
             if let Some(driven) = self.assembly.driven_side(k) {
                 let [_, grip] = rows.get(k).jacobian();
-                known += p.dot(&grip.velocity(&velocity(driven)));
+                let velocity = match self.assembly.is_impact(k) {
+                    true => self.mean(driven),
+                    false => self.solution.velocity[driven],
+                };
+                known += p.dot(&grip.velocity(&velocity));
             }
         }
         work.numerical_work -= known;
         work
     }
 
+    /// What the contact or the resistance of row `k` loses, but for its damper.
+    pub(super) fn lost(&self, k: usize) -> Lost {
+        let (rows, p) = (&self.assembly.problem.rows, &self.solution.impulses[k]);
+        let impact = self.assembly.is_impact(k);
+        let velocity = |i: usize| match impact {
+            true => self.mean(i),
+            false => self.solution.velocity[i],
+        };
+        let (mut u, n) = (rows.relative(k, velocity), rows.normal(k));
+        let general = rows.general(k);
+        // Friction works on the slip of the step's middle.
+        if let Some(row) = general.filter(|row| row.is_contact() && row.is_rigid()) {
+            u += row.across();
+        }
+        let couple = general.is_some_and(|row| matches!(row.law, Law::Resistance { .. }));
+        // A couple of resistance is friction as a whole.
+        let p_n = if couple { 0.0 } else { p.dot(&n) };
+        let along = u.dot(&n);
+        Lost {
+            friction: -(p - n * p_n).dot(&u),
+            impact: match impact && rows.compliance(k) == 0.0 {
+                true => -p_n * along,
+                false => 0.0,
+            },
+            impulse: p_n,
+            slip: (u - n * along).norm(),
+        }
+    }
+
     /// Work of the spring of a contact and what its damper loses \[J\]. A contact that a step does not press any more loses what
     /// its spring still holds.
-    fn work_of_spring(&self, k: usize, elastic: &Elastic) -> [f64; 2] {
+    pub(super) fn work_of_spring(&self, k: usize, elastic: &Elastic) -> [f64; 2] {
         let (rows, step) = (&self.assembly.problem.rows, self.prediction().step);
         let gap = self.assembly.candidates[k].gap;
         let u = rows
