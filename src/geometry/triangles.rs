@@ -81,3 +81,44 @@ impl Revolution {
         segment * self.of_segment(pieces) + self.of_segment(0..piece) + second
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::Facets;
+    use proptest::prelude::*;
+
+    /// A box that two cones and a disc stand on: facets come first, then each surface of revolution.
+    fn geometry() -> Geometry {
+        let corner = Vec3::new(1.0, 1.0, 0.5);
+        let foot = Facets::cuboid(-corner, corner).unwrap();
+        let (base, up) = (Vec3::new(0.1, 0.2, 0.5), Vec3::new(0.1, -0.3, 1.0));
+        let cone = Revolution::frustum(base, up, 0.3, 0.0, 1.0).unwrap();
+        let profile = [[0.0, 0.0], [0.8, 0.3], [0.4, 0.9]];
+        let cup = Revolution::new(base * 2.0, up, &profile).unwrap();
+        let disc = Revolution::disc(base * 3.0, up, 0.0, 0.7).unwrap();
+        Geometry::new(vec![cone.into(), foot.into(), cup.into(), disc.into()]).unwrap()
+    }
+
+    proptest! {
+        /// A point inside a triangle, brought to the true surface, is felt by this triangle.
+        #[test]
+        fn points_are_found_in_their_triangles(pick in 0.0..1.0_f64, u in 0.01..0.98_f64, v in 0.01..0.98_f64) {
+            let geometry = geometry();
+            let all = geometry.tessellate((Vec3::zeros(), Vec3::zeros()));
+            prop_assert_eq!(all.triangles.len(), geometry.triangles());
+            let number = (pick * all.triangles.len() as f64) as usize;
+            let [a, b, c] = all.triangles[number].map(|point| all.points[point as usize]);
+            let (u, v) = if u + v < 0.99 { (u, v) } else { (0.99 - 0.98 * u, 0.99 - 0.98 * v) };
+            prop_assume!(u + v < 0.99);
+            let x = a + (b - a) * u + (c - a) * v;
+            let mut near = Vec::new();
+            geometry.closest_points(x, 1e-3, 0.1, &mut near);
+            let distance = |point: &&crate::geometry::ClosestPoint| (point.point - x).norm();
+            let nearest = near.iter().min_by(|p, q| distance(p).total_cmp(&distance(q))).unwrap();
+            let mut found = Vec::new();
+            geometry.triangles_at(nearest.feature, nearest.point, &mut found);
+            prop_assert_eq!(found, vec![number as u32]);
+        }
+    }
+}

@@ -315,43 +315,80 @@ fn means_are_over_their_intervals() {
     }
 }
 
-/// Three scenes with all else on; what a step began with comes back bit for bit.
-fn scenes() -> [String; 3] {
-    let head = "[simulation]\nduration = 1.0\nstep = 2e-3\ncommunication_step = 5e-3\n\
-                [[material]]\nname = \"grain\"\ndensity = 2500.0\n\
-                [[material]]\nname = \"steel\"\n\
-                [[pair]]\nmaterials = [\"grain\", \"grain\"]\nrestitution = 0.2\n\
-                [[pair]]\nmaterials = [\"grain\", \"steel\"]\nfriction = 0.4\nrolling_friction = 0.03\n\
-                twisting_friction = 0.01\nrestitution = 0.3\nwear = 1e-11\n";
-    let packing = "[[spheres]]\nname = \"bed\"\nmaterial = \"grain\"\nradius = 0.03\n\
-                   packing = { region = { box = { min = [-0.25, -0.25, 0.05], max = [0.25, 0.25, 0.3] } }, count = 60, seed = 3 }\n";
-    let source = "[[source]]\nname = \"feed\"\nmaterial = \"grain\"\nradius = 0.025\ncount = 40\nrate = 60.0\n\
-                  region = { box = { min = [-0.1, -0.1, 0.5], max = [0.1, 0.1, 0.6] } }\nvelocity = [0.0, 0.0, -1.0]\nseed = 1\n";
-    let sink = "[[sink]]\nname = \"out\"\nregion = { box = { min = [-3.0, -3.0, -3.0], max = [3.0, 3.0, -0.4] } }\n";
-    let boxed = "[[boundary]]\nname = \"pan\"\nmaterial = \"steel\"\nwall_fields = true\npoint_of_action = [0.0, 0.0, 0.0]\n\
-                 faces = [{ box = { min = [-0.3, -0.3, 0.0], max = [0.3, 0.3, 0.8] } }]\n\
-                 motion = { sinusoid = { translation = [0.02, 0.0, 0.01], rotation = [0.0, 0.1, 0.0], frequency = 6.0 } }\n";
-    let hopper = "[[boundary]]\nname = \"hopper\"\nmaterial = \"steel\"\nwall_fields = true\n\
-                  faces = [{ cone = { base = [0.0, 0.0, 0.0], r0 = 0.1, r1 = 0.35, height = 0.4 } }, \
-                  { cylinder = { base = [0.0, 0.0, 0.4], radius = 0.35, height = 0.4 } }]\n\
-                  motion = { constant = { angular_velocity = [0.0, 0.0, 4.0] } }\n";
-    let flap = "[[boundary]]\nname = \"flap\"\nmaterial = \"steel\"\nwall_fields = true\npoint_of_action = [0.0, 0.0, -0.1]\n\
-                faces = [{ rectangle = { corner = [-0.3, -0.3, -0.1], u = [0.6, 0.0, 0.0], v = [0.0, 0.6, 0.0] } }]\n\
-                body = { mass = 3.0, moments = [0.2, 0.2, 0.4], centre = [0.0, 0.0, -0.1], joint = { hinge = [0.0, 1.0, 0.0] }, angular_damping = 0.1 }\n";
-    [
-        format!("{head}rest_speed_placeholder{packing}{boxed}").replace("rest_speed_placeholder", ""),
-        format!("{head}{source}{sink}{hopper}{flap}"),
-        format!("{head}{packing}{boxed}").replace("step = 2e-3", "accuracy = \"fast\"\nrest_speed = 1e-2").replace(
-            "motion = { sinusoid = { translation = [0.02, 0.0, 0.01], rotation = [0.0, 0.1, 0.0], frequency = 6.0 } }\n",
-            "",
-        ),
-    ]
-}
+/// Grains rub and roll on steel alone.
+const HEAD: &str = r#"
+[simulation]
+duration = 1.0
+communication_step = 5e-3
+rest_speed = 1e-2
+[[material]]
+name = "grain"
+density = 2500.0
+[[material]]
+name = "steel"
+[[pair]]
+materials = ["grain", "grain"]
+restitution = 0.2
+[[pair]]
+materials = ["grain", "steel"]
+friction = 0.4
+rolling_friction = 0.03
+twisting_friction = 0.01
+restitution = 0.3
+wear = 1e-11
+"#;
+/// Grains in a box that is shaken, or not.
+const PAN: &str = r#"
+[[spheres]]
+name = "bed"
+material = "grain"
+radius = 0.03
+packing = { region = { box = { min = [-0.25, -0.25, 0.05], max = [0.25, 0.25, 0.3] } }, count = 60 }
+[[boundary]]
+name = "pan"
+material = "steel"
+wall_fields = true
+faces = [{ box = { min = [-0.3, -0.3, 0.0], max = [0.3, 0.3, 0.8] } }]
+"#;
+const SHAKEN: &str = "motion = { sinusoid = { translation = [0.02, 0.0, 0.01], rotation = [0.0, 0.1, 0.0], frequency = 6.0 } }";
+/// Grains fall through a turning hopper onto a flap that gives way.
+const HOPPER: &str = r#"
+[[source]]
+name = "feed"
+material = "grain"
+radius = 0.025
+count = 40
+rate = 60.0
+region = { box = { min = [-0.1, -0.1, 0.5], max = [0.1, 0.1, 0.6] } }
+velocity = [0.0, 0.0, -1.0]
+[[sink]]
+name = "out"
+region = { box = { min = [-3.0, -3.0, -3.0], max = [3.0, 3.0, -0.4] } }
+[[boundary]]
+name = "hopper"
+material = "steel"
+wall_fields = true
+faces = [
+  { cone = { base = [0.0, 0.0, 0.0], r0 = 0.1, r1 = 0.35, height = 0.4 } },
+  { cylinder = { base = [0.0, 0.0, 0.4], radius = 0.35, height = 0.4 } },
+]
+motion = { constant = { angular_velocity = [0.0, 0.0, 4.0] } }
+[[boundary]]
+name = "flap"
+material = "steel"
+wall_fields = true
+point_of_action = [0.0, 0.0, -0.1]
+faces = [{ rectangle = { corner = [-0.3, -0.3, -0.1], u = [0.6, 0.0, 0.0], v = [0.0, 0.6, 0.0] } }]
+body = { mass = 3.0, inertia = [0.2, 0.2, 0.4], centre = [0.0, 0.0, -0.1], joint = { hinge = [0.0, 1.0, 0.0] }, angular_damping = 0.1 }
+"#;
 
+/// Three scenes with all else on: tractions and losses add up, and what a step began with comes back bit for bit.
 #[test]
 fn all_else_on_the_sums_hold() {
-    for (number, text) in scenes().iter().enumerate() {
-        let loaded = Scene::from_toml("scene", text, Path::new(""));
+    let scenes = [[PAN, SHAKEN], [PAN, ""], [HOPPER, ""]];
+    for (number, parts) in scenes.iter().enumerate() {
+        let text = format!("{HEAD}{}{}", parts[0], parts[1]);
+        let loaded = Scene::from_toml("scene", &text, Path::new(""));
         let scene = loaded
             .unwrap_or_else(|error| panic!("{}", error.plain()))
             .scene;
@@ -377,7 +414,8 @@ fn all_else_on_the_sums_hold() {
         let friction: f64 = (0..boundaries)
             .map(|b| Totals::of(&state, b).friction)
             .sum();
-        close(friction, state.work.friction, 1e-12, 0.0);
+        // What grains exchange along their normals has, from sweeps in single precision, a rounding across them.
+        close(friction, state.work.friction, 1e-7, 0.0);
         assert!(friction > 0.0);
         let wear: f64 = (0..boundaries).map(|b| Totals::of(&state, b).wear).sum();
         assert!(wear > 0.0);

@@ -8,6 +8,7 @@
 //! presence  1 byte for each frame: 0 as before, 1 all, 2 as a bit for each sphere follows
 //! jumps     1 byte for each frame: 0 none, 2 a bit for each sphere: there is no way from the frame before to this one
 //! contacts  see contacts
+//! wall k    see walls
 //! ```
 
 use sphere_dda::Vec3;
@@ -18,6 +19,7 @@ use super::detail::{Detail, Kept};
 use super::error::ViewError;
 use super::recording::Moment;
 use super::survey::Survey;
+use super::walls::WallBlock;
 
 /// Position step `q` over the smallest radius: the error of a centre is at most 0.87 of this.
 const STEP: f64 = 1e-3;
@@ -67,6 +69,7 @@ pub(super) struct Block<'a> {
     /// By field and component, frame, slot.
     values: Vec<Vec<Vec<i64>>>,
     contacts: Contacts<'a>,
+    walls: WallBlock<'a>,
 }
 
 /// The parts of a block, ready for the page.
@@ -74,6 +77,7 @@ pub(super) struct Packed {
     pub(super) motion: Vec<u8>,
     pub(super) fields: Vec<Vec<u8>>,
     pub(super) contacts: Vec<u8>,
+    pub(super) walls: Vec<Vec<u8>>,
 }
 
 /// Images of the spheres in the frame before, by slot.
@@ -96,6 +100,7 @@ impl<'a> Block<'a> {
             positions: Default::default(),
             values: vec![Vec::new(); components.sum()],
             contacts: Contacts::new(survey, detail.force_levels()),
+            walls: WallBlock::new(&survey.walls),
         }
     }
 
@@ -150,6 +155,7 @@ impl<'a> Block<'a> {
             }
         }
         self.contacts.push(moment, &ranks);
+        self.walls.push(moment)?;
         self.present.push(present);
         self.jumps.push(jumps);
         Ok(())
@@ -192,6 +198,7 @@ impl<'a> Block<'a> {
             fields: fields.collect(),
             motion: deflated(&motion),
             contacts: deflated(&self.contacts.pack()),
+            walls: self.walls.pack(),
         }
     }
 }

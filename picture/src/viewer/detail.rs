@@ -46,6 +46,11 @@ pub(super) struct Kept {
     pub(super) scale: f64,
 }
 
+/// `K` and `s` of a field up to `largest`: 0.5 % of a value.
+pub(super) fn coding(largest: f64) -> (f64, f64) {
+    (100.0, largest / RANGE)
+}
+
 impl Detail {
     /// The next coarser one.
     pub(super) fn coarser(self) -> Option<Self> {
@@ -91,7 +96,7 @@ impl Detail {
     /// `K` and `s` of a field; near zero a step is `s/K`.
     fn coding(self, field: &FieldRange) -> (f64, f64) {
         let (steps, shades) = match self {
-            Self::Whole => return (100.0, field.largest / RANGE),
+            Self::Whole => return coding(field.largest),
             Self::Fine => (25.0, 512.0),
             _ => (8.0, 64.0),
         };

@@ -18,6 +18,7 @@ mod recording;
 mod survey;
 mod tables;
 mod text;
+mod walls;
 
 pub use detail::Detail;
 pub use error::ViewError;
@@ -31,7 +32,7 @@ use bodies::Bodies;
 use coding::{doubles, singles, wholes};
 use contacts::DECADES;
 use detail::Kept;
-use header::{BoundaryHeader, FieldHeader, ForceHeader, Header, TableHeader};
+use header::{BoundaryHeader, FieldHeader, ForceHeader, Header, TableHeader, WallHeader};
 use labels::Label;
 use page::{Parts, bare, html};
 use survey::Survey;
@@ -217,6 +218,9 @@ fn fill(
             for (k, bytes) in packed.fields.into_iter().enumerate() {
                 parts.push(format!("field{k}-{number}"), bytes);
             }
+            for (k, bytes) in packed.walls.into_iter().enumerate() {
+                parts.push(format!("wall{k}-{number}"), bytes);
+            }
             number += 1;
         }
         if room.is_some_and(|room| parts.size() > room) {
@@ -280,6 +284,7 @@ fn header(
         centre: body.centre.into(),
         points: body.arms.len(),
         triangles: body.triangles.len(),
+        felt: survey.walls.boundaries.contains(&body.index),
     };
     let table = |table: &Table| TableHeader {
         name: table.name.clone(),
@@ -333,6 +338,7 @@ fn header(
             levels: taken.detail.force_levels(),
         },
         boundaries: bodies.list.iter().map(boundary).collect(),
+        walls: survey.walls.fields.iter().map(WallHeader::of).collect(),
         tables: options.tables.iter().map(table).collect(),
         labels: options.labels.clone(),
         still: matches!(recording, Recording::Still(_)),

@@ -7,9 +7,10 @@ use sphere_dda::formats::vtu::Field;
 
 use super::error::ViewError;
 use super::recording::{Moment, Recording};
+use super::walls::Walls;
 
 /// Spheres of a frame whose fields are sampled for the ranges of colours.
-const SAMPLES: usize = 400;
+pub(super) const SAMPLES: usize = 400;
 /// Share of the sampled values that lies below the top of the colours.
 const TOP: f64 = 0.99;
 /// Rim around the boundaries, or the first frame's spheres, over their diagonal: beyond it spheres are lost in space.
@@ -42,7 +43,7 @@ impl FieldRange {
     }
 }
 
-fn quantile(samples: &[f64], share: f64) -> f64 {
+pub(super) fn quantile(samples: &[f64], share: f64) -> f64 {
     let mut sorted = samples.to_vec();
     sorted.sort_by(f64::total_cmp);
     let at = (share * sorted.len().saturating_sub(1) as f64).round() as usize;
@@ -64,6 +65,7 @@ pub(super) struct Survey {
     /// Largest normal force \[N\] of a contact.
     pub(super) largest_force: f64,
     forces: Vec<f64>,
+    pub(super) walls: Walls,
 }
 
 impl Survey {
@@ -126,6 +128,7 @@ impl Survey {
         for field in &spheres.fields {
             self.add_field(field, &near);
         }
+        self.walls.add(&moment.surface);
         let forces = moment.contacts.iter().map(|contact| contact.force);
         self.largest_force = forces.clone().fold(self.largest_force, f64::max);
         let stride = forces.len().div_ceil(SAMPLES).max(1);
