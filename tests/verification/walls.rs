@@ -357,7 +357,8 @@ const HOPPER: &str = r#"
 name = "feed"
 material = "grain"
 radius = 0.025
-count = 40
+capacity = 40
+seed = 3
 rate = 60.0
 region = { box = { min = [-0.1, -0.1, 0.5], max = [0.1, 0.1, 0.6] } }
 velocity = [0.0, 0.0, -1.0]
