@@ -85,7 +85,11 @@ fn write(
     write!(out, "boundary,triangle [-],x [m],y [m],z [m]")?;
     for field in &fields {
         for k in 1..=field.components {
-            let index = if field.components > 1 { format!("[{k}]") } else { String::new() };
+            let index = if field.components > 1 {
+                format!("[{k}]")
+            } else {
+                String::new()
+            };
             write!(out, ",{}{index} [{}]", field.name, field.unit)?;
         }
     }
@@ -96,7 +100,14 @@ fn write(
         let corners = grid.connectivity[3 * t..3 * t + 3].iter();
         let sum: sphere_dda::Vec3 = corners.map(|&corner| grid.points[corner as usize]).sum();
         let middle = sum / 3.0;
-        write!(out, "{name},{},{},{},{}", t - first, middle.x, middle.y, middle.z)?;
+        write!(
+            out,
+            "{name},{},{},{},{}",
+            t - first,
+            middle.x,
+            middle.y,
+            middle.z
+        )?;
         for field in &fields {
             for value in &field.values[field.components * t..field.components * (t + 1)] {
                 write!(out, ",{value}")?;
