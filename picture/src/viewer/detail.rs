@@ -8,7 +8,7 @@
 //! | `Telling` | likewise | velocity and force |
 //! | `Magnitudes` | likewise | their magnitudes |
 
-use super::coding::RANGE;
+use super::coding::{RANGE, coding};
 use super::survey::{FieldRange, Survey};
 
 /// What is kept of the fields.
@@ -44,11 +44,6 @@ pub(super) struct Kept {
     pub(super) steps: f64,
     /// Its `s`: below it steps are of one size.
     pub(super) scale: f64,
-}
-
-/// `K` and `s` of a field up to `largest`: 0.5 % of a value.
-pub(super) fn coding(largest: f64) -> (f64, f64) {
-    (100.0, largest / RANGE)
 }
 
 impl Detail {

@@ -14,6 +14,7 @@ mod error;
 mod header;
 pub mod labels;
 mod page;
+mod ranges;
 mod recording;
 mod survey;
 mod tables;

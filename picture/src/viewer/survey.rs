@@ -6,13 +6,10 @@ use sphere_dda::Vec3;
 use sphere_dda::formats::vtu::Field;
 
 use super::error::ViewError;
+use super::ranges::{SAMPLES, top};
 use super::recording::{Moment, Recording};
 use super::walls::Walls;
 
-/// Spheres of a frame whose fields are sampled for the ranges of colours.
-pub(super) const SAMPLES: usize = 400;
-/// Share of the sampled values that lies below the top of the colours.
-const TOP: f64 = 0.99;
 /// Rim around the boundaries, or the first frame's spheres, over their diagonal: beyond it spheres are lost in space.
 const RIM: f64 = 0.1;
 
@@ -39,15 +36,8 @@ pub(super) struct FieldRange {
 impl FieldRange {
     /// Where the colours end: nearly all values lie below.
     pub(super) fn top(&self) -> f64 {
-        quantile(&self.samples, TOP)
+        top(&self.samples)
     }
-}
-
-pub(super) fn quantile(samples: &[f64], share: f64) -> f64 {
-    let mut sorted = samples.to_vec();
-    sorted.sort_by(f64::total_cmp);
-    let at = (share * sorted.len().saturating_sub(1) as f64).round() as usize;
-    sorted.get(at).copied().unwrap_or(0.0)
 }
 
 /// What all frames have in common.
@@ -164,7 +154,7 @@ impl Survey {
 
     /// Normal force \[N\] below which nearly all contacts lie.
     pub(super) fn top_force(&self) -> f64 {
-        quantile(&self.forces, TOP)
+        top(&self.forces)
     }
 
     /// Smallest radius \[m\]; `None` without spheres.

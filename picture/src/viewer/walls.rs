@@ -6,14 +6,10 @@
 
 use sphere_dda::formats::vtu::Field;
 
-use super::coding::{compressed, deflated, put_stream};
-use super::detail::coding;
+use super::coding::{coding, compressed, deflated, put_stream};
 use super::error::ViewError;
+use super::ranges::{SAMPLES, top};
 use super::recording::{Moment, Surface};
-use super::survey::{SAMPLES, quantile};
-
-/// Share of the values above zero that lies below the top of the colours.
-const TOP: f64 = 0.99;
 
 /// One quantity of all triangles.
 #[derive(Debug, Clone)]
@@ -29,7 +25,7 @@ pub(super) struct WallRange {
 impl WallRange {
     /// Where colours end.
     pub(super) fn top(&self) -> f64 {
-        quantile(&self.samples, TOP)
+        top(&self.samples)
     }
 
     /// Steps `K` and `s` of its coding.

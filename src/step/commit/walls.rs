@@ -36,7 +36,7 @@ impl Solved<'_> {
     }
 
     /// Gives the triangles of the contact `at` an impulse \[N s\].
-    pub(in crate::step) fn strike(&self, state: &mut State, at: &ContactForce, impulse: Vec3) {
+    pub(crate) fn strike(&self, state: &mut State, at: &ContactForce, impulse: Vec3) {
         let Some((b, triangles)) = self.triangles(state, at.key, at.normal) else {
             return;
         };
