@@ -88,11 +88,11 @@ mod tests {
     use crate::geometry::Facets;
     use proptest::prelude::*;
 
-    /// A box that two cones and a disc stand on: facets come first, then each surface of revolution.
+    /// A box, a cone, a cup and a disc apart from each other: facets come first, then each surface of revolution.
     fn geometry() -> Geometry {
         let corner = Vec3::new(1.0, 1.0, 0.5);
         let foot = Facets::cuboid(-corner, corner).unwrap();
-        let (base, up) = (Vec3::new(0.1, 0.2, 0.5), Vec3::new(0.1, -0.3, 1.0));
+        let (base, up) = (Vec3::new(3.1, 0.2, 0.5), Vec3::new(0.1, -0.3, 1.0));
         let cone = Revolution::frustum(base, up, 0.3, 0.0, 1.0).unwrap();
         let profile = [[0.0, 0.0], [0.8, 0.3], [0.4, 0.9]];
         let cup = Revolution::new(base * 2.0, up, &profile).unwrap();
