@@ -183,6 +183,20 @@ fn what_rests_presses_with_its_weight() {
     assert!(rubbed.friction.abs() <= 1e-8 * weight * RADIUS);
 }
 
+/// A sphere that sleeps presses on: steps in which nothing moves count as others do (`support::Run::check_walls`).
+#[test]
+fn what_sleeps_presses_on() {
+    let mut run = Case::new(1e-3, 0.5, 0.0)
+        .settings(|s| s.rest_speed = 1e-2)
+        .wall(strip(1))
+        .felt(WEAR)
+        .sphere(RADIUS, Vec3::new(0.15, 0.03, RADIUS), Vec3::zeros())
+        .start();
+    let weight = run.mass(0) * G;
+    run.steps(60);
+    close(felt(&run)[0].load.normal, weight, 1e-6, 0.0);
+}
+
 /// One impact on one triangle, without gravity: `(1 - e^2) m u_n^2/2` on it, nothing on the other.
 #[test]
 fn an_impact_is_felt_where_it_is() {
