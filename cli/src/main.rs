@@ -29,6 +29,7 @@ mod simulate;
 mod study;
 mod verify;
 mod view;
+mod walls;
 
 use std::process::ExitCode;
 
@@ -77,6 +78,8 @@ enum Command {
     View(view::View),
     /// Draw results as a film (MP4, GIF) or a picture (PNG).
     Movie(movie::Movie),
+    /// Print what the triangles of boundaries feel as CSV: pressure, shear, energies, wear.
+    Walls(walls::Walls),
     /// Pack a scene into a co-simulation FMU of FMI 2.0 or 3.0.
     Export(export::Export),
     /// Show the capabilities and variables of an FMU.
@@ -122,6 +125,7 @@ fn dispatch(command: &Command) -> Result<(), Failure> {
         Command::New(arguments) => new::run(arguments),
         Command::Check(arguments) => check::run(arguments),
         Command::View(arguments) => view::run(arguments, &Interrupt::listen()?),
+        Command::Walls(arguments) => walls::run(arguments),
         Command::Movie(arguments) => movie::run(arguments, &Interrupt::listen()?),
         Command::Schema(arguments) => schema::run(arguments),
         Command::Run(arguments) => run::run(arguments, &Interrupt::listen()?),

@@ -33,7 +33,8 @@ class Frame:
     #: `slip` [m/s] `[n]`, `force` on 1 [N] `[n, 3]`, `id1`, `id2`, `kind` `[n]` (0 between spheres, 1 on a boundary).
     contacts: dict[str, np.ndarray]
     #: `triangles` [m] `[n, 3, 3]`, `velocity` [m/s] of their corners `[n, 3, 3]`, `force` on the whole boundary [N] `[n, 3]`,
-    #: `boundary` `[n]`: row in `Run.boundaries`.
+    #: `boundary` `[n]`: row in `Run.boundaries`; with `wall_fields` also what each triangle feels: `area` [m2], `pressure` [Pa],
+    #: `shear`, `traction` [Pa] `[n, 3]`, `friction_energy`, `impact_energy` [J], `wear_depth` [m] `[n]`.
     boundaries: dict[str, np.ndarray]
 
 

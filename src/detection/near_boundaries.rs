@@ -295,6 +295,7 @@ mod tests {
             point_of_action: Vec3::new(0.3, 0.2, 0.1),
             stiffness: None,
             belt: None,
+            wall_fields: false,
         }
     }
 

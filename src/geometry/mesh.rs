@@ -372,6 +372,25 @@ impl Mesh {
         .is_break()
     }
 
+    /// Appends the triangles of a feature on which its point `x` \[m\] lies, ascending; the nearest one where rounding leaves none.
+    pub(super) fn triangles_at(&self, feature: u32, x: Vec3, out: &mut Vec<u32>) {
+        let start = out.len();
+        let near = 2.0 * self.topology.tolerance;
+        let has = |t: u32| self.topology.parts[t as usize].contains(&feature);
+        let distance = |t: u32| (on_triangle(&self.topology.corners(t), x).0 - x).norm();
+        let _: ControlFlow<()> = self.near((x, near), None, |t| {
+            if has(t) && distance(t) <= near {
+                out.push(t);
+            }
+            ControlFlow::Continue(())
+        });
+        out[start..].sort_unstable();
+        if out.len() == start {
+            let all = (0..self.indices().len() as u32).filter(|&t| has(t));
+            out.extend(all.min_by(|&s, &t| distance(s).total_cmp(&distance(t))));
+        }
+    }
+
     fn face_contains(&self, feature: u32, foot: Vec3) -> bool {
         let around = (foot, self.topology.tolerance);
         let cube = cube(foot, self.topology.tolerance);

@@ -23,6 +23,7 @@ mod terrain;
 mod tessellate;
 mod topology;
 mod triangle;
+mod triangles;
 mod vicinity;
 
 use std::sync::Arc;

@@ -41,11 +41,11 @@ pub struct Revolution {
 }
 
 /// The centre in the half-plane.
-struct HalfPlane {
+pub(super) struct HalfPlane {
     /// `(rho, z)` of the centre \[m\].
-    centre: Vec2,
+    pub(super) centre: Vec2,
     /// Unit radial direction.
-    radial: Vec3,
+    pub(super) radial: Vec3,
 }
 
 /// What a feature number stands for.
@@ -223,7 +223,7 @@ impl Revolution {
         [e1, self.axis.cross(&e1)]
     }
 
-    fn half_plane(&self, c: Vec3) -> HalfPlane {
+    pub(super) fn half_plane(&self, c: Vec3) -> HalfPlane {
         let arm = c - self.origin;
         let z = arm.dot(&self.axis);
         let across = arm - self.axis * z;
@@ -491,7 +491,7 @@ impl Revolution {
 }
 
 /// The closest point of segment `a`-`b` to `p`, and the parameter of the foot on the infinite line.
-fn on_piece(a: Vec2, b: Vec2, p: Vec2) -> (Vec2, f64) {
+pub(super) fn on_piece(a: Vec2, b: Vec2, p: Vec2) -> (Vec2, f64) {
     let ab = b - a;
     let t = (p - a).dot(&ab) / ab.norm_squared();
     let closest = if t <= 0.0 {

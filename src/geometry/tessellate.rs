@@ -8,7 +8,7 @@ use super::revolution::Revolution;
 use crate::Vec3;
 
 /// Segments around a surface of revolution.
-const SEGMENTS: usize = 64;
+pub(super) const SEGMENTS: usize = 64;
 
 /// A triangulated surface.
 #[derive(Debug, Clone, PartialEq, Default)]

@@ -9,6 +9,7 @@ pub mod energy;
 pub mod loads;
 pub mod quantities;
 pub mod sensors;
+pub mod walls;
 
 use crate::Vec3;
 use crate::contact::{Contact, Partner};
@@ -16,7 +17,7 @@ use crate::scene::Scene;
 use crate::scene::particles::Kinematics;
 use crate::simulation::Simulation;
 use crate::spatial::{Pose, Twist, Wrench};
-use crate::state::{EnergyLedger, JointState, StepReport, Velocities};
+use crate::state::{EnergyLedger, JointState, StepReport, Velocities, Walls};
 
 /// A boundary at the end of a communication step.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -62,6 +63,8 @@ pub struct Observation<'a> {
     pub emitted: &'a [f64],
     /// Mass that each sink has removed since t = 0 \[kg\], `[sinks]`.
     pub removed: &'a [f64],
+    /// What the triangles of boundaries have felt: [`walls`].
+    pub walls: &'a Walls,
     /// Work since t = 0.
     pub work: EnergyLedger,
     /// Report of the last communication step.
@@ -95,6 +98,7 @@ impl<'a> Observation<'a> {
             flow: &simulation.state().flow,
             emitted: &simulation.state().emitted,
             removed: &simulation.state().removed,
+            walls: &simulation.state().walls,
             work: *simulation.work(),
             report: *simulation.report(),
         }

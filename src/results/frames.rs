@@ -4,7 +4,7 @@
 //! |---|---|---|
 //! | spheres | vertex at the centre | over points: `radius` \[m\], `velocity` \[m/s\], `angular_velocity` \[rad/s\], `force` \[N\] and `torque` \[N m\] of all contacts, `orientation` (w, x, y, z), `id`, `material` |
 //! | contacts | line from centre 1 to centre 2 or to the closest point | over cells: `normal_force` \[N\], `force` on 1 \[N\], `torque` on 1 \[N m\] of rolling and twisting resistance where the scene has any, `overlap` \[m\], `slip` \[m/s\], `id1`, `id2`, `kind` |
-//! | boundaries | triangles | over points: `velocity` \[m/s\]; over cells: `force` \[N\] on the whole boundary, `boundary` (index) |
+//! | boundaries | triangles | over points: `velocity` \[m/s\]; over cells: `force` \[N\] on the whole boundary, `boundary` (index), and [`walls::FIELDS`] where a boundary has `wall_fields`, zero on all others |
 //!
 //! `kind` is 0 between spheres and 1 on a boundary, `id2` then being the boundary. Readers cannot take a file without
 //! cells: a frame without contacts holds the centres, one vertex, zero force, ids and kind -1. Contacts listed are
@@ -17,6 +17,7 @@ use crate::Vec3;
 use crate::contact::{Contact, Partner};
 use crate::formats::vtu::{Array, Cell, Grid, Values};
 use crate::observe::loads::Loads;
+use crate::observe::walls::{self, Interval};
 use crate::observe::{BoundaryState, Observation};
 use crate::scene::Scene;
 use crate::spatial::cell::{HERE, Image};
@@ -321,17 +322,46 @@ impl Surface {
             .map(|(&x, &b)| of(b).velocity_at(x, pivot(b)))
             .collect();
         let owners = self.triangles.iter().map(|t| self.owner[t[0] as usize]);
+        let mut cell_data = vec![
+            Array::vector("force", "N", owners.clone().map(|b| of(b).wrench.force)),
+            Array::integer("boundary", owners.clone().map(i32::from)),
+        ];
+        if !state.walls.list.is_empty() {
+            cell_data.extend(wall_data(state, owners));
+        }
         Grid {
             points,
             cell: Cell::Triangle,
             connectivity: self.triangles.iter().flatten().copied().collect(),
             point_data: vec![Array::vector("velocity", "m/s", velocity)],
-            cell_data: vec![
-                Array::vector("force", "N", owners.clone().map(|b| of(b).wrench.force)),
-                Array::integer("boundary", owners.map(i32::from)),
-            ],
+            cell_data,
         }
     }
+}
+
+/// What triangles feel whose boundaries are `owners`; zero where a boundary has no `wall_fields`.
+fn wall_data(state: &Observation, owners: impl Iterator<Item = u16>) -> Vec<Array> {
+    let boundaries = 0..state.scene.boundaries.len();
+    let walls = boundaries.map(|b| walls::readings(state, b, Interval::Frame).into_iter());
+    let mut walls: Vec<_> = walls.collect();
+    let triangles: Vec<_> = owners.map(|b| walls[usize::from(b)].next()).collect();
+    let array = |field: &walls::Field| {
+        let components = if field.is_vector() { 3 } else { 1 };
+        let mut values = Vec::with_capacity(components * triangles.len());
+        for triangle in &triangles {
+            match triangle {
+                Some(triangle) => field.read(triangle, &mut values),
+                None => values.resize(values.len() + components, 0.0),
+            }
+        }
+        Array {
+            name: field.array,
+            unit: field.unit,
+            components,
+            values: Values::Real(values),
+        }
+    };
+    walls::FIELDS.iter().map(array).collect()
 }
 
 /// Box around the spheres as placed and the bounded boundaries \[m\].

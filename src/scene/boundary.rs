@@ -26,6 +26,8 @@ pub struct Boundary {
     pub stiffness: Option<f64>,
     /// The belt it is covered with; `None`: its surface moves with its shape.
     pub belt: Option<Belt>,
+    /// Whether its triangles keep what they feel: [`crate::state::Wall`]. Half-spaces have none.
+    pub wall_fields: bool,
 }
 
 /// A surface that runs along the shape of its boundary, as the belt of a conveyor does: contacts feel the part of the

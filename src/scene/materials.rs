@@ -27,6 +27,8 @@ pub struct Pair {
     pub twisting_friction: f64,
     /// How the two give way; `None`: they are rigid.
     pub elasticity: Option<Elasticity>,
+    /// Archard's wear coefficient `k` \[1/Pa\], >= 0: a boundary loses the volume `k F_n s` under a normal force that slides by `s`.
+    pub wear: f64,
 }
 
 /// Symmetric table of [`Pair`]s for `n` materials.

@@ -69,6 +69,14 @@ pub(super) fn boundary(
         }
     };
     let geometry = geometry(document, &format!("{path}.faces"), &value.faces);
+    let is_plane = |face: &file::Face| matches!(face, file::Face::Plane(_));
+    if value.wall_fields && value.faces.iter().any(is_plane) {
+        document.error(
+            (path, "wall_fields"),
+            "found a `plane` among the faces, expected faces with an area: a plane has no triangles",
+            "use a `rectangle`, or give the plane a boundary of its own",
+        );
+    }
     Some(Boundary {
         name: value.name.clone(),
         material: u16::try_from(material?).ok()?,
@@ -77,6 +85,7 @@ pub(super) fn boundary(
         point_of_action: value.point_of_action.into(),
         stiffness: value.stiffness,
         belt: belt(value),
+        wall_fields: value.wall_fields,
     })
 }
 

@@ -15,6 +15,7 @@ struct Given {
     rolling: Option<f64>,
     twisting: Option<f64>,
     stiffness: Option<f64>,
+    wear: Option<f64>,
 }
 
 /// Poisson's ratio of a material that gives Young's modulus alone.
@@ -33,6 +34,7 @@ impl Given {
             rolling: smaller(a.rolling, b.rolling),
             twisting: smaller(a.twisting, b.twisting),
             stiffness: smaller(a.stiffness, b.stiffness),
+            wear: smaller(a.wear, b.wear),
         }
     }
 
@@ -47,6 +49,7 @@ impl Given {
                 .stiffness
                 .map(Elasticity::linear)
                 .or(default.elasticity),
+            wear: self.wear.unwrap_or(default.wear),
         }
     }
 }
@@ -61,6 +64,7 @@ macro_rules! given {
             rolling: table.rolling_friction,
             twisting: table.twisting_friction,
             stiffness: table.stiffness,
+            wear: table.wear,
         };
         checked($document, $path, given, table.friction_angle)
     }};
@@ -187,6 +191,14 @@ fn checked(document: &mut Document<'_>, path: &str, given: Given, angle: Option<
         if let Some(mu) = coefficient {
             document.within(format!("{path}.{key}"), mu, 0.0.., "a coefficient >= 0 [-]");
         }
+    }
+    if let Some(wear) = given.wear {
+        document.within(
+            format!("{path}.wear"),
+            wear,
+            0.0..,
+            "a coefficient >= 0 [1/Pa]",
+        );
     }
     if let Some(angle) = angle {
         let range = (0.0..90.0).contains(&angle);

@@ -63,7 +63,7 @@ const NAMES: [(&str, Dimension, i32, f64, f64); 36] = [
 ];
 
 /// Units of keys, what a quantity of each is called, and how one may be written.
-const KINDS: [(&str, &str, &str); 19] = [
+const KINDS: [(&str, &str, &str); 20] = [
     ("m", "a length", "8 mm"),
     ("m^2", "an area", "20 cm^2"),
     ("kg", "a mass", "250 g"),
@@ -83,6 +83,7 @@ const KINDS: [(&str, &str, &str); 19] = [
     ("N/m", "a stiffness", "3 kN/m"),
     ("N s/m", "a damping", "20 N s/m"),
     ("Pa", "a pressure", "100 kPa"),
+    ("1/Pa", "a wear coefficient", "0.02 1/GPa"),
 ];
 
 /// What a key in `unit` takes as text: `a length like "8 mm"`; `None`: numbers only.

@@ -13,7 +13,7 @@ use crate::simulation::flow::{Gate, crossings};
 use crate::simulation::impulse_totals::{Before, ImpulseTotals};
 use crate::simulation::trajectory::{BoundaryPaths, Trajectory, displacement};
 use crate::spatial::Wrench;
-use crate::state::{State, StepControl, StepReport};
+use crate::state::{State, StepControl, StepReport, Wall};
 use crate::step::{Effort, REMAINDER, StepFailure, step};
 
 /// A communication step under way: see [`Simulation::begin`].
@@ -93,6 +93,12 @@ impl Simulation {
         };
         let before = self.state.copied_into(memory);
         self.state.report = StepReport::default();
+        // One too short for a mean of its own goes on with the last one.
+        if h >= REMAINDER * self.state.last_step {
+            self.state
+                .walls
+                .begin(start, self.scene.output.vtu_interval);
+        }
         Ok(CommunicationStep {
             before,
             replay,
@@ -225,6 +231,7 @@ impl Simulation {
     ) -> Result<(), StepError> {
         if self.rest_to(scene, paths, target) {
             totals.stand(&self.state, (target, dt));
+            self.state.walls.stand(dt);
             return Ok(());
         }
         let settings = &scene.settings;
@@ -292,6 +299,11 @@ impl Simulation {
             // A step of another length moves the half step by smooth forces: their share.
             sum.add(&self.state.smooth_wrenches[b], shift);
             sum.add(&before.smooth[b], -shift);
+        }
+        for (wall, before) in self.state.walls.list.iter_mut().zip(&before.walls) {
+            Wall::press(&mut wall.triangles, &wall.loads, dt);
+            Wall::press(&mut wall.triangles, &wall.smooth, shift);
+            Wall::press(&mut wall.triangles, before, -shift);
         }
         let now = self.state.body_force;
         totals.body_force += now * dt + (now - before.body_force) * shift;

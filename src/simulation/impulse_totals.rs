@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use crate::Vec3;
 use crate::scene::{Measure, Scene};
 use crate::spatial::Wrench;
-use crate::state::State;
+use crate::state::{State, TriangleLoads};
 
 /// What is summed up over a communication step.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -51,6 +51,7 @@ pub(super) struct Before {
     /// Empty where no sensor asks.
     pub(super) position: Vec<Vec3>,
     pub(super) smooth: Vec<Wrench>,
+    pub(super) walls: Vec<TriangleLoads>,
     pub(super) body_force: Vec3,
 }
 
@@ -62,6 +63,12 @@ impl Before {
                 false => Vec::new(),
             },
             smooth: state.smooth_wrenches.clone(),
+            walls: state
+                .walls
+                .list
+                .iter()
+                .map(|wall| wall.smooth.clone())
+                .collect(),
             body_force: state.body_force,
         }
     }

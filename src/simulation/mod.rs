@@ -27,7 +27,7 @@ use crate::scene::gravity::GravityMotion;
 use crate::scene::{Boundary, Command, CommandDerivatives, InputKind, Scene};
 use crate::simulation::trajectory::BoundaryPaths;
 use crate::spatial::{Pose, SpatialVector, Wrench};
-use crate::state::{BodyState, EnergyLedger, Reserve, State, StepControl, StepReport};
+use crate::state::{BodyState, EnergyLedger, Reserve, State, StepControl, StepReport, Walls};
 use crate::step::{FailedStep, StepInput, Workspace, initial_forces, remove_overlaps};
 pub use communication_step::CommunicationStep;
 pub use derivatives::Direction;
@@ -83,6 +83,7 @@ impl Simulation {
             smooth_wrenches: vec![Wrench::default(); boundaries],
             mean_wrenches: vec![Wrench::default(); boundaries],
             owed: vec![Wrench::default(); boundaries],
+            walls: Walls::of(&scene),
             work: EnergyLedger::default(),
             reserves: reserves(&scene),
             emitted: vec![0.0; scene.sources.len()],

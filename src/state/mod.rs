@@ -5,6 +5,7 @@ mod ledger;
 mod report;
 mod step_control;
 mod velocities;
+mod walls;
 
 pub(crate) use body::BodyState;
 pub use body::JointState;
@@ -12,6 +13,8 @@ pub use ledger::EnergyLedger;
 pub use report::{Squeezed, StepReport};
 pub(crate) use step_control::StepControl;
 pub use velocities::Velocities;
+pub(crate) use walls::TriangleLoads;
+pub use walls::{TriangleSums, Wall, WallLoad, Walls};
 
 use std::collections::VecDeque;
 
@@ -76,6 +79,8 @@ pub struct State {
     /// Impulse on each boundary that the mean of the next communication step takes over from one that was too short for a mean
     /// of its own, `[B]`.
     pub owed: Vec<Wrench>,
+    /// What the triangles of boundaries have felt.
+    pub walls: Walls,
     /// Work since t = 0.
     pub work: EnergyLedger,
     /// Spheres of each source that wait outside the scene, `[sources]`.
@@ -122,7 +127,7 @@ macro_rules! clone_in_place {
 
 clone_in_place! {
     time last_step gravity kinematics smooth external body_force mean_body_force contacts springs
-    poses twists bodies commands rates wrenches smooth_wrenches mean_wrenches owed work reserves
+    poses twists bodies commands rates wrenches smooth_wrenches mean_wrenches owed walls work reserves
     emitted removed passed flow initial_overlap penalty report control calm
 }
 
@@ -151,6 +156,7 @@ impl State {
         self.kinematics.fits(spheres)
             && self.smooth.len() == spheres
             && of_boundaries == [boundaries; 7]
+            && self.walls.fits(scene)
             && others.iter().all(|(found, wanted)| found == wanted)
             && [0, spheres].contains(&self.external.len())
             && [0, boundaries].contains(&self.rates.len())

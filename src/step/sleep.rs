@@ -215,29 +215,33 @@ impl Solved<'_> {
         for (i, island) in islands.iter().enumerate() {
             calm[*island] &= state.calm[i] == ASLEEP || self.balances(state, i);
         }
-        let mut ground: Vec<Option<(u16, f64)>> = vec![None; islands.len()];
+        let mut ground: Vec<Option<(ContactForce, f64)>> = vec![None; islands.len()];
         for load in state.contacts.iter() {
-            if let Partner::Boundary { boundary, .. } = load.key.partner {
+            if let Partner::Boundary { .. } = load.key.partner {
                 let size = load.force.norm();
                 let known = &mut ground[islands[load.key.sphere as usize]];
                 if known.is_none_or(|(_, most)| size > most) {
-                    *known = Some((boundary, size));
+                    *known = Some((*load, size));
                 }
             }
         }
         for (i, island) in islands.iter().enumerate() {
-            if let Some((boundary, _)) = ground[*island]
+            if let Some((load, _)) = &ground[*island]
                 && calm[*island]
                 && state.calm[i] != ASLEEP
             {
-                self.stop(state, i, usize::from(boundary));
+                self.stop(state, i, load);
                 state.calm[i] = ASLEEP;
             }
         }
     }
 
-    /// Stops sphere `i`. `boundary` takes its momentum, the ledger its kinetic energy.
-    fn stop(&self, state: &mut State, i: usize, boundary: usize) {
+    /// Stops sphere `i`. The boundary of the contact `ground` takes its momentum, the ledger its kinetic energy.
+    fn stop(&self, state: &mut State, i: usize, ground: &ContactForce) {
+        let Partner::Boundary { boundary, .. } = ground.key.partner else {
+            return;
+        };
+        let boundary = usize::from(boundary);
         let (scene, v) = (self.prediction().scene, self.reported(state, i));
         let particles = &scene.particles;
         let momentum = v.linear * particles.mass[i];
@@ -248,6 +252,7 @@ impl Solved<'_> {
             torque: arm.cross(&momentum) + v.angular * particles.inertia(i),
         };
         state.owed[boundary].add(&impulse, 1.0);
+        self.strike(state, ground, momentum);
         state.work.numerical_work -= particles.kinetic_energy(i, &v.linear, &v.angular);
         state.kinematics.velocity[i] = Vec3::zeros();
         state.kinematics.spin[i] = Vec3::zeros();

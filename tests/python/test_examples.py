@@ -20,6 +20,7 @@ STOP = {
     "bed": 0.1,
     "shear": 0.1,
     "triaxial": 0.2,
+    "chute": 0.8,
 }
 
 
@@ -85,6 +86,27 @@ def test_conveyor_driver(fmus, tmp_path):
         # A stream of some hundred grains in the time of the mean.
         assert flow == pytest.approx(1.2, rel=0.1)
         assert force == pytest.approx(law, rel=0.1)
+
+
+def test_chute_liner_is_what_its_script_writes(tmp_path):
+    script = tmp_path / "mesh.py"
+    script.write_text((ROOT / "examples/chute/mesh.py").read_text())
+    subprocess.run([sys.executable, script], check=True)
+    assert (tmp_path / "chute.stl").read_bytes() == (ROOT / "examples/chute/chute.stl").read_bytes()
+
+
+def test_chute_driver(units, tmp_path):
+    """Arrays of the FMU add up to its totals, and the liner wears deepest where the stream falls on it."""
+    told = python("examples/chute/wear.py", "--fmu", units["chute"], "--stop", 2, "--output", tmp_path / "chute.png")
+    assert (tmp_path / "chute.png").stat().st_size > 10_000
+    energies = np.array(re.findall(r"Energy: (\S+) J on the triangles, (\S+) J", told), dtype=float)
+    assert energies.shape == (2, 2) and (energies > 1).all()
+    assert energies[:, 0] == pytest.approx(energies[:, 1], rel=1e-6)
+    worn = np.array(re.findall(r"worn: (\S+) mm\^3 by the triangles, (\S+) mm", told), dtype=float)
+    assert worn[0, 0] == pytest.approx(worn[0, 1], rel=1e-4)
+    deepest, missed = re.search(r"x = (\S+) m, tractions miss the force by at most (\S+) of it", told).groups()
+    assert 0.1 < float(deepest) < 0.3
+    assert float(missed) < 1e-12
 
 
 def test_feeder_driver(fmus, tmp_path):

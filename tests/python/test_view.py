@@ -82,7 +82,7 @@ def made(command, *arguments):
 def runs(command, tmp_path_factory):
     """Name -> result folder with its page."""
     folders = {}
-    for name, stop in {"funnel": 2.0, "drum": 1.0, "feeder": 0.5, "shear": 0.05, "hopper": 0.5}.items():
+    for name, stop in {"funnel": 2.0, "drum": 1.0, "feeder": 0.5, "shear": 0.05, "hopper": 0.5, "chute": 2.0}.items():
         folders[name] = tmp_path_factory.mktemp("runs") / name
         made(command, "run", scene(name), "-o", folders[name], "--stop", stop, "--view")
     return folders
@@ -203,6 +203,7 @@ def picture(window, width=480, height=360):
         ("funnel", 1.5, "{forces: true, view: 'front'}"),
         ("drum", 1.0, "{colour: 'height', cut: '-y', names: true}"),
         ("feeder", 0.5, "{colour: 'material', view: 'top', opacity: 1}"),
+        ("chute", 2.0, "{wall: 'wear_depth'}"),
     ],
 )
 def test_golden_pictures(window, runs, tmp_path, name, moment, settings):

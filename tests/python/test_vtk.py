@@ -30,14 +30,22 @@ ARRAYS = {
         "point": {},
         "cell": {"normal_force": 1, "force": 3, "torque": 3, "overlap": 1, "slip": 1, "id1": 1, "id2": 1, "kind": 1},
     },
-    "boundaries": {"point": {"velocity": 3}, "cell": {"force": 3, "boundary": 1}},
+    "boundaries": {
+        "point": {"velocity": 3},
+        "cell": {
+            "force": 3, "boundary": 1, "area": 1, "pressure": 1, "shear": 3, "traction": 3, "friction_energy": 1, "impact_energy": 1,
+            "wear_depth": 1,
+        },
+    },
 }
-# Written where some contact resists rolling or twisting.
-OPTIONAL = {("contacts", "torque")}
+# Written where some contact resists rolling or twisting, and where a boundary has `wall_fields`.
+WALLS = ("area", "pressure", "shear", "traction", "friction_energy", "impact_energy", "wear_depth")
+OPTIONAL = {("contacts", "torque"), *(("boundaries", name) for name in WALLS)}
 INTEGERS = {"id", "material", "id1", "id2", "kind", "boundary"}
 UNITS = {
     "radius": "m", "velocity": "m/s", "angular_velocity": "rad/s", "force": "N", "torque": "N m", "normal_force": "N",
-    "overlap": "m", "slip": "m/s", "TimeValue": "s",
+    "overlap": "m", "slip": "m/s", "TimeValue": "s", "area": "m2", "pressure": "Pa", "shear": "Pa", "traction": "Pa",
+    "friction_energy": "J", "impact_energy": "J", "wear_depth": "m",
 }
 CELLS = {"spheres": {"vertex"}, "contacts": {"line", "vertex"}, "boundaries": {"triangle"}}
 

@@ -25,6 +25,7 @@ use sphere_dda::state::EnergyLedger;
 use sphere_dda::state::JointState;
 use sphere_dda::state::StepReport;
 use sphere_dda::state::Velocities;
+use sphere_dda::state::Walls;
 
 /// A row of `n` spheres above a floor and a box, with one sensor of each kind.
 pub(crate) fn scene(n: usize) -> Scene {
@@ -46,6 +47,7 @@ pub(crate) fn scene(n: usize) -> Scene {
         point_of_action: Vec3::new(0.5, 0.0, 0.0),
         stiffness: None,
         belt: None,
+        wall_fields: false,
     };
     Scene {
         title: "a row".to_owned(),
@@ -144,6 +146,7 @@ pub(crate) struct Made {
     pub(crate) passed: Vec<f64>,
     pub(crate) emitted: Vec<f64>,
     pub(crate) removed: Vec<f64>,
+    walls: Walls,
 }
 
 impl Made {
@@ -189,6 +192,7 @@ impl Made {
             passed: vec![0.0; scene.sensors.len()],
             emitted: vec![0.0; scene.sources.len()],
             removed: vec![0.0; scene.sinks.len()],
+            walls: Walls::default(),
         }
     }
 
@@ -229,6 +233,7 @@ impl Made {
             flow: &self.passed,
             emitted: &self.emitted,
             removed: &self.removed,
+            walls: &self.walls,
             work: EnergyLedger::default(),
             report: StepReport::default(),
         }

@@ -170,6 +170,8 @@ const CASES: &[Case] = cases! {
     "friction_angle = 20.0" => "friction_angle = 20.0\nfriction = 0.1", "pair[0].friction_angle", "friction_angle", "both";
     "friction = 0.3" => "friction = -0.3", "pair_default.friction", "-0.3", ">= 0 [-]";
     "restitution = 0.5" => "restitution = 1.5", "pair[0].restitution", "1.5", "0 <= restitution <= 1";
+    "restitution = 0.5" => "wear = -1.0", "pair[0].wear", "-1.0", "found -1, expected a coefficient >= 0 [1/Pa]";
+    "faces = [{ plane" => "wall_fields = true\nfaces = [{ plane", "boundary[0].wall_fields", "true", "a plane has no triangles";
     "restitution = 0.5" => "[[pair]]\nmaterials = [\"steel\", \"rock\"]", "pair[1].materials", "\"steel\", \"rock\"", "appears twice";
     // Spheres.
     "radius = 0.1" => "radius = 0.0", "spheres[0].radius", "radius = 0.0", "found 0, expected a radius > 0 [m]";

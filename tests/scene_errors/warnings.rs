@@ -43,6 +43,12 @@ fn what_will_hurt_is_warned_of() {
             "`ice` is used by no spheres",
         ),
         (
+            "restitution = 0.5",
+            "wear = 1e-12",
+            "pair[0].wear",
+            "no boundary keeps what it feels",
+        ),
+        (
             "materials = [\"rock\", \"steel\"]",
             "materials = [\"steel\", \"steel\"]",
             "pair[0]",

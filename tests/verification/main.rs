@@ -36,3 +36,4 @@ mod solvers;
 mod springs;
 mod support;
 mod tunnelling;
+mod walls;

@@ -283,6 +283,7 @@ fn obstacles_have_copies() {
             point_of_action: Vec3::zeros(),
             stiffness: None,
             belt: None,
+            wall_fields: false,
         });
         let mut run = in_cell(case, [1.0, 0.0, 0.0]).start();
         run.steps(steps);

@@ -9,6 +9,7 @@ use sphere_dda::geometry::{Facets, Geometry, HalfSpace, Revolution, Shape};
 use sphere_dda::integrator::Integrator;
 use sphere_dda::observe::Observation;
 use sphere_dda::observe::energy::Energy;
+use sphere_dda::observe::walls::{self, Interval};
 use sphere_dda::scene::Motion;
 use sphere_dda::scene::body::{Body, Joint};
 use sphere_dda::scene::gravity::GravityMotion;
@@ -145,6 +146,7 @@ impl Case {
             point_of_action: Vec3::zeros(),
             stiffness: None,
             belt: None,
+            wall_fields: false,
         });
         self
     }
@@ -198,6 +200,20 @@ impl Case {
             angular: Vec3::y() * speed,
         };
         self.moving(vec![Shape::Revolution(side)], Motion::Constant(turning))
+    }
+
+    /// Lets the last boundary keep what its triangles feel, with the wear coefficient \[1/Pa\] of every pair.
+    pub fn felt(mut self, wear: f64) -> Self {
+        let boundary = self.scene.boundaries.last_mut().expect("a boundary");
+        boundary.wall_fields = true;
+        for (a, b) in [(0, 0), (0, 1), (1, 1)] {
+            let pair = Pair {
+                wear,
+                ..self.scene.pairs.get(a, b)
+            };
+            self.scene.pairs.set(a, b, pair);
+        }
+        self
     }
 
     /// A boundary of the given shapes that `body` moves; its point of action is the origin.
@@ -340,6 +356,7 @@ impl Run {
                 self.simulation.time()
             );
         }
+        self.check_walls();
         let locked = scene
             .particles
             .locks
@@ -394,6 +411,25 @@ impl Run {
             "momentum is off by {error:e} of {:e} N s",
             scale * h
         );
+    }
+
+    /// The tractions of a boundary's triangles add up to its average force.
+    pub fn check_walls(&self) {
+        let state = Observation::of(&self.simulation);
+        for (b, boundary) in state.boundaries.iter().enumerate() {
+            let triangles = walls::readings(&state, b, Interval::Step);
+            if triangles.is_empty() {
+                continue;
+            }
+            let sum: Vec3 = triangles.iter().map(|t| t.load.force).sum();
+            let scale: f64 = triangles.iter().map(|t| t.load.force.norm()).sum();
+            let error = (sum - boundary.mean_wrench.force).norm();
+            assert!(
+                error <= 1e-12 * scale.max(boundary.mean_wrench.force.norm()),
+                "boundary {b}: tractions miss {error:e} N of {scale:e} N at {} s",
+                state.time
+            );
+        }
     }
 
     /// Momentum and angular momentum about the reference point of each driven body, and its pose.

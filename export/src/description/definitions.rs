@@ -84,6 +84,8 @@ pub(super) fn units<'u>(used: impl Iterator<Item = &'u str>) -> Vec<Unit> {
         si("kg.m2", 1, 2, 0),
         si("kg/m3", 1, -3, 0).with_display_unit("t/m3", 1e-3, 0.0),
         si("m2", 0, 2, 0),
+        si("m3", 0, 3, 0),
+        si("1/Pa", -1, 1, 2),
     ];
     units.extend(
         of_parameters

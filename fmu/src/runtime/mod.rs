@@ -8,3 +8,4 @@ pub mod recorder;
 pub mod refusal;
 pub mod resource;
 pub mod state;
+pub mod walls;

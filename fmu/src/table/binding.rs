@@ -34,6 +34,15 @@ pub enum Binding {
     Contacts(ContactField),
     /// All loaded contacts as one binary.
     ContactsDocument,
+    /// Corners of the triangles of a boundary.
+    WallCorners(usize),
+    /// What they feel.
+    Wall {
+        /// Index of the boundary.
+        boundary: usize,
+        /// Rank in [`sphere_dda::observe::walls::FIELDS`].
+        field: usize,
+    },
 }
 
 /// Parts of a [`Command`].

@@ -14,6 +14,7 @@
 //! | `spheres.document` | none              | all spheres as one binary: [`crate::runtime::document`]         |
 //! | `contacts.*`       | `[K, k]` or `[K]` | loaded contacts, if the scene asks for it: [`ContactField`]     |
 //! | `contacts.document`| none              | all of them as one binary: [`crate::runtime::contacts`]         |
+//! | `wall.NAME.*`      | `[T, ...]`        | triangles of a boundary with `wall_fields`                      |
 //!
 //! `N` is the number of spheres the scene has room for, and a sphere keeps its row. A row whose `spheres.present` is
 //! false belongs to a sphere that waits in a source or has left through a sink: it rests where it was.
@@ -34,6 +35,7 @@ mod parameters;
 mod scene_parameters;
 mod spheres;
 mod variable;
+mod walls;
 
 use std::collections::BTreeMap;
 
@@ -92,6 +94,7 @@ impl Table {
         variables.extend(over_boundaries(&variables, scene.boundaries.len()));
         variables.extend(spheres::spheres(scene.particles.len()));
         variables.extend(contacts::contacts(scene));
+        variables.extend(walls::walls(scene));
         if let Some(patterns) = &scene.exposed.outputs {
             outputs::choose(patterns, &mut variables)?;
         }

@@ -143,13 +143,15 @@ impl Parameters {
     pub fn apply(&self, scene: &Scene) -> Scene {
         let mut scene = scene.clone();
         scene.settings = self.settings_for(&scene);
+        scene.output.vtu_interval = self.output_interval;
         scene
     }
 
     /// Whether [`Self::apply`] would not change a scene.
     #[must_use]
     pub fn fit(&self, scene: &Scene) -> bool {
-        self.settings_for(scene) == scene.settings
+        let same_frames = self.output_interval == scene.output.vtu_interval;
+        same_frames && self.settings_for(scene) == scene.settings
     }
 
     fn settings_for(&self, scene: &Scene) -> Settings {

@@ -8,7 +8,8 @@ use super::binding::Binding;
 use super::variable::Variable;
 
 /// Units as scene files write them, and their names in a model description.
-const UNITS: [(&str, &str); 20] = [
+const UNITS: [(&str, &str); 21] = [
+    ("1/Pa", "1/Pa"),
     ("1/s", "1/s"),
     ("Hz", "Hz"),
     ("N", "N"),

@@ -8,6 +8,7 @@
 //! presence  1 byte for each frame: 0 as before, 1 all, 2 as a bit for each sphere follows
 //! jumps     1 byte for each frame: 0 none, 2 a bit for each sphere: there is no way from the frame before to this one
 //! contacts  see contacts
+//! wall k    see walls
 //! ```
 
 use rayon::prelude::*;
@@ -20,6 +21,7 @@ use super::error::ViewError;
 use super::page::Parts;
 use super::recording::Moment;
 use super::survey::Survey;
+use super::walls::WallBlock;
 
 /// Position step `q` over the smallest radius: the error of a centre is at most 0.87 of this.
 const STEP: f64 = 1e-3;
@@ -69,6 +71,7 @@ pub(super) struct Block<'a> {
     /// By field and component, frame, slot.
     values: Vec<Vec<Vec<i64>>>,
     contacts: Contacts<'a>,
+    walls: WallBlock<'a>,
 }
 
 /// The parts of a block, ready for the page.
@@ -76,6 +79,7 @@ pub(super) struct Packed {
     pub(super) motion: Vec<u8>,
     pub(super) fields: Vec<Vec<u8>>,
     pub(super) contacts: Vec<u8>,
+    pub(super) walls: Vec<Vec<u8>>,
 }
 
 impl Packed {
@@ -86,6 +90,9 @@ impl Packed {
         parts.push(format!("contacts-{number}"), self.contacts);
         for (k, bytes) in self.fields.into_iter().enumerate() {
             parts.push(format!("field{k}-{number}"), bytes);
+        }
+        for (k, bytes) in self.walls.into_iter().enumerate() {
+            parts.push(format!("wall{k}-{number}"), bytes);
         }
         parts
     }
@@ -111,6 +118,7 @@ impl<'a> Block<'a> {
             positions: Default::default(),
             values: vec![Vec::new(); components.sum()],
             contacts: Contacts::new(survey, detail.force_levels()),
+            walls: WallBlock::new(&survey.walls),
         }
     }
 
@@ -165,6 +173,7 @@ impl<'a> Block<'a> {
             }
         }
         self.contacts.push(moment, &ranks);
+        self.walls.push(moment)?;
         self.present.push(present);
         self.jumps.push(jumps);
         Ok(())
@@ -210,6 +219,7 @@ impl<'a> Block<'a> {
             fields: fields.collect(),
             motion: deflated(&motion),
             contacts: deflated(&self.contacts.pack()),
+            walls: self.walls.pack(),
         }
     }
 }

@@ -21,6 +21,11 @@ pub(super) const RANGE: f64 = 1e4;
 /// Largest whole number that the page holds exactly, with room for second differences.
 pub(super) const LARGEST: f64 = (1_i64 << 46) as f64;
 
+/// `K` and `s` of a field up to `largest`: 0.5 % of a value.
+pub(super) fn coding(largest: f64) -> (f64, f64) {
+    (100.0, largest / RANGE)
+}
+
 /// The whole number of a field's component in `steps` `K` per unit of its logarithm; `scale` is `s`, zero for a field
 /// that is zero everywhere.
 pub(super) fn compressed(value: f64, scale: f64, steps: f64) -> i64 {

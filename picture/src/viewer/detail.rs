@@ -9,7 +9,7 @@
 //! | `Telling` | likewise | velocity and force |
 //! | `Magnitudes` | likewise | their magnitudes |
 
-use super::coding::RANGE;
+use super::coding::{RANGE, coding};
 use super::survey::{FieldRange, Survey};
 
 /// What is kept of the fields.
@@ -99,7 +99,7 @@ impl Detail {
     /// `K` and `s` of a field; near zero a step is `s/K`.
     fn coding(self, field: &FieldRange) -> (f64, f64) {
         let (steps, shades) = match self {
-            Self::Whole => return (100.0, field.largest / RANGE),
+            Self::Whole => return coding(field.largest),
             Self::Fine => (25.0, 512.0),
             _ => (8.0, 64.0),
         };

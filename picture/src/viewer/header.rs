@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use super::labels::Label;
+use super::walls::WallRange;
 
 /// The head of a page. Lengths in m, all units SI.
 #[derive(Debug, Serialize)]
@@ -28,6 +29,8 @@ pub(super) struct Header {
     pub(super) fields: Vec<FieldHeader>,
     pub(super) forces: ForceHeader,
     pub(super) boundaries: Vec<BoundaryHeader>,
+    /// What the triangles of some boundaries feel.
+    pub(super) walls: Vec<WallHeader>,
     pub(super) tables: Vec<TableHeader>,
     pub(super) labels: Vec<Label>,
     /// Of a scene that has not run.
@@ -70,6 +73,33 @@ pub(super) struct BoundaryHeader {
     pub(super) centre: [f64; 3],
     pub(super) points: usize,
     pub(super) triangles: usize,
+    /// Whether its triangles keep what they feel.
+    pub(super) felt: bool,
+}
+
+#[derive(Debug, Serialize)]
+pub(super) struct WallHeader {
+    pub(super) name: String,
+    pub(super) unit: String,
+    /// `s` of the coding.
+    pub(super) scale: f64,
+    /// `K` of the coding.
+    pub(super) steps: f64,
+    /// Where colours end: 99 % of the values above zero lie below.
+    pub(super) top: f64,
+}
+
+impl WallHeader {
+    pub(super) fn of(range: &WallRange) -> Self {
+        let (steps, scale) = range.coding();
+        Self {
+            name: range.name.clone(),
+            unit: range.unit.clone(),
+            scale,
+            steps,
+            top: range.top(),
+        }
+    }
 }
 
 #[derive(Debug, Serialize)]

@@ -14,10 +14,12 @@ mod error;
 mod header;
 pub mod labels;
 mod page;
+mod ranges;
 mod recording;
 mod survey;
 mod tables;
 mod text;
+mod walls;
 
 pub use detail::Detail;
 pub use error::ViewError;
@@ -32,7 +34,7 @@ use bodies::Bodies;
 use coding::{doubles, singles, wholes};
 use contacts::DECADES;
 use detail::Kept;
-use header::{BoundaryHeader, FieldHeader, ForceHeader, Header, TableHeader};
+use header::{BoundaryHeader, FieldHeader, ForceHeader, Header, TableHeader, WallHeader};
 use labels::Label;
 use page::{Parts, bare, html};
 use survey::Survey;
@@ -349,6 +351,7 @@ fn header(
         centre: body.centre.into(),
         points: body.arms.len(),
         triangles: body.triangles.len(),
+        felt: survey.walls.boundaries.contains(&body.index),
     };
     let table = |table: &Table| TableHeader {
         name: table.name.clone(),
@@ -402,6 +405,7 @@ fn header(
             levels: taken.detail.force_levels(),
         },
         boundaries: bodies.list.iter().map(boundary).collect(),
+        walls: survey.walls.fields.iter().map(WallHeader::of).collect(),
         tables: options.tables.iter().map(table).collect(),
         labels: options.labels.clone(),
         still: matches!(recording, Recording::Still(_)),

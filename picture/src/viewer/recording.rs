@@ -102,6 +102,8 @@ pub(super) struct Surface {
     pub(super) owner: Vec<usize>,
     /// Force \[N\] on the whole boundary, by boundary.
     pub(super) force: BTreeMap<usize, Vec3>,
+    /// What the triangles feel, if any keep it.
+    pub(super) felt: Vec<Field>,
 }
 
 /// Refuses what no run writes.
@@ -230,11 +232,14 @@ impl Surface {
             let expected = "one for each cell";
             return Err(refuse(time, "the grid of boundaries", found, expected));
         }
+        let felt = grid.cell_data.iter();
+        let felt = felt.filter(|field| !["boundary", "force"].contains(&&*field.name));
         let force = owner.iter().zip(force);
         Ok(Self {
             points: grid.points.clone(),
             triangles,
             force: force.map(|(&b, &f)| (b, Vec3::from(f))).collect(),
+            felt: felt.cloned().collect(),
             owner,
         })
     }

@@ -6,12 +6,10 @@ use sphere_dda::Vec3;
 use sphere_dda::formats::vtu::Field;
 
 use super::error::ViewError;
+use super::ranges::{SAMPLES, quantile, top};
 use super::recording::{Moment, Recording};
+use super::walls::Walls;
 
-/// Spheres of a frame whose fields are sampled for the ranges of colours.
-const SAMPLES: usize = 400;
-/// Share of the sampled values that lies below the top of the colours.
-const TOP: f64 = 0.99;
 /// Share of the frames whose forces all lie below the top of their colours.
 const MOST: f64 = 0.75;
 /// Rim around the boundaries, or the first frame's spheres, over their diagonal: beyond it spheres are lost in space.
@@ -40,15 +38,8 @@ pub(super) struct FieldRange {
 impl FieldRange {
     /// Where the colours end: nearly all values lie below.
     pub(super) fn top(&self) -> f64 {
-        quantile(&self.samples, TOP)
+        top(&self.samples)
     }
-}
-
-fn quantile(samples: &[f64], share: f64) -> f64 {
-    let mut sorted = samples.to_vec();
-    sorted.sort_by(f64::total_cmp);
-    let at = (share * sorted.len().saturating_sub(1) as f64).round() as usize;
-    sorted.get(at).copied().unwrap_or(0.0)
 }
 
 /// What all frames have in common.
@@ -67,6 +58,7 @@ pub(super) struct Survey {
     pub(super) largest_force: f64,
     /// Likewise, of each frame.
     strongest: Vec<f64>,
+    pub(super) walls: Walls,
 }
 
 impl Survey {
@@ -132,6 +124,7 @@ impl Survey {
         for field in &spheres.fields {
             self.add_field(field, &near);
         }
+        self.walls.add(&moment.surface);
         let forces = moment.contacts.iter().map(|contact| contact.force);
         self.largest_force = forces.clone().fold(self.largest_force, f64::max);
         // Frames in which nothing touches have no say.

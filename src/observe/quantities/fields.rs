@@ -167,6 +167,14 @@ pub(super) const HINGE_HELD: [Field<Body>; 1] = [
     real("jointTorque", "N.m", "Torque of the stops and the spring about the hinge, last internal step", |b| b.state.joint.force),
 ];
 
+/// Of boundaries with `wall_fields`.
+#[rustfmt::skip]
+pub(super) const WALL: [Field<Body>; 3] = [
+    real("frictionEnergy", "J", "Energy lost by sliding friction and by resistance to rolling and twisting on the boundary since the start", |b| b.wall.friction),
+    real("impactEnergy", "J", "Energy lost along the normals of impacts on the boundary since the start", |b| b.wall.impact),
+    real("wearVolume", "m3", "Volume worn off the boundary since the start (Archard)", |b| b.wall.wear),
+];
+
 #[rustfmt::skip]
 pub(super) const PROBE: [Field<Sphere>; 8] = [
     vector("position", "m", "Centre of the sphere", |s| s.position),

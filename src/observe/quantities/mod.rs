@@ -17,10 +17,10 @@ use super::Observation;
 use super::loads::Loads;
 use super::sensors::region;
 use crate::scene::body::Joint;
-use crate::scene::{Measure, Motion, Scene};
+use crate::scene::{Boundary, Measure, Motion, Scene};
 use fields::{
     BODY, DRIVEN, FLOW, Field, HINGE, HINGE_HELD, HINGED, PROBE, REGION, SINK, SLIDE, SLIDE_HELD,
-    SLIDING, SOURCE, WHOLE, WRENCH,
+    SLIDING, SOURCE, WALL, WHOLE, WRENCH,
 };
 pub use fields::{WXYZ, XYZ};
 use readings::{Body, Flow, Sphere, Whole};
@@ -75,14 +75,15 @@ pub fn quantities(scene: &Scene) -> Vec<Quantity> {
     for (b, boundary) in scene.boundaries.iter().enumerate() {
         let owner = ("boundary", &*boundary.name);
         let first = list.len();
-        for fields in of_boundary(&boundary.motion) {
+        for fields in of_boundary(boundary) {
             describe(&mut list, owner, fields);
         }
         let moves = !matches!(boundary.motion, Motion::Fixed) || boundary.belt.is_some();
         for quantity in &mut list[first..] {
             quantity.boundary = Some(b);
             let of_any = BODY.iter().any(|field| field.name == quantity.field);
-            quantity.is_asked = moves && (!of_any || MOVING.contains(&quantity.field));
+            let of_wall = WALL.iter().any(|field| field.name == quantity.field);
+            quantity.is_asked = of_wall || moves && (!of_any || MOVING.contains(&quantity.field));
         }
     }
     for probe in &scene.probes {
@@ -114,9 +115,10 @@ pub fn quantities(scene: &Scene) -> Vec<Quantity> {
     list
 }
 
-/// What is measured of a boundary that moves so.
-fn of_boundary(motion: &Motion) -> Vec<&'static [Field<Body>]> {
+/// What is measured of a boundary.
+fn of_boundary(boundary: &Boundary) -> Vec<&'static [Field<Body>]> {
     let mut list: Vec<&[_]> = vec![&BODY];
+    let motion = &boundary.motion;
     let (along, body, held): (&[_], &[_], &[_]) = match motion.joint() {
         Joint::Free => (&[], &[], &[]),
         Joint::Slide { .. } => (&SLIDE, &SLIDING, &SLIDE_HELD),
@@ -128,6 +130,7 @@ fn of_boundary(motion: &Motion) -> Vec<&'static [Field<Body>]> {
     } else {
         list.push(along);
     }
+    list.extend(boundary.wall_fields.then_some(&WALL[..]));
     list
 }
 
@@ -139,7 +142,7 @@ pub fn values(state: &Observation) -> Vec<f64> {
     let mut list = Vec::new();
     for (b, boundary) in scene.boundaries.iter().enumerate() {
         let body = Body::of(state, &loads, b);
-        for fields in of_boundary(&boundary.motion) {
+        for fields in of_boundary(boundary) {
             measure(&mut list, fields, &body);
         }
     }

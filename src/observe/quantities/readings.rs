@@ -3,6 +3,7 @@
 use crate::Vec3;
 use crate::observe::energy::Totals;
 use crate::observe::loads::{BodyLoad, Loads};
+use crate::observe::walls::Totals as WallTotals;
 use crate::observe::{BoundaryState, Observation};
 use crate::scene::body::Joint;
 use crate::spatial::Twist;
@@ -15,6 +16,8 @@ pub(super) struct Body {
     pub(super) orientation: [f64; 4],
     /// Of its slide or hinge, world; zero for all others.
     pub(super) axis: Vec3,
+    /// Of its triangles; zero without `wall_fields`.
+    pub(super) wall: WallTotals,
 }
 
 impl Body {
@@ -26,6 +29,7 @@ impl Body {
         };
         Self {
             axis,
+            wall: WallTotals::of(state, b),
             load: loads.boundaries[b],
             position: state.scene.boundaries[b].point_of_action + body.pose.translation,
             orientation: wxyz(&body.pose.rotation),

@@ -11,6 +11,7 @@ pub(super) fn advise(scene: &Scene, file: &SceneFile) -> Vec<Advice> {
     let mut advice = numerics(scene);
     advice.extend(materials(scene, file));
     advice.extend(pairs(scene, file));
+    advice.extend(wear(scene, file));
     advice
 }
 
@@ -116,4 +117,23 @@ fn pairs(scene: &Scene, file: &SceneFile) -> Vec<Advice> {
         })
     });
     advice.collect()
+}
+
+/// Wear of which no boundary keeps an account.
+fn wear(scene: &Scene, file: &SceneFile) -> Option<Advice> {
+    if scene.boundaries.iter().any(|boundary| boundary.wall_fields) {
+        return None;
+    }
+    let default = file.pair_default.wear.map(|_| "pair_default".to_owned());
+    let worn = |path: &String, wear: Option<f64>| wear.map(|_| path.clone());
+    let mut materials = file.materials.iter();
+    let material = materials.find_map(|m| worn(&m.path, m.value.as_ref()?.wear));
+    let mut pairs = file.pairs.iter();
+    let pair = pairs.find_map(|pair| worn(&pair.path, pair.value.as_ref()?.wear));
+    let path = default.or(material).or(pair)?;
+    Some(Advice::warning(
+        format!("{path}.wear"),
+        "has no effect: no boundary keeps what it feels",
+        "write `wall_fields = true` in the boundary that wears, or remove it",
+    ))
 }

@@ -35,6 +35,10 @@ pub struct Boundary {
     /// Whether the surface velocity is an input of the FMU, `surface_velocity` then being its start.
     #[serde(default)]
     pub surface_input: bool,
+    /// Whether each of its triangles keeps what it feels: pressure, shear, energies of friction and impacts, wear. Not with
+    /// `plane` faces, which have no triangles.
+    #[serde(default)]
+    pub wall_fields: bool,
     /// Mass and joint of a boundary that forces move. Not together with `motion`; of the inputs only `load`.
     #[schemars(extend("x-default" = "none"))]
     pub body: Option<Body>,

@@ -254,6 +254,9 @@ pub struct Material {
     /// Contact stiffness \[N/m\]: contacts give way as a spring that keeps the `restitution`; across the normal 2/5 of it.
     #[schemars(extend("exclusiveMinimum" = 0, "x-default" = "rigid"))]
     pub stiffness: Option<f64>,
+    /// Archard's wear coefficient \[1/Pa\] of boundaries with `wall_fields`: the volume worn off per normal force and sliding path.
+    #[schemars(extend("minimum" = 0))]
+    pub wear: Option<f64>,
 }
 
 /// `[pair_default]`: how materials touch unless a `[[pair]]` or their own `[[material]]`s say otherwise.
@@ -280,6 +283,9 @@ pub struct PairDefault {
     /// Contact stiffness \[N/m\]: contacts give way as a spring that keeps the `restitution`; across the normal 2/5 of it.
     #[schemars(extend("exclusiveMinimum" = 0, "x-default" = "rigid"))]
     pub stiffness: Option<f64>,
+    /// Archard's wear coefficient \[1/Pa\] of boundaries with `wall_fields`: the volume worn off per normal force and sliding path.
+    #[schemars(extend("x-default" = "`0`", "minimum" = 0))]
+    pub wear: Option<f64>,
 }
 
 /// `[[pair]]`: how two materials touch; what is left out is taken from their `[[material]]`s, then from `[pair_default]`.
@@ -309,6 +315,9 @@ pub struct Pair {
     /// Contact stiffness \[N/m\]: contacts give way as a spring that keeps the `restitution`; across the normal 2/5 of it.
     #[schemars(extend("exclusiveMinimum" = 0, "x-default" = "what the materials and `[pair_default]` say"))]
     pub stiffness: Option<f64>,
+    /// Archard's wear coefficient \[1/Pa\] of boundaries with `wall_fields`: the volume worn off per normal force and sliding path.
+    #[schemars(extend("minimum" = 0))]
+    pub wear: Option<f64>,
 }
 
 /// `[[load]]`: a force on a sphere at a point that moves with it.

@@ -10,12 +10,13 @@ use super::super::document::{Step, child, did_you_mean};
 use super::super::wording::Place;
 
 /// Coefficients of a contact, which a run takes between steps.
-const CONTACT: [&str; 5] = [
+const CONTACT: [&str; 6] = [
     "friction",
     "friction_angle",
     "restitution",
     "rolling_friction",
     "twisting_friction",
+    "wear",
 ];
 
 /// A number that a path leads to.

@@ -12,6 +12,34 @@ use crate::state::{BodyState, EnergyLedger, State};
 use crate::step::rows::elastic::ElasticContact;
 use crate::step::solution::Solved;
 
+/// What a contact loses in a step.
+pub(super) struct Lost {
+    /// By friction \[J\].
+    pub(super) friction: f64,
+    /// Along its normal, if it is a rigid impact \[J\].
+    pub(super) impact: f64,
+    /// Impulse along its normal \[N s\]; none of a couple.
+    pub(super) impulse: f64,
+    /// Speed across it \[m/s\].
+    pub(super) slip: f64,
+}
+
+/// Where the spheres and the boundaries end.
+pub(super) struct End {
+    position: Vec<Vec3>,
+    poses: Vec<Pose>,
+}
+
+/// What the springs of a contact do \[J\].
+pub(super) struct SpringWork {
+    /// Work of the normal spring.
+    normal: f64,
+    /// What its damper loses.
+    pub(super) damped: f64,
+    /// What the shear spring gives back.
+    pub(super) shear: f64,
+}
+
 impl Solved<'_> {
     /// Adds the step's work. Lasting forces act along the displacement `dt v1`; an impact's work is `p . (u^- + u1)/2`. What
     /// contacts take across their normals is friction, along those of impacts the impact's loss. Along the normals of lasting
@@ -29,12 +57,13 @@ impl Solved<'_> {
     }
 
     /// Where the spheres and the boundaries end, if some contacts give way.
-    fn end(&self) -> Option<(Vec<Vec3>, Vec<Pose>)> {
+    pub(super) fn end(&self) -> Option<End> {
         let (prediction, velocity) = (self.prediction(), &self.solution.velocity);
         prediction.gives_way.then(|| {
             let mut position = Vec::new();
             prediction.end_positions(velocity, &mut position);
-            (position, prediction.end_poses(velocity))
+            let poses = prediction.end_poses(velocity);
+            End { position, poses }
         })
     }
 
@@ -42,7 +71,7 @@ impl Solved<'_> {
     fn work_of(
         &self,
         range: Range<usize>,
-        end: Option<&(Vec<Vec3>, Vec<Pose>)>,
+        end: Option<&End>,
         contacts: &ContactForces,
     ) -> EnergyLedger {
         let mut work = EnergyLedger::default();
@@ -51,50 +80,29 @@ impl Solved<'_> {
         let rows = &self.assembly.problem.rows;
         for k in range {
             let p = &self.solution.impulses[k];
-            // What the shear spring gives back.
-            let mut returned = 0.0;
             if let (Some(elastic), Some(end)) = (self.assembly.elastic(k), end) {
-                let [spring, lost] = self.work_of_spring(k, elastic, end);
-                returned = self.assembly.past[k].stored(contacts) - self.spring_state(k).energy();
-                work.contacts += spring + returned;
-                work.impact += lost;
-                known += spring - lost;
-                if *p == Vec3::zeros() {
-                    work.friction += returned;
-                }
+                let sprung = self.work_of_spring(k, elastic, (end, contacts));
+                work.contacts += sprung.normal + sprung.shear;
+                work.impact += sprung.damped;
+                known += sprung.normal - sprung.damped;
+                // What the shear spring gives slides away, unless the force brings it to the bodies.
+                work.friction += sprung.shear;
             }
             if *p == Vec3::zeros() || self.assembly.joint(k).is_some() {
                 continue;
             }
             let general = rows.general(k);
-            let law = general.map(|row| row.law);
-            if law == Some(Law::Bilateral) {
+            if general.is_some_and(|row| row.law == Law::Bilateral) {
                 let spring = p.dot(&rows.relative(k, |i| self.solution.velocity[i]));
                 work.springs += spring;
                 known += spring;
                 continue;
             }
-            let impact = self.assembly.is_impact(k);
-            let velocity = |i: usize| match impact {
-                true => self.mean(i),
-                false => self.solution.velocity[i],
-            };
-            let (mut u, n) = (rows.relative(k, velocity), rows.normal(k));
-            // Friction works on the slip of the step's middle.
-            if let Some(row) = general.filter(|row| row.is_contact() && row.is_rigid()) {
-                u += row.across();
-            }
-            let couple = matches!(law, Some(Law::Resistance { .. }));
-            // A couple of resistance is friction as a whole.
-            let p_n = if couple { 0.0 } else { p.dot(&n) };
-            let friction = -(p - n * p_n).dot(&u);
-            work.friction += friction + returned;
-            known -= friction;
-            if impact && rows.compliance(k) == 0.0 {
-                let loss = -p_n * u.dot(&n);
-                work.impact += loss;
-                known -= loss;
-            }
+            let lost = self.lost(k);
+            work.friction += lost.friction;
+            known -= lost.friction;
+            work.impact += lost.impact;
+            known -= lost.impact;
             // Of a prescribed motion, and of a belt also where its boundary is driven.
             if let Some(row) = general {
                 let boundary = -p.dot(&row.prescribed_velocity);
@@ -103,31 +111,64 @@ impl Solved<'_> {
             }
             if let Some(driven) = self.assembly.driven_side(k) {
                 let [_, grip] = rows.get(k).jacobian();
-                known += p.dot(&grip.velocity(&velocity(driven)));
+                let velocity = match self.assembly.is_impact(k) {
+                    true => self.mean(driven),
+                    false => self.solution.velocity[driven],
+                };
+                known += p.dot(&grip.velocity(&velocity));
             }
         }
         work.numerical_work -= known;
         work
     }
 
-    /// Work of the normal spring of a contact and what its damper loses \[J\]. A contact that a step does not press any more loses
-    /// what its spring still holds.
-    fn work_of_spring(
+    /// What the contact or the resistance of row `k` loses, but for its damper.
+    pub(super) fn lost(&self, k: usize) -> Lost {
+        let (rows, p) = (&self.assembly.problem.rows, &self.solution.impulses[k]);
+        let impact = self.assembly.is_impact(k);
+        let velocity = |i: usize| match impact {
+            true => self.mean(i),
+            false => self.solution.velocity[i],
+        };
+        let (mut u, n) = (rows.relative(k, velocity), rows.normal(k));
+        let general = rows.general(k);
+        // Friction works on the slip of the step's middle.
+        if let Some(row) = general.filter(|row| row.is_contact() && row.is_rigid()) {
+            u += row.across();
+        }
+        let couple = general.is_some_and(|row| matches!(row.law, Law::Resistance { .. }));
+        // A couple of resistance is friction as a whole.
+        let p_n = if couple { 0.0 } else { p.dot(&n) };
+        let along = u.dot(&n);
+        Lost {
+            friction: -(p - n * p_n).dot(&u),
+            impact: match impact && rows.compliance(k) == 0.0 {
+                true => -p_n * along,
+                false => 0.0,
+            },
+            impulse: p_n,
+            slip: (u - n * along).norm(),
+        }
+    }
+
+    /// What the springs of a contact that gives way do. A contact that a step does not press any more loses what its springs still
+    /// hold.
+    pub(super) fn work_of_spring(
         &self,
         k: usize,
         elastic: &ElasticContact,
-        (position, poses): &(Vec<Vec3>, Vec<Pose>),
-    ) -> [f64; 2] {
+        (end, contacts): (&End, &ContactForces),
+    ) -> SpringWork {
         let (assembly, rows) = (self.assembly, &self.assembly.problem.rows);
         let candidate = &assembly.candidates[k];
         let end = Configuration {
-            position,
-            poses,
+            position: &end.position,
+            poses: &end.poses,
             ..assembly.start()
         };
-        let spring = elastic.energy(candidate.gap) - elastic.energy(end.gap(candidate));
-        let lost = match (self.solution.loads(k), rows.compliance(k) == 0.0) {
-            (false, _) => spring,
+        let normal = elastic.energy(candidate.gap) - elastic.energy(end.gap(candidate));
+        let damped = match (self.solution.loads(k), rows.compliance(k) == 0.0) {
+            (false, _) => normal,
             (true, true) => 0.0,
             (true, false) => {
                 let speed = |velocity: &dyn Fn(usize) -> SpatialVector| {
@@ -137,7 +178,11 @@ impl Solved<'_> {
                 elastic.damped([before, speed(&|i| self.solution.velocity[i])])
             }
         };
-        [spring, lost]
+        SpringWork {
+            normal,
+            damped,
+            shear: assembly.past[k].stored(contacts) - self.spring_state(k).energy(),
+        }
     }
 
     /// Adds the work on driven bodies, as [`Self::work`] does for spheres. Their weight acts along the path of the centre of mass.

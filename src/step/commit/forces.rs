@@ -21,6 +21,10 @@ impl Solved<'_> {
         state.contacts.clear();
         state.wrenches = vec![Wrench::default(); state.poses.len()];
         state.smooth_wrenches.clone_from(&state.wrenches);
+        for wall in &mut state.walls.list {
+            wall.loads.clear();
+            wall.smooth.clear();
+        }
         let couples = self.couples();
         let gives_way = self.prediction().gives_way;
         for (k, candidate) in self.assembly.candidates.iter().enumerate() {
@@ -99,6 +103,7 @@ impl Solved<'_> {
         if smooth {
             state.smooth_wrenches[b].add(&wrench, 1.0);
         }
+        self.press(state, &load, smooth);
     }
 
     /// Couple \[N m\] of each contact's resistance on A, `[contacts]`; empty where there is no resistance.

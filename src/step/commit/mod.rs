@@ -2,6 +2,7 @@
 
 mod energy;
 mod forces;
+mod walls;
 
 use std::mem::swap;
 
@@ -38,12 +39,15 @@ pub(super) fn commit(solved: &Solved, state: &mut State, spare: &mut Vec<Spatial
         }
     }
     let smooth_wrenches = remainder.then(|| state.smooth_wrenches.clone());
+    let smooth_loads = walls::smooth_loads(state, remainder);
     solved.work(state);
     solved.body_work(state, &finished, &ends);
+    solved.wear(state);
     solved.store(state);
     if let Some(smooth) = smooth_wrenches {
         state.smooth_wrenches = smooth;
     }
+    walls::keep_smooth(state, smooth_loads);
     state.springs = solved.spring_forces();
     solved.advance(state, spare);
     swap(&mut state.smooth, spare);

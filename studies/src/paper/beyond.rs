@@ -130,6 +130,7 @@ mod tests {
             point_of_action: Vec3::zeros(),
             stiffness: None,
             belt: None,
+            wall_fields: false,
         }
     }
 

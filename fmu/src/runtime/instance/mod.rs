@@ -29,6 +29,7 @@ use crate::runtime::life_cycle::LifeCycle;
 use crate::runtime::recorder::Recorder;
 use crate::runtime::refusal::{InstantiationError, Refusal};
 use crate::runtime::state::InstanceState;
+use crate::runtime::walls::Wall;
 use crate::table::Parameters;
 use sphere_dda_fmi_interface::log::{Level, Log};
 use sphere_dda_fmi_interface::pointers::BadArgument;
@@ -57,6 +58,8 @@ struct Measured {
     outputs: Option<Vec<f64>>,
     /// Loaded contacts.
     contacts: Option<Vec<Contact>>,
+    /// Triangles of boundaries, by boundary.
+    walls: BTreeMap<usize, Wall>,
     /// Derivatives by time of all that [`derivatives`] measures.
     rates: Option<Vec<f64>>,
     /// Its derivatives by inputs, by row of the table and element.

@@ -13,6 +13,7 @@ use sphere_dda_model_description::value::{ScalarType, Value};
 use super::Instance;
 use crate::runtime::life_cycle::LifeCycle;
 use crate::runtime::refusal::Refusal;
+use crate::runtime::walls::Wall;
 use crate::runtime::{contacts, document};
 use crate::table::{Binding, Entry, Table, Variable, value};
 use crate::version::Version;
@@ -99,6 +100,17 @@ impl Instance {
         if self.measured.contacts.is_none() && entries.iter().any(|entry| of_contacts(&entry)) {
             self.measured.contacts = Some(contacts::loaded(&Observation::of(simulation)));
         }
+        for entry in entries {
+            let (Binding::Wall { boundary: b, .. } | Binding::WallCorners(b)) =
+                entry.variable.binding
+            else {
+                continue;
+            };
+            let walls = &mut self.measured.walls;
+            walls
+                .entry(b)
+                .or_insert_with(|| Wall::of(&Observation::of(simulation), b));
+        }
         Ok(())
     }
 
@@ -131,6 +143,14 @@ impl Instance {
             }
             (Binding::Spheres(field), Some(simulation)) => {
                 document::field(simulation, *field, give);
+            }
+            (Binding::Wall { boundary, field }, Some(_)) => {
+                let wall = self.measured.walls.get(boundary);
+                wall.into_iter().for_each(|wall| wall.give(*field, give));
+            }
+            (Binding::WallCorners(boundary), Some(_)) => {
+                let wall = self.measured.walls.get(boundary);
+                wall.into_iter().for_each(|wall| wall.give_corners(give));
             }
             (Binding::Document, Some(simulation)) => {
                 give(Value::Binary(document::of(simulation, self.run.time)));

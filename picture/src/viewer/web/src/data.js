@@ -230,6 +230,25 @@ export class Data {
     });
   }
 
+  /** Numbers of the first triangle of each boundary among those that keep what they feel. */
+  get firstFelt() {
+    let first = 0;
+    return this.head.boundaries.map(({ felt, triangles }) => (felt ? (first += triangles) - triangles : null));
+  }
+
+  /** What all these triangles feel, quantity `k` by frame of a block. */
+  wall(k, block) {
+    const { boundaries, walls } = this.head;
+    const { scale, steps } = walls[k];
+    const count = boundaries.reduce((sum, { felt, triangles }) => sum + (felt ? triangles : 0), 0);
+    const frames = this.framesIn(block);
+    return this.decoded(`wall${k}-${block}`, frames * count * 4, async () => {
+      const present = Array(frames).fill(new Uint8Array(count).fill(1));
+      const codes = stream(new Reader(await part(`wall${k}-${block}`)), present);
+      return codes.map((own) => Float32Array.from(own, (code) => scale * Math.sinh(code / steps)));
+    });
+  }
+
   /** Contacts by frame of a block: ranks of the spheres, partner, form, force [N], branch [m]. */
   contacts(block) {
     const frames = this.framesIn(block);

@@ -14,6 +14,7 @@ export const LAYOUT = `
   <label class="check"><input type="checkbox" id="forces">contact forces</label>
   <label>line width <input type="range" id="width" min="-1" max="1" step="0.05" value="0"></label>
   <h1>Boundaries</h1>
+  <label id="felt">colour <select id="wall"><option value="">none</option></select></label>
   <label>opacity <input type="range" id="opacity" min="0" max="1" step="0.05" value="0.25"></label>
   <label class="check"><input type="checkbox" id="names">names</label>
   <h1>View</h1>

@@ -12,6 +12,7 @@ import { watch } from "./watch.js";
 
 const SPEEDS = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100];
 const $ = (id) => document.getElementById(id);
+const spoken = (name) => name.replaceAll("_", " ");
 
 document.body.insertAdjacentHTML("afterbegin", LAYOUT);
 const hook = { ready: start(), error: null };
@@ -41,6 +42,8 @@ async function start() {
     colouring: all.find(({ key }) => key === initial) ?? all[0],
     range: null,
     forces: false,
+    wall: null,
+    wallTop: 0,
     names: head.still,
     cut: "",
     place: 0.5,
@@ -68,6 +71,10 @@ async function start() {
     if (head.spheres && stage.spheres.mesh.visible && !settings.forces) {
       const title = colouring.unit ? `${colouring.label} [${colouring.unit}]` : colouring.label;
       scales.push(colouring.kinds ? { names: colouring.kinds } : { title, ...range, capped: colouring.capped });
+    }
+    if (settings.wall !== null) {
+      const { name, unit } = head.walls[settings.wall];
+      scales.push({ title: `${spoken(name)} [${unit}]`, low: 0, high: settings.wallTop, heat: true, capped: true });
     }
     if (settings.forces) scales.push({ title: "normal force [N]", low: 0, high: head.forces.top, heat: true, capped: true, root: true, note: `largest ${brief(head.forces.largest)}` });
     return scales;
@@ -158,6 +165,12 @@ async function start() {
     const { name } = head.boundaries[b];
     const at = 3 * (player.place.frame * head.boundaries.length + b);
     const out = { kind: "boundary", name, values: { force: list(Array.from(data.force.subarray(at, at + 3)), "N") } };
+    if (head.boundaries[b].felt && picked.triangle !== undefined) {
+      for (const [k, { name: what, unit }] of head.walls.entries()) {
+        const values = await player.wall(k, player.place.frame);
+        out.values[`${spoken(what)} here`] = number(values[data.firstFelt[b] + picked.triangle], unit);
+      }
+    }
     for (const [what, unit] of [["torque", "N m"], ["averageForce", "N"], ["averageTorque", "N m"]]) {
       const columns = [1, 2, 3].map((k) => data.find(`boundary.${name}.${what}[${k}]`));
       if (columns.includes(null)) continue;
@@ -221,6 +234,14 @@ async function start() {
       stage.spheres.material.uniforms.pale.value = on ? 0.72 : 0;
     },
     width: (power) => (stage.forces.material.uniforms.factor.value = 10 ** ($("width").value = power)),
+    wall: (name) => {
+      const k = head.walls.findIndex((one) => one.name === name);
+      if (name && k < 0) throw new Error(`no quantity "${name}" of boundaries, expected one of ${head.walls.map((one) => one.name).join(", ")}`);
+      settings.wall = name ? k : null;
+      settings.wallTop = name ? head.walls[k].top : 0;
+      $("wall").value = name;
+      if (name && Number($("opacity").value) < 1) setters.opacity(1);
+    },
     opacity: (value) => (stage.opacity = $("opacity").value = Number(value)),
     names: (on) => (settings.names = stage.outlines.visible = $("names").checked = on),
     cut: (axis) => (settings.cut = $("cut").value = axis),
@@ -254,6 +275,8 @@ async function start() {
   // --- elements ---
 
   for (const { key, label, unit } of all) $("colour").add(new Option(unit ? `${label} [${unit}]` : label, key));
+  for (const { name, unit } of head.walls) $("wall").add(new Option(`${spoken(name)} [${unit}]`, name));
+  $("felt").hidden = !head.walls.length;
   for (const name of [...Object.keys(PRESETS), "spheres"]) {
     const button = Object.assign(document.createElement("button"), { textContent: name });
     button.addEventListener("click", () => set({ view: name }));
@@ -263,7 +286,7 @@ async function start() {
   for (const one of SPEEDS) $("speed").add(new Option(`${one} ×`, one, one === own, one === own));
   Object.assign($("slider"), { min: first, max: last, value: first });
   $("slider").addEventListener("input", () => setTime($("slider").value));
-  for (const id of ["colour", "cut"]) $(id).addEventListener("change", () => set({ [id]: $(id).value }));
+  for (const id of ["colour", "cut", "wall"]) $(id).addEventListener("change", () => set({ [id]: $(id).value }));
   for (const id of ["low", "high", "width", "opacity", "place"]) {
     $(id).addEventListener("input", () => set({ [id]: Number($(id).value) }));
   }
@@ -335,6 +358,7 @@ async function start() {
     names: settings.names,
     cut: settings.cut,
     place: settings.place,
+    wall: $("wall").value,
     opacity: Number($("opacity").value),
   }));
   await set({ colour: settings.colouring.key, names: settings.names, ...kept });
@@ -366,6 +390,12 @@ async function start() {
       Object.fromEntries(stage.boundaries.map((g, k) => [head.boundaries[k].name, [...g.position.toArray().map((x, a) => x + stage.origin[a]), ...g.quaternion.toArray()]])),
     plots: () => plots.names,
     add: (name) => plots.add(name),
+    /** What triangle `t` of the boundary `name` feels at the present frame, by quantity. */
+    felt: async (name, t) => {
+      const b = head.boundaries.findIndex((one) => one.name === name);
+      const all = await Promise.all(head.walls.map((_, k) => player.wall(k, player.place.frame)));
+      return Object.fromEntries(all.map((values, k) => [head.walls[k].name, values[data.firstFelt[b] + t]]));
+    },
     lines: () => (stage.forces.mesh.visible ? stage.forces.lines : 0),
     stats: () => ({ ...stats, mean: stats.spent / Math.max(stats.frames, 1), held: data.held, heap: performance.memory?.usedJSHeapSize ?? null }),
   });

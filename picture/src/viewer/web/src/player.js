@@ -86,6 +86,12 @@ export class Player {
     return (await this.data.contacts(block))[frame - block * this.data.head.framesPerBlock];
   }
 
+  /** What triangles feel at a frame, quantity `k`. */
+  async wall(k, frame) {
+    const block = this.data.blockOf(frame);
+    return (await this.data.wall(k, block))[frame - block * this.data.head.framesPerBlock];
+  }
+
   /** Puts a time [s] on the stage. Answers whether it was drawn: a later call makes an earlier one void. */
   async show(time) {
     const { times } = this.data.head;
@@ -94,11 +100,12 @@ export class Player {
     const place = this.find(goal);
     const { settings, data, stage } = this;
     const colouring = settings.colouring;
-    const [a, b, values, contacts] = await Promise.all([
+    const [a, b, values, contacts, felt] = await Promise.all([
       this.moment(place.frame),
       place.share > 0 ? this.moment(place.next) : null,
       colouring.field === undefined ? null : this.values(colouring.field, place),
       settings.forces ? this.contacts(place.frame) : null,
+      settings.wall === null ? null : this.wall(settings.wall, place.frame),
     ]);
     if (ticket !== this.asked) return false;
     this.time = goal;
@@ -114,6 +121,7 @@ export class Player {
     stage.spheres.place(this.centres, this.present, data.radius, stage.origin);
     this.shade(colouring, values);
     stage.moveBoundaries(place.frame, place.next, place.share);
+    stage.paint(felt, settings.wallTop, data.firstFelt);
     stage.forces.mesh.visible = Boolean(contacts);
     if (contacts) {
       const radius = data.radius.length ? [...data.radius].sort((x, y) => x - y)[data.radius.length >> 1] : 1;
@@ -143,10 +151,11 @@ export class Player {
   fetchAhead(frame) {
     const next = this.data.blockOf(frame) + 1;
     if (next * this.data.head.framesPerBlock >= this.data.head.times.length) return;
-    const { colouring, forces } = this.settings;
+    const { colouring, forces, wall } = this.settings;
     const wanted = [this.data.movement(next)];
     if (colouring.field !== undefined) wanted.push(this.data.field(colouring.field, next));
     if (forces) wanted.push(this.data.contacts(next));
+    if (wall !== null) wanted.push(this.data.wall(wall, next));
     // What is wrong with a block is told when it is shown.
     for (const one of wanted) one.catch(() => {});
   }

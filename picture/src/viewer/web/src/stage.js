@@ -2,11 +2,14 @@
 
 import * as THREE from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
-import { amountTexture, heatTexture, kindTexture } from "./colours.js";
+import { amountTexture, heat, heatTexture, kindTexture } from "./colours.js";
 import { Forces } from "./forces.js";
 import { Spheres } from "./spheres.js";
 
 const PAPER = 0xffffff;
+const SHEET = 0x8fb0d0;
+/** Of triangles that nothing has touched. */
+const UNTOUCHED = [0.9, 0.91, 0.92];
 const OUTLINES = { input: 0x3a5a8c, sensor: 0x8a4fb0, source: 0x2e8b57, sink: 0xb0562e, probe: 0x444444 };
 /** From what is looked at to the camera. */
 export const PRESETS = {
@@ -57,12 +60,18 @@ export class Stage {
   addBoundaries() {
     this.boundaries = this.data.head.boundaries.map((boundary, k) => {
       const { points, triangles } = this.data.surfaces[k];
-      const geometry = new THREE.BufferGeometry();
+      let geometry = new THREE.BufferGeometry();
       geometry.setAttribute("position", new THREE.BufferAttribute(points, 3));
       geometry.setIndex(new THREE.BufferAttribute(triangles, 1));
+      const outline = new THREE.EdgesGeometry(geometry, 40);
+      if (boundary.felt) {
+        // Each triangle has a colour of its own.
+        geometry = geometry.toNonIndexed();
+        geometry.setAttribute("color", new THREE.BufferAttribute(new Float32Array(9 * boundary.triangles).fill(1), 3));
+      }
       const group = new THREE.Group();
       const skin = new THREE.MeshLambertMaterial({
-        color: 0x8fb0d0,
+        color: SHEET,
         transparent: true,
         opacity: 0.25,
         side: THREE.DoubleSide,
@@ -72,7 +81,7 @@ export class Stage {
       const sheet = new THREE.Mesh(geometry, skin);
       sheet.renderOrder = 2;
       const ink = new THREE.LineBasicMaterial({ color: 0x7f96ab });
-      const edges = new THREE.LineSegments(new THREE.EdgesGeometry(geometry, 40), ink);
+      const edges = new THREE.LineSegments(outline, ink);
       edges.renderOrder = 1;
       group.add(sheet, edges);
       group.userData = { boundary: k, sheet, edges, centre: this.local(boundary.centre) };
@@ -152,6 +161,29 @@ export class Stage {
     });
   }
 
+  /** Colours the triangles that keep what they feel by `values` up to `high`, from the `first` of each boundary on; null: not. */
+  paint(values, high, first) {
+    for (const { userData } of this.boundaries) {
+      const { boundary: k, sheet } = userData;
+      const start = first[k];
+      if (start === null) continue;
+      const { material, geometry } = sheet;
+      if (material.vertexColors !== Boolean(values)) {
+        material.vertexColors = Boolean(values);
+        material.color.set(values ? 0xffffff : SHEET);
+        material.needsUpdate = true;
+      }
+      if (!values) continue;
+      const colours = geometry.attributes.color;
+      for (let t = 0; t < colours.count / 3; t++) {
+        const value = values[start + t];
+        const own = value > 0 ? heat(value / (high || 1)).map((c) => c / 255) : UNTOUCHED;
+        for (let corner = 0; corner < 3; corner++) colours.setXYZ(3 * t + corner, ...own);
+      }
+      colours.needsUpdate = true;
+    }
+  }
+
   /** Opacity of the boundaries; at zero they vanish, edges too. */
   set opacity(value) {
     for (const { userData } of this.boundaries) {
@@ -221,6 +253,6 @@ export class Stage {
     if (rank >= 0) return { sphere: rank };
     const sheets = this.boundaries.filter((g) => g.userData.sheet.visible).map((g) => g.userData.sheet);
     const hit = caster.intersectObjects(sheets, false).find(({ distance }) => kept(distance));
-    return hit ? { boundary: hit.object.parent.userData.boundary } : null;
+    return hit ? { boundary: hit.object.parent.userData.boundary, triangle: hit.faceIndex } : null;
   }
 }
