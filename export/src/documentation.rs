@@ -42,6 +42,8 @@ const USE: [&str; 6] = [
 
 const RIGID: &str = "Spheres and boundaries are rigid; overlaps stay below the gap tolerance. Elastic waves, dents and breakage are not modelled.";
 
+const ELASTIC: &str = "Contacts overlap under load as their materials say (maxCompression); what misses that stays below the gap tolerance. Waves and breakage are not modelled.";
+
 const SPRINGS: &str = "Contacts are springs of the penalty number: overlaps grow with the load and with the inverse of that number.";
 
 const LIMITS: [&str; 4] = [
@@ -69,6 +71,7 @@ pub fn page(model: &Model, version: Version, picture: bool) -> String {
         _ => " boundaries",
     };
     let contact = match scene.settings.method {
+        Method::Alm if scene.pairs.gives_way() => ELASTIC,
         Method::Alm => RIGID,
         Method::Penalty => SPRINGS,
     };

@@ -63,7 +63,8 @@ impl PairTable {
     }
 
     /// Whether any pair gives way.
-    pub(crate) fn gives_way(&self) -> bool {
+    #[must_use]
+    pub fn gives_way(&self) -> bool {
         self.pairs.iter().any(|pair| pair.elasticity.is_some())
     }
 

@@ -21,6 +21,7 @@ STOP = {
     "shear": 0.1,
     "triaxial": 0.2,
     "chute": 0.8,
+    "press": 0.45,
 }
 
 
@@ -107,6 +108,15 @@ def test_chute_driver(units, tmp_path):
     deepest, missed = re.search(r"x = (\S+) m, tractions miss the force by at most (\S+) of it", told).groups()
     assert 0.1 < float(deepest) < 0.3
     assert float(missed) < 1e-12
+
+
+def test_press_driver(units, tmp_path):
+    """Beads between boundaries that close on them have an answer, whose error stays within the tolerance."""
+    told = python("examples/press/press.py", "--fmu", units["press"], "--output", tmp_path / "press.png")
+    assert (tmp_path / "press.png").stat().st_size > 10_000
+    force, compressed, off = re.search(r"(\S+) kN, beads compressed by (\S+) R, off by (\S+) R", told).groups()
+    assert float(force) > 1 and 1e-3 < float(compressed) < 0.1
+    assert float(off) <= 1e-6
 
 
 def test_feeder_driver(fmus, tmp_path):

@@ -166,7 +166,9 @@ impl Solved<'_> {
             poses: &end.poses,
             ..assembly.start()
         };
-        let normal = elastic.energy(candidate.gap) - elastic.energy(end.gap(candidate));
+        // A late contact is a candidate of the end.
+        let [before, after] = [assembly.start(), end].map(|at| elastic.energy(at.gap(candidate)));
+        let normal = before - after;
         let damped = match (self.solution.loads(k), rows.compliance(k) == 0.0) {
             (false, _) => normal,
             (true, true) => 0.0,
