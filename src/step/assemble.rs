@@ -64,7 +64,10 @@ pub(super) fn assemble<'a>(
         joints: arrays.joints,
         moves: true,
     };
-    assembly.write_contacts(state, impact, impulses);
+    match prediction.gives_way {
+        true => assembly.write_elastic(state, impact, impulses),
+        false => assembly.write_contacts(state, impact, impulses),
+    }
     let springs = 0..prediction.targets.len();
     let forces = state.springs.iter().take(springs.len());
     impulses.extend(forces.map(|f| f * prediction.step));
@@ -99,6 +102,7 @@ impl Assembly<'_> {
         let candidates = &self.candidates[..];
         let Problem { free, rows, .. } = &mut self.problem;
         let count = candidates.len();
+        self.elastic.clear();
         self.past.resize(count, HistoryIndex::NONE);
         self.impact.resize(count, false);
         impulses.clear();
@@ -124,21 +128,39 @@ impl Assembly<'_> {
         };
         let others = (&mut self.impact[..], &mut impulses[..]);
         let all = (rows.extend_plain(count), (&mut self.past[..], others));
-        let general = self.pool.pieces(all, write, |a, b| a | b);
-        self.elastic.clear();
-        if prediction.gives_way {
-            self.elastic.resize(count, None);
-        }
-        if general {
-            let (past, elastic) = (&self.past, &mut self.elastic);
+        if self.pool.pieces(all, write, |a, b| a | b) {
+            let past = &self.past;
             rows.settle(|k| {
                 let (carried, known) = (past[k].carried(contacts), known_impact(k));
-                let contact = prediction.contact_row(free, &candidates[k], carried, known);
-                if let Some(known) = elastic.get_mut(k) {
-                    *known = contact.elastic;
-                }
-                contact.row
+                prediction
+                    .contact_row(free, &candidates[k], carried, known)
+                    .row
             });
+        }
+    }
+
+    /// Likewise where contacts give way: nearly all rows are kept whole, so each is made once.
+    fn write_elastic(
+        &mut self,
+        state: &State,
+        known_impact: Option<&[bool]>,
+        impulses: &mut Vec<Vec3>,
+    ) {
+        let (prediction, contacts) = (self.prediction, &state.contacts);
+        let Problem { free, rows, .. } = &mut self.problem;
+        self.impact.clear();
+        self.elastic.clear();
+        self.past.clear();
+        let keys = self.candidates.iter().map(|candidate| candidate.key);
+        self.past.extend(history::transfer(contacts, keys));
+        impulses.clear();
+        for (k, (candidate, past)) in self.candidates.iter().zip(&self.past).enumerate() {
+            let (carried, known) = (past.carried(contacts), known_impact.map(|known| known[k]));
+            let contact = prediction.contact_row(free, candidate, carried, known);
+            rows.push(contact.row);
+            impulses.push(carried.force * prediction.step);
+            self.impact.push(contact.impact);
+            self.elastic.push(contact.elastic);
         }
     }
 

@@ -283,7 +283,7 @@ impl Rows {
     }
 
     /// Keeps whole, as `row` gives them, the rows that were written as such.
-    pub(crate) fn settle(&mut self, mut row: impl FnMut(usize) -> Row) {
+    pub(crate) fn settle(&mut self, row: impl Fn(usize) -> Row) {
         for k in 0..self.len() {
             if self.compact[k].0[GENERAL] == DUE {
                 let row = row(k);

@@ -89,15 +89,21 @@ impl ElasticContact {
         (dt, resolves, load): (f64, bool, f64),
     ) -> Self {
         let overlap = (-before.gap).max(0.0);
-        let speed = before.velocity.0;
         let pressed = spring.overlap(match before.pressed > 0.0 {
             true => before.pressed,
             false => load,
         });
-        let thrown = spring.reach(0.5 * mass * speed * speed + spring.energy(overlap));
-        let reached = thrown.max(pressed);
+        let short = |overlap: f64| spring.slope(overlap) * dt * dt <= RESOLVED * mass;
+        // Of most contacts loads alone tell that they are too stiff.
+        let reached = match resolves && short(pressed) {
+            true => {
+                let energy = 0.5 * mass * before.velocity.0.powi(2) + spring.energy(overlap);
+                spring.reach(energy).max(pressed)
+            }
+            false => pressed,
+        };
         let stiffness = spring.slope(reached);
-        let resolved = (resolves && stiffness * dt * dt <= RESOLVED * mass).then(|| Resolved {
+        let resolved = (resolves && short(reached)).then(|| Resolved {
             damping: match before.gap < 0.0 {
                 true => {
                     let across = ACROSS * mass;
