@@ -60,12 +60,7 @@ fn what_will_hurt_is_warned_of() {
             "spheres",
             "lengths are in m",
         ),
-        (
-            "faces = [\n",
-            "wall_fields = true\nfaces = [\n",
-            "",
-            "",
-        ),
+        ("faces = [\n", "wall_fields = true\nfaces = [\n", "", ""),
         (
             "v = [0.0, 1.0, 0.0] } },\n  { cone",
             "v = [0.0, 9.0, 0.0] } },\n]\nwall_fields = true\n[[boundary]]\nname = \"bell\"\nmaterial = \"steel\"\nfaces = [\n  { cone",
