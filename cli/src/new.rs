@@ -96,6 +96,11 @@ fn files(kind: Kind, name: &str) -> Vec<(String, String)> {
         .iter()
         .map(|(input, value)| format!("\"{input}\": lambda t: {value}"))
         .collect();
+    // A scene has one of the two.
+    let [parameter, usual, other] = match scene.contains("\nfriction_angle = ") {
+        true => ["friction_angle", "20.0", "10"],
+        false => ["friction", "0.4", "0.2"],
+    };
     let outputs: Vec<String> = outputs.iter().map(|name| format!("\"{name}\"")).collect();
     let filled = |text: &str| {
         text.replace("{NAME}", name)
@@ -104,6 +109,9 @@ fn files(kind: Kind, name: &str) -> Vec<(String, String)> {
             .replace("{OUTPUTS}", &outputs.join(", "))
             .replace("{STOP}", stop)
             .replace("{STEP}", step)
+            .replace("{PARAMETER}", parameter)
+            .replace("{USUAL}", usual)
+            .replace("{OTHER}", other)
     };
     let schema = format!("{:#}\n", json_schema());
     let mut all = vec![

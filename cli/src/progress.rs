@@ -120,16 +120,16 @@ impl Progress {
             bar.set_position((done * BAR_LENGTH as f64) as u64);
         }
         self.say(|| {
+            // First what a narrow terminal must not cut off.
             let mut text = format!("{time:.3} of {stop} s");
+            if remaining.is_finite() {
+                text += &format!(", ETA {remaining:.0} s");
+            }
             let detail = detail();
             if !detail.is_empty() {
                 text += &format!(", {detail}");
             }
-            text += &format!(", {}", speed(factor));
-            if remaining.is_finite() {
-                text += &format!(", ETA {remaining:.0} s");
-            }
-            text
+            text + &format!(", {}", speed(factor))
         });
     }
 

@@ -428,6 +428,13 @@ impl std::fmt::Display for Total {
             "worst overlap   {:.2e} of the radius",
             report.max_overlap
         )?;
+        if report.max_compression > 0.0 {
+            writeln!(
+                f,
+                "compressed      {:.2e} of the radius at most, where contacts give way; overlaps are beyond that",
+                report.max_compression
+            )?;
+        }
         writeln!(
             f,
             "worst opening   {:.2e} of the radius, of a contact that carries load",

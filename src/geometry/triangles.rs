@@ -16,6 +16,22 @@ impl Geometry {
         facets + others.sum::<usize>()
     }
 
+    /// Areas \[m^2\] of the triangles of [`Self::tessellate`].
+    pub fn areas(&self) -> impl Iterator<Item = f64> {
+        let area = |[a, b, c]: [Vec3; 3]| 0.5 * (b - a).cross(&(c - a)).norm();
+        self.corners().into_iter().map(area)
+    }
+
+    /// Corners \[m\] of the triangles of [`Self::tessellate`].
+    #[must_use]
+    pub fn corners(&self) -> Vec<[Vec3; 3]> {
+        let patch = self.tessellate((Vec3::zeros(), Vec3::zeros()));
+        let corners = patch.triangles.iter();
+        corners
+            .map(|triangle| triangle.map(|point| patch.points[point as usize]))
+            .collect()
+    }
+
     /// Appends the triangles of [`Self::tessellate`] that feel a contact at the point `x` \[m\] of `feature`, in ascending order: of
     /// facets all on which the point lies, two on an edge between them and more in a corner; of surfaces of revolution one. A
     /// half-space has none: its square is a picture.

@@ -102,7 +102,7 @@ pub fn readings(state: &Observation, b: usize, interval: Interval) -> Vec<Readin
             loads[*triangle as usize].add(load, 1.0);
         }
     }
-    let areas = areas(state, b);
+    let areas = state.scene.boundaries[b].geometry.areas();
     let triangles = areas.zip(loads).zip(&wall.triangles);
     let reading = |((area, load), sums): ((f64, WallLoad), &TriangleSums)| Reading {
         area,
@@ -115,17 +115,7 @@ pub fn readings(state: &Observation, b: usize, interval: Interval) -> Vec<Readin
 /// Corners of the triangles of boundary `b` as in the scene \[m\], `[T]`.
 #[must_use]
 pub fn corners(state: &Observation, b: usize) -> Vec<[Vec3; 3]> {
-    let geometry = &state.scene.boundaries[b].geometry;
-    let patch = geometry.tessellate((Vec3::zeros(), Vec3::zeros()));
-    let corners = patch.triangles.iter();
-    corners
-        .map(|triangle| triangle.map(|point| patch.points[point as usize]))
-        .collect()
-}
-
-fn areas(state: &Observation, b: usize) -> impl Iterator<Item = f64> {
-    let area = |[a, b, c]: [Vec3; 3]| 0.5 * (b - a).cross(&(c - a)).norm();
-    corners(state, b).into_iter().map(area)
+    state.scene.boundaries[b].geometry.corners()
 }
 
 /// Sums over the triangles of a boundary since the start.

@@ -46,6 +46,19 @@ pub(crate) fn done(folder: &Path, arguments: &[&str]) -> Said {
     said
 }
 
+/// What a terminal of 80 columns shows of a command line that must succeed.
+#[cfg(target_os = "linux")]
+pub(crate) fn on_a_terminal(folder: &Path, line: &str) -> String {
+    let shown = Command::new("script")
+        .args(["-qec", &format!("stty cols 80; {line}"), "/dev/null"])
+        .current_dir(folder)
+        .env("TERM", "xterm")
+        .output()
+        .unwrap();
+    assert!(shown.status.success(), "{shown:?}");
+    String::from_utf8_lossy(&shown.stdout).into_owned()
+}
+
 /// An example scene.
 pub(crate) fn example(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../examples/{name}/{name}.toml"))

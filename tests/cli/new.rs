@@ -37,7 +37,7 @@ fn every_kind_makes_a_folder_whose_scene_exports_with_the_variables_of_its_drive
         for name in named {
             assert!(listed.contains(name), "{kind}: {name}: {listed}");
         }
-        let first = fs::read_to_string(folder.join(&scene)).unwrap();
+        let mut first = fs::read_to_string(folder.join(&scene)).unwrap();
         assert!(first.starts_with("#:schema scene.schema.json\n"), "{kind}");
         assert!(folder.join("scene.schema.json").exists());
         for file in ["README.md", "drive.py"] {
@@ -50,10 +50,23 @@ fn every_kind_makes_a_folder_whose_scene_exports_with_the_variables_of_its_drive
                 "{OUTPUTS}",
                 "{STOP}",
                 "{STEP}",
+                "{PARAMETER}",
+                "{USUAL}",
+                "{OTHER}",
             ] {
                 assert!(!text.contains(hole), "{file}: {hole}");
             }
         }
+        // Fault: scenes with `friction_angle` refused the parameter of their README.
+        let readme = fs::read_to_string(folder.join("README.md")).unwrap();
+        let between = |begin, end| {
+            let from = readme.split_once(begin).unwrap().1;
+            from.split_once(end).unwrap().0
+        };
+        first += between("```toml\n", "```");
+        fs::write(folder.join(&scene), &first).unwrap();
+        let value = between("--set ", "`");
+        done(&folder, &["check", &scene, "--set", value]);
     }
 }
 

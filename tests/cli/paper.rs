@@ -4,7 +4,7 @@ use std::fs;
 
 use tempfile::tempdir;
 
-use crate::command::{done, said};
+use crate::command::{done, on_a_terminal, said};
 
 /// On a terminal a bar says how much of the whole is behind and how long the rest takes; a pipe hears of cases alone.
 #[cfg(target_os = "linux")]
@@ -13,14 +13,7 @@ fn a_study_tells_on_a_terminal_when_it_will_be_done() {
     let folder = tempdir().unwrap();
     let command = env!("CARGO_BIN_EXE_sphere-dda");
     let study = format!("{command} reproduce-paper -o report --duration 0.005");
-    let shown = std::process::Command::new("script")
-        .args(["-qec", &study, "/dev/null"])
-        .current_dir(folder.path())
-        .env("TERM", "xterm")
-        .output()
-        .unwrap();
-    assert!(shown.status.success(), "{shown:?}");
-    let text = String::from_utf8_lossy(&shown.stdout).into_owned();
+    let text = on_a_terminal(folder.path(), &study);
     let shares: Vec<u32> = text
         .split(" %, ETA ")
         .filter_map(|before| before.rsplit(' ').next()?.parse().ok())

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use crate::command::{done, said};
+use crate::command::{done, funnel, on_a_terminal, said};
 
 /// Grains above a floor between walls.
 const BIN: &str = r#"
@@ -27,6 +27,22 @@ faces = [{ plane = { point = [0, 0, 0], normal = [0, 0, 1] } }]
 
 fn bin(folder: &Path) {
     fs::write(folder.join("bin.toml"), BIN).unwrap();
+}
+
+/// Fault: a terminal of 80 columns cut off when a run or a settling will be done.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_narrow_terminal_shows_when_it_will_be_done() {
+    let folder = tempfile::tempdir().unwrap();
+    funnel(folder.path(), &[]);
+    let run = format!(
+        "{} run funnel.toml -o out --settle 1 --stop 0.5",
+        env!("CARGO_BIN_EXE_sphere-dda")
+    );
+    let text = on_a_terminal(folder.path(), &run);
+    for (of, what) in [("of 1 s, ETA", "settling"), ("of 0.5 s, ETA", "run")] {
+        assert!(text.contains(of), "{what}: {text}");
+    }
 }
 
 #[test]

@@ -28,8 +28,12 @@ class Browser:
 
     def open(self, page):
         """Opens a page and waits for its first picture."""
+        from selenium.webdriver.support.ui import WebDriverWait
+
         self.log(), self.requests()
         self.driver.get(page.resolve().as_uri())
+        # `get` may come back before the script of a large page has begun.
+        WebDriverWait(self.driver, 30, 0.05).until(lambda _: self.at_once("typeof sphereDda") == "object")
         return self.run("await sphereDda.ready; return sphereDda.head")
 
     def run(self, code):

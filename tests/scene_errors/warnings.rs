@@ -60,6 +60,13 @@ fn what_will_hurt_is_warned_of() {
             "spheres",
             "lengths are in m",
         ),
+        ("faces = [\n", "wall_fields = true\nfaces = [\n", "", ""),
+        (
+            "v = [0.0, 1.0, 0.0] } },\n  { cone",
+            "v = [0.0, 9.0, 0.0] } },\n]\nwall_fields = true\n[[boundary]]\nname = \"bell\"\nmaterial = \"steel\"\nfaces = [\n  { cone",
+            "boundary[1].wall_fields",
+            "`gate` has 2 triangles of 4.50e0 m2 on average, 36 sections of the largest sphere",
+        ),
         (
             floor,
             gate,

@@ -6,6 +6,7 @@
 mod lengths;
 mod placement;
 mod unused;
+mod walls;
 
 use std::ops::Range;
 
@@ -35,6 +36,7 @@ pub(super) fn advise(
     }
     advice.extend(lengths::advise(scene));
     advice.extend(placement::advise(scene, file, ranges));
+    advice.extend(walls::advise(scene));
     advice
 }
 

@@ -240,7 +240,6 @@ async function start() {
       settings.wall = name ? k : null;
       settings.wallTop = name ? head.walls[k].top : 0;
       $("wall").value = name;
-      if (name && Number($("opacity").value) < 1) setters.opacity(1);
     },
     opacity: (value) => (stage.opacity = $("opacity").value = Number(value)),
     names: (on) => (settings.names = stage.outlines.visible = $("names").checked = on),

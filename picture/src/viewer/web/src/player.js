@@ -125,7 +125,7 @@ export class Player {
     stage.forces.mesh.visible = Boolean(contacts);
     if (contacts) {
       const radius = data.radius.length ? [...data.radius].sort((x, y) => x - y)[data.radius.length >> 1] : 1;
-      stage.forces.place(contacts, this.centres, this.present, stage.origin, data.head.forces.top || 1, 1.2 * radius);
+      stage.forces.place(contacts, this.centres, this.present, stage.origin, data.head.forces.top || 1, 0.7 * radius);
     }
     this.fetchAhead(place.frame);
     return true;

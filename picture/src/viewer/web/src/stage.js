@@ -50,6 +50,7 @@ export class Stage {
     this.addBoundaries();
     this.addOutlines();
     this.cut = null;
+    this.opacity = 0.25;
     this.preset("oblique");
   }
 
@@ -73,11 +74,17 @@ export class Stage {
       const skin = new THREE.MeshLambertMaterial({
         color: SHEET,
         transparent: true,
-        opacity: 0.25,
         side: THREE.DoubleSide,
         flatShading: true,
         depthWrite: false,
       });
+      // Colours of what is felt are read against the legend: light changes them by little.
+      skin.onBeforeCompile = (shader) => {
+        const shaded = "outgoingLight = mix(outgoingLight, diffuseColor.rgb, painted);\n#include <opaque_fragment>";
+        shader.uniforms.painted = skin.userData.painted;
+        shader.fragmentShader = `uniform float painted;\n${shader.fragmentShader.replace("#include <opaque_fragment>", shaded)}`;
+      };
+      skin.userData.painted = { value: 0 };
       const sheet = new THREE.Mesh(geometry, skin);
       sheet.renderOrder = 2;
       const ink = new THREE.LineBasicMaterial({ color: 0x7f96ab });
@@ -171,6 +178,8 @@ export class Stage {
       if (material.vertexColors !== Boolean(values)) {
         material.vertexColors = Boolean(values);
         material.color.set(values ? 0xffffff : SHEET);
+        material.userData.painted.value = values ? 0.75 : 0;
+        this.cover(userData);
         material.needsUpdate = true;
       }
       if (!values) continue;
@@ -184,13 +193,17 @@ export class Stage {
     }
   }
 
-  /** Opacity of the boundaries; at zero they vanish, edges too. */
+  /** Opacity of the boundaries, of painted ones four times as much; at zero they vanish, edges too. */
   set opacity(value) {
-    for (const { userData } of this.boundaries) {
-      userData.sheet.material.opacity = value;
-      userData.sheet.visible = userData.edges.visible = value > 0;
-      userData.sheet.material.depthWrite = value >= 1;
-    }
+    this.covering = value;
+    for (const { userData } of this.boundaries) this.cover(userData);
+  }
+
+  cover({ sheet, edges }) {
+    const { material } = sheet;
+    material.opacity = Math.min(1, this.covering * (material.vertexColors ? 4 : 1));
+    sheet.visible = edges.visible = material.opacity > 0;
+    material.depthWrite = material.opacity >= 1;
   }
 
   /** Cuts away what lies beyond a plane: unit normal towards what stays, and share of the way through; null: nothing. */
