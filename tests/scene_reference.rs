@@ -5,7 +5,6 @@ use std::path::Path;
 
 use serde_json::Value;
 use sphere_dda::scene::Scene;
-use sphere_dda::scene_file::file::TopLevel;
 use sphere_dda::scene_file::json_schema;
 
 /// What a part of a scene needs around it, by the table that is added where it is missing.

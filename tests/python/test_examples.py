@@ -110,9 +110,9 @@ def test_chute_driver(units, tmp_path):
     assert float(missed) < 1e-12
 
 
-def test_press_driver(units, tmp_path):
+def test_press_driver(fmus, tmp_path):
     """Beads between boundaries that close on them have an answer, whose error stays within the tolerance."""
-    told = python("examples/press/press.py", "--fmu", units["press"], "--output", tmp_path / "press.png")
+    told = python("examples/press/press.py", "--fmu", fmus["press"], "--output", tmp_path / "press.png")
     assert (tmp_path / "press.png").stat().st_size > 10_000
     force, compressed, off = re.search(r"(\S+) kN, beads compressed by (\S+) R, off by (\S+) R", told).groups()
     assert float(force) > 1 and 1e-3 < float(compressed) < 0.1

@@ -237,6 +237,10 @@ fn an_impact_that_sticks_rebounds_across_the_normal() {
     }
 }
 
+/// The elasticity of spheres on each other and on the wall, and the compression of such a contact under a force [N].
+type Law<'a> = &'a dyn Fn(bool) -> Option<Elasticity>;
+type Compression<'a> = &'a dyn Fn(f64, bool) -> f64;
+
 /// A stack of glass at a step of 1 ms: each contact is compressed as its load says, by Hertz and by a spring. `strength` is that of
 /// glass over what it is here.
 fn stack(n: usize, law: impl Fn(bool) -> Option<Elasticity>, solver: SolverKind) -> Run {
@@ -269,10 +273,7 @@ fn a_stack_is_compressed_by_its_weight_at_a_step_of_a_millisecond() {
     let of_hertz =
         |force: f64, wall: bool| (force / hertz(70e9, 0.25, wall, radius).0).powf(2.0 / 3.0);
     let of_springs = |force: f64, _: bool| force / 2e3;
-    let laws: [(
-        &dyn Fn(bool) -> Option<Elasticity>,
-        &dyn Fn(f64, bool) -> f64,
-    ); 2] = [(&by_hertz, &of_hertz), (&by_springs, &of_springs)];
+    let laws: [(Law, Compression); 2] = [(&by_hertz, &of_hertz), (&by_springs, &of_springs)];
     for (law, compression) in laws {
         for solver in [
             SolverKind::Auto,
