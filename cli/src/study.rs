@@ -42,7 +42,7 @@ impl Watch for Terminal<'_> {
         work.progress.note(format_args!("{wall:4.0} s  {text}"));
     }
 
-    fn total(&self, cost: f64) {
+    fn plan(&self, cost: f64) {
         self.work().expected = cost;
     }
 

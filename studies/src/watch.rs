@@ -7,7 +7,7 @@ pub trait Watch: Sync {
     /// Something has begun or ended.
     fn note(&self, text: &str);
     /// All cases together cost this much, in seconds of one core of the machine that recorded them: only shares count.
-    fn total(&self, cost: f64);
+    fn plan(&self, cost: f64);
     /// So much of it is behind.
     fn spent(&self, cost: f64);
     /// Whether the study shall end now.
@@ -21,7 +21,7 @@ pub struct Unwatched;
 impl Watch for Unwatched {
     fn note(&self, _: &str) {}
 
-    fn total(&self, _: f64) {}
+    fn plan(&self, _: f64) {}
 
     fn spent(&self, _: f64) {}
 
@@ -75,7 +75,7 @@ mod tests {
     impl Watch for Ledger {
         fn note(&self, _: &str) {}
 
-        fn total(&self, _: f64) {}
+        fn plan(&self, _: f64) {}
 
         fn spent(&self, cost: f64) {
             self.0.lock().unwrap().push(cost);

@@ -4,7 +4,9 @@ use std::fs;
 
 use tempfile::tempdir;
 
-use crate::command::{done, on_a_terminal, said};
+#[cfg(target_os = "linux")]
+use crate::command::on_a_terminal;
+use crate::command::{done, said};
 
 /// On a terminal a bar says how much of the whole is behind and how long the rest takes; a pipe hears of cases alone.
 #[cfg(target_os = "linux")]

@@ -3,7 +3,9 @@
 use std::fs;
 use std::path::Path;
 
-use crate::command::{done, funnel, on_a_terminal, said};
+use crate::command::{done, said};
+#[cfg(target_os = "linux")]
+use crate::command::{funnel, on_a_terminal};
 
 /// Grains above a floor between walls.
 const BIN: &str = r#"

@@ -25,7 +25,7 @@ use crate::folder::Folder;
 /// What a case says, or [`ReportError::Interrupted`].
 pub fn study(options: &Options, watch: &dyn Watch) -> Result<Folder, ReportError> {
     let (share, threads) = (options.share, options.threads);
-    watch.total(Cost::sum(&[
+    watch.plan(Cost::sum(&[
         janssen::COST,
         repose::COST,
         collapse::COST,

@@ -36,7 +36,7 @@ pub fn study(options: &Options, watch: &dyn Watch) -> Result<Folder, ReportError
     let sweep = |example| {
         conditioning::DECADES.len() as f64 * conditioning::cost(example, compared(example))
     };
-    watch.total(
+    watch.plan(
         cases.iter().map(Case::cost).sum::<f64>()
             + Example::ALL.map(sweep).iter().sum::<f64>()
             + stacks.iter().map(Stack::cost).sum::<f64>()
