@@ -172,11 +172,11 @@ const CASES: &[Case] = cases! {
     "restitution = 0.5" => "restitution = 1.5", "pair[0].restitution", "1.5", "0 <= restitution <= 1";
     "restitution = 0.5" => "wear = -1.0", "pair[0].wear", "-1.0", "found -1, expected a coefficient >= 0 [1/Pa]";
     "faces = [{ plane" => "wall_fields = true\nfaces = [{ plane", "boundary[0].wall_fields", "true", "a plane has no triangles";
-    "restitution = 0.5" => "stiffness = 0.0", "pair[0].stiffness", "0.0", "found 0, expected stiffness > 0 [N/m]";
-    "name = \"steel\"" => "name = \"steel\"\nyoung = -1.0", "material[1].young", "-1.0", "found -1, expected young > 0 [Pa]";
-    "name = \"steel\"" => "name = \"steel\"\nyoung = 1e9\npoisson = 0.6", "material[1].poisson", "0.6", "0 <= poisson <= 0.5";
-    "name = \"steel\"" => "name = \"steel\"\npoisson = 0.3", "material[1].poisson", "poisson", "without `young`";
-    "name = \"steel\"" => "name = \"steel\"\nyoung = 1e9\nstiffness = 1e5", "material[1].stiffness", "stiffness", "both `young` and `stiffness`";
+    "restitution = 0.5" => "stiffness = 0.0", "pair[0].stiffness", "stiffness = 0.0", "found 0, expected stiffness > 0 [N/m]";
+    "name = \"steel\"" => "name = \"steel\"\nyoung = -1.0", "material[1].young", "young = -1.0", "found -1, expected young > 0 [Pa]";
+    "name = \"steel\"" => "name = \"steel\"\nyoung = 1e9\npoisson = 0.6", "material[1].poisson", "poisson = 0.6", "0 <= poisson <= 0.5";
+    "name = \"steel\"" => "name = \"steel\"\npoisson = 0.3", "material[1].poisson", "poisson = 0.3", "without `young`";
+    "name = \"steel\"" => "name = \"steel\"\nyoung = 1e9\nstiffness = 1e5", "material[1].stiffness", "stiffness = 1e5", "both `young` and `stiffness`";
     "restitution = 0.5" => "[[pair]]\nmaterials = [\"steel\", \"rock\"]", "pair[1].materials", "\"steel\", \"rock\"", "appears twice";
     // Spheres.
     "radius = 0.1" => "radius = 0.0", "spheres[0].radius", "radius = 0.0", "found 0, expected a radius > 0 [m]";
