@@ -38,11 +38,11 @@ fn a_narrow_terminal_shows_when_it_will_be_done() {
     let folder = tempfile::tempdir().unwrap();
     funnel(folder.path(), &[]);
     let run = format!(
-        "{} run funnel.toml -o out --settle 1 --stop 0.5",
+        "{} run funnel.toml -o out --settle 2 --stop 6",
         env!("CARGO_BIN_EXE_sphere-dda")
     );
     let text = on_a_terminal(folder.path(), &run);
-    for (of, what) in [("of 1 s, ETA", "settling"), ("of 0.5 s, ETA", "run")] {
+    for (of, what) in [("of 2 s, ETA", "settling"), ("of 6 s, ETA", "run")] {
         assert!(text.contains(of), "{what}: {text}");
     }
 }
