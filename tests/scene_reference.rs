@@ -5,6 +5,7 @@ use std::path::Path;
 
 use serde_json::Value;
 use sphere_dda::scene::Scene;
+use sphere_dda::scene_file::file::TopLevel;
 use sphere_dda::scene_file::json_schema;
 
 /// What a part of a scene needs around it, by the table that is added where it is missing.
@@ -55,6 +56,8 @@ fn every_example_of_the_reference_is_good() {
         let given: Value = toml::from_str(&block).unwrap_or_else(|e| panic!("{block}\n{e}"));
         let missing = REST.iter().filter(|(table, _)| given.get(table).is_none());
         let whole: String = block.clone() + &missing.map(|(_, rest)| *rest).collect::<String>();
+        let typed: Result<TopLevel, _> = toml::from_str(&whole);
+        typed.unwrap_or_else(|e| panic!("{block}\n{e}"));
         Scene::from_toml("example", &whole, folder.path())
             .unwrap_or_else(|e| panic!("{block}\n{}", e.plain()));
     }

@@ -1,11 +1,13 @@
 //! `sphere-dda walls`: what the triangles of boundaries feel, as CSV.
 
+use std::collections::BTreeMap;
 use std::io::{self, Write};
 use std::path::PathBuf;
 
 use clap::Args;
 use miette::miette;
 use sphere_dda::formats::vtu::{Contents, Field};
+use sphere_dda::observe::walls::is_array;
 use sphere_dda::results::folder::Folder;
 
 use crate::failure::Failure;
@@ -79,9 +81,12 @@ fn write(
     (owner, names): (&[f64], &[&str]),
 ) -> io::Result<()> {
     let fields = grid.cell_data.iter();
-    let fields: Vec<&Field> = fields
-        .filter(|field| !["boundary", "force"].contains(&&*field.name))
-        .collect();
+    let fields: Vec<&Field> = fields.filter(|field| is_array(&field.name)).collect();
+    // Triangles are counted from the first of their boundary.
+    let mut first = BTreeMap::new();
+    for (t, own) in owner.iter().enumerate() {
+        first.entry(*own as usize).or_insert(t);
+    }
     write!(out, "boundary,triangle [-],x [m],y [m],z [m]")?;
     for field in &fields {
         for k in 1..=field.components {
@@ -95,15 +100,15 @@ fn write(
     }
     writeln!(out)?;
     for &t in triangles {
-        let first = owner.iter().position(|own| *own == owner[t]).unwrap_or(t);
-        let name = names.get(owner[t] as usize).copied().unwrap_or_default();
+        let own = owner[t] as usize;
+        let name = names.get(own).copied().unwrap_or_default();
         let corners = grid.connectivity[3 * t..3 * t + 3].iter();
         let sum: sphere_dda::Vec3 = corners.map(|&corner| grid.points[corner as usize]).sum();
         let middle = sum / 3.0;
         write!(
             out,
             "{name},{},{},{},{}",
-            t - first,
+            t - first[&own],
             middle.x,
             middle.y,
             middle.z

@@ -125,6 +125,11 @@ impl ContactSpring {
         exponent * self.normal * self.root(overlap)
     }
 
+    /// Overlap \[m\] at which the tangent at `overlap` has no force.
+    pub(crate) fn intercept(&self, overlap: f64) -> f64 {
+        if self.hertz { overlap / 3.0 } else { 0.0 }
+    }
+
     /// Shear stiffness \[N/m\] at an overlap.
     pub(crate) fn shear(&self, overlap: f64) -> f64 {
         self.shear * self.root(overlap)
@@ -205,7 +210,7 @@ mod tests {
         [Elasticity::linear(3e4), hertz].map(|law| law.spring(5e-3))
     }
 
-    /// Force is the derivative of energy, slope that of force; `overlap` and `reach` are inverses.
+    /// Force is the derivative of energy, slope that of force; `overlap` and `reach` are inverses, the tangent has its zero.
     #[test]
     fn the_functions_of_a_spring_belong_together() {
         for spring in springs() {
@@ -216,6 +221,8 @@ mod tests {
                 assert!((rate(&|d| spring.energy(d)) / force - 1.0).abs() < 1e-7);
                 assert!((rate(&|d| spring.force(d)) / spring.slope(d) - 1.0).abs() < 1e-7);
                 assert!((spring.overlap(force) / d - 1.0).abs() < 1e-12);
+                let tangent = force - spring.slope(d) * (d - spring.intercept(d));
+                assert!(tangent.abs() < 1e-12 * force);
                 assert!((spring.reach(spring.energy(d)) / d - 1.0).abs() < 1e-12);
             }
         }

@@ -62,7 +62,7 @@ impl HistoryIndex {
     pub(crate) fn carried(self, contacts: &ContactForces) -> Carried {
         let load = contacts.get(self.0 as usize);
         Carried {
-            force: load.map_or_else(Vec3::zeros, |load| load.force),
+            force: self.force(contacts),
             normal: load.map_or_else(Vec3::zeros, |load| load.normal),
             spring: contacts.beside(self.0 as usize).spring,
         }

@@ -80,6 +80,12 @@ pub const FIELDS: [Field; 7] = [
     Field { name: "wearDepth", array: "wear_depth", unit: "m", text: "Depth worn off since the start (Archard): volume over the area", value: Read::Real(|t| t.sums.wear / t.area) },
 ];
 
+/// Whether an array of a frame is one of [`FIELDS`].
+#[must_use]
+pub fn is_array(name: &str) -> bool {
+    FIELDS.iter().any(|field| field.array == name)
+}
+
 /// What the triangles of boundary `b` feel, `[T]`; empty unless it has `wall_fields`.
 #[must_use]
 pub fn readings(state: &Observation, b: usize, interval: Interval) -> Vec<Reading> {

@@ -59,7 +59,7 @@ pub(super) fn verify(
     };
     let gaps = Gaps::of(assembly, solution, &end);
     if alm && !assembly.elastic.is_empty() {
-        max_overlap = rigid_overlap(assembly, &overlapping).max(gaps.overlap);
+        max_overlap = rigid_overlap(assembly, &end, &overlapping).max(gaps.overlap);
     }
     let correction = match late_contact.is_none() && alm && !as_it_is {
         true => correction(assembly, solution, &end, (&gaps, &overlapping)),
@@ -125,7 +125,12 @@ impl Gaps {
     /// Of a contact that gives way: its compression is no error, what the force misses it by is one.
     fn of_spring(assembly: &Assembly, solution: &Solution, end: &Configuration, k: usize) -> Self {
         let radius = assembly.problem.rows.radius(k);
-        let compression = -end.gap(&assembly.candidates[k]) / radius;
+        let settings = &assembly.prediction.scene.settings;
+        let compression = match settings.method {
+            Method::Alm => -end.gap(&assembly.candidates[k]) / radius,
+            // Of its springs nobody asked the material.
+            Method::Penalty => 0.0,
+        };
         let error = match assembly.compressed(k) {
             Some(_) if solution.loads(k) || compression > 0.0 => {
                 true_gap(assembly, solution, end, k) / radius
@@ -136,7 +141,7 @@ impl Gaps {
             opening: error.max(0.0),
             overlap: (-error).max(0.0),
             compression: compression.max(0.0),
-            off: error.abs() > assembly.prediction.scene.settings.tolerance.gap,
+            off: error.abs() > settings.tolerance.gap,
         }
     }
 
@@ -158,21 +163,16 @@ impl Gaps {
 }
 
 /// Largest overlap over radius of the pairs that do not give way.
-fn rigid_overlap(assembly: &Assembly, overlapping: &[Candidate]) -> f64 {
-    let radius = &assembly.prediction.scene.particles.radius;
+fn rigid_overlap(assembly: &Assembly, end: &Configuration, overlapping: &[Candidate]) -> f64 {
     let gives_way = |found: &Candidate| {
-        let at = assembly
+        let known = assembly
             .candidates
             .binary_search_by_key(&found.key, |c| c.key);
-        at.is_ok_and(|k| assembly.elastic(k).is_some())
+        known.is_ok_and(|k| assembly.elastic(k).is_some())
     };
     let rigid = overlapping.iter().filter(|found| !gives_way(found));
-    let smaller = |found: &Candidate| {
-        let spheres = found.key.spheres().map(|i| radius[i]);
-        spheres.fold(f64::INFINITY, f64::min)
-    };
     rigid
-        .map(|found| -found.gap / smaller(found))
+        .map(|found| -found.gap / end.scale(found.key))
         .fold(0.0, f64::max)
 }
 

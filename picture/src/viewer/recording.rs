@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use sphere_dda::Vec3;
 use sphere_dda::formats::vtu::{Contents, Field};
+use sphere_dda::observe::walls::is_array;
 use sphere_dda::results::folder::{Folder, Frame};
 
 use super::error::ViewError;
@@ -233,7 +234,7 @@ impl Surface {
             return Err(refuse(time, "the grid of boundaries", found, expected));
         }
         let felt = grid.cell_data.iter();
-        let felt = felt.filter(|field| !["boundary", "force"].contains(&&*field.name));
+        let felt = felt.filter(|field| is_array(&field.name));
         let force = owner.iter().zip(force);
         Ok(Self {
             points: grid.points.clone(),

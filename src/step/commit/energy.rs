@@ -25,9 +25,9 @@ pub(super) struct Lost {
 }
 
 /// Where the spheres and the boundaries end.
-pub(super) struct End {
+pub(super) struct End<'p> {
     position: Vec<Vec3>,
-    poses: Vec<Pose>,
+    poses: &'p [Pose],
 }
 
 /// What the springs of a contact do \[J\].
@@ -44,11 +44,10 @@ impl Solved<'_> {
     /// Adds the step's work. Lasting forces act along the displacement `dt v1`; an impact's work is `p . (u^- + u1)/2`. What
     /// contacts take across their normals is friction, along those of impacts the impact's loss. Along the normals of lasting
     /// contacts nothing is lost but by the scheme: that and all else of the change of kinetic energy is the numerical_work.
-    pub(super) fn work(&self, state: &mut State) {
+    pub(super) fn work(&self, state: &mut State, end: Option<&End>) {
         let (scene, step) = (self.prediction().scene, self.prediction().step);
         let all = 0..self.solution.impulses.len();
-        let end = self.end();
-        let of = |_, rows| self.work_of(rows, end.as_ref(), &state.contacts);
+        let of = |_, rows| self.work_of(rows, end, &state.contacts);
         state.work = state.work + self.assembly.pool.pieces(all, of, |a, b| a + b);
         for load in &scene.loads {
             let arm = self.prediction().kinematics.orientation[load.sphere] * load.arm;
@@ -56,15 +55,22 @@ impl Solved<'_> {
         }
     }
 
-    /// Where the spheres and the boundaries end, if some contacts give way.
-    pub(super) fn end(&self) -> Option<End> {
-        let (prediction, velocity) = (self.prediction(), &self.solution.velocity);
-        prediction.gives_way.then(|| {
+    /// Where the spheres end and the boundaries with `poses`, if some contacts give way.
+    pub(super) fn end<'p>(&self, poses: &'p [Pose]) -> Option<End<'p>> {
+        self.prediction().gives_way.then(|| {
             let mut position = Vec::new();
-            prediction.end_positions(velocity, &mut position);
-            let poses = prediction.end_poses(velocity);
+            let velocity = &self.solution.velocity;
+            self.prediction().end_positions(velocity, &mut position);
             End { position, poses }
         })
+    }
+
+    /// Velocity of body `i` with which row `k` works: of an impact the mean, else that of the step.
+    fn working(&self, k: usize, i: usize) -> SpatialVector {
+        match self.assembly.is_impact(k) {
+            true => self.mean(i),
+            false => self.solution.velocity[i],
+        }
     }
 
     /// What the contacts and springs `range` of the rows do; `end` as [`Self::end`], `contacts` are those before.
@@ -111,11 +117,7 @@ impl Solved<'_> {
             }
             if let Some(driven) = self.assembly.driven_side(k) {
                 let [_, grip] = rows.get(k).jacobian();
-                let velocity = match self.assembly.is_impact(k) {
-                    true => self.mean(driven),
-                    false => self.solution.velocity[driven],
-                };
-                known += p.dot(&grip.velocity(&velocity));
+                known += p.dot(&grip.velocity(&self.working(k, driven)));
             }
         }
         work.numerical_work -= known;
@@ -126,11 +128,7 @@ impl Solved<'_> {
     pub(super) fn lost(&self, k: usize) -> Lost {
         let (rows, p) = (&self.assembly.problem.rows, &self.solution.impulses[k]);
         let impact = self.assembly.is_impact(k);
-        let velocity = |i: usize| match impact {
-            true => self.mean(i),
-            false => self.solution.velocity[i],
-        };
-        let (mut u, n) = (rows.relative(k, velocity), rows.normal(k));
+        let (mut u, n) = (rows.relative(k, |i| self.working(k, i)), rows.normal(k));
         let general = rows.general(k);
         // Friction works on the slip of the step's middle.
         if let Some(row) = general.filter(|row| row.is_contact() && row.is_rigid()) {
@@ -163,7 +161,7 @@ impl Solved<'_> {
         let candidate = &assembly.candidates[k];
         let end = Configuration {
             position: &end.position,
-            poses: &end.poses,
+            poses: end.poses,
             ..assembly.start()
         };
         // A late contact is a candidate of the end.
@@ -207,13 +205,8 @@ impl Solved<'_> {
                 continue;
             }
             let row = self.assembly.problem.rows.get(k);
-            let impact = self.assembly.is_impact(k);
-            let velocity = |i: usize| match impact {
-                true => self.mean(i),
-                false => self.solution.velocity[i],
-            };
             if let Some(joint) = joint {
-                let done = p.dot(&row.relative(velocity));
+                let done = p.dot(&row.relative(|i| self.working(k, i)));
                 work.numerical_work -= done;
                 match joint.limit.stops() {
                     true => work.impact -= done,
@@ -221,7 +214,7 @@ impl Solved<'_> {
                 }
             } else if let Some(driven) = driven {
                 let [_, grip] = row.jacobian();
-                work.numerical_work += p.dot(&grip.velocity(&velocity(driven)));
+                work.numerical_work += p.dot(&grip.velocity(&self.working(k, driven)));
             }
         }
         let bodies = self

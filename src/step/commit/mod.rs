@@ -40,9 +40,10 @@ pub(super) fn commit(solved: &Solved, state: &mut State, spare: &mut Vec<Spatial
     }
     let smooth_wrenches = remainder.then(|| state.smooth_wrenches.clone());
     let smooth_loads = walls::smooth_loads(state, remainder);
-    solved.work(state);
+    let end = solved.end(&ends);
+    solved.work(state, end.as_ref());
     solved.body_work(state, &finished, &ends);
-    solved.wear(state);
+    solved.wear(state, end.as_ref());
     solved.store(state);
     if let Some(smooth) = smooth_wrenches {
         state.smooth_wrenches = smooth;

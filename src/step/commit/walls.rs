@@ -4,6 +4,7 @@
 use crate::Vec3;
 use crate::contact::{ContactForce, ContactId, Partner};
 use crate::state::{State, TriangleLoads, Wall, WallLoad};
+use crate::step::commit::energy::End;
 use crate::step::solution::Solved;
 
 /// The smooth loads that stand where a step is the `remainder` of another; none where it is not.
@@ -22,45 +23,40 @@ pub(super) fn keep_smooth(state: &mut State, loads: Vec<TriangleLoads>) {
 impl Solved<'_> {
     /// Adds what a contact does to the loads of its triangles.
     pub(super) fn press(&self, state: &mut State, load: &ContactForce, smooth: bool) {
-        let Some((b, triangles)) = self.triangles(state, load.key, load.normal) else {
-            return;
-        };
-        let mut share = WallLoad::default();
-        share.add(&WallLoad::of(load), 1.0 / triangles.len() as f64);
-        let wall = &mut state.walls.list[b];
-        let loads = triangles.into_iter().map(|triangle| (triangle, share));
-        if smooth {
-            wall.smooth.extend(loads.clone());
+        if let Some((b, loads)) = self.loads(state, load) {
+            let wall = &mut state.walls.list[b];
+            if smooth {
+                wall.smooth.extend(&loads);
+            }
+            wall.loads.extend(loads);
         }
-        wall.loads.extend(loads);
     }
 
     /// Gives the triangles of the contact `at` an impulse \[N s\].
     pub(crate) fn strike(&self, state: &mut State, at: &ContactForce, impulse: Vec3) {
-        let Some((b, triangles)) = self.triangles(state, at.key, at.normal) else {
-            return;
-        };
         let load = ContactForce {
             force: -impulse,
             ..*at
         };
-        let loads = WallLoad::of(&load);
-        for triangle in &triangles {
-            let share = 1.0 / triangles.len() as f64;
-            Wall::press(
-                &mut state.walls.list[b].triangles,
-                &[(*triangle, loads)],
-                share,
-            );
+        if let Some((b, loads)) = self.loads(state, &load) {
+            Wall::press(&mut state.walls.list[b].triangles, &loads, 1.0);
         }
     }
 
+    /// The boundary of a contact, and its equal parts on the triangles that feel it; `None` unless they keep it.
+    fn loads(&self, state: &State, load: &ContactForce) -> Option<(usize, TriangleLoads)> {
+        let (b, triangles) = self.triangles(state, load.key, load.normal)?;
+        let mut share = WallLoad::default();
+        share.add(&WallLoad::of(load), 1.0 / triangles.len() as f64);
+        let loads = triangles.into_iter().map(|triangle| (triangle, share));
+        Some((b, loads.collect()))
+    }
+
     /// Adds what contacts lose, and what they wear off.
-    pub(super) fn wear(&self, state: &mut State) {
+    pub(super) fn wear(&self, state: &mut State, end: Option<&End>) {
         if state.walls.list.is_empty() {
             return;
         }
-        let end = self.end();
         for k in 0..self.solution.impulses.len() {
             let Some(contact) = self.assembly.contact_of(k) else {
                 continue;
@@ -75,7 +71,7 @@ impl Solved<'_> {
                 continue;
             };
             let lost = self.lost(k);
-            let sprung = elastic.zip(end.as_ref());
+            let sprung = elastic.zip(end);
             let sprung = sprung
                 .map(|(elastic, end)| self.work_of_spring(k, elastic, (end, &state.contacts)));
             let [damped, returned] = sprung.map_or([0.0; 2], |work| [work.damped, work.shear]);

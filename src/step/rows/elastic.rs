@@ -195,12 +195,14 @@ impl ElasticContact {
 
     /// Along the normal at a `gap` \[m\] of the start of a step that does not resolve it: bias and compliance.
     pub(crate) fn along(&self, gap: f64) -> [f64; 2] {
-        let (force, slope) = (
-            self.spring.force(self.overlap),
-            self.spring.slope(self.overlap),
-        );
-        let rest = self.overlap - force / slope;
-        [(gap + rest) / self.dt, 1.0 / (slope * self.dt * self.dt)]
+        let compliance = self.compliance(self.spring.slope(self.overlap));
+        let free = gap + self.spring.intercept(self.overlap);
+        [free / self.dt, compliance]
+    }
+
+    /// Compliance \[m/(s N s)\] of a stiffness \[N/m\].
+    fn compliance(&self, stiffness: f64) -> f64 {
+        1.0 / (stiffness * (self.dt * self.dt))
     }
 
     /// Its row.
@@ -212,7 +214,7 @@ impl ElasticContact {
                 across: match shear.is_finite() {
                     true => (
                         self.held * (-1.0 / (shear * self.dt)),
-                        1.0 / (shear * self.dt * self.dt),
+                        self.compliance(shear),
                     ),
                     false => (Vec3::zeros(), 0.0),
                 },

@@ -13,7 +13,7 @@ use sphere_dda_model_description::value::{ScalarType, Value};
 use super::Instance;
 use crate::runtime::life_cycle::LifeCycle;
 use crate::runtime::refusal::Refusal;
-use crate::runtime::walls::Wall;
+use crate::runtime::walls::{Wall, give_corners};
 use crate::runtime::{contacts, document};
 use crate::table::{Binding, Entry, Table, Variable, value};
 use crate::version::Version;
@@ -101,15 +101,12 @@ impl Instance {
             self.measured.contacts = Some(contacts::loaded(&Observation::of(simulation)));
         }
         for entry in entries {
-            let (Binding::Wall { boundary: b, .. } | Binding::WallCorners(b)) =
-                entry.variable.binding
-            else {
-                continue;
-            };
-            let walls = &mut self.measured.walls;
-            walls
-                .entry(b)
-                .or_insert_with(|| Wall::of(&Observation::of(simulation), b));
+            if let Binding::Wall { boundary: b, .. } = entry.variable.binding {
+                let walls = &mut self.measured.walls;
+                walls
+                    .entry(b)
+                    .or_insert_with(|| Wall::of(&Observation::of(simulation), b));
+            }
         }
         Ok(())
     }
@@ -148,9 +145,8 @@ impl Instance {
                 let wall = self.measured.walls.get(boundary);
                 wall.into_iter().for_each(|wall| wall.give(*field, give));
             }
-            (Binding::WallCorners(boundary), Some(_)) => {
-                let wall = self.measured.walls.get(boundary);
-                wall.into_iter().for_each(|wall| wall.give_corners(give));
+            (Binding::WallCorners(boundary), Some(simulation)) => {
+                give_corners(&Observation::of(simulation), *boundary, give);
             }
             (Binding::Document, Some(simulation)) => {
                 give(Value::Binary(document::of(simulation, self.run.time)));
