@@ -190,6 +190,16 @@ pub(crate) fn run(arguments: &Simulate, interrupt: &Interrupt) -> Result<(), Fai
 
 /// One SSP, or FMUs.
 fn open(files: &[PathBuf]) -> Result<(Option<Ssp>, Vec<Fmu>), Failure> {
+    if let Some(scene) = files
+        .iter()
+        .find(|file| file.extension().is_some_and(|e| e == "toml"))
+    {
+        let scene = scene.display();
+        return Err(Failure::Input(miette!(
+            "found the scene `{scene}`, expected an FMU or an SSP; run a scene with `sphere-dda run {scene} -o DIR`, or make \
+             its FMU with `sphere-dda export {scene}`"
+        )));
+    }
     if let [path] = files
         && is_ssp(path)
     {

@@ -26,7 +26,11 @@ pub(super) fn true_gap(
     end: &Configuration,
     k: usize,
 ) -> f64 {
-    let gap = end.gap(&assembly.candidates[k]);
+    error_of(assembly, solution, k, end.gap(&assembly.candidates[k]))
+}
+
+/// [`true_gap`] of contact `k` whose gap is `gap` \[m\].
+pub(super) fn error_of(assembly: &Assembly, solution: &Solution, k: usize, gap: f64) -> f64 {
     let (rows, step) = (&assembly.problem.rows, assembly.prediction.step);
     let along = || solution.impulses[k].dot(&rows.normal(k));
     match (assembly.compressed(k), rows.compliance(k)) {
@@ -103,10 +107,9 @@ fn relinearise(assembly: &mut Assembly, solution: &Solution, end: &Configuration
         let gap = end.gap(&assembly.candidates[k]);
         elastic.follow(solution.impulses[k].dot(&n) / step, gap);
         let [bias, compliance] = elastic.along(gap - linear);
-        assembly.problem.rows.update(k, |row| {
-            row.bias += n * (bias - row.bias.dot(&n));
-            row.compliance_n = compliance;
-        });
+        let rows = &mut assembly.problem.rows;
+        rows.shift(k, bias - rows.bias(k));
+        rows.set_compliance(k, compliance);
         return;
     }
     let gap = true_gap(assembly, solution, end, k);

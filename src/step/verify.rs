@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use super::Tunnelling;
 use super::assemble::Assembly;
-use super::correction::{Correction, true_gap};
+use super::correction::{Correction, error_of, true_gap};
 use super::solution::Solution;
 use super::tunnelling::{passed, struck};
 use super::workspace::Workspace;
@@ -126,14 +126,15 @@ impl Gaps {
     fn of_spring(assembly: &Assembly, solution: &Solution, end: &Configuration, k: usize) -> Self {
         let radius = assembly.problem.rows.radius(k);
         let settings = &assembly.prediction.scene.settings;
+        let gap = end.gap(&assembly.candidates[k]);
         let compression = match settings.method {
-            Method::Alm => -end.gap(&assembly.candidates[k]) / radius,
+            Method::Alm => -gap / radius,
             // Of its springs nobody asked the material.
             Method::Penalty => 0.0,
         };
         let error = match assembly.compressed(k) {
             Some(_) if solution.loads(k) || compression > 0.0 => {
-                true_gap(assembly, solution, end, k) / radius
+                error_of(assembly, solution, k, gap) / radius
             }
             _ => 0.0,
         };

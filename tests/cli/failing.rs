@@ -215,6 +215,20 @@ fn fmus_that_cannot_be_used_are_refused() {
 }
 
 #[test]
+fn a_scene_is_no_fmu_and_has_a_command_of_its_own() {
+    let folder = tempfile::tempdir().unwrap();
+    let said = said(folder.path(), &["simulate", "silo.toml"]);
+    assert_eq!(said.code, Some(2), "{}", said.error);
+    for part in ["found the scene `silo.toml`", "sphere-dda run silo.toml"] {
+        assert!(
+            said.error.contains(part),
+            "{part} is not in\n{}",
+            said.error
+        );
+    }
+}
+
+#[test]
 fn several_fmus_are_told_apart() {
     let folder = tempfile::tempdir().unwrap();
     let folder = folder.path();

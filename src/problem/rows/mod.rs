@@ -336,6 +336,13 @@ impl Rows {
         }
     }
 
+    /// Gives row `k`, which gives way, another compliance along its normal \[m/(s N s)\].
+    pub(crate) fn set_compliance(&mut self, k: usize, compliance: f64) {
+        if let Some(general) = self.compact[k].general() {
+            self.general[general].compliance_n = compliance;
+        }
+    }
+
     /// Adds `change` to the bias of row `k` along its normal \[m/s\].
     pub(crate) fn shift(&mut self, k: usize, change: f64) {
         let compact = &mut self.compact[k];
