@@ -144,10 +144,15 @@ impl Simulation {
         Ok(())
     }
 
-    /// Lets commands given since the last internal step hold from here to the end of the communication step.
+    /// Lets commands and forces given since the last internal step hold from here to the end of the communication step.
     fn take_commands(&self, communication: &mut CommunicationStep) -> Result<(), StepError> {
         let (state, trajectory) = (&self.state, &mut communication.trajectory);
-        if trajectory.commands == state.commands && trajectory.rates == state.rates {
+        let midway = communication.midway.as_ref().map(|(state, _)| state);
+        let applied = &midway.unwrap_or(&communication.before).applied_forces;
+        if trajectory.commands == state.commands
+            && trajectory.rates == state.rates
+            && *applied == state.applied_forces
+        {
             return Ok(());
         }
         trajectory.since = state.time;

@@ -1,5 +1,6 @@
 //! The simulation: owns the state, advances it (`communication`), takes and restores snapshots.
 
+mod applied_forces;
 mod command_motion;
 mod communication_step;
 mod derivatives;
@@ -66,6 +67,7 @@ impl Simulation {
             kinematics: scene.initial.clone(),
             smooth: vec![SpatialVector::ZERO; n],
             external: Vec::new(),
+            applied_forces: Vec::new(),
             body_force: Vec3::zeros(),
             mean_body_force: Vec3::zeros(),
             contacts: scene.initial_contacts.clone(),

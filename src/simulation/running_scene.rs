@@ -159,7 +159,8 @@ impl Simulation {
         self.state.mean_wrenches[b]
     }
 
-    /// Weight, inertial forces and point loads on all spheres \[N\], averaged over the last communication step: impulse / h.
+    /// Weight, inertial forces, point loads and applied forces on all spheres \[N\], averaged over the last communication step:
+    /// impulse / h.
     #[must_use]
     pub fn mean_body_force(&self) -> Vec3 {
         self.state.mean_body_force

@@ -52,7 +52,9 @@ pub struct State {
     pub smooth: Vec<SpatialVector>,
     /// The part of `smooth` that is by external forces, `[N]`; empty unless the frame rotates.
     pub external: Vec<SpatialVector>,
-    /// Weight, inertial forces and point loads on all spheres in the last internal step \[N\].
+    /// Forces applied from outside at the centres of the spheres \[N\], `[N]`; empty where all are zero.
+    pub applied_forces: Vec<Vec3>,
+    /// Weight, inertial forces, point loads and applied forces on all spheres in the last internal step \[N\].
     pub body_force: Vec3,
     /// The same averaged over the last communication step \[N\].
     pub mean_body_force: Vec3,
@@ -126,8 +128,8 @@ macro_rules! clone_in_place {
 }
 
 clone_in_place! {
-    time last_step gravity kinematics smooth external body_force mean_body_force contacts springs
-    poses twists bodies commands rates wrenches smooth_wrenches mean_wrenches owed walls work reserves
+    time last_step gravity kinematics smooth external applied_forces body_force mean_body_force contacts
+    springs poses twists bodies commands rates wrenches smooth_wrenches mean_wrenches owed walls work reserves
     emitted removed passed flow initial_overlap penalty report control calm
 }
 
@@ -159,6 +161,7 @@ impl State {
             && self.walls.fits(scene)
             && others.iter().all(|(found, wanted)| found == wanted)
             && [0, spheres].contains(&self.external.len())
+            && [0, spheres].contains(&self.applied_forces.len())
             && [0, boundaries].contains(&self.rates.len())
             && [0, spheres].contains(&self.calm.len())
             && (f64::MIN_POSITIVE..=scene.settings.step).contains(&self.control.step)
