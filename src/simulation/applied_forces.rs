@@ -25,7 +25,7 @@ impl Simulation {
             });
         }
         bounded("forces", forces.iter().flat_map(|force| force.iter()))?;
-        let state = &mut self.state;
+        let state = &mut *self.state;
         for (i, count) in state.calm.iter_mut().enumerate() {
             if state.applied_forces.get(i).copied().unwrap_or_default() != forces[i] {
                 *count = 0;

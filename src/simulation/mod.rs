@@ -10,6 +10,7 @@ pub mod flow;
 mod impulse_totals;
 mod replay_record;
 mod running_scene;
+mod saved;
 mod settle;
 mod start;
 mod step_control;
@@ -28,12 +29,13 @@ use crate::scene::gravity::GravityMotion;
 use crate::scene::{Boundary, Command, CommandDerivatives, InputKind, Scene};
 use crate::simulation::trajectory::BoundaryPaths;
 use crate::spatial::{Pose, SpatialVector, Wrench};
-use crate::state::{BodyState, EnergyLedger, Reserve, State, StepControl, StepReport, Walls};
+use crate::state::{BodyState, EnergyLedger, Reserve, SharedState, State, StepControl, StepReport, Walls};
 use crate::step::{FailedStep, StepInput, Workspace, initial_forces, remove_overlaps};
 pub use communication_step::CommunicationStep;
 pub use derivatives::Direction;
 pub use replay_record::ReplayRecord;
 pub use running_scene::Simulation;
+pub use saved::Saved;
 pub use settle::{Pass, PassKind, Settle, SettleError, SettleProgress, Settled};
 
 impl Simulation {
@@ -103,7 +105,7 @@ impl Simulation {
         };
         let mut simulation = Self {
             scene,
-            state,
+            state: SharedState::new(state),
             workspace: Workspace::default(),
             replay: None,
         };
@@ -119,8 +121,9 @@ impl Simulation {
         remove_overlaps(&scene, state, workspace)
             .and_then(|()| initial_forces(&scene, state, workspace))
             .map_err(|failure| self.explain(failure, scene.settings.step, 0))?;
-        self.state.mean_wrenches.clone_from(&self.state.wrenches);
-        self.replay = Some(Box::new(ReplayRecord::Start(unsettled)));
+        let state = &mut *self.state;
+        state.mean_wrenches.clone_from(&state.wrenches);
+        self.replay = Some(Arc::new(ReplayRecord::Start(unsettled)));
         Ok(())
     }
 
@@ -301,7 +304,7 @@ impl Simulation {
     pub fn restore(&mut self, blob: &[u8]) -> Result<(), SnapshotError> {
         let state: State = snapshot::restore(blob, &self.scene.hash)?;
         self.check_counts(&state)?;
-        self.state = state;
+        self.state = SharedState::new(state);
         self.replay = None;
         Ok(())
     }

@@ -3,6 +3,7 @@
 mod body;
 mod ledger;
 mod report;
+mod shared;
 mod step_control;
 mod velocities;
 mod walls;
@@ -11,6 +12,7 @@ pub(crate) use body::BodyState;
 pub use body::JointState;
 pub use ledger::EnergyLedger;
 pub use report::{Squeezed, StepReport};
+pub use shared::SharedState;
 pub(crate) use step_control::StepControl;
 pub use velocities::Velocities;
 pub(crate) use walls::TriangleLoads;
@@ -178,15 +180,6 @@ impl State {
     /// Wakes all spheres.
     pub(crate) fn wake(&mut self) {
         self.calm.fill(0);
-    }
-
-    /// A copy, in the `memory` of another state if there is one.
-    pub(crate) fn copied_into(&self, memory: Option<Self>) -> Self {
-        let Some(mut copy) = memory else {
-            return self.clone();
-        };
-        copy.clone_from(self);
-        copy
     }
 
     /// Gravity \[m/s^2\] at time `t` \[s\].

@@ -1,4 +1,4 @@
-//! Saved states: the bytes behind `fmi2FMUstate` and its serialized form, which are the same.
+//! Saved states as bytes: the serialized form of an `fmi2FMUstate` or `fmi3FMUState`.
 //!
 //! ```text
 //! bytes     what
@@ -112,14 +112,7 @@ impl SavedState {
             expect(what, found as u64, expected as u64)?;
         }
         let stage = self.run.stage;
-        if matches!(stage, LifeCycle::Error | LifeCycle::Intermediate) {
-            let expected = "one in which a state can be saved";
-            return Err(broken(
-                "place in the life cycle",
-                stage.to_string(),
-                expected,
-            ));
-        }
+        check_stage(stage)?;
         let running = matches!(stage, LifeCycle::StepComplete | LifeCycle::StepFailed);
         if running && self.snapshot.is_none() {
             return Err(broken("simulation", "none".to_owned(), "one"));
@@ -185,6 +178,19 @@ impl SavedState {
         }
         Ok(saved)
     }
+}
+
+/// Whether an instance can go on from a state of this place in the life cycle.
+pub(super) fn check_stage(stage: LifeCycle) -> Result<(), StateError> {
+    if matches!(stage, LifeCycle::Error | LifeCycle::Intermediate) {
+        let expected = "one in which a state can be saved";
+        return Err(broken(
+            "place in the life cycle",
+            stage.to_string(),
+            expected,
+        ));
+    }
+    Ok(())
 }
 
 fn part<const N: usize>(bytes: &[u8]) -> Result<([u8; N], &[u8]), StateError> {

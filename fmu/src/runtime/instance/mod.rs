@@ -36,6 +36,7 @@ use sphere_dda_fmi_interface::log::{Level, Log};
 use sphere_dda_fmi_interface::pointers::BadArgument;
 use step_in_progress::StepInProgress;
 
+pub use states::Kept;
 pub use step::Progress;
 pub use values::Call;
 
