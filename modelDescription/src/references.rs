@@ -13,6 +13,8 @@ use crate::xml::{self, Error, Expected};
 pub const FOLDER: &str = "extra/org.fmi-standard.fmi-ls-ref";
 /// The manifest in it.
 pub const MANIFEST_FILE: &str = "fmi-ls-manifest.xml";
+/// Checksums of all other files of an archive of this project, beside the manifest.
+pub const CHECKSUMS_FILE: &str = "checksums.sha256";
 /// Version of the layered standard that is written.
 pub const VERSION: &str = "1.0.0-beta.1";
 /// Media type of experiments.
@@ -315,7 +317,10 @@ mod tests {
     fn what_is_written_is_read() {
         let manifest = Manifest::new(vec![Related::new(EXPERIMENTS, "a.exp", "experiment", "A")]);
         let text = manifest.to_xml().unwrap();
-        assert!(text.contains(r#"fmi-ls:fmi-ls-version="1.0.0-beta.1""#), "{text}");
+        assert!(
+            text.contains(r#"fmi-ls:fmi-ls-version="1.0.0-beta.1""#),
+            "{text}"
+        );
         assert_eq!(Manifest::from_xml(&text).unwrap(), manifest);
         let tolerances = Tolerances {
             relative: 1e-3,
@@ -355,6 +360,9 @@ mod tests {
         assert_eq!(manifest.related.len(), 2);
         assert!(!manifest.related[1].is_smoke_test());
         let wrong = Manifest::from_xml("<Experiments/>").unwrap_err();
-        assert!(wrong.to_string().contains("expected `fmiReferences`"), "{wrong}");
+        assert!(
+            wrong.to_string().contains("expected `fmiReferences`"),
+            "{wrong}"
+        );
     }
 }

@@ -89,7 +89,12 @@ impl Simulation {
         let replay = self.replay.take();
         let (replay, memory) = match back {
             true => (replay, None),
-            false => (None, replay.and_then(Arc::into_inner).map(ReplayRecord::into_state)),
+            false => (
+                None,
+                replay
+                    .and_then(Arc::into_inner)
+                    .map(ReplayRecord::into_state),
+            ),
         };
         let before = self.state.fork(memory);
         self.state.report = StepReport::default();
@@ -164,12 +169,7 @@ impl Simulation {
         communication.midway = Some((now, communication.totals.clone()));
         let left = communication.plan.left();
         let paths = communication.trajectory.paths(&self.scene);
-        self.check_jump(
-            &paths,
-            self.state.time,
-            communication.trajectory.end,
-            left,
-        )
+        self.check_jump(&paths, self.state.time, communication.trajectory.end, left)
     }
 
     /// All that is left of a communication step, and its end.

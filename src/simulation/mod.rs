@@ -29,7 +29,9 @@ use crate::scene::gravity::GravityMotion;
 use crate::scene::{Boundary, Command, CommandDerivatives, InputKind, Scene};
 use crate::simulation::trajectory::BoundaryPaths;
 use crate::spatial::{Pose, SpatialVector, Wrench};
-use crate::state::{BodyState, EnergyLedger, Reserve, SharedState, State, StepControl, StepReport, Walls};
+use crate::state::{
+    BodyState, EnergyLedger, Reserve, SharedState, State, StepControl, StepReport, Walls,
+};
 use crate::step::{FailedStep, StepInput, Workspace, initial_forces, remove_overlaps};
 pub use communication_step::CommunicationStep;
 pub use derivatives::Direction;

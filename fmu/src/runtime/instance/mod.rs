@@ -19,8 +19,8 @@ use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Arc;
 
-use sphere_dda::contact::Contact;
 use sphere_dda::Vec3;
+use sphere_dda::contact::Contact;
 use sphere_dda::error::StepError;
 use sphere_dda::scene::{Boundary, CommandDerivatives, Scene};
 use sphere_dda::simulation::Simulation;
