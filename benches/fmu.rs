@@ -14,7 +14,7 @@ use std::time::{Duration, Instant};
 
 use sphere_dda::simulation::Simulation;
 use sphere_dda_fmu::model::Model;
-use sphere_dda_master::Fmu;
+use sphere_dda_master::{Fmu, Instance2};
 use sphere_dda_model_description::fmi2::{Causality, VariableType};
 
 const STEP: f64 = 1e-3;
@@ -22,7 +22,7 @@ const STEPS: u32 = 300;
 const ROUNDS: usize = 15;
 
 /// Median time of saving, restoring and freeing a state that the instance has left \[us\].
-fn state_time(instance: &mut Instance) -> f64 {
+fn state_time(instance: &mut Instance2) -> f64 {
     let time = f64::from(STEPS) * STEP;
     let mut taken: Vec<Duration> = (0..100)
         .map(|_| {

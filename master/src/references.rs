@@ -103,7 +103,7 @@ impl References {
             )]));
         }
         let checked = folder.checksums().map_err(failed)?;
-        if checked.is_none() && fmu.description().is_of("sphere-dda") {
+        if checked.is_none() && fmu.description().is_of("sphere-dda ") {
             return Err(failed(vec![format!(
                 "found no `{FOLDER}/{CHECKSUMS_FILE}`, expected it in an FMU of sphere-dda: it was taken out"
             )]));
