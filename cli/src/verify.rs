@@ -5,7 +5,7 @@ mod replay;
 
 use std::path::PathBuf;
 
-use clap::Args;
+use clap::{ArgGroup, Args};
 use sphere_dda_studies::laws::{self, Options};
 
 use crate::arguments::positive;
@@ -15,6 +15,7 @@ use crate::study::{self, Destination};
 
 /// Arguments of `verify`.
 #[derive(Debug, Args)]
+#[command(group(ArgGroup::new("what").required(true).args(["fmu", "output"])))]
 #[command(after_help = "\
 Examples:
   sphere-dda verify hopper.fmu                 made with `export --smoke-test`, or any FMU with FMI-LS-REF
@@ -28,11 +29,7 @@ of repose, the friction angle in triaxial compression. Written to DIR: verificat
 quarters of an hour of CPU time; what it writes does not depend on the machine's speed or load. Ctrl-C ends it without writing anything.")]
 pub(crate) struct Verify {
     /// The FMU to check.
-    #[arg(
-        value_name = "FMU",
-        required_unless_present = "output",
-        conflicts_with = "output"
-    )]
+    #[arg(value_name = "FMU")]
     fmu: Option<PathBuf>,
     #[command(flatten)]
     destination: Option<Destination>,
