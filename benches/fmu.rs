@@ -7,18 +7,38 @@
 //!
 //! Wall time, on a machine that does nothing else: CPU time comes in ticks of milliseconds. The FMU is the archive's own
 //! release library behind its C interface; after every step the wrench of the box and all scalar outputs are read, as masters do: `reading us` is what that takes, the median of the steps.
+//! `state us` is what it takes to save a state, to restore it and to free it, a step lying between; likewise.
 
 use std::sync::Arc;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use sphere_dda::simulation::Simulation;
 use sphere_dda_fmu::model::Model;
-use sphere_dda_master::Fmu;
+use sphere_dda_master::{Fmu, Instance2};
 use sphere_dda_model_description::fmi2::{Causality, VariableType};
 
 const STEP: f64 = 1e-3;
 const STEPS: u32 = 300;
 const ROUNDS: usize = 15;
+
+/// Median time of saving, restoring and freeing a state that the instance has left \[us\].
+fn state_time(instance: &mut Instance2) -> f64 {
+    let time = f64::from(STEPS) * STEP;
+    let mut taken: Vec<Duration> = (0..100)
+        .map(|_| {
+            let start = Instant::now();
+            let state = instance.save_state().expect("a state");
+            let saving = start.elapsed();
+            instance.do_step(time, STEP, false).expect("a step");
+            let start = Instant::now();
+            instance.restore_state(&state).expect("restored");
+            instance.free_state(state).expect("freed");
+            saving + start.elapsed()
+        })
+        .collect();
+    taken.sort_unstable();
+    taken[taken.len() / 2].as_secs_f64() * 1e6
+}
 
 fn main() {
     let path = std::env::args().skip(1).find(|a| !a.starts_with('-'));
@@ -36,7 +56,7 @@ fn main() {
         .map(|v| v.value_reference)
         .collect();
     println!(
-        "round  library s  FMU s  ratio   reading us   ({STEPS} steps, {} outputs read after each)",
+        "round  library s  FMU s  ratio   reading us  state us   ({STEPS} steps, {} outputs read after each)",
         outputs.len()
     );
     let (mut best, mut ratios) = ([f64::INFINITY; 2], Vec::new());
@@ -65,10 +85,11 @@ fn main() {
         reading.sort_unstable();
         let reading = reading[reading.len() / 2].as_secs_f64() * 1e6;
         assert!(last.iter().all(|x| x.is_finite()));
+        let state = state_time(&mut instance);
         ratios.push(packed / alone);
         best = [best[0].min(alone), best[1].min(packed)];
         println!(
-            "{round:5}  {alone:9.3}  {packed:5.3}  {:.4}  {reading:10.1}",
+            "{round:5}  {alone:9.3}  {packed:5.3}  {:.4}  {reading:10.1}  {state:8.1}",
             packed / alone
         );
     }

@@ -1,6 +1,7 @@
 //! `sphere-dda export SCENE -o X.fmu`.
 
 mod package;
+mod trial;
 
 use std::path::{Path, PathBuf};
 
@@ -9,11 +10,12 @@ use clap::ValueEnum;
 use miette::miette;
 use sphere_dda::scene::Scene;
 use sphere_dda_export::{
-    Contents, Exported, Library, Pictures, Platform, Version, export, find_libraries,
+    Contents, Exported, Library, Pictures, Platform, SmokeTest, Version, export, find_libraries,
 };
 use sphere_dda_picture::portrait::portrait;
 
 use package::Package;
+use trial::Trial;
 
 use crate::arguments::{assignment, free, parameter};
 use crate::failure::Failure;
@@ -31,6 +33,7 @@ Examples:
   sphere-dda export scene.toml --fmi 3
   sphere-dda export scene.toml --set friction=0.4             changes the start of the FMU's parameter `friction`
   sphere-dda export scene.toml --platform linux64,win64
+  sphere-dda export feeder.toml --smoke-test 0.1 --smoke-input drive.csv    then: sphere-dda verify feeder.fmu
   sphere-dda export bed.toml --ssp coupled.ssp --with shaker.fmu --set shaker.amplitude=0.001 \\
       --connect shaker.position=bed.boundary.tray.displacement \\
       --connect 'bed.boundary.tray.averageForce[3]=shaker.force'
@@ -64,6 +67,8 @@ pub(crate) struct Export {
     set: Vec<(String, String)>,
     #[command(flatten)]
     settling: Settling,
+    #[command(flatten)]
+    trial: Trial,
     #[command(flatten)]
     package: Package,
 }
@@ -124,13 +129,15 @@ pub(crate) fn run(arguments: &Export, interrupt: &Interrupt) -> Result<(), Failu
         .start(&Scene::from_file_with(scene, &values)?.scene, interrupt)?;
     let scene = (&**scene, &*values);
     if arguments.package.ssp.is_none() {
-        return pack(scene, start, &output, &libraries, arguments.fmi.into());
+        let (version, trial) = (arguments.fmi.into(), &arguments.trial);
+        let exported = trial.write(scene, start, &output, (&libraries, version), interrupt)?;
+        return tell(&output, &exported);
     }
     // Its name in the package is that of the scene.
     let folder = tempfile::tempdir().map_err(Failure::run)?;
     let fmu = folder.path().join(scene.0.file_stem().unwrap_or_default());
     let fmu = fmu.with_extension("fmu");
-    write(scene, start, &fmu, &libraries, Version::Two)?;
+    write(scene, start, &fmu, (&libraries, Version::Two), None)?;
     arguments.package.write(&fmu, &others, &of_package, &output)
 }
 
@@ -168,7 +175,11 @@ pub(crate) fn pack(
     libraries: &[Library],
     version: Version,
 ) -> Result<(), Failure> {
-    let exported = write(scene, start, fmu, libraries, version)?;
+    tell(fmu, &write(scene, start, fmu, (libraries, version), None)?)
+}
+
+/// Says what was packed.
+fn tell(fmu: &Path, exported: &Exported) -> Result<(), Failure> {
     let size = std::fs::metadata(fmu).map_err(Failure::run)?.len() as f64 * 1e-6;
     print(|out| {
         writeln!(
@@ -186,8 +197,8 @@ fn write(
     scene: Given<'_>,
     start: Option<Vec<u8>>,
     fmu: &Path,
-    libraries: &[Library],
-    version: Version,
+    (libraries, version): (&[Library], Version),
+    smoke_test: Option<&SmokeTest>,
 ) -> Result<Exported, Failure> {
     let (scene, values) = scene;
     let contents = Contents {
@@ -196,6 +207,7 @@ fn write(
         start,
         libraries,
         version,
+        smoke_test,
         draw: pictures,
     };
     let exported = export(contents, fmu)?;

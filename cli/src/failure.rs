@@ -12,7 +12,8 @@ use sphere_dda::simulation::SettleError;
 use sphere_dda_export::ExportError;
 use sphere_dda_fmu::model::ModelError;
 use sphere_dda_master::{
-    ImportError, InputTableError, PackageError, SimulateError, SspError, SystemError,
+    ImportError, InputTableError, PackageError, ReferencesError, SimulateError, SspError,
+    SystemError,
 };
 
 /// Why a command has not done its work.
@@ -125,6 +126,12 @@ impl From<PackageError> for Failure {
 
 impl From<InputTableError> for Failure {
     fn from(error: InputTableError) -> Self {
+        Self::input(error)
+    }
+}
+
+impl From<ReferencesError> for Failure {
+    fn from(error: ReferencesError) -> Self {
         Self::input(error)
     }
 }

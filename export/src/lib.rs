@@ -11,10 +11,12 @@ pub mod documentation;
 mod error;
 mod library;
 mod pack;
+mod references;
 mod terminals;
 
 pub use error::{ExportError, LIBRARY_VARIABLE};
 pub use library::{Library, check_library, find_libraries, find_library};
 pub use pack::{Contents, Exported, Pictures, export};
+pub use references::SmokeTest;
 pub use sphere_dda_fmi_interface::platform::Platform;
 pub use sphere_dda_fmu::version::Version;

@@ -8,6 +8,7 @@
 //! resources/start.state                 the settled spheres, if there are any
 //! documentation/index.html              variables, settings, limits, for people
 //! documentation/licenses/               of the library and of all crates it links
+//! extra/org.fmi-standard.fmi-ls-ref/    a smoke test and checksums, if it is given: `references`
 //! documentation/diagram.png, terminalsAndIcons/icon.png, FMI 2.0: model.png     the scene
 //! ```
 //!
@@ -31,6 +32,7 @@ use crate::description::{version2, version3};
 use crate::documentation;
 use crate::error::ExportError;
 use crate::library::Library;
+use crate::references::SmokeTest;
 use crate::terminals::terminals;
 
 /// Where FMI 3.0, and FMI 2.0.4, expect the terminals.
@@ -74,6 +76,8 @@ pub struct Contents<'a> {
     pub libraries: &'a [Library],
     /// Version of the standard.
     pub version: Version,
+    /// A run with its results that the FMU brings along.
+    pub smoke_test: Option<&'a SmokeTest>,
     /// Draws the scene as it starts; without pictures the FMU has none.
     pub draw: fn(&Scene) -> Option<Pictures>,
 }
@@ -89,6 +93,7 @@ pub fn export(contents: Contents<'_>, fmu: &Path) -> Result<Exported, ExportErro
         start,
         libraries,
         version,
+        smoke_test,
         draw,
     } = contents;
     let model = Model::read_with(scene, values, start)?;
@@ -104,10 +109,17 @@ pub fn export(contents: Contents<'_>, fmu: &Path) -> Result<Exported, ExportErro
     }
     files.extend(resources(&model)?);
     files.extend(documented(&model, version, pictures));
-    let files: Vec<(String, &[u8])> = files
+    let mut files: Vec<(String, &[u8])> = files
         .iter()
         .map(|(path, content)| (path.clone(), &**content))
         .collect();
+    let proof = smoke_test.map(|test| test.files(&files)).transpose()?;
+    let proof = proof.unwrap_or_default();
+    files.extend(
+        proof
+            .iter()
+            .map(|(path, content)| (path.clone(), &**content)),
+    );
     archive::write(fmu, &files)?;
 
     let variables = model.table.entries(version).len();

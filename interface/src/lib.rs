@@ -16,6 +16,7 @@ pub mod abi2;
 pub mod abi3;
 #[cfg(feature = "archive")]
 pub mod archive;
+pub mod checksum;
 pub mod guid;
 pub mod handle;
 pub mod log;

@@ -33,6 +33,7 @@ mod error;
 mod fmu;
 mod isolate;
 mod open;
+mod references;
 mod run;
 mod ssp;
 mod status;
@@ -45,6 +46,7 @@ pub use error::{ArchiveError, ImportError};
 pub use fmu::Fmu;
 pub use isolate::{Isolation, serve};
 pub use open::{Description, Limits, RATIO_FLOOR, remove_unpacked};
+pub use references::{Comparison, Expected, References, ReferencesError, SmokeTest};
 pub use run::{
     Column, Coupling, CsvWriter, End, Event, InputTable, InputTableError, Iteration, NotConverged,
     Options, SimulateError, Table, simulate,

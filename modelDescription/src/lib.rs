@@ -9,6 +9,7 @@
 //! | [`fmi2`]   | the FMI 2.0 description, its XML form and its rules           | FMI 2.0      |
 //! | [`terminals`]| groups of variables and the icon, its XML form and its rules | FMI 2.0.4, 3.0 |
 //! | [`fmi3`]   | the FMI 3.0 description: arrays, aliases, intermediate update | FMI 3.0      |
+//! | [`references`]| files about a model, experiments to check it: drafts        | FMI-LS-REF   |
 //! | [`units`]  | units as exponents of the SI base units, display units        | any version  |
 //! | [`names`]  | the grammar of structured variable names, C identifiers       | any version  |
 //! | [`value`]  | values and their types                                       | any version  |
@@ -64,6 +65,7 @@ pub mod fmi3;
 pub mod lexical;
 mod list;
 pub mod names;
+pub mod references;
 pub mod terminals;
 pub mod units;
 pub mod value;

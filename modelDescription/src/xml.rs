@@ -151,7 +151,7 @@ pub struct Expected {
     pub root: &'static str,
     /// The attribute that tells the version.
     pub attribute: &'static str,
-    /// The version that is read.
+    /// The version that is read; empty: any, also none.
     pub version: &'static str,
 }
 
@@ -302,6 +302,7 @@ impl Scan<'_> {
             });
         }
         match found_version {
+            _ if version.is_empty() => Ok(()),
             Some(found) if is_release_of(found.trim_ascii(), version) => Ok(()),
             found => Err(Error::Version {
                 attribute: version_attribute,

@@ -45,7 +45,7 @@ pub struct Observation<'a> {
     pub time: f64,
     /// Gravity \[m/s^2\] at `time`.
     pub gravity: Vec3,
-    /// Weight, inertial forces and point loads on all spheres \[N\], averaged over the last communication step.
+    /// Weight, inertial forces, point loads and applied forces on all spheres \[N\], averaged over the last communication step.
     pub body_force: Vec3,
     /// Positions, orientations, the integrator's own (half-step) velocities; `[N]` each.
     pub kinematics: &'a Kinematics,

@@ -311,6 +311,8 @@ pub struct Exposed {
     pub outputs: Option<Vec<String>>,
     /// Rows of the arrays `contacts.*` of its FMU of FMI 3.0, outputs with all loaded contacts; 0: no such arrays.
     pub contacts: u32,
+    /// Whether its FMU of FMI 3.0 has the input `spheres.appliedForce`: forces at the centres of all spheres \[N\].
+    pub applied_forces: bool,
 }
 
 /// `[output]`: result files.

@@ -13,19 +13,19 @@ use crate::simulation::flow::{Gate, crossings};
 use crate::simulation::impulse_totals::{Before, ImpulseTotals};
 use crate::simulation::trajectory::{BoundaryPaths, Trajectory, displacement};
 use crate::spatial::Wrench;
-use crate::state::{State, StepControl, StepReport, Wall};
+use crate::state::{SharedState, StepControl, StepReport, Wall};
 use crate::step::{Effort, REMAINDER, StepFailure, step};
 
 /// A communication step under way: see [`Simulation::begin`].
 #[derive(Debug)]
 pub struct CommunicationStep {
-    before: State,
+    before: SharedState,
     /// Where `before` came from, to be given back if the step fails.
-    replay: Option<Box<ReplayRecord>>,
+    replay: Option<Arc<ReplayRecord>>,
     plan: StepPlan,
     trajectory: Trajectory,
     /// State and totals where commands last changed within the step.
-    midway: Option<(State, ImpulseTotals)>,
+    midway: Option<(SharedState, ImpulseTotals)>,
     totals: ImpulseTotals,
 }
 
@@ -89,9 +89,14 @@ impl Simulation {
         let replay = self.replay.take();
         let (replay, memory) = match back {
             true => (replay, None),
-            false => (None, replay.map(|replay| replay.into_state())),
+            false => (
+                None,
+                replay
+                    .and_then(Arc::into_inner)
+                    .map(ReplayRecord::into_state),
+            ),
         };
-        let before = self.state.copied_into(memory);
+        let before = self.state.fork(memory);
         self.state.report = StepReport::default();
         // One too short for a mean of its own goes on with the last one.
         if h >= REMAINDER * self.state.last_step {
@@ -120,7 +125,7 @@ impl Simulation {
     ) -> Result<(), StepError> {
         let result = self.take(communication);
         if result.is_err() {
-            self.state.clone_from(&communication.before);
+            self.state = communication.before.clone();
             self.replay = communication.replay.take();
         }
         result
@@ -144,10 +149,15 @@ impl Simulation {
         Ok(())
     }
 
-    /// Lets commands given since the last internal step hold from here to the end of the communication step.
-    fn take_commands(&self, communication: &mut CommunicationStep) -> Result<(), StepError> {
+    /// Lets commands and forces given since the last internal step hold from here to the end of the communication step.
+    fn take_commands(&mut self, communication: &mut CommunicationStep) -> Result<(), StepError> {
         let (state, trajectory) = (&self.state, &mut communication.trajectory);
-        if trajectory.commands == state.commands && trajectory.rates == state.rates {
+        let midway = communication.midway.as_ref().map(|(state, _)| state);
+        let applied = &midway.unwrap_or(&communication.before).applied_forces;
+        if trajectory.commands == state.commands
+            && trajectory.rates == state.rates
+            && *applied == state.applied_forces
+        {
             return Ok(());
         }
         trajectory.since = state.time;
@@ -155,10 +165,11 @@ impl Simulation {
         trajectory.commands.clone_from(&state.commands);
         trajectory.rates.clone_from(&state.rates);
         let memory = communication.midway.take().map(|(state, _)| state);
-        communication.midway = Some((state.copied_into(memory), communication.totals.clone()));
+        let now = self.state.fork(memory);
+        communication.midway = Some((now, communication.totals.clone()));
         let left = communication.plan.left();
         let paths = communication.trajectory.paths(&self.scene);
-        self.check_jump(&paths, state.time, communication.trajectory.end, left)
+        self.check_jump(&paths, self.state.time, communication.trajectory.end, left)
     }
 
     /// All that is left of a communication step, and its end.
@@ -182,7 +193,7 @@ impl Simulation {
         let (state, before) = communication.midway.unwrap_or((communication.before, none));
         let mut totals = communication.totals;
         totals.taken.drain(..before.taken.len());
-        self.replay = Some(Box::new(ReplayRecord::Step(Step {
+        self.replay = Some(Arc::new(ReplayRecord::Step(Step {
             state,
             start: communication.plan.start(),
             trajectory: communication.trajectory,
@@ -212,12 +223,13 @@ impl Simulation {
     /// Means over what has been taken of the communication step.
     pub(super) fn average(&mut self, totals: &ImpulseTotals) {
         let h = totals.length;
-        let means = self.state.mean_wrenches.iter_mut();
-        for (mean, (impulse, owed)) in means.zip(totals.impulse.iter().zip(&self.state.owed)) {
+        let state = &mut *self.state;
+        let means = state.mean_wrenches.iter_mut();
+        for (mean, (impulse, owed)) in means.zip(totals.impulse.iter().zip(&state.owed)) {
             mean.force = (impulse.force + owed.force) / h;
             mean.torque = (impulse.torque + owed.torque) / h;
         }
-        self.state.mean_body_force = totals.body_force / h;
+        state.mean_body_force = totals.body_force / h;
     }
 
     /// One internal step of `dt` to `target` \[s\], or two of half its length if it fails.
@@ -311,7 +323,8 @@ impl Simulation {
     }
 
     fn count_crossings(&mut self, before: &[Vec3]) {
-        for (sensor, passed) in self.scene.sensors.iter().zip(&mut self.state.passed) {
+        let state = &mut *self.state;
+        for (sensor, passed) in self.scene.sensors.iter().zip(&mut state.passed) {
             if let Measure::MassFlow {
                 point,
                 normal,
@@ -323,7 +336,7 @@ impl Simulation {
                     normal: *normal,
                     outline,
                 };
-                let after = &self.state.kinematics;
+                let after = &state.kinematics;
                 let mass = &self.scene.particles.mass;
                 *passed += crossings(
                     before,

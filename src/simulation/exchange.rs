@@ -58,7 +58,8 @@ impl Simulation {
             scene.springs.iter().any(|spring| spring.sphere == i)
                 || scene.loads.iter().any(|load| load.sphere == i)
         };
-        let kinematics = &mut self.state.kinematics;
+        let state = &mut *self.state;
+        let kinematics = &mut state.kinematics;
         let mut taken = false;
         for i in 0..kinematics.len() {
             let region = &scene.sinks[sink].region;
@@ -70,26 +71,26 @@ impl Simulation {
             kinematics.present[i] = false;
             kinematics.velocity[i] = Vec3::zeros();
             kinematics.spin[i] = Vec3::zeros();
-            self.state.smooth[i] = SpatialVector::ZERO;
-            if let Some(external) = self.state.external.get_mut(i) {
+            state.smooth[i] = SpatialVector::ZERO;
+            if let Some(external) = state.external.get_mut(i) {
                 *external = SpatialVector::ZERO;
             }
-            self.state.removed[sink] += scene.particles.mass[i];
+            state.removed[sink] += scene.particles.mass[i];
             let home = scene.sources.iter().position(|s| s.spheres.contains(&i));
             if let Some(source) = scene.sinks[sink].recycle.or(home) {
-                self.state.reserves[source].waiting.push_back(i as u32);
+                state.reserves[source].waiting.push_back(i as u32);
             }
         }
         if taken {
-            let (present, calm) = (&kinematics.present, &mut self.state.calm);
+            let (present, calm) = (&kinematics.present, &mut state.calm);
             let stays = |key: &ContactId| key.spheres().all(|i| present[i]);
             if !calm.is_empty() {
                 // What it touched has lost a support.
-                let lost = self.state.contacts.iter().filter(|load| !stays(&load.key));
+                let lost = state.contacts.iter().filter(|load| !stays(&load.key));
                 lost.flat_map(|load| load.key.spheres())
                     .for_each(|i| calm[i] = 0);
             }
-            self.state.contacts.retain(stays);
+            state.contacts.retain(stays);
         }
     }
 

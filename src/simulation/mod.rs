@@ -1,5 +1,6 @@
 //! The simulation: owns the state, advances it (`communication`), takes and restores snapshots.
 
+mod applied_forces;
 mod command_motion;
 mod communication_step;
 mod derivatives;
@@ -9,6 +10,7 @@ pub mod flow;
 mod impulse_totals;
 mod replay_record;
 mod running_scene;
+mod saved;
 mod settle;
 mod start;
 mod step_control;
@@ -27,12 +29,15 @@ use crate::scene::gravity::GravityMotion;
 use crate::scene::{Boundary, Command, CommandDerivatives, InputKind, Scene};
 use crate::simulation::trajectory::BoundaryPaths;
 use crate::spatial::{Pose, SpatialVector, Wrench};
-use crate::state::{BodyState, EnergyLedger, Reserve, State, StepControl, StepReport, Walls};
+use crate::state::{
+    BodyState, EnergyLedger, Reserve, SharedState, State, StepControl, StepReport, Walls,
+};
 use crate::step::{FailedStep, StepInput, Workspace, initial_forces, remove_overlaps};
 pub use communication_step::CommunicationStep;
 pub use derivatives::Direction;
 pub use replay_record::ReplayRecord;
 pub use running_scene::Simulation;
+pub use saved::Saved;
 pub use settle::{Pass, PassKind, Settle, SettleError, SettleProgress, Settled};
 
 impl Simulation {
@@ -66,6 +71,7 @@ impl Simulation {
             kinematics: scene.initial.clone(),
             smooth: vec![SpatialVector::ZERO; n],
             external: Vec::new(),
+            applied_forces: Vec::new(),
             body_force: Vec3::zeros(),
             mean_body_force: Vec3::zeros(),
             contacts: scene.initial_contacts.clone(),
@@ -101,7 +107,7 @@ impl Simulation {
         };
         let mut simulation = Self {
             scene,
-            state,
+            state: SharedState::new(state),
             workspace: Workspace::default(),
             replay: None,
         };
@@ -117,8 +123,9 @@ impl Simulation {
         remove_overlaps(&scene, state, workspace)
             .and_then(|()| initial_forces(&scene, state, workspace))
             .map_err(|failure| self.explain(failure, scene.settings.step, 0))?;
-        self.state.mean_wrenches.clone_from(&self.state.wrenches);
-        self.replay = Some(Box::new(ReplayRecord::Start(unsettled)));
+        let state = &mut *self.state;
+        state.mean_wrenches.clone_from(&state.wrenches);
+        self.replay = Some(Arc::new(ReplayRecord::Start(unsettled)));
         Ok(())
     }
 
@@ -299,7 +306,7 @@ impl Simulation {
     pub fn restore(&mut self, blob: &[u8]) -> Result<(), SnapshotError> {
         let state: State = snapshot::restore(blob, &self.scene.hash)?;
         self.check_counts(&state)?;
-        self.state = state;
+        self.state = SharedState::new(state);
         self.replay = None;
         Ok(())
     }

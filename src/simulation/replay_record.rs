@@ -2,14 +2,14 @@
 
 use super::impulse_totals::ImpulseTotals;
 use super::trajectory::Trajectory;
-use crate::state::State;
+use crate::state::SharedState;
 use serde::{Deserialize, Serialize};
 
 /// Where a state came from.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub enum ReplayRecord {
     /// The start of a run: from this state, before overlaps were removed and forces solved.
-    Start(State),
+    Start(SharedState),
     /// A communication step.
     Step(Step),
 }
@@ -18,7 +18,7 @@ pub enum ReplayRecord {
 /// did.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Step {
-    pub(super) state: State,
+    pub(super) state: SharedState,
     /// Start of the communication step \[s\].
     pub(super) start: f64,
     pub(super) trajectory: Trajectory,
@@ -29,7 +29,7 @@ pub struct Step {
 }
 
 impl ReplayRecord {
-    pub(super) fn state(&self) -> &State {
+    pub(super) fn state(&self) -> &SharedState {
         match self {
             Self::Start(state) => state,
             Self::Step(step) => &step.state,
@@ -37,7 +37,7 @@ impl ReplayRecord {
     }
 
     /// Its state, for the memory.
-    pub(super) fn into_state(self) -> State {
+    pub(super) fn into_state(self) -> SharedState {
         match self {
             Self::Start(state) => state,
             Self::Step(step) => step.state,

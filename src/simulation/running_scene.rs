@@ -9,7 +9,7 @@ use crate::scene::Scene;
 use crate::scene::particles::Kinematics;
 use crate::simulation::ReplayRecord;
 use crate::spatial::{Pose, Twist, Wrench};
-use crate::state::{EnergyLedger, JointState, State, StepReport, Velocities};
+use crate::state::{EnergyLedger, JointState, SharedState, State, StepReport, Velocities};
 use crate::step::Workspace;
 use std::sync::Arc;
 
@@ -17,10 +17,10 @@ use std::sync::Arc;
 #[derive(Debug)]
 pub struct Simulation {
     pub(super) scene: Arc<Scene>,
-    pub(super) state: State,
+    pub(super) state: SharedState,
     pub(super) workspace: Workspace,
     /// Where the last communication step came from.
-    pub(super) replay: Option<Box<ReplayRecord>>,
+    pub(super) replay: Option<Arc<ReplayRecord>>,
 }
 
 impl Simulation {
@@ -159,7 +159,8 @@ impl Simulation {
         self.state.mean_wrenches[b]
     }
 
-    /// Weight, inertial forces and point loads on all spheres \[N\], averaged over the last communication step: impulse / h.
+    /// Weight, inertial forces, point loads and applied forces on all spheres \[N\], averaged over the last communication step:
+    /// impulse / h.
     #[must_use]
     pub fn mean_body_force(&self) -> Vec3 {
         self.state.mean_body_force

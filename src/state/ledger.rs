@@ -17,7 +17,7 @@ pub struct EnergyLedger {
     pub boundaries: f64,
     /// Potential energy that spheres and driven bodies got because gravity changed with time.
     pub gravity: f64,
-    /// Work of point loads on the spheres, and of all loads but gravity on driven bodies.
+    /// Work of point loads and applied forces on the spheres, and of all loads but gravity on driven bodies.
     pub loads: f64,
     /// Work of the dampers of driven bodies: at most zero.
     pub dampers: f64,

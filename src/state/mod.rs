@@ -3,6 +3,7 @@
 mod body;
 mod ledger;
 mod report;
+mod shared;
 mod step_control;
 mod velocities;
 mod walls;
@@ -11,6 +12,7 @@ pub(crate) use body::BodyState;
 pub use body::JointState;
 pub use ledger::EnergyLedger;
 pub use report::{Squeezed, StepReport};
+pub use shared::SharedState;
 pub(crate) use step_control::StepControl;
 pub use velocities::Velocities;
 pub(crate) use walls::TriangleLoads;
@@ -52,7 +54,9 @@ pub struct State {
     pub smooth: Vec<SpatialVector>,
     /// The part of `smooth` that is by external forces, `[N]`; empty unless the frame rotates.
     pub external: Vec<SpatialVector>,
-    /// Weight, inertial forces and point loads on all spheres in the last internal step \[N\].
+    /// Forces applied from outside at the centres of the spheres \[N\], `[N]`; empty where all are zero.
+    pub applied_forces: Vec<Vec3>,
+    /// Weight, inertial forces, point loads and applied forces on all spheres in the last internal step \[N\].
     pub body_force: Vec3,
     /// The same averaged over the last communication step \[N\].
     pub mean_body_force: Vec3,
@@ -126,8 +130,8 @@ macro_rules! clone_in_place {
 }
 
 clone_in_place! {
-    time last_step gravity kinematics smooth external body_force mean_body_force contacts springs
-    poses twists bodies commands rates wrenches smooth_wrenches mean_wrenches owed walls work reserves
+    time last_step gravity kinematics smooth external applied_forces body_force mean_body_force contacts
+    springs poses twists bodies commands rates wrenches smooth_wrenches mean_wrenches owed walls work reserves
     emitted removed passed flow initial_overlap penalty report control calm
 }
 
@@ -159,6 +163,7 @@ impl State {
             && self.walls.fits(scene)
             && others.iter().all(|(found, wanted)| found == wanted)
             && [0, spheres].contains(&self.external.len())
+            && [0, spheres].contains(&self.applied_forces.len())
             && [0, boundaries].contains(&self.rates.len())
             && [0, spheres].contains(&self.calm.len())
             && (f64::MIN_POSITIVE..=scene.settings.step).contains(&self.control.step)
@@ -175,15 +180,6 @@ impl State {
     /// Wakes all spheres.
     pub(crate) fn wake(&mut self) {
         self.calm.fill(0);
-    }
-
-    /// A copy, in the `memory` of another state if there is one.
-    pub(crate) fn copied_into(&self, memory: Option<Self>) -> Self {
-        let Some(mut copy) = memory else {
-            return self.clone();
-        };
-        copy.clone_from(self);
-        copy
     }
 
     /// Gravity \[m/s^2\] at time `t` \[s\].

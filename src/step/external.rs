@@ -1,4 +1,4 @@
-//! Accelerations by external forces: gravity, point loads, and the inertial forces of a rotating frame.
+//! Accelerations by external forces: gravity, point loads, forces applied from outside, and the inertial forces of a rotating frame.
 
 use crate::Vec3;
 use crate::integrator::Integrator;
@@ -18,7 +18,7 @@ pub(super) fn acceleration(
     (gravity, dt): (Vec3, f64),
     external: &mut Vec<SpatialVector>,
 ) {
-    external_acceleration(scene, kinematics, gravity, external);
+    external_acceleration(scene, state, kinematics, gravity, external);
     let Some(frame) = scene.settings.rotating_frame else {
         return;
     };
@@ -43,14 +43,10 @@ pub(super) fn acceleration(
     }
 }
 
-/// External acceleration at the moment of `kinematics`, `[N]`.
-pub(super) fn at_start(
-    scene: &Scene,
-    kinematics: &Kinematics,
-    gravity: Vec3,
-) -> Vec<SpatialVector> {
-    let mut external = Vec::new();
-    external_acceleration(scene, kinematics, gravity, &mut external);
+/// External acceleration at the moment of `state`, `[N]`.
+pub(super) fn at_start(scene: &Scene, state: &State, gravity: Vec3) -> Vec<SpatialVector> {
+    let (mut external, kinematics) = (Vec::new(), &state.kinematics);
+    external_acceleration(scene, state, kinematics, gravity, &mut external);
     for (i, external) in external.iter_mut().enumerate() {
         if kinematics.present[i] {
             *external = external.plus(&inertial(scene, kinematics, i), 1.0);
@@ -89,6 +85,9 @@ pub(crate) fn release(scene: &Scene, state: &mut State, i: usize) {
     let [shifts, _] = scene.particles.free(i);
     let mut external = inertial(scene, &state.kinematics, i);
     external.linear += gravity.component_mul(&shifts);
+    if let Some(force) = state.applied_forces.get(i) {
+        external.linear += scene.particles.inverse_mass(i).component_mul(force);
+    }
     state.smooth[i] = external;
     if let Some(own) = state.external.get_mut(i) {
         *own = external;
@@ -123,9 +122,10 @@ pub fn mean_acceleration(
     if mass > 0.0 { force / mass } else { 0.0 }
 }
 
-/// Into `external` the acceleration of every sphere by gravity and point loads, `[N]`; zero where locked or absent.
+/// Into `external` the acceleration of every sphere by gravity, point loads and applied forces, `[N]`; zero where locked or absent.
 pub fn external_acceleration(
     scene: &Scene,
+    state: &State,
     kinematics: &Kinematics,
     gravity: Vec3,
     external: &mut Vec<SpatialVector>,
@@ -148,5 +148,10 @@ pub fn external_acceleration(
         let arm = kinematics.orientation[i] * load.arm;
         let force = JacobianBlock::Point(arm).momentum(load.force);
         external[i] = external[i].plus(&w.component_mul(&force), 1.0);
+    }
+    for (i, force) in state.applied_forces.iter().enumerate() {
+        if kinematics.present[i] {
+            external[i].linear += particles.inverse_mass(i).component_mul(force);
+        }
     }
 }

@@ -150,7 +150,7 @@ impl<'a> Prediction<'a> {
     /// For the forces at the time of `state`, of the length `dt` \[s\].
     pub(super) fn at_rest(scene: &'a Scene, state: &State, dt: f64) -> Self {
         let gravity = state.gravity_at(scene, state.time);
-        let external = external::at_start(scene, &state.kinematics, gravity);
+        let external = external::at_start(scene, state, gravity);
         let bodies = BodyPrediction::all(scene, state, &state.commands, dt);
         Self {
             scene,

@@ -30,6 +30,7 @@ fn bed(folder: &Path, name: &str, edit: impl FnOnce(&mut String)) -> Fmu {
     let (scene, fmu): (PathBuf, PathBuf) = (folder.join(name), folder.join("bed.fmu"));
     fs::write(&scene, text).unwrap();
     let contents = Contents {
+        smoke_test: None,
         scene: &scene,
         values: &[],
         start: None,

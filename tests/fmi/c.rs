@@ -315,12 +315,19 @@ impl Instance<'_> {
         assert!(state.is_null());
     }
 
-    /// The serialized state.
+    /// The serialized state of now.
     pub(crate) fn bytes(&self) -> Vec<u8> {
         let state = self.state();
+        let bytes = self.serialized(state);
+        self.free(state);
+        bytes
+    }
+
+    /// A saved state as bytes.
+    pub(crate) fn serialized(&self, state: Handle) -> Vec<u8> {
         let mut size = 0;
         // SAFETY: the places are valid, the buffer has the length that is passed.
-        let bytes = unsafe {
+        unsafe {
             assert_eq!(
                 (self.f().fmi2SerializedFMUstateSize)(self.handle, state, &raw mut size),
                 OK
@@ -336,9 +343,7 @@ impl Instance<'_> {
                 OK
             );
             bytes
-        };
-        self.free(state);
-        bytes
+        }
     }
 
     /// Deserializes and restores.

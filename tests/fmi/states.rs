@@ -49,6 +49,42 @@ fn step_restore_step_gives_the_same_bytes() {
     instance.free(saved);
 }
 
+/// States live through later steps, several at once; each goes on as the run did, in whatever order they are restored.
+#[test]
+fn several_states_are_held_at_once() {
+    let scene = box_scene();
+    let (instance, other) = (scene.instance(), scene.instance());
+    instance.initialize();
+    let (mut kept, mut done) = (Vec::new(), 0);
+    for at in [2, 5, 8] {
+        drive(&scene, &instance, done, at);
+        kept.push((at, instance.state(), instance.bytes()));
+        done = at;
+    }
+    drive(&scene, &instance, done, 12);
+    let end = instance.bytes();
+    for k in [1, 0, 2, 1] {
+        let (at, state, bytes) = &kept[k];
+        assert_eq!(instance.serialized(*state), *bytes);
+        for instance in [&instance, &other] {
+            assert_eq!(instance.restore(*state), OK, "{:?}", instance.log());
+            assert_eq!(instance.bytes(), *bytes);
+            drive(&scene, instance, *at, 12);
+            assert_eq!(instance.bytes(), end);
+        }
+    }
+    // One that is freed takes nothing from the others.
+    let (_, first, _) = kept.remove(0);
+    instance.free(first);
+    for (at, state, bytes) in kept {
+        assert_eq!(instance.serialized(state), bytes);
+        assert_eq!(instance.restore(state), OK);
+        instance.free(state);
+        drive(&scene, &instance, at, 12);
+        assert_eq!(instance.bytes(), end);
+    }
+}
+
 #[test]
 fn every_stage_can_be_saved() {
     let scene = box_scene();

@@ -80,6 +80,8 @@ static void *live(void *argument) {
         CHECK(fmu->step(all[i], 2e-3, 2e-3, 0));
         CHECK(fmu->set_state(all[i], copy));
         CHECK(fmu->step(all[i], 2e-3, 2e-3, 0));
+        CHECK(fmu->set_state(all[i], state));
+        CHECK(fmu->step(all[i], 2e-3, 2e-3, 0));
         CHECK(fmu->free_state(all[i], &state));
         CHECK(fmu->free_state(all[i], &copy));
         /* A call that is refused leaves nothing either: a step from the wrong time. */

@@ -119,6 +119,29 @@ def test_press_driver(fmus, tmp_path):
     assert float(off) <= 1e-6
 
 
+def test_beads_in_a_fluid(units, tmp_path):
+    """Drag computed in Python brings each bead to Stokes' speed; work of drag and buoyancy is what weight and motion lack."""
+    sys.path.insert(0, str(ROOT / "examples/viscous"))
+    from settle import BEADS, STEP, VISCOSITY, G, settle, terminal
+
+    times, heights, velocities, radius, work = settle(units["viscous"], 0.4)
+    mass = BEADS * 4 / 3 * np.pi * radius**3
+    for size in np.unique(radius):
+        # What the speed lacks, by the scheme of Adams and Bashforth, whose first step is Euler's.
+        q = STEP * 6 * np.pi * VISCOSITY * size / (BEADS * 4 / 3 * np.pi * size**3)
+        lack = [terminal(size), (1 - q) * terminal(size)]
+        while len(lack) < len(times):
+            lack.append((1 - 1.5 * q) * lack[-1] + 0.5 * q * lack[-2])
+        expected = np.array(lack) - terminal(size)
+        assert np.abs(velocities[:, radius == size] - expected[:, None]).max() < 1e-10 * terminal(size)
+    fallen = mass * G @ (heights[0] - heights[-1])
+    assert work == pytest.approx(0.5 * mass @ velocities[-1] ** 2 - fallen, rel=1e-3)
+    told = python("examples/viscous/settle.py", "--fmu", units["viscous"], "--stop", 1, "--output", tmp_path / "viscous.png")
+    assert (tmp_path / "viscous.png").stat().st_size > 10_000
+    off = re.findall(r"off by (\S+) at", told)
+    assert len(off) == 2 and all(float(one) < 1e-9 for one in off)
+
+
 def test_feeder_driver(fmus, tmp_path):
     """Material is conveyed, and the reaction carries its weight on average."""
     python("examples/feeder/drive.py", "--fmu", fmus["feeder"], "--stop", 1.6, "--output", tmp_path)

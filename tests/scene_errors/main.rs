@@ -107,6 +107,7 @@ const CASES: &[Case] = cases! {
     "r0 = 1.0" => "r0 = [1.0]", "boundary[1].faces[1].cone.r0", "r0 = [1.0]", "found a list of 1 entry, expected a number >= 0 (in m)";
     "lock = [\"rx\", \"y\"]" => "lock = 3", "spheres[1].lock", "lock = 3", "found 3, expected \"x\", \"y\"";
     "[output]\n" => "[output]\nfloat64 = 1\n", "output.float64", "float64 = 1", "found 1, expected true or false";
+    "[output]\n" => "[fmu]\napplied_forces = 1\n[output]\n", "fmu.applied_forces", "applied_forces = 1", "found 1, expected true or false";
     "title = \"box\"" => "title = 3", "title", "title = 3", "found 3, expected a string in quotes";
     "title = \"box\"" => "license = 3", "license", "license = 3", "found 3, expected a string in quotes";
     "title = \"box\"" => "title = \"a\\u001b[31mb\"", "title", "title = ", "found \"a\\u{1b}[31mb\", expected a text without control characters";

@@ -3,6 +3,7 @@
 
 #![allow(unreachable_pub, reason = "a test crate has no outside")]
 
+mod applied_forces;
 mod axes;
 mod belts;
 mod compliant;

@@ -376,7 +376,9 @@ impl Run {
         }
         let mass = scene.particles.mass.iter();
         let weight: Vec3 = mass.map(|m| self.simulation.gravity() * *m).sum();
-        let loads: Vec3 = scene.loads.iter().map(|load| load.force).sum();
+        let applied = self.simulation.state().applied_forces.iter();
+        let loads = scene.loads.iter().map(|load| &load.force);
+        let loads: Vec3 = loads.chain(applied).sum();
         let body_force = self.simulation.mean_body_force();
         let settings = &scene.settings;
         let constant = settings.gravity_motion == GravityMotion::Fixed

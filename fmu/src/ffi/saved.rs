@@ -1,12 +1,14 @@
-//! Saved states: an `fmi2FMUstate` or `fmi3FMUState` points to the bytes that its serialized form has. The two versions
-//! share them.
+//! Saved states: an `fmi2FMUstate` or `fmi3FMUState` points to a state in memory, or to the bytes that it was made of. The two
+//! versions share them.
 
+use std::cell::OnceCell;
 use std::ffi::c_void;
 
 use sphere_dda_fmi_interface::handle;
 use sphere_dda_fmi_interface::pointers::BadArgument;
 
 use super::guard::{Stages, Status, lend};
+use crate::runtime::instance::{Instance, Kept};
 use crate::runtime::life_cycle::LifeCycle;
 use crate::runtime::refusal::Refusal;
 
@@ -23,19 +25,40 @@ pub(super) const SAVEABLE: Stages = &[
 pub(super) type CallSite<'a> = (*mut c_void, &'a str, Stages);
 
 /// What an `fmi2FMUstate` or `fmi3FMUState` points to.
-struct Saved(Vec<u8>);
+enum Saved {
+    /// A state in memory, and its serialized form once that is asked for.
+    Kept(Box<Kept>, OnceCell<Vec<u8>>),
+    /// A state that was deserialized.
+    Serialized(Vec<u8>),
+}
 
 impl handle::Kind for Saved {
     const MAGIC: u64 = u64::from_le_bytes(*b"SDDAsave");
 }
 
-/// The saved state behind a pointer.
-fn saved<'a>(state: *mut c_void) -> Result<&'a mut Vec<u8>, Refusal> {
-    // SAFETY: the importer uses a state in one call at a time.
-    match unsafe { handle::look::<Saved>(state) } {
-        Some(saved) => Ok(&mut saved.0),
-        None => Err(none(state)),
+impl Saved {
+    fn of(instance: &Instance) -> Self {
+        Self::Kept(Box::new(instance.keep()), OnceCell::new())
     }
+
+    fn bytes(&self) -> Result<&[u8], Refusal> {
+        match self {
+            Self::Serialized(bytes) => Ok(bytes),
+            Self::Kept(kept, bytes) => match bytes.get() {
+                Some(bytes) => Ok(bytes),
+                None => {
+                    let encoded = kept.encode()?;
+                    Ok(bytes.get_or_init(|| encoded))
+                }
+            },
+        }
+    }
+}
+
+/// The saved state behind a pointer.
+fn saved<'a>(state: *mut c_void) -> Result<&'a mut Saved, Refusal> {
+    // SAFETY: the importer uses a state in one call at a time.
+    unsafe { handle::look::<Saved>(state) }.ok_or_else(|| none(state))
 }
 
 fn none(state: *mut c_void) -> Refusal {
@@ -57,10 +80,9 @@ pub(super) fn get<S: Status>((c, function, allowed): CallSite, state: *mut *mut 
     lend(c, function, allowed, |component, lent| {
         let place = lent.variable(state, "FMUstate")?;
         if place.is_null() {
-            *place = handle::give(Saved(component.instance.save()?));
+            *place = handle::give(Saved::of(&component.instance));
         } else {
-            let old = saved(*place)?;
-            *old = component.instance.save()?;
+            *saved(*place)? = Saved::of(&component.instance);
         }
         Ok(S::OK)
     })
@@ -69,7 +91,10 @@ pub(super) fn get<S: Status>((c, function, allowed): CallSite, state: *mut *mut 
 /// Restores a state.
 pub(super) fn set<S: Status>((c, function, allowed): CallSite, state: *mut c_void) -> S {
     lend(c, function, allowed, |component, _| {
-        component.instance.load(saved(state)?)?;
+        match saved(state)? {
+            Saved::Kept(kept, _) => component.instance.restore(kept)?,
+            Saved::Serialized(bytes) => component.instance.load(bytes)?,
+        }
         Ok(S::OK)
     })
 }
@@ -95,7 +120,7 @@ pub(super) fn size<S: Status>(
     size: *mut usize,
 ) -> S {
     lend(c, function, allowed, |_, lent| {
-        let bytes = saved(state)?.len();
+        let bytes = saved(state)?.bytes()?.len();
         lent.place(size, "size")?.write(bytes);
         Ok(S::OK)
     })
@@ -109,7 +134,7 @@ pub(super) fn serialize<S: Status>(
     size: usize,
 ) -> S {
     lend(c, function, allowed, |_, lent| {
-        let bytes = saved(state)?;
+        let bytes = saved(state)?.bytes()?;
         if size != bytes.len() {
             let expected = "the size of the serialized state";
             return Err(BadArgument {
@@ -136,7 +161,7 @@ pub(super) fn deserialize<S: Status>(
         let bytes = lent.array(serialized, size, "serializedState")?;
         let place = lent.place(state, "FMUstate")?;
         component.instance.verify(bytes)?;
-        place.write(handle::give(Saved(bytes.to_vec())));
+        place.write(handle::give(Saved::Serialized(bytes.to_vec())));
         Ok(S::OK)
     })
 }

@@ -1,4 +1,4 @@
-//! Saved states: the bytes behind `fmi2FMUstate` and its serialized form, which are the same.
+//! Saved states as bytes: the serialized form of an `fmi2FMUstate` or `fmi3FMUState`.
 //!
 //! ```text
 //! bytes     what
@@ -13,6 +13,7 @@
 //! pointers inside, so a state works in another instance and in another process.
 
 use serde::{Deserialize, Serialize};
+use sphere_dda::Vec3;
 use sphere_dda::scene::{Command, CommandDerivatives};
 use sphere_dda::simulation::ReplayRecord;
 use thiserror::Error;
@@ -21,7 +22,7 @@ use crate::runtime::life_cycle::LifeCycle;
 use crate::table::Parameters;
 
 const MAGIC: [u8; 8] = *b"SDDAFMU\0";
-const FORMAT: u32 = 11;
+const FORMAT: u32 = 12;
 const HEADER: usize = 24;
 
 /// Everything an instance holds beside the simulation.
@@ -47,6 +48,8 @@ pub struct InstanceState {
     pub commands: Vec<Command>,
     /// Their derivatives by time, for the next step; `[B]`.
     pub rates: Vec<CommandDerivatives>,
+    /// Forces applied at the centres of the spheres \[N\], `[N]`; empty unless the scene asks for the input.
+    pub forces: Vec<Vec3>,
     /// Something was set since the simulation was prepared (initialization) or advanced (stepping).
     pub pending: bool,
     /// Length \[s\] of the step that could not be taken from here.
@@ -97,9 +100,11 @@ impl SavedState {
     /// [`StateError::Format`].
     pub fn check(&self, own: &InstanceState) -> Result<(), StateError> {
         let (run, boundaries, parameters) = (&self.run, own.commands.len(), own.values.len());
+        let forces = own.forces.len();
         for (what, found, expected) in [
             ("number of commands", run.commands.len(), boundaries),
             ("number of derivatives", run.rates.len(), boundaries),
+            ("number of forces", run.forces.len(), forces),
             ("number of values", run.values.len(), parameters),
             ("number of values at the start", run.built.len(), parameters),
             ("number of values in steps", run.stepped.len(), parameters),
@@ -107,14 +112,7 @@ impl SavedState {
             expect(what, found as u64, expected as u64)?;
         }
         let stage = self.run.stage;
-        if matches!(stage, LifeCycle::Error | LifeCycle::Intermediate) {
-            let expected = "one in which a state can be saved";
-            return Err(broken(
-                "place in the life cycle",
-                stage.to_string(),
-                expected,
-            ));
-        }
+        check_stage(stage)?;
         let running = matches!(stage, LifeCycle::StepComplete | LifeCycle::StepFailed);
         if running && self.snapshot.is_none() {
             return Err(broken("simulation", "none".to_owned(), "one"));
@@ -180,6 +178,19 @@ impl SavedState {
         }
         Ok(saved)
     }
+}
+
+/// Whether an instance can go on from a state of this place in the life cycle.
+pub(super) fn check_stage(stage: LifeCycle) -> Result<(), StateError> {
+    if matches!(stage, LifeCycle::Error | LifeCycle::Intermediate) {
+        let expected = "one in which a state can be saved";
+        return Err(broken(
+            "place in the life cycle",
+            stage.to_string(),
+            expected,
+        ));
+    }
+    Ok(())
 }
 
 fn part<const N: usize>(bytes: &[u8]) -> Result<([u8; N], &[u8]), StateError> {

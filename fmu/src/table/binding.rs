@@ -34,6 +34,8 @@ pub enum Binding {
     Contacts(ContactField),
     /// All loaded contacts as one binary.
     ContactsDocument,
+    /// Forces applied at the centres of all spheres \[N\].
+    AppliedForces,
     /// Corners of the triangles of a boundary.
     WallCorners(usize),
     /// What they feel.

@@ -11,6 +11,7 @@
 //! | `x`                | `[k]` or none     | time, a parameter, an input, measured                           |
 //! | `boundaries.x`     | `[B, k]` or `[B]` | `boundary.NAME.x` of all boundaries, in their order             |
 //! | `spheres.*`        | `[N, k]` or `[N]` | all spheres: [`Field`]                                          |
+//! | `spheres.appliedForce` | `[N, 3]`     | input, if the scene asks for it                                 |
 //! | `spheres.document` | none              | all spheres as one binary: [`crate::runtime::document`]         |
 //! | `contacts.*`       | `[K, k]` or `[K]` | loaded contacts, if the scene asks for it: [`ContactField`]     |
 //! | `contacts.document`| none              | all of them as one binary: [`crate::runtime::contacts`]         |
@@ -92,7 +93,7 @@ impl Table {
         });
         let scalars = scalars.collect();
         variables.extend(over_boundaries(&variables, scene.boundaries.len()));
-        variables.extend(spheres::spheres(scene.particles.len()));
+        variables.extend(spheres::spheres(scene));
         variables.extend(contacts::contacts(scene));
         variables.extend(walls::walls(scene));
         if let Some(patterns) = &scene.exposed.outputs {

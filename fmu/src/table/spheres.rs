@@ -1,7 +1,8 @@
 //! The spheres as a whole: arrays that FMI 3.0 has.
 
+use sphere_dda::scene::Scene;
 use sphere_dda_model_description::fmi2::Causality;
-use sphere_dda_model_description::value::ScalarType;
+use sphere_dda_model_description::value::{ScalarType, Value};
 
 use super::binding::{Binding, Field};
 use super::variable::Variable;
@@ -26,8 +27,9 @@ const ROWS: [Row; 7] = [
     (Field::AngularVelocity, "angularVelocity", ScalarType::Float64, Some("rad/s"), "Angular velocity, world axes"),
 ];
 
-/// The arrays over `spheres` spheres.
-pub(super) fn spheres(spheres: usize) -> Vec<Variable> {
+/// The arrays over all spheres, with the input of forces if the scene asks for it.
+pub(super) fn spheres(scene: &Scene) -> Vec<Variable> {
+    let spheres = scene.particles.len();
     if spheres == 0 {
         return Vec::new();
     }
@@ -53,5 +55,18 @@ pub(super) fn spheres(spheres: usize) -> Vec<Variable> {
         Binding::Document,
         "All spheres in one binary",
     );
-    ROWS.into_iter().map(variable).chain([document]).collect()
+    let forces = scene.exposed.applied_forces.then(|| Variable {
+        unit: Some("N"),
+        dims: vec![spheres, 3],
+        start: vec![Value::Real(0.0); 3 * spheres],
+        ..Variable::new(
+            "spheres.appliedForce",
+            ScalarType::Float64,
+            Causality::Input,
+            Binding::AppliedForces,
+            "Force at the centre, world axes, held over the communication step",
+        )
+    });
+    let rows = ROWS.into_iter().map(variable);
+    rows.chain([document]).chain(forces).collect()
 }

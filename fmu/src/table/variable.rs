@@ -98,6 +98,7 @@ impl Variable {
                 | Binding::Parameter(_)
                 | Binding::SceneParameter(_)
                 | Binding::Input { .. }
+                | Binding::AppliedForces
         )
     }
 

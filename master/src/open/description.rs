@@ -69,6 +69,15 @@ impl Description {
         }
     }
 
+    /// Whether a tool whose name begins with `name` has made it, as it says itself.
+    pub(crate) fn is_of(&self, name: &str) -> bool {
+        let tool = match self {
+            Self::Two(description) => &description.generation_tool,
+            Self::Three(description) => &description.generation_tool,
+        };
+        tool.as_deref().is_some_and(|tool| tool.starts_with(name))
+    }
+
     /// The suggested experiment.
     pub fn experiment(&self) -> DefaultExperiment {
         match self {

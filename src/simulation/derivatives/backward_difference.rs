@@ -13,14 +13,14 @@ use crate::contact::history;
 use crate::error::StepError;
 use crate::simulation::ReplayRecord;
 use crate::spatial::{Wrench, turned};
-use crate::state::{EnergyLedger, State};
+use crate::state::{EnergyLedger, SharedState, State};
 
 /// How far the state moves on, over the last internal step \[-\].
 const SHARE: f64 = 1e-2;
 
 /// What changes by differences: the state before the last internal step, and which boundaries had an impact.
 struct BeforeLastStep {
-    before: State,
+    before: SharedState,
     /// In one of the last two internal steps, `[B]`.
     struck: Vec<bool>,
     /// In the communication step, `[B]`.
@@ -77,7 +77,7 @@ impl Simulation {
     }
 
     /// The state `eta` \[s\] later along its rates.
-    fn drifted(&self, past: Option<&BeforeLastStep>, eta: f64) -> State {
+    fn drifted(&self, past: Option<&BeforeLastStep>, eta: f64) -> SharedState {
         let mut state = self.state.clone();
         state.time += eta;
         let kinematics = &mut state.kinematics;
@@ -91,9 +91,10 @@ impl Simulation {
         for (b, pose) in state.poses.iter_mut().enumerate() {
             *pose = pose.advanced(&self.boundary_twist(b), eta);
         }
-        for ((b, body), carried) in self.scene.driven().zip(&mut state.bodies) {
+        let now = &mut *state;
+        for ((b, body), carried) in self.scene.driven().zip(&mut now.bodies) {
             carried.momentum = carried.momentum.plus(&carried.smooth, eta);
-            carried.joint_position = body.joint_position(&state.poses[b], carried.joint_position);
+            carried.joint_position = body.joint_position(&now.poses[b], carried.joint_position);
         }
         let flows = state.passed.iter_mut().zip(&self.state.flow);
         flows.for_each(|(passed, flow)| *passed += flow * eta);

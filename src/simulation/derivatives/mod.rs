@@ -11,6 +11,8 @@ mod sensitivity;
 
 pub use sensitivity::Direction;
 
+use std::sync::Arc;
+
 use super::Simulation;
 use crate::error::{SnapshotError, StepError};
 use crate::simulation::ReplayRecord;
@@ -50,7 +52,7 @@ impl Simulation {
             }
         }
         self.restore(blob)?;
-        self.replay = replay.map(Box::new);
+        self.replay = replay.map(Arc::new);
         Ok(())
     }
 }

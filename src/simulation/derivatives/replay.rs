@@ -7,7 +7,7 @@ use crate::error::StepError;
 use crate::simulation::impulse_totals::{Before, ImpulseTotals};
 use crate::simulation::replay_record::Step;
 use crate::simulation::trajectory::Trajectory;
-use crate::state::State;
+use crate::state::{SharedState, State};
 use crate::step::{Effort, Replica, Workspace, start_with_replicas, step_with_replicas};
 use std::sync::Arc;
 
@@ -69,7 +69,7 @@ impl ReplayedSimulation {
 
 impl Simulation {
     /// A simulation of the same scene in another state.
-    pub(super) fn at(&self, state: State) -> Self {
+    pub(super) fn at(&self, state: SharedState) -> Self {
         Self {
             scene: Arc::clone(&self.scene),
             state,
@@ -100,7 +100,7 @@ impl Simulation {
         &self,
         replay: &Step,
         pairs: &mut [[ReplayedSimulation; 2]],
-        mut see: impl FnMut(&State, &Self),
+        mut see: impl FnMut(&SharedState, &Self),
     ) -> Result<Self, StepError> {
         let scene = &self.scene;
         let mut again = ReplayedSimulation::of(self, replay, replay.trajectory.clone());

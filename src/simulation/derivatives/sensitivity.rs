@@ -76,7 +76,7 @@ impl Simulation {
                     .collect();
                 let mut states: Vec<[&mut State; 2]> = pairs
                     .iter_mut()
-                    .map(|pair| pair.each_mut().map(|simulation| &mut simulation.state))
+                    .map(|pair| pair.each_mut().map(|simulation| &mut *simulation.state))
                     .collect();
                 self.start_again(state, &mut states)?;
                 pairs

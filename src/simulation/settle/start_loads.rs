@@ -26,7 +26,7 @@ impl StartLoads {
         let (scene, state) = (&simulation.scene, &simulation.state);
         let mut external = Vec::new();
         let gravity = simulation.gravity();
-        external_acceleration(scene, &state.kinematics, gravity, &mut external);
+        external_acceleration(scene, state, &state.kinematics, gravity, &mut external);
         let present = |i: &usize| state.kinematics.present[*i];
         let (mut force, mut mass) = (0.0, 0.0);
         for i in (0..external.len()).filter(present) {

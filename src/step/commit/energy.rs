@@ -53,6 +53,9 @@ impl Solved<'_> {
             let arm = self.prediction().kinematics.orientation[load.sphere] * load.arm;
             state.work.loads += step * load.force.dot(&self.solution.velocity[load.sphere].at(arm));
         }
+        let applied = state.applied_forces.iter().zip(&self.solution.velocity);
+        let power: f64 = applied.map(|(force, v)| force.dot(&v.linear)).sum();
+        state.work.loads += step * power;
     }
 
     /// Where the spheres end and the boundaries with `poses`, if some contacts give way.

@@ -19,6 +19,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Arc;
 
+use sphere_dda::Vec3;
 use sphere_dda::contact::Contact;
 use sphere_dda::error::StepError;
 use sphere_dda::scene::{Boundary, CommandDerivatives, Scene};
@@ -35,6 +36,7 @@ use sphere_dda_fmi_interface::log::{Level, Log};
 use sphere_dda_fmi_interface::pointers::BadArgument;
 use step_in_progress::StepInProgress;
 
+pub use states::Kept;
 pub use step::Progress;
 pub use values::Call;
 
@@ -390,7 +392,9 @@ impl Instance {
         // A start that is the scene's own is left alone: the FMU then gives the bytes that the library gives.
         let boundaries = &self.base.boundaries;
         let rest = boundaries.iter().map(Boundary::rest);
-        if gravity != simulation.state().gravity || !rest.eq(self.run.commands.iter().copied()) {
+        let forced = self.run.forces.iter().any(|f| *f != Vec3::zeros());
+        let moved = !rest.eq(self.run.commands.iter().copied());
+        if gravity != simulation.state().gravity || moved || forced {
             simulation.set_gravity(gravity)?;
             command(&mut simulation, &self.run)?;
             simulation.place()?;
@@ -415,17 +419,24 @@ fn initial(model: &Model) -> InstanceState {
         stepped: values,
         commands: model.scene.boundaries.iter().map(Boundary::rest).collect(),
         rates: vec![CommandDerivatives::default(); model.scene.boundaries.len()],
+        forces: match model.scene.exposed.applied_forces {
+            true => vec![Vec3::zeros(); model.scene.particles.len()],
+            false => Vec::new(),
+        },
         pending: false,
         failed: None,
     }
 }
 
-/// Hands the commands of all driven boundaries to the simulation.
+/// Hands the commands of all driven boundaries and the forces on the spheres to the simulation.
 fn command(simulation: &mut Simulation, run: &InstanceState) -> Result<(), StepError> {
     for (b, (&command, &rates)) in run.commands.iter().zip(&run.rates).enumerate() {
         if simulation.scene().boundaries[b].is_commanded() {
             simulation.command_along(b, command, rates)?;
         }
+    }
+    if !run.forces.is_empty() {
+        simulation.apply_forces(&run.forces)?;
     }
     Ok(())
 }

@@ -28,6 +28,7 @@ impl Instance {
         let end = self.check_step(point, h)?;
         let start = self.run.start;
         let commands = self.run.commands.clone();
+        let forces = self.run.forces.clone();
         let communication = self.commanded()?.begin(end - start)?;
         self.step = Some(StepInProgress {
             communication,
@@ -35,6 +36,7 @@ impl Instance {
             h,
             end,
             commands,
+            forces,
         });
         Ok(())
     }
@@ -65,7 +67,7 @@ impl Instance {
             Err(error) => {
                 self.run.stage = LifeCycle::StepComplete;
                 self.run.time = step.point;
-                self.run.commands = step.commands;
+                (self.run.commands, self.run.forces) = (step.commands, step.forces);
                 match self.concluded(Err(error), step.h, step.end)? {
                     Step::Discarded(error) => Ok(Progress::Discarded(error)),
                     Step::Complete => Err(self.no_step()),

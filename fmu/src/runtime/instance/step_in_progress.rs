@@ -1,5 +1,6 @@
 //! A communication step under way.
 
+use sphere_dda::Vec3;
 use sphere_dda::scene::Command;
 use sphere_dda::simulation::CommunicationStep;
 
@@ -11,4 +12,6 @@ pub(super) struct StepInProgress {
     pub(super) end: f64,
     /// As they were at its beginning.
     pub(super) commands: Vec<Command>,
+    /// Likewise.
+    pub(super) forces: Vec<Vec3>,
 }

@@ -168,6 +168,7 @@ impl Instance {
                 let mut command = self.run.commands[boundary];
                 Value::Real(*input.of(&mut command, k))
             }
+            Binding::AppliedForces => Value::Real(self.run.forces[k / 3][k % 3]),
             Binding::Time => Value::Real(self.run.time),
             _ => {
                 let outputs = self.measured.outputs.as_deref().unwrap_or_default();
@@ -243,6 +244,9 @@ impl Instance {
                     for rate in &mut self.run.rates[*boundary] {
                         *input.of(rate, k) = 0.0;
                     }
+                }
+                (Binding::AppliedForces, Value::Real(value)) => {
+                    self.run.forces[k / 3][k % 3] = value;
                 }
                 (Binding::SceneParameter(_), _) => {}
                 _ => continue,
