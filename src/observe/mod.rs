@@ -12,6 +12,7 @@ pub mod sensors;
 pub mod walls;
 
 use crate::Vec3;
+use crate::contact::cohesion::Hold;
 use crate::contact::{Contact, Partner};
 use crate::scene::Scene;
 use crate::scene::particles::Kinematics;
@@ -110,11 +111,11 @@ impl<'a> Observation<'a> {
         present.filter(|(_, is)| **is).map(|(i, _)| i)
     }
 
-    /// Contacts that carry a force or overlap.
+    /// Contacts that carry a force, overlap or hold.
     pub fn active_contacts(&self) -> impl Iterator<Item = &Contact> {
-        self.contacts
-            .iter()
-            .filter(|contact| contact.gap < 0.0 || contact.force != Vec3::zeros())
+        self.contacts.iter().filter(|contact| {
+            contact.gap < 0.0 || contact.force != Vec3::zeros() || contact.hold != Hold::Loose
+        })
     }
 
     /// Closest point \[m\] on body B, of the copies that touch, beside the centre of body A.
