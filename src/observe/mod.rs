@@ -66,6 +66,8 @@ pub struct Observation<'a> {
     pub removed: &'a [f64],
     /// What the triangles of boundaries have felt: [`walls`].
     pub walls: &'a Walls,
+    /// Bonds that have broken since t = 0.
+    pub broken_bonds: u64,
     /// Work since t = 0.
     pub work: EnergyLedger,
     /// Report of the last communication step.
@@ -100,6 +102,7 @@ impl<'a> Observation<'a> {
             emitted: &simulation.state().emitted,
             removed: &simulation.state().removed,
             walls: &simulation.state().walls,
+            broken_bonds: simulation.state().broken_bonds,
             work: *simulation.work(),
             report: *simulation.report(),
         }

@@ -92,11 +92,6 @@ impl PairTable {
         pairs.any(|pair| pair.cohesion.is_some() || pair.bond.is_some())
     }
 
-    /// Whether any pair is bonded.
-    pub(crate) fn bonds(&self) -> bool {
-        self.pairs.iter().any(|pair| pair.bond.is_some())
-    }
-
     /// Largest gap \[m\] at which an attached contact attracts.
     pub(crate) fn rupture_distance(&self) -> f64 {
         let cohesion = self.pairs.iter().filter_map(|pair| pair.cohesion);

@@ -5,6 +5,7 @@
 
 mod axes;
 mod belts;
+mod cohesion;
 mod compliant;
 mod contact_statics;
 mod convergence;
