@@ -22,6 +22,7 @@ STOP = {
     "triaxial": 0.2,
     "chute": 0.8,
     "press": 0.45,
+    "wet_heap": 0.4,
 }
 
 
@@ -117,6 +118,17 @@ def test_press_driver(fmus, tmp_path):
     force, compressed, off = re.search(r"(\S+) kN, beads compressed by (\S+) R, off by (\S+) R", told).groups()
     assert float(force) > 1 and 1e-3 < float(compressed) < 0.1
     assert float(off) <= 1e-6
+
+
+def test_wet_heap_driver(units, tmp_path):
+    """Wet grains heap up steeper the more they hold together; without cohesion both heaps are alike."""
+    told = python("examples/wet_heap/heap.py", "--fmu", units["wet_heap"], "--bond", 0, 10, "--output", tmp_path / "heap.png")
+    assert (tmp_path / "heap.png").stat().st_size > 10_000
+    runs = re.findall(r"wet (\S+) deg, dry (\S+) deg, overlap (\S+) R", told)
+    (none, dry), (wet, beside) = [[float(angle) for angle in run[:2]] for run in runs]
+    assert abs(none - dry) < 6 and abs(beside - dry) < 6
+    assert wet > dry + 20
+    assert all(float(run[2]) <= 1e-4 for run in runs)
 
 
 def test_feeder_driver(fmus, tmp_path):

@@ -6,6 +6,7 @@
 mod axes;
 mod belts;
 mod cohesion;
+mod cohesion_scenes;
 mod compliant;
 mod contact_statics;
 mod convergence;
