@@ -73,7 +73,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--fmu", required=True)
     parser.add_argument("--output", required=True, help="picture (PNG)")
-    parser.add_argument("--bond", nargs="+", type=float, default=[0, 1, 3, 10, 30], help="Bond numbers")
+    parser.add_argument("--bond", nargs="+", type=float, default=[0, 1, 2, 3, 5, 10], help="Bond numbers")
     parser.add_argument("--stop", type=float, default=1.0, help="end [s]")
     given = parser.parse_args()
     wet, dry = [], []

@@ -16,7 +16,7 @@ HEAD = """
 duration = 1.0
 communication_step = "1 ms"
 gravity = [0.0, 0.0, -9.81]
-tolerance = {{ gap = 1e-9, slip = 1e-9, force = 1e-9 }}
+tolerance = {{ gap = 1e-9, slip = 1e-9, force = 1e-9, opening = {opening} }}
 [[material]]
 name = "ball"
 density = 2500.0
@@ -50,11 +50,11 @@ sets = "pair_default.cohesion"
 def export(request, command, tmp_path_factory):
     folder = tmp_path_factory.mktemp("cohesion")
 
-    def unit(name, pair, normal, positions, lock="", more=""):
+    def unit(name, pair, normal, positions, lock="", more="", opening=0):
         path = folder / f"{name}.fmu"
-        text = HEAD.format(pair=pair, normal=normal, positions=positions, lock=lock, last=len(positions) - 1) + more
+        text = HEAD.format(pair=pair, normal=normal, positions=positions, lock=lock, last=len(positions) - 1, opening=opening) + more
         (folder / f"{name}.toml").write_text(text)
-        subprocess.run([command, "export", folder / f"{name}.toml", "--fmi", str(request.param), "-o", path], check=True)
+        subprocess.run([command, "export", folder / f"{name}.toml", "--fmi", str(request.param), "--overwrite", "-o", path], check=True)
         return path
 
     return unit
@@ -91,6 +91,13 @@ def test_pull_off_is_sharp(export):
             assert height < -2 * RADIUS
 
 
+def test_an_allowed_opening_blurs_the_pull_off_by_a_hundredth_of_the_weight(export):
+    """A contact opens to its reserve with a hundredth of gravity, which needs as much force more."""
+    path = export("open", "cohesion = 1.0", [0, 0, -1], [[0, 0, -RADIUS]], more=COHESION, opening=1e-3)
+    for share, holds in ((1.011, 1), (0.999, 0)):
+        assert last(path, [HELD], cohesion=share * WEIGHT) == [holds]
+
+
 def test_a_chain_parts_at_its_top(export):
     """Four grains: the ceiling's contact bears all of them, and parts where it bears less."""
     positions = [[0, 0, -RADIUS * (2 * k + 1)] for k in range(4)]
@@ -105,7 +112,7 @@ def test_a_chain_parts_at_its_top(export):
 def test_a_block_slips_later(export):
     """tan a = mu (1 + f_c/(m g cos a)) at a = 45 degrees: f_c = m g cos a (1/mu - 1)."""
     needed = WEIGHT * np.sqrt(0.5) * (1 / 0.4 - 1)
-    s = np.sqrt(0.5)
+    s = float(np.sqrt(0.5))
     path = export("slope", "cohesion = 1.0", [s, 0, s], [[s * RADIUS, 0, s * RADIUS]], 'lock = ["rotations"]', COHESION)
     for share, moves in ((1.001, False), (0.98, True)):
         (height,) = last(path, [HEIGHT], cohesion=share * needed)
