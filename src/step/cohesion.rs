@@ -157,7 +157,7 @@ impl Assembly<'_> {
     /// Takes what holds the contacts after the step.
     pub(super) fn take_holds(&mut self, after: Vec<Hold>) {
         let bonded = |holds: &[Hold]| holds.iter().filter(|hold| **hold == Hold::Bonded).count();
-        self.broken_bonds = (bonded(&self.holds) - bonded(&after)) as u64;
+        self.broken_bonds = bonded(&self.holds).saturating_sub(bonded(&after)) as u64;
         self.holds = after;
     }
 

@@ -14,7 +14,7 @@ use sphere_dda::scene::{Motion, PointLoad};
 use sphere_dda::spatial::Twist;
 use std::f64::consts::PI;
 
-use crate::support::{Case, G, Run, close};
+use crate::support::{Case, G, Run, close, grid};
 
 const RADIUS: f64 = 0.01;
 
@@ -250,6 +250,36 @@ fn a_cohesive_block_slips_later() {
             true => close(slid, 0.5 * excess * 0.04, 2e-2, slid),
         }
     }
+}
+
+/// A block slides under a ceiling of triangles without friction: it holds on over their edges.
+#[test]
+fn a_block_holds_on_from_triangle_to_triangle() {
+    let at = |i: u32, j: u32| {
+        Vec3::new(
+            f64::from(i) * 2.0 * RADIUS,
+            f64::from(j) * 2.0 * RADIUS,
+            0.0,
+        )
+    };
+    let place = Vec3::new(0.7 * RADIUS, 0.9 * RADIUS, -RADIUS);
+    let mut run = case(0.0)
+        .cohesive(2.0 * mass() * G)
+        .wall(vec![grid(5, 1, at).into()])
+        .body(
+            RADIUS,
+            place,
+            Vec3::x() * 0.3,
+            Vec3::zeros(),
+            Locks::ROTATIONS,
+        )
+        .start();
+    for _ in 0..200 {
+        run.step();
+        assert_eq!(holding(&run), 1, "{}", run.simulation.time());
+        assert!((run.position(0).z + RADIUS).abs() < 1e-12);
+    }
+    close(run.position(0).x, place.x + 0.06, 1e-9, 0.06);
 }
 
 /// Two spheres that turn about each other hold as long as `m w^2 R < f_c`.
