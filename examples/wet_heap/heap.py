@@ -3,7 +3,7 @@
     sphere-dda export examples/wet_heap/wet_heap.toml --fmi 3 -o wet_heap.fmu
     python examples/wet_heap/heap.py --fmu wet_heap.fmu --output wet_heap.png
 
-The cohesion is a parameter of the FMU; the dry heap beside it is the same in every run. Needs fmpy, numpy and matplotlib.
+The cohesion is a parameter of the FMU; the dry heap beside it tells how much runs differ. Needs fmpy, numpy and matplotlib.
 """
 
 import argparse
