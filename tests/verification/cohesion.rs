@@ -252,19 +252,17 @@ fn a_cohesive_block_slips_later() {
     }
 }
 
-/// A block slides under a ceiling of triangles without friction: it holds on over their edges.
+/// A block slides under a ceiling that bends from strip to strip, without friction: it holds on over the edges, whose features change.
 #[test]
 fn a_block_holds_on_from_triangle_to_triangle() {
+    let bend = [0.0, 0.0, 0.02, 0.0, 0.02, 0.02];
     let at = |i: u32, j: u32| {
-        Vec3::new(
-            f64::from(i) * 2.0 * RADIUS,
-            f64::from(j) * 2.0 * RADIUS,
-            0.0,
-        )
+        let [x, y] = [i, j].map(|k| f64::from(k) * 2.0 * RADIUS);
+        Vec3::new(x, y, bend[i as usize] * RADIUS)
     };
     let place = Vec3::new(0.7 * RADIUS, 0.9 * RADIUS, -RADIUS);
     let mut run = case(0.0)
-        .cohesive(2.0 * mass() * G)
+        .cohesive(20.0 * mass() * G)
         .wall(vec![grid(5, 1, at).into()])
         .body(
             RADIUS,
@@ -276,10 +274,9 @@ fn a_block_holds_on_from_triangle_to_triangle() {
         .start();
     for _ in 0..200 {
         run.step();
-        assert_eq!(holding(&run), 1, "{}", run.simulation.time());
-        assert!((run.position(0).z + RADIUS).abs() < 1e-12);
+        assert!(holding(&run) > 0, "{}", run.simulation.time());
     }
-    close(run.position(0).x, place.x + 0.06, 1e-9, 0.06);
+    close(run.position(0).x, place.x + 0.06, 1e-2, 0.06);
 }
 
 /// Two spheres that turn about each other hold as long as `m w^2 R < f_c`.
