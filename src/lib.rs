@@ -42,6 +42,7 @@
 //! | `phi` | friction angle | `friction = tan(phi)` | - |
 //! | - | rolling, twisting resistance `mu_r`, `mu_t` | `rolling_friction`, `twisting_friction` | - |
 //! | - | couple `m` of a resistance | [`contact::Contact::torque`]; its row has `impulse = m dt / radius` | N m |
+//! | - | pull-off force `f_c`, strengths of a bond | [`contact::cohesion`] | N, Pa |
 //! | - | surface velocity of a belt | [`scene::Belt`] | m/s |
 //! | `dt` | time step | `step` | s |
 //! | - | angular velocity `W` of the frame | [`scene::rotating_frame::RotatingFrame`] | rad/s |

@@ -4,9 +4,11 @@ use std::path::Path;
 use std::sync::Arc;
 
 use sphere_dda::contact::Partner;
+use sphere_dda::contact::cohesion::Cohesion;
 use sphere_dda::error::SnapshotError;
 use sphere_dda::formats::snapshot::spheres;
 use sphere_dda::scene::Scene;
+use sphere_dda::scene::materials::Pair;
 use sphere_dda::simulation::Simulation;
 
 /// Communication steps of a run.
@@ -240,6 +242,23 @@ fn any_number_of_threads_gives_the_same_bytes() {
                 .push(initial.position[i] + shift, drift, initial.spin[i]);
         }
     }
+    same_with_any_number_of_threads(&scene);
+    // Sticky ones, whose contacts hold.
+    let ball = scene.particles.material[0];
+    let cohesion = Some(Cohesion {
+        force: 10.0 * scene.particles.mass[0] * 9.81,
+        ..Cohesion::default()
+    });
+    let pair = Pair {
+        cohesion,
+        rolling_friction: 0.1,
+        ..scene.pairs.get(ball, ball)
+    };
+    scene.pairs.set(ball, ball, pair);
+    same_with_any_number_of_threads(&scene);
+}
+
+fn same_with_any_number_of_threads(scene: &Scene) {
     let runs = [1, 2, 3].map(|threads| {
         let mut scene = scene.clone();
         scene.settings.threads = threads;

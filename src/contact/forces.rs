@@ -5,6 +5,7 @@ use std::ops::Deref;
 
 use serde::{Deserialize, Serialize};
 
+use super::cohesion::Hold;
 use super::{ContactForce, ContactId};
 use crate::Vec3;
 
@@ -16,6 +17,8 @@ pub struct ContactForces {
     torques: Vec<Vec3>,
     /// Their springs, `[C]`; empty unless contacts give way.
     springs: Vec<SpringState>,
+    /// What holds them together, `[C]`; empty unless pairs of materials cohere or are bonded.
+    holds: Vec<Hold>,
 }
 
 /// What the spring of a contact goes on with.
@@ -52,6 +55,8 @@ pub(crate) struct Beside {
     pub(crate) torque: Option<Vec3>,
     /// Its spring.
     pub(crate) spring: Option<SpringState>,
+    /// What holds it together.
+    pub(crate) hold: Option<Hold>,
 }
 
 impl ContactForces {
@@ -60,7 +65,14 @@ impl ContactForces {
         Beside {
             torque: self.torques.get(k).copied(),
             spring: self.springs.get(k).copied(),
+            hold: self.holds.get(k).copied(),
         }
+    }
+
+    /// What holds contact `k` together.
+    #[inline]
+    pub(crate) fn hold(&self, k: usize) -> Hold {
+        self.holds.get(k).copied().unwrap_or_default()
     }
 
     /// Couple of rolling and twisting resistance of contact `k` on A \[N m\], mean over the step; its opposite acts on B.
@@ -73,6 +85,7 @@ impl ContactForces {
         self.loads.push(load);
         self.torques.extend(beside.torque);
         self.springs.extend(beside.spring);
+        self.holds.extend(beside.hold);
     }
 
     /// Forgets all contacts, but keeps the memory.
@@ -80,6 +93,7 @@ impl ContactForces {
         self.loads.clear();
         self.torques.clear();
         self.springs.clear();
+        self.holds.clear();
     }
 
     /// Forgets the contacts whose keys are not `kept`.
@@ -90,6 +104,9 @@ impl ContactForces {
         let mut loads = self.loads.iter();
         let mut next = || loads.next().is_some_and(|load| kept(&load.key));
         self.springs.retain(|_| next());
+        let mut loads = self.loads.iter();
+        let mut next = || loads.next().is_some_and(|load| kept(&load.key));
+        self.holds.retain(|_| next());
         self.loads.retain(|load| kept(&load.key));
     }
 
@@ -104,7 +121,7 @@ impl ContactForces {
     /// Whether all that goes with contacts belongs to them.
     pub(crate) fn fits(&self) -> bool {
         let fits = |count: usize| count == 0 || count == self.loads.len();
-        fits(self.torques.len()) && fits(self.springs.len())
+        fits(self.torques.len()) && fits(self.springs.len()) && fits(self.holds.len())
     }
 }
 
@@ -122,6 +139,7 @@ impl Clone for ContactForces {
             loads: self.loads.clone(),
             torques: self.torques.clone(),
             springs: self.springs.clone(),
+            holds: self.holds.clone(),
         }
     }
 
@@ -130,6 +148,7 @@ impl Clone for ContactForces {
         self.loads.clone_from(&other.loads);
         self.torques.clone_from(&other.torques);
         self.springs.clone_from(&other.springs);
+        self.holds.clone_from(&other.holds);
     }
 }
 
@@ -159,6 +178,7 @@ mod tests {
                 Beside {
                     torque: Some(Vec3::x() * f64::from(i)),
                     spring: Some(stretched(f64::from(i))),
+                    hold: None,
                 },
             );
         }

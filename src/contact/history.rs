@@ -1,7 +1,8 @@
 //! Contact transfer: what the last step's contacts hand to the next step's candidates.
 
+use super::cohesion::Hold;
 use super::forces::{ContactForces, SpringState};
-use super::{ContactForce, ContactId};
+use super::{ContactForce, ContactId, Partner};
 use crate::Vec3;
 use crate::problem::law::split;
 
@@ -14,6 +15,8 @@ pub(crate) struct Carried {
     pub(crate) normal: Vec3,
     /// Its spring, if it gave way.
     pub(crate) spring: Option<SpringState>,
+    /// What holds its surfaces together.
+    pub(crate) hold: Hold,
 }
 
 impl Carried {
@@ -65,7 +68,14 @@ impl HistoryIndex {
             force: self.force(contacts),
             normal: load.map_or_else(Vec3::zeros, |load| load.normal),
             spring: contacts.beside(self.0 as usize).spring,
+            hold: self.hold(contacts),
         }
+    }
+
+    /// Likewise what holds its surfaces together.
+    #[inline]
+    pub(crate) fn hold(self, contacts: &ContactForces) -> Hold {
+        contacts.hold(self.0 as usize)
     }
 
     /// Likewise the couple of its resistance on A \[N m\].
@@ -92,6 +102,37 @@ pub(crate) fn transfer(
             HistoryIndex::NONE
         }
     })
+}
+
+/// What the candidate `key` of a boundary goes on with where `own` is none: the attached contact of its sphere with another feature
+/// of this boundary, which the sphere has left for this one. `is_candidate` knows those that it has not.
+pub(crate) fn succeed(
+    contacts: &ContactForces,
+    own: HistoryIndex,
+    key: ContactId,
+    is_candidate: impl Fn(ContactId) -> bool,
+) -> HistoryIndex {
+    let Partner::Boundary { boundary, .. } = key.partner else {
+        return own;
+    };
+    if own != HistoryIndex::NONE {
+        return own;
+    }
+    let first = ContactId {
+        partner: Partner::Boundary {
+            boundary,
+            feature: 0,
+        },
+        ..key
+    };
+    let from = contacts.partition_point(|load| load.key < first);
+    let same = |load: &&ContactForce| match load.key.partner {
+        Partner::Boundary { boundary: b, .. } => load.key.sphere == key.sphere && b == boundary,
+        Partner::Sphere { .. } => false,
+    };
+    let mut left = contacts[from..].iter().take_while(same).zip(from..);
+    let left = left.find(|(load, k)| contacts.hold(*k) != Hold::Loose && !is_candidate(load.key));
+    left.map_or(own, |(_, k)| HistoryIndex(k as u32))
 }
 
 /// Which of `contacts`, which are in canonical order, `key` goes on with.
@@ -122,6 +163,7 @@ mod tests {
             let beside = Beside {
                 torque: Some(Vec3::x() * f),
                 spring: None,
+                hold: None,
             };
             old.push(contact(key, f), beside);
         }

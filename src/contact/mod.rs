@@ -1,5 +1,6 @@
 //! Contacts: who touches whom, with which force, and what goes on from step to step.
 
+pub mod cohesion;
 pub mod elasticity;
 pub(crate) mod forces;
 pub(crate) mod history;
@@ -7,6 +8,7 @@ pub(crate) mod history;
 use serde::{Deserialize, Serialize};
 
 use crate::Vec3;
+use crate::contact::cohesion::Hold;
 use crate::spatial::cell::{HERE, Image};
 
 /// Identity of a contact over steps; its order is the canonical order of contacts.
@@ -82,4 +84,6 @@ pub struct Contact {
     pub force: Vec3,
     /// Couple of rolling and twisting resistance on A \[N m\], likewise; its opposite acts on B.
     pub torque: Vec3,
+    /// What holds its surfaces together.
+    pub hold: Hold,
 }

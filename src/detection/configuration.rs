@@ -1,6 +1,7 @@
 //! Where everything is at one instant, and the pairs there.
 
 use crate::Vec3;
+use crate::contact::cohesion::Hold;
 use crate::contact::{Contact, ContactForce, ContactId, Partner};
 use crate::geometry::ClosestPoint;
 use crate::scene::particles::{Kinematics, Particles};
@@ -150,7 +151,7 @@ impl Configuration<'_> {
     }
 
     /// Where the contact is that carried `load` and `torque` \[N m\].
-    pub(crate) fn contact(&self, load: &ContactForce, torque: Vec3) -> Contact {
+    pub(crate) fn contact(&self, load: &ContactForce, torque: Vec3, hold: Hold) -> Contact {
         let i = load.key.sphere;
         let (point, gap) = match load.key.partner {
             Partner::Sphere { index, image } => {
@@ -173,6 +174,7 @@ impl Configuration<'_> {
             gap,
             force: load.force,
             torque,
+            hold,
         }
     }
 

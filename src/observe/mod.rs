@@ -12,6 +12,7 @@ pub mod sensors;
 pub mod walls;
 
 use crate::Vec3;
+use crate::contact::cohesion::Hold;
 use crate::contact::{Contact, Partner};
 use crate::scene::Scene;
 use crate::scene::particles::Kinematics;
@@ -65,6 +66,8 @@ pub struct Observation<'a> {
     pub removed: &'a [f64],
     /// What the triangles of boundaries have felt: [`walls`].
     pub walls: &'a Walls,
+    /// Bonds that have broken since t = 0.
+    pub broken_bonds: u64,
     /// Work since t = 0.
     pub work: EnergyLedger,
     /// Report of the last communication step.
@@ -99,6 +102,7 @@ impl<'a> Observation<'a> {
             emitted: &simulation.state().emitted,
             removed: &simulation.state().removed,
             walls: &simulation.state().walls,
+            broken_bonds: simulation.state().broken_bonds,
             work: *simulation.work(),
             report: *simulation.report(),
         }
@@ -110,11 +114,11 @@ impl<'a> Observation<'a> {
         present.filter(|(_, is)| **is).map(|(i, _)| i)
     }
 
-    /// Contacts that carry a force or overlap.
+    /// Contacts that carry a force, overlap or hold.
     pub fn active_contacts(&self) -> impl Iterator<Item = &Contact> {
-        self.contacts
-            .iter()
-            .filter(|contact| contact.gap < 0.0 || contact.force != Vec3::zeros())
+        self.contacts.iter().filter(|contact| {
+            contact.gap < 0.0 || contact.force != Vec3::zeros() || contact.hold != Hold::Loose
+        })
     }
 
     /// Closest point \[m\] on body B, of the copies that touch, beside the centre of body A.

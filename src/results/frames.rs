@@ -3,7 +3,7 @@
 //! | series | cells | arrays |
 //! |---|---|---|
 //! | spheres | vertex at the centre | over points: `radius` \[m\], `velocity` \[m/s\], `angular_velocity` \[rad/s\], `force` \[N\] and `torque` \[N m\] of all contacts, `orientation` (w, x, y, z), `id`, `material` |
-//! | contacts | line from centre 1 to centre 2 or to the closest point | over cells: `normal_force` \[N\], `force` on 1 \[N\], `torque` on 1 \[N m\] of rolling and twisting resistance where the scene has any, `overlap` \[m\], `slip` \[m/s\], `id1`, `id2`, `kind` |
+//! | contacts | line from centre 1 to centre 2 or to the closest point | over cells: `normal_force` \[N\], `force` on 1 \[N\], `torque` on 1 \[N m\] of rolling and twisting resistance where the scene has any, `hold` (1 by cohesion, 2 by a bond) where it has any, `overlap` \[m\], `slip` \[m/s\], `id1`, `id2`, `kind` |
 //! | boundaries | triangles | over points: `velocity` \[m/s\]; over cells: `force` \[N\] on the whole boundary, `boundary` (index), and [`walls::FIELDS`] where a boundary has `wall_fields`, zero on all others |
 //!
 //! `kind` is 0 between spheres and 1 on a boundary, `id2` then being the boundary. Readers cannot take a file without
@@ -14,6 +14,7 @@
 use nalgebra::UnitQuaternion;
 
 use crate::Vec3;
+use crate::contact::cohesion::Hold;
 use crate::contact::{Contact, Partner};
 use crate::formats::vtu::{Array, Cell, Grid, Values};
 use crate::observe::loads::Loads;
@@ -186,6 +187,11 @@ pub fn contacts(state: &Observation) -> Grid {
             normal_force: contact.force.dot(&contact.normal),
             force: contact.force,
             torque: contact.torque,
+            hold: match contact.hold {
+                Hold::Loose => 0,
+                Hold::Attached => 1,
+                Hold::Bonded => 2,
+            },
             overlap: (-contact.gap).max(0.0),
             slip: slip(state, contact),
             ids: [a as i32, id2, kind],
@@ -205,6 +211,8 @@ struct ContactRow {
     normal_force: f64,
     force: Vec3,
     torque: Vec3,
+    /// 1: by cohesion, 2: by a bond.
+    hold: i32,
     overlap: f64,
     slip: f64,
     /// `id1`, `id2`, `kind`.
@@ -216,6 +224,7 @@ impl ContactRow {
         normal_force: 0.0,
         force: Vec3::new(0.0, 0.0, 0.0),
         torque: Vec3::new(0.0, 0.0, 0.0),
+        hold: 0,
         overlap: 0.0,
         slip: 0.0,
         ids: [-1, -1, -1],
@@ -233,6 +242,9 @@ fn contact_data(scene: &Scene, rows: &[ContactRow]) -> Vec<Array> {
             "N m",
             rows.iter().map(|row| row.torque),
         ));
+    }
+    if scene.pairs.coheres() {
+        arrays.push(Array::integer("hold", rows.iter().map(|row| row.hold)));
     }
     arrays.extend([
         Array::scalar("overlap", "m", rows.iter().map(|row| row.overlap)),

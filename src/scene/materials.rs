@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::contact::cohesion::{Bond, Cohesion};
 use crate::contact::elasticity::{Elasticity, damping_ratio};
 
 /// A material.
@@ -29,6 +30,10 @@ pub struct Pair {
     pub elasticity: Option<Elasticity>,
     /// Archard's wear coefficient `k` \[1/Pa\], >= 0: a boundary loses the volume `k F_n s` under a normal force that slides by `s`.
     pub wear: f64,
+    /// How the two attract each other once they have touched.
+    pub cohesion: Option<Cohesion>,
+    /// Bonds between what touches at the start.
+    pub bond: Option<Bond>,
 }
 
 /// Symmetric table of [`Pair`]s for `n` materials.
@@ -76,7 +81,21 @@ impl PairTable {
     /// Whether any pair resists rolling or twisting.
     pub(crate) fn resists(&self) -> bool {
         let mut pairs = self.pairs.iter();
-        pairs.any(|pair| pair.rolling_friction > 0.0 || pair.twisting_friction > 0.0)
+        pairs.any(|pair| {
+            pair.rolling_friction > 0.0 || pair.twisting_friction > 0.0 || pair.bond.is_some()
+        })
+    }
+
+    /// Whether any pair coheres or is bonded.
+    pub(crate) fn coheres(&self) -> bool {
+        let mut pairs = self.pairs.iter();
+        pairs.any(|pair| pair.cohesion.is_some() || pair.bond.is_some())
+    }
+
+    /// Largest gap \[m\] at which an attached contact attracts.
+    pub(crate) fn rupture_distance(&self) -> f64 {
+        let cohesion = self.pairs.iter().filter_map(|pair| pair.cohesion);
+        cohesion.map(|c| c.rupture_distance).fold(0.0, f64::max)
     }
 
     /// Sets the pair of `a` and `b`, in both orders.

@@ -1,10 +1,12 @@
 //! How materials touch: `[[pair]]` over what their `[[material]]`s say over `[pair_default]`.
 
+use super::cohesion::Holding;
 use super::decode::SceneFile;
 use super::document::Document;
 use super::names::Context;
 use crate::contact::elasticity::{Elastic, Elasticity};
 use crate::integrator::Integrator;
+use crate::scene::Method;
 use crate::scene::materials::{Pair, PairTable};
 
 /// Coefficients as a table of the file gives them.
@@ -50,6 +52,7 @@ impl Given {
                 .map(Elasticity::linear)
                 .or(default.elasticity),
             wear: self.wear.unwrap_or(default.wear),
+            ..default
         }
     }
 }
@@ -70,6 +73,20 @@ macro_rules! given {
     }};
 }
 
+/// What holds surfaces together as a table of the file gives it: two types that have the same keys.
+macro_rules! holding {
+    ($table:expr) => {{
+        let table = $table;
+        Holding {
+            cohesion: table.cohesion,
+            surface_energy: table.surface_energy,
+            adhesion: table.adhesion,
+            rupture_distance: table.rupture_distance,
+            bond: table.bond,
+        }
+    }};
+}
+
 /// `[pair_default]`, the coefficients of `[[material]]` and `[[pair]]`, checked.
 pub(super) fn pairs(document: &mut Document<'_>, context: &Context, file: &SceneFile) -> PairTable {
     let default = given!(document, "pair_default", &file.pair_default).over(Pair::default());
@@ -81,6 +98,10 @@ pub(super) fn pairs(document: &mut Document<'_>, context: &Context, file: &Scene
         })
         .collect();
     let elastic = elastic(document, file);
+    let method = file.simulation.as_ref().map(|s| s.method);
+    let penalty = method == Some(Method::Penalty);
+    let gives_way = penalty || default.elasticity.is_some() || elastic.iter().any(Option::is_some);
+    let default = holding!(&file.pair_default).over(document, "pair_default", gives_way, default);
     let both = |a: usize, b: usize| {
         // Moduli of the materials are more than a default.
         let hertz = Elasticity::hertz([elastic[a], elastic[b]]);
@@ -125,6 +146,8 @@ pub(super) fn pairs(document: &mut Document<'_>, context: &Context, file: &Scene
         }
         seen.push(pair_of);
         let pair = own.over(both(a, b));
+        let gives_way = penalty || pair.elasticity.is_some();
+        let pair = holding!(value).over(document, path, gives_way, pair);
         if let (Ok(a), Ok(b)) = (u16::try_from(a), u16::try_from(b)) {
             table.set(a, b, pair);
         }

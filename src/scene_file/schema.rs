@@ -211,7 +211,7 @@ fn order(schema: &mut Value) {
         ($($table:ident)*) => { [$((stringify!($table), keys_of::<file::$table>())),*] };
     }
     let tables = tables! {
-        Simulation Turning GravityTable RotatingFrame Cell Tolerance Material PairDefault Pair Load Spring Output Exposed
+        Simulation Turning GravityTable RotatingFrame Cell Tolerance Material PairDefault Pair BondStrengths Load Spring Output Exposed
         Spheres Lattice Uniform Normal LogNormal MassTable Packing Source Sink
         Boundary Body Limits JointSpring Servo Plane Rectangle Cuboid Cone Cylinder Stl Terrain Constant Sinusoid Table
         Tube Sensor Probe Parameter

@@ -23,7 +23,7 @@ struct Unit {
 
 /// Names, and what they are.
 #[rustfmt::skip]
-const NAMES: [(&str, Dimension, i32, f64, f64); 36] = [
+const NAMES: [(&str, Dimension, i32, f64, f64); 38] = [
     ("m", [1, 0, 0, 0], 0, 1.0, 1.0),
     ("dm", [1, 0, 0, 0], -1, 1.0, 1.0),
     ("cm", [1, 0, 0, 0], -2, 1.0, 1.0),
@@ -54,6 +54,8 @@ const NAMES: [(&str, Dimension, i32, f64, f64); 36] = [
     ("mN", [1, 1, -2, 0], -3, 1.0, 1.0),
     ("kN", [1, 1, -2, 0], 3, 1.0, 1.0),
     ("MN", [1, 1, -2, 0], 6, 1.0, 1.0),
+    ("J", [2, 1, -2, 0], 0, 1.0, 1.0),
+    ("mJ", [2, 1, -2, 0], -3, 1.0, 1.0),
     ("Pa", [-1, 1, -2, 0], 0, 1.0, 1.0),
     ("kPa", [-1, 1, -2, 0], 3, 1.0, 1.0),
     ("MPa", [-1, 1, -2, 0], 6, 1.0, 1.0),
@@ -63,7 +65,7 @@ const NAMES: [(&str, Dimension, i32, f64, f64); 36] = [
 ];
 
 /// Units of keys, what a quantity of each is called, and how one may be written.
-const KINDS: [(&str, &str, &str); 20] = [
+const KINDS: [(&str, &str, &str); 21] = [
     ("m", "a length", "8 mm"),
     ("m^2", "an area", "20 cm^2"),
     ("kg", "a mass", "250 g"),
@@ -83,6 +85,7 @@ const KINDS: [(&str, &str, &str); 20] = [
     ("N/m", "a stiffness", "3 kN/m"),
     ("N s/m", "a damping", "20 N s/m"),
     ("Pa", "a pressure", "100 kPa"),
+    ("J/m^2", "a surface energy", "50 mJ/m^2"),
     ("1/Pa", "a wear coefficient", "0.02 1/GPa"),
 ];
 

@@ -214,6 +214,7 @@ impl Simulation {
         state.wrenches.clone_from(&before.wrenches);
         state.mean_wrenches.clone_from(&before.mean_wrenches);
         state.contacts.clone_from(&before.contacts);
+        state.broken_bonds = before.broken_bonds;
         for (b, owed) in state.owed.iter_mut().enumerate() {
             owed.add(&communication.totals.impulse[b], 1.0);
             owed.add(&before.mean_wrenches[b], -communication.plan.length());

@@ -90,6 +90,7 @@ impl Simulation {
             mean_wrenches: vec![Wrench::default(); boundaries],
             owed: vec![Wrench::default(); boundaries],
             walls: Walls::of(&scene),
+            broken_bonds: 0,
             work: EnergyLedger::default(),
             reserves: reserves(&scene),
             emitted: vec![0.0; scene.sources.len()],

@@ -102,7 +102,9 @@ impl Simulation {
         let placement = Configuration::of(&self.scene, &state.kinematics, &state.poses);
         let loads = state.contacts.iter().enumerate();
         loads
-            .map(|(k, load)| placement.contact(load, state.contacts.torque(k)))
+            .map(|(k, load)| {
+                placement.contact(load, state.contacts.torque(k), state.contacts.hold(k))
+            })
             .collect()
     }
 

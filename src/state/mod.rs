@@ -85,6 +85,8 @@ pub struct State {
     pub owed: Vec<Wrench>,
     /// What the triangles of boundaries have felt.
     pub walls: Walls,
+    /// Bonds that have broken since t = 0.
+    pub broken_bonds: u64,
     /// Work since t = 0.
     pub work: EnergyLedger,
     /// Spheres of each source that wait outside the scene, `[sources]`.
@@ -131,7 +133,7 @@ macro_rules! clone_in_place {
 
 clone_in_place! {
     time last_step gravity kinematics smooth external applied_forces body_force mean_body_force contacts
-    springs poses twists bodies commands rates wrenches smooth_wrenches mean_wrenches owed walls work reserves
+    springs poses twists bodies commands rates wrenches smooth_wrenches mean_wrenches owed walls broken_bonds work reserves
     emitted removed passed flow initial_overlap penalty report control calm
 }
 

@@ -4,6 +4,7 @@ use super::prediction::Prediction;
 use super::rows::elastic::ElasticContact;
 use super::rows::joint::JointConstraint;
 use crate::Vec3;
+use crate::contact::cohesion::Hold;
 use crate::contact::history::{self, HistoryIndex};
 use crate::contact::{ContactId, Partner};
 use crate::detection::configuration::{Candidate, Configuration};
@@ -20,6 +21,8 @@ pub(super) struct AssemblyArrays {
     pub(super) past: Vec<HistoryIndex>,
     pub(super) elastic: Vec<Option<ElasticContact>>,
     pub(super) joints: Vec<JointConstraint>,
+    pub(super) attraction: Vec<f64>,
+    pub(super) holds: Vec<Hold>,
 }
 
 /// The problem of a step and who its rows are: candidates, then constrained points, stops and springs of joints, resistances.
@@ -36,6 +39,12 @@ pub(super) struct Assembly<'a> {
     pub(super) elastic: Vec<Option<ElasticContact>>,
     /// Stops and springs of the driven bodies.
     pub(super) joints: Vec<JointConstraint>,
+    /// Attraction \[N\] of the candidates; empty where none holds.
+    pub(super) attraction: Vec<f64>,
+    /// What holds the candidates together, in the step and then after it; empty likewise.
+    pub(super) holds: Vec<Hold>,
+    /// Bonds that the step breaks.
+    pub(super) broken_bonds: u64,
     /// Whether bodies move through the step; a displacement that removes overlaps has no path.
     pub(super) moves: bool,
 }
@@ -62,12 +71,16 @@ pub(super) fn assemble<'a>(
         past: arrays.past,
         elastic: arrays.elastic,
         joints: arrays.joints,
+        attraction: arrays.attraction,
+        holds: arrays.holds,
+        broken_bonds: 0,
         moves: true,
     };
     match prediction.gives_way {
         true => assembly.write_elastic(state, impact, impulses),
         false => assembly.write_contacts(state, impact, impulses),
     }
+    assembly.attract(&state.contacts, impulses);
     let springs = 0..prediction.targets.len();
     let forces = state.springs.iter().take(springs.len());
     impulses.extend(forces.map(|f| f * prediction.step));
@@ -107,15 +120,21 @@ impl Assembly<'_> {
         self.impact.resize(count, false);
         impulses.clear();
         impulses.resize(count, Vec3::zeros());
+        let coheres = prediction.scene.pairs.coheres();
         let known_impact = |k: usize| known_impact.map(|known| known[k]);
         let write = |first: usize, (mut rows, others): (RowWriter, Others)| {
             let (past, (impact, impulses)) = others;
             let keys = candidates[first..].iter().map(|candidate| candidate.key);
             let transferred = history::transfer(contacts, keys);
             let mut general = false;
+            let is_candidate = |key| known(candidates, key);
             for (k, (past, transferred)) in past.iter_mut().zip(transferred).enumerate() {
-                *past = transferred;
-                let (candidate, carried) = (&candidates[first + k], past.carried(contacts));
+                let candidate = &candidates[first + k];
+                *past = match coheres {
+                    true => history::succeed(contacts, transferred, candidate.key, is_candidate),
+                    false => transferred,
+                };
+                let carried = past.carried(contacts);
                 let force = carried.force;
                 let contact =
                     prediction.contact_row(free, candidate, carried, known_impact(first + k));
@@ -153,6 +172,12 @@ impl Assembly<'_> {
         self.past.clear();
         let keys = self.candidates.iter().map(|candidate| candidate.key);
         self.past.extend(history::transfer(contacts, keys));
+        if prediction.scene.pairs.coheres() {
+            let is_candidate = |key| known(&self.candidates, key);
+            for (past, candidate) in self.past.iter_mut().zip(&self.candidates) {
+                *past = history::succeed(contacts, *past, candidate.key, is_candidate);
+            }
+        }
         impulses.clear();
         for (k, (candidate, past)) in self.candidates.iter().zip(&self.past).enumerate() {
             let (carried, known) = (past.carried(contacts), known_impact.map(|known| known[k]));
@@ -170,8 +195,11 @@ impl Assembly<'_> {
             self.problem.rows.get(k),
             self.past[k].torque(&state.contacts),
         );
-        let key = self.candidates[k].key;
-        if let Some(resistance) = self.prediction.resistance(key, &row, k, torque) {
+        let candidate = &self.candidates[k];
+        let hold = self.past[k].hold(&state.contacts);
+        let hold = self.prediction.hold(candidate, hold);
+        let contact = (candidate.key, hold);
+        if let Some(resistance) = self.prediction.resistance(contact, &row, k, torque) {
             let lever = resistance.radius;
             self.problem.rows.push(resistance);
             impulses.push(torque * (self.prediction.step / lever));
@@ -187,6 +215,8 @@ impl Assembly<'_> {
             past: self.past,
             elastic: self.elastic,
             joints: self.joints,
+            attraction: self.attraction,
+            holds: self.holds,
         }
     }
 
@@ -275,6 +305,12 @@ impl Assembly<'_> {
         let count = self.candidates[from..].partition_point(|c| own(c) == sphere);
         from..from + count
     }
+}
+
+/// Whether a contact is among candidates.
+fn known(candidates: &[Candidate], key: ContactId) -> bool {
+    let found = candidates.binary_search_by_key(&key, |candidate| candidate.key);
+    found.is_ok()
 }
 
 /// The pair of `candidate` at another configuration; where that has no such feature, as it was.

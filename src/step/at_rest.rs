@@ -13,6 +13,9 @@ use crate::state::State;
 impl Assembly<'_> {
     /// Leaves contacts without friction, for a displacement. Those that give way may overlap, but not more than they do.
     pub(super) fn displace(&mut self, impulses: &mut Vec<Vec3>) {
+        self.release(|_| true);
+        self.attraction.clear();
+        self.holds.clear();
         self.problem.rows.truncate(self.candidates.len());
         impulses.truncate(self.candidates.len());
         let frictionless = |_, row: &mut Row| row.law = Law::Contact { mu: 0.0 };
@@ -61,6 +64,7 @@ impl Assembly<'_> {
     /// Keeps these rows. Their contacts may not accelerate into each other: with zero gap, less what sliding over a curved
     /// surface opens or closes by itself, `g(t) = g + dt n.u + ...`.
     pub(super) fn keep(&mut self, keep: &[bool], impulses: &mut Vec<Vec3>) {
+        self.release(|k| !keep[k]);
         let velocity = self.prediction.velocities();
         let first = self.first_joint();
         for (k, joint) in (first..).zip(&mut self.joints) {
@@ -101,6 +105,9 @@ impl Assembly<'_> {
         self.problem.rows.retain(keep);
         retain(&mut self.candidates, keep);
         retain(&mut self.elastic, keep);
+        retain(&mut self.past, keep);
+        retain(&mut self.attraction, keep);
+        retain(&mut self.holds, keep);
         self.impact.truncate(self.candidates.len());
     }
 }

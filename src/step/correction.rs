@@ -3,6 +3,7 @@
 use super::assemble::{Assembly, follow};
 use super::solution::Solution;
 use crate::Vec3;
+use crate::contact::cohesion::Hold;
 use crate::contact::history;
 use crate::detection::configuration::{Candidate, Configuration};
 use crate::state::State;
@@ -162,6 +163,10 @@ fn insert(
     assembly.past.insert(at, past);
     if prediction.gives_way {
         assembly.elastic.insert(at, elastic);
+    }
+    if !assembly.holds.is_empty() {
+        assembly.holds.insert(at, Hold::Loose);
+        assembly.attraction.insert(at, 0.0);
     }
     solution.impulses.insert(at, Vec3::zeros());
     assembly

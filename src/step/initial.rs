@@ -66,6 +66,7 @@ pub fn initial_forces(
     let resting = assembly.resting();
     assembly.keep(&resting, &mut solution.impulses);
     solve_forces(&assembly, &mut solution, state.penalty, workspace)?;
+    assembly.act(&mut solution);
     let solved = Solved {
         assembly: &assembly,
         solution: &solution,

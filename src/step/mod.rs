@@ -14,6 +14,7 @@
 mod assemble;
 mod at_rest;
 mod boundary_motion;
+mod cohesion;
 mod commit;
 mod correction;
 mod detect;
@@ -93,6 +94,7 @@ fn stages(
     let (when, what) = ((state.time, input.dt), (&assembly, &solution));
     workspace.failed.note(when, what, &resolved);
     let output = resolved?;
+    assembly.hold_on(&mut solution);
     spread_impacts(&mut assembly, &solution, state);
     let solved = Solved {
         assembly: &assembly,

@@ -59,6 +59,9 @@ pub(super) struct Prediction<'a> {
     pub(super) steady: bool,
     /// Whether some contacts give way: by the penalty method, the `stiffness` of a boundary, or materials.
     pub(super) gives_way: bool,
+    /// Whether the run starts: what touches is attached. Whether it also makes bonds: it has no contacts yet.
+    pub(super) starts: bool,
+    pub(super) makes_bonds: bool,
 }
 
 /// Predicts the step that `input` asks for from `state`, in the memory of `arrays`.
@@ -108,6 +111,8 @@ pub(super) fn predict<'a>(
         mean_acceleration: mean_acceleration(scene, &external, &bodies),
         steady: state.last_step >= STEADY * dt,
         gives_way: gives_way(scene),
+        starts: false,
+        makes_bonds: false,
         spheres: SphereMotion::all(scene, &kinematics, spheres),
         external,
         asleep: state.asleep(),
@@ -160,6 +165,8 @@ impl<'a> Prediction<'a> {
             mean_acceleration: mean_acceleration(scene, &external, &bodies),
             steady: false,
             gives_way: gives_way(scene),
+            starts: scene.pairs.coheres(),
+            makes_bonds: state.contacts.is_empty(),
             spheres: SphereMotion::all(scene, &state.kinematics, Vec::new()),
             external,
             asleep: Vec::new(),
@@ -187,6 +194,8 @@ impl<'a> Prediction<'a> {
             mean_acceleration: mean_acceleration(scene, &external, &[]),
             steady: false,
             gives_way: gives_way(scene),
+            starts: false,
+            makes_bonds: false,
             spheres: SphereMotion::all(scene, &kinematics, Vec::new()),
             external,
             asleep: Vec::new(),

@@ -67,6 +67,7 @@ pub fn step_with_replicas(
         workspace,
         &mut pairs,
     )?;
+    assembly.hold_on(&mut solution);
     spread_impacts(&mut assembly, &solution, state);
     for (pair, replicas) in pairs.iter_mut().zip(&mut *replicas) {
         for (side, replica) in pair.0.iter_mut().zip(replicas) {
@@ -131,11 +132,13 @@ pub fn start_with_replicas(
     let report = solve_forces(&assembly, &mut solution, state.penalty, workspace)?;
     respond_all(&assembly, &solution, &mut pairs)
         .map_err(|error| singular(&assembly, &solution, &report, error))?;
-    for (pair, states) in pairs.iter().zip(replicas) {
-        for (side, state) in pair.0.iter().zip(states) {
+    for (pair, states) in pairs.iter_mut().zip(replicas) {
+        for (side, state) in pair.0.iter_mut().zip(states) {
+            side.assembly.act(&mut side.solution);
             side.solved().commit_forces(state);
         }
     }
+    assembly.act(&mut solution);
     let solved = Solved {
         assembly: &assembly,
         solution: &solution,
@@ -191,10 +194,12 @@ impl<'a> Side<'a> {
         Self { assembly, solution }
     }
 
-    /// Counts as impacts what `assembly` does.
+    /// Counts as impacts what `assembly` does, and holds what it holds.
     fn take_impacts(&mut self, assembly: &Assembly) {
         let own = &mut self.assembly;
         own.impact.clone_from(&assembly.impact);
+        own.take_holds(assembly.holds.clone());
+        own.act(&mut self.solution);
         for (own, joint) in own.joints.iter_mut().zip(&assembly.joints) {
             own.impact = joint.impact;
         }

@@ -12,6 +12,7 @@ use petgraph::unionfind::UnionFind;
 use super::prediction::Prediction;
 use super::solution::Solved;
 use crate::Vec3;
+use crate::contact::cohesion::Hold;
 use crate::contact::history::find;
 use crate::contact::{ContactForce, ContactId, Partner};
 use crate::detection::configuration::Candidate;
@@ -266,7 +267,8 @@ fn may_rest(scene: &Scene) -> bool {
 }
 
 fn is_loaded(state: &State, key: ContactId) -> bool {
-    find(&state.contacts, key).force(&state.contacts) != Vec3::zeros()
+    let contact = find(&state.contacts, key);
+    contact.force(&state.contacts) != Vec3::zeros() || contact.hold(&state.contacts) != Hold::Loose
 }
 
 /// Spheres that hang together by loaded contacts.

@@ -22,6 +22,7 @@ STOP = {
     "triaxial": 0.2,
     "chute": 0.8,
     "press": 0.45,
+    "wet_heap": 0.4,
 }
 
 
@@ -140,6 +141,17 @@ def test_beads_in_a_fluid(units, tmp_path):
     assert (tmp_path / "viscous.png").stat().st_size > 10_000
     off = re.findall(r"off by (\S+) at", told)
     assert len(off) == 2 and all(float(one) < 1e-9 for one in off)
+
+
+def test_wet_heap_driver(units, tmp_path):
+    """Wet grains heap up steeper the more they hold together; without cohesion both heaps are alike."""
+    told = python("examples/wet_heap/heap.py", "--fmu", units["wet_heap"], "--bond", 0, 10, "--output", tmp_path / "heap.png")
+    assert (tmp_path / "heap.png").stat().st_size > 10_000
+    runs = re.findall(r"wet (\S+) deg, dry (\S+) deg, overlap (\S+) R", told)
+    (none, dry), (wet, beside) = [[float(angle) for angle in run[:2]] for run in runs]
+    assert abs(none - dry) < 6 and abs(beside - dry) < 6
+    assert wet > dry + 20
+    assert all(float(run[2]) <= 1e-4 for run in runs)
 
 
 def test_feeder_driver(fmus, tmp_path):

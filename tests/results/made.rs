@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use nalgebra::UnitQuaternion;
 use sphere_dda::Vec3;
+use sphere_dda::contact::cohesion::Hold;
 use sphere_dda::contact::{Contact, ContactId, Partner};
 use sphere_dda::geometry::region::Primitive;
 use sphere_dda::geometry::{Facets, Geometry, HalfSpace, Shape};
@@ -163,6 +164,7 @@ impl Made {
             gap: -1e-7,
             force,
             torque: Vec3::zeros(),
+            hold: Hold::Loose,
         };
         let floor = Partner::Boundary {
             boundary: 0,
@@ -234,6 +236,7 @@ impl Made {
             emitted: &self.emitted,
             removed: &self.removed,
             walls: &self.walls,
+            broken_bonds: 0,
             work: EnergyLedger::default(),
             report: StepReport::default(),
         }

@@ -6,6 +6,8 @@
 mod applied_forces;
 mod axes;
 mod belts;
+mod cohesion;
+mod cohesion_scenes;
 mod compliant;
 mod contact_statics;
 mod convergence;

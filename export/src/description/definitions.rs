@@ -78,6 +78,7 @@ pub(super) fn units<'u>(used: impl Iterator<Item = &'u str>) -> Vec<Unit> {
         si("1/s", 0, 0, -1),
         si("Hz", 0, 0, -1),
         si("N/m", 1, 0, -2),
+        si("J/m2", 1, 0, -2),
         si("N.s/m", 1, 0, -1),
         Unit::new("N.m.s/rad", damping),
         Unit::new("deg", degree),

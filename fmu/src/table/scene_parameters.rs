@@ -8,10 +8,11 @@ use super::binding::Binding;
 use super::variable::Variable;
 
 /// Units as scene files write them, and their names in a model description.
-const UNITS: [(&str, &str); 21] = [
+const UNITS: [(&str, &str); 22] = [
     ("1/Pa", "1/Pa"),
     ("1/s", "1/s"),
     ("Hz", "Hz"),
+    ("J/m^2", "J/m2"),
     ("N", "N"),
     ("N m", "N.m"),
     ("N m s/rad", "N.m.s/rad"),

@@ -217,6 +217,14 @@ pub(super) const SOURCE: [Field<f64>; 1] =
 pub(super) const SINK: [Field<f64>; 1] =
     [real("mass", "kg", "Mass removed since the start", |m| *m)];
 
+/// Of scenes whose contacts hold.
+#[rustfmt::skip]
+pub(super) const HELD: [Field<Whole>; 3] = [
+    count("attachedCount", "Number of contacts that cohesion holds", |w| w.attached),
+    count("bondCount", "Number of bonds that hold", |w| w.bonds),
+    count("brokenBonds", "Number of bonds that have broken since the start", |w| w.broken_bonds),
+];
+
 #[rustfmt::skip]
 pub(super) const WHOLE: [Field<Whole>; 32] = [
     real("mass", "kg", "Mass of all spheres in the scene", |w| w.totals.mass),
@@ -235,7 +243,7 @@ pub(super) const WHOLE: [Field<Whole>; 32] = [
     real("loadWork", "J", "Work of point loads and applied forces, and of the loads on driven bodies since the start", |w| w.work.loads),
     real("damperWork", "J", "Work of the dampers of driven bodies since the start", |w| w.work.dampers),
     real("springWork", "J", "Work of constrained springs and springs of joints since the start", |w| w.work.springs),
-    real("contactWork", "J", "Work of the springs of contacts that give way since the start: what they have stored, with a minus", |w| w.work.contacts),
+    real("contactWork", "J", "Work of the springs of contacts that give way and of cohesion since the start: what they have stored, with a minus", |w| w.work.contacts),
     count("contactCount", LOADED, |w| w.contacts),
     number("maxOverlap", "Largest true overlap over radius in the communication step, beyond what contacts that give way are compressed by", |w| w.max_overlap),
     number("maxCompression", "Largest overlap over radius of a contact that gives way in the communication step: no error", |w| w.report.max_compression),

@@ -19,8 +19,8 @@ use super::sensors::region;
 use crate::scene::body::Joint;
 use crate::scene::{Boundary, Measure, Motion, Scene};
 use fields::{
-    BODY, DRIVEN, FLOW, Field, HINGE, HINGE_HELD, HINGED, PROBE, REGION, SINK, SLIDE, SLIDE_HELD,
-    SLIDING, SOURCE, WALL, WHOLE, WRENCH,
+    BODY, DRIVEN, FLOW, Field, HELD, HINGE, HINGE_HELD, HINGED, PROBE, REGION, SINK, SLIDE,
+    SLIDE_HELD, SLIDING, SOURCE, WALL, WHOLE, WRENCH,
 };
 pub use fields::{WXYZ, XYZ};
 use readings::{Body, Flow, Sphere, Whole};
@@ -112,6 +112,9 @@ pub fn quantities(scene: &Scene) -> Vec<Quantity> {
     for quantity in &mut list[first..] {
         quantity.is_asked = TRUST.contains(&quantity.field);
     }
+    if scene.pairs.coheres() {
+        describe(&mut list, ("", ""), &HELD);
+    }
     list
 }
 
@@ -169,7 +172,11 @@ pub fn values(state: &Observation) -> Vec<f64> {
     for mass in state.removed {
         measure(&mut list, &SINK, mass);
     }
-    measure(&mut list, &WHOLE, &Whole::of(state, &loads));
+    let whole = Whole::of(state, &loads);
+    measure(&mut list, &WHOLE, &whole);
+    if scene.pairs.coheres() {
+        measure(&mut list, &HELD, &whole);
+    }
     list
 }
 

@@ -1,6 +1,7 @@
 //! What the fields are read from: one record for each boundary, probe and mass flow, and one for the whole scene.
 
 use crate::Vec3;
+use crate::contact::cohesion::Hold;
 use crate::observe::energy::Totals;
 use crate::observe::loads::{BodyLoad, Loads};
 use crate::observe::walls::Totals as WallTotals;
@@ -78,6 +79,9 @@ pub(super) struct Whole {
     pub(super) body_force: Vec3,
     pub(super) work: EnergyLedger,
     pub(super) contacts: u64,
+    pub(super) attached: u64,
+    pub(super) bonds: u64,
+    pub(super) broken_bonds: u64,
     pub(super) max_overlap: f64,
     pub(super) report: StepReport,
     pub(super) recommended_step: f64,
@@ -86,7 +90,11 @@ pub(super) struct Whole {
 impl Whole {
     pub(super) fn of(state: &Observation, loads: &Loads) -> Self {
         let totals = Totals::of(state);
+        let held = |by: Hold| state.contacts.iter().filter(|c| c.hold == by).count() as u64;
         Self {
+            attached: held(Hold::Attached),
+            bonds: held(Hold::Bonded),
+            broken_bonds: state.broken_bonds,
             body_force: state.body_force,
             work: state.work,
             contacts: loads.contacts,

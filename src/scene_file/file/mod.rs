@@ -3,6 +3,7 @@
 
 mod boundaries;
 mod cell;
+mod cohesion;
 mod defaults;
 mod driven;
 mod frame;
@@ -24,6 +25,7 @@ pub use boundaries::{
     Stl, Table, Terrain,
 };
 pub use cell::Cell;
+pub use cohesion::{Adhesion, BondStrengths};
 pub use driven::{Body, Joint, JointSpring, Limits, Servo};
 pub use frame::{GravityMotion, GravityTable, RotatingFrame, Turning};
 pub use parameters::Parameter;
@@ -286,6 +288,21 @@ pub struct PairDefault {
     /// Archard's wear coefficient \[1/Pa\] of boundaries with `wall_fields`: the volume worn off per normal force and sliding path.
     #[schemars(extend("x-default" = "`0`", "minimum" = 0))]
     pub wear: Option<f64>,
+    /// Pull-off force \[N\] of every contact: what has touched holds together until it is pulled with more than this.
+    #[schemars(extend("minimum" = 0, "x-default" = "none"))]
+    pub cohesion: Option<f64>,
+    /// Surface energy (work of adhesion) \[J/m^2\], in place of `cohesion`: the pull-off force grows with the reduced radius.
+    #[schemars(extend("minimum" = 0, "x-default" = "none"))]
+    pub surface_energy: Option<f64>,
+    /// How a surface energy becomes a force.
+    #[schemars(extend("x-default" = "`\"dmt\"`"))]
+    pub adhesion: Option<Adhesion>,
+    /// Gap \[m\] up to which what holds together attracts with its pull-off force: length of a liquid bridge.
+    #[schemars(extend("minimum" = 0, "x-default" = "as long as they touch"))]
+    pub rupture_distance: Option<f64>,
+    /// Bonds between all that touches at the start.
+    #[schemars(extend("x-default" = "none"))]
+    pub bond: Option<BondStrengths>,
 }
 
 /// `[[pair]]`: how two materials touch; what is left out is taken from their `[[material]]`s, then from `[pair_default]`.
@@ -318,6 +335,21 @@ pub struct Pair {
     /// Archard's wear coefficient \[1/Pa\] of boundaries with `wall_fields`: the volume worn off per normal force and sliding path.
     #[schemars(extend("minimum" = 0))]
     pub wear: Option<f64>,
+    /// Pull-off force \[N\] of every contact: what has touched holds together until it is pulled with more than this.
+    #[schemars(extend("minimum" = 0, "x-default" = "that of `[pair_default]`"))]
+    pub cohesion: Option<f64>,
+    /// Surface energy (work of adhesion) \[J/m^2\], in place of `cohesion`: the pull-off force grows with the reduced radius.
+    #[schemars(extend("minimum" = 0, "x-default" = "that of `[pair_default]`"))]
+    pub surface_energy: Option<f64>,
+    /// How a surface energy becomes a force.
+    #[schemars(extend("x-default" = "`\"dmt\"`"))]
+    pub adhesion: Option<Adhesion>,
+    /// Gap \[m\] up to which what holds together attracts with its pull-off force: length of a liquid bridge.
+    #[schemars(extend("minimum" = 0, "x-default" = "that of `[pair_default]`"))]
+    pub rupture_distance: Option<f64>,
+    /// Bonds between all that touches at the start.
+    #[schemars(extend("x-default" = "that of `[pair_default]`"))]
+    pub bond: Option<BondStrengths>,
 }
 
 /// `[[load]]`: a force on a sphere at a point that moves with it.

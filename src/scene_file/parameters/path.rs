@@ -10,13 +10,16 @@ use super::super::document::{Step, child, did_you_mean};
 use super::super::wording::Place;
 
 /// Coefficients of a contact, which a run takes between steps.
-const CONTACT: [&str; 6] = [
+const CONTACT: [&str; 9] = [
     "friction",
     "friction_angle",
     "restitution",
     "rolling_friction",
     "twisting_friction",
     "wear",
+    "cohesion",
+    "surface_energy",
+    "rupture_distance",
 ];
 
 /// A number that a path leads to.

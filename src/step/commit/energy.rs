@@ -107,6 +107,9 @@ impl Solved<'_> {
                 known += spring;
                 continue;
             }
+            let attracted = self.work_of_attraction(k, |i| self.working(k, i));
+            work.contacts += attracted;
+            known += attracted;
             let lost = self.lost(k);
             work.friction += lost.friction;
             known -= lost.friction;
@@ -129,7 +132,7 @@ impl Solved<'_> {
 
     /// What the contact or the resistance of row `k` loses, but for its damper.
     pub(super) fn lost(&self, k: usize) -> Lost {
-        let (rows, p) = (&self.assembly.problem.rows, &self.solution.impulses[k]);
+        let (rows, p) = (&self.assembly.problem.rows, self.pressing(k));
         let impact = self.assembly.is_impact(k);
         let (mut u, n) = (rows.relative(k, |i| self.working(k, i)), rows.normal(k));
         let general = rows.general(k);
@@ -170,7 +173,7 @@ impl Solved<'_> {
         // A late contact is a candidate of the end.
         let [before, after] = [assembly.start(), end].map(|at| elastic.energy(at.gap(candidate)));
         let normal = before - after;
-        let damped = match (self.solution.loads(k), rows.compliance(k) == 0.0) {
+        let damped = match (self.pressing(k) != Vec3::zeros(), rows.compliance(k) == 0.0) {
             (false, _) => normal,
             (true, true) => 0.0,
             (true, false) => {

@@ -3,6 +3,7 @@
 use std::iter::repeat;
 
 use crate::Vec3;
+use crate::contact::cohesion::Hold;
 use crate::contact::forces::{Beside, ContactForces, SpringState};
 use crate::contact::{ContactForce, Partner};
 use crate::problem::Law;
@@ -27,6 +28,7 @@ impl Solved<'_> {
         }
         let couples = self.couples();
         let gives_way = self.prediction().gives_way;
+        let holds = &self.assembly.holds;
         for (k, candidate) in self.assembly.candidates.iter().enumerate() {
             let key = candidate.key;
             while let Some((load, beside)) = sleeping.get(asleep).filter(|(load, _)| load.key < key)
@@ -38,12 +40,14 @@ impl Solved<'_> {
                 .get(asleep)
                 .is_some_and(|(load, _)| load.key == key);
             asleep += usize::from(same);
-            if self.solution.loads(k) {
+            let hold = holds.get(k).copied();
+            if self.solution.loads(k) || hold.is_some_and(|hold| hold != Hold::Loose) {
                 let (normal, force) = (candidate.normal, self.solution.impulses[k] / step);
                 let load = ContactForce { key, normal, force };
                 let beside = Beside {
                     torque: couples.get(k).copied(),
                     spring: gives_way.then(|| self.spring_state(k)),
+                    hold,
                 };
                 self.carry(state, load, beside, !self.assembly.impact[k]);
             }
@@ -66,7 +70,7 @@ impl Solved<'_> {
             return SpringState::Struck;
         }
         let slip = split(rows.relative(k, |i| self.solution.velocity[i]), row.normal).1;
-        let pressed = self.solution.impulses[k].dot(&row.normal) / self.prediction().step;
+        let pressed = self.pressing(k).dot(&row.normal) / self.prediction().step;
         elastic.state_after(slip, mu * pressed)
     }
 
@@ -111,15 +115,7 @@ impl Solved<'_> {
         if !self.prediction().scene.pairs.resists() {
             return Vec::new();
         }
-        let mut couples = vec![Vec3::zeros(); self.assembly.candidates.len()];
-        for (k, impulse) in self.solution.impulses.iter().enumerate() {
-            if let Some(row) = self.assembly.problem.rows.general(k)
-                && let Law::Resistance { contact, .. } = row.law
-            {
-                couples[contact as usize] = impulse * (row.radius / self.prediction().step);
-            }
-        }
-        couples
+        self.assembly.couples(&self.solution.impulses)
     }
 
     pub(crate) fn spring_forces(&self) -> Vec<Vec3> {

@@ -49,6 +49,7 @@ pub(super) fn commit(solved: &Solved, state: &mut State, spare: &mut Vec<Spatial
         state.smooth_wrenches = smooth;
     }
     walls::keep_smooth(state, smooth_loads);
+    state.broken_bonds += solved.assembly.broken_bonds;
     state.springs = solved.spring_forces();
     solved.advance(state, spare);
     swap(&mut state.smooth, spare);

@@ -4,6 +4,7 @@ use nalgebra::UnitQuaternion;
 
 use crate::Vec3;
 use crate::contact::Partner;
+use crate::contact::cohesion::Hold;
 use crate::contact::history::Carried;
 use crate::detection::configuration::Candidate;
 use crate::integrator::Integrator;
@@ -99,7 +100,14 @@ impl Prediction<'_> {
         carried: Carried,
         known_impact: Option<bool>,
     ) -> ContactRow {
-        let (n, force) = (candidate.normal, carried.force);
+        let n = candidate.normal;
+        let hold = self.hold(candidate, carried.hold);
+        let attraction = match hold {
+            Hold::Loose => 0.0,
+            hold => self.attraction(candidate.key, hold),
+        };
+        // What presses it, whatever attracts.
+        let force = carried.force + n * attraction;
         let a = candidate.key.sphere as usize;
         let own = &self.spheres[a];
         let contact = match candidate.key.partner {
@@ -116,10 +124,11 @@ impl Prediction<'_> {
             false => split(contact.centres, n).1.norm_squared() * candidate.curvature,
         };
         let loading = self.loading(&contact, turning);
+        let loading = loading.max(attraction / contact.lightest);
         let before = || Before {
             gap: candidate.gap,
             velocity: split(contact.before + contact.belt, n),
-            pressed: carried.force.dot(&carried.normal),
+            pressed: carried.force.dot(&carried.normal) + attraction,
             shear: carried.shear(n),
         };
         let elastic = self.elastic(candidate, &contact, (&before, loading));
@@ -137,7 +146,9 @@ impl Prediction<'_> {
             let freely = || n.dot(&(free[a].linear - contact.partner));
             // What presses a spring may press it further.
             let brought = match &elastic {
-                Some(elastic) => elastic.swing(loading.max(carried.pressed() / contact.lightest)),
+                Some(elastic) => {
+                    elastic.swing(loading.max((carried.pressed() + attraction) / contact.lightest))
+                }
                 None => 2.0 * self.step * loading,
             };
             let threshold = self.scene.settings.threshold_velocity;
@@ -179,7 +190,12 @@ impl Prediction<'_> {
             bias,
             compliance_n: compliance[0],
             compliance_t: compliance[1],
-            law: Law::Contact { mu: pair.friction },
+            law: Law::Contact {
+                mu: match hold {
+                    Hold::Bonded => self.held_friction(candidate.key, hold)[0],
+                    Hold::Loose | Hold::Attached => pair.friction,
+                },
+            },
             radius: contact.radius,
             impulse_scale: self.impulse_scale(&contact, turning),
         };

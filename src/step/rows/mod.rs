@@ -21,6 +21,7 @@ pub(super) mod elastic;
 pub(super) mod joint;
 
 use crate::Vec3;
+use crate::contact::cohesion::Hold;
 use crate::contact::{ContactId, Partner};
 use crate::problem::law::SHEAR_RATIO;
 use crate::problem::{GROUND, Law, Row};
@@ -51,17 +52,17 @@ impl Prediction<'_> {
         self.scene.pairs.get(a, b)
     }
 
-    /// The resistance to rolling and twisting of a contact, if it has one: `row` is the contact's row, `rank` its place,
+    /// The resistance to rolling and twisting of a contact and what holds it, if it has one: `row` is the contact's row, `rank` its place,
     /// `torque` \[N m\] the last couple.
     pub(super) fn resistance(
         &self,
-        key: ContactId,
+        (key, hold): (ContactId, Hold),
         row: &Row,
         rank: usize,
         torque: Vec3,
     ) -> Option<Row> {
-        let pair = self.pair(key);
-        if pair.rolling_friction == 0.0 && pair.twisting_friction == 0.0 {
+        let [_, rolling, twisting] = self.held_friction(key, hold);
+        if rolling == 0.0 && twisting == 0.0 {
             return None;
         }
         let particles = &self.scene.particles;
@@ -95,8 +96,8 @@ impl Prediction<'_> {
             compliance_t: 0.0,
             law: Law::Resistance {
                 contact: rank as u32,
-                rolling: pair.rolling_friction * share,
-                twisting: pair.twisting_friction * share,
+                rolling: rolling * share,
+                twisting: twisting * share,
             },
             ..*row
         };

@@ -1,0 +1,250 @@
+//! Contacts that hold: their attraction beside the impulses that press them, and what holds them after a step.
+//!
+//! A solver finds `p' = p + f_c dt n`, an ordinary contact, between bodies that the attraction moves: `free` of the problem has it.
+//! What a step leaves is `p` again ([`Assembly::act`]).
+
+use super::assemble::Assembly;
+use super::prediction::Prediction;
+use super::solution::{Solution, Solved};
+use crate::Vec3;
+use crate::contact::cohesion::{BondLoad, BondStrength, Hold};
+use crate::contact::forces::ContactForces;
+use crate::contact::{ContactId, Partner};
+use crate::detection::configuration::{Candidate, Configuration};
+use crate::problem::Law;
+use crate::problem::law::split;
+use crate::spatial::SpatialVector;
+
+impl Prediction<'_> {
+    /// What holds a candidate together in this step, where `before` did until now: at the start all that touches is attached, and
+    /// bonded in a run that has no contacts yet.
+    #[inline]
+    pub(super) fn hold(&self, candidate: &Candidate, before: Hold) -> Hold {
+        if !self.starts || before != Hold::Loose {
+            return before;
+        }
+        let pair = self.pair(candidate.key);
+        if pair.cohesion.is_none() && pair.bond.is_none() || !self.touches(candidate) {
+            return Hold::Loose;
+        }
+        let bonded = pair.bond.is_some()
+            && self.makes_bonds
+            && self.scene.elasticity(candidate.key).is_none();
+        match (bonded, pair.cohesion) {
+            (true, _) => Hold::Bonded,
+            (false, Some(_)) => Hold::Attached,
+            (false, None) => Hold::Loose,
+        }
+    }
+
+    /// Attraction \[N\] of a contact.
+    pub(super) fn attraction(&self, key: ContactId, hold: Hold) -> f64 {
+        let (pair, [smaller, reduced]) = (self.pair(key), self.radii(key));
+        match hold {
+            Hold::Loose => 0.0,
+            Hold::Attached => pair.cohesion.map_or(0.0, |c| c.pull_off(reduced)),
+            Hold::Bonded => pair
+                .bond
+                .map_or(0.0, |bond| bond.strength(smaller).attraction()),
+        }
+    }
+
+    /// Friction \[-\] of its row, and resistances \[-\] to rolling and twisting: a bond holds until it breaks.
+    #[inline]
+    pub(super) fn held_friction(&self, key: ContactId, hold: Hold) -> [f64; 3] {
+        let pair = self.pair(key);
+        let own = [pair.friction, pair.rolling_friction, pair.twisting_friction];
+        match hold {
+            Hold::Bonded => own.map(|coefficient| coefficient.max(pair.friction).max(1.0)),
+            Hold::Loose | Hold::Attached => own,
+        }
+    }
+
+    /// Smaller and reduced radius \[m\] of a contact.
+    fn radii(&self, key: ContactId) -> [f64; 2] {
+        let radius = &self.scene.particles.radius;
+        let own = radius[key.sphere as usize];
+        match key.partner {
+            Partner::Sphere { index, .. } => {
+                let other = radius[index as usize];
+                [own.min(other), own * other / (own + other)]
+            }
+            Partner::Boundary { .. } => [own, own],
+        }
+    }
+
+    /// Whether a gap is closed but for what a step may leave open.
+    fn touches(&self, candidate: &Candidate) -> bool {
+        candidate.gap <= self.closed(candidate.key)
+    }
+
+    fn closed(&self, key: ContactId) -> f64 {
+        let settings = &self.scene.settings;
+        (settings.tolerance.gap + settings.opening).max(1e-9) * self.radii(key)[0]
+    }
+}
+
+impl Assembly<'_> {
+    /// Lets contacts that hold attract their bodies, and adds that to the impulses that press them.
+    pub(super) fn attract(&mut self, contacts: &ContactForces, impulses: &mut [Vec3]) {
+        self.attraction.clear();
+        self.holds.clear();
+        if !self.prediction.scene.pairs.coheres() {
+            return;
+        }
+        for (k, candidate) in self.candidates.iter().enumerate() {
+            let hold = self.prediction.hold(candidate, self.past[k].hold(contacts));
+            let force = self.prediction.attraction(candidate.key, hold);
+            self.holds.push(hold);
+            self.attraction.push(force);
+            if force > 0.0 {
+                let impulse = candidate.normal * (force * self.prediction.step);
+                let row = self.problem.rows.get(k);
+                impulses[k] += impulse;
+                let mut free = std::mem::take(&mut self.problem.free);
+                self.problem.apply(&row, &mut free, -impulse);
+                self.problem.free = free;
+            }
+        }
+    }
+
+    /// Impulse \[N s\] by which contact `k` is attracted, with a minus.
+    fn attracting(&self, k: usize) -> Option<Vec3> {
+        let force = self.attraction.get(k).filter(|force| **force > 0.0)?;
+        Some(self.candidates[k].normal * (force * self.prediction.step))
+    }
+
+    /// Takes the attraction of the contacts that `of` names out of the motion of the bodies without contacts.
+    pub(super) fn release(&mut self, of: impl Fn(usize) -> bool) {
+        let mut free = std::mem::take(&mut self.problem.free);
+        for k in (0..self.attraction.len()).filter(|&k| of(k)) {
+            if let Some(impulse) = self.attracting(k) {
+                let row = self.problem.rows.get(k);
+                self.problem.apply(&row, &mut free, impulse);
+            }
+        }
+        self.problem.free = free;
+    }
+
+    /// From the impulses that press contacts to those that act on bodies.
+    pub(super) fn act(&mut self, solution: &mut Solution) {
+        self.release(|_| true);
+        for k in 0..self.attraction.len() {
+            if let Some(impulse) = self.attracting(k) {
+                solution.impulses[k] -= impulse;
+            }
+        }
+    }
+
+    /// Decides what holds the contacts after the step that `solution` is, and leaves in it what acts.
+    pub(super) fn hold_on(&mut self, solution: &mut Solution) {
+        if self.holds.is_empty() {
+            return;
+        }
+        let (mut position, prediction) = (Vec::new(), self.prediction);
+        prediction.end_positions(&solution.velocity, &mut position);
+        let poses = prediction.end_poses(&solution.velocity);
+        let end = Configuration {
+            position: &position,
+            poses: &poses,
+            ..self.start()
+        };
+        let after = self.holds_after(&solution.impulses, &end);
+        self.take_holds(after);
+        self.act(solution);
+    }
+
+    /// Takes what holds the contacts after the step.
+    pub(super) fn take_holds(&mut self, after: Vec<Hold>) {
+        let bonded = |holds: &[Hold]| holds.iter().filter(|hold| **hold == Hold::Bonded).count();
+        self.broken_bonds = bonded(&self.holds).saturating_sub(bonded(&after)) as u64;
+        self.holds = after;
+    }
+
+    /// What holds the contacts after a step, in which `impulses` press them and `end` is where it leads.
+    pub(super) fn holds_after(&self, impulses: &[Vec3], end: &Configuration) -> Vec<Hold> {
+        let prediction = self.prediction;
+        let couples = self.couples(impulses);
+        let after = |(k, (candidate, hold)): (usize, (&Candidate, &Hold))| {
+            let pair = prediction.pair(candidate.key);
+            let strength = pair.bond.filter(|_| *hold == Hold::Bonded);
+            if let Some(bond) = strength {
+                let strength = bond.strength(prediction.radii(candidate.key)[0]);
+                let load = self.bond_load(k, &strength, impulses[k], couples[k]);
+                if !strength.breaks(&load, pair.friction) {
+                    return Hold::Bonded;
+                }
+            }
+            let Some(cohesion) = pair.cohesion else {
+                return Hold::Loose;
+            };
+            let pressed = impulses[k] != Vec3::zeros();
+            let range = || {
+                cohesion
+                    .rupture_distance
+                    .max(prediction.closed(candidate.key))
+            };
+            let near = || end.gap(candidate) <= range();
+            let lasts = pressed && !self.impact[k];
+            match lasts || (pressed || *hold != Hold::Loose) && near() {
+                true => Hold::Attached,
+                false => Hold::Loose,
+            }
+        };
+        let all = self.candidates.iter().zip(&self.holds).enumerate();
+        all.map(after).collect()
+    }
+
+    /// What the bond of contact `k` carries.
+    fn bond_load(
+        &self,
+        k: usize,
+        strength: &BondStrength,
+        impulse: Vec3,
+        couple: Vec3,
+    ) -> BondLoad {
+        let normal = self.candidates[k].normal;
+        let (along, across) = split(impulse / self.prediction.step, normal);
+        let (twisting, bending) = split(couple, normal);
+        BondLoad {
+            normal: along - strength.attraction(),
+            shear: across.norm(),
+            bending: bending.norm(),
+            twisting: twisting.abs(),
+        }
+    }
+
+    /// Couple \[N m\] of each contact's resistance on A, `[contacts]`.
+    pub(super) fn couples(&self, impulses: &[Vec3]) -> Vec<Vec3> {
+        let mut couples = vec![Vec3::zeros(); self.candidates.len()];
+        for (k, impulse) in impulses.iter().enumerate() {
+            if let Some(row) = self.problem.rows.general(k)
+                && let Law::Resistance { contact, .. } = row.law
+            {
+                couples[contact as usize] = impulse * (row.radius / self.prediction.step);
+            }
+        }
+        couples
+    }
+}
+
+impl Solved<'_> {
+    /// Impulse \[N s\] that presses contact `k`: what acts on A, and against the attraction.
+    pub(super) fn pressing(&self, k: usize) -> Vec3 {
+        let acting = self.solution.impulses[k];
+        self.assembly
+            .attracting(k)
+            .map_or(acting, |impulse| acting + impulse)
+    }
+
+    /// Work \[J\] of the attraction of contact `k` while the gap changes with the `velocity` of the bodies.
+    pub(super) fn work_of_attraction(
+        &self,
+        k: usize,
+        velocity: impl Fn(usize) -> SpatialVector,
+    ) -> f64 {
+        let rows = &self.assembly.problem.rows;
+        let attracting = self.assembly.attracting(k);
+        attracting.map_or(0.0, |impulse| -impulse.dot(&rows.relative(k, velocity)))
+    }
+}
