@@ -7,6 +7,7 @@
 //! [`export`] writes the archive, [`find_libraries`] looks for the libraries that go into it.
 
 pub mod description;
+pub mod component;
 pub mod documentation;
 mod error;
 mod library;
