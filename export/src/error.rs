@@ -60,6 +60,12 @@ pub enum ExportError {
         /// The command that builds it.
         mend: String,
     },
+    /// A component in an FMU of FMI 2.0.
+    #[error("platform wasm: FMI 2.0 has no components of WebAssembly; expected `--fmi 3`")]
+    Component2,
+    /// There is no component.
+    #[error(transparent)]
+    Component(#[from] crate::component::ComponentError),
     /// A file of the scene would overwrite another one in the archive.
     #[error("the scene refers to a file named `{0}`, which the FMU needs for itself; rename it")]
     Reserved(String),

@@ -6,6 +6,7 @@
 //!
 //! [`export`] writes the archive, [`find_libraries`] looks for the libraries that go into it.
 
+pub mod component;
 pub mod description;
 pub mod documentation;
 mod error;

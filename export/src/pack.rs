@@ -28,6 +28,7 @@ use sphere_dda_fmu::model::{Model, SCENE_FILE, START_FILE};
 use sphere_dda_fmu::table::Entry;
 use sphere_dda_fmu::version::Version;
 
+use crate::component::{MANIFEST, MANIFEST_FILE, component};
 use crate::description::{version2, version3};
 use crate::documentation;
 use crate::error::ExportError;
@@ -105,9 +106,19 @@ pub fn export(contents: Contents<'_>, fmu: &Path) -> Result<Exported, ExportErro
             path: path.clone(),
             source,
         })?;
+        let own = resources(&model)?;
+        let code = match *platform == Platform::WASM {
+            true if version == Version::Two => return Err(ExportError::Component2),
+            true => inside(&code, own)?,
+            false => code,
+        };
+        if *platform == Platform::WASM {
+            files.push((MANIFEST_FILE.to_owned(), MANIFEST.as_bytes().into()));
+        }
         files.push((library_path(version, platform, &identifier), code.into()));
     }
-    files.extend(resources(&model)?);
+    let place = |(name, content)| (format!("resources/{name}"), content);
+    files.extend(resources(&model)?.into_iter().map(place));
     files.extend(documented(&model, version, pictures));
     let mut files: Vec<(String, &[u8])> = files
         .iter()
@@ -187,18 +198,26 @@ fn judge(findings: Vec<Finding>) -> Result<Vec<String>, ExportError> {
     Ok(findings.iter().map(Finding::to_string).collect())
 }
 
-/// What the instance reads.
+/// The component of a module, with what the instance reads.
+fn inside(module: &[u8], resources: Files<'_>) -> Result<Vec<u8>, ExportError> {
+    let own = |(name, content): (String, Cow<'_, [u8]>)| (name, content.into_owned());
+    Ok(component(
+        module,
+        &resources.into_iter().map(own).collect(),
+    )?)
+}
+
+/// What the instance reads, by its path in `resources/`.
 fn resources(model: &Model) -> Result<Files<'_>, ExportError> {
-    let place = |name: &str| format!("resources/{name}");
-    let mut files: Files<'_> = vec![(place(SCENE_FILE), model.text.as_bytes().into())];
+    let mut files: Files<'_> = vec![(SCENE_FILE.to_owned(), model.text.as_bytes().into())];
     if let Some(start) = &model.start {
-        files.push((place(START_FILE), start.into()));
+        files.push((START_FILE.to_owned(), start.into()));
     }
     for file in &model.files {
         if [SCENE_FILE, START_FILE].contains(&file.path.as_str()) {
             return Err(ExportError::Reserved(file.path.clone()));
         }
-        files.push((place(&file.path), (&file.content).into()));
+        files.push((file.path.clone(), (&file.content).into()));
     }
     Ok(files)
 }

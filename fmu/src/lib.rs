@@ -9,7 +9,7 @@
 //! The library holds no scene: it reads the one in `resources/`, builds the same variable table as the exporter did
 //! and refuses a guid that does not fit. Unsafe code is in [`ffi`] only.
 
-#[cfg(panic = "abort")]
+#[cfg(all(panic = "abort", not(target_family = "wasm")))]
 compile_error!(
     "a panic would end the importer's process: build with panic = \"unwind\", which is the default"
 );

@@ -1,8 +1,8 @@
 //! A scene as a model: the scene, its variable table and the guid that ties both to a description.
 
+use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use std::{fs, io};
 
 use sphere_dda::error::SnapshotError;
 use sphere_dda::scene::{Scene, Settings};
@@ -49,7 +49,7 @@ impl Model {
     /// As [`Self::read`], and [`ModelError::Unreadable`].
     pub fn of_resources(resources: &Path) -> Result<Self, ModelError> {
         let path = resources.join(START_FILE);
-        let start = match fs::read(&path) {
+        let start = match sphere_dda::formats::files::read(&path) {
             Ok(start) => Some(start),
             Err(error) if error.kind() == io::ErrorKind::NotFound => None,
             Err(source) => return Err(ModelError::Unreadable { path, source }),

@@ -7,7 +7,7 @@ use sha2::{Digest, Sha256};
 pub fn guid(parts: &[&[u8]]) -> String {
     let mut digest = Sha256::new();
     for part in parts {
-        digest.update(part.len().to_le_bytes());
+        digest.update((part.len() as u64).to_le_bytes());
         digest.update(part);
     }
     let hash = digest.finalize();

@@ -73,6 +73,13 @@ impl Platform {
     pub const LINUX64: Self = linux("linux64", "x86_64-linux");
     /// Windows on such processors.
     pub const WINDOWS64: Self = windows("win64", "x86_64-windows");
+    /// Any machine with a runtime for components of WebAssembly, by the draft FMI-LS-WASM; FMI 3.0 only.
+    pub const WASM: Self = Self {
+        name: "wasm",
+        tuple: "wasm32-wasip2",
+        prefix: "",
+        suffix: ".wasm",
+    };
     /// The platform this program runs on. One that FMI does not name has the name of its system, which is no other's.
     pub const HERE: Self = match Self::of(ARCH, OS) {
         Some(platform) => platform,
@@ -101,7 +108,7 @@ impl Platform {
     /// The platform of a name that FMUs are built for from elsewhere, or of this one.
     #[must_use]
     pub fn named(name: &str) -> Option<Self> {
-        let known = [Self::HERE, Self::LINUX64, Self::WINDOWS64];
+        let known = [Self::HERE, Self::LINUX64, Self::WINDOWS64, Self::WASM];
         known.into_iter().find(|platform| platform.name == name)
     }
 
@@ -159,6 +166,7 @@ mod tests {
         assert_eq!(windows.file("m"), "m.dll");
         assert_eq!(Platform::named("linux64").map(|p| p.suffix), Some(".so"));
         assert_eq!(Platform::named("linux32"), None);
+        assert_eq!(Platform::WASM.path_3("m"), "binaries/wasm32-wasip2/m.wasm");
     }
 
     #[test]

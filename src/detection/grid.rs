@@ -133,7 +133,7 @@ impl Grids {
         let smallest = spheres().map(|i| size[i]).fold(f64::INFINITY, f64::min);
         // The exponent of a number is its logarithm, rounded down.
         let level = |i: usize| ((size[i] / smallest).to_bits() >> 52) as usize;
-        let one = 1.0_f64.to_bits() as usize >> 52;
+        let one = (1.0_f64.to_bits() >> 52) as usize;
         let mut levels: Vec<Vec<Member>> = Vec::new();
         for i in spheres() {
             let level = level(i).saturating_sub(one).min(LEVELS);

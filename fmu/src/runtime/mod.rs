@@ -2,6 +2,8 @@
 
 pub mod contacts;
 pub mod document;
+#[cfg(target_family = "wasm")]
+pub mod embedded;
 pub mod instance;
 pub mod life_cycle;
 pub mod recorder;

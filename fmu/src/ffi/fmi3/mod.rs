@@ -4,6 +4,8 @@
 #![allow(non_snake_case)]
 
 mod absent;
+#[cfg(target_family = "wasm")]
+mod component;
 mod derivatives;
 mod states;
 mod step;
@@ -22,6 +24,9 @@ use sphere_dda_fmi_interface::log::{Level, Log};
 use sphere_dda_fmi_interface::pointers::{Lent, message_sink};
 
 use fmi3Status::{fmi3OK, fmi3Warning};
+
+/// What an importer is told that wants events.
+const NO_EVENTS: &str = "fmi3InstantiateCoSimulation: eventModeUsed is true, but hasEventMode is false: there will be no events";
 
 /// Version of the standard: "3.0".
 #[unsafe(no_mangle)]
@@ -72,8 +77,7 @@ extern "C" fn fmi3InstantiateCoSimulation(
     let lent = unsafe { Lent::new() };
     guard::instantiate("fmi3InstantiateCoSimulation", log, || {
         if eventModeUsed != 0 {
-            let text = "fmi3InstantiateCoSimulation: eventModeUsed is true, but hasEventMode is false: there will be no events";
-            log().write(Level::Warning, text);
+            log().write(Level::Warning, NO_EVENTS);
         }
         let name = lent.text(instanceName, "instanceName").unwrap_or_default();
         let token = lent.text(instantiationToken, "instantiationToken");

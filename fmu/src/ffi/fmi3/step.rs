@@ -19,7 +19,7 @@ const FUNCTION: &str = "fmi3DoStep";
 /// Takes a step; a discarded one leaves the instance at its beginning, a step that returns early at the end of an
 /// internal step.
 #[unsafe(no_mangle)]
-extern "C" fn fmi3DoStep(
+pub(super) extern "C" fn fmi3DoStep(
     instance: fmi3Instance,
     currentCommunicationPoint: fmi3Float64,
     communicationStepSize: fmi3Float64,

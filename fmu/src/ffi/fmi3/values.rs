@@ -12,7 +12,7 @@ use crate::version::Version;
 
 use fmi3Status::fmi3OK;
 
-const READABLE: Stages = &[
+pub(super) const READABLE: Stages = &[
     LifeCycle::Instantiated,
     LifeCycle::Initialization,
     LifeCycle::StepComplete,
@@ -21,7 +21,7 @@ const READABLE: Stages = &[
     LifeCycle::Terminated,
     LifeCycle::Intermediate,
 ];
-const SETTABLE: Stages = &[
+pub(super) const SETTABLE: Stages = &[
     LifeCycle::Instantiated,
     LifeCycle::Initialization,
     LifeCycle::StepComplete,

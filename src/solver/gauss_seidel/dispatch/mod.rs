@@ -88,6 +88,7 @@ pub(super) trait Precision: Real {
 macro_rules! precision {
     ($real:ty) => {
         impl Precision for $real {
+            #[cfg_attr(not(target_arch = "x86_64"), expect(unused_variables))]
             fn with<W: Task<Real = Self>>(registers: Registers, work: W) -> W::Output {
                 #[cfg(target_arch = "x86_64")]
                 if registers == Registers::Widest
@@ -111,11 +112,13 @@ precision!(f64);
 precision!(f32);
 
 /// Work with its lanes.
+#[cfg(target_arch = "x86_64")]
 struct Job<W, L> {
     work: W,
     lanes: L,
 }
 
+#[cfg(target_arch = "x86_64")]
 impl<W: Task, L: Lanes<W::Real>> pulp::NullaryFnOnce for Job<W, L> {
     type Output = W::Output;
 
