@@ -80,6 +80,7 @@ pub mod communication_points;
 pub mod contact;
 pub mod detection;
 pub mod error;
+pub mod files;
 pub mod formats;
 pub mod geometry;
 pub mod integrator;

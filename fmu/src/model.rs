@@ -49,7 +49,7 @@ impl Model {
     /// As [`Self::read`], and [`ModelError::Unreadable`].
     pub fn of_resources(resources: &Path) -> Result<Self, ModelError> {
         let path = resources.join(START_FILE);
-        let start = match sphere_dda::formats::files::read(&path) {
+        let start = match sphere_dda::files::read(&path) {
             Ok(start) => Some(start),
             Err(error) if error.kind() == io::ErrorKind::NotFound => None,
             Err(source) => return Err(ModelError::Unreadable { path, source }),

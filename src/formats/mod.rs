@@ -2,7 +2,6 @@
 
 pub(crate) mod durable;
 pub mod error;
-pub mod files;
 pub mod problem;
 pub(crate) mod pvd;
 pub mod snapshot;

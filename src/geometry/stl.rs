@@ -24,7 +24,7 @@ impl Facets {
                 _ => e.to_string(),
             },
         };
-        let mut bytes = crate::formats::files::read(path).map_err(unreadable)?;
+        let mut bytes = crate::files::read(path).map_err(unreadable)?;
         normalise_header(&mut bytes);
         let mesh = stl_io::read_stl(&mut Cursor::new(bytes)).map_err(unreadable)?;
         if mesh.faces.is_empty() {

@@ -69,7 +69,7 @@ impl Scene {
     ) -> Result<Loaded, SceneError> {
         let path = path.as_ref();
         let name = path.display().to_string();
-        match crate::formats::files::read(path).map(String::from_utf8) {
+        match crate::files::read(path).map(String::from_utf8) {
             Ok(Ok(text)) => {
                 let folder = path.parent().unwrap_or(Path::new(""));
                 build::load(&name, &text, folder, values)

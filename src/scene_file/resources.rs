@@ -40,7 +40,7 @@ impl<'a> Resources<'a> {
         })?;
         if !self.files.contains_key(&name) {
             let place = self.folder.join(&name);
-            let content = crate::formats::files::read(&place).map_err(|error| {
+            let content = crate::files::read(&place).map_err(|error| {
                 let message = format!("cannot read `{}`: {error}", place.display());
                 (message, "paths count from the folder of the scene file")
             })?;

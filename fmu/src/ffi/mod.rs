@@ -11,6 +11,8 @@
 //! and likewise `fmi3OK` to `fmi3Error`. Model exchange is not offered: FMI 2.0 asks a co-simulation FMU not to export
 //! its functions, FMI 3.0 asks for all functions, and those of what is not offered are refused.
 
+#[cfg(target_family = "wasm")]
+mod embedded;
 mod fmi2;
 mod fmi3;
 mod guard;

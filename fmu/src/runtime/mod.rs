@@ -2,8 +2,6 @@
 
 pub mod contacts;
 pub mod document;
-#[cfg(target_family = "wasm")]
-pub mod embedded;
 pub mod instance;
 pub mod life_cycle;
 pub mod recorder;

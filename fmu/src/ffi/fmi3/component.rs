@@ -8,11 +8,11 @@ use sphere_dda_fmi_interface::abi3::*;
 use sphere_dda_fmi_interface::log::{Category, Level, Log, Sink};
 use sphere_dda_model_description::value::{ScalarType, Value};
 
+use super::super::embedded;
 use super::super::guard::{self, ANY, Component, KNOWN, STEPPED, Stages, Updates, call};
 use super::super::saved::SAVEABLE;
 use super::step::fmi3DoStep;
 use super::values::{READABLE, SETTABLE};
-use crate::runtime::embedded;
 use crate::runtime::instance::{Call, Instance};
 use crate::runtime::refusal::Refusal;
 use crate::version::Version;

@@ -5,14 +5,14 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use sphere_dda::formats::files;
+use sphere_dda::files;
 
 /// Address and size of the resources \[bytes\], written by the exporter.
 #[unsafe(no_mangle)]
 static SPHERE_DDA_RESOURCES: [AtomicUsize; 2] = [AtomicUsize::new(0), AtomicUsize::new(0)];
 
 /// The folder that they are in.
-pub fn resources() -> &'static Path {
+pub(super) fn resources() -> &'static Path {
     let [address, size] = SPHERE_DDA_RESOURCES
         .each_ref()
         .map(|x| x.load(Ordering::Relaxed));
