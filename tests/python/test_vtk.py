@@ -28,7 +28,9 @@ ARRAYS = {
     },
     "contacts": {
         "point": {},
-        "cell": {"normal_force": 1, "force": 3, "torque": 3, "overlap": 1, "slip": 1, "id1": 1, "id2": 1, "kind": 1},
+        "cell": {
+            "normal_force": 1, "force": 3, "torque": 3, "hold": 1, "overlap": 1, "slip": 1, "id1": 1, "id2": 1, "kind": 1,
+        },
     },
     "boundaries": {
         "point": {"velocity": 3},
@@ -38,10 +40,10 @@ ARRAYS = {
         },
     },
 }
-# Written where some contact resists rolling or twisting, and where a boundary has `wall_fields`.
+# Written where some contact resists rolling or twisting, where some holds, and where a boundary has `wall_fields`.
 WALLS = ("area", "pressure", "shear", "traction", "friction_energy", "impact_energy", "wear_depth")
-OPTIONAL = {("contacts", "torque"), *(("boundaries", name) for name in WALLS)}
-INTEGERS = {"id", "material", "id1", "id2", "kind", "boundary"}
+OPTIONAL = {("contacts", "torque"), ("contacts", "hold"), *(("boundaries", name) for name in WALLS)}
+INTEGERS = {"id", "material", "id1", "id2", "kind", "boundary", "hold"}
 UNITS = {
     "radius": "m", "velocity": "m/s", "angular_velocity": "rad/s", "force": "N", "torque": "N m", "normal_force": "N",
     "overlap": "m", "slip": "m/s", "TimeValue": "s", "area": "m2", "pressure": "Pa", "shear": "Pa", "traction": "Pa",
