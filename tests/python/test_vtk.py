@@ -138,9 +138,8 @@ def check_frame(series, time, path):
         assert np.array_equal(order, np.arange(vtk["cells"])), "contacts sorted by id1, kind, id2"
         empty = data["kind"][0] == -1
         assert empty == (mio["type"] == "vertex")
-        # Never a pull; a force that only friction makes has a normal part of rounding.
+        # Only what holds together pulls; a force that only friction makes has a normal part of rounding.
         pushes = data["normal_force"]
-        # What holds together may pull.
         free = pushes[data["hold"] == 0] if "hold" in data else pushes
         assert empty or free.size == 0 or free.min() >= -1e-12 * pushes.max()
     return vtk
