@@ -123,7 +123,8 @@ fn a_start_with_rolling_friction_is_linear_in_the_contacts() {
         })
     };
     let [few, many] = [140, 560].map(time);
-    assert!(many < few * 32, "{many:?} instead of sixteen times {few:?}");
+    // Linear is 16 times, quadratic 256 times: between them, since other tests run beside this one.
+    assert!(many < few * 64, "{many:?} instead of sixteen times {few:?}");
 }
 
 /// The text of a scene that a process of its own reads.
