@@ -7,10 +7,9 @@ use std::sync::OnceLock;
 
 static HELD: OnceLock<BTreeMap<PathBuf, Vec<u8>>> = OnceLock::new();
 
-/// Gives a host without a disk the files that there are; only the first call counts.
-pub fn hold(files: BTreeMap<PathBuf, Vec<u8>>) {
-    // The files of a component do not change.
-    let _ = HELD.set(files);
+/// Gives a host without a disk the files that there are: the first call asks for them, they do not change.
+pub fn hold(files: impl FnOnce() -> BTreeMap<PathBuf, Vec<u8>>) {
+    HELD.get_or_init(files);
 }
 
 /// Reads a file.

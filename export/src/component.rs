@@ -51,7 +51,7 @@ pub enum ComponentError {
 /// [`ComponentError`].
 pub fn component(
     module: &[u8],
-    resources: &BTreeMap<String, Vec<u8>>,
+    resources: &BTreeMap<&str, &[u8]>,
 ) -> Result<Vec<u8>, ComponentError> {
     let module = with_resources(module, &postcard::to_stdvec(resources)?)?;
     let mut encoder = ComponentEncoder::default();

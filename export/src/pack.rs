@@ -101,24 +101,23 @@ pub fn export(contents: Contents<'_>, fmu: &Path) -> Result<Exported, ExportErro
     let identifier = identifier(scene);
     let pictures = draw(&model.scene);
     let (mut files, findings) = described(&model, &identifier, version, pictures.is_some())?;
+    let own = resources(&model)?;
     for Library { platform, path } in libraries {
-        let code = fs::read(path).map_err(|source| ExportError::Read {
+        let mut code = fs::read(path).map_err(|source| ExportError::Read {
             path: path.clone(),
             source,
         })?;
-        let own = resources(&model)?;
-        let code = match *platform == Platform::WASM {
-            true if version == Version::Two => return Err(ExportError::Component2),
-            true => inside(&code, own)?,
-            false => code,
-        };
         if *platform == Platform::WASM {
+            if version == Version::Two {
+                return Err(ExportError::Component2);
+            }
+            code = inside(&code, &own)?;
             files.push((MANIFEST_FILE.to_owned(), MANIFEST.as_bytes().into()));
         }
         files.push((library_path(version, platform, &identifier), code.into()));
     }
     let place = |(name, content)| (format!("resources/{name}"), content);
-    files.extend(resources(&model)?.into_iter().map(place));
+    files.extend(own.into_iter().map(place));
     files.extend(documented(&model, version, pictures));
     let mut files: Vec<(String, &[u8])> = files
         .iter()
@@ -199,12 +198,10 @@ fn judge(findings: Vec<Finding>) -> Result<Vec<String>, ExportError> {
 }
 
 /// The component of a module, with what the instance reads.
-fn inside(module: &[u8], resources: Files<'_>) -> Result<Vec<u8>, ExportError> {
-    let own = |(name, content): (String, Cow<'_, [u8]>)| (name, content.into_owned());
-    Ok(component(
-        module,
-        &resources.into_iter().map(own).collect(),
-    )?)
+fn inside(module: &[u8], resources: &Files<'_>) -> Result<Vec<u8>, ExportError> {
+    let resources = resources.iter();
+    let by_name = resources.map(|(name, content)| (&**name, &**content));
+    Ok(component(module, &by_name.collect())?)
 }
 
 /// What the instance reads, by its path in `resources/`.

@@ -20,12 +20,6 @@ const TEST: &str = "smoke-test.exp";
 const INPUTS: &str = "smoke-test-in.csv";
 const RESULTS: &str = "smoke-test-out.csv";
 
-/// Processors of another class round otherwise, and forces in a packing follow the solver's tolerances.
-const TOLERANCES: Tolerances = Tolerances {
-    relative: 1e-3,
-    absolute: 1e-9,
-};
-
 /// A run of the FMU with its results.
 #[derive(Debug, Clone)]
 pub struct SmokeTest {
@@ -119,7 +113,7 @@ impl SmokeTest {
         };
         Experiments {
             name: "smoke test".to_owned(),
-            list: vec![test.within(TOLERANCES)],
+            list: vec![test.within(Tolerances::default())],
         }
     }
 }

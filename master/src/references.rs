@@ -16,11 +16,6 @@ use crate::fmu::Fmu;
 use crate::run::Table;
 use crate::value::{Value, Values};
 
-/// Of an experiment that says none.
-const TOLERANCES: Tolerances = Tolerances {
-    relative: 1e-3,
-    absolute: 1e-9,
-};
 /// Share of a time by which two that are equal may differ.
 const SAME_TIME: f64 = 1e-9;
 /// Most faults of a list in a message.
@@ -229,7 +224,7 @@ impl Folder<'_> {
             times: experiment.times(),
             inputs: file(&experiment.stimuli)?,
             expected: expected.map(|path| Expected::read(&path)).transpose()?,
-            tolerances: experiment.tolerances().unwrap_or(TOLERANCES),
+            tolerances: experiment.tolerances().unwrap_or_default(),
         })
     }
 }

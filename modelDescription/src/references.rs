@@ -244,6 +244,16 @@ pub struct Tolerances {
     pub absolute: f64,
 }
 
+impl Default for Tolerances {
+    /// Processors of another class round otherwise, and forces in a packing follow the solver's tolerances.
+    fn default() -> Self {
+        Self {
+            relative: 1e-3,
+            absolute: 1e-9,
+        }
+    }
+}
+
 /// Kind of the annotation with [`Tolerances`].
 const TOLERANCES: &str = "sphere-dda.tolerances";
 

@@ -64,11 +64,7 @@ impl Configuration<'_> {
     /// Radius of the smaller partner \[m\]: the scale of a pair's overlap.
     #[must_use]
     pub fn scale(&self, key: ContactId) -> f64 {
-        let radius = self.particles.radius[key.sphere as usize];
-        match key.partner {
-            Partner::Sphere { index, .. } => radius.min(self.particles.radius[index as usize]),
-            Partner::Boundary { .. } => radius,
-        }
+        self.particles.smaller_radius(key)
     }
 
     pub(super) fn pair(&self, i: u32, j: u32, image: Image) -> Candidate {

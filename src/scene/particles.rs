@@ -4,6 +4,7 @@ use nalgebra::{UnitQuaternion, Vector3};
 use serde::{Deserialize, Serialize};
 
 use crate::Vec3;
+use crate::contact::{ContactId, Partner};
 use crate::spatial::SpatialVector;
 
 /// Degrees of freedom of a sphere that are held at zero velocity, in world axes.
@@ -113,6 +114,29 @@ impl Particles {
     pub(crate) fn free(&self, i: usize) -> [Vec3; 2] {
         let locks = &self.locks[i];
         [locks.translation, locks.rotation].map(Locks::free)
+    }
+
+    /// Radius \[m\] of the other sphere of a contact, if that is with one.
+    fn other_radius(&self, key: ContactId) -> Option<f64> {
+        match key.partner {
+            Partner::Sphere { index, .. } => Some(self.radius[index as usize]),
+            Partner::Boundary { .. } => None,
+        }
+    }
+
+    /// Smaller radius \[m\] of the partners of a contact.
+    #[must_use]
+    pub fn smaller_radius(&self, key: ContactId) -> f64 {
+        let own = self.radius[key.sphere as usize];
+        self.other_radius(key).map_or(own, |other| own.min(other))
+    }
+
+    /// `1/(1/R_A + 1/R_B)` \[m\] of the partners of a contact; of a sphere on a boundary its own radius.
+    #[must_use]
+    pub fn reduced_radius(&self, key: ContactId) -> f64 {
+        let own = self.radius[key.sphere as usize];
+        self.other_radius(key)
+            .map_or(own, |other| own * other / (own + other))
     }
 
     /// Inverse mass \[1/kg\] of sphere `i` along x, y, z; zero where locked.

@@ -7,9 +7,9 @@ use super::assemble::Assembly;
 use super::prediction::Prediction;
 use super::solution::{Solution, Solved};
 use crate::Vec3;
+use crate::contact::ContactId;
 use crate::contact::cohesion::{BondLoad, BondStrength, Hold};
 use crate::contact::forces::ContactForces;
-use crate::contact::{ContactId, Partner};
 use crate::detection::configuration::{Candidate, Configuration};
 use crate::problem::Law;
 use crate::problem::law::split;
@@ -39,13 +39,15 @@ impl Prediction<'_> {
 
     /// Attraction \[N\] of a contact.
     pub(super) fn attraction(&self, key: ContactId, hold: Hold) -> f64 {
-        let (pair, [smaller, reduced]) = (self.pair(key), self.radii(key));
+        let (pair, particles) = (self.pair(key), &self.scene.particles);
         match hold {
             Hold::Loose => 0.0,
-            Hold::Attached => pair.cohesion.map_or(0.0, |c| c.pull_off(reduced)),
-            Hold::Bonded => pair
-                .bond
-                .map_or(0.0, |bond| bond.strength(smaller).attraction()),
+            Hold::Attached => pair
+                .cohesion
+                .map_or(0.0, |c| c.pull_off(particles.reduced_radius(key))),
+            Hold::Bonded => pair.bond.map_or(0.0, |bond| {
+                bond.strength(particles.smaller_radius(key)).attraction()
+            }),
         }
     }
 
@@ -60,19 +62,6 @@ impl Prediction<'_> {
         }
     }
 
-    /// Smaller and reduced radius \[m\] of a contact.
-    fn radii(&self, key: ContactId) -> [f64; 2] {
-        let radius = &self.scene.particles.radius;
-        let own = radius[key.sphere as usize];
-        match key.partner {
-            Partner::Sphere { index, .. } => {
-                let other = radius[index as usize];
-                [own.min(other), own * other / (own + other)]
-            }
-            Partner::Boundary { .. } => [own, own],
-        }
-    }
-
     /// Whether a gap is closed but for what a step may leave open.
     fn touches(&self, candidate: &Candidate) -> bool {
         candidate.gap <= self.closed(candidate.key)
@@ -80,7 +69,8 @@ impl Prediction<'_> {
 
     fn closed(&self, key: ContactId) -> f64 {
         let settings = &self.scene.settings;
-        (settings.tolerance.gap + settings.opening).max(1e-9) * self.radii(key)[0]
+        (settings.tolerance.gap + settings.opening).max(1e-9)
+            * self.scene.particles.smaller_radius(key)
     }
 }
 
@@ -97,13 +87,11 @@ impl Assembly<'_> {
             let force = self.prediction.attraction(candidate.key, hold);
             self.holds.push(hold);
             self.attraction.push(force);
-            if force > 0.0 {
-                let impulse = candidate.normal * (force * self.prediction.step);
-                let row = self.problem.rows.get(k);
+        }
+        self.pull(|_| true, -1.0);
+        for k in 0..self.attraction.len() {
+            if let Some(impulse) = self.attracting(k) {
                 impulses[k] += impulse;
-                let mut free = std::mem::take(&mut self.problem.free);
-                self.problem.apply(&row, &mut free, -impulse);
-                self.problem.free = free;
             }
         }
     }
@@ -116,11 +104,16 @@ impl Assembly<'_> {
 
     /// Takes the attraction of the contacts that `of` names out of the motion of the bodies without contacts.
     pub(super) fn release(&mut self, of: impl Fn(usize) -> bool) {
+        self.pull(of, 1.0);
+    }
+
+    /// Gives the bodies of the contacts that `of` names `share` of what attracts them, with a minus.
+    fn pull(&mut self, of: impl Fn(usize) -> bool, share: f64) {
         let mut free = std::mem::take(&mut self.problem.free);
         for k in (0..self.attraction.len()).filter(|&k| of(k)) {
             if let Some(impulse) = self.attracting(k) {
                 let row = self.problem.rows.get(k);
-                self.problem.apply(&row, &mut free, impulse);
+                self.problem.apply(&row, &mut free, impulse * share);
             }
         }
         self.problem.free = free;
@@ -169,7 +162,8 @@ impl Assembly<'_> {
             let pair = prediction.pair(candidate.key);
             let strength = pair.bond.filter(|_| *hold == Hold::Bonded);
             if let Some(bond) = strength {
-                let strength = bond.strength(prediction.radii(candidate.key)[0]);
+                let strength =
+                    bond.strength(prediction.scene.particles.smaller_radius(candidate.key));
                 let load = self.bond_load(k, &strength, impulses[k], couples[k]);
                 if !strength.breaks(&load, pair.friction) {
                     return Hold::Bonded;

@@ -5,6 +5,7 @@ import subprocess
 import fmpy
 import numpy as np
 import pytest
+from fmu import Slave
 
 RADIUS = 0.01
 MASS = 2500 * 4 / 3 * np.pi * RADIUS**3
@@ -136,33 +137,22 @@ def test_a_restored_state_goes_on_with_the_same_bits(export):
     """What holds is part of the state: the chain is saved before it parts, and again."""
     positions = [[0, 0, -RADIUS * (2 * k + 1)] for k in range(4)]
     path = export("restored", f"cohesion = {3.99 * WEIGHT}", [0, 0, -1], positions)
-    description = fmpy.read_model_description(str(path))
-    if description.fmiVersion != "2.0":
+    if fmpy.read_model_description(str(path)).fmiVersion != "2.0":
         pytest.skip("this test speaks FMI 2.0")
-    reference = {v.name: v.valueReference for v in description.modelVariables}[HEIGHT]
-    unit = fmpy.fmi2.FMU2Slave(
-        guid=description.guid,
-        unzipDirectory=fmpy.extract(str(path)),
-        modelIdentifier=description.coSimulation.modelIdentifier,
-        instanceName="chain",
-    )
-    unit.instantiate()
-    unit.setupExperiment(startTime=0.0)
-    unit.enterInitializationMode()
-    unit.exitInitializationMode()
+    with Slave(path) as unit:
 
-    def steps(first, count):
-        seen = []
-        for k in range(first, first + count):
-            unit.doStep(k * 1e-3, 1e-3)
-            seen.append(unit.getReal([reference])[0])
-        return seen
+        def steps(first, count):
+            seen = []
+            for k in range(first, first + count):
+                unit.step(k * 1e-3, 1e-3)
+                seen += unit.get(HEIGHT)
+            return seen
 
-    steps(0, 5)
-    state = unit.getFMUState()
-    once = steps(5, 60)
-    unit.setFMUState(state)
-    assert steps(5, 60) == once
-    unit.freeFMUState(state)
-    unit.terminate()
-    unit.freeInstance()
+        steps(0, 5)
+        state, blob = unit.fmi.getFMUstate(), unit.save()
+        once = steps(5, 60)
+        unit.fmi.setFMUstate(state)
+        assert steps(5, 60) == once
+        unit.restore(blob)
+        assert steps(5, 60) == once
+        unit.fmi.freeFMUstate(state)

@@ -11,8 +11,16 @@ use sphere_dda::files;
 #[unsafe(no_mangle)]
 static SPHERE_DDA_RESOURCES: [AtomicUsize; 2] = [AtomicUsize::new(0), AtomicUsize::new(0)];
 
+const FOLDER: &str = "resources";
+
 /// The folder that they are in.
 pub(super) fn resources() -> &'static Path {
+    files::hold(held);
+    Path::new(FOLDER)
+}
+
+/// The files; none where they are damaged, and then the scene is what is missed.
+fn held() -> BTreeMap<PathBuf, Vec<u8>> {
     let [address, size] = SPHERE_DDA_RESOURCES
         .each_ref()
         .map(|x| x.load(Ordering::Relaxed));
@@ -24,10 +32,7 @@ pub(super) fn resources() -> &'static Path {
         },
     };
     let held: BTreeMap<String, Vec<u8>> = postcard::from_bytes(bytes).unwrap_or_default();
-    let held = held.into_iter();
-    files::hold(
-        held.map(|(name, content)| (PathBuf::from("resources").join(name), content))
-            .collect(),
-    );
-    Path::new("resources")
+    held.into_iter()
+        .map(|(name, content)| (Path::new(FOLDER).join(name), content))
+        .collect()
 }

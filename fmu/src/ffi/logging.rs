@@ -2,7 +2,7 @@
 
 use std::ffi::c_char;
 
-use super::guard::{Stages, Status, lend};
+use super::guard::{Component, Stages, Status, lend};
 use sphere_dda_fmi_interface::abi2::fmi2Component;
 use sphere_dda_fmi_interface::log::Level;
 
@@ -19,16 +19,26 @@ pub(super) fn select<S: Status>(
         let names: Vec<&str> = names
             .map(|&name| lent.text(name, "categories"))
             .collect::<Result<_, _>>()?;
-        let log = component.instance.log();
-        let unknown = log.select(on, &names);
-        if unknown.is_empty() {
-            return Ok(S::OK);
-        }
-        let names = unknown.join(", ");
-        log.write(
-            Level::Warning,
-            format_args!("{function}: unknown categories {names}"),
-        );
-        Ok(S::WARNING)
+        Ok(choose(component, function, on, &names))
     })
+}
+
+/// As [`select`], with names that are read.
+pub(super) fn choose<S: Status>(
+    component: &mut Component,
+    function: &str,
+    on: bool,
+    names: &[&str],
+) -> S {
+    let log = component.instance.log();
+    let unknown = log.select(on, names);
+    if unknown.is_empty() {
+        return S::OK;
+    }
+    let names = unknown.join(", ");
+    log.write(
+        Level::Warning,
+        format_args!("{function}: unknown categories {names}"),
+    );
+    S::WARNING
 }

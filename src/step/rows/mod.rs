@@ -67,15 +67,11 @@ impl Prediction<'_> {
         }
         let particles = &self.scene.particles;
         let locked = |i: u32| particles.inverse_inertia(i as usize) == Vec3::zeros();
-        let own = particles.radius[key.sphere as usize];
-        let (reduced, prescribed_velocity) = match key.partner {
+        let prescribed_velocity = match key.partner {
             Partner::Sphere { index, .. } if locked(row.a) && locked(index) => return None,
-            Partner::Sphere { index, .. } => {
-                let other = particles.radius[index as usize];
-                (own * other / (own + other), Vec3::zeros())
-            }
+            Partner::Sphere { .. } => Vec3::zeros(),
             // A driven body turns by itself.
-            Partner::Boundary { .. } if row.b != GROUND => (own, Vec3::zeros()),
+            Partner::Boundary { .. } if row.b != GROUND => Vec3::zeros(),
             Partner::Boundary { .. } if locked(row.a) => return None,
             Partner::Boundary { boundary, .. } => {
                 let [start, end] = self
@@ -83,10 +79,10 @@ impl Prediction<'_> {
                     .each_ref()
                     .map(|poses| &poses[usize::from(boundary)]);
                 let turning = start.twist_to(end, self.step).angular;
-                (own, -turning * row.radius)
+                -turning * row.radius
             }
         };
-        let share = reduced / row.radius;
+        let share = particles.reduced_radius(key) / row.radius;
         let mut resistance = Row {
             arm_a: Vec3::zeros(),
             arm_b: Vec3::zeros(),

@@ -9,10 +9,11 @@ use sphere_dda_fmi_interface::log::{Category, Level, Log, Sink};
 use sphere_dda_model_description::value::{ScalarType, Value};
 
 use super::super::embedded;
-use super::super::guard::{self, ANY, Component, KNOWN, STEPPED, Stages, Updates, call};
+use super::super::guard::{self, ANY, Component, KNOWN, STEPPED, Updates, call};
+use super::super::logging;
 use super::super::saved::SAVEABLE;
 use super::step::fmi3DoStep;
-use super::values::{READABLE, SETTABLE};
+use super::values::{READABLE, SETTABLE, never};
 use crate::runtime::instance::{Call, Instance};
 use crate::runtime::refusal::Refusal;
 use crate::version::Version;
@@ -211,11 +212,6 @@ macro_rules! numbers {
     )*};
 }
 
-/// No variable has the type: whatever is asked for is refused, by its reference.
-fn never<T>(_: Value) -> Option<T> {
-    None
-}
-
 /// As [`never`]: the value is not looked at.
 fn any<T>(_: T) -> Value {
     Value::Integer(0)
@@ -255,14 +251,7 @@ impl GuestCoSimulationInstance for Handle {
     fn set_debug_logging(&self, on: bool, categories: Vec<String>) -> Status {
         let status: fmi3Status = call(self.0, "set-debug-logging", ANY, |component| {
             let names: Vec<&str> = categories.iter().map(String::as_str).collect();
-            let log = component.instance.log();
-            let unknown = log.select(on, &names).join(", ");
-            if unknown.is_empty() {
-                return Ok(fmi3OK);
-            }
-            let text = format_args!("set-debug-logging: unknown categories {unknown}");
-            log.write(Level::Warning, text);
-            Ok(fmi3Warning)
+            Ok(logging::choose(component, "set-debug-logging", on, &names))
         });
         status.into()
     }
@@ -364,23 +353,16 @@ impl GuestCoSimulationInstance for Handle {
 
     fn get_output_derivatives(&self, requests: Vec<(u32, u32)>) -> Result<Vec<f64>, Status> {
         let mut rates = Vec::new();
-        let status = call(
-            self.0,
-            "get-output-derivatives",
-            STEPPED as Stages,
-            |component| {
-                let (references, orders): (Vec<u32>, Vec<i32>) = requests
-                    .iter()
-                    .map(|&(reference, order)| {
-                        (reference, i32::try_from(order).unwrap_or(i32::MAX))
-                    })
-                    .unzip();
-                let instance = &mut component.instance;
-                let count = elements(instance, &references);
-                rates = instance.output_derivatives(Version::Three, &references, &orders, count)?;
-                Ok(fmi3OK)
-            },
-        );
+        let status = call(self.0, "get-output-derivatives", STEPPED, |component| {
+            let (references, orders): (Vec<u32>, Vec<i32>) = requests
+                .iter()
+                .map(|&(reference, order)| (reference, i32::try_from(order).unwrap_or(i32::MAX)))
+                .unzip();
+            let instance = &mut component.instance;
+            let count = elements(instance, &references);
+            rates = instance.output_derivatives(Version::Three, &references, &orders, count)?;
+            Ok(fmi3OK)
+        });
         found(status, rates)
     }
 

@@ -74,7 +74,7 @@ macro_rules! numbers {
 }
 
 /// No variable has the type: whatever is asked for is refused, by its reference.
-fn never<T>(_: Value) -> Option<T> {
+pub(super) fn never<T>(_: Value) -> Option<T> {
     None
 }
 
