@@ -89,9 +89,9 @@ impl Assembly<'_> {
             self.attraction.push(force);
         }
         self.pull(|_| true, -1.0);
-        for k in 0..self.attraction.len() {
+        for (k, pressing) in impulses.iter_mut().enumerate() {
             if let Some(impulse) = self.attracting(k) {
-                impulses[k] += impulse;
+                *pressing += impulse;
             }
         }
     }
