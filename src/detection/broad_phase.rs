@@ -148,6 +148,11 @@ impl NeighborList {
         } else {
             self.images = periodic_pairs(now.cell, now.position, now.present, &sizes);
         }
+        if !now.particles.clump.is_empty() {
+            self.pairs.retain(|&(i, j)| !now.particles.are_one(i, j));
+            self.images
+                .retain(|&(i, j, _)| !now.particles.are_one(i, j));
+        }
     }
 
     /// Finds the pairs of the spheres that are `stale`, ascending.
@@ -162,7 +167,8 @@ impl NeighborList {
         }
         self.pairs
             .retain(|&(i, j)| kept[i as usize] && kept[j as usize]);
-        let found = pairs_of(stale, &self.anchor, &self.present, &self.sizes(now));
+        let mut found = pairs_of(stale, &self.anchor, &self.present, &self.sizes(now));
+        found.retain(|&(i, j)| !now.particles.are_one(i, j));
         merge(&mut self.pairs, &found);
     }
 

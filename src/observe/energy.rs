@@ -11,6 +11,8 @@
 //! L               sum (c x m v_h + I w_h)   about the origin
 //! ```
 //!
+//! Of a clump, mass, centre and inertia are its own, and it counts once.
+//!
 //! Driven bodies have kinetic energy and weight too; their loads count as work ([`crate::state::EnergyLedger`]), not as a potential.
 //! Momenta are those of the spheres, on which the wrenches of all boundaries act, driven ones included. They use the
 //! half-step velocity because that is the one whose change over a step is exactly the impulse of the step. Only spheres in
@@ -18,6 +20,7 @@
 
 use super::Observation;
 use crate::Vec3;
+use crate::spatial::{SpatialVector, Twist};
 
 /// Mechanical energy \[J\].
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -130,7 +133,10 @@ impl Totals {
         let (mut mass, mut spheres) = (0.0, 0);
         let (mut smallest_radius, mut square) = (f64::INFINITY, 0.0_f64);
         for i in state.present() {
-            let (own, inertia) = (particles.mass[i], particles.inertia(i));
+            // What is of a clump as a whole comes after.
+            let single = particles.clump(i).is_none();
+            let own = particles.mass[i];
+            let inertia = if single { particles.inertia(i) } else { 0.0 };
             let centre = state.kinematics.position[i];
             mass += own;
             spheres += 1;
@@ -138,7 +144,9 @@ impl Totals {
             let velocity = state.velocities.reported(i);
             let speed = velocity.linear.norm_squared();
             square = speed.max(square);
-            energy.translational += 0.5 * own * speed;
+            if single {
+                energy.translational += 0.5 * own * speed;
+            }
             energy.rotational += 0.5 * inertia * velocity.angular.norm_squared();
             energy.gravity -= own * state.gravity.dot(&centre);
             if let Some(frame) = frame {
@@ -147,7 +155,30 @@ impl Totals {
             let velocity = state.velocities.half_step(i);
             let linear = velocity.linear * own;
             momentum.linear += linear;
-            momentum.angular += centre.cross(&linear) + velocity.angular * inertia;
+            if single {
+                momentum.angular += centre.cross(&linear) + velocity.angular * inertia;
+            }
+        }
+        for clump in &state.scene.clumps {
+            let first = clump.members.start;
+            let (centre, rotation) = clump.place(state.kinematics);
+            if !state.kinematics.present[first] {
+                continue;
+            }
+            let [reported, half] = [
+                state.velocities.reported(first),
+                state.velocities.half_step(first),
+            ]
+            .map(|Twist { linear, angular }| {
+                let of_first = SpatialVector { linear, angular };
+                clump.of_member(rotation, &of_first)
+            });
+            let [translational, rotational] = clump.shape.kinetic_energy(rotation, &reported);
+            energy.translational += translational;
+            energy.rotational += rotational;
+            let inertia = clump.shape.inertia(rotation, |moment| moment);
+            momentum.angular +=
+                centre.cross(&(half.linear * clump.shape.mass)) + inertia * half.angular;
         }
         energy.add_others(state);
         Self {

@@ -131,13 +131,29 @@ impl<'a> Observation<'a> {
         }
     }
 
-    /// From the centre of body B, or the closest point on a boundary, to the centre of body A \[m\]: the copies that touch.
+    /// From the centre of body B, or the closest point on a boundary, to the centre of body A \[m\]: the copies that touch, and of
+    /// members their clumps.
     pub(crate) fn branch(&self, contact: &Contact) -> [Vec3; 2] {
         let (centre, cell) = (&self.kinematics.position, &self.scene.cell);
-        let own = centre[contact.key.sphere as usize];
+        let own = contact.key.sphere as usize;
         match contact.key.partner {
-            Partner::Sphere { index, image } => [centre[index as usize] + cell.shift(image), own],
-            Partner::Boundary { .. } => [contact.point, cell.nearest(own, contact.point)],
+            Partner::Sphere { index, image } => [
+                self.centre(index as usize) + cell.shift(image),
+                self.centre(own),
+            ],
+            Partner::Boundary { .. } => {
+                let near = cell.nearest(centre[own], contact.point);
+                // Their difference is exactly zero of a single sphere.
+                [contact.point, near + (self.centre(own) - centre[own])]
+            }
+        }
+    }
+
+    /// Centre of mass \[m\] of what sphere `i` belongs to.
+    fn centre(&self, i: usize) -> Vec3 {
+        match self.scene.particles.clump(i) {
+            None => self.kinematics.position[i],
+            Some(clump) => self.scene.clumps[clump].place(self.kinematics).0,
         }
     }
 }

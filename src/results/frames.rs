@@ -2,7 +2,7 @@
 //!
 //! | series | cells | arrays |
 //! |---|---|---|
-//! | spheres | vertex at the centre | over points: `radius` \[m\], `velocity` \[m/s\], `angular_velocity` \[rad/s\], `force` \[N\] and `torque` \[N m\] of all contacts, `orientation` (w, x, y, z), `id`, `material` |
+//! | spheres | vertex at the centre | over points: `radius` \[m\], `velocity` \[m/s\], `angular_velocity` \[rad/s\], `force` \[N\] and `torque` \[N m\] of all contacts, `orientation` (w, x, y, z), `id`, `material`, with clumps `clump` (-1: none) |
 //! | contacts | line from centre 1 to centre 2 or to the closest point | over cells: `normal_force` \[N\], `force` on 1 \[N\], `torque` on 1 \[N m\] of rolling and twisting resistance where the scene has any, `hold` (1 by cohesion, 2 by a bond) where it has any, `overlap` \[m\], `slip` \[m/s\], `id1`, `id2`, `kind` |
 //! | boundaries | triangles | over points: `velocity` \[m/s\]; over cells: `force` \[N\] on the whole boundary, `boundary` (index), and [`walls::FIELDS`] where a boundary has `wall_fields`, zero on all others |
 //!
@@ -83,6 +83,7 @@ struct Vertex {
     radius: f64,
     id: i32,
     material: i32,
+    clump: i32,
 }
 
 /// The spheres in the scene, by index. Where there is none, one vertex of radius 0 and id -1 at the origin stands
@@ -100,6 +101,7 @@ pub fn spheres(state: &Observation) -> Grid {
         radius: particles.radius[i],
         id: i as i32,
         material: i32::from(particles.material[i]),
+        clump: particles.clump(i).map_or(-1, |clump| clump as i32),
     });
     let mut rows: Vec<Vertex> = present.collect();
     if rows.is_empty() {
@@ -112,6 +114,7 @@ pub fn spheres(state: &Observation) -> Grid {
             radius: 0.0,
             id: -1,
             material: -1,
+            clump: -1,
         });
     }
     let orientation = rows.iter().map(|row| row.orientation);
@@ -145,6 +148,10 @@ pub fn spheres(state: &Observation) -> Grid {
         ],
         cell_data: Vec::new(),
     };
+    if !state.scene.clumps.is_empty() {
+        let clumps = rows.iter().map(|row| row.clump);
+        grid.point_data.push(Array::integer("clump", clumps));
+    }
     if !cell.is_open() {
         grid.point_data.push(Array {
             name: "image",

@@ -5,6 +5,7 @@
 pub(crate) mod accuracy;
 pub mod body;
 mod boundary;
+pub mod clump;
 mod command;
 pub mod gravity;
 pub mod materials;
@@ -29,6 +30,7 @@ use crate::contact::{ContactId, Partner};
 use crate::geometry::region::{Primitive, Region};
 use crate::integrator::Integrator;
 use crate::scene::body::Body;
+use crate::scene::clump::Clump;
 use crate::scene::gravity::GravityMotion;
 use crate::scene::materials::{Material, PairTable};
 use crate::scene::particles::{Kinematics, Particles};
@@ -376,6 +378,8 @@ pub struct Scene {
     pub pairs: PairTable,
     /// The spheres.
     pub particles: Particles,
+    /// Clumps, by ascending spheres.
+    pub clumps: Vec<Clump>,
     /// Their placement and velocity at t = 0.
     pub initial: Kinematics,
     /// Contacts whose forces at t = 0 are known, in canonical order: where their solution starts from.

@@ -40,6 +40,8 @@ pub struct Particles {
     pub material: Vec<u16>,
     /// Held degrees of freedom, `[N]`.
     pub locks: Vec<Locks>,
+    /// Number of the clump that each sphere belongs to, `[N]`; empty where there is none.
+    pub clump: Vec<Option<u32>>,
 }
 
 /// What moves, one entry per sphere.
@@ -88,6 +90,26 @@ impl Particles {
             .push(4.0 / 3.0 * std::f64::consts::PI * density * radius.powi(3));
         self.material.push(material);
         self.locks.push(locks);
+        if !self.clump.is_empty() {
+            self.clump.push(None);
+        }
+    }
+
+    /// The clump that sphere `i` belongs to.
+    #[inline]
+    pub(crate) fn clump(&self, i: usize) -> Option<usize> {
+        self.clump
+            .get(i)
+            .copied()
+            .flatten()
+            .map(|clump| clump as usize)
+    }
+
+    /// Whether two spheres belong to one clump, and never touch.
+    #[inline]
+    pub(crate) fn are_one(&self, i: u32, j: u32) -> bool {
+        let clump = self.clump(i as usize);
+        clump.is_some() && clump == self.clump(j as usize)
     }
 
     /// Gives memory back that more spheres would have needed.
@@ -96,6 +118,7 @@ impl Particles {
         self.mass.shrink_to_fit();
         self.material.shrink_to_fit();
         self.locks.shrink_to_fit();
+        self.clump.shrink_to_fit();
     }
 
     /// Moment of inertia `2/5 m R^2` \[kg m^2\] of sphere `i`.

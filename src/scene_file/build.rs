@@ -6,6 +6,7 @@ use super::advice::advise;
 use super::bodies::{boundary, motion};
 use super::cell::cell;
 use super::checks::{accept, direction};
+use super::clumps::{self, Template};
 use super::decode::{self, Entry, SceneFile};
 use super::diagnostic::SceneError;
 use super::document::Document;
@@ -25,6 +26,7 @@ use super::{Loaded, file};
 use crate::Vec3;
 use crate::contact::forces::ContactForces;
 use crate::geometry::Facets;
+use crate::scene::clump::Clump;
 use crate::scene::materials::Material;
 use crate::scene::particles::{Kinematics, Particles};
 use crate::scene::{
@@ -94,6 +96,7 @@ fn build(document: &mut Document<'_>, file: &SceneFile) -> Option<Scene> {
     let groups = file.spheres.iter().map(Entry::declaration);
     let mut context = Context {
         materials: Names::declare(document, "material", &file.materials),
+        clumps: Names::declare(document, "clump", &file.clumps),
         groups: Names::declare_all(
             document,
             "sphere group",
@@ -124,7 +127,7 @@ fn build(document: &mut Document<'_>, file: &SceneFile) -> Option<Scene> {
         })
         .collect();
     let boundaries: Option<Vec<_>> = boundaries.into_iter().collect();
-    let (particles, initial, sources) = populate(
+    let (particles, initial, clumps, sources) = populate(
         document,
         &mut context,
         file,
@@ -163,6 +166,7 @@ fn build(document: &mut Document<'_>, file: &SceneFile) -> Option<Scene> {
         materials,
         pairs,
         particles,
+        clumps,
         initial,
         initial_contacts: ContactForces::default(),
         cell: cell(document, &file.cell),
@@ -172,7 +176,8 @@ fn build(document: &mut Document<'_>, file: &SceneFile) -> Option<Scene> {
     };
     if context.ranges.iter().all(Option::is_some) {
         super::frame::judge(document, &scene, &file.boundaries);
-        let fit = super::cell::judge(document, &scene, &file.boundaries, &file.sensors);
+        let fit = super::cell::judge(document, &scene, &file.boundaries, &file.sensors)
+            & clumps::judge(document, &scene, file);
         let groups = &context.ranges[..file.spheres.len()];
         if fit {
             Overlaps::of(&scene).judge(document, &scene, groups, &file.spheres);
@@ -193,18 +198,33 @@ fn populate(
     file: &SceneFile,
     materials: &[Material],
     boundaries: Option<&[Boundary]>,
-) -> (Particles, Kinematics, Vec<Source>) {
+) -> (Particles, Kinematics, Vec<Clump>, Vec<Source>) {
     let (mut particles, mut initial) = (Particles::default(), Kinematics::default());
+    let mut clumps = Vec::new();
+    let templates = file.clumps.iter();
+    let templates: Vec<_> = templates
+        .map(|entry| Template::new(document, entry))
+        .collect();
     for group in &file.spheres {
         let range = group.value.as_ref().and_then(|value| {
             let material =
                 sphere_material(document, context, file, materials, group, &value.material)?;
+            let clump = match &value.clump {
+                None => None,
+                Some(name) => {
+                    let key = format!("{}.clump", group.path);
+                    let rank = context.clumps.resolve(document, &key, name)?;
+                    let template = templates[rank].as_ref()?;
+                    Some(template.shape(document, &key, material.1.density)?)
+                }
+            };
             let present = Present {
                 particles: &mut particles,
                 initial: &mut initial,
+                clumps: &mut clumps,
                 boundaries,
             };
-            spheres::add(document, &group.path, value, material, present)
+            spheres::add(document, (&group.path, value), material, clump, present)
         });
         context.ranges.push(range);
     }
@@ -222,7 +242,7 @@ fn populate(
     }
     particles.shrink_to_fit();
     initial.shrink_to_fit();
-    (particles, initial, sources)
+    (particles, initial, clumps, sources)
 }
 
 /// The material of a group or a source of spheres; it must have a density.

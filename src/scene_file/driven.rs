@@ -184,7 +184,7 @@ fn starts(document: &mut Document<'_>, path: &str, body: &Body) -> bool {
 }
 
 /// Principal moments \[kg m^2\] and axes of an inertia as typed.
-fn principal(
+pub(super) fn principal(
     document: &mut Document<'_>,
     path: &str,
     rows: &[file::OneOrMany<f64>],

@@ -8,6 +8,7 @@ mod bodies;
 mod build;
 mod cell;
 mod checks;
+mod clumps;
 mod cohesion;
 mod columns;
 mod decode;

@@ -94,6 +94,7 @@ impl Names {
 /// Names that elements of the scene refer to.
 pub(super) struct Context {
     pub(super) materials: Names,
+    pub(super) clumps: Names,
     pub(super) groups: Names,
     pub(super) ranges: Vec<Option<Range<usize>>>,
 }

@@ -50,6 +50,9 @@ impl Overlaps {
         let pairs = periodic_pairs_up_to(most, &scene.cell, position, is_present, radius);
         found.more = pairs.len() > most;
         for (i, j, image) in pairs {
+            if scene.particles.are_one(i, j) {
+                continue;
+            }
             let [sphere, other] = [i, j].map(|i| i as usize);
             let distance = position[sphere] - position[other] - scene.cell.shift(image);
             let gap = distance.norm() - radius[sphere] - radius[other];

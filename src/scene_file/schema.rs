@@ -212,7 +212,7 @@ fn order(schema: &mut Value) {
     }
     let tables = tables! {
         Simulation Turning GravityTable RotatingFrame Cell Tolerance Material PairDefault Pair BondStrengths Load Spring Output Exposed
-        Spheres Lattice Uniform Normal LogNormal MassTable Packing Source Sink
+        Clump Member Spheres Lattice Uniform Normal LogNormal MassTable Packing Source Sink
         Boundary Body Limits JointSpring Servo Plane Rectangle Cuboid Cone Cylinder Stl Terrain Constant Sinusoid Table
         Tube Sensor Probe Parameter
     };

@@ -51,7 +51,7 @@ impl Simulation {
         }
     }
 
-    /// Takes the spheres in a sink out of the scene; one that is held by a spring or pushed by a load stays.
+    /// Takes the spheres, and the clumps by their centres of mass, in a sink out of the scene; one that is held by a spring or pushed by a load stays.
     fn drain(&mut self, sink: usize) {
         let scene = &self.scene;
         let held = |i: usize| {
@@ -63,19 +63,29 @@ impl Simulation {
         let mut taken = false;
         for i in 0..kinematics.len() {
             let region = &scene.sinks[sink].region;
-            let inside = region.contains_copy(&scene.cell, kinematics.position[i]);
-            if !(kinematics.present[i] && inside) || held(i) {
+            let (whole, centre) = match scene.particles.clump(i).map(|c| &scene.clumps[c]) {
+                None => (i..i + 1, kinematics.position[i]),
+                Some(clump) if clump.members.start == i => {
+                    (clump.members.clone(), clump.place(kinematics).0)
+                }
+                // It goes with the first of its clump.
+                Some(_) => continue,
+            };
+            let inside = region.contains_copy(&scene.cell, centre);
+            if !(kinematics.present[i] && inside) || whole.clone().any(held) {
                 continue;
             }
             taken = true;
-            kinematics.present[i] = false;
-            kinematics.velocity[i] = Vec3::zeros();
-            kinematics.spin[i] = Vec3::zeros();
-            state.smooth[i] = SpatialVector::ZERO;
-            if let Some(external) = state.external.get_mut(i) {
-                *external = SpatialVector::ZERO;
+            for i in whole {
+                kinematics.present[i] = false;
+                kinematics.velocity[i] = Vec3::zeros();
+                kinematics.spin[i] = Vec3::zeros();
+                state.smooth[i] = SpatialVector::ZERO;
+                if let Some(external) = state.external.get_mut(i) {
+                    *external = SpatialVector::ZERO;
+                }
+                state.removed[sink] += scene.particles.mass[i];
             }
-            state.removed[sink] += scene.particles.mass[i];
             let home = scene.sources.iter().position(|s| s.spheres.contains(&i));
             if let Some(source) = scene.sinks[sink].recycle.or(home) {
                 state.reserves[source].waiting.push_back(i as u32);

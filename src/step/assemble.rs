@@ -9,7 +9,7 @@ use crate::contact::history::{self, HistoryIndex};
 use crate::contact::{ContactId, Partner};
 use crate::detection::configuration::{Candidate, Configuration};
 use crate::parallel::Pool;
-use crate::problem::{GROUND, Law, Problem, RowWriter};
+use crate::problem::{Law, Problem, RowWriter};
 use crate::state::State;
 
 /// Arrays of an [`Assembly`], kept for their memory alone.
@@ -262,8 +262,13 @@ impl Assembly<'_> {
     /// The driven body that row `k` has as its body B.
     pub(super) fn driven_side(&self, k: usize) -> Option<usize> {
         let [_, b] = self.problem.rows.bodies(k);
-        let spheres = self.prediction.kinematics.len();
-        (b != GROUND && b as usize >= spheres).then_some(b as usize)
+        let (spheres, driven) = (
+            self.prediction.kinematics.len(),
+            self.prediction.bodies.len(),
+        );
+        (spheres..spheres + driven)
+            .contains(&(b as usize))
+            .then_some(b as usize)
     }
 
     /// How candidate `k` gives way, if it does.

@@ -85,7 +85,9 @@ impl Assembly<'_> {
         rows.bind(|contact| *contact = ranks[*contact as usize]);
         let step = self.prediction.step;
         let mut position = Vec::new();
-        self.prediction.end_positions(&velocity, &mut position);
+        let mut ways = velocity.clone();
+        self.prediction.carry_members(&mut ways);
+        self.prediction.end_positions(&ways, &mut position);
         let (scene, kinematics) = (self.prediction.scene, &self.prediction.kinematics);
         let slid = Configuration {
             position: &position,
@@ -118,7 +120,7 @@ impl Solved<'_> {
         let prediction = self.prediction();
         self.store(state);
         state.springs = self.spring_forces();
-        self.smooth_acceleration(&mut state.smooth);
+        self.smooth_acceleration(&mut state.smooth, false);
         external::keep(prediction.scene, state, &prediction.external);
         let at_rest = self.finished(&prediction.poses[0]);
         for (carried, (found, _)) in state.bodies.iter_mut().zip(at_rest) {

@@ -34,6 +34,7 @@ pub fn remove_overlaps(
         assembly.displace(&mut solution.impulses);
         let how = (&*state, effort(scene));
         resolve(&mut assembly, &mut solution, how, workspace)?;
+        prediction.turn_members(&solution.velocity, &mut state.kinematics);
         state.kinematics.position = solution.position;
     }
     Ok(())
@@ -93,6 +94,7 @@ pub(super) fn solve_forces(
         polish(assembly, solution, penalty, solver, AT_REST);
     }
     solution.velocity = assembly.problem.velocities(&solution.impulses);
+    assembly.prediction.carry_members(&mut solution.velocity);
     Ok(report)
 }
 

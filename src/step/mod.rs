@@ -14,6 +14,7 @@
 mod assemble;
 mod at_rest;
 mod boundary_motion;
+mod clump;
 mod cohesion;
 mod commit;
 mod correction;

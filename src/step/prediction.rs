@@ -2,6 +2,7 @@
 
 use super::StepInput;
 use super::boundary_motion::BoundaryMotion;
+use super::clump::ClumpPrediction;
 use super::driven::BodyPrediction;
 use super::external::{self, mean_acceleration};
 use super::sphere_motion::SphereMotion;
@@ -43,6 +44,8 @@ pub(super) struct Prediction<'a> {
     pub(super) motions: Vec<BoundaryMotion>,
     /// Driven bodies, `[D]`, by ascending boundary; boundaries that are not among them move as prescribed.
     pub(super) bodies: Vec<BodyPrediction<'a>>,
+    /// Clumps, `[C]`; after driven bodies among all bodies.
+    pub(super) clumps: Vec<ClumpPrediction<'a>>,
     /// Boundary twists over the previous step, `[B]`.
     pub(super) twists: Vec<Twist>,
     /// Velocities of the boundaries' surfaces against their shapes \[m/s\], world axes, `[B]`.
@@ -103,7 +106,7 @@ pub(super) fn predict<'a>(
     let target = springs.map(|s| s.target + s.motion.pose_at(end_time).translation);
     let gravity = state.gravity_at(scene, integrator.middle(state.time, dt));
     external::acceleration(scene, state, &kinematics, (gravity, dt), &mut external);
-    Prediction {
+    let mut prediction = Prediction {
         scene,
         step: dt,
         gravity,
@@ -116,6 +119,7 @@ pub(super) fn predict<'a>(
         spheres: SphereMotion::all(scene, &kinematics, spheres),
         external,
         asleep: state.asleep(),
+        clumps: ClumpPrediction::all(scene, &kinematics, (gravity, true), dt),
         kinematics,
         targets: target.collect(),
         motions: motions(scene, &state.poses, &ends, dt),
@@ -123,7 +127,9 @@ pub(super) fn predict<'a>(
         bodies,
         twists: state.twists.clone(),
         surfaces: surfaces(scene, state, &input.commands),
-    }
+    };
+    prediction.accelerate_members();
+    prediction
 }
 
 /// Velocities of the boundaries' surfaces against their shapes \[m/s\], world axes, `[B]`.
@@ -157,7 +163,7 @@ impl<'a> Prediction<'a> {
         let gravity = state.gravity_at(scene, state.time);
         let external = external::at_start(scene, state, gravity);
         let bodies = BodyPrediction::all(scene, state, &state.commands, dt);
-        Self {
+        let mut prediction = Self {
             scene,
             step: dt,
             gravity,
@@ -170,6 +176,7 @@ impl<'a> Prediction<'a> {
             spheres: SphereMotion::all(scene, &state.kinematics, Vec::new()),
             external,
             asleep: Vec::new(),
+            clumps: ClumpPrediction::all(scene, &state.kinematics, (gravity, true), dt),
             kinematics: state.kinematics.clone(),
             targets: scene.springs.iter().map(|spring| spring.target).collect(),
             motions: motions(scene, &state.poses, &state.poses, dt),
@@ -177,7 +184,9 @@ impl<'a> Prediction<'a> {
             bodies,
             twists: state.twists.clone(),
             surfaces: surfaces(scene, state, &state.commands),
-        }
+        };
+        prediction.accelerate_members();
+        prediction
     }
 
     /// For a displacement of spheres without velocities and forces.
@@ -199,6 +208,12 @@ impl<'a> Prediction<'a> {
             spheres: SphereMotion::all(scene, &kinematics, Vec::new()),
             external,
             asleep: Vec::new(),
+            clumps: ClumpPrediction::all(
+                scene,
+                &kinematics,
+                (Vec3::zeros(), false),
+                scene.settings.step,
+            ),
             kinematics,
             targets: Vec::new(),
             motions: motions(scene, &state.poses, &state.poses, scene.settings.step),
@@ -227,17 +242,32 @@ impl<'a> Prediction<'a> {
         problem
             .free
             .extend(self.bodies.iter().map(|body| body.free));
+        for clump in &self.clumps {
+            problem.free.push(clump.free);
+            for (i, arm) in clump.arms() {
+                problem.free[i] = SpatialVector {
+                    linear: clump.free.at(arm),
+                    angular: clump.free.angular,
+                };
+            }
+        }
         // The same in every step.
         if problem.inverse_mass.len() != spheres.len() {
             problem.inverse_mass.clear();
-            problem.inverse_mass.extend(spheres.map(|i| SpatialVector {
-                linear: particles.inverse_mass(i) * integrator.mobility(),
-                angular: particles.inverse_inertia(i) * integrator.mobility(),
-            }));
+            problem
+                .inverse_mass
+                .extend(spheres.map(|i| match particles.clump(i) {
+                    Some(_) => SpatialVector::ZERO,
+                    None => SpatialVector {
+                        linear: particles.inverse_mass(i) * integrator.mobility(),
+                        angular: particles.inverse_inertia(i) * integrator.mobility(),
+                    },
+                }));
         }
         problem.operators.clear();
         let operators = self.bodies.iter().map(|body| body.mobility);
-        problem.operators.extend(operators);
+        let clumps = self.clumps.iter().map(|clump| clump.mobility);
+        problem.operators.extend(operators.chain(clumps));
     }
 
     /// Its arrays, for the next step.
@@ -257,22 +287,25 @@ impl<'a> Prediction<'a> {
         rank.ok().map(|rank| (rank, &self.bodies[rank]))
     }
 
-    /// Velocity of one body before the step, of `[N + D]`.
+    /// Velocity of one body before the step, of `[N + D + C]`.
     pub(super) fn velocity(&self, i: usize) -> SpatialVector {
         match i.checked_sub(self.kinematics.len()) {
             None => self.kinematics.spatial_velocity(i),
-            Some(rank) => self.bodies[rank].velocity,
+            Some(rank) => match self.bodies.get(rank) {
+                Some(body) => body.velocity,
+                None => self.clumps[rank - self.bodies.len()].velocity,
+            },
         }
     }
 
     /// [`Self::velocity`] of all bodies.
     pub(super) fn velocities(&self) -> Vec<SpatialVector> {
-        let bodies = 0..self.kinematics.len() + self.bodies.len();
+        let bodies = 0..self.clump_body(self.clumps.len());
         bodies.map(|i| self.velocity(i)).collect()
     }
 
     /// Boundary poses at the end of the step, `[B]`: prescribed ones, and those that driven bodies reach with the
-    /// `velocity` of the bodies, `[N + D]`.
+    /// `velocity` of the bodies, `[N + D + C]`.
     pub(super) fn end_poses(&self, velocity: &[SpatialVector]) -> Vec<Pose> {
         let [start, end] = &self.poses;
         let mut ends = end.clone();

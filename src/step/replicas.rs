@@ -113,10 +113,14 @@ pub fn start_with_replicas(
         for (pair, states) in pairs.iter().zip(&mut *replicas) {
             for (side, state) in pair.0.iter().zip(states) {
                 let velocity = &side.solution.velocity;
-                let position = &mut state.kinematics.position;
-                side.assembly.prediction.end_positions(velocity, position);
+                let kinematics = &mut state.kinematics;
+                let prediction = side.assembly.prediction;
+                prediction.end_positions(velocity, &mut kinematics.position);
+                prediction.turn_members(velocity, kinematics);
             }
         }
+        let turning = assembly.prediction;
+        turning.turn_members(&solution.velocity, &mut state.kinematics);
         state.kinematics.position = solution.position;
     }
     let dt = 0.5 * scene.settings.step;
@@ -259,7 +263,7 @@ fn respond_all(
         for (side, sign) in pair.0.iter_mut().zip([-1.0, 1.0]) {
             let changed = impulses.iter().zip(&response);
             let changed = changed.map(|(p, change)| p + change * sign).collect();
-            side.solution = Solution::of(&side.assembly.problem, changed);
+            side.solution = Solution::of(&side.assembly, changed);
         }
     }
     Ok(())

@@ -157,7 +157,9 @@ impl Solved<'_> {
         let (slow, radius) = (scene.settings.rest_speed, &scene.particles.radius);
         let calm = |i: usize| {
             let v = self.reported(state, i);
+            // Clumps stay awake, and all that touches them.
             state.kinematics.present[i]
+                && scene.particles.clump(i).is_none()
                 && v.linear.norm() <= slow
                 && v.angular.norm() * radius[i] <= SPIN * slow
         };

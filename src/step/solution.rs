@@ -4,7 +4,6 @@ use super::assemble::Assembly;
 use super::prediction::Prediction;
 use crate::Vec3;
 use crate::detection::configuration::Candidate;
-use crate::problem::Problem;
 use crate::spatial::SpatialVector;
 
 /// What solves the problem of a step.
@@ -12,7 +11,7 @@ use crate::spatial::SpatialVector;
 pub(super) struct Solution {
     /// Impulses of the rows \[N s\].
     pub(super) impulses: Vec<Vec3>,
-    /// Velocities of the bodies by these impulses, `[N + D]`.
+    /// Velocities of the bodies by these impulses, `[N + D + C]`; of a member the way that its clump takes it, over the step.
     pub(super) velocity: Vec<SpatialVector>,
     /// Where they lead the spheres \[m\], `[N]`, and the pairs that overlap there by more than the tolerance: as last verified.
     pub(super) position: Vec<Vec3>,
@@ -21,9 +20,11 @@ pub(super) struct Solution {
 
 impl Solution {
     /// Impulses of another start for the same problem, with their velocities.
-    pub(super) fn of(problem: &Problem, impulses: Vec<Vec3>) -> Self {
+    pub(super) fn of(assembly: &Assembly, impulses: Vec<Vec3>) -> Self {
+        let mut velocity = assembly.problem.velocities(&impulses);
+        assembly.prediction.carry_members(&mut velocity);
         Self {
-            velocity: problem.velocities(&impulses),
+            velocity,
             impulses,
             ..Self::default()
         }

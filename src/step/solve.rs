@@ -40,6 +40,7 @@ pub(super) fn solve(
         &mut solution.impulses,
     );
     solution.velocity = take(&mut workspace.velocity);
+    assembly.prediction.carry_members(&mut solution.velocity);
     report
 }
 

@@ -14,7 +14,7 @@ pub(super) struct SphereMotion {
     pub(super) rolling: Vec3,
     /// Radius \[m\].
     pub(super) radius: f64,
-    /// Mass \[kg\].
+    /// Mass \[kg\]; of a member that of its clump.
     pub(super) mass: f64,
 }
 
@@ -34,6 +34,11 @@ impl SphereMotion {
                     mass,
                 }),
         );
+        for clump in &scene.clumps {
+            for member in &mut memory[clump.members.clone()] {
+                member.mass = clump.shape.mass;
+            }
+        }
         memory
     }
 

@@ -85,6 +85,7 @@ pub(crate) fn scene(n: usize) -> Scene {
         }],
         pairs: PairTable::new(1, Pair::default()),
         particles,
+        clumps: Vec::new(),
         initial,
         initial_contacts: Default::default(),
         parameters: Vec::new(),

@@ -6,6 +6,7 @@
 mod applied_forces;
 mod axes;
 mod belts;
+mod clumps;
 mod cohesion;
 mod cohesion_scenes;
 mod compliant;

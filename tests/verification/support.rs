@@ -12,6 +12,7 @@ use sphere_dda::observe::energy::Energy;
 use sphere_dda::observe::walls::{self, Interval};
 use sphere_dda::scene::Motion;
 use sphere_dda::scene::body::{Body, Joint};
+use sphere_dda::scene::clump::{Clump, ClumpShape};
 use sphere_dda::scene::gravity::GravityMotion;
 use sphere_dda::scene::materials::{Material, Pair, PairTable};
 use sphere_dda::scene::particles::{Kinematics, Locks, Particles};
@@ -69,6 +70,7 @@ impl Case {
                 materials: vec![material("sphere"), material("wall")],
                 pairs,
                 particles: Particles::default(),
+                clumps: vec![],
                 initial: Kinematics::default(),
                 initial_contacts: Default::default(),
                 parameters: Vec::new(),
@@ -123,6 +125,29 @@ impl Case {
     ) -> Self {
         self.scene.particles.push(radius, 2500.0, 0, locks);
         self.scene.initial.push(position, velocity, spin);
+        self
+    }
+
+    /// A clump at `position`, turned by `rotation`.
+    pub fn clump(
+        mut self,
+        shape: &ClumpShape,
+        (position, rotation): (Vec3, UnitQuaternion<f64>),
+        velocity: Vec3,
+        spin: Vec3,
+    ) -> Self {
+        let velocity = SpatialVector {
+            linear: velocity,
+            angular: spin,
+        };
+        let Scene {
+            particles,
+            initial,
+            clumps,
+            ..
+        } = &mut self.scene;
+        let store = (particles, initial, clumps);
+        Clump::push(shape, 0, (position, rotation), &velocity, store);
         self
     }
 

@@ -3,6 +3,7 @@
 
 mod boundaries;
 mod cell;
+mod clumps;
 mod cohesion;
 mod defaults;
 mod driven;
@@ -25,6 +26,7 @@ pub use boundaries::{
     Stl, Table, Terrain,
 };
 pub use cell::Cell;
+pub use clumps::{Clump, Member};
 pub use cohesion::{Adhesion, BondStrengths};
 pub use driven::{Body, Joint, JointSpring, Limits, Servo};
 pub use frame::{GravityMotion, GravityTable, RotatingFrame, Turning};
@@ -69,6 +71,9 @@ pub struct TopLevel {
     /// How materials touch unless a `[[pair]]` says otherwise.
     #[serde(default)]
     pub pair_default: PairDefault,
+    /// Rigid grains of several spheres.
+    #[serde(default)]
+    pub clump: Vec<Clump>,
     /// Groups of spheres.
     #[serde(default)]
     pub spheres: Vec<Spheres>,

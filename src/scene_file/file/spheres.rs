@@ -15,7 +15,14 @@ pub struct Spheres {
     pub name: String,
     /// Material.
     pub material: String,
-    /// Radius \[m\]: one for all or a list (one for all in a packing). Required unless `size` is given or the file
+    /// Name of a `[[clump]]`: every place is the centre of mass of such a clump, in a packing of the ball around it. Member j of
+    /// clump k is `"name[k n + j]"` elsewhere, n being the number of members.
+    #[schemars(extend("x-default" = "single spheres"))]
+    pub clump: Option<String>,
+    /// Rotation vectors of clumps \[rad\], one for all or one each.
+    #[schemars(extend("x-default" = "random, by `seed`"))]
+    pub rotations: Option<Vec<Vector>>,
+    /// Radius \[m\]: one for all or a list (one for all in a packing). Required unless `size` or `clump` is given or the file
     /// has radii.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub radius: Option<OneOrMany<f64>>,

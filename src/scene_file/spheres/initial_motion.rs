@@ -4,6 +4,7 @@ use nalgebra::UnitQuaternion;
 
 use crate::Vec3;
 use crate::scene::Boundary;
+use crate::scene::clump::Clump;
 use crate::scene::particles::{Kinematics, Particles};
 
 /// Most spheres of a scene: a bound that catches a mistyped count before it eats the memory.
@@ -34,6 +35,8 @@ pub(crate) struct Present<'a> {
     pub(crate) particles: &'a mut Particles,
     /// How they start.
     pub(crate) initial: &'a mut Kinematics,
+    /// The clumps among them.
+    pub(crate) clumps: &'a mut Vec<Clump>,
     /// The boundaries; `None` if one of them was refused.
     pub(crate) boundaries: Option<&'a [Boundary]>,
 }

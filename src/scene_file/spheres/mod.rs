@@ -1,5 +1,6 @@
 //! Groups of spheres: where they lie, how large they are, how they move at t = 0.
 
+mod clumps;
 mod files;
 mod initial_motion;
 mod lattice;
@@ -15,6 +16,7 @@ use super::file::{self, Lock, OneOrMany};
 use super::sizes::Sizes;
 use crate::Vec3;
 use crate::random::symmetric;
+use crate::scene::clump::ClumpShape;
 use crate::scene::materials::Material;
 use crate::scene::particles::Locks;
 use initial_motion::InitialMotion;
@@ -23,12 +25,42 @@ pub(crate) use initial_motion::{MOST_SPHERES, Present};
 /// Adds the spheres of one group; returns their indices.
 pub(super) fn add(
     document: &mut Document<'_>,
-    path: &str,
-    group: &file::Spheres,
+    (path, group): (&str, &file::Spheres),
     material: (u16, &Material),
+    clump: Option<ClumpShape>,
     present: Present<'_>,
 ) -> Option<Range<usize>> {
     let mut random = ChaCha8Rng::seed_from_u64(group.seed);
+    if let Some(shape) = clump {
+        let generator = origin(document, path, group)?;
+        let first = present.particles.len();
+        let Present {
+            particles,
+            initial,
+            clumps,
+            boundaries,
+        } = present;
+        let store = Present {
+            particles: &mut *particles,
+            initial,
+            clumps,
+            boundaries,
+        };
+        let given = (path, group);
+        clumps::add(
+            document,
+            given,
+            &shape,
+            material.0,
+            &generator,
+            (store, &mut random),
+        )?;
+        return Some(first..particles.len());
+    }
+    if group.rotations.is_some() {
+        let message = "found `rotations` of single spheres, expected them of clumps only";
+        document.error((path, "rotations"), message, "remove it, or give `clump`");
+    }
     let jitter = document.within(
         (path, "radius_jitter"),
         group.radius_jitter,

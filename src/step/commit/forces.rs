@@ -167,7 +167,9 @@ impl Solved<'_> {
 
     /// Acceleration by external forces and all contacts that are no impacts, `[N]`: what `solution` has over the free motion,
     /// less what impacts gave.
-    pub(crate) fn smooth_acceleration(&self, acceleration: &mut Vec<SpatialVector>) {
+    ///
+    /// That of members is theirs at the end of the step, or at its start unless it `moves` them.
+    pub(crate) fn smooth_acceleration(&self, acceleration: &mut Vec<SpatialVector>, moves: bool) {
         let mobility = self.prediction().scene.settings.integrator.mobility();
         let rate = 1.0 / (mobility * self.prediction().step);
         // Driven bodies keep their own account.
@@ -193,6 +195,7 @@ impl Solved<'_> {
                     .apply(&row, acceleration, impulse * -rate);
             }
         }
+        self.accelerate_clumps(acceleration, moves);
         acceleration.truncate(self.prediction().kinematics.len());
     }
 }

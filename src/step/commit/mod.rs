@@ -28,7 +28,7 @@ pub(super) fn commit(solved: &Solved, state: &mut State, spare: &mut Vec<Spatial
     let prediction = solved.prediction();
     let (scene, dt) = (prediction.scene, prediction.step);
     let ends = prediction.end_poses(&solved.solution.velocity);
-    solved.smooth_acceleration(spare);
+    solved.smooth_acceleration(spare, true);
     solved.still(spare);
     let mut finished = solved.finished(&ends);
     let remainder = solved.is_remainder(state);
@@ -52,6 +52,7 @@ pub(super) fn commit(solved: &Solved, state: &mut State, spare: &mut Vec<Spatial
     state.broken_bonds += solved.assembly.broken_bonds;
     state.springs = solved.spring_forces();
     solved.advance(state, spare);
+    solved.advance_clumps(state, spare);
     swap(&mut state.smooth, spare);
     for (carried, (after, _)) in state.bodies.iter_mut().zip(finished) {
         *carried = after;
@@ -127,6 +128,9 @@ impl Solved<'_> {
             let velocities = velocities.0.iter_mut().zip(velocities.1);
             let mut numerical_work = 0.0;
             for (i, (place, motion)) in (first..).zip(places.zip(velocities)) {
+                if particles.clump(i).is_some() {
+                    continue;
+                }
                 let ((position, orientation), (velocity, spin)) = (place, motion);
                 let (v1, external) = (&self.solution.velocity[i], &self.prediction().external[i]);
                 let before = start.spatial_velocity(i);

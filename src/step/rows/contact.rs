@@ -3,9 +3,9 @@
 use nalgebra::UnitQuaternion;
 
 use crate::Vec3;
-use crate::contact::Partner;
 use crate::contact::cohesion::Hold;
 use crate::contact::history::Carried;
+use crate::contact::{ContactId, Partner};
 use crate::detection::configuration::Candidate;
 use crate::integrator::Integrator;
 use crate::problem::law::split;
@@ -28,6 +28,12 @@ pub(crate) struct ContactRow {
     pub(crate) is_of_spheres: bool,
     /// How it gives way, if it does; an impact that the step does not resolve is rigid all the same.
     pub(crate) elastic: Option<ElasticContact>,
+}
+
+/// Contact point from the centre of the body that moves a sphere \[m\], `own` from that of the sphere.
+#[inline]
+fn arm(centre: Option<Vec3>, own: Vec3) -> Vec3 {
+    centre.map_or(own, |centre| centre + own)
 }
 
 /// How the bodies of a contact meet.
@@ -110,12 +116,16 @@ impl Prediction<'_> {
         let force = carried.force + n * attraction;
         let a = candidate.key.sphere as usize;
         let own = &self.spheres[a];
-        let contact = match candidate.key.partner {
+        let (body, centre) = self.mover(a);
+        let mut contact = match candidate.key.partner {
             Partner::Sphere { index, .. } => self.sphere_kinematics(free, n, (a, own), index),
             Partner::Boundary { boundary, .. } => {
                 self.boundary_kinematics(free, candidate, force, usize::from(boundary))
             }
         };
+        if self.gives_way && !self.clumps.is_empty() {
+            contact.reduced_mass = self.mass_between(candidate.key, n, &contact);
+        }
         let pair = self.pair(candidate.key);
         let (approach, _) = split(contact.before, n);
         // Only a contact that was loaded can be taken for an approaching one because its normal turns.
@@ -181,10 +191,10 @@ impl Prediction<'_> {
             bias += contact.rolling;
         }
         let row = Row {
-            a: a as u32,
+            a: body,
             b: contact.b,
             normal: n,
-            arm_a: n * -own.radius,
+            arm_a: arm(centre, n * -own.radius),
             arm_b: contact.arm_b,
             prescribed_velocity: contact.prescribed_velocity,
             bias,
@@ -199,13 +209,36 @@ impl Prediction<'_> {
             radius: contact.radius,
             impulse_scale: self.impulse_scale(&contact, turning),
         };
-        let sphere = contact.b == GROUND || (contact.b as usize) < self.kinematics.len();
+        let sphere = |body: u32| body == GROUND || (body as usize) < self.kinematics.len();
         let at_rest = row.prescribed_velocity == Vec3::zeros() && contact.rolling == Vec3::zeros();
         ContactRow {
             row,
             impact,
-            is_of_spheres: sphere && at_rest && elastic.is_none(),
+            is_of_spheres: sphere(body) && sphere(contact.b) && at_rest && elastic.is_none(),
             elastic,
+        }
+    }
+
+    /// Mass \[kg\] with which the bodies of a contact meet along its normal, where clumps take part.
+    fn mass_between(&self, key: ContactId, n: Vec3, contact: &ContactKinematics) -> f64 {
+        let particles = &self.scene.particles;
+        let one = |i: usize| {
+            let clump = particles.clump(i).map(|c| &self.clumps[c]);
+            let at = self.mover(i).1.zip(clump);
+            at.map_or(particles.mass[i], |(arm, clump)| clump.mass_at(arm, n))
+        };
+        let a = one(key.sphere as usize);
+        match key.partner {
+            Partner::Sphere { index, .. } => {
+                let b = one(index as usize);
+                a * b / (a + b)
+            }
+            // Of a body that is driven its share stays.
+            Partner::Boundary { .. } => {
+                let own = self.spheres[key.sphere as usize].mass;
+                let rest = 1.0 / contact.reduced_mass - 1.0 / own;
+                1.0 / (1.0 / a + rest)
+            }
         }
     }
 
@@ -292,9 +325,10 @@ impl Prediction<'_> {
     ) -> ContactKinematics {
         let other = &self.spheres[index as usize];
         let pull = self.pull(a).max(self.pull(index as usize));
+        let (b, centre) = self.mover(index as usize);
         ContactKinematics {
-            b: index,
-            arm_b: n * other.radius,
+            b,
+            arm_b: arm(centre, n * other.radius),
             prescribed_velocity: Vec3::zeros(),
             belt: Vec3::zeros(),
             rolling: Vec3::zeros(),

@@ -39,9 +39,11 @@ impl Prediction<'_> {
             return 0.0;
         } else if i < n {
             (self.scene.particles.mass[i], self.external[i])
-        } else {
-            let driven = &self.bodies[i - n];
+        } else if let Some(driven) = self.bodies.get(i - n) {
             (driven.mass(), driven.acceleration)
+        } else {
+            let clump = &self.clumps[i - n - self.bodies.len()];
+            (clump.clump.shape.mass, clump.acceleration)
         };
         mass * acceleration.linear.norm().max(self.gravity_size)
     }
@@ -66,13 +68,13 @@ impl Prediction<'_> {
             return None;
         }
         let particles = &self.scene.particles;
-        let locked = |i: u32| particles.inverse_inertia(i as usize) == Vec3::zeros();
+        let locked = |i: u32| particles.free(i as usize)[1] == Vec3::zeros();
         let prescribed_velocity = match key.partner {
-            Partner::Sphere { index, .. } if locked(row.a) && locked(index) => return None,
+            Partner::Sphere { index, .. } if locked(key.sphere) && locked(index) => return None,
             Partner::Sphere { .. } => Vec3::zeros(),
             // A driven body turns by itself.
             Partner::Boundary { .. } if row.b != GROUND => Vec3::zeros(),
-            Partner::Boundary { .. } if locked(row.a) => return None,
+            Partner::Boundary { .. } if locked(key.sphere) => return None,
             Partner::Boundary { boundary, .. } => {
                 let [start, end] = self
                     .poses
@@ -163,13 +165,14 @@ impl Prediction<'_> {
         let spring = &self.scene.springs[s];
         let i = spring.sphere;
         let arm = self.kinematics.orientation[i] * spring.arm;
+        let (body, centre) = self.mover(i);
         let compliance = 1.0 / (spring.stiffness * self.step * self.step);
         let stretch = self.kinematics.position[i] + arm - self.targets[s];
         Row {
-            a: i as u32,
+            a: body,
             b: GROUND,
             normal: Vec3::z(),
-            arm_a: arm,
+            arm_a: centre.map_or(arm, |centre| centre + arm),
             arm_b: Vec3::zeros(),
             prescribed_velocity: Vec3::zeros(),
             bias: stretch / self.step,
@@ -177,9 +180,7 @@ impl Prediction<'_> {
             compliance_t: compliance,
             law: Law::Bilateral,
             radius: self.scene.particles.radius[i],
-            impulse_scale: self.scene.particles.mass[i]
-                * self.external[i].linear.norm()
-                * self.step,
+            impulse_scale: self.spheres[i].mass * self.external[i].linear.norm() * self.step,
         }
     }
 }

@@ -1,0 +1,36 @@
+//! `[[clump]]`: rigid grains of several spheres.
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use super::{OneOrMany, Vector};
+
+/// `[[clump]]`: a rigid grain of 2 to 20 spheres, which groups of spheres place by its name. Its volume, centre of mass and inertia are
+/// those of the union of its members.
+#[derive(Debug, Clone, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Clump {
+    /// Name, unique.
+    #[schemars(extend("pattern" = "^[A-Za-z_][A-Za-z0-9_]*$"))]
+    pub name: String,
+    /// Its spheres, in axes of its own; they may overlap, but none may lie inside another.
+    #[schemars(extend("minItems" = 2, "maxItems" = 20))]
+    pub members: Vec<Member>,
+    /// Mass \[kg\].
+    #[schemars(extend("x-default" = "density of the group's material times the volume", "exclusiveMinimum" = 0))]
+    pub mass: Option<f64>,
+    /// Inertia about the centre of mass in its own axes \[kg m^2\]: `[Ixx, Iyy, Izz]`, or three rows of three.
+    #[schemars(extend("x-default" = "that of the union with this mass"))]
+    pub inertia: Option<Vec<OneOrMany<f64>>>,
+}
+
+/// A sphere of a clump.
+#[derive(Debug, Clone, Copy, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Member {
+    /// Centre \[m\].
+    pub position: Vector,
+    /// Radius \[m\].
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub radius: f64,
+}
