@@ -46,6 +46,7 @@
 //! | - | surface velocity of a belt | [`scene::Belt`] | m/s |
 //! | `dt` | time step | `step` | s |
 //! | - | angular velocity `W` of the frame | [`scene::rotating_frame::RotatingFrame`] | rad/s |
+//! | - | clump: members at `x + Q a` | [`scene::clump`] | m |
 //! | - | image `k` and edges `L` of a copy `x + k L` | [`spatial::cell::Image`], [`spatial::cell::Cell`] | -, m |
 //!
 //! # A step, its contacts and their forces

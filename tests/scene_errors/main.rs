@@ -1,5 +1,6 @@
 //! Bad scenes: each is refused with the key path, the line, what was found and what is expected.
 
+mod clumps;
 mod parameters;
 mod warnings;
 
