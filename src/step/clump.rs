@@ -30,7 +30,7 @@ pub(super) struct ClumpPrediction<'a> {
     /// `W`.
     pub(super) mobility: SpatialOperator,
     /// Force \[N\] and torque about the centre \[N m\] of gravity and loads.
-    external: SpatialVector,
+    pub(super) external: SpatialVector,
     /// Acceleration by `external`, and of its spin also by its rotation.
     pub(super) acceleration: SpatialVector,
     momentum: SpatialVector,

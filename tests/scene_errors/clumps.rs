@@ -2,14 +2,23 @@
 
 use crate::{edited, folder, load};
 
-const GROUP: &str = "lattice = { origin = [0.0, 0.0, 0.2], count = [3, 2, 1], spacing = 0.3, jitter = 0.1 }";
+const GROUP: &str =
+    "lattice = { origin = [0.0, 0.0, 0.2], count = [3, 2, 1], spacing = 0.3, jitter = 0.1 }";
 
 /// The good scene whose first group has clumps, with more in the group, in the clump and at the end of the file.
 fn scene(group: &str, clump: &str, more: &str) -> String {
     let text = edited("radius = 0.1\n", &format!("clump = \"rod\"\n{group}\n"));
-    let text = text.replacen(GROUP, "lattice = { origin = [0.0, 0.0, 0.3], count = [3, 2, 1], spacing = 0.4 }", 1);
+    let text = text.replacen(
+        GROUP,
+        "lattice = { origin = [0.0, 0.0, 0.3], count = [3, 2, 1], spacing = 0.4 }",
+        1,
+    );
     let members = "members = [{ position = [0, 0, 0], radius = 0.1 }, { position = [0, 0, 0.1], radius = 0.1 }]";
-    let clump = if clump.contains("members") { clump.to_owned() } else { format!("{members}\n{clump}") };
+    let clump = if clump.contains("members") {
+        clump.to_owned()
+    } else {
+        format!("{members}\n{clump}")
+    };
     format!("{text}\n[[clump]]\nname = \"rod\"\n{clump}\n{more}\n")
 }
 
@@ -24,16 +33,52 @@ fn each_bad_clump_is_refused_with_place_and_reason() {
     assert!((mass - 24.0).abs() < 1e-12);
     let cases = [
         (scene("clump = 3", "", ""), "scene", "clump"),
-        (scene("radius = 0.1", "", ""), "spheres[0].radius", "which has none"),
-        (scene("lock = \"x\"", "", ""), "spheres[0].lock", "which has none"),
-        (scene("rotations = [[0, 0, 1], [0, 1, 0]]", "", ""), "spheres[0].rotations", "or 6 of them"),
-        (good.replacen("clump = \"rod\"", "clump = \"rodd\"", 1), "spheres[0].clump", "did you mean `rod`"),
-        (edited("radius = 0.1\n", "radius = 0.1\nrotations = [[0, 0, 1]]\n"), "spheres[0].rotations", "give `clump`"),
-        (scene("", "mass = 0.0", ""), "clump[0].mass", "a mass > 0 [kg]"),
-        (scene("", "inertia = [1.0, 2.0, 9.0]", ""), "clump[0].inertia", "[1.0, 2.0, 9.0]"),
-        (scene("", "members = [{ position = [0, 0, 0], radius = 1.0 }]", ""), "clump[0].members", "2 to 20"),
         (
-            scene("", "members = [{ position = [0, 0, 0], radius = 0.1 }, { position = [0, 0, 0.01], radius = 0.05 }]", ""),
+            scene("radius = 0.1", "", ""),
+            "spheres[0].radius",
+            "which has none",
+        ),
+        (
+            scene("lock = \"x\"", "", ""),
+            "spheres[0].lock",
+            "which has none",
+        ),
+        (
+            scene("rotations = [[0, 0, 1], [0, 1, 0]]", "", ""),
+            "spheres[0].rotations",
+            "or 6 of them",
+        ),
+        (
+            good.replacen("clump = \"rod\"", "clump = \"rodd\"", 1),
+            "spheres[0].clump",
+            "did you mean `rod`",
+        ),
+        (
+            edited("radius = 0.1\n", "radius = 0.1\nrotations = [[0, 0, 1]]\n"),
+            "spheres[0].rotations",
+            "give `clump`",
+        ),
+        (
+            scene("", "mass = 0.0", ""),
+            "clump[0].mass",
+            "a mass > 0 [kg]",
+        ),
+        (
+            scene("", "inertia = [1.0, 2.0, 9.0]", ""),
+            "clump[0].inertia",
+            "[1.0, 2.0, 9.0]",
+        ),
+        (
+            scene("", "members = [{ position = [0, 0, 0], radius = 1.0 }]", ""),
+            "clump[0].members",
+            "2 to 20",
+        ),
+        (
+            scene(
+                "",
+                "members = [{ position = [0, 0, 0], radius = 0.1 }, { position = [0, 0, 0.01], radius = 0.05 }]",
+                "",
+            ),
             "clump[0].members[1]",
             "lies inside another member",
         ),
@@ -45,13 +90,21 @@ fn each_bad_clump_is_refused_with_place_and_reason() {
     ];
     for (text, path, part) in cases {
         let error = load(&text, folder.path()).expect_err(path).plain();
-        assert!(error.contains(path) && error.contains(part), "{path}: {error}");
+        assert!(
+            error.contains(path) && error.contains(part),
+            "{path}: {error}"
+        );
     }
     let turning = scene("", "", "").replacen(
         "step = 1e-3",
         "step = 1e-3\nrotating_frame = { axis = [0, 0, 1], speed = 1.0, point = [0, 0, 0] }",
         1,
     );
-    let error = load(&turning, folder.path()).expect_err("a frame that turns").plain();
-    assert!(error.contains("rotating frame in a scene with clumps"), "{error}");
+    let error = load(&turning, folder.path())
+        .expect_err("a frame that turns")
+        .plain();
+    assert!(
+        error.contains("rotating frame in a scene with clumps"),
+        "{error}"
+    );
 }

