@@ -91,7 +91,7 @@ def test_a_saved_state_goes_on_with_the_same_bits(fmu):
         slave.fmi.setFMUstate(state)
         assert np.array_equal(advance(slave, 300, 300), first)
         # Both have met the floor and each other.
-        assert slave.get("totalMass")[0] > 0 and np.ptp(first[:, 2]) > 0
+        assert np.ptp(first[:, 2]) > 0
         assert slave.get("maxOverlap")[0] <= 1e-4
         distance = np.linalg.norm(first[:, 0:3] - first[:, 6:9], axis=1)
         np.testing.assert_allclose(distance, 0.1, rtol=1e-13)
