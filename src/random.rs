@@ -1,6 +1,7 @@
 //! Random numbers that mean the same on every machine: ChaCha8 words, exact arithmetic, and `libm`'s logarithm
 //! instead of the platform's.
 
+use nalgebra::{Quaternion, UnitQuaternion};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::Rng;
 
@@ -15,6 +16,19 @@ pub fn unit(random: &mut ChaCha8Rng) -> f64 {
 #[must_use]
 pub fn symmetric(random: &mut ChaCha8Rng) -> f64 {
     2.0 * unit(random) - 1.0
+}
+
+/// A rotation, all being alike (Marsaglia 1972).
+#[must_use]
+pub fn rotation(random: &mut ChaCha8Rng) -> UnitQuaternion<f64> {
+    loop {
+        let [w, i, j, k] = std::array::from_fn(|_| symmetric(random));
+        let q = Quaternion::new(w, i, j, k);
+        let square = q.norm_squared();
+        if square > 1e-4 && square <= 1.0 {
+            return UnitQuaternion::new_normalize(q);
+        }
+    }
 }
 
 /// Standard normal, by the polar method of Marsaglia and Bray (1964); its second deviate is not kept, so that

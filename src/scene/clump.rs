@@ -8,7 +8,7 @@
 //! Mass, centre and inertia are those of the union of the members ([`Solid`]) or given. Its mass is shared out to the members
 //! such that `sum m_k = m`, `sum m_k a_k = 0`: sums of mass, momentum and weight over spheres count a clump once.
 
-use std::f64::consts::FRAC_PI_2;
+use std::f64::consts::{FRAC_PI_2, PI};
 use std::num::NonZeroUsize;
 use std::ops::Range;
 
@@ -39,6 +39,8 @@ pub struct Clump {
 /// Mass, inertia and members of a clump, in its own axes, which have their origin in the centre of mass.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ClumpShape {
+    /// Volume \[m^3\].
+    pub volume: f64,
     /// Mass \[kg\].
     pub mass: f64,
     /// Principal moments of inertia about the centre of mass \[kg m^2\].
@@ -253,6 +255,7 @@ impl ClumpShape {
         let arms: Vec<Vec3> = centres.iter().map(|c| c - centroid).collect();
         let volumes: Vec<f64> = radii.iter().map(|r| r.powi(3)).collect();
         let shape = Self {
+            volume: solid.volume,
             mass,
             moments: eigen.eigenvalues,
             axes: UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(axes)),
@@ -261,6 +264,27 @@ impl ClumpShape {
             radii: radii.to_vec(),
         };
         Some((shape, centroid))
+    }
+
+    /// The same shape of the same density, `factor` times as large.
+    #[must_use]
+    pub fn scaled(&self, factor: f64) -> Self {
+        let cube = factor.powi(3);
+        Self {
+            volume: self.volume * cube,
+            mass: self.mass * cube,
+            moments: self.moments * (cube * factor * factor),
+            axes: self.axes,
+            arms: self.arms.iter().map(|arm| arm * factor).collect(),
+            radii: self.radii.iter().map(|radius| radius * factor).collect(),
+            shares: self.shares.clone(),
+        }
+    }
+
+    /// Radius of a sphere of its volume \[m\].
+    #[must_use]
+    pub fn equal_radius(&self) -> f64 {
+        libm::cbrt(self.volume / (4.0 / 3.0 * PI))
     }
 
     /// Radius of the ball about the centre of mass that holds it \[m\].
@@ -306,6 +330,22 @@ impl Clump {
         )
     }
 
+    /// Puts it into `kinematics` with its centre of mass at `position` \[m\], turned by `rotation`, moving with `velocity`.
+    pub(crate) fn put(
+        &self,
+        (position, rotation): (Vec3, UnitQuaternion<f64>),
+        velocity: &SpatialVector,
+        kinematics: &mut Kinematics,
+    ) {
+        for (i, arm) in self.members.clone().zip(&self.shape.arms) {
+            let arm = rotation * arm;
+            kinematics.position[i] = position + arm;
+            kinematics.orientation[i] = rotation;
+            kinematics.velocity[i] = velocity.at(arm);
+            kinematics.spin[i] = velocity.angular;
+        }
+    }
+
     /// Velocity of its centre of mass and its spin, or an acceleration, when that of its first member is `of_first`.
     pub(crate) fn of_member(
         &self,
@@ -323,33 +363,42 @@ impl Clump {
     pub fn push(
         shape: &ClumpShape,
         material: u16,
-        (position, rotation): (Vec3, UnitQuaternion<f64>),
+        place: (Vec3, UnitQuaternion<f64>),
         velocity: &SpatialVector,
         (particles, initial, clumps): (&mut Particles, &mut Kinematics, &mut Vec<Self>),
     ) {
+        let clump = Self::push_absent(shape, material, place.0, (particles, initial, clumps));
+        initial.present[clump.members.clone()].fill(true);
+        clump.put(place, velocity, initial);
+    }
+
+    /// Adds a clump that waits outside the scene; drawings would put it at `position` \[m\].
+    pub(crate) fn push_absent<'a>(
+        shape: &ClumpShape,
+        material: u16,
+        position: Vec3,
+        (particles, initial, clumps): (&mut Particles, &mut Kinematics, &'a mut Vec<Self>),
+    ) -> &'a Self {
         let first = particles.len();
         let members = shape.arms.iter().zip(shape.radii.iter().zip(&shape.shares));
         for (arm, (radius, share)) in members {
-            let (arm, mass) = (rotation * arm, shape.mass * share);
             particles.push(*radius, 0.0, material, Locks::default());
             let i = particles.len() - 1;
-            particles.mass[i] = mass;
+            particles.mass[i] = shape.mass * share;
             particles.clump.resize(i + 1, None);
             particles.clump[i] = Some(clumps.len() as u32);
-            initial.push(position + arm, velocity.at(arm), velocity.angular);
-            initial.orientation[i] = rotation;
+            initial.push_absent(position + arm);
         }
         clumps.push(Self {
             members: first..particles.len(),
             shape: shape.clone(),
         });
+        &clumps[clumps.len() - 1]
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use std::f64::consts::PI;
-
     use super::*;
 
     /// A single ball, and two that meet in a lens: volume and moments in closed form.

@@ -20,6 +20,8 @@ pub use command::{Command, CommandDerivatives, InputKind};
 pub use motion::Motion;
 pub use parameters::Parameter;
 
+use std::ops::Range;
+
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -409,6 +411,15 @@ pub struct Scene {
 }
 
 impl Scene {
+    /// The spheres that move as one with sphere `i`: those of its clump, or it alone.
+    #[must_use]
+    pub fn grain(&self, i: usize) -> Range<usize> {
+        match self.particles.clump(i) {
+            Some(clump) => self.clumps[clump].members.clone(),
+            None => i..i + 1,
+        }
+    }
+
     /// The materials that touch in a contact.
     #[inline]
     pub(crate) fn touching(&self, key: ContactId) -> [u16; 2] {

@@ -26,7 +26,7 @@ use super::{Loaded, file};
 use crate::Vec3;
 use crate::contact::forces::ContactForces;
 use crate::geometry::Facets;
-use crate::scene::clump::Clump;
+use crate::scene::clump::{Clump, ClumpShape};
 use crate::scene::materials::Material;
 use crate::scene::particles::{Kinematics, Particles};
 use crate::scene::{
@@ -177,7 +177,7 @@ fn build(document: &mut Document<'_>, file: &SceneFile) -> Option<Scene> {
     if context.ranges.iter().all(Option::is_some) {
         super::frame::judge(document, &scene, &file.boundaries);
         let fit = super::cell::judge(document, &scene, &file.boundaries, &file.sensors)
-            & clumps::judge(document, &scene, file);
+            & clumps::judge(document, &scene);
         let groups = &context.ranges[..file.spheres.len()];
         if fit {
             Overlaps::of(&scene).judge(document, &scene, groups, &file.spheres);
@@ -209,15 +209,8 @@ fn populate(
         let range = group.value.as_ref().and_then(|value| {
             let material =
                 sphere_material(document, context, file, materials, group, &value.material)?;
-            let clump = match &value.clump {
-                None => None,
-                Some(name) => {
-                    let key = format!("{}.clump", group.path);
-                    let rank = context.clumps.resolve(document, &key, name)?;
-                    let template = templates[rank].as_ref()?;
-                    Some(template.shape(document, &key, material.1.density)?)
-                }
-            };
+            let named = (group.path.as_str(), value.clump.as_ref());
+            let clump = shape(document, context, &templates, named, material.1)?;
             let present = Present {
                 particles: &mut particles,
                 initial: &mut initial,
@@ -233,8 +226,10 @@ fn populate(
         let source = element.value.as_ref().and_then(|value| {
             let material =
                 sphere_material(document, context, file, materials, element, &value.material)?;
-            let store = (&mut particles, &mut initial);
-            source(document, &element.path, value, material, store)
+            let named = (element.path.as_str(), value.clump.as_ref());
+            let clump = shape(document, context, &templates, named, material.1)?;
+            let store = (&mut particles, &mut initial, &mut clumps);
+            source(document, &element.path, value, material, clump, store)
         });
         let range = source.as_ref().map(|source| source.spheres.clone());
         context.ranges.push(range);
@@ -243,6 +238,23 @@ fn populate(
     particles.shrink_to_fit();
     initial.shrink_to_fit();
     (particles, initial, clumps, sources)
+}
+
+/// The shape of the clumps of a group or source at a path, which names one or none; `None` if it was refused.
+fn shape(
+    document: &mut Document<'_>,
+    context: &mut Context,
+    templates: &[Option<Template>],
+    (path, name): (&str, Option<&String>),
+    material: &Material,
+) -> Option<Option<ClumpShape>> {
+    let Some(name) = name else {
+        return Some(None);
+    };
+    let key = format!("{path}.clump");
+    let rank = context.clumps.resolve(document, &key, name)?;
+    let template = templates[rank].as_ref()?;
+    template.shape(document, &key, material.density).map(Some)
 }
 
 /// The material of a group or a source of spheres; it must have a density.

@@ -2,7 +2,7 @@
 
 use nalgebra::Matrix3;
 
-use super::decode::{Entry, SceneFile};
+use super::decode::Entry;
 use super::document::Document;
 use super::driven::principal;
 use super::file;
@@ -95,7 +95,7 @@ impl Template {
 }
 
 /// Refuses what has no meaning with clumps, or is not there yet. Returns whether they fit into the cell.
-pub(super) fn judge(document: &mut Document<'_>, scene: &Scene, file: &SceneFile) -> bool {
+pub(super) fn judge(document: &mut Document<'_>, scene: &Scene) -> bool {
     if scene.clumps.is_empty() {
         return true;
     }
@@ -103,13 +103,6 @@ pub(super) fn judge(document: &mut Document<'_>, scene: &Scene, file: &SceneFile
         let message = "found a rotating frame in a scene with clumps, on which its inertial forces do not act";
         let help = "give the scene as seen from the world, with boundaries that turn";
         document.error("simulation.rotating_frame", message, help);
-    }
-    for (sink, element) in scene.sinks.iter().zip(&file.sinks) {
-        if sink.recycle.is_some() {
-            let message = "found `recycle` in a scene with clumps, which no source can emit";
-            let help = "remove `recycle`: clumps leave for good";
-            document.error(format!("{}.recycle", element.path), message, help);
-        }
     }
     let reaches = scene.clumps.iter().map(|clump| clump.shape.reach());
     let room = 2.0 * ROOM * reaches.fold(0.0, f64::max);

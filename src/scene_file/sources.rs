@@ -10,6 +10,7 @@ use super::names::Names;
 use super::regions::{emptied, filled};
 use super::sizes::Sizes;
 use super::spheres::MOST_SPHERES;
+use crate::scene::clump::{Clump, ClumpShape};
 use crate::scene::materials::Material;
 use crate::scene::particles::{Kinematics, Locks, Particles};
 use crate::scene::{Sink, Source, Supply};
@@ -21,13 +22,18 @@ pub(super) fn source(
     path: &str,
     given: &file::Source,
     material: (u16, &Material),
-    (particles, initial): (&mut Particles, &mut Kinematics),
+    shape: Option<ClumpShape>,
+    (particles, initial, clumps): (&mut Particles, &mut Kinematics, &mut Vec<Clump>),
 ) -> Option<Source> {
-    let sizes = Sizes::new(document, path, given.radius, given.size.as_ref());
+    let sizes = match (&shape, given.radius, &given.size) {
+        (Some(shape), None, None) => Some(Sizes::One(shape.equal_radius())),
+        (_, radius, size) => Sizes::new(document, path, radius, size.as_ref()),
+    };
     let region = filled(document, &format!("{path}.region"), &given.region);
     let supply = supply(document, path, given);
-    let most = MOST_SPHERES - particles.len();
-    let expected = format!("1..={most} spheres");
+    let each = shape.as_ref().map_or(1, |shape| shape.arms.len());
+    let most = (MOST_SPHERES - particles.len()) / each;
+    let expected = format!("1..={most}");
     let capacity = given.capacity as usize;
     let mut good = document.within((path, "capacity"), capacity, 1..=most, &expected);
     let start = given.start;
@@ -45,6 +51,10 @@ pub(super) fn source(
     let (low, high) = region.bounds()?;
     for _ in 0..capacity {
         let radius = sizes.draw(&mut random);
+        let scaled = shape
+            .as_ref()
+            .map(|shape| shape.scaled(radius / shape.equal_radius()));
+        let radius = scaled.as_ref().map_or(radius, ClumpShape::reach);
         if region.random_centre(radius, &mut random).is_none() {
             let message = format!("found no room for a sphere of radius {radius} m");
             return document.reject(
@@ -53,8 +63,17 @@ pub(super) fn source(
                 "make the region wider than the largest sphere, twice its radius and more",
             );
         }
-        particles.push(radius, material.1.density, material.0, Locks::default());
-        initial.push_absent((low + high) / 2.0);
+        let middle = (low + high) / 2.0;
+        match scaled {
+            Some(shape) => {
+                let store = (&mut *particles, &mut *initial, &mut *clumps);
+                Clump::push_absent(&shape, material.0, middle, store);
+            }
+            None => {
+                particles.push(radius, material.1.density, material.0, Locks::default());
+                initial.push_absent(middle);
+            }
+        }
     }
     Some(Source {
         name: given.name.clone(),

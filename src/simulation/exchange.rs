@@ -14,10 +14,12 @@ use super::Simulation;
 use crate::Vec3;
 use crate::contact::ContactId;
 use crate::geometry::ClosestPoint;
+use crate::random::rotation;
 use crate::scene::{Source, Supply};
 use crate::spatial::SpatialVector;
+use crate::spatial::Twist;
 use crate::spatial::cell::Cell;
-use crate::step::release;
+use crate::step::{release, release_clump};
 
 /// Places tried for one sphere before its source waits for the next step.
 const TRIES: u32 = 200;
@@ -117,12 +119,15 @@ impl Simulation {
                 return;
             };
             let i = next as usize;
-            let cost = given.cost(scene.particles.mass[i]);
+            let mass = scene.grain(i).map(|i| scene.particles.mass[i]).sum();
+            let cost = given.cost(mass);
             if due - reserve.spent < cost * (1.0 - EARLY) {
                 return;
             }
             let room = room.get_or_insert_with(|| FreeSpace::around(self, given));
-            let place = room.place(self, source, scene.particles.radius[i]);
+            let clump = scene.particles.clump(i).map(|clump| &scene.clumps[clump]);
+            let reach = clump.map_or(scene.particles.radius[i], |clump| clump.shape.reach());
+            let place = room.place(self, source, reach);
             let reserve = &mut self.state.reserves[source];
             let Some(place) = place else {
                 reserve.spent = due - cost;
@@ -130,20 +135,36 @@ impl Simulation {
             };
             reserve.spent += cost;
             reserve.waiting.pop_front();
-            room.add(place, scene.particles.radius[i]);
-            self.emit(i, place, given);
-            self.state.emitted[source] += scene.particles.mass[i];
+            self.emit(i, place, source);
+            for i in scene.grain(i) {
+                room.add(self.state.kinematics.position[i], scene.particles.radius[i]);
+            }
+            self.state.emitted[source] += mass;
         }
     }
 
-    /// Puts sphere `i` into the scene with the source's velocity at the present time.
-    fn emit(&mut self, i: usize, place: Vec3, source: &Source) {
-        let state = &mut self.state;
-        state.kinematics.present[i] = true;
-        state.kinematics.position[i] = place;
-        state.kinematics.velocity[i] = source.twist.linear;
-        state.kinematics.spin[i] = source.twist.angular;
-        release(&self.scene, state, i);
+    /// Puts sphere `i` or the clump that it begins into the scene with the source's velocity at the present time.
+    fn emit(&mut self, i: usize, place: Vec3, source: usize) {
+        let (scene, state) = (&self.scene, &mut *self.state);
+        let given = &scene.sources[source];
+        let Twist { linear, angular } = given.twist;
+        let kinematics = &mut state.kinematics;
+        kinematics.present[scene.grain(i)].fill(true);
+        match scene.particles.clump(i) {
+            None => {
+                kinematics.position[i] = place;
+                kinematics.velocity[i] = linear;
+                kinematics.spin[i] = angular;
+                release(scene, state, i);
+            }
+            Some(clump) => {
+                let mut random = next_stream(given.seed, &mut state.reserves[source].draws);
+                let velocity = SpatialVector { linear, angular };
+                let rotation = rotation(&mut random);
+                scene.clumps[clump].put((place, rotation), &velocity, kinematics);
+                release_clump(scene, state, clump);
+            }
+        }
     }
 }
 
@@ -193,11 +214,8 @@ impl FreeSpace {
         let given = &scene.sources[source];
         let mut closest_points = Vec::new();
         for _ in 0..TRIES {
-            // One stream of the generator per draw: the counter is all of its state.
             let draws = &mut simulation.state.reserves[source].draws;
-            let mut random = ChaCha8Rng::seed_from_u64(given.seed);
-            random.set_stream(*draws);
-            *draws += 1;
+            let mut random = next_stream(given.seed, draws);
             let place = given.region.random_centre(radius, &mut random)?;
             let free = self
                 .spheres
@@ -209,6 +227,14 @@ impl FreeSpace {
         }
         None
     }
+}
+
+/// One stream of the generator per draw: their number is all of its state.
+fn next_stream(seed: u64, draws: &mut u64) -> ChaCha8Rng {
+    let mut random = ChaCha8Rng::seed_from_u64(seed);
+    random.set_stream(*draws);
+    *draws += 1;
+    random
 }
 
 /// Whether a sphere of `radius` \[m\] at `place` \[m\] would overlap a boundary where it stands now.

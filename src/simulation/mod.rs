@@ -343,7 +343,7 @@ fn reserves(scene: &Scene) -> Vec<Reserve> {
             waiting: source
                 .spheres
                 .clone()
-                .filter(|&i| !scene.initial.present[i])
+                .filter(|&i| !scene.initial.present[i] && scene.grain(i).start == i)
                 .map(|i| i as u32)
                 .collect(),
             ..Reserve::default()

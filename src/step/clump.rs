@@ -9,6 +9,7 @@ use nalgebra::{Matrix3, UnitQuaternion};
 use super::prediction::Prediction;
 use super::solution::Solved;
 use crate::Vec3;
+use crate::integrator::Integrator;
 use crate::scene::Scene;
 use crate::scene::clump::Clump;
 use crate::scene::particles::Kinematics;
@@ -38,15 +39,15 @@ pub(super) struct ClumpPrediction<'a> {
 }
 
 impl<'a> ClumpPrediction<'a> {
-    /// All clumps of a step of `dt` \[s\] from `kinematics`, whose velocities match it, under `gravity` \[m/s^2\] and the scene's loads if
-    /// there are `loads`, `[C]`.
+    /// All clumps of a step of `dt` \[s\] from `kinematics`, whose velocities match it, `[C]`; where there are `loads`, under gravity
+    /// \[m/s^2\], the scene's loads and the forces applied to spheres \[N\].
     pub(super) fn all(
         scene: &'a Scene,
         kinematics: &Kinematics,
-        (gravity, loads): (Vec3, bool),
+        loads: Option<(Vec3, &[Vec3])>,
         dt: f64,
     ) -> Vec<Self> {
-        let of = |clump| Self::of(scene, clump, kinematics, (gravity, loads), dt);
+        let of = |clump| Self::of(scene, clump, kinematics, loads, dt);
         scene.clumps.iter().map(of).collect()
     }
 
@@ -54,7 +55,7 @@ impl<'a> ClumpPrediction<'a> {
         scene: &Scene,
         clump: &'a Clump,
         kinematics: &Kinematics,
-        (gravity, loads): (Vec3, bool),
+        loads: Option<(Vec3, &[Vec3])>,
         dt: f64,
     ) -> Self {
         let (integrator, shape) = (scene.settings.integrator, &clump.shape);
@@ -62,16 +63,22 @@ impl<'a> ClumpPrediction<'a> {
         let first = clump.members.start;
         let velocity = clump.of_member(rotation, &kinematics.spatial_velocity(first));
         let mut external = SpatialVector::ZERO;
-        if kinematics.present[first] {
+        if let Some((gravity, applied)) = loads.filter(|_| kinematics.present[first]) {
             external.linear = gravity * shape.mass;
-            let own = scene
+            let point_loads = scene
                 .loads
                 .iter()
-                .filter(|load| loads && clump.members.contains(&load.sphere));
-            for load in own {
-                let arm = kinematics.position[load.sphere] - centre + rotation * load.arm;
-                external.linear += load.force;
-                external.angular += arm.cross(&load.force);
+                .map(|load| (load.sphere, load.arm, load.force));
+            let applied = clump
+                .members
+                .clone()
+                .zip(applied.get(clump.members.clone()).unwrap_or_default());
+            let applied = applied.map(|(i, force)| (i, Vec3::zeros(), *force));
+            let own = |(i, _, _): &(usize, Vec3, Vec3)| clump.members.contains(i);
+            for (i, own, force) in point_loads.filter(own).chain(applied) {
+                let arm = kinematics.position[i] - centre + rotation * own;
+                external.linear += force;
+                external.angular += arm.cross(&force);
             }
         }
         let operator = |rotation, f: fn(f64) -> f64| SpatialOperator {
@@ -131,6 +138,35 @@ impl<'a> ClumpPrediction<'a> {
     fn moved(&self, velocity: &SpatialVector, dt: f64) -> (Vec3, UnitQuaternion<f64>) {
         let rotation = turned(&self.rotation, &velocity.angular, dt);
         (self.centre + velocity.linear * dt, rotation)
+    }
+}
+
+/// Puts clump `c`, which touches nothing, into motion with the velocity that it has at `state.time`, as
+/// [`release`](super::external::release) does a sphere.
+pub(crate) fn release_clump(scene: &Scene, state: &mut State, c: usize) {
+    let clump = &scene.clumps[c];
+    let loads = Some((
+        state.gravity_at(scene, state.time),
+        &state.applied_forces[..],
+    ));
+    let alone = ClumpPrediction::of(scene, clump, &state.kinematics, loads, scene.settings.step);
+    let own = SpatialVector {
+        linear: alone.external.linear / clump.shape.mass,
+        angular: clump.shape.inertia(alone.rotation, f64::recip) * alone.external.angular,
+    };
+    for (i, arm) in alone.arms() {
+        state.smooth[i] = SpatialVector {
+            linear: own.at(arm),
+            angular: own.angular,
+        };
+    }
+    if scene.settings.integrator == Integrator::Moreau {
+        let before = alone.velocity.plus(&own, -0.5 * state.last_step);
+        clump.put(
+            (alone.centre, alone.rotation),
+            &before,
+            &mut state.kinematics,
+        );
     }
 }
 

@@ -40,6 +40,7 @@ mod tunnelling;
 mod verify;
 mod workspace;
 
+pub(crate) use clump::release_clump;
 pub(crate) use commit::REMAINDER;
 pub(crate) use external::release;
 pub use failed::FailedStep;

@@ -32,7 +32,6 @@ fn each_bad_clump_is_refused_with_place_and_reason() {
     let mass: f64 = loaded.scene.particles.mass[..12].iter().sum();
     assert!((mass - 24.0).abs() < 1e-12);
     let cases = [
-        (scene("clump = 3", "", ""), "scene", "clump"),
         (
             scene("radius = 0.1", "", ""),
             "spheres[0].radius",

@@ -1,6 +1,6 @@
 //! Clumps: rigid grains of several spheres, against the mechanics of rigid bodies.
 
-use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use std::f64::consts::{FRAC_PI_2, TAU};
 
 use nalgebra::{Matrix3, UnitQuaternion};
 use sphere_dda::Vec3;
@@ -494,5 +494,39 @@ fn clumps_give_way_as_spheres_do() {
         .start();
     run.steps(2000);
     close(run.clump_velocity().z, 0.25, 2e-2, 0.0);
-    let _ = PI;
+}
+
+/// An elastic rod that falls on one end leaves the floor as the rigid one does, with the mass of the place where it touches,
+/// `1/m* = 1/m + d^2/J`, in its damper: the stiffer it is, the less it turns meanwhile.
+#[test]
+fn a_stiff_rod_rebounds_on_one_end_as_a_rigid_one_does() {
+    let (half, radius, speed, e) = (0.05, 0.02, 0.5, 0.5);
+    let rod = dumbbell(Vec3::x(), half, radius);
+    let turn = UnitQuaternion::from_axis_angle(&Vec3::y_axis(), 0.5);
+    let (sin, cos) = 0.5_f64.sin_cos();
+    let d = half * cos;
+    let across = inertia(&rod)[(1, 1)];
+    let p = (1.0 + e) * speed / (1.0 / rod.mass + d * d / across);
+    let error = |young: f64| {
+        // A duration of the contact has some 200 steps.
+        let dt = 2e-6 * (1e9 / young).powf(0.4);
+        let start = Vec3::z() * (half * sin + radius + 0.1 * speed * dt);
+        let mut run = Case::new(dt, 0.0, e)
+            .elastic(young, 0.25)
+            .without_gravity()
+            .tolerance(1e-8, 1e-8, 1e-8)
+            .floor()
+            .clump(&rod, (start, turn), Vec3::z() * -speed, Vec3::zeros())
+            .start();
+        run.steps(5);
+        assert!(!run.simulation.contacts().is_empty());
+        while !run.simulation.contacts().is_empty() {
+            run.step();
+        }
+        let found = [run.clump_velocity().z, run.spin(0).y];
+        let expected = [p / rod.mass - speed, -d * p / across];
+        (found[0] - expected[0]).abs() / speed
+    };
+    let [soft, stiff] = [1e7, 1e11].map(error);
+    assert!(stiff < 5e-4 && soft > 20.0 * stiff, "{soft:e} {stiff:e}");
 }

@@ -203,7 +203,9 @@ pub struct Source {
     pub name: String,
     /// Material.
     pub material: String,
-    /// Radius \[m\]. Required unless `size` is given.
+    /// Name of a `[[clump]]`: it emits such clumps, turned at random. All that is said of spheres here is then meant of clumps.
+    pub clump: Option<String>,
+    /// Radius \[m\], of clumps that of a sphere of their volume. Required unless `size` or `clump` is given.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub radius: Option<f64>,
     /// Distribution the radii are drawn from, instead of `radius`.

@@ -1,14 +1,18 @@
 //! Groups of clumps: each place is a centre of mass.
 
-use nalgebra::{Quaternion, UnitQuaternion};
+use nalgebra::UnitQuaternion;
 use rand_chacha::ChaCha8Rng;
 
-use super::{Generator, InitialMotion, MOST_SPHERES, Present, packing};
+use super::generator::Generator;
+use super::initial_motion::{InitialMotion, MOST_SPHERES, Present};
+use super::packing;
+use super::radii::{self, Radii};
 use crate::Vec3;
-use crate::random::symmetric;
+use crate::random::{rotation, symmetric};
 use crate::scene::clump::{Clump, ClumpShape};
 use crate::scene_file::document::Document;
 use crate::scene_file::file;
+use crate::scene_file::sizes::Sizes;
 use crate::spatial::SpatialVector;
 
 /// Adds the clumps of a group.
@@ -20,24 +24,22 @@ pub(super) fn add(
     generator: &Generator<'_>,
     (present, random): (Present<'_>, &mut ChaCha8Rng),
 ) -> Option<()> {
+    let sizes = Scales::new(document, (path, group), shape);
     let mut good = true;
     for (key, given) in [
-        ("radius", group.radius.is_some()),
-        ("size", group.size.is_some()),
-        ("radius_jitter", group.radius_jitter != 0.0),
         ("lock", group.lock.is_some()),
         ("vtu", group.vtu.is_some()),
         ("checkpoint", group.checkpoint.is_some()),
     ] {
         if given {
             let message = format!("found `{key}` in a group of clumps, which has none");
-            let help =
-                "the clump gives its members; place it by lattice, packing, positions or csv";
+            let help = "remove it, and place clumps by lattice, packing, positions or csv";
             document.error(format!("{path}.{key}"), message, help);
             good = false;
         }
     }
-    let starts = match generator {
+    let sizes = sizes?;
+    let (starts, factors): (Vec<InitialMotion>, Vec<f64>) = match generator {
         Generator::Packing(given) => {
             if given.solid_fraction.is_some() {
                 let message =
@@ -52,11 +54,17 @@ pub(super) fn add(
             let task = packing::Task::new(document, &format!("{path}.packing"), given)?;
             let reach = shape.reach();
             let ball = 4.0 / 3.0 * std::f64::consts::PI * reach.powi(3);
-            let radii = task.radii(document, |_| reach, shape.mass / ball, random)?;
+            let draw = |random: &mut ChaCha8Rng| reach * sizes.draw(random);
+            let radii = task.radii(document, draw, shape.mass / ball, random)?;
             let places = task.places(document, &radii, &present, random)?;
-            places.into_iter().map(InitialMotion::at).collect()
+            let starts = places.into_iter().map(InitialMotion::at).collect();
+            (starts, radii.iter().map(|radius| radius / reach).collect())
         }
-        given => given.read(document, path, random)?.0,
+        given => {
+            let (starts, _) = given.read(document, path, random)?;
+            let factors = starts.iter().map(|_| sizes.draw(random)).collect();
+            (starts, factors)
+        }
     };
     let Present {
         particles,
@@ -79,10 +87,10 @@ pub(super) fn add(
         good &= document.demand(fits, (path, "rotations"), list.len(), &expected);
     }
     good.then_some(())?;
-    for (k, start) in starts.iter().enumerate() {
+    for (k, (start, factor)) in starts.iter().zip(factors).enumerate() {
         let rotation = match rotations {
             Some(list) => UnitQuaternion::from_scaled_axis(Vec3::from(list[k % list.len()])),
-            None => any(random),
+            None => rotation(random),
         };
         let velocity = SpatialVector {
             linear: group.velocity.map_or(start.velocity, Vec3::from),
@@ -90,7 +98,7 @@ pub(super) fn add(
         };
         let store = (&mut *particles, &mut *initial, &mut *clumps);
         Clump::push(
-            shape,
+            &shape.scaled(factor),
             material,
             (start.position, rotation),
             &velocity,
@@ -100,14 +108,38 @@ pub(super) fn add(
     Some(())
 }
 
-/// A rotation, all being alike.
-fn any(random: &mut ChaCha8Rng) -> UnitQuaternion<f64> {
-    loop {
-        let [w, i, j, k] = std::array::from_fn(|_| symmetric(random));
-        let q = Quaternion::new(w, i, j, k);
-        let square = q.norm_squared();
-        if square > 1e-4 && square <= 1.0 {
-            return UnitQuaternion::new_normalize(q);
+/// How many times as large as the template clumps are.
+struct Scales {
+    /// Radii of spheres of the same volume \[m\], and that of the template; `None`: all are as given.
+    radii: Option<(Sizes, f64)>,
+    jitter: f64,
+}
+
+impl Scales {
+    fn new(
+        document: &mut Document<'_>,
+        (path, group): (&str, &file::Spheres),
+        shape: &ClumpShape,
+    ) -> Option<Self> {
+        let jitter = radii::jitter(document, path, group);
+        let radii = match (&group.radius, &group.size) {
+            (None, None) => None,
+            _ => Some((Radii::drawn(document, path, group)?, shape.equal_radius())),
+        };
+        Some(Self {
+            radii,
+            jitter: jitter?,
+        })
+    }
+
+    fn draw(&self, random: &mut ChaCha8Rng) -> f64 {
+        let factor = self
+            .radii
+            .as_ref()
+            .map_or(1.0, |(radii, own)| radii.draw(random) / own);
+        match self.jitter {
+            0.0 => factor,
+            jitter => factor * (1.0 + jitter * symmetric(random)),
         }
     }
 }
