@@ -24,6 +24,7 @@ mod tessellate;
 mod topology;
 mod triangle;
 mod triangles;
+pub mod union;
 mod vicinity;
 
 use std::sync::Arc;

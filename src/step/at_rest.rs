@@ -121,7 +121,8 @@ impl Solved<'_> {
         self.store(state);
         state.springs = self.spring_forces();
         self.smooth_acceleration(&mut state.smooth, false);
-        external::keep(prediction, state);
+        let (external, clumps) = (&prediction.external, &prediction.clumps);
+        external::keep(prediction.scene, state, external, clumps);
         let at_rest = self.finished(&prediction.poses[0]);
         for (carried, (found, _)) in state.bodies.iter_mut().zip(at_rest) {
             carried.smooth = found.smooth;

@@ -6,8 +6,6 @@
 
 use nalgebra::{Matrix3, UnitQuaternion};
 
-use super::prediction::Prediction;
-use super::solution::Solved;
 use crate::Vec3;
 use crate::integrator::Integrator;
 use crate::scene::Scene;
@@ -23,7 +21,7 @@ pub(super) struct ClumpPrediction<'a> {
     /// Its centre of mass \[m\].
     centre: Vec3,
     /// From its own axes to the world.
-    rotation: UnitQuaternion<f64>,
+    pub(super) rotation: UnitQuaternion<f64>,
     /// Velocity before the step, matching its length.
     pub(super) velocity: SpatialVector,
     /// Velocity without contacts.
@@ -34,8 +32,10 @@ pub(super) struct ClumpPrediction<'a> {
     pub(super) external: SpatialVector,
     /// Acceleration by `external`, and of its spin also by its rotation.
     pub(super) acceleration: SpatialVector,
-    momentum: SpatialVector,
-    mass: SpatialOperator,
+    /// Before the step.
+    pub(super) momentum: SpatialVector,
+    /// Mass and inertia in the middle of the step.
+    pub(super) mass: SpatialOperator,
 }
 
 impl<'a> ClumpPrediction<'a> {
@@ -119,7 +119,7 @@ impl<'a> ClumpPrediction<'a> {
     }
 
     /// Acceleration of its material point at `arm` \[m\] without contacts \[m/s^2\].
-    fn acceleration_at(&self, arm: Vec3) -> SpatialVector {
+    pub(super) fn acceleration_at(&self, arm: Vec3) -> SpatialVector {
         let spin = self.velocity.angular;
         SpatialVector {
             linear: self.acceleration.at(arm) + spin.cross(&spin.cross(&arm)),
@@ -135,7 +135,7 @@ impl<'a> ClumpPrediction<'a> {
     }
 
     /// Where `velocity` leads its centre \[m\] and its axes within `dt` \[s\].
-    fn moved(&self, velocity: &SpatialVector, dt: f64) -> (Vec3, UnitQuaternion<f64>) {
+    pub(super) fn moved(&self, velocity: &SpatialVector, dt: f64) -> (Vec3, UnitQuaternion<f64>) {
         let rotation = turned(&self.rotation, &velocity.angular, dt);
         (self.centre + velocity.linear * dt, rotation)
     }
@@ -167,135 +167,5 @@ pub(crate) fn release_clump(scene: &Scene, state: &mut State, c: usize) {
             &before,
             &mut state.kinematics,
         );
-    }
-}
-
-impl Prediction<'_> {
-    /// The number of clump `c` among all bodies, `[N + D + C]`.
-    pub(super) fn clump_body(&self, c: usize) -> usize {
-        self.kinematics.len() + self.bodies.len() + c
-    }
-
-    /// The body that moves sphere `i`, of all bodies, and if that is a clump the sphere's centre from its own \[m\].
-    #[inline]
-    pub(super) fn mover(&self, i: usize) -> (u32, Option<Vec3>) {
-        match self.scene.particles.clump(i) {
-            None => (i as u32, None),
-            Some(c) => {
-                let clump = &self.clumps[c];
-                let arm = clump.clump.shape.arms[i - clump.clump.members.start];
-                (self.clump_body(c) as u32, Some(clump.rotation * arm))
-            }
-        }
-    }
-
-    /// Lets the members in `external`, `[N]`, accelerate with their clumps.
-    pub(super) fn accelerate_members(&mut self) {
-        for clump in &self.clumps {
-            for (i, arm) in clump.arms() {
-                self.external[i] = clump.acceleration_at(arm);
-            }
-        }
-    }
-
-    /// Lets the members in `velocity`, `[N + D + C]`, move to where their clumps take them: `(x_k(t + dt) - x_k(t))/dt`.
-    pub(super) fn carry_members(&self, velocity: &mut [SpatialVector]) {
-        for (c, clump) in self.clumps.iter().enumerate() {
-            let own = velocity[self.clump_body(c)];
-            let (centre, rotation) = clump.moved(&own, self.step);
-            for (i, arm) in clump.clump.members.clone().zip(&clump.clump.shape.arms) {
-                let way = centre + rotation * arm - self.kinematics.position[i];
-                velocity[i].linear = way / self.step;
-                velocity[i].angular = own.angular;
-            }
-        }
-    }
-
-    /// Lets the clumps in `kinematics` turn as `velocity` has them, `[N + D + C]`.
-    pub(super) fn turn_members(&self, velocity: &[SpatialVector], kinematics: &mut Kinematics) {
-        for (c, clump) in self.clumps.iter().enumerate() {
-            let (_, rotation) = clump.moved(&velocity[self.clump_body(c)], self.step);
-            kinematics.orientation[clump.clump.members.clone()].fill(rotation);
-        }
-    }
-}
-
-impl Solved<'_> {
-    /// Force \[N\] and torque \[N m\] on a clump by gravity, loads and the contacts that are no impacts, which `acceleration`, `[N + D + C]`,
-    /// has in its problem.
-    fn smooth_force(&self, c: usize, acceleration: &[SpatialVector]) -> SpatialVector {
-        let clump = &self.prediction().clumps[c];
-        let contacts = clump
-            .mass
-            .times(&acceleration[self.prediction().clump_body(c)]);
-        clump.external.plus(&contacts, 1.0)
-    }
-
-    /// Writes what the clumps feel into the smooth `acceleration` of their members at the end of the step, `[N + D + C]`; at its start if
-    /// the step does not `move` them.
-    pub(super) fn accelerate_clumps(&self, acceleration: &mut [SpatialVector], moves: bool) {
-        let prediction = self.prediction();
-        for (c, clump) in prediction.clumps.iter().enumerate() {
-            let shape = &clump.clump.shape;
-            let force = self.smooth_force(c, acceleration);
-            let velocity = &self.solution.velocity[prediction.clump_body(c)];
-            let rotation = match moves {
-                true => clump.moved(velocity, prediction.step).1,
-                false => clump.rotation,
-            };
-            let angular = shape.inertia(rotation, f64::recip) * force.angular;
-            let own = SpatialVector {
-                linear: force.linear / shape.mass,
-                angular,
-            };
-            for (i, arm) in clump.clump.members.clone().zip(&shape.arms) {
-                acceleration[i] = SpatialVector {
-                    linear: own.at(rotation * arm),
-                    angular,
-                };
-            }
-        }
-    }
-
-    /// Moves the clumps: the motion of their members in `state`, whose smooth accelerations are those before, and the numerical work as
-    /// for spheres. `smooth` are the accelerations after, `[N]`.
-    pub(super) fn advance_clumps(&self, state: &mut State, smooth: &[SpatialVector]) {
-        let prediction = self.prediction();
-        let (settings, step) = (&prediction.scene.settings, prediction.step);
-        let integrator = settings.integrator;
-        for (c, clump) in prediction.clumps.iter().enumerate() {
-            let (members, shape) = (&clump.clump.members, &clump.clump.shape);
-            let first = members.start;
-            let v1 = &self.solution.velocity[prediction.clump_body(c)];
-            let (centre, rotation) = clump.moved(v1, step);
-            let momentum = integrator.finish(
-                &clump.momentum,
-                &clump.mass.times(v1),
-                settings.dynamic_coefficient,
-            );
-            let after = SpatialVector {
-                linear: momentum.linear / shape.mass,
-                angular: shape.inertia(rotation, f64::recip) * momentum.angular,
-            };
-            let kinetic = |rotation, velocity: &SpatialVector, smooth: &SpatialVector| {
-                let smooth = clump.clump.of_member(rotation, smooth);
-                let reported = integrator.reported(velocity, &smooth, step);
-                shape
-                    .kinetic_energy(rotation, &reported)
-                    .iter()
-                    .sum::<f64>()
-            };
-            let new = kinetic(rotation, &after, &smooth[first]);
-            let old = kinetic(clump.rotation, &clump.velocity, &state.smooth[first]);
-            state.work.numerical_work += new - old - step * clump.external.dot(v1);
-            for (i, arm) in members.clone().zip(&shape.arms) {
-                let arm = rotation * arm;
-                let kinematics = &mut state.kinematics;
-                kinematics.position[i] = centre + arm;
-                kinematics.orientation[i] = rotation;
-                kinematics.velocity[i] = after.at(arm);
-                kinematics.spin[i] = after.angular;
-            }
-        }
     }
 }

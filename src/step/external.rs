@@ -8,8 +8,8 @@ use crate::scene::particles::Kinematics;
 use crate::scene::rotating_frame::gyroscopic;
 use crate::spatial::SpatialVector;
 use crate::state::State;
+use crate::step::clump::ClumpPrediction;
 use crate::step::driven::BodyPrediction;
-use crate::step::prediction::Prediction;
 
 /// Into `external` the acceleration in a step of `dt` \[s\] that begins with `kinematics`, `[N]`.
 pub(super) fn acceleration(
@@ -71,8 +71,12 @@ fn inertial(scene: &Scene, kinematics: &Kinematics, i: usize) -> SpatialVector {
 }
 
 /// Writes into `state` which part of its smooth accelerations is external.
-pub(super) fn keep(prediction: &Prediction, state: &mut State) {
-    let (scene, external) = (prediction.scene, &prediction.external);
+pub(super) fn keep(
+    scene: &Scene,
+    state: &mut State,
+    external: &[SpatialVector],
+    clumps: &[ClumpPrediction],
+) {
     if scene.settings.rotating_frame.is_some() {
         state.external.clear();
         state.external.extend_from_slice(external);
@@ -80,7 +84,7 @@ pub(super) fn keep(prediction: &Prediction, state: &mut State) {
     let forces = external.iter().zip(&scene.particles.mass).enumerate();
     let single = forces.filter(|(i, _)| scene.particles.clump(*i).is_none());
     state.body_force = single.map(|(_, (a, mass))| a.linear * *mass).sum();
-    for clump in &prediction.clumps {
+    for clump in clumps {
         state.body_force += clump.external.linear;
     }
 }

@@ -26,6 +26,7 @@ mod failure;
 mod initial;
 mod input;
 mod linear_problem;
+mod members;
 mod output;
 mod prediction;
 mod rebounds;

@@ -33,9 +33,9 @@ fn each_bad_clump_is_refused_with_place_and_reason() {
     assert!((mass - 24.0).abs() < 1e-12);
     let cases = [
         (
-            scene("radius = 0.1", "", ""),
+            scene("radius = [0.1, 0.2]", "", ""),
             "spheres[0].radius",
-            "which has none",
+            "a list of 2 radii",
         ),
         (
             scene("lock = \"x\"", "", ""),

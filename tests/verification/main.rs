@@ -6,6 +6,7 @@
 mod applied_forces;
 mod axes;
 mod belts;
+mod clump_scenes;
 mod clumps;
 mod cohesion;
 mod cohesion_scenes;
@@ -35,6 +36,7 @@ mod registers;
 mod resistance;
 mod rest;
 mod rolling;
+mod scenes;
 mod simultaneous;
 mod solvers;
 mod springs;

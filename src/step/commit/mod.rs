@@ -60,7 +60,8 @@ pub(super) fn commit(solved: &Solved, state: &mut State, spare: &mut Vec<Spatial
     let paths = state.poses.iter().zip(&ends);
     state.twists = paths.map(|(from, to)| from.twist_to(to, dt)).collect();
     state.poses = ends;
-    external::keep(prediction, state);
+    let (external, clumps) = (&prediction.external, &prediction.clumps);
+    external::keep(prediction.scene, state, external, clumps);
     solved.gravity_work(state);
     solved.rest(state);
     state.last_step = dt;

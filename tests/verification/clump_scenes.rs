@@ -1,0 +1,198 @@
+//! Scenes that nobody tuned, with clumps and everything else at once.
+
+use sphere_dda::Vec3;
+
+use crate::scenes::{check, scene, start};
+use crate::support::Run;
+
+const CLUMPS: &str = r#"
+[[clump]]
+name = "rod"
+members = [{ position = [-0.003, 0, 0], radius = 0.004 }, { position = [0.003, 0, 0], radius = 0.004 }]
+[[clump]]
+name = "tetra"
+members = [
+  { position = [0.002, 0.002, 0.002], radius = 0.0025 },
+  { position = [0.002, -0.002, -0.002], radius = 0.0025 },
+  { position = [-0.002, 0.002, -0.002], radius = 0.003 },
+  { position = [-0.002, -0.002, 0.002], radius = 0.002 },
+]
+"#;
+
+/// Rods of many sizes rain into a periodic cell with spheres that may fall asleep, and leave it through the floor.
+const RAIN: &str = r#"
+[simulation]
+duration = 1.0
+communication_step = 0.01
+rest_speed = 1e-3
+[cell]
+x = [0.0, 0.06]
+y = [0.0, 0.06]
+[pair_default]
+friction = 0.4
+restitution = 0.4
+rolling_friction = 0.05
+twisting_friction = 0.02
+[[source]]
+name = "hose"
+material = "grain"
+clump = "rod"
+size = { log_normal = { median = 0.004, sigma = 0.2 } }
+capacity = 40
+rate = 150
+velocity = [0.2, 0.0, -0.5]
+spin = [3.0, 20.0, 1.0]
+region = { box = { min = [0.0, 0.0, 0.05], max = [0.06, 0.06, 0.1] } }
+[[sink]]
+name = "drain"
+region = { box = { min = [0.03, 0.0, -0.01], max = [0.06, 0.06, 0.012] } }
+recycle = "hose"
+[[spheres]]
+name = "bed"
+material = "grain"
+radius = 0.003
+lattice = { origin = [0.004, 0.004, 0.0031], count = [4, 8, 2], spacing = 0.0068 }
+[[boundary]]
+name = "floor"
+material = "wall"
+faces = [{ plane = { point = [0.0, 0.0, 0.0], normal = [0.0, 0.0, 1.0] } }]
+"#;
+
+/// Sticky tetrahedra and spheres in a tray that shakes, under a driven plate, with wear.
+const TRAY: &str = r#"
+[simulation]
+duration = 1.0
+communication_step = 0.01
+[pair_default]
+friction = 0.3
+restitution = 0.3
+rolling_friction = 0.05
+surface_energy = 0.1
+wear = 1e-12
+[[spheres]]
+name = "grains"
+material = "grain"
+clump = "tetra"
+radius_jitter = 0.1
+seed = 3
+lattice = { origin = [-0.018, -0.018, 0.008], count = [4, 4, 3], spacing = 0.0125 }
+[[spheres]]
+name = "balls"
+material = "grain"
+radius = 0.004
+lattice = { origin = [-0.018, -0.018, 0.045], count = [4, 4, 1], spacing = 0.011 }
+[[boundary]]
+name = "tray"
+material = "wall"
+wall_fields = true
+faces = [
+    { rectangle = { corner = [-0.05, -0.05, 0.0], u = [0.1, 0.0, 0.0], v = [0.0, 0.1, 0.0] } },
+    { cylinder = { base = [0.0, 0.0, 0.0], radius = 0.04, height = 0.2 } },
+]
+motion = { sinusoid = { translation = [0.0, 0.0, 0.002], frequency = 8.0 } }
+[[boundary]]
+name = "plate"
+material = "wall"
+faces = [{ rectangle = { corner = [-0.02, -0.02, 0.06], u = [0.04, 0.0, 0.0], v = [0.0, 0.04, 0.0] } }]
+body = { mass = 0.05, centre = [0.0, 0.0, 0.06], inertia = [1e-5, 1e-5, 1e-5], joint = { slide = [0.0, 0.0, 1.0] }, damping = 0.5 }
+"#;
+
+/// Elastic rods on a belt beside rigid ground, with a force from outside.
+const BELT: &str = r#"
+[simulation]
+duration = 1.0
+communication_step = 0.01
+[pair_default]
+friction = 0.5
+restitution = 0.3
+[[pair]]
+materials = ["grain", "grain"]
+stiffness = 1e5
+[[spheres]]
+name = "rods"
+material = "grain"
+clump = "rod"
+seed = 9
+packing = { region = { box = { min = [0, 0, 0.005], max = [0.08, 0.05, 0.08] } }, count = 40 }
+[[boundary]]
+name = "belt"
+material = "wall"
+surface_velocity = [0.2, 0.0, 0.0]
+faces = [{ plane = { point = [0.0, 0.0, 0.0], normal = [-0.1, 0.0, 1.0] } }]
+[fmu]
+applied_forces = true
+"#;
+
+fn with_clumps(text: &str) -> String {
+    format!("{text}{CLUMPS}")
+}
+
+fn clumps(run: &Run) -> usize {
+    run.simulation.scene().clumps.len()
+}
+
+#[test]
+fn rods_rain_from_a_source_and_come_back() {
+    let run = check(&with_clumps(RAIN), 60);
+    let state = run.simulation.state();
+    let emitted = state.emitted[0];
+    assert!(state.removed[0] > 0.0 && emitted > state.removed[0]);
+    let scene = run.simulation.scene();
+    let masses = scene.particles.mass.iter().enumerate();
+    let inside = |now: &[bool]| -> f64 {
+        masses
+            .clone()
+            .filter(|(i, _)| now[*i])
+            .map(|(_, m)| *m)
+            .sum()
+    };
+    let [first, last] =
+        [&scene.initial.present, &run.simulation.kinematics().present].map(|p| inside(p));
+    let balance = first + emitted - state.removed[0];
+    assert!((last - balance).abs() < 1e-12, "{last} {balance}");
+    let [mut least, mut most] = [f64::INFINITY, 0.0_f64];
+    for clump in &scene.clumps {
+        least = least.min(clump.shape.equal_radius());
+        most = most.max(clump.shape.equal_radius());
+    }
+    assert!(least < 0.0036 && most > 0.0044, "{least} {most}");
+}
+
+#[test]
+fn sticky_tetrahedra_shake_in_a_tray() {
+    let run = check(&with_clumps(TRAY), 50);
+    assert_eq!(clumps(&run), 48);
+    assert!(run.simulation.state().kinematics.present.iter().all(|p| *p));
+}
+
+#[test]
+fn elastic_rods_ride_on_a_belt() {
+    check(&with_clumps(BELT), 50);
+}
+
+/// A force at the centre of one member moves and turns its clump as a load there does.
+#[test]
+fn forces_from_outside_act_on_members() {
+    let text = with_clumps(BELT)
+        .replace("duration = 1.0", "duration = 1.0\ngravity = [0, 0, 0]")
+        .replace("count = 40", "count = 1");
+    let scene = scene(&text);
+    let mut run = start(&scene);
+    let clump = &scene.clumps[0];
+    let force = Vec3::new(0.0, 1e-3, 2e-3);
+    let mut forces = vec![Vec3::zeros(); 2];
+    forces[1] = force;
+    run.simulation.apply_forces(&forces).expect("forces");
+    run.simulation.place().expect("forces at the start");
+    let (_, rotation) = clump.place(run.simulation.kinematics());
+    let arm = rotation * clump.shape.arms[1];
+    run.advance(1e-3);
+    let t = run.simulation.time();
+    let members = clump.members.clone().zip(&clump.shape.shares);
+    let velocity: Vec3 = members.map(|(i, share)| run.velocity(i) * *share).sum();
+    assert!((velocity - force * (t / clump.shape.mass)).norm() < 1e-12);
+    let axes = (rotation * clump.shape.axes).to_rotation_matrix();
+    let inverse = clump.shape.moments.map(f64::recip);
+    let spin = axes * inverse.component_mul(&(axes.inverse() * arm.cross(&force))) * t;
+    assert!((run.spin(0) - spin).norm() < 1e-4 * spin.norm());
+}
