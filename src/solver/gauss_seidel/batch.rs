@@ -8,7 +8,7 @@ use crate::solver::Tolerance;
 /// A vector of each of sixteen contacts, by components.
 pub(super) type Vector<T> = [Sixteen<T>; 3];
 
-/// [`Batch::extra`] where all contacts are plain.
+/// [`Batch::extra`] where all contacts are plain, and [`Batch::levers`].
 pub(super) const PLAIN: u32 = u32::MAX;
 
 /// What contacts of a block have beyond plain ones.
@@ -43,6 +43,8 @@ pub(super) struct Batch<T> {
     pub(super) count: u32,
     /// Which of [`Batches::extras`](super::batches::Batches::extras) these contacts have; [`PLAIN`] without any.
     pub(super) extra: u32,
+    /// Which of [`Batches::levers`](super::batches::Batches::levers) these contacts have; [`PLAIN`] where all are of spheres.
+    pub(super) levers: u32,
     /// Whether some of these contacts have resistances, which are the next ones of the group.
     pub(super) resisted: bool,
 }

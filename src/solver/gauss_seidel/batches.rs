@@ -7,6 +7,7 @@ use arrayvec::ArrayVec;
 use super::batch::{Batch, Extra, Group, Progress, SweepParams};
 use super::dispatch::{Drift, Exact, Fill, Judge, Precision, Push, Sweep};
 use super::lanes::{Body, Real};
+use super::levers::Levers;
 use super::partition::PARTS;
 use super::resistance::Resistances;
 use crate::Vec3;
@@ -31,6 +32,8 @@ pub(super) struct Batches<T> {
     pub(super) latest: usize,
     /// Velocities of moving ground under the contacts of blocks \[m/s\], where there is such.
     pub(super) extras: Vec<Extra<T>>,
+    /// Of the blocks that have contacts of bodies that are no spheres.
+    pub(super) levers: Vec<Levers<T>>,
     pub(super) bodies: Vec<Body<T>>,
     /// Bodies before the last sweep.
     pub(super) before: Vec<Body<T>>,
@@ -82,7 +85,7 @@ impl<T: Precision> Batches<T> {
             let of_group = turn.iter().map(|g| g.resistances.clone());
             let resistances = split(&mut self.resistances, of_group);
             let bodies = split(&mut self.bodies, turn.iter().map(|g| g.bodies.clone()));
-            let (extras, latest) = (&self.extras[..], self.latest);
+            let (extras, levers, latest) = (&self.extras[..], &self.levers[..], self.latest);
             let mut tasks: ArrayVec<_, PARTS> = blocks
                 .into_iter()
                 .zip(resistances)
@@ -98,6 +101,7 @@ impl<T: Precision> Batches<T> {
                         resistances,
                         bodies,
                         extras,
+                        levers,
                         latest,
                         pace,
                     },
@@ -232,11 +236,11 @@ impl<T: Real> Batches<T> {
         }
     }
 
-    /// Takes bodies and extras from double precision, masses over `unit`, as if bodies had not moved before.
+    /// Takes bodies, extras and levers from double precision, masses over `unit`, as if bodies had not moved before.
     pub(super) fn place(
         &mut self,
         bodies: &[Body<f64>],
-        extras: &[Extra<f64>],
+        (extras, levers): (&[Extra<f64>], &[Levers<f64>]),
         unit: f64,
         pool: &Pool,
     ) {
@@ -262,5 +266,8 @@ impl<T: Real> Batches<T> {
             velocity: extra.velocity.map(|axis| axis.map(T::of)),
             compliance: extra.compliance.map(|c| c.map(|c| T::of(c * share))),
         }));
+        self.levers.clear();
+        self.levers
+            .extend(levers.iter().map(|own| own.of_share(share)));
     }
 }

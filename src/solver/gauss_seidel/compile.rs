@@ -3,8 +3,10 @@
 use arrayvec::ArrayVec;
 
 use super::batch::{Batch, Extra, Group, PLAIN};
-use super::kernel::{ATTACHED, Kernel, NONE, refill};
+use super::general_rows::spin_scale;
+use super::kernel::{ATTACHED, Kernel, NONE, alike, refill};
 use super::lanes::{LANES, Real, Sixteen};
+use super::levers::Levers;
 use super::resistance::Source;
 use crate::problem::{GROUND, Problem, Row, Rows};
 use crate::sorting::counting_sort;
@@ -42,7 +44,10 @@ impl Kernel {
         self.group.extend((0..rows.len()).map(|k| {
             let [a, b] = rows.bodies(k);
             let alike = moves_alike(a) && (b == GROUND || moves_alike(b));
-            if !alike || !is_rigid(self.resistance[k]) || !rows.is_of_spheres(k) {
+            if is_levered(problem, k, (&self.radius, &self.resistance)) {
+                // All that follows can be one group: its bodies are those of all parts and beyond.
+                2 * parts as u32 - 1
+            } else if !alike || !is_rigid(self.resistance[k]) || !rows.is_of_spheres(k) {
                 NONE
             } else if parts == 1 {
                 0
@@ -60,7 +65,10 @@ impl Kernel {
         let ours = |k: &u32| self.group[*k as usize] < ATTACHED;
         let all = 0..rows.len() as u32;
         if parts == 1 {
-            self.order.extend(all.filter(ours));
+            for group in 0..2 {
+                let own = |k: &u32| self.group[*k as usize] == group;
+                self.order.extend(all.clone().filter(own));
+            }
             return;
         }
         let place = |k: &u32| self.place[rows.bodies(*k as usize)[0] as usize];
@@ -81,6 +89,7 @@ impl Kernel {
         self.rows.clear();
         self.resistances.clear();
         self.extras.clear();
+        self.levers.clear();
         self.turns.iter_mut().for_each(ArrayVec::clear);
         let order = std::mem::take(&mut self.order);
         let mut open = Open {
@@ -122,6 +131,16 @@ impl Kernel {
                     let source = resistances(&problem.rows, rows, &self.resistance, &self.radius);
                     self.resistances.push(source);
                 }
+                let spheres = spheres as u32;
+                let other = |body: u32| body != GROUND && body >= spheres;
+                if rows
+                    .iter()
+                    .any(|&k| problem.rows.bodies(k as usize).into_iter().any(other))
+                {
+                    open.blocks[block].levers = self.levers.len() as u32;
+                    let length = |i: usize| spin_scale(&self.radius, i);
+                    self.levers.push(Levers::of(problem, rows, length));
+                }
             }
             let resistances = first..self.resistances.len();
             // Interiors stay in any case: momentum moves their bodies.
@@ -137,6 +156,22 @@ impl Kernel {
         blocks.truncate(used);
         self.order = order;
     }
+}
+
+/// Whether row `k` is a contact, without a row in `resistance`, of bodies of which one is no sphere, that is of no `radius`.
+fn is_levered(problem: &Problem, k: usize, (radius, resistance): (&[f64], &[u32])) -> bool {
+    let spheres = problem.inverse_mass.len();
+    let moves_alike = |i: usize| match i < spheres {
+        true => radius[i] > 0.0,
+        false => alike(problem, i).is_some(),
+    };
+    let [a, b] = problem.rows.bodies(k).map(|body| body as usize);
+    let on_ground = b == GROUND as usize;
+    (a >= spheres || !on_ground && b >= spheres)
+        && problem.rows.general(k).is_some_and(Row::is_contact)
+        && resistance[k] == NONE
+        && moves_alike(a)
+        && (on_ground || moves_alike(b))
 }
 
 /// Blocks that fill.
@@ -199,7 +234,7 @@ impl<T: Real> Open<'_, T> {
         }
         self.rows.push(Sixteen::default());
         let block = &mut self.blocks[at];
-        (block.count, block.extra) = (0, PLAIN);
+        (block.count, block.extra, block.levers) = (0, PLAIN, PLAIN);
         block.bodies = [[range.still; LANES]; 2];
         at
     }

@@ -17,6 +17,7 @@ use std::ops::Range;
 
 use super::batch::{Batch, BatchResidual, Extra, PLAIN, SweepParams, Vector};
 use super::lanes::{Body, Lanes, Pack, Real, Sixteen, changed};
+use super::levers::Levers;
 use crate::problem::law::onto_cone;
 use crate::problem::{BIAS, FRICTION, RADIUS, SCALE, SphereContact};
 
@@ -247,6 +248,20 @@ impl<T: Real> Batch<T> {
         ]
     }
 
+    /// Velocities of moving ground, and biases across the normal \[m/s\].
+    #[inline(always)]
+    pub(super) fn drift<L: Lanes<R>, R>(
+        &self,
+        l: L,
+        pass: usize,
+        extras: &[Extra<R>],
+    ) -> Option<[L::Pack; 3]> {
+        match self.extra {
+            PLAIN => None,
+            extra => Some(vector(l, &extras[extra as usize].velocity, pass)),
+        }
+    }
+
     /// What contacts of normals `n` and the given biases see of what is [`Lanes::between`] their bodies.
     #[inline(always)]
     fn see<L: Lanes<R>, R>(
@@ -263,8 +278,7 @@ impl<T: Real> Batch<T> {
             y.less(s_z, n[0]).plus(s_x, n[2]),
             z.less(s_x, n[1]).plus(s_y, n[0]),
         ];
-        if self.extra != PLAIN {
-            let drift = vector(l, &extras[self.extra as usize].velocity, pass);
+        if let Some(drift) = self.drift(l, pass, extras) {
             u = each(|k| u[k] + drift[k]);
         }
         let along = dot(u, n);
@@ -342,7 +356,21 @@ impl<T: Real> Batch<T> {
         pace: &Constants<L::Pack>,
     ) -> Update<L::Pack> {
         let own = (vector(l, &self.normal, pass), l.load(&self.bias, pass));
-        let mut seen = self.see(l, pass, between, own, extras);
+        let seen = self.see(l, pass, between, own, extras);
+        self.solve_seen(l, pass, seen, extras, latest, pace)
+    }
+
+    /// Solves the contacts of a pass that see this.
+    #[inline(always)]
+    pub(super) fn solve_seen<L: Lanes<T>>(
+        &mut self,
+        l: L,
+        pass: usize,
+        mut seen: Seen<L::Pack>,
+        extras: &[Extra<T>],
+        latest: usize,
+        pace: &Constants<L::Pack>,
+    ) -> Update<L::Pack> {
         let old = vector(l, &self.impulse[latest], pass);
         let p = pace.moved(old, vector(l, &self.impulse[1 - latest], pass));
         self.yields(l, pass, &mut seen, p, extras);
@@ -452,15 +480,21 @@ impl<T: Real> Batch<T> {
     pub(super) fn push<L: Lanes<f64>>(
         &self,
         l: L,
-        source: &Source,
-        rows: &Sixteen<u32>,
+        (source, rows): (&Source, &Sixteen<u32>),
+        levers: Option<&Levers<f64>>,
         bodies: &mut [Body<f64>],
         latest: usize,
     ) {
         let impulse = self.exact(latest, source.unit);
         for pass in self.passes::<L, f64>() {
-            let n = source.contacts(l, rows, pass).n;
             let p = vector(l, &impulse, pass);
+            if let Some(levers) = levers {
+                let mut ab = self.columns(l, pass, bodies);
+                levers.give(l, pass, p, &mut ab);
+                self.put_columns(l, pass, ab, bodies);
+                continue;
+            }
+            let n = source.contacts(l, rows, pass).n;
             let ab = self.fetch(l, pass, bodies);
             self.give(l, pass, (n, p), ab, bodies);
         }
@@ -471,8 +505,8 @@ impl<T: Real> Batch<T> {
     pub(super) fn judge<L: Lanes<f64>>(
         &self,
         l: L,
-        source: &Source,
-        rows: &Sixteen<u32>,
+        (source, rows): (&Source, &Sixteen<u32>),
+        levers: Option<&Levers<f64>>,
         (bodies, extras): (&[Body<f64>], &[Extra<f64>]),
         latest: usize,
     ) -> BatchResidual {
@@ -481,13 +515,20 @@ impl<T: Real> Batch<T> {
         let impulse = self.exact(latest, source.unit);
         for pass in self.passes::<L, f64>() {
             let p = vector(l, &impulse, pass);
-            let ab = self.fetch(l, pass, bodies);
             let contacts = source.contacts(l, rows, pass);
             let Contacts {
                 n, bias, friction, ..
             } = contacts;
-            let between = l.between(ab);
-            let mut seen = self.see(l, pass, between, (n, bias), extras);
+            let mut seen = match levers {
+                None => {
+                    let between = l.between(self.fetch(l, pass, bodies));
+                    self.see(l, pass, between, (n, bias), extras)
+                }
+                Some(levers) => {
+                    let own = (n, bias, self.drift(l, pass, extras));
+                    levers.see(l, pass, &self.columns(l, pass, bodies), own)
+                }
+            };
             self.yields(l, pass, &mut seen, p, extras);
             let law = |y_n, squared| onto_cone(y_n, squared, friction, (zero, one));
             let solved = seen.solve(p, law, (zero, one));

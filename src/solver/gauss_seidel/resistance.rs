@@ -310,7 +310,7 @@ impl<T: Real> Batch<T> {
 
     /// Bodies A and B by components.
     #[inline(always)]
-    fn columns<L: Lanes<R>, R: Real>(
+    pub(super) fn columns<L: Lanes<R>, R: Real>(
         &self,
         l: L,
         pass: usize,
@@ -323,7 +323,7 @@ impl<T: Real> Batch<T> {
 
     /// Puts them back.
     #[inline(always)]
-    fn put_columns<L: Lanes<R>, R: Real>(
+    pub(super) fn put_columns<L: Lanes<R>, R: Real>(
         &self,
         l: L,
         pass: usize,

@@ -2,6 +2,7 @@
 
 use super::batch::{Batch, Extra, Group, Progress, SweepParams, Vector};
 use super::lanes::{Body, FUSES, Lanes, Plain, Real, Sixteen};
+use super::levers::Levers;
 use super::local::{Constants, Source};
 use super::resistance::{self, Resistances};
 use crate::Vec3;
@@ -15,6 +16,7 @@ pub(super) struct Sweep<'a, T> {
     pub(super) resistances: &'a mut [Resistances<T>],
     pub(super) bodies: &'a mut [Body<T>],
     pub(super) extras: &'a [Extra<T>],
+    pub(super) levers: &'a [Levers<T>],
     /// Which of the blocks' impulses are the last.
     pub(super) latest: usize,
     pub(super) pace: SweepParams,
@@ -28,6 +30,8 @@ pub(super) struct Exact<'a> {
     pub(super) rows: &'a [Sixteen<u32>],
     /// Resistances of those blocks that have such.
     pub(super) resistances: &'a [resistance::Source],
+    /// By [`Batch::levers`].
+    pub(super) levers: &'a [Levers<f64>],
 }
 
 impl Exact<'_> {
@@ -135,17 +139,18 @@ impl<T: Real> Task for Sweep<'_, T> {
     #[inline(always)]
     fn with<L: Lanes<T>>(self, l: L) -> Progress {
         // Apart: in one loop plain blocks take longer.
-        match self.resistances.is_empty() {
-            true => self.over_blocks::<L, false>(l),
-            false => self.over_blocks::<L, true>(l),
+        match (self.resistances.is_empty(), self.levers.is_empty()) {
+            (true, true) => self.over_blocks::<L, false, false>(l),
+            (false, true) => self.over_blocks::<L, true, false>(l),
+            (_, false) => self.over_blocks::<L, true, true>(l),
         }
     }
 }
 
 impl<T: Real> Sweep<'_, T> {
-    /// Over all blocks, of which some may have resistances.
+    /// Over all blocks, of which some may have resistances, and some levers.
     #[inline(always)]
-    fn over_blocks<L: Lanes<T>, const RESISTED: bool>(self, l: L) -> Progress {
+    fn over_blocks<L: Lanes<T>, const RESISTED: bool, const LEVERED: bool>(self, l: L) -> Progress {
         let pace = Constants::of(l, &self.pace);
         let mut settled = L::ALL;
         // Lane by lane, so that every width sums in the same order.
@@ -158,9 +163,16 @@ impl<T: Real> Sweep<'_, T> {
                 true => resistances.next(),
                 false => None,
             };
+            let levers = match LEVERED {
+                true => block.levers(self.levers),
+                false => None,
+            };
             for pass in block.passes::<L, T>() {
                 let bodies = &mut *self.bodies;
                 let (within, a, c) = match &mut resisted {
+                    None if let Some(levers) = levers => {
+                        block.update_levered(l, pass, (bodies, levers), extras, latest, &pace)
+                    }
                     None => block.update(l, pass, bodies, extras, latest, &pace),
                     Some(own) => {
                         let moved = (bodies, &mut **own);
@@ -238,10 +250,12 @@ impl<T: Real> Task for Push<'_, T> {
             source,
             rows,
             resistances,
+            levers,
         } = self.exact;
         let mut resisted = resistances.iter().zip(self.blocks.1);
         for (block, rows) in self.blocks.0.iter().zip(rows) {
-            block.push(l, &source, rows, self.bodies, self.latest);
+            let levers = block.levers(levers);
+            block.push(l, (&source, rows), levers, self.bodies, self.latest);
             if block.resisted
                 && let Some((own, held)) = resisted.next()
             {
@@ -262,12 +276,15 @@ impl<T: Real> Task for Judge<'_, T> {
             source,
             rows,
             resistances,
+            levers,
         } = self.exact;
         let mut residual = Residual::default();
         let mut resisted = resistances.iter().zip(self.blocks.1);
         for (block, rows) in self.blocks.0.iter().zip(rows) {
             let moving = (self.bodies, self.extras);
-            let [gaps, slips, forces, margins] = block.judge(l, &source, rows, moving, self.latest);
+            let levers = block.levers(levers);
+            let found = block.judge(l, (&source, rows), levers, moving, self.latest);
+            let [gaps, slips, forces, margins] = found;
             for (lane, &row) in rows[..block.count as usize].iter().enumerate() {
                 let values = [gaps[lane], slips[lane], forces[lane]];
                 residual.include(row as usize, values, margins[lane]);

@@ -52,6 +52,8 @@ struct Case<T> {
     sources: Vec<resistance::Source>,
     bodies: Vec<Body<T>>,
     extras: Vec<Extra<T>>,
+    levers: Vec<Levers<T>>,
+    exact_levers: Vec<Levers<f64>>,
 }
 
 impl<T> Case<T> {
@@ -65,6 +67,7 @@ impl<T> Case<T> {
             source,
             rows: &self.rows,
             resistances: &self.sources,
+            levers: &self.exact_levers,
         }
     }
 
@@ -87,14 +90,15 @@ impl<T> Case<T> {
             resistances: &mut self.resistances,
             bodies: &mut self.bodies,
             extras: &self.extras,
+            levers: &self.levers,
             latest,
             pace,
         }
     }
 }
 
-/// Two blocks of 32 bodies from numbers in -1..1. Some contacts of the first have resistances; the second is not full, and its
-/// ground moves. The last body never moves.
+/// Three blocks of 32 bodies from numbers in -1..1. Some contacts of the first have resistances; the second is not full, and its
+/// ground moves; the third has levers. The last body never moves.
 fn case<T: Real>(numbers: &[f64]) -> Case<T> {
     let mut source = numbers.iter().cycle().map(|&x| T::of(x));
     let mut sixteen =
@@ -107,6 +111,7 @@ fn case<T: Real>(numbers: &[f64]) -> Case<T> {
         bodies: [0, 16].map(|first| std::array::from_fn(|k| first + k as u32)),
         count: 16,
         extra: PLAIN,
+        levers: PLAIN,
         resisted: true,
         ..Batch::default()
     };
@@ -130,7 +135,7 @@ fn case<T: Real>(numbers: &[f64]) -> Case<T> {
     let bodies = bodies.chain([Body::default()]).collect();
     let compact = (0..21).map(|_| SphereContact(std::array::from_fn(|k| sixteen()[k].exact())));
     let numbers = compact.collect();
-    let rows = [0, 16].map(|first| std::array::from_fn(|k| (first + k as u32) % 21));
+    let rows = [0, 16, 5].map(|first| std::array::from_fn(|k| (first + k as u32) % 21));
     let mut part = Batch {
         count: 5,
         extra: 0,
@@ -160,16 +165,30 @@ fn case<T: Real>(numbers: &[f64]) -> Case<T> {
             Vec3::new(number(6), number(7), number(8))
         })
         .collect();
+    let mut exact =
+        || -> Vector<f64> { [sixteen(), sixteen(), sixteen()].map(|x| x.map(T::exact)) };
+    let levers = Levers {
+        arms: [exact(), exact()],
+        turns: [[exact(), exact(), exact()], [exact(), exact(), exact()]],
+        scale: [exact()[0], exact()[0]].map(|x| x.map(|x| 1.0 + x * x)),
+    };
+    let levered = Batch {
+        levers: 0,
+        resisted: false,
+        ..full
+    };
     let mut resistances = Resistances::default();
     resistances.fill(&own, &impulses, 0.7);
     Case {
         numbers,
         rows: rows.to_vec(),
-        blocks: vec![full, part],
+        blocks: vec![full, part, levered],
         resistances: vec![resistances],
         sources: vec![own],
         bodies,
         extras,
+        levers: vec![levers.of_share(0.8)],
+        exact_levers: vec![levers],
     }
 }
 
@@ -201,7 +220,7 @@ fn outcome(
         run.single(single.sweep(0, pace)),
         run.double(swept.sweep(0, pace)),
     ];
-    let judged = [0..1, 1..2, 0..2].map(|blocks| {
+    let judged = [0..1, 1..2, 2..3, 0..3].map(|blocks| {
         let group = double.group(blocks.clone());
         run.judge(Judge {
             exact: double.exact().of(&group),
@@ -238,7 +257,7 @@ fn pace(momentum: f64) -> SweepParams {
 proptest! {
     #[test]
     fn wide_registers_give_the_same_bits(
-        numbers in prop::collection::vec(-1.0..1.0f64, 16 * 211),
+        numbers in prop::collection::vec(-1.0..1.0f64, 16 * 251),
         momentum in 0.0..1.0f64,
     ) {
         let pace = pace(momentum);
@@ -260,7 +279,7 @@ proptest! {
     /// What runs where nothing can be fused.
     #[test]
     fn without_fusion_all_is_the_same_but_for_rounding(
-        numbers in prop::collection::vec(-1.0..1.0f64, 16 * 211),
+        numbers in prop::collection::vec(-1.0..1.0f64, 16 * 251),
         momentum in 0.0..1.0f64,
     ) {
         let pace = pace(momentum);
@@ -281,6 +300,7 @@ fn lattice<T: Real>(side: usize) -> Case<T> {
     let still = Batch {
         bodies: [[n as u32; 16]; 2],
         extra: PLAIN,
+        levers: PLAIN,
         ..Batch::default()
     };
     let mut blocks: Vec<Batch<T>> = Vec::new();
@@ -318,6 +338,8 @@ fn lattice<T: Real>(side: usize) -> Case<T> {
         sources: Vec::new(),
         bodies,
         extras: Vec::new(),
+        levers: Vec::new(),
+        exact_levers: Vec::new(),
     }
 }
 

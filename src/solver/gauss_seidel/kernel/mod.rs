@@ -4,12 +4,14 @@ use std::iter::repeat;
 use std::mem::take;
 
 use arrayvec::ArrayVec;
+use nalgebra::Matrix3;
 
 use super::batch::{Batch, Extra, Progress, SweepParams};
 use super::batches::{BODIES, Batches, Colours, split};
 use super::dispatch::Exact;
 use super::general_rows::{Bodies, GeneralRows, spin_scale};
 use super::lanes::{Body, Sixteen};
+use super::levers::Levers;
 use super::local::Source;
 use super::partition::{PARTS, Partition};
 use super::resistance;
@@ -31,6 +33,7 @@ pub struct Kernel {
     pub(super) rows: Vec<Sixteen<u32>>,
     pub(super) resistances: Vec<resistance::Source>,
     pub(super) extras: Vec<Extra<f64>>,
+    pub(super) levers: Vec<Levers<f64>>,
     /// Whether sweeps go over `quick`, or over the blocks of `exact`, whose bodies are those that are judged in either case.
     pub(super) single: bool,
     pub(super) exact: Batches<f64>,
@@ -85,12 +88,18 @@ impl Kernel {
         }
         let group = &self.group;
         self.others.take(problem, impulses, |k| group[k] == NONE);
+        let others = (spheres..problem.free.len()).filter_map(|i| alike(problem, i));
         let masses = problem.inverse_mass.iter().map(|w| w.linear.max());
+        let masses = masses.chain(others);
         self.unit = match self.single {
             true => masses.fold(f64::MIN_POSITIVE, f64::max),
             false => 1.0,
         };
-        let exact = exact(problem, (&self.rows, &self.resistances), self.unit);
+        let exact = exact(
+            problem,
+            (&self.rows, &self.resistances, &self.levers),
+            self.unit,
+        );
         let (turns, pool) = (&self.turns, &self.pool);
         match self.single {
             true => self.quick.fill(exact, impulses, turns, pool),
@@ -175,6 +184,7 @@ impl Kernel {
             bodies: block.bodies,
             count: block.count,
             extra: block.extra,
+            levers: block.levers,
             resisted: block.resisted,
             ..Batch::default()
         };
@@ -183,7 +193,11 @@ impl Kernel {
             .blocks
             .extend(self.quick.blocks.iter().map(emptied));
         (self.single, self.unit) = (false, 1.0);
-        let exact = exact(problem, (&self.rows, &self.resistances), self.unit);
+        let exact = exact(
+            problem,
+            (&self.rows, &self.resistances, &self.levers),
+            self.unit,
+        );
         self.exact.fill(exact, impulses, &self.turns, &self.pool);
         self.start_exact();
     }
@@ -192,13 +206,18 @@ impl Kernel {
     fn start_exact(&mut self) {
         self.exact.before.clone_from(&self.exact.bodies);
         self.exact.extras.clone_from(&self.extras);
+        self.exact.levers.clone_from(&self.levers);
     }
 
     /// Takes the velocities of the impulses anew, without rounding from many sweeps.
     fn reload(&mut self, problem: &Problem) {
         let mut bodies = take(&mut self.exact.bodies);
         self.free(problem, &mut bodies);
-        let exact = exact(problem, (&self.rows, &self.resistances), self.unit);
+        let exact = exact(
+            problem,
+            (&self.rows, &self.resistances, &self.levers),
+            self.unit,
+        );
         let (turns, pool) = (&self.turns, &self.pool);
         match self.single {
             true => self.quick.push(exact, turns, pool, &mut bodies),
@@ -208,9 +227,11 @@ impl Kernel {
         let mut bodies = Bodies::of(&mut self.exact.bodies, &self.place, &self.radius);
         self.others.push(problem, &mut bodies);
         match self.single {
-            true => self
-                .quick
-                .place(&self.exact.bodies, &self.extras, self.unit, &self.pool),
+            true => {
+                let others = (&self.extras[..], &self.levers[..]);
+                self.quick
+                    .place(&self.exact.bodies, others, self.unit, &self.pool);
+            }
             false => self.start_exact(),
         }
     }
@@ -222,12 +243,12 @@ impl Kernel {
         bodies.resize(problem.free.len() + parts, Body::default());
         let body = |i: usize| {
             let (v, scale) = (&problem.free[i], spin_scale(&self.radius, i));
-            // Driven bodies move by other rows only, which have their own operator.
-            let w = problem
-                .inverse_mass
-                .get(i)
-                .copied()
-                .unwrap_or(SpatialVector::ZERO);
+            // Of others each contact says how they turn.
+            let w = problem.inverse_mass.get(i).copied();
+            let w = w.unwrap_or_else(|| SpatialVector {
+                linear: Vec3::repeat(alike(problem, i).unwrap_or(0.0)),
+                angular: Vec3::zeros(),
+            });
             let (v, s) = (v.linear, v.angular * scale);
             let (m, k) = (w.linear.x, w.angular.x * scale * scale);
             Body([v.x, v.y, v.z, m, s.x, s.y, s.z, k])
@@ -268,7 +289,11 @@ impl Kernel {
     /// The residual of the impulses, with velocities taken anew from them, always in double precision.
     pub(super) fn judge(&mut self, problem: &Problem) -> Residual {
         self.reload(problem);
-        let exact = exact(problem, (&self.rows, &self.resistances), self.unit);
+        let exact = exact(
+            problem,
+            (&self.rows, &self.resistances, &self.levers),
+            self.unit,
+        );
         let (turns, pool) = (&self.turns, &self.pool);
         let moving = (&self.exact.bodies[..], &self.extras[..]);
         let mut residual = match self.single {
@@ -309,7 +334,11 @@ impl Kernel {
 
     /// Writes the impulses of all rows \[N s\], `[C]`: those that were judged last.
     pub(super) fn store(&self, problem: &Problem, impulses: &mut [Vec3]) {
-        let exact = exact(problem, (&self.rows, &self.resistances), self.unit);
+        let exact = exact(
+            problem,
+            (&self.rows, &self.resistances, &self.levers),
+            self.unit,
+        );
         match self.single {
             true => self.quick.store(exact, impulses),
             false => self.exact.store(exact, impulses),
@@ -321,7 +350,11 @@ impl Kernel {
 /// The contacts of the blocks in double precision.
 fn exact<'a>(
     problem: &'a Problem,
-    (rows, resistances): (&'a [Sixteen<u32>], &'a [resistance::Source]),
+    (rows, resistances, levers): (
+        &'a [Sixteen<u32>],
+        &'a [resistance::Source],
+        &'a [Levers<f64>],
+    ),
     unit: f64,
 ) -> Exact<'a> {
     let source = Source {
@@ -333,7 +366,15 @@ fn exact<'a>(
         source,
         rows,
         resistances,
+        levers,
     }
+}
+
+/// Inverse mass \[1/kg\] of body `i`, which is no sphere, if it is the same in all directions.
+pub(super) fn alike(problem: &Problem, i: usize) -> Option<f64> {
+    let linear = &problem.operators[i - problem.inverse_mass.len()].linear;
+    let mass = linear[(0, 0)];
+    (*linear == Matrix3::identity() * mass).then_some(mass)
 }
 
 /// Radius of a body that does not move alike in all directions.

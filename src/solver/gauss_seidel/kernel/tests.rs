@@ -4,7 +4,9 @@
 
 use super::*;
 use crate::problem::{GROUND, Law, Row};
+use crate::solver::gauss_seidel::batch::PLAIN;
 use crate::solver::residual::{Scale, evaluate};
+use crate::spatial::SpatialOperator;
 use nalgebra::Vector3;
 
 /// A row of spheres of different sizes on the ground, pushed, with one that has springs; most contacts have a resistance.
@@ -82,10 +84,52 @@ fn problem() -> Problem {
     problem
 }
 
+/// With three bodies of any inertia, on the ground, on spheres and on each other.
+fn with_clumps(mut problem: Problem) -> Problem {
+    for d in 0..3_u32 {
+        let turned = Matrix3::new(3.0, 0.5, -0.2, 0.5, 2.0, 0.4, -0.2, 0.4, 1.5);
+        problem.operators.push(SpatialOperator {
+            linear: Matrix3::identity() * (40.0 + f64::from(d)),
+            angular: turned * 1e5,
+        });
+        problem.free.push(SpatialVector {
+            linear: Vector3::new(0.1, -0.2, 0.05 * f64::from(d)),
+            angular: Vector3::new(1.0, 2.0, -3.0),
+        });
+        for (k, b) in [GROUND, 6 * d, 23 + (d + 1) % 3].into_iter().enumerate() {
+            let k = k as f64;
+            let normal = Vector3::new(0.3 * k, -0.2, 1.0).normalize();
+            let arm_b = match b {
+                GROUND => Vec3::zeros(),
+                b if b < 23 => normal * 0.01 * (1.0 + 0.1 * f64::from(b % 4)),
+                _ => Vec3::new(0.004, 0.005, 0.009),
+            };
+            problem.rows.push(Row {
+                a: 23 + d,
+                b,
+                normal,
+                arm_a: Vec3::new(-0.003 * k, 0.006, -0.01),
+                arm_b,
+                prescribed_velocity: match b {
+                    GROUND => Vec3::new(0.02, 0.01, 0.0),
+                    _ => Vec3::zeros(),
+                },
+                bias: normal * 0.01,
+                compliance_n: 0.05 * k,
+                compliance_t: 0.02 * k,
+                law: Law::Contact { mu: 0.4 },
+                radius: 0.01,
+                impulse_scale: 1e-4,
+            });
+        }
+    }
+    problem
+}
+
 /// The oracle is the row's own operations, one row after the other in the order of the blocks.
 #[test]
 fn blocks_do_what_rows_do_one_after_the_other() {
-    let problem = problem();
+    let problem = with_clumps(problem());
     let start: Vec<Vec3> = (0..problem.rows.len())
         .map(|k| problem.rows.normal(k) * (1e-4 * (k % 5) as f64))
         .collect();
@@ -103,6 +147,11 @@ fn blocks_do_what_rows_do_one_after_the_other() {
         "rows and resistances of a sphere that is held elsewhere"
     );
     assert!(!kernel.single);
+    let levered: u32 = (kernel.exact.blocks.iter())
+        .filter(|block| block.levers != PLAIN)
+        .map(|block| block.count)
+        .sum();
+    assert_eq!(levered, 9);
     let blocks = kernel.exact.blocks.iter().zip(&kernel.rows);
     let rows = blocks.flat_map(|(block, rows)| &rows[..block.count as usize]);
     let with_resistance = |&k: &u32| [k, kernel.resistance[k as usize]];
