@@ -75,7 +75,8 @@ impl<T: Real> Levers<T> {
         l: L,
         pass: usize,
         [a, b]: &Columns<L::Pack>,
-        (n, bias, drift): ([L::Pack; 3], L::Pack, Option<[L::Pack; 3]>),
+        (n, bias): ([L::Pack; 3], L::Pack),
+        drift: Option<[L::Pack; 3]>,
     ) -> Seen<L::Pack> {
         let at_a = cross([a[4], a[5], a[6]], vector(l, &self.arms[0], pass));
         let at_b = cross([b[4], b[5], b[6]], vector(l, &self.arms[1], pass));
@@ -136,12 +137,8 @@ impl<T: Real> Batch<T> {
         pace: &Constants<L::Pack>,
     ) -> (u16, L::Pack, L::Pack) {
         let mut ab = self.columns(l, pass, bodies);
-        let own = (
-            vector(l, &self.normal, pass),
-            l.load(&self.bias, pass),
-            self.drift(l, pass, extras),
-        );
-        let seen = levers.see(l, pass, &ab, own);
+        let own = (vector(l, &self.normal, pass), l.load(&self.bias, pass));
+        let seen = levers.see(l, pass, &ab, own, self.drift(l, pass, extras));
         let own = self.solve_seen(l, pass, seen, extras, latest, pace);
         levers.give(l, pass, own.change.d, &mut ab);
         self.put_columns(l, pass, ab, bodies);

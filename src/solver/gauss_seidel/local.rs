@@ -525,8 +525,8 @@ impl<T: Real> Batch<T> {
                     self.see(l, pass, between, (n, bias), extras)
                 }
                 Some(levers) => {
-                    let own = (n, bias, self.drift(l, pass, extras));
-                    levers.see(l, pass, &self.columns(l, pass, bodies), own)
+                    let drift = self.drift(l, pass, extras);
+                    levers.see(l, pass, &self.columns(l, pass, bodies), (n, bias), drift)
                 }
             };
             self.yields(l, pass, &mut seen, p, extras);
