@@ -69,6 +69,9 @@ fn about(model: &Model) -> (About, Vec<(String, String)>) {
         let unit = variable.unit.unwrap_or_default();
         (0..variable.count()).map(move |k| (variable.element(k), unit.to_owned()))
     });
+    // Gravity comes behind the inputs of the scene.
+    let mut controls: Vec<Control> = entries.iter().flat_map(controls).collect();
+    controls.sort_by_key(|control| !control.input);
     let about = About {
         token: model.guid.clone(),
         step: scene.settings.communication_step,
@@ -76,7 +79,7 @@ fn about(model: &Model) -> (About, Vec<(String, String)>) {
         materials: scene.particles.material.iter().map(|&m| m.into()).collect(),
         spheres: spheres(),
         boundaries: boundaries(),
-        controls: entries.iter().flat_map(controls).collect(),
+        controls,
         outputs: shown.iter().map(output).collect(),
     };
     (about, columns.collect())

@@ -5,8 +5,9 @@ import { element, part } from "./data.js";
 
 /** Rows that plots keep. */
 const ROWS = 3000;
-/** Time [ms] that steps may take before the picture is drawn anew, and between two looks of the plots. */
-const BUDGET = 30;
+/** Time [ms] that steps may take before the picture is drawn anew: as long as drawing takes, between these. */
+const BUDGET = [30, 250];
+/** Time [ms] between two looks of the plots. */
 const LOOK = 120;
 /** Share of the spheres whose speed lies within the colours. */
 const MOST = 0.98;
@@ -191,9 +192,10 @@ export class Live {
 
   async run() {
     const { pace, page, about } = this;
-    Object.assign(pace, { solver: 0, draw: 0, factor: 0, steps: 0, frames: 0 });
+    Object.assign(pace, { solver: 0, draw: 0, whole: 0, factor: 0, steps: 0, frames: 0 });
     let [last, looked, goal] = [performance.now(), 0, this.frame.time];
-    let coming = this.advance({ until: goal, budget: BUDGET });
+    let budget = BUDGET[0];
+    let coming = this.advance({ until: goal, budget });
     while (coming) {
       const before = this.frame.time;
       const frame = await coming;
@@ -203,11 +205,12 @@ export class Live {
       goal = Math.min(goal + passed * this.speed, frame.time + Math.max(0.1 * this.speed, 2 * about.step));
       if (frame.ends) this.playing = false;
       // The solver goes on while this frame is drawn.
-      coming = this.playing ? this.advance({ until: goal, budget: BUDGET }) : null;
+      coming = this.playing ? this.advance({ until: goal, budget }) : null;
       this.take(frame);
       const drawn = await page.show();
       const share = 1 / Math.min(++pace.frames, 30);
-      const own = { solver: frame.spent, draw: drawn, steps: frame.steps, factor: (frame.time - before) / Math.max(passed, 1e-6) };
+      const factor = (frame.time - before) / Math.max(passed, 1e-6);
+      const own = { solver: frame.spent, draw: drawn, whole: 1e3 * passed, steps: frame.steps, factor };
       for (const [name, value] of Object.entries(own)) pace[name] += share * (value - pace[name]);
       last = now;
       if (now - looked > LOOK) {
@@ -215,6 +218,7 @@ export class Live {
         page.look();
       }
       if (coming) await new Promise(requestAnimationFrame);
+      budget = Math.min(Math.max(performance.now() - now, BUDGET[0]), BUDGET[1]);
     }
   }
 

@@ -71,7 +71,7 @@ async function start() {
   function legends() {
     const { colouring, range } = settings;
     const scales = [];
-    if (head.spheres && stage.spheres.mesh.visible && !settings.forces) {
+    if (head.spheres && stage.spheres.mesh.visible && !settings.forces && !(live && range.high <= range.low)) {
       const title = colouring.unit ? `${colouring.label} [${colouring.unit}]` : colouring.label;
       scales.push(colouring.kinds ? { names: colouring.kinds } : { title, ...range, capped: colouring.capped });
     }
@@ -285,7 +285,7 @@ async function start() {
     button.addEventListener("click", () => set({ view: name }));
     $("presets").append(button);
   }
-  const own = SPEEDS.find((one) => (last - first) / one <= 12) ?? 1;
+  const own = live ? 1 : (SPEEDS.find((one) => (last - first) / one <= 12) ?? 1);
   for (const one of SPEEDS) $("speed").add(new Option(`${one} ×`, one, one === own, one === own));
   Object.assign($("slider"), { min: first, max: last, value: first });
   $("slider").addEventListener("input", () => setTime($("slider").value));
@@ -356,6 +356,7 @@ async function start() {
     for (const id of ["live", "reset"]) $(id).hidden = false;
     for (const id of ["back", "slider"]) $(id).hidden = true;
     $("on").title = "arrow right: one step";
+    $("live").after($("history"));
     const panel = new Panel($("live"), live, head.generator, (name, text) => save(name, URL.createObjectURL(new Blob([text]))));
     $("reset").addEventListener("click", () => live.reset());
     $("speed").addEventListener("change", () => (live.speed = Number($("speed").value)));

@@ -50,8 +50,9 @@ export class Panel {
 
   /** How fast it runs, in words. */
   get pace() {
-    const { solver, draw, factor, frames } = this.live.pace;
+    const { solver, draw, whole, factor, frames } = this.live.pace;
     if (!frames) return "";
-    return `solver ${solver.toFixed(1)} ms, picture ${draw.toFixed(1)} ms a frame; ${factor.toFixed(2)} of real time`;
+    const parts = `solver ${solver.toFixed(1)}, picture ${draw.toFixed(1)}`;
+    return `${whole.toFixed(0)} ms a frame (${parts}), ${factor.toFixed(2)} of real time`;
   }
 }
