@@ -18,6 +18,28 @@ pytestmark = browser.needed
 
 # Seconds that the gate is open.
 OPEN = 1.0
+# A rigid sphere between a floor and a plate that comes down has no place to go.
+PRESS = """
+[simulation]
+duration = 1.0
+[[material]]
+name = "glass"
+density = 2500.0
+[[spheres]]
+name = "ball"
+material = "glass"
+radius = 0.01
+lattice = { origin = [0, 0, 0.01], count = [1, 1, 1], spacing = 0.02 }
+[[boundary]]
+name = "floor"
+material = "glass"
+faces = [{ plane = { point = [0, 0, 0], normal = [0, 0, 1] } }]
+[[boundary]]
+name = "plate"
+material = "glass"
+faces = [{ plane = { point = [0, 0, 0.021], normal = [0, 0, -1] } }]
+input = { slide = [0, 0, -1] }
+"""
 
 
 @pytest.fixture(scope="module")
@@ -98,6 +120,8 @@ def test_opened_gate_lets_out_what_that_of_the_native_fmu_does(window, made):
     names, rows = driven(window)
     assert names == ["boundary.gate.displacement"]
     inputs = {round(time / step): value for time, value in rows}
+    # The gate follows the slider at its own speed.
+    assert max(np.diff([value for _, value in rows])) < 0.005 and len(rows) > 50
     with Unit(fmu) as native:
         for k in range(closed + steps):
             if k in inputs:
@@ -190,28 +214,37 @@ def test_component_that_jco_transpiles_gives_the_same_numbers(window, made, tmp_
 
 
 def test_picture_shows_what_the_solver_has(window, made):
-    page, _, _ = made("live_hopper")
+    page, fmu, _ = made("live_hopper")
     opened(window, page)
-    slide(window, "boundary.gate.displacement", 0.05)
     window.run("await sphereDda.set({forces: true}); await sphereDda.live.step(150)")
     there, drawn = shown(window), window.run("return sphereDda.positions()")
     assert np.array_equal(drawn["centre"], there["position"])
-    assert window.run("return sphereDda.lines()") > 100
-    # The gate has slid along -x from its own middle.
-    gate = window.run("return sphereDda.boundaries().gate")
-    assert np.allclose(gate[:3], [-0.05, 0.0, -0.001], atol=1e-7)
-    force = window.run("""const told = await sphereDda.describe(0); return told.values""")
-    assert "m/s" in force["velocity"]
+    with Unit(fmu) as native:
+        for k in range(150):
+            native.step(k * 2e-3, 2e-3)
+        document = bytes(native.fmi.getBinary([native.reference("contacts.document")])[0])
+    records = np.frombuffer(document, "<f8", offset=28).reshape(-1, 15)
+    pressing = np.sum(records[:, 5:8] * records[:, 8:11], axis=1)
+    assert window.run("return sphereDda.lines()") == np.count_nonzero(pressing > 0) > 100
+    assert window.run("return sphereDda.head.forces.largest") == pytest.approx(pressing.max(), rel=1e-6)
+    assert "m/s" in window.run("return (await sphereDda.describe(0)).values")["velocity"]
 
 
-def test_turned_boundaries_are_drawn_where_they_are(window, made):
-    page, _, _ = made("live_drum")
+def test_moved_boundaries_are_drawn_where_they_are(window, made):
+    page, _, _ = made("live_hopper")
     opened(window, page)
-    slide(window, "boundary.drum.angularSpeed", 2.0)
-    window.run("await sphereDda.live.step(250)")
-    drum = window.run("return sphereDda.boundaries().drum")
-    assert np.allclose(drum[3:], [0.0, np.sin(0.5), 0.0, np.cos(0.5)], atol=1e-6)
-    assert np.allclose(drum[:3], 0.0, atol=1e-6)
+    slide(window, "boundary.gate.displacement", 0.05)
+    window.run("await sphereDda.live.step(150)")
+    gate = window.run("return sphereDda.boundaries().gate")
+    assert np.allclose(gate, [-0.05, 0.0, -0.001, 0.0, 0.0, 0.0, 1.0], atol=1e-7)
+    # The scene turns this flap by 30 degrees about an edge.
+    page, _, _ = made("gate")
+    opened(window, page)
+    window.run("await sphereDda.live.step(45)")
+    flap = window.run("return sphereDda.boundaries().flap")
+    turn = np.deg2rad(30)
+    assert np.allclose(flap[:3], [0.06 * np.cos(turn), 0.04, -0.06 * np.sin(turn)], atol=1e-6)
+    assert np.allclose(flap[3:], [0.0, np.sin(turn / 2), 0.0, np.cos(turn / 2)], atol=1e-6)
 
 
 def test_gravity_tilts_and_reset_begins_anew(window, made):
@@ -238,6 +271,20 @@ def test_page_says_what_the_component_says(window, made):
     assert text.startswith("The solver has stopped. It says: ") and "gravity" in text
     window.run("await sphereDda.live.reset(); await sphereDda.live.step(1)")
     assert window.run(said) == "" and shown(window)["time"] > 0.0
+
+
+def test_page_shows_warnings_of_the_component(command, window, made, tmp_path):
+    made("live_box")
+    (tmp_path / "press.toml").write_text(PRESS, encoding="utf-8")
+    run(command, "view", tmp_path / "press.toml", "--live", "-o", tmp_path / "press.html")
+    opened(window, tmp_path / "press.html")
+    warned = "return document.querySelector('#live .warned').textContent"
+    assert window.run(warned) == ""
+    slide(window, "boundary.plate.displacement", 0.005)
+    window.run("await sphereDda.live.step(100)")
+    assert "did not meet solver.tolerance" in window.run(warned)
+    window.run("await sphereDda.live.reset()")
+    assert window.run(warned) == ""
 
 
 @pytest.mark.parametrize("count", [300, 1000])

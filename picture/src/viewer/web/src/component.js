@@ -3,7 +3,7 @@
 
 const INTERFACE = "fmi:fmi3/co-simulation@3.0.0";
 const RESOURCE = "co-simulation-instance";
-const OK = [0, 1];
+const [OK, WARNING] = [0, 1];
 
 /** A call that was refused, in the words of the component. */
 export class Refused extends Error {}
@@ -12,8 +12,12 @@ export class Fmu {
   /** An instance of a compiled module. */
   constructor(module, name, token) {
     this.messages = [];
+    /** Warnings since somebody took them. */
+    this.warnings = [];
     const text = (at, length) => new TextDecoder().decode(new Uint8Array(this.core.memory.buffer, at, length));
-    const log = (...numbers) => this.messages.push(text(...numbers.slice(-2)));
+    const log = (_name, _length, status, _category, _extent, at, length) => {
+      (status === WARNING ? this.warnings : this.messages).push(text(at, length));
+    };
     // An instance is its own handle: there is one, and it ends with the module.
     const resources = { [`[resource-new]${RESOURCE}`]: (own) => own, [`[resource-drop]${RESOURCE}`]: () => {} };
     const updates = () => {
@@ -54,7 +58,7 @@ export class Fmu {
 
   /** A function that answers with its status. */
   call(name, ...numbers) {
-    if (!OK.includes(this.invoke(name, ...numbers))) this.refuse(name);
+    if (![OK, WARNING].includes(this.invoke(name, ...numbers))) this.refuse(name);
   }
 
   start() {

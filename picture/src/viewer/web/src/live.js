@@ -26,7 +26,7 @@ function ends({ unit, start, min, max, input }, head) {
   const gravity = 9.81;
   const weight = rounded(Math.max(head.live.mass * gravity, 1e-9));
   const reach = {
-    m: rounded(size / 2), rad: Math.PI, "m/s": rounded(size), "rad/s": 10, "m/s2": 1.5 * gravity,
+    m: rounded(size / 4), rad: Math.PI, "m/s": rounded(size), "rad/s": 10, "m/s2": 1.5 * gravity,
     N: 10 * weight, "N.m": weight * rounded(size), Pa: rounded((4 * weight) / size ** 2),
   }[unit] ?? 1;
   const [low, high] = [min ?? Math.min(-reach, start), max ?? Math.max(reach, start)];

@@ -372,6 +372,8 @@ async function start() {
       tell: (text) => Object.assign($("notice"), { textContent: text, hidden: !text }),
       show: async () => {
         const began = performance.now();
+        if (live.frame.time === 0) panel.warn("");
+        if (live.frame.warnings.length) panel.warn(live.frame.warnings.at(-1));
         if (head.fields.some(({ top }, k) => all.find(({ field }) => field === k).high !== top)) follow();
         await again();
         return performance.now() - began;

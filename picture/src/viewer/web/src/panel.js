@@ -27,9 +27,11 @@ export class Panel {
     if (!live.controls.length) {
       place.append(make("p", { textContent: "This scene has no inputs: give a boundary `input = ...`." }));
     }
+    this.warned = make("p", { className: "warned" });
     const button = make("button", { textContent: "save inputs", title: "a table for `sphere-dda simulate X.fmu --input`" });
     button.addEventListener("click", async () => save("inputs.csv", await live.drive()));
     if (live.controls.some(({ input }) => input)) place.append(button);
+    place.append(this.warned);
   }
 
   /** Where input `k` is to go. */
@@ -46,6 +48,11 @@ export class Panel {
       range.value = goal;
       if (document.activeElement !== number) number.value = brief(goal);
     });
+  }
+
+  /** The last warning of the solver stays until it begins anew. */
+  warn(text) {
+    this.warned.textContent = text;
   }
 
   /** How fast it runs, in words. */

@@ -35,7 +35,7 @@ function steer(goals) {
 /** What is to be seen now. */
 function frame(contacts) {
   const { spheres, boundaries, outputs } = about;
-  const own = { time: count * about.step, values, present: new Uint8Array() };
+  const own = { time: count * about.step, values, warnings: fmu.warnings.splice(0), present: new Uint8Array() };
   if (spheres) {
     own.present = fmu.getBoolean([spheres.present]);
     for (const name of ["position", "velocity", "angularVelocity"]) own[name] = fmu.getFloat64([spheres[name]]);
