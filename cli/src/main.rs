@@ -14,6 +14,7 @@ mod dump;
 mod export;
 mod failure;
 mod inspect;
+mod live;
 mod movie;
 mod new;
 mod page;

@@ -131,8 +131,16 @@ pub(crate) fn of_scene(scene: Scene, tables: &[PathBuf]) -> Result<(Recording, O
 /// The scene that an FMU carries, with its settled start.
 ///
 /// # Errors
-/// An FMU of something else, and as [`of_scene`].
+/// As [`model_in`] and [`of_scene`].
 pub(crate) fn of_fmu(path: &Path, tables: &[PathBuf]) -> Result<(Recording, Options), Failure> {
+    of_scene(Arc::unwrap_or_clone(model_in(path)?.scene), tables)
+}
+
+/// What an FMU carries.
+///
+/// # Errors
+/// An FMU of something else, a scene that is refused.
+pub(crate) fn model_in(path: &Path) -> Result<Model, Failure> {
     let fmu = Fmu::open(path)?;
     let resources = fmu.folder().join("resources");
     if !resources.join(SCENE_FILE).exists() {
@@ -141,8 +149,7 @@ pub(crate) fn of_fmu(path: &Path, tables: &[PathBuf]) -> Result<(Recording, Opti
             path.display()
         )));
     }
-    let model = Model::of_resources(&resources).map_err(Failure::input)?;
-    of_scene(Arc::unwrap_or_clone(model.scene), tables)
+    Model::of_resources(&resources).map_err(Failure::input)
 }
 
 /// Makes a page, shows how it gets on, and writes it to `output`.

@@ -9,11 +9,13 @@ use clap::Args;
 use miette::miette;
 use sphere_dda::scene::Scene;
 use sphere_dda::scene_file::{Loaded, SceneError};
+use sphere_dda_fmu::model::Model;
 use sphere_dda_picture::viewer::{Options, Recording};
 
 use crate::arguments::{Values, free};
 use crate::check::warn;
 use crate::failure::Failure;
+use crate::live;
 use crate::page::{self, Input};
 use crate::progress::{Interrupt, note, print};
 
@@ -28,6 +30,7 @@ Examples:
   sphere-dda view results -o flow.html --max-size 10MB
   sphere-dda view scene.toml --watch --open          while you write the scene: the page renews itself when you save
   sphere-dda view feeder.fmu                         the scene inside an FMU of sphere-dda
+  sphere-dda view scene.toml --live --open           the solver runs in the page; sliders move its inputs
   sphere-dda view results --table outputs.csv        also plots what `simulate` recorded
 
 The page is one file without references to others: it opens offline, can be sent and kept. Centres are exact to 1/1000
@@ -47,6 +50,10 @@ pub(crate) struct View {
     /// Of a scene: write the page anew, and have it renew itself in the browser, whenever the file is saved.
     #[arg(long)]
     watch: bool,
+    /// Of a scene or an FMU: the solver itself runs in the page, as WebAssembly, and sliders set the inputs. It needs the module that
+    /// `fmu/platforms/build wasm` makes.
+    #[arg(long, conflicts_with_all = ["watch", "tables"])]
+    live: bool,
     /// Largest page: values of spheres get coarser, then frames are left out evenly, until it is smaller. A number of bytes, or of kB, MB, GB.
     #[arg(long, value_name = "SIZE", default_value = "50MB", value_parser = size)]
     max_size: u64,
@@ -87,6 +94,12 @@ pub(crate) fn run(arguments: &View, interrupt: &Interrupt) -> Result<(), Failure
             input.display()
         )));
     }
+    if arguments.live && matches!(kind, Input::Folder) {
+        return Err(Failure::Input(miette!(
+            "--live: found the results `{}`, expected a scene file or an FMU: results have run already",
+            input.display()
+        )));
+    }
     let values = &arguments.values.set;
     if !values.is_empty() && !matches!(kind, Input::Scene) {
         return Err(Failure::Input(miette!(
@@ -107,16 +120,24 @@ pub(crate) fn run(arguments: &View, interrupt: &Interrupt) -> Result<(), Failure
     };
     let made = match kind {
         Input::Folder => show(page::of_folder(input, &arguments.tables)?, String::new())?,
+        Input::Fmu if arguments.live => {
+            show(live::of_model(page::model_in(input)?)?, String::new())?
+        }
         Input::Fmu => show(page::of_fmu(input, &arguments.tables)?, String::new())?,
         Input::Scene => {
             let loaded = Scene::from_file_with(input, values)?;
             warn(&loaded);
-            let mark = if arguments.watch {
-                stamp()
+            if arguments.live {
+                let model = Model::read_with(input, values, None).map_err(Failure::input)?;
+                show(live::of_model(model)?, String::new())?
             } else {
-                String::new()
-            };
-            show(page::of_scene(loaded.scene, &arguments.tables)?, mark)?
+                let mark = if arguments.watch {
+                    stamp()
+                } else {
+                    String::new()
+                };
+                show(page::of_scene(loaded.scene, &arguments.tables)?, mark)?
+            }
         }
     };
     print(|out| writeln!(out, "{}", page::told(&made, &output)))?;

@@ -53,11 +53,22 @@ pub fn component(
     module: &[u8],
     resources: &BTreeMap<&str, &[u8]>,
 ) -> Result<Vec<u8>, ComponentError> {
-    let module = with_resources(module, &postcard::to_stdvec(resources)?)?;
+    let module = core_module(module, resources)?;
     let mut encoder = ComponentEncoder::default();
     encoder.validate(true);
     let encoded = encoder.module(&module).and_then(ComponentEncoder::encode);
     encoded.map_err(|error| ComponentError::Encoder(format!("{error:#}")))
+}
+
+/// The core module of the component: `module` with `resources` in its memory.
+///
+/// # Errors
+/// [`ComponentError`], but for its encoder.
+pub fn core_module(
+    module: &[u8],
+    resources: &BTreeMap<&str, &[u8]>,
+) -> Result<Vec<u8>, ComponentError> {
+    with_resources(module, &postcard::to_stdvec(resources)?)
 }
 
 /// `module` with `content` behind its memory.

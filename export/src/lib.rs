@@ -17,7 +17,7 @@ mod terminals;
 
 pub use error::{ExportError, LIBRARY_VARIABLE};
 pub use library::{Library, check_library, find_libraries, find_library};
-pub use pack::{Contents, Exported, Pictures, export};
+pub use pack::{Contents, Exported, Pictures, core_module_of, export};
 pub use references::SmokeTest;
 pub use sphere_dda_fmi_interface::platform::Platform;
 pub use sphere_dda_fmu::version::Version;

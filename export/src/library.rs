@@ -56,6 +56,16 @@ pub fn find_libraries(
     each.map(|(_, platform)| find(platform)).collect()
 }
 
+/// The module that `fmu/platforms/build wasm` has put beside this program, checked.
+///
+/// # Errors
+/// [`ExportError::NoLibraryFor`] and as [`check_library`].
+pub(crate) fn find_module() -> Result<PathBuf, ExportError> {
+    let path = apart(Platform::WASM)?;
+    check(Platform::WASM, &path)?;
+    Ok(path)
+}
+
 /// The library that was built apart for a platform.
 fn apart(platform: Platform) -> Result<PathBuf, ExportError> {
     let own = own_folder();

@@ -15,6 +15,7 @@
 //! The same scene and library give the same bytes.
 
 use std::borrow::Cow;
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
@@ -28,11 +29,11 @@ use sphere_dda_fmu::model::{Model, SCENE_FILE, START_FILE};
 use sphere_dda_fmu::table::Entry;
 use sphere_dda_fmu::version::Version;
 
-use crate::component::{MANIFEST, MANIFEST_FILE, component};
+use crate::component::{MANIFEST, MANIFEST_FILE, component, core_module};
 use crate::description::{version2, version3};
 use crate::documentation;
 use crate::error::ExportError;
-use crate::library::Library;
+use crate::library::{Library, find_module};
 use crate::references::SmokeTest;
 use crate::terminals::terminals;
 
@@ -103,15 +104,12 @@ pub fn export(contents: Contents<'_>, fmu: &Path) -> Result<Exported, ExportErro
     let (mut files, findings) = described(&model, &identifier, version, pictures.is_some())?;
     let own = resources(&model)?;
     for Library { platform, path } in libraries {
-        let mut code = fs::read(path).map_err(|source| ExportError::Read {
-            path: path.clone(),
-            source,
-        })?;
+        let mut code = read(path)?;
         if *platform == Platform::WASM {
             if version == Version::Two {
                 return Err(ExportError::Component2);
             }
-            code = inside(&code, &own)?;
+            code = component(&code, &by_name(&own))?;
             files.push((MANIFEST_FILE.to_owned(), MANIFEST.as_bytes().into()));
         }
         files.push((library_path(version, platform, &identifier), code.into()));
@@ -197,11 +195,25 @@ fn judge(findings: Vec<Finding>) -> Result<Vec<String>, ExportError> {
     Ok(findings.iter().map(Finding::to_string).collect())
 }
 
-/// The component of a module, with what the instance reads.
-fn inside(module: &[u8], resources: &Files<'_>) -> Result<Vec<u8>, ExportError> {
-    let resources = resources.iter();
-    let by_name = resources.map(|(name, content)| (&**name, &**content));
-    Ok(component(module, &by_name.collect())?)
+/// The core module of WebAssembly for a model, as its FMU has it in its component: for hosts that need no component.
+///
+/// # Errors
+/// No module beside this program, or one of other sources; files that a scene may not have.
+pub fn core_module_of(model: &Model) -> Result<Vec<u8>, ExportError> {
+    let code = read(&find_module()?)?;
+    Ok(core_module(&code, &by_name(&resources(model)?))?)
+}
+
+fn read(path: &Path) -> Result<Vec<u8>, ExportError> {
+    fs::read(path).map_err(|source| ExportError::Read {
+        path: path.to_path_buf(),
+        source,
+    })
+}
+
+fn by_name<'f>(files: &'f Files<'_>) -> BTreeMap<&'f str, &'f [u8]> {
+    let each = files.iter();
+    each.map(|(name, content)| (&**name, &**content)).collect()
 }
 
 /// What the instance reads, by its path in `resources/`.

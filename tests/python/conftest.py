@@ -15,7 +15,8 @@ pytest_plugins = ("wheel",)
 ROOT = Path(__file__).resolve().parents[2]
 EXAMPLES = ("funnel", "slopes", "feeder", "conveyor", "landslide", "bed", "shear", "triaxial", "chute", "press", "wet_heap")
 # All scenes of the examples, also those that other tests run: what lies in the archive is judged for each.
-SCENES = (*EXAMPLES, "plate", "bucket", "drum", "dropped", "hopper", "gate", "tray", "viscous")
+SCENES = (*EXAMPLES, "plate", "bucket", "drum", "dropped", "hopper", "gate", "tray", "viscous",
+          "live_hopper", "live_drum", "live_box")
 
 
 def scene(name):

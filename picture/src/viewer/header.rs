@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use super::labels::Label;
+use super::live::About;
 use super::walls::WallRange;
 
 /// The head of a page. Lengths in m, all units SI.
@@ -39,6 +40,8 @@ pub(super) struct Header {
     pub(super) notice: String,
     /// Changes with each page of `--watch`; empty without it.
     pub(super) watched: String,
+    /// Of a page that runs the solver.
+    pub(super) live: Option<About>,
 }
 
 #[derive(Debug, Serialize)]

@@ -13,6 +13,7 @@ mod entropy;
 mod error;
 mod header;
 pub mod labels;
+pub mod live;
 mod page;
 mod ranges;
 mod recording;
@@ -31,11 +32,12 @@ use sphere_dda::Vec3;
 
 use blocks::{Block, Grating};
 use bodies::Bodies;
-use coding::{doubles, singles, wholes};
+use coding::{deflated, doubles, singles, wholes};
 use contacts::DECADES;
 use detail::Kept;
 use header::{BoundaryHeader, FieldHeader, ForceHeader, Header, TableHeader, WallHeader};
 use labels::Label;
+use live::Live;
 use page::{Parts, bare, html};
 use survey::Survey;
 
@@ -58,6 +60,8 @@ pub struct Options {
     pub notice: String,
     /// What the page compares with its file to see that it is old; empty: it never looks.
     pub watched: String,
+    /// The solver, in a page that runs it; the first of the tables has its outputs.
+    pub live: Option<Live>,
 }
 
 /// A page and what was left out of it.
@@ -306,6 +310,9 @@ fn fill(
 /// What does not depend on how many frames are kept.
 fn fixed_parts(survey: &Survey, bodies: &Bodies, options: &Options) -> Parts {
     let mut parts = Parts::default();
+    if let Some(live) = &options.live {
+        parts.push("module", deflated(&live.module));
+    }
     let slots = &survey.slots;
     parts.push("sphere-id", wholes(slots.iter().map(|slot| slot.id)));
     parts.push(
@@ -411,5 +418,6 @@ fn header(
         still: matches!(recording, Recording::Still(_)),
         notice: options.notice.clone(),
         watched: options.watched.clone(),
+        live: options.live.as_ref().map(|live| live.about.clone()),
     }
 }

@@ -6,6 +6,8 @@ use super::text;
 /// The program and its style, made by `web/build` from `web/src`.
 const SCRIPT: &str = include_str!("web/bundle.js");
 const STYLE: &str = include_str!("web/bundle.css");
+/// What runs the solver, beside the page.
+const WORKER: &str = include_str!("web/worker.js");
 /// Of three.js and uPlot, which are in the program.
 const LICENCES: &str = include_str!("web/licences.txt");
 
@@ -48,9 +50,15 @@ pub(super) fn html(header: &Header, parts: &Parts) -> String {
     let head = head.replace('<', "\\u003c");
     let title = escape(&header.title);
     let mut out = String::with_capacity(parts.size as usize + SCRIPT.len() + head.len() + 8192);
+    let live = header.live.is_some();
+    let solver = if live {
+        " 'wasm-unsafe-eval' blob:; worker-src blob:"
+    } else {
+        ""
+    };
     out += &format!(
         "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
-         <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src 'unsafe-inline'; \
+         <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src 'unsafe-inline'{solver}; \
          style-src 'unsafe-inline'; img-src data: blob:; frame-src 'self' file:\">\n\
          <meta name=\"viewport\" content=\"width=device-width\">\n<title>{title}</title>\n"
     );
@@ -65,6 +73,9 @@ pub(super) fn html(header: &Header, parts: &Parts) -> String {
         "<style>\n{STYLE}</style>\n</head>\n<body>\n<noscript>This page needs JavaScript.</noscript>\n\
          <script type=\"application/json\" id=\"head\">{head}</script>\n"
     );
+    if live {
+        out += &format!("<script type=\"text/plain\" id=\"worker\">\n{WORKER}</script>\n");
+    }
     for (name, bytes) in &parts.list {
         out += &format!("<script type=\"text/plain\" id=\"{name}\">");
         text::put(&mut out, bytes);

@@ -30,6 +30,22 @@ pub struct Table {
 }
 
 impl Table {
+    /// A table that the page itself fills: `columns` by name and unit.
+    #[must_use]
+    pub fn empty(name: &str, columns: impl IntoIterator<Item = (String, String)>) -> Self {
+        let column = |(name, unit)| Column {
+            name,
+            unit,
+            values: Vec::new(),
+        };
+        Self {
+            name: name.to_owned(),
+            time: Vec::new(),
+            columns: columns.into_iter().map(column).collect(),
+            thinned: 1,
+        }
+    }
+
     /// Reads a CSV file whose first column is the time; columns without any number are left out.
     ///
     /// # Errors

@@ -5,7 +5,7 @@ import { Bytes, Decoder, Numbers } from "./entropy.js";
 /** Bytes of decoded blocks that are kept. */
 const CACHE = 384e6;
 
-function element(name) {
+export function element(name) {
   const found = document.getElementById(name);
   if (!found) throw new Error(`the page has no part "${name}": it was cut short, write it again`);
   return found;
@@ -39,7 +39,7 @@ function bytes(text) {
 }
 
 /** The bytes of a part. */
-async function part(name) {
+export async function part(name) {
   const packed = bytes(element(name).textContent);
   const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("deflate-raw"));
   return new Uint8Array(await new Response(stream).arrayBuffer());

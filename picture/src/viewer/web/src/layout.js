@@ -6,6 +6,7 @@ export const LAYOUT = `
   <pre id="notice" hidden></pre><div id="told" hidden></div>
 </main>
 <aside>
+  <section id="live" hidden><h1>Inputs</h1></section>
   <h1>Spheres</h1>
   <label>colour <select id="colour"></select></label>
   <div class="row" id="range"><input type="number" id="low" step="any" title="colour of the lowest value">
@@ -30,7 +31,8 @@ export const LAYOUT = `
 <footer>
   <button id="play" title="space">play</button>
   <button id="back" title="arrow left: frame before">‹</button><button id="on" title="arrow right: next frame">›</button>
+  <button id="reset" hidden>reset</button>
   <input type="range" id="slider" min="0" step="any">
-  <span id="time"></span>
+  <span id="pace"></span><span id="time"></span>
   <label title="simulated seconds in a second">speed <select id="speed"></select></label>
 </footer>`;

@@ -4,7 +4,9 @@ import "uplot/dist/uPlot.min.css";
 import "./style.css";
 import { Data } from "./data.js";
 import { LAYOUT } from "./layout.js";
+import { Live } from "./live.js";
 import { brief, write } from "./overlay.js";
+import { Panel } from "./panel.js";
 import { Player, colourings } from "./player.js";
 import { Plots } from "./plots.js";
 import { PRESETS, Stage } from "./stage.js";
@@ -27,6 +29,7 @@ hook.ready.catch((error) => {
 async function start() {
   const data = await Data.open();
   const { head } = data;
+  const live = head.live && (await Live.open(data));
   const [first, last] = [head.times[0], head.times[head.times.length - 1]];
   document.title = head.title || "sphere-dda";
   if (head.notice) Object.assign($("notice"), { textContent: head.notice, hidden: false });
@@ -36,7 +39,7 @@ async function start() {
   } catch (error) {
     throw new Error(`this browser offers no WebGL 2 (${error.message}): switch on hardware acceleration, or use another`);
   }
-  const all = colourings(data);
+  let all = colourings(data);
   const initial = head.still ? "material" : "speed";
   const settings = {
     colouring: all.find(({ key }) => key === initial) ?? all[0],
@@ -68,7 +71,7 @@ async function start() {
   function legends() {
     const { colouring, range } = settings;
     const scales = [];
-    if (head.spheres && stage.spheres.mesh.visible && !settings.forces) {
+    if (head.spheres && stage.spheres.mesh.visible && !settings.forces && !(live && range.high <= range.low)) {
       const title = colouring.unit ? `${colouring.label} [${colouring.unit}]` : colouring.label;
       scales.push(colouring.kinds ? { names: colouring.kinds } : { title, ...range, capped: colouring.capped });
     }
@@ -76,7 +79,7 @@ async function start() {
       const { name, unit } = head.walls[settings.wall];
       scales.push({ title: `${spoken(name)} [${unit}]`, low: 0, high: settings.wallTop, heat: true, capped: true });
     }
-    if (settings.forces) scales.push({ title: "normal force [N]", low: 0, high: head.forces.top, heat: true, capped: true, root: true, note: `largest ${brief(head.forces.largest)}` });
+    if (settings.forces && head.forces.largest) scales.push({ title: "normal force [N]", low: 0, high: head.forces.top, heat: true, capped: true, root: true, note: `largest ${brief(head.forces.largest)}` });
     return scales;
   }
 
@@ -117,7 +120,7 @@ async function start() {
     stats.slowest = Math.max(stats.slowest, spent);
   }
 
-  const interval = (last - first) / Math.max(head.times.length - 1, 1) || 1;
+  const interval = live ? 10 * head.live.step : (last - first) / Math.max(head.times.length - 1, 1) || 1;
   const digits = Math.max(0, Math.min(7, 1 - Math.floor(Math.log10(interval) + 1e-9)));
   let waiting = false;
   function redraw() {
@@ -134,12 +137,13 @@ async function start() {
     if (!done) return false;
     draw();
     $("slider").value = player.time;
-    $("time").textContent = `${player.time.toFixed(digits)} of ${last.toFixed(digits)} s`;
-    plots.now = player.time;
+    const end = live ? "" : ` of ${last.toFixed(digits)}`;
+    $("time").textContent = `${player.time.toFixed(digits)}${end} s`;
+    if (!live) plots.now = player.time;
     await tell();
     return true;
   }
-  const again = () => setTime(player.time);
+  const again = () => setTime(live ? head.times[0] : player.time);
 
   // --- what was picked ---
 
@@ -281,7 +285,7 @@ async function start() {
     button.addEventListener("click", () => set({ view: name }));
     $("presets").append(button);
   }
-  const own = SPEEDS.find((one) => (last - first) / one <= 12) ?? 1;
+  const own = live ? 1 : (SPEEDS.find((one) => (last - first) / one <= 12) ?? 1);
   for (const one of SPEEDS) $("speed").add(new Option(`${one} ×`, one, one === own, one === own));
   Object.assign($("slider"), { min: first, max: last, value: first });
   $("slider").addEventListener("input", () => setTime($("slider").value));
@@ -291,15 +295,19 @@ async function start() {
   }
   for (const id of ["spheres", "forces", "names"]) $(id).addEventListener("change", () => set({ [id]: $(id).checked }));
   $("auto").addEventListener("click", () => set({ colour: settings.colouring.key }));
+  const save = (name, href) => Object.assign(document.createElement("a"), { download: name, href }).click();
   $("save").addEventListener("click", () => {
-    const link = document.createElement("a");
-    link.download = `${(head.title || "picture").replace(/\W+/g, "-")}.png`;
-    link.href = picture(...size.slice(0, 2).map((n) => Math.round(n * size[2])));
-    link.click();
+    const name = `${(head.title || "picture").replace(/\W+/g, "-")}.png`;
+    save(name, picture(...size.slice(0, 2).map((n) => Math.round(n * size[2]))));
   });
 
   let playing = false;
-  function play(on = !playing) {
+  function play(on = !(live ?? { playing }).playing) {
+    if (live) {
+      on ? live.play() : live.stop();
+      $("play").textContent = on ? "pause" : "play";
+      return;
+    }
     playing = on && last > first;
     $("play").textContent = playing ? "pause" : "play";
     if (!playing) return;
@@ -316,6 +324,7 @@ async function start() {
     requestAnimationFrame(step);
   }
   const hop = (by) => {
+    if (live) return by > 0 ? live.step() : null;
     const { frame, share } = player.place;
     const goal = by < 0 && share > 0 ? frame : frame + by;
     return setTime(head.times[Math.min(Math.max(goal, 0), head.times.length - 1)]);
@@ -339,12 +348,65 @@ async function start() {
     pick((event.clientX - box.left) / box.width, (event.clientY - box.top) / box.height);
   });
   stage.controls.addEventListener("change", redraw);
-  $("forces").disabled = head.forces.largest === 0;
-  for (const element of [document.querySelector("footer")]) element.hidden = head.times.length < 2;
+  $("forces").disabled = head.forces.largest === 0 && !live;
+  document.querySelector("footer").hidden = head.times.length < 2 && !live;
+
+  /** Elements and colours of a page in which the solver runs. */
+  function enliven() {
+    for (const id of ["live", "reset"]) $(id).hidden = false;
+    for (const id of ["back", "slider"]) $(id).hidden = true;
+    $("on").title = "arrow right: one step";
+    $("live").after($("history"));
+    const panel = new Panel($("live"), live, head.generator, (name, text) => save(name, URL.createObjectURL(new Blob([text]))));
+    $("reset").addEventListener("click", () => live.reset());
+    $("speed").addEventListener("change", () => (live.speed = Number($("speed").value)));
+    const follow = () => {
+      const { colouring, range } = settings;
+      const own = range.high === colouring.high && range.low === colouring.low;
+      all = colourings(data);
+      settings.colouring = all.find(({ key }) => key === colouring.key);
+      if (own) setters.colour(colouring.key);
+    };
+    live.page = {
+      contacts: () => settings.forces,
+      tell: (text) => Object.assign($("notice"), { textContent: text, hidden: !text }),
+      show: async () => {
+        const began = performance.now();
+        if (live.frame.time === 0) panel.warn("");
+        if (live.frame.warnings.length) panel.warn(live.frame.warnings.at(-1));
+        if (head.fields.some(({ top }, k) => all.find(({ field }) => field === k).high !== top)) follow();
+        await again();
+        return performance.now() - began;
+      },
+      look: () => {
+        panel.show();
+        plots.grow(player.time);
+        $("play").textContent = live.playing ? "pause" : "play";
+        $("pace").textContent = panel.pace;
+      },
+    };
+    hook.live = {
+      controls: live.controls,
+      set: (name, value) => panel.set(live.controls.findIndex((one) => one.name === name), value),
+      step: (count) => live.step(count),
+      play: () => play(true),
+      stop: () => live.stop(),
+      reset: () => live.reset(),
+      drive: () => live.drive(),
+      /** Time [s], centres [m] of all rows, values of the inputs and outputs as the solver has them. */
+      frame: () => {
+        const { time, position, present, values, outputs } = live.frame;
+        const names = head.tables[0].columns.map(([name]) => name);
+        return { time, position: Array.from(position ?? []), present: Array.from(present), values, outputs: Object.fromEntries(names.map((name, k) => [name, outputs[k]])) };
+      },
+      pace: () => ({ ...live.pace }),
+    };
+  }
 
   // --- beginning ---
 
   const plots = new Plots($("history"), data, (time) => setTime(time));
+  if (live) enliven();
   resize();
   stage.preset("oblique");
   new ResizeObserver(() => {

@@ -119,6 +119,15 @@ export class Plots {
     entry.shown.textContent = Number(this.data.at(entry.time, entry.values, this.time).toPrecision(4)).toString();
   }
 
+  /** Draws rows that have been added, up to a time. */
+  grow(time) {
+    this.time = time;
+    for (const entry of this.plots) {
+      entry.plot?.setData([entry.time, entry.values]);
+      this.tell(entry);
+    }
+  }
+
   set now(time) {
     this.time = time;
     for (const entry of this.plots) {
