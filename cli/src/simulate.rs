@@ -45,6 +45,10 @@ pub(crate) struct Simulate {
     /// When connected FMUs exchange values.
     #[arg(long, value_enum, default_value_t)]
     coupling: Scheme,
+    /// Jacobi coupling: the FMUs step one after another on one thread, instead of at the same time on threads of their own.
+    /// The results are the same.
+    #[arg(long)]
+    sequential: bool,
     /// Iterated coupling: relative change of the exchanged values between two iterations of a step at which they count as
     /// converged; 1e-6 if absent.
     #[arg(long, alias = "tolerance", value_name = "NUMBER")]
@@ -232,6 +236,7 @@ fn options(
         stop: arguments.stop.or(stop),
         step: arguments.step,
         coupling: arguments.coupling.into(),
+        sequential: arguments.sequential,
         inputs: input
             .map(|path| InputTable::from_csv(path, system))
             .transpose()?,

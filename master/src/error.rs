@@ -175,7 +175,7 @@ pub enum ImportError {
     /// A second instance of an FMU that can have one only.
     #[error(
         "found a living instance, expected none: the FMU can be instantiated only once per process; drop the first \
-         instance before"
+         instance before, or give each a process of its own (`--isolate`)"
     )]
     OnlyOnce,
     /// No instance was made.

@@ -1,5 +1,6 @@
 //! The importer against an FMU that is not of this project: `tests/foreign_fmu`, built with `cc` here.
 
+mod at_once;
 mod coupling;
 #[path = "../foreign_fmu/mod.rs"]
 mod foreign_fmu;
