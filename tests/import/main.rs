@@ -2,6 +2,7 @@
 
 mod at_once;
 mod coupling;
+mod events;
 #[path = "../foreign_fmu/mod.rs"]
 mod foreign_fmu;
 mod instance;
