@@ -36,7 +36,7 @@ With several FMUs, or an SSP, every name of a variable, also in files, is `<file
 What was recorded before a failure or Ctrl-C is written too. An FMU that ends before the stop time makes exit code 1.")]
 pub(crate) struct Simulate {
     /// The FMUs: any of FMI 2.0 or 3.0 for co-simulation with a library for this system. They step in this order. Or one
-    /// SSP 1.0 archive, with its FMUs, connections, parameters and times.
+    /// SSP archive, 1.0 or 2.0, with its FMUs, connections, parameters and times.
     #[arg(required = true, value_name = "FMU|SSP")]
     fmus: Vec<PathBuf>,
     /// Let an output feed an input; can be repeated.
