@@ -87,7 +87,6 @@ def draw(plotter, scene, result, row):
         ball = pv.Sphere(radius=0.5, theta_resolution=24, phi_resolution=24)
         plotter.add_mesh(cloud.glyph(geom=ball, scale="diameter", orient=False), color="#c99a4b")
     plotter.add_text(f"t = {result['time'][row]:.3g} s", font_size=10)
-    plotter.view_vector((0.5, 0.4, 0.8), viewup=(0, 1, 0))
 
 
 def show(fmu, picture, drive, stop, count):
@@ -104,6 +103,9 @@ def show(fmu, picture, drive, stop, count):
         row = (len(result) - 1) * (k + 1) // count
         place(scene, moving, result, row)
         draw(plotter, scene, result, row)
+    # One camera for all: what moves, moves in the picture.
+    plotter.link_views()
+    plotter.view_vector((0.5, 0.4, 0.8), viewup=(0, 1, 0))
     plotter.screenshot(picture)
     plotter.close()
     return scene, result
