@@ -177,7 +177,7 @@ fn arrays_and_types_of_version_2_are_read() {
                 ("decay.fmu", read(&decay)),
             ],
         );
-        Ssp::open(&path)
+        path
     };
     let parameters = r#"
       <Parameter name="one.A"><Float64 value="0 0 0 0 0 0 0 0 0"/><Dimension size="3"/><Dimension size="3"/></Parameter>
@@ -189,7 +189,7 @@ fn arrays_and_types_of_version_2_are_read() {
       <Parameter name="feed.String_input"><String><Value value="two words"/></String></Parameter>
       <Parameter name="feed.Binary_input"><Binary mime-type="x" value="00ff7f"/></Parameter>
       <Parameter name="feed.Enumeration_input"><Enumeration name="Option" value="Option 2"/></Parameter>"#;
-    let read = files(parameters, "").unwrap();
+    let read = Ssp::open(files(parameters, "")).unwrap();
     let system = read.system().unwrap();
     let options = Options {
         stop: read.experiment().1,
@@ -233,8 +233,11 @@ fn arrays_and_types_of_version_2_are_read() {
         );
     }
 
-    let told =
-        |parameters: &str, connection: &str| files(parameters, connection).unwrap_err().to_string();
+    let told = |parameters: &str, connection: &str| {
+        Ssp::open(files(parameters, connection))
+            .unwrap_err()
+            .to_string()
+    };
     for (parameter, part) in [
         (
             "<String><Value value=\"a\"/><Value value=\"b\"/></String><Dimension size=\"3\"/>",
@@ -259,7 +262,7 @@ fn arrays_and_types_of_version_2_are_read() {
         "{told}"
     );
     let texts = r#"<Parameter name="p"><String><Value value="a b"/><Value value="c"/></String><Dimension size="1"/><Dimension size="2"/></Parameter>"#;
-    let read = files(texts, "").unwrap();
+    let read = Ssp::open(files(texts, "")).unwrap();
     let set = read.set(&read.system().unwrap()).unwrap();
     let pair = |name: &str, value: &str| (name.to_owned(), value.to_owned());
     assert_eq!(set, [pair("p[1,1]", "a b"), pair("p[1,2]", "c")]);

@@ -89,6 +89,9 @@ pub(in crate::ssp) struct Parameter {
     contents: Vec<Content>,
 }
 
+/// What follows the name of a parameter, text and unit of a value.
+pub(in crate::ssp) type ElementValue<'v> = (String, &'v str, Option<&'v str>);
+
 impl Parameter {
     /// A parameter of one value.
     pub(in crate::ssp) fn new(name: String, value: Content) -> Self {
@@ -101,7 +104,7 @@ impl Parameter {
     ///
     /// # Errors
     /// What is wrong with them.
-    pub(in crate::ssp) fn values(&self) -> Result<Vec<(String, &str, Option<&str>)>, String> {
+    pub(in crate::ssp) fn values(&self) -> Result<Vec<ElementValue<'_>>, String> {
         let value = self.contents.iter().find_map(|content| match content {
             Content::Real(own)
             | Content::Integer(own)
