@@ -51,7 +51,7 @@ pub(crate) struct Export {
     /// The shared library to pack.
     #[arg(long, value_name = "FILE")]
     library: Option<PathBuf>,
-    /// Platforms of the FMU: linux64, win64, wasm; this one if absent. `fmu/platforms/build` builds the libraries of others,
+    /// Platforms of the FMU: linux64, aarch64-linux, win64, wasm; this one if absent. `fmu/platforms/build` builds the libraries of others,
     /// and one for old Linux.
     #[arg(long = "platform", value_name = "NAME", value_delimiter = ',', value_parser = platform)]
     platforms: Vec<Platform>,
@@ -93,10 +93,12 @@ impl From<Fmi> for Version {
 /// A platform by name.
 fn platform(name: &str) -> Result<Platform, String> {
     Platform::named(name.trim()).ok_or_else(|| {
-        format!(
-            "found `{name}`, expected {}, linux64, win64 or wasm",
-            Platform::HERE.name
-        )
+        let apart = Platform::APART.map(|platform| platform.name);
+        let mut known = apart.to_vec();
+        if !known.contains(&Platform::HERE.name) {
+            known.insert(0, Platform::HERE.name);
+        }
+        format!("found `{name}`, expected one of {}", known.join(", "))
     })
 }
 

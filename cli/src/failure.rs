@@ -144,7 +144,7 @@ impl From<SimulateError> for Failure {
             use ImportError::{Ended, TimedOut};
             matches!(error, Ended { .. } | TimedOut { .. })
         };
-        let lost = matches!(&error, SimulateError::Import(import) if lost(import));
+        let lost = matches!(&error, SimulateError::Import { source, .. } if lost(source));
         if lost || error.table().is_some() {
             Self::run(error)
         } else {

@@ -36,7 +36,7 @@ With several FMUs, or an SSP, every name of a variable, also in files, is `<file
 What was recorded before a failure or Ctrl-C is written too. An FMU that ends before the stop time makes exit code 1.")]
 pub(crate) struct Simulate {
     /// The FMUs: any of FMI 2.0 or 3.0 for co-simulation with a library for this system. They step in this order. Or one
-    /// SSP 1.0 archive, with its FMUs, connections, parameters and times.
+    /// SSP archive, 1.0 or 2.0, with its FMUs, connections, parameters and times.
     #[arg(required = true, value_name = "FMU|SSP")]
     fmus: Vec<PathBuf>,
     /// Let an output feed an input; can be repeated.
@@ -45,6 +45,10 @@ pub(crate) struct Simulate {
     /// When connected FMUs exchange values.
     #[arg(long, value_enum, default_value_t)]
     coupling: Scheme,
+    /// Jacobi coupling: the FMUs step one after another on one thread, instead of at the same time on threads of their own.
+    /// The results are the same.
+    #[arg(long)]
+    sequential: bool,
     /// Iterated coupling: relative change of the exchanged values between two iterations of a step at which they count as
     /// converged; 1e-6 if absent.
     #[arg(long, alias = "tolerance", value_name = "NUMBER")]
@@ -232,6 +236,7 @@ fn options(
         stop: arguments.stop.or(stop),
         step: arguments.step,
         coupling: arguments.coupling.into(),
+        sequential: arguments.sequential,
         inputs: input
             .map(|path| InputTable::from_csv(path, system))
             .transpose()?,

@@ -10,6 +10,7 @@ pub mod component;
 pub mod description;
 pub mod documentation;
 mod error;
+mod geometry;
 mod library;
 mod pack;
 mod references;

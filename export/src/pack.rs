@@ -6,6 +6,7 @@
 //! binaries/linux64/<identifier>.so      the scene-agnostic library, for each platform; FMI 3.0: binaries/x86_64-linux/
 //! resources/scene.toml, meshes, tables  what the instance reads
 //! resources/start.state                 the settled spheres, if there are any
+//! resources/boundaries.glb              the boundaries as glTF, for viewers: `geometry`
 //! documentation/index.html              variables, settings, limits, for people
 //! documentation/licenses/               of the library and of all crates it links
 //! extra/org.fmi-standard.fmi-ls-ref/    a smoke test and checksums, if it is given: `references`
@@ -33,6 +34,7 @@ use crate::component::{MANIFEST, MANIFEST_FILE, component, core_module};
 use crate::description::{version2, version3};
 use crate::documentation;
 use crate::error::ExportError;
+use crate::geometry::{GEOMETRY_FILE, glb};
 use crate::library::{Library, find_module};
 use crate::references::SmokeTest;
 use crate::terminals::terminals;
@@ -116,6 +118,9 @@ pub fn export(contents: Contents<'_>, fmu: &Path) -> Result<Exported, ExportErro
     }
     let place = |(name, content)| (format!("resources/{name}"), content);
     files.extend(own.into_iter().map(place));
+    let components = model.table.entries(Version::Two);
+    let shapes = glb(&model.scene, &components);
+    files.extend(shapes.map(|shapes| place((GEOMETRY_FILE.to_owned(), shapes.into()))));
     files.extend(documented(&model, version, pictures));
     let mut files: Vec<(String, &[u8])> = files
         .iter()
@@ -223,7 +228,7 @@ fn resources(model: &Model) -> Result<Files<'_>, ExportError> {
         files.push((START_FILE.to_owned(), start.into()));
     }
     for file in &model.files {
-        if [SCENE_FILE, START_FILE].contains(&file.path.as_str()) {
+        if [SCENE_FILE, START_FILE, GEOMETRY_FILE].contains(&file.path.as_str()) {
             return Err(ExportError::Reserved(file.path.clone()));
         }
         files.push((file.path.clone(), (&file.content).into()));

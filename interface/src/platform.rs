@@ -22,7 +22,7 @@ pub struct Platform {
 const KNOWN: [(&str, &str, Platform); 8] = [
     ("x86_64", "linux", Platform::LINUX64),
     ("x86", "linux", linux("linux32", "x86-linux")),
-    ("aarch64", "linux", linux("aarch64-linux", "aarch64-linux")),
+    ("aarch64", "linux", Platform::AARCH64_LINUX),
     ("x86_64", "windows", Platform::WINDOWS64),
     ("x86", "windows", windows("win32", "x86-windows")),
     (
@@ -71,7 +71,9 @@ const fn darwin(name: &'static str, tuple: &'static str) -> Platform {
 impl Platform {
     /// Linux on 64-bit Intel and AMD processors.
     pub const LINUX64: Self = linux("linux64", "x86_64-linux");
-    /// Windows on such processors.
+    /// Linux on 64-bit ARM processors.
+    pub const AARCH64_LINUX: Self = linux("aarch64-linux", "aarch64-linux");
+    /// Windows on 64-bit Intel and AMD processors.
     pub const WINDOWS64: Self = windows("win64", "x86_64-windows");
     /// Any machine with a runtime for components of WebAssembly, by the draft FMI-LS-WASM; FMI 3.0 only.
     pub const WASM: Self = Self {
@@ -80,6 +82,13 @@ impl Platform {
         prefix: "",
         suffix: ".wasm",
     };
+    /// The platforms that `fmu/platforms/build` builds for.
+    pub const APART: [Self; 4] = [
+        Self::LINUX64,
+        Self::AARCH64_LINUX,
+        Self::WINDOWS64,
+        Self::WASM,
+    ];
     /// The platform this program runs on. One that FMI does not name has the name of its system, which is no other's.
     pub const HERE: Self = match Self::of(ARCH, OS) {
         Some(platform) => platform,
@@ -108,8 +117,8 @@ impl Platform {
     /// The platform of a name that FMUs are built for from elsewhere, or of this one.
     #[must_use]
     pub fn named(name: &str) -> Option<Self> {
-        let known = [Self::HERE, Self::LINUX64, Self::WINDOWS64, Self::WASM];
-        known.into_iter().find(|platform| platform.name == name)
+        let mut known = [Self::HERE].into_iter().chain(Self::APART);
+        known.find(|platform| platform.name == name)
     }
 
     /// Folders in which importers of FMI 2.0 look for its libraries, in this order: tools for macOS put libraries for
@@ -166,6 +175,9 @@ mod tests {
         assert_eq!(windows.file("m"), "m.dll");
         assert_eq!(Platform::named("linux64").map(|p| p.suffix), Some(".so"));
         assert_eq!(Platform::named("linux32"), None);
+        let arm = Platform::named("aarch64-linux").unwrap();
+        assert_eq!(Platform::of("aarch64", "linux"), Some(arm));
+        assert_eq!(arm.path_2("m"), arm.path_3("m"));
         assert_eq!(Platform::WASM.path_3("m"), "binaries/wasm32-wasip2/m.wasm");
     }
 

@@ -162,6 +162,17 @@ pub enum ImportError {
         /// Its name in C.
         function: &'static str,
     },
+    /// Events of an FMU of FMI 3.0 do not come to an end.
+    #[error(
+        "{function}: found {found} calls at one time, each with another event to handle, expected an end of them: see what the \
+         FMU logged"
+    )]
+    Endless {
+        /// The function that asks for more.
+        function: &'static str,
+        /// How often it was called.
+        found: u32,
+    },
     /// The library speaks another version or another set of types.
     #[error("{function}: found {found:?}, expected {expected:?}: export the FMU again")]
     Interface {
@@ -175,7 +186,7 @@ pub enum ImportError {
     /// A second instance of an FMU that can have one only.
     #[error(
         "found a living instance, expected none: the FMU can be instantiated only once per process; drop the first \
-         instance before"
+         instance before, or give each a process of its own (`--isolate`)"
     )]
     OnlyOnce,
     /// No instance was made.

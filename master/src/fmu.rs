@@ -132,7 +132,11 @@ impl Fmu {
             }
             Loaded::Three(library) => {
                 let instance = Instance::<Fmi3>::new(library, &self.opened, name, logging)?;
-                Box::new(Arrays::new(instance, &self.variables))
+                Box::new(Arrays::new(
+                    instance,
+                    &self.opened.description,
+                    &self.variables,
+                ))
             }
         })
     }

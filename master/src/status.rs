@@ -61,6 +61,8 @@ pub enum Phase {
     Initialization,
     /// At a communication point.
     Stepping,
+    /// In event mode, of FMI 3.0.
+    Event,
     /// After a step that was discarded.
     Discarded,
     /// After a call that returned `Error`.
@@ -77,6 +79,7 @@ impl fmt::Display for Phase {
             Self::Instantiated => "instantiated",
             Self::Initialization => "in initialization mode",
             Self::Stepping => "at a communication point",
+            Self::Event => "in event mode",
             Self::Discarded => "after a discarded step",
             Self::Failed => "after an error",
             Self::Terminated => "terminated",

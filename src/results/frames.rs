@@ -17,6 +17,7 @@ use crate::Vec3;
 use crate::contact::cohesion::Hold;
 use crate::contact::{Contact, Partner};
 use crate::formats::vtu::{Array, Cell, Grid, Values};
+use crate::geometry::Triangulation;
 use crate::observe::loads::Loads;
 use crate::observe::walls::{self, Interval};
 use crate::observe::{BoundaryState, Observation};
@@ -304,15 +305,20 @@ pub struct Surface {
     triangles: Vec<[u32; 3]>,
 }
 
+/// The triangles of each boundary of `scene`, in scene coordinates \[m\]. Half-spaces are cut to a patch under the spheres'
+/// initial placement and all bounded boundaries.
+pub fn patches(scene: &Scene) -> impl Iterator<Item = Triangulation> {
+    let extent = extent(scene);
+    let boundaries = scene.boundaries.iter();
+    boundaries.map(move |boundary| boundary.geometry.tessellate(extent))
+}
+
 impl Surface {
-    /// Triangulates the boundaries of `scene`. Half-spaces are cut to a patch under the spheres' initial placement
-    /// and all bounded boundaries.
+    /// The [`patches`] of `scene`.
     #[must_use]
     pub fn new(scene: &Scene) -> Self {
-        let extent = extent(scene);
         let mut surface = Self::default();
-        for (b, boundary) in scene.boundaries.iter().enumerate() {
-            let patch = boundary.geometry.tessellate(extent);
+        for (b, patch) in patches(scene).enumerate() {
             let first = surface.points.len() as u32;
             surface
                 .owner

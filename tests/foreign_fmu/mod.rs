@@ -85,6 +85,46 @@ fn platform() -> &'static str {
     }
 }
 
+/// The same for FMI 3.0.
+fn tuple() -> String {
+    let system = match std::env::consts::OS {
+        "macos" => "darwin",
+        system => system,
+    };
+    format!("{}-{system}", std::env::consts::ARCH)
+}
+
+/// Packs the FMU of FMI 3.0 that needs its importer for events; its steps have any length, or one.
+#[allow(dead_code, reason = "each test binary uses its own part")]
+pub(crate) fn pack_events(folder: &Path, any_step: bool) -> PathBuf {
+    let mut xml = std::fs::read_to_string(source("events.xml")).unwrap();
+    let headers = PathBuf::from(format!("-I{}", source("reference_fmus/include").display()));
+    let (name, definition) = match any_step {
+        true => ("events", "-DANY_STEP"),
+        false => ("events-of-one-step", "-DONE_STEP"),
+    };
+    if !any_step {
+        let flags =
+            "canHandleVariableCommunicationStepSize=\"true\" mightReturnEarlyFromDoStep=\"true\" ";
+        assert!(xml.contains(flags));
+        xml = xml.replace(flags, "");
+    }
+    let arguments = [Path::new(definition), &headers, &source("events.c")];
+    let library = std::fs::read(compiled(name, &arguments)).unwrap();
+    let binary = format!(
+        "binaries/{}/events{}",
+        tuple(),
+        std::env::consts::DLL_SUFFIX
+    );
+    let path = folder.join("events.fmu");
+    let entries = [
+        ("modelDescription.xml", xml.into_bytes()),
+        (&*binary, library),
+    ];
+    write_archive(&path, &entries);
+    path
+}
+
 /// Names and contents of the files of the FMU, its description first.
 pub(crate) fn entries(build: Build, edit: impl FnOnce(&mut String)) -> Vec<(String, Vec<u8>)> {
     let mut xml = std::fs::read_to_string(source("modelDescription.xml")).unwrap();
@@ -162,10 +202,9 @@ pub(crate) fn pack_reference_of(folder: &Path, model: &str, version: u32) -> Pat
         &files[1],
         &sources.join(model).join("model.c"),
     ];
-    let platform = match (version, std::env::consts::OS) {
-        (2, _) => platform().to_owned(),
-        (_, "macos") => format!("{}-darwin", std::env::consts::ARCH),
-        (_, system) => format!("{}-{system}", std::env::consts::ARCH),
+    let platform = match version {
+        2 => platform().to_owned(),
+        _ => tuple(),
     };
     let binary = format!(
         "binaries/{platform}/{model}{}",

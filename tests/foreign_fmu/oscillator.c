@@ -4,8 +4,8 @@
  *
  * advanced by its closed form, so that no step size matters. It can fail on purpose: the string parameter `fault`
  * is "<function>:<status>", for example "fmi2DoStep:3"; the fault strikes from time `faultTime` on. Every call of
- * its life is written to `trace.txt` in the resources. Other faults are "nan", "terminate", "short", "half" and
- * "logger", which calls the logger in every way that the standard does not foresee. In the place of a status "crash",
+ * its life is written to `trace.txt` in the resources. Other faults are "nan", "terminate", "short", "half", "meet",
+ * which waits in each step until as many instances of this FMU as `faultTime` says are in it, and "logger", which calls the logger in every way that the standard does not foresee. In the place of a status "crash",
  * "abort", "exit" and "hang" do not come back, "sleep" takes 0.05 s, "print" writes to standard output and reads
  * standard input. Built with WITHOUT_DO_STEP, WITHOUT_STATES, UNDEFINED_SYMBOL, OTHER_VERSION, OTHER_TYPES,
  * NO_INSTANCE, SETUP_FAILS, LOAD_EXITS or INSTANCE_EXITS it is a library that cannot be loaded, lacks something, or
@@ -64,6 +64,27 @@ static void trace(const Instance *instance, const char *function) {
 
 /* An address that no process has, which the compiler does not know. */
 static int *volatile nowhere = NULL;
+
+/* Waits up to 20 s until that many instances have come to this step; each writes a letter into one file. */
+static fmi2Status meet(const Instance *instance, int count) {
+    char path[1100];
+    snprintf(path, sizeof path, "%s.met", instance->trace);
+    FILE *file = fopen(path, "a");
+    if (file == NULL) return fmi2Error;
+    fputc('x', file);
+    fclose(file);
+    long all = (long)count * (instance->state.integer[STEPS] + 1);
+    for (int k = 0; k < 20000; k++) {
+        file = fopen(path, "r");
+        if (file == NULL) return fmi2Error;
+        fseek(file, 0, SEEK_END);
+        long come = ftell(file);
+        fclose(file);
+        if (come >= all) return fmi2OK;
+        usleep(1000);
+    }
+    return fmi2Error;
+}
 
 /* The status that the fault parameter asks of this function. */
 static fmi2Status fault(Instance *instance, const char *function) {
@@ -276,6 +297,9 @@ FMI2_EXPORT fmi2Status fmi2DoStep(fmi2Component c, fmi2Real time, fmi2Real h, fm
         instance->reached = state->time = state->real[FAULT_TIME];
         instance->terminated = 1;
         return fmi2Discard;
+    }
+    if (strcmp(state->string[FAULT], "meet") == 0 && meet(instance, (int)state->real[FAULT_TIME]) != fmi2OK) {
+        return fmi2Error;
     }
     /* Steps longer than 0.03 s are refused altogether, or done by half. */
     if (strcmp(state->string[FAULT], "short") == 0 && h > 0.03) return fmi2Discard;

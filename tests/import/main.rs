@@ -1,6 +1,8 @@
 //! The importer against an FMU that is not of this project: `tests/foreign_fmu`, built with `cc` here.
 
+mod at_once;
 mod coupling;
+mod events;
 #[path = "../foreign_fmu/mod.rs"]
 mod foreign_fmu;
 mod instance;

@@ -2,10 +2,12 @@
 
 use std::path::{Path, PathBuf};
 
-use sphere_dda_master::{ArchiveError, Fmu, ImportError, Limits, Options, Ssp, SspError, System};
+use sphere_dda_master::{
+    ArchiveError, Coupling, Fmu, ImportError, Limits, Options, Ssp, SspError, System,
+};
 
 use crate::drive;
-use crate::foreign_fmu::{Build, pack, write_archive};
+use crate::foreign_fmu::{Build, pack, pack_reference, pack_reference_of, write_archive};
 
 const SSD: &str = r#"<ssd:SystemStructureDescription version="1.0" name="two"
     xmlns:ssd="http://ssp-standard.org/SSP1/SystemStructureDescription">
@@ -41,15 +43,17 @@ const STRONG: &str = r#"<ParameterSet version="1.0" name="strong"><Parameters>
 const BOUND: &str =
     r#"<ssd:ParameterBindings><ssd:ParameterBinding source="strong.ssv"/></ssd:ParameterBindings>"#;
 
+fn filled([bindings, elements, connections]: [&str; 3]) -> String {
+    SSD.replace("BINDINGS", bindings)
+        .replace("ELEMENTS", elements)
+        .replace("CONNECTIONS", connections)
+}
+
 /// An SSP of two oscillators, these parts of its structure filled in.
 fn ssp(folder: &Path, parts: [&str; 3], values: &str) -> PathBuf {
     let fmu = folder.join("my fmu.fmu");
     pack(&fmu, Build::Whole, |_| ());
-    let [bindings, elements, connections] = parts;
-    let structure = SSD
-        .replace("BINDINGS", bindings)
-        .replace("ELEMENTS", elements)
-        .replace("CONNECTIONS", connections);
+    let structure = filled(parts);
     let path = folder.join("two.ssp");
     let files = [
         ("SystemStructure.ssd", structure.into_bytes()),
@@ -91,6 +95,177 @@ fn a_system_runs_as_if_it_were_put_together_by_hand() {
     // The values are in it.
     assert_eq!(table.real("b.mass.x").unwrap()[0], -0.5);
     assert_eq!(table.real("b.echo").unwrap()[10], 2.5);
+}
+
+/// Version 2.0 of the same files means the same.
+#[test]
+fn both_versions_run_the_same() {
+    let folder = tempfile::tempdir().unwrap();
+    let table = |parts: [&str; 3], values: &str, edit: &dyn Fn(String) -> String| {
+        let path = ssp(folder.path(), parts, values);
+        let structure = edit(filled(parts));
+        let fmu = std::fs::read(folder.path().join("my fmu.fmu")).unwrap();
+        let files = [
+            ("SystemStructure.ssd", structure.into_bytes()),
+            ("strong.ssv", edit(values.to_owned()).into_bytes()),
+            ("resources/my fmu.fmu", fmu),
+        ];
+        write_archive(&path, &files);
+        let read = Ssp::open(&path).unwrap();
+        let system = read.system().unwrap();
+        let options = Options {
+            stop: read.experiment().1,
+            set: read.set(&system).unwrap(),
+            ..Options::default()
+        };
+        drive(&system, &options).unwrap()
+    };
+    let parts = [BOUND, "", ""];
+    let old = table(parts, STRONG, &|text| text);
+    let new = table(parts, STRONG, &|text| {
+        text.replace("version=\"1.0\"", "version=\"2.0\"")
+            .replace("ssv:Real", "ssv:Float64")
+            .replace("<Real", "<Float64")
+            // Which end is which is not said by their names.
+            .replace(
+                "startElement=\"a\" startConnector=\"echo\" endElement=\"b\" endConnector=\"force[1]\"",
+                "startElement=\"b\" startConnector=\"force[1]\" endElement=\"a\" endConnector=\"echo\"",
+            )
+            .replace("</ssd:SystemStructureDescription>", "<ssd:MetaData kind=\"general\" type=\"text/plain\"/>\
+                <ssd:Signature role=\"suitability\" type=\"x\"/></ssd:SystemStructureDescription>")
+    });
+    assert_eq!(old, new);
+}
+
+/// Arrays and the types of FMI 3.0, which SSP 2.0 has.
+#[test]
+fn arrays_and_types_of_version_2_are_read() {
+    let folder = tempfile::tempdir().unwrap();
+    let space = pack_reference_of(folder.path(), "StateSpace", 3);
+    let feed = pack_reference_of(folder.path(), "Feedthrough", 3);
+    let decay = pack_reference(folder.path(), "Dahlquist");
+    let files = |parameters: &str, connection: &str| {
+        let structure = format!(
+            r#"<SystemStructureDescription version="2.0" name="arrays"
+    xmlns="http://ssp-standard.org/SSP1/SystemStructureDescription" xmlns:ssc="http://ssp-standard.org/SSP1/SystemStructureCommon">
+  <System name="root"><ParameterBindings><ParameterBinding source="all.ssv"/></ParameterBindings><Elements>
+    <Component name="decay" source="decay.fmu"/>
+    <Component name="one" source="space.fmu"><Connectors>
+      <Connector name="u" kind="input"><ssc:Float64/><Dimension size="3"/></Connector>
+      <Connector name="y" kind="output"><ssc:Float64 unit="m"/><Dimension sizeConnector="n"/><Clock name="c"/></Connector>
+    </Connectors></Component>
+    <Component name="two" source="space.fmu"/>
+    <Component name="feed" source="feed.fmu"/>
+  </Elements><Connections>
+    <Connection startElement="decay" startConnector="x" endElement="one" endConnector="u[2]"/>
+    <Connection startElement="two" startConnector="u" endElement="one" endConnector="y"/>
+    {connection}
+  </Connections></System><DefaultExperiment startTime="0" stopTime="4"/></SystemStructureDescription>"#
+        );
+        let set = format!(
+            r#"<ParameterSet version="2.0" name="all"><Parameters>{parameters}</Parameters></ParameterSet>"#
+        );
+        let path = folder.path().join("arrays.ssp");
+        let read = |path: &Path| std::fs::read(path).unwrap();
+        write_archive(
+            &path,
+            &[
+                ("SystemStructure.ssd", structure.into_bytes()),
+                ("all.ssv", set.into_bytes()),
+                ("space.fmu", read(&space)),
+                ("feed.fmu", read(&feed)),
+                ("decay.fmu", read(&decay)),
+            ],
+        );
+        path
+    };
+    let parameters = r#"
+      <Parameter name="one.A"><Float64 value="0 0 0 0 0 0 0 0 0"/><Dimension size="3"/><Dimension size="3"/></Parameter>
+      <Parameter name="two.A"><Float64 value="0 0 0 0 0 0 0 0 0"/><Dimension size="3"/><Dimension size="3"/></Parameter>
+      <Parameter name="feed.Float32_continuous_input"><Float32 value="-0.25"/></Parameter>
+      <Parameter name="feed.Int8_input"><Int8 value="-128"/></Parameter>
+      <Parameter name="feed.UInt64_input"><UInt64 value="9223372036854775807"/></Parameter>
+      <Parameter name="feed.Boolean_input"><Boolean value="true"/></Parameter>
+      <Parameter name="feed.String_input"><String><Value value="two words"/></String></Parameter>
+      <Parameter name="feed.Binary_input"><Binary mime-type="x" value="00ff7f"/></Parameter>
+      <Parameter name="feed.Enumeration_input"><Enumeration name="Option" value="Option 2"/></Parameter>"#;
+    let read = Ssp::open(files(parameters, "")).unwrap();
+    let system = read.system().unwrap();
+    let options = Options {
+        stop: read.experiment().1,
+        step: Some(1.0),
+        set: read.set(&system).unwrap(),
+        coupling: Coupling::GaussSeidel,
+        outputs: Some(vec![
+            "decay.x".to_owned(),
+            "two.y[2]".to_owned(),
+            "feed.*_output".to_owned(),
+            "feed.Binary_output".to_owned(),
+        ]),
+        ..Options::default()
+    };
+    let table = drive(&system, &options).unwrap();
+    let mut csv = Vec::new();
+    table.write_csv(&mut csv).unwrap();
+    let csv = String::from_utf8(csv).unwrap();
+    let row = csv.lines().nth(1).unwrap();
+    for part in [
+        "-0.25",
+        "-128",
+        "9223372036854775807",
+        "true",
+        "two words",
+        "00ff7f",
+        ",2",
+    ] {
+        assert!(row.contains(part), "{part} is not in {row}");
+    }
+    // With A = 0 and B = C = D = 1: y = u + h (the sum of u at the steps before), twice.
+    let (mut one, mut two) = (0.0, 0.0);
+    for row in 1..5 {
+        let u = table.real("decay.x").unwrap()[row];
+        one += u;
+        two += u + one;
+        let found = table.real("two.y[2]").unwrap()[row];
+        assert!(
+            (found - (u + one + two)).abs() < 1e-12,
+            "row {row}: {found}"
+        );
+    }
+
+    let told = |parameters: &str, connection: &str| {
+        Ssp::open(files(parameters, connection))
+            .unwrap_err()
+            .to_string()
+    };
+    for (parameter, part) in [
+        (
+            "<String><Value value=\"a\"/><Value value=\"b\"/></String><Dimension size=\"3\"/>",
+            "parameter `p`: found 2 values for the dimensions [3], expected one for each element",
+        ),
+        (
+            "<String value=\"a\"><Value value=\"b\"/></String>",
+            "found the attribute value \"a\" and an element Value \"b\"",
+        ),
+        ("<Dimension size=\"3\"/>", "parameter `p`: found no value"),
+    ] {
+        let told = told(
+            &format!("<Parameter name=\"p\">{parameter}</Parameter>"),
+            "",
+        );
+        assert!(told.contains(part), "{part} is not in\n{told}");
+    }
+    let indices = r#"<Connection startElement="one" startConnector="y" startIndices="1" endElement="decay" endConnector="k"/>"#;
+    let told = told("", indices);
+    assert!(
+        told.contains("connection `one.y` to `decay.k`: found startIndices"),
+        "{told}"
+    );
+    let texts = r#"<Parameter name="p"><String><Value value="a b"/><Value value="c"/></String><Dimension size="1"/><Dimension size="2"/></Parameter>"#;
+    let read = Ssp::open(files(texts, "")).unwrap();
+    let set = read.set(&read.system().unwrap()).unwrap();
+    let pair = |name: &str, value: &str| (name.to_owned(), value.to_owned());
+    assert_eq!(set, [pair("p[1,1]", "a b"), pair("p[1,2]", "c")]);
 }
 
 fn refused(folder: &Path, parts: [&str; 3], values: &str) -> String {

@@ -2,6 +2,7 @@
 
 import csv
 import os
+import shutil
 import subprocess
 import sys
 import sysconfig
@@ -44,6 +45,22 @@ def test_both_masters_give_the_same_bits(command, fmus, tmp_path, coupling):
     # The shaker holds what the grains gave in the step before.
     given = np.concatenate([[0.0], np.cumsum(1e-3 * theirs[FORCE][:-1])])
     assert np.abs(theirs["shaker.impulse"] - given).max() < 1e-12
+
+
+def test_fmus_that_step_at_once_give_the_bits_of_one_after_another(command, fmus, units, tmp_path):
+    other = tmp_path / "other.fmu"
+    shutil.copy(units["bed"], other)
+    wires = [part for source, to in WIRES for part in ("--connect", f"{source}={to}")]
+    wires += ["--connect", "shaker.position=other.boundary.tray.displacement"]
+    for others in ([], [other]):
+        arguments = [fmus["shaker"], fmus["bed"], *others, *(wires if others else wires[:-2]), "--stop", 0.1]
+        at_once, sequential, apart = (
+            simulate(command, tmp_path, *arguments, *more) for more in ([], ["--sequential"], ["--isolate"])
+        )
+        assert len(at_once) == 101 and np.abs(at_once["shaker.position"]).max() > 1e-4
+        assert np.array_equal(at_once, sequential) and np.array_equal(at_once, apart)
+    for name in ("boundary.tray.averageForce[3]", "maxOverlap"):
+        assert np.array_equal(at_once[f"bed.{name}"], at_once[f"other.{name}"]), name
 
 
 def test_the_built_in_master_gives_the_same_bits_from_both_versions(command, fmus, units, tmp_path):

@@ -14,7 +14,13 @@ import numpy as np
 import pytest
 from conftest import ROOT, scene
 
-FILES = {"linux64": "libsphere_dda_fmu.so", "win64": "sphere_dda_fmu.dll"}
+FILES = {
+    "linux64": "libsphere_dda_fmu.so",
+    "aarch64-linux": "libsphere_dda_fmu.so",
+    "win64": "sphere_dda_fmu.dll",
+}
+# Those of one FMU for both systems.
+BOTH = ("linux64", "win64")
 PLACES = {
     2: {"linux64": "binaries/linux64/feeder.so", "win64": "binaries/win64/feeder.dll"},
     3: {"linux64": "binaries/x86_64-linux/feeder.so", "win64": "binaries/x86_64-windows/feeder.dll"},
@@ -38,8 +44,11 @@ def dump(*arguments):
     return subprocess.run(["objdump", *arguments], capture_output=True, text=True, check=True).stdout
 
 
-def test_linux64_runs_with_glibc_2_17(command):
-    versions = set(re.findall(r"GLIBC_([0-9.]+)", dump("-T", built(command, "linux64"))))
+@pytest.mark.parametrize("platform", ("linux64", "aarch64-linux"))
+def test_linux_libraries_run_with_glibc_2_17(command, platform):
+    # Versions are named in the text of the library, whichever tools are here.
+    versions = set(re.findall(rb"GLIBC_([0-9.]+)\0", built(command, platform).read_bytes()))
+    versions = {version.decode() for version in versions}
     assert versions, "no version is needed at all: nothing was read"
     assert max(tuple(map(int, v.split("."))) for v in versions) <= (2, 17)
 
@@ -56,7 +65,7 @@ def test_win64_needs_windows_only_and_has_every_function(command):
 
 @pytest.mark.parametrize("version", [2, 3])
 def test_one_fmu_for_both_with_the_guid_of_any(command, fmus, units, tmp_path, version):
-    libraries = {platform: built(command, platform) for platform in FILES}
+    libraries = {platform: built(command, platform) for platform in BOTH}
     path = tmp_path / "feeder.fmu"
     done = export(command, path, "linux64,win64,linux64", version)
     assert done.returncode == 0, done.stderr
@@ -92,6 +101,63 @@ def test_a_library_that_is_missing_or_old_is_refused(command, tmp_path):
     assert not path.exists()
 
 
+def machine(library):
+    """What a library of ELF is for, and whether it is for Linux or any system."""
+    assert library[:6] == b"\x7fELF\x02\x01"
+    return int.from_bytes(library[18:20], "little")
+
+
+@pytest.mark.parametrize("version", [2, 3])
+def test_arm_libraries_lie_where_both_standards_want_them(command, tmp_path, version):
+    library = built(command, "aarch64-linux").read_bytes()
+    assert machine(library) == 183, "EM_AARCH64"
+    path = tmp_path / "feeder.fmu"
+    done = export(command, path, "aarch64-linux,linux64", version)
+    assert done.returncode == 0, done.stderr
+    with zipfile.ZipFile(path) as archive:
+        assert archive.read("binaries/aarch64-linux/feeder.so") == library
+        assert machine(archive.read(PLACES[version]["linux64"])) == 62, "EM_X86_64"
+
+
+def test_arm_steps_and_rolls_back_under_qemu(command, tmp_path):
+    """The bits of x86 with AVX2: both round sums of products once."""
+    qemu, zig = os.environ.get("SPHERE_DDA_QEMU") or shutil.which("qemu-aarch64-static"), shutil.which("python-zig")
+    system = os.environ.get("SPHERE_DDA_ARM_ROOT", "/usr/aarch64-linux-gnu")
+    if not (qemu and zig and os.path.exists(f"{system}/lib/ld-linux-aarch64.so.1")):
+        pytest.skip("needs qemu-aarch64-static, libc6-arm64-cross and zig")
+    built(command, "aarch64-linux")
+    fmu, host = tmp_path / "feeder.fmu", tmp_path / "host"
+    assert export(command, fmu, "linux64,aarch64-linux").returncode == 0
+    source = ROOT / "tests" / "platforms" / "host.c"
+    subprocess.run([zig, "cc", "-target", "aarch64-linux-gnu.2.17", "-O1", "-o", host, source, "-ldl"], check=True)
+    there = steps([qemu, "-L", system, host], fmu, "aarch64-linux", tmp_path)
+    linux = fmpy.simulate_fmu(str(fmu), stop_time=COUNT * STEP, output_interval=STEP, output=NAMES)
+    here = np.column_stack([linux[name][1:] for name in NAMES])
+    print("largest differences:", dict(zip(NAMES, np.abs(there - here).max(axis=0), strict=True)))
+    assert len(np.unique(here[:, 3])) > 30, "nothing happens"
+    assert np.array_equal(there, here)
+
+
+NAMES = ["momentum[1]", "momentum[3]", "kineticEnergy", "boundary.trough.averageForce[3]", "maxOverlap"]
+STEP, COUNT = 2e-3, 60
+
+
+def steps(host, fmu, platform, folder, place="{}", address="file://{}"):
+    """Runs the host on the library of a platform; the values of NAMES after each step."""
+    description = fmpy.read_model_description(str(fmu))
+    references = {v.name: str(v.valueReference) for v in description.modelVariables}
+    inner = fmpy.extract(str(fmu), unzipdir=folder / platform)
+    library = place.format(f"{inner}/binaries/{platform}/feeder{'.dll' if platform == 'win64' else '.so'}")
+    arguments = [library, description.guid, address.format(f"{inner}/resources"), str(STEP), str(COUNT)]
+    done = subprocess.run(
+        [*host, *arguments, *(references[n] for n in NAMES)], capture_output=True, text=True, timeout=600
+    )
+    assert done.returncode == 0, done.stderr
+    *there, again = [[float(x) for x in line.split()] for line in done.stdout.splitlines()]
+    assert len(there) == COUNT and again == there[-1], "the way from the saved state is the same"
+    return np.array(there)
+
+
 def compiler():
     """A C compiler for Windows, as arguments; zig comes with fmu/platforms/requirements.txt."""
     gcc, zig = shutil.which("x86_64-w64-mingw32-gcc"), shutil.which("python-zig")
@@ -107,21 +173,12 @@ def test_win64_steps_and_rolls_back_under_wine(command, tmp_path):
     built(command, "win64")
     fmu, host = tmp_path / "feeder.fmu", tmp_path / "host.exe"
     assert export(command, fmu, "linux64,win64").returncode == 0
-    sources, shim = ROOT / "tests" / "windows", tmp_path / "bcryptprimitives.dll"
+    sources, shim = ROOT / "tests" / "platforms", tmp_path / "bcryptprimitives.dll"
     subprocess.run([*cc, "-O1", "-o", host, sources / "host.c"], check=True)
     subprocess.run([*cc, "-shared", "-O1", "-o", shim, sources / "bcryptprimitives.c", "-ladvapi32"], check=True)
-    description = fmpy.read_model_description(str(fmu))
-    names = ["momentum[1]", "momentum[3]", "kineticEnergy", "boundary.trough.averageForce[3]", "maxOverlap"]
-    references = {v.name: str(v.valueReference) for v in description.modelVariables}
-    folder, step, count = fmpy.extract(str(fmu)), 2e-3, 60
-    library, resources = f"Z:{folder}/binaries/win64/feeder.dll", f"file:///Z:{folder}/resources"
-    call = [wine, host, library, description.guid, resources, str(step), str(count), *(references[n] for n in names)]
-    done = subprocess.run(call, capture_output=True, text=True, timeout=300)
-    assert done.returncode == 0, done.stderr
-    *there, again = [[float(x) for x in line.split()] for line in done.stdout.splitlines()]
-    assert len(there) == count and again == there[-1], "the way from the saved state is the same"
-    linux = fmpy.simulate_fmu(str(fmu), stop_time=count * step, output_interval=step, output=names)
-    for k, name in enumerate(names):
-        ours, theirs = linux[name][1:], np.array(there)[:, k]
+    there = steps([wine, host], fmu, "win64", tmp_path, place="Z:{}", address="file:///Z:{}")
+    linux = fmpy.simulate_fmu(str(fmu), stop_time=COUNT * STEP, output_interval=STEP, output=NAMES)
+    for k, name in enumerate(NAMES):
+        ours, theirs = linux[name][1:], there[:, k]
         # Sines and exponentials are each system's own.
         assert np.allclose(ours, theirs, rtol=1e-6, atol=1e-6 * np.abs(ours).max()), name

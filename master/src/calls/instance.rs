@@ -11,10 +11,17 @@ use super::library::{Handle, Interface, Library};
 use super::logger::Log;
 use super::watch::Message;
 
-use Phase::{Discarded, Failed, Initialization, Instantiated, Stepping, Terminated};
+use Phase::{Discarded, Event, Failed, Initialization, Instantiated, Stepping, Terminated};
 
-pub(super) const GET: &[Phase] = &[Initialization, Stepping, Discarded, Failed, Terminated];
-pub(super) const SET: &[Phase] = &[Instantiated, Initialization, Stepping];
+pub(super) const GET: &[Phase] = &[
+    Initialization,
+    Stepping,
+    Event,
+    Discarded,
+    Failed,
+    Terminated,
+];
+pub(super) const SET: &[Phase] = &[Instantiated, Initialization, Stepping, Event];
 /// As importers do it, a step may follow a discarded one without restoring a state.
 pub(super) const STEP: &[Phase] = &[Stepping, Discarded];
 pub(super) const STATUS: &[Phase] = &[Stepping, Discarded, Failed, Terminated];
@@ -22,6 +29,7 @@ pub(super) const ALIVE: &[Phase] = &[
     Instantiated,
     Initialization,
     Stepping,
+    Event,
     Discarded,
     Failed,
     Terminated,

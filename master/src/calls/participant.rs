@@ -26,8 +26,8 @@ pub enum Step {
     },
 }
 
-/// An instance in a simulation.
-pub(crate) trait Participant {
+/// An instance in a simulation. One thread at a time calls it, not always the same.
+pub(crate) trait Participant: Send {
     /// Start and stop \[s\] and tolerance; then start values, all in one call for each type.
     fn set_up(
         &mut self,

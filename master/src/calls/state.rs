@@ -1,10 +1,12 @@
 //! Saved states: save, restore, turn into bytes and back.
 
+use std::collections::BTreeMap;
 use std::ptr;
 use std::sync::Arc;
 
 use crate::error::ImportError;
 use crate::status::Phase;
+use crate::value::Value;
 
 use super::instance::{ALIVE, Instance};
 use super::library::{Handle, Interface};
@@ -16,6 +18,19 @@ use super::logger::Log;
 pub struct SavedState {
     kept: Kept,
     owner: Arc<Log>,
+    /// What the FMU had told, if it has an event mode.
+    pub(super) agenda: Agenda,
+    /// What its discrete inputs were set to then, by value reference.
+    pub(super) inputs: BTreeMap<u32, Vec<Value>>,
+}
+
+/// What an FMU with an event mode has told of its future.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Agenda {
+    /// Time of its next event, if one is known \[s\].
+    pub(super) next_event: Option<f64>,
+    /// It wants to end the simulation.
+    pub(super) terminated: bool,
 }
 
 /// Where a state is.
@@ -33,6 +48,8 @@ impl SavedState {
         Self {
             kept: Kept::There(number),
             owner: Arc::clone(owner),
+            agenda: Agenda::default(),
+            inputs: BTreeMap::new(),
         }
     }
 
@@ -151,6 +168,8 @@ impl<F: Interface> Instance<F> {
         Ok(SavedState {
             kept: Kept::Here(raw, phase),
             owner: Arc::clone(&self.log),
+            agenda: Agenda::default(),
+            inputs: BTreeMap::new(),
         })
     }
 

@@ -23,6 +23,7 @@ struct Interface<'a> {
     only_one_instance: bool,
     variable_step: bool,
     states: bool,
+    events: bool,
 }
 
 impl Description {
@@ -94,12 +95,14 @@ impl Description {
                 only_one_instance: own.can_be_instantiated_only_once_per_process,
                 variable_step: own.can_handle_variable_communication_step_size,
                 states: own.can_get_and_set_fmu_state,
+                events: false,
             }),
             Self::Three(description) => description.co_simulation.as_ref().map(|own| Interface {
                 model_identifier: &own.model_identifier,
                 only_one_instance: own.can_be_instantiated_only_once_per_process,
                 variable_step: own.can_handle_variable_communication_step_size,
                 states: own.can_get_and_set_fmu_state,
+                events: own.has_event_mode,
             }),
         }
     }
@@ -122,6 +125,11 @@ impl Description {
     /// Whether communication steps may differ in length.
     pub fn takes_any_step(&self) -> bool {
         self.co_simulation().is_some_and(|own| own.variable_step)
+    }
+
+    /// Whether the importer can handle its events.
+    pub(crate) fn has_event_mode(&self) -> bool {
+        self.co_simulation().is_some_and(|own| own.events)
     }
 
     /// Whether the state can be saved and restored.

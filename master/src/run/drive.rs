@@ -104,6 +104,9 @@ impl Run<'_> {
             for (target, load) in loads.iter().enumerate() {
                 Exchange::write(target, load, &mut self.components.instances)?;
             }
+            if !self.options.sequential {
+                return self.components.step_at_once(k);
+            }
         }
         for component in components {
             if self.options.coupling == Coupling::GaussSeidel {

@@ -13,8 +13,13 @@ use super::table::Table;
 #[non_exhaustive]
 pub enum SimulateError {
     /// The FMU cannot be loaded or instantiated.
-    #[error(transparent)]
-    Import(#[from] Box<ImportError>),
+    #[error("{}{source}", prefix(.component))]
+    Import {
+        /// Name of the FMU, if there are several.
+        component: Option<String>,
+        /// Why; told by the message above.
+        source: Box<ImportError>,
+    },
     /// Variables to set or to record that are not there, or not so: all of them.
     #[error("{}", list(.0))]
     Variables(Vec<VariableError>),

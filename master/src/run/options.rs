@@ -62,6 +62,9 @@ pub struct Options {
     pub tolerance: Option<f64>,
     /// When connected FMUs exchange values.
     pub coupling: Coupling,
+    /// With [`Coupling::Jacobi`], let the FMUs step one after another on the thread of the caller instead of at the same time
+    /// on threads of their own. The results are the same, bit for bit.
+    pub sequential: bool,
     /// When [`Coupling::Iterated`] ends.
     pub iteration: Iteration,
     /// Inputs over time.

@@ -3,7 +3,6 @@
 use std::ops::ControlFlow;
 
 use crate::calls::{InputValues, Participant};
-use crate::error::ImportError;
 use crate::fmu::Fmu;
 use crate::isolate;
 use crate::open::Description;
@@ -26,7 +25,8 @@ use crate::value::Value;
 ///
 /// The FMUs enter initialization mode together; there inputs get their values at the start, connected ones those of
 /// their outputs. Before the step from t, inputs of the table get their values at t, connected ones as
-/// [`Coupling`] says; then the FMUs step in their order.
+/// [`Coupling`] says; then the FMUs step: with [`Coupling::Jacobi`] at the same time, each on a thread that lives as long as
+/// the step, else in their order on the thread of the caller.
 ///
 /// A discarded step is taken up again where the FMU says it came to, or with half the length if it came nowhere; if
 /// the FMU cannot take such steps, or does not get on, that is an error. Inputs do not change meanwhile.
@@ -116,7 +116,7 @@ fn start_value<'f>(
 fn instantiate(
     system: &System<'_>,
     options: &Options,
-) -> Result<Vec<Box<dyn Participant>>, Box<ImportError>> {
+) -> Result<Vec<Box<dyn Participant>>, SimulateError> {
     let fmus = system.fmus().enumerate();
     let instance = |(k, fmu): (usize, &Fmu)| {
         let own = options.instance_name.as_deref();
@@ -126,7 +126,10 @@ fn instantiate(
             Some(isolation) => isolate::participant(isolation, fmu, name, options.logging),
             None => fmu.participant(name, options.logging),
         }
-        .map_err(Box::new)
+        .map_err(|source| SimulateError::Import {
+            component: system.component_name(k).map(str::to_owned),
+            source: Box::new(source),
+        })
     };
     fmus.map(instance).collect()
 }

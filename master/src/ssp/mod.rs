@@ -1,4 +1,4 @@
-//! Systems of FMUs as SSP 1.0 archives, read and written.
+//! Systems of FMUs as SSP archives: 1.0 and 2.0 read, 1.0 written.
 
 mod open;
 mod package;

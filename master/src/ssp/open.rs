@@ -1,4 +1,4 @@
-//! A system of FMUs from an SSP 1.0 archive: flat, with the values of its parameter sets.
+//! A system of FMUs from an SSP archive, 1.0 or 2.0: flat, with the values of its parameter sets.
 //!
 //! What would change the meaning if it were passed over is refused: systems in systems, transformations of values,
 //! mappings of parameter names, units that differ. Connectors of the system itself lead nowhere and are passed over.
@@ -9,6 +9,7 @@ use std::path::{Path, PathBuf};
 
 use percent_encoding::percent_decode_str;
 use sphere_dda_model_description::Error as XmlError;
+use sphere_dda_model_description::fmi3::Causality;
 use thiserror::Error;
 
 use crate::error::{ArchiveError, ImportError};
@@ -52,7 +53,7 @@ pub enum SspError {
         source: std::io::Error,
     },
     /// A file in it cannot be understood.
-    #[error("{path}: {place}: {source}; expected a file of SSP 1.0", path = path.display())]
+    #[error("{path}: {place}: {source}; expected a file of SSP 1.0 or 2.0", path = path.display())]
     Xml {
         /// The SSP.
         path: PathBuf,
@@ -169,8 +170,22 @@ impl Ssp {
         let named =
             components.filter_map(|(name, number)| Some((name.clone(), self.fmus.get(*number)?)));
         let mut system = System::coupled(named)?;
-        let pairs = self.connections.iter();
-        system.connect(pairs.map(|(from, to)| (&**from, &**to)))?;
+        // The ends of a connection do not say which way the values go, their causalities do.
+        let backwards = |name: &str, causality: Causality| {
+            let variable = system.known(name);
+            variable.is_some_and(|variable| variable.declared.causality == causality)
+        };
+        let pairs: Vec<(&str, &str)> = self
+            .connections
+            .iter()
+            .map(|(start, end)| {
+                match backwards(start, Causality::Input) && backwards(end, Causality::Output) {
+                    true => (&**end, &**start),
+                    false => (&**start, &**end),
+                }
+            })
+            .collect();
+        system.connect(pairs)?;
         Ok(system)
     }
 
@@ -319,6 +334,12 @@ impl Reader<'_> {
                     "connection `{from}` to `{to}`: found a transformation, expected none: values are not converted"
                 ));
             }
+            if wire.has_indices() {
+                self.refuse(format!(
+                    "connection `{from}` to `{to}`: found startIndices or endIndices, expected none, since SSP does not say where \
+                     they count from: connect whole arrays, or name an element, as `y[1]`"
+                ));
+            }
             connections.push((from, to));
         }
         connections
@@ -407,13 +428,14 @@ impl Reader<'_> {
         };
         for parameter in set.parameters() {
             let name = format!("{prefix}{}", parameter.name);
-            match parameter.value() {
-                Some((text, unit)) => {
-                    values.push((name, text.to_owned(), unit.map(str::to_owned)));
+            match parameter.values() {
+                Ok(own) => {
+                    values.extend(own.into_iter().map(|(element, text, unit)| {
+                        let name = format!("{name}{element}");
+                        (name, text.to_owned(), unit.map(str::to_owned))
+                    }));
                 }
-                None => self.refuse(format!(
-                    "parameter `{name}`: found no value, expected one of type Real, Integer, Boolean, String or Enumeration"
-                )),
+                Err(problem) => self.refuse(format!("parameter `{name}`: {problem}")),
             }
         }
         if values.len() > MAX_VALUES {

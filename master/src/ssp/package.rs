@@ -349,10 +349,7 @@ fn parameter(variable: &SystemVariable<'_>, given: Option<&Value>) -> Option<Con
             let (name, _) = items.items.iter().find(|(_, item)| item == value)?;
             Content::Enumeration(name.clone().into())
         }
-        (Value::Real(value), _) => Content::Real(Text {
-            value: value.print(),
-            unit: unit(declared),
-        }),
+        (Value::Real(value), _) => Content::Real(Text::new(value.print(), unit(declared))),
         (Value::Integer(value), None) => Content::Integer(value.print().into()),
         (Value::Boolean(value), _) => Content::Boolean(value.print().into()),
         (Value::String(value), _) => Content::String(value.clone().into()),

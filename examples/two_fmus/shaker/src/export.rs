@@ -15,7 +15,7 @@ use sphere_dda_model_description::fmi2::{
 use sphere_dda_model_description::units::{BaseUnit, Unit};
 use thiserror::Error as ThisError;
 
-use crate::variables::{TABLE, Variable};
+use crate::variables::{ACCELERATION, FORCE, TABLE, Variable};
 
 /// Name of the library in the archive.
 const IDENTIFIER: &str = "shaker";
@@ -111,6 +111,12 @@ fn unsigned() -> ModelDescription {
     };
     let variables = TABLE.iter().zip(0..).map(scalar).collect();
     let mut model = ModelDescription::new("Shaker", "", interface).with_variables(variables);
+    // Indices count from 1. Only the acceleration shows a force before it has acted over a step.
+    let (force, acceleration) = (FORCE as u32 + 1, ACCELERATION as u32 + 1);
+    for output in &mut model.model_structure.outputs {
+        let direct = output.index == acceleration;
+        output.dependencies = Some(if direct { vec![force] } else { Vec::new() });
+    }
     model.description = Some("Mass, spring and damper on a shaken foot, with a force".to_owned());
     model.version = Some(version.to_owned());
     model.license = Some("MIT OR Apache-2.0".to_owned());

@@ -15,7 +15,7 @@ pub(crate) type Plain = unsafe extern "C" fn(Handle) -> RawStatus;
 pub(crate) type Logger = unsafe extern "C" fn(*mut c_void, RawStatus, Text, Text);
 
 functions! {
-    /// The functions of FMI 3.0 that a co-simulation without events needs.
+    /// The functions of FMI 3.0 for co-simulation.
     required {
         get_version "fmi3GetVersion": unsafe extern "C" fn() -> Text,
         instantiate "fmi3InstantiateCoSimulation": unsafe extern "C" fn(
@@ -32,6 +32,11 @@ functions! {
         ) -> RawStatus,
     }
     optional {
+        enter_event_mode "fmi3EnterEventMode": Plain,
+        update_discrete_states "fmi3UpdateDiscreteStates": unsafe extern "C" fn(
+            Handle, *mut Boolean, *mut Boolean, *mut Boolean, *mut Boolean, *mut Boolean, *mut f64,
+        ) -> RawStatus,
+        enter_step_mode "fmi3EnterStepMode": Plain,
         get_float64 "fmi3GetFloat64": Get<f64>,
         get_float32 "fmi3GetFloat32": Get<f32>,
         get_int8 "fmi3GetInt8": Get<i8>,

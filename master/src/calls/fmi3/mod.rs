@@ -1,6 +1,7 @@
-//! FMI 3.0: the table of functions, the calls for life, steps and values, and an instance as a participant.
+//! FMI 3.0: the table of functions, the calls for life, steps, events and values, and an instance as a participant.
 
 mod abi;
+mod events;
 mod life;
 mod participant;
 mod values;

@@ -1,4 +1,4 @@
-//! The files of SSP 1.0: which FMUs run together, what feeds what, and with which parameters.
+//! The files of SSP 1.0 and 2.0: which FMUs run together, what feeds what, and with which parameters.
 //!
 //! Written with the prefixes `ssd`, `ssc` and `ssv`, which some readers take for part of the names; read with any.
 //! Units, enumerations and connectors are written for other masters and not read: the FMUs tell them.

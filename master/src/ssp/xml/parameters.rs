@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 use serde_with_macros::apply;
 use sphere_dda_model_description::Error;
+use sphere_dda_model_description::lexical;
 use sphere_dda_model_description::units::{BaseUnit, Unit};
 use sphere_dda_model_description::xml;
 
@@ -88,6 +89,9 @@ pub(in crate::ssp) struct Parameter {
     contents: Vec<Content>,
 }
 
+/// What follows the name of a parameter, text and unit of a value.
+pub(in crate::ssp) type ElementValue<'v> = (String, &'v str, Option<&'v str>);
+
 impl Parameter {
     /// A parameter of one value.
     pub(in crate::ssp) fn new(name: String, value: Content) -> Self {
@@ -95,26 +99,95 @@ impl Parameter {
         Self { name, contents }
     }
 
-    /// Text and unit of the value; `None` if it has none of a type that is known.
-    pub(in crate::ssp) fn value(&self) -> Option<(&str, Option<&str>)> {
-        self.contents.iter().find_map(|content| match content {
+    /// What follows the name, text and unit of each of its values. Numbers of an array are one text, separated by blanks; its
+    /// texts are one by one, each with its indices.
+    ///
+    /// # Errors
+    /// What is wrong with them.
+    pub(in crate::ssp) fn values(&self) -> Result<Vec<ElementValue<'_>>, String> {
+        let value = self.contents.iter().find_map(|content| match content {
             Content::Real(own)
             | Content::Integer(own)
             | Content::Boolean(own)
             | Content::String(own)
             | Content::Enumeration(own)
-            | Content::Binary(own) => Some((&*own.value, own.unit.as_deref())),
-            Content::Other => None,
-        })
+            | Content::Binary(own) => Some(own),
+            Content::Dimension(_) | Content::Other => None,
+        });
+        let Some(value) = value else {
+            return Err("found no value, expected one of a type that SSP knows".to_owned());
+        };
+        let unit = value.unit.as_deref();
+        if let [first, ..] = &*value.items
+            && !value.value.is_empty()
+        {
+            return Err(format!(
+                "found the attribute value {:?} and an element Value {:?}, expected one of them",
+                value.value, first.value
+            ));
+        }
+        let extents = self.contents.iter().filter_map(|content| match content {
+            Content::Dimension(own) => Some(own.size),
+            _ => None,
+        });
+        let mut extents: Vec<u64> = extents.collect();
+        let count = value.items.len();
+        match count {
+            0 => return Ok(vec![(String::new(), &value.value, unit)]),
+            1 if extents.is_empty() => {}
+            _ if extents.is_empty() => extents.push(count as u64),
+            _ => {}
+        }
+        let fits =
+            extents.iter().try_fold(1_u64, |all, &n| all.checked_mul(n)) == Some(count as u64);
+        if !fits {
+            return Err(format!(
+                "found {count} values for the dimensions {extents:?}, expected one for each element"
+            ));
+        }
+        let items = value.items.iter().enumerate();
+        Ok(items
+            .map(|(k, item)| (indices(k as u64, &extents), &*item.value, unit))
+            .collect())
+    }
+}
+
+/// Indices of the element of this number, row by row, as FMI writes them; nothing of a single value.
+fn indices(mut element: u64, extents: &[u64]) -> String {
+    let mut texts = Vec::new();
+    for extent in extents.iter().rev() {
+        texts.push((element % extent + 1).to_string());
+        element /= extent;
+    }
+    texts.reverse();
+    match texts.is_empty() {
+        true => String::new(),
+        false => format!("[{}]", texts.join(",")),
     }
 }
 
 /// Type and value of a parameter, or what stands beside it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(in crate::ssp) enum Content {
-    #[serde(rename = "ssv:Real", alias = "Real")]
+    #[serde(
+        rename = "ssv:Real",
+        alias = "Real",
+        alias = "Float64",
+        alias = "Float32"
+    )]
     Real(Text),
-    #[serde(rename = "ssv:Integer", alias = "Integer")]
+    #[serde(
+        rename = "ssv:Integer",
+        alias = "Integer",
+        alias = "Int8",
+        alias = "UInt8",
+        alias = "Int16",
+        alias = "UInt16",
+        alias = "Int32",
+        alias = "UInt32",
+        alias = "Int64",
+        alias = "UInt64"
+    )]
     Integer(Text),
     #[serde(rename = "ssv:Boolean", alias = "Boolean")]
     Boolean(Text),
@@ -124,22 +197,48 @@ pub(in crate::ssp) enum Content {
     Enumeration(Text),
     #[serde(rename = "ssv:Binary", alias = "Binary")]
     Binary(Text),
+    #[serde(rename = "Dimension", skip_serializing)]
+    Dimension(Extent),
     #[serde(other)]
     Other,
+}
+
+/// Extent of an array in one direction.
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
+pub(in crate::ssp) struct Extent {
+    #[serde(rename = "@size", with = "lexical")]
+    size: u64,
+}
+
+/// One of several texts.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+pub(in crate::ssp) struct Item {
+    #[serde(rename = "@value")]
+    value: String,
 }
 
 /// A value as it is written.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(in crate::ssp) struct Text {
     #[serde(rename = "@value", default)]
-    pub(in crate::ssp) value: String,
+    value: String,
     #[serde(rename = "@unit", skip_serializing_if = "Option::is_none")]
-    pub(in crate::ssp) unit: Option<String>,
+    unit: Option<String>,
+    #[serde(rename = "Value", default, skip_serializing)]
+    items: Vec<Item>,
+}
+
+impl Text {
+    /// One value.
+    pub(in crate::ssp) fn new(value: String, unit: Option<String>) -> Self {
+        let items = Vec::new();
+        Self { value, unit, items }
+    }
 }
 
 impl From<String> for Text {
     fn from(value: String) -> Self {
-        Self { value, unit: None }
+        Self::new(value, None)
     }
 }
 

@@ -223,7 +223,7 @@ pub(in crate::ssp) struct Component {
     #[serde(rename = "@type")]
     pub(in crate::ssp) kind: Option<String>,
     /// URI of the file, relative to the structure.
-    #[serde(rename = "@source")]
+    #[serde(rename = "@source", default)]
     pub(in crate::ssp) source: String,
     /// Which interface of the FMU is meant.
     #[serde(rename = "@implementation")]
@@ -329,6 +329,10 @@ pub(in crate::ssp) struct Connection {
     /// The target.
     #[serde(rename = "@endConnector")]
     pub(in crate::ssp) end_connector: String,
+    #[serde(rename = "@startIndices")]
+    start_indices: Option<String>,
+    #[serde(rename = "@endIndices")]
+    end_indices: Option<String>,
     #[serde(rename = "LinearTransformation")]
     linear: Option<IgnoredAny>,
     #[serde(rename = "BooleanMappingTransformation")]
@@ -349,6 +353,11 @@ impl Connection {
             end_connector: end.1,
             ..Self::default()
         }
+    }
+
+    /// Whether it joins single elements of arrays.
+    pub(in crate::ssp) fn has_indices(&self) -> bool {
+        self.start_indices.is_some() || self.end_indices.is_some()
     }
 
     /// Whether the values are to be changed on their way.
@@ -473,8 +482,9 @@ mod tests {
             (&*first.prefix, first.maps(), second.maps()),
             ("a.", false, true)
         );
-        assert_eq!(values[0].value(), Some(("2.5", Some("m"))));
-        assert_eq!(values[1].value(), Some(("true", None)));
+        let value = |k: usize| values[k].values().unwrap().pop();
+        assert_eq!(value(0), Some((String::new(), "2.5", Some("m"))));
+        assert_eq!(value(1), Some((String::new(), "true", None)));
         let fmus: Vec<bool> = read
             .system
             .elements()
@@ -488,11 +498,16 @@ mod tests {
             (None, false)
         );
         assert!(wires[1].transforms());
-        let newer = text.replace(
-            "version=\"1.0\">\n          <System",
-            "version=\"2.0\">\n          <System",
+        let of = |version: &str| {
+            let own = format!("version=\"{version}\">\n          <System");
+            let text = text.replace("version=\"1.0\">\n          <System", &own);
+            Structure::from_xml(&text).map(|read| read.system)
+        };
+        assert_eq!(of("2.0").unwrap(), read.system);
+        let error = of("3.0").unwrap_err().to_string();
+        assert_eq!(
+            error,
+            "attribute `version`: found `3.0`, expected `1.0` or `2.0`"
         );
-        let error = Structure::from_xml(&newer).unwrap_err().to_string();
-        assert_eq!(error, "attribute `version`: found `2.0`, expected `1.0`");
     }
 }

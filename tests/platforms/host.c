@@ -1,6 +1,6 @@
-/* A host for Windows: loads a library of an FMU of FMI 2.0, takes steps, saves and restores, and prints outputs.
+/* A host for Windows and Unix: loads a library of an FMU of FMI 2.0, takes steps, saves and restores, and prints outputs.
  *
- *     host.exe LIBRARY GUID RESOURCES STEP COUNT REFERENCE...
+ *     host LIBRARY GUID RESOURCES STEP COUNT REFERENCE...
  *
  * One line per step with the values of the real variables REFERENCE; the last line, after going back to the middle, must
  * be the last line of the way there. */
@@ -8,7 +8,19 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#ifdef _WIN32
 #include <windows.h>
+typedef HMODULE Library;
+typedef FARPROC Function;
+#else
+#include <dlfcn.h>
+typedef void *Library;
+typedef void *Function;
+#define LoadLibraryA(path) dlopen(path, RTLD_NOW | RTLD_LOCAL)
+#define GetProcAddress dlsym
+#define FreeLibrary dlclose
+#define GetLastError() (fputs(dlerror(), stderr), 0UL)
+#endif
 
 typedef void *Component;
 typedef struct {
@@ -29,10 +41,10 @@ static void logger(void *e, const char *name, int status, const char *category, 
     fputc('\n', stderr);
 }
 
-static HMODULE library;
+static Library library;
 
-static FARPROC function(const char *name) {
-    FARPROC found = GetProcAddress(library, name);
+static Function function(const char *name) {
+    Function found = GetProcAddress(library, name);
     if (!found) {
         fprintf(stderr, "no %s\n", name);
         exit(1);
@@ -74,7 +86,7 @@ int main(int argc, char **argv) {
     for (int k = 0; k < n && k < 64; k++)
         references[k] = (unsigned)atoi(argv[6 + k]);
     Callbacks callbacks = {logger, calloc, free, NULL, NULL};
-    Component c = instantiate("windows", 1, argv[2], argv[3], &callbacks, 0, 0);
+    Component c = instantiate("host", 1, argv[2], argv[3], &callbacks, 0, 0);
     if (!c)
         return 1;
     check(set_up(c, 0, 0, 0, 0, 0), "fmi2SetupExperiment");
