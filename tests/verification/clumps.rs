@@ -320,7 +320,7 @@ fn a_tetrahedron_rests_on_three_spheres() {
     let (tetra, centre) = ClumpShape::new(&centres, &[r; 4], DENSITY, None, None).unwrap();
     // The fixed spheres stand farther out: the line of centres has the length of both radii.
     let far = 0.11;
-    let down = ((r + support) * (r + support) - (far - wide) * (far - wide) as f64).sqrt();
+    let down = f64::sqrt((r + support) * (r + support) - (far - wide) * (far - wide));
     let mut case = Case::new(1e-3, 0.0, 0.0).tolerance(1e-9, 1e-9, 1e-9).clump(
         &tetra,
         upright(centre),
