@@ -17,6 +17,7 @@ mod batch;
 mod batches;
 mod compile;
 mod dispatch;
+mod exact;
 mod general_rows;
 mod kernel;
 mod lanes;
