@@ -13,7 +13,7 @@ const POINTS: NonZeroUsize = NonZeroUsize::MIN.saturating_add(23);
 
 /// Volume, centroid and inertia of a union of balls.
 ///
-/// Along x the union of chords is exact; across it, in slices along y and z, Gauss rules with [`POINTS`] points between the places
+/// Along x the union of chords is exact; across it, in slices along y and z, Gauss rules with 24 points between the places
 /// where spheres begin, end and meet, in `sin(theta)`, which takes out the square roots there. The relative error is below 1e-8
 /// for two spheres and below 1e-6 where three or more overlap in one place.
 #[derive(Debug, Clone, Copy, PartialEq)]
