@@ -149,9 +149,9 @@ impl NeighborList {
             self.images = periodic_pairs(now.cell, now.position, now.present, &sizes);
         }
         if !now.particles.clump.is_empty() {
-            self.pairs.retain(|&(i, j)| !now.particles.are_one(i, j));
-            self.images
-                .retain(|&(i, j, _)| !now.particles.are_one(i, j));
+            let apart = |i, j| !now.particles.are_one(i, j);
+            self.pairs.retain(|&(i, j)| apart(i, j));
+            self.images.retain(|&(i, j, _)| apart(i, j));
         }
     }
 
@@ -168,7 +168,9 @@ impl NeighborList {
         self.pairs
             .retain(|&(i, j)| kept[i as usize] && kept[j as usize]);
         let mut found = pairs_of(stale, &self.anchor, &self.present, &self.sizes(now));
-        found.retain(|&(i, j)| !now.particles.are_one(i, j));
+        if !now.particles.clump.is_empty() {
+            found.retain(|&(i, j)| !now.particles.are_one(i, j));
+        }
         merge(&mut self.pairs, &found);
     }
 

@@ -171,6 +171,18 @@ impl ClumpShape {
         axes * Matrix3::from_diagonal(&self.moments.map(f)) * axes.inverse()
     }
 
+    /// Velocity that `momentum` gives it when turned by `rotation`, or acceleration that a force does: `p/m`, `J^-1 L`.
+    pub(crate) fn response(
+        &self,
+        rotation: UnitQuaternion<f64>,
+        momentum: &SpatialVector,
+    ) -> SpatialVector {
+        SpatialVector {
+            linear: momentum.linear / self.mass,
+            angular: self.inertia(rotation, f64::recip) * momentum.angular,
+        }
+    }
+
     /// Kinetic energy of its centre of mass and of its rotation \[J\] when turned by `rotation`.
     pub(crate) fn kinetic_energy(
         &self,
@@ -210,6 +222,21 @@ impl Clump {
             kinematics.orientation[i] = rotation;
             kinematics.velocity[i] = velocity.at(arm);
             kinematics.spin[i] = velocity.angular;
+        }
+    }
+
+    /// Writes the accelerations of its members, turned by `rotation`, into those of all spheres, `[N]`, where its own is `own`.
+    pub(crate) fn share(
+        &self,
+        rotation: UnitQuaternion<f64>,
+        own: &SpatialVector,
+        accelerations: &mut [SpatialVector],
+    ) {
+        for (i, arm) in self.members.clone().zip(&self.shape.arms) {
+            accelerations[i] = SpatialVector {
+                linear: own.at(rotation * arm),
+                angular: own.angular,
+            };
         }
     }
 

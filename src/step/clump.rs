@@ -150,16 +150,8 @@ pub(crate) fn release_clump(scene: &Scene, state: &mut State, c: usize) {
         &state.applied_forces[..],
     ));
     let alone = ClumpPrediction::of(scene, clump, &state.kinematics, loads, scene.settings.step);
-    let own = SpatialVector {
-        linear: alone.external.linear / clump.shape.mass,
-        angular: clump.shape.inertia(alone.rotation, f64::recip) * alone.external.angular,
-    };
-    for (i, arm) in alone.arms() {
-        state.smooth[i] = SpatialVector {
-            linear: own.at(arm),
-            angular: own.angular,
-        };
-    }
+    let own = clump.shape.response(alone.rotation, &alone.external);
+    clump.share(alone.rotation, &own, &mut state.smooth);
     if scene.settings.integrator == Integrator::Moreau {
         let before = alone.velocity.plus(&own, -0.5 * state.last_step);
         clump.put(

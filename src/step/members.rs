@@ -80,17 +80,8 @@ impl Solved<'_> {
                 true => clump.moved(velocity, prediction.step).1,
                 false => clump.rotation,
             };
-            let angular = shape.inertia(rotation, f64::recip) * force.angular;
-            let own = SpatialVector {
-                linear: force.linear / shape.mass,
-                angular,
-            };
-            for (i, arm) in clump.clump.members.clone().zip(&shape.arms) {
-                acceleration[i] = SpatialVector {
-                    linear: own.at(rotation * arm),
-                    angular,
-                };
-            }
+            let own = shape.response(rotation, &force);
+            clump.clump.share(rotation, &own, acceleration);
         }
     }
 
@@ -101,8 +92,8 @@ impl Solved<'_> {
         let (settings, step) = (&prediction.scene.settings, prediction.step);
         let integrator = settings.integrator;
         for (c, clump) in prediction.clumps.iter().enumerate() {
-            let (members, shape) = (&clump.clump.members, &clump.clump.shape);
-            let first = members.start;
+            let shape = &clump.clump.shape;
+            let first = clump.clump.members.start;
             let v1 = &self.solution.velocity[prediction.clump_body(c)];
             let (centre, rotation) = clump.moved(v1, step);
             let momentum = integrator.finish(
@@ -110,10 +101,7 @@ impl Solved<'_> {
                 &clump.mass.times(v1),
                 settings.dynamic_coefficient,
             );
-            let after = SpatialVector {
-                linear: momentum.linear / shape.mass,
-                angular: shape.inertia(rotation, f64::recip) * momentum.angular,
-            };
+            let after = shape.response(rotation, &momentum);
             let kinetic = |rotation, velocity: &SpatialVector, smooth: &SpatialVector| {
                 let smooth = clump.clump.of_member(rotation, smooth);
                 let reported = integrator.reported(velocity, &smooth, step);
@@ -125,14 +113,8 @@ impl Solved<'_> {
             let new = kinetic(rotation, &after, &smooth[first]);
             let old = kinetic(clump.rotation, &clump.velocity, &state.smooth[first]);
             state.work.numerical_work += new - old - step * clump.external.dot(v1);
-            for (i, arm) in members.clone().zip(&shape.arms) {
-                let arm = rotation * arm;
-                let kinematics = &mut state.kinematics;
-                kinematics.position[i] = centre + arm;
-                kinematics.orientation[i] = rotation;
-                kinematics.velocity[i] = after.at(arm);
-                kinematics.spin[i] = after.angular;
-            }
+            let place = (centre, rotation);
+            clump.clump.put(place, &after, &mut state.kinematics);
         }
     }
 }

@@ -1,5 +1,7 @@
 //! Groups of clumps: each place is a centre of mass.
 
+use std::ops::Range;
+
 use nalgebra::UnitQuaternion;
 use rand_chacha::ChaCha8Rng;
 
@@ -15,15 +17,13 @@ use crate::scene_file::file;
 use crate::scene_file::sizes::Sizes;
 use crate::spatial::SpatialVector;
 
-/// Adds the clumps of a group.
+/// Adds the clumps of a group, of a shape and a material, where `generator` places them; returns the indices of their spheres.
 pub(super) fn add(
     document: &mut Document<'_>,
     (path, group): (&str, &file::Spheres),
-    shape: &ClumpShape,
-    material: u16,
-    generator: &Generator<'_>,
+    (shape, material, generator): (&ClumpShape, u16, &Generator<'_>),
     (present, random): (Present<'_>, &mut ChaCha8Rng),
-) -> Option<()> {
+) -> Option<Range<usize>> {
     let sizes = Scales::new(document, (path, group), shape);
     let mut good = true;
     for (key, given) in [
@@ -72,7 +72,8 @@ pub(super) fn add(
         clumps,
         ..
     } = present;
-    let found = particles.len() + starts.len() * shape.arms.len();
+    let first = particles.len();
+    let found = first + starts.len() * shape.arms.len();
     let expected = format!("at most {MOST_SPHERES}");
     good &= document.demand(
         found <= MOST_SPHERES,
@@ -105,7 +106,7 @@ pub(super) fn add(
             store,
         );
     }
-    Some(())
+    Some(first..particles.len())
 }
 
 /// How many times as large as the template clumps are.

@@ -36,29 +36,8 @@ pub(super) fn add(
     let mut random = ChaCha8Rng::seed_from_u64(group.seed);
     if let Some(shape) = clump {
         let generator = Generator::of(document, path, group)?;
-        let first = present.particles.len();
-        let Present {
-            particles,
-            initial,
-            clumps,
-            boundaries,
-        } = present;
-        let store = Present {
-            particles: &mut *particles,
-            initial,
-            clumps,
-            boundaries,
-        };
-        let given = (path, group);
-        clumps::add(
-            document,
-            given,
-            &shape,
-            material.0,
-            &generator,
-            (store, &mut random),
-        )?;
-        return Some(first..particles.len());
+        let made = (&shape, material.0, &generator);
+        return clumps::add(document, (path, group), made, (present, &mut random));
     }
     if group.rotations.is_some() {
         let message = "found `rotations` of single spheres, expected them of clumps only";

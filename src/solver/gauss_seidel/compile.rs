@@ -14,6 +14,9 @@ use crate::sorting::counting_sort;
 /// Blocks that fill at the same time: a contact joins one that does not have its bodies yet.
 const OPEN: usize = 16;
 
+/// Turn of the last group.
+const LAST: usize = 3;
+
 /// Bodies of a group: the first, and one that never moves, counted from the first.
 #[derive(Debug, Clone, Copy)]
 struct Bodies {
@@ -45,8 +48,7 @@ impl Kernel {
             let [a, b] = rows.bodies(k);
             let alike = moves_alike(a) && (b == GROUND || moves_alike(b));
             if is_levered(problem, k, (&self.radius, &self.resistance)) {
-                // All that follows can be one group: its bodies are those of all parts and beyond.
-                2 * parts as u32 - 1
+                last_group(parts) as u32
             } else if !alike || !is_rigid(self.resistance[k]) || !rows.is_of_spheres(k) {
                 NONE
             } else if parts == 1 {
@@ -86,16 +88,16 @@ impl Kernel {
     /// Which rows each of the `blocks` of all groups has.
     pub(super) fn share_out<T: Real>(&mut self, problem: &Problem, blocks: &mut Vec<Batch<T>>) {
         let (parts, spheres) = (self.layout.parts(), problem.inverse_mass.len());
-        self.rows.clear();
-        self.resistances.clear();
+        self.contents.rows.clear();
+        self.contents.resistances.clear();
         self.extras.clear();
-        self.levers.clear();
+        self.contents.levers.clear();
         self.turns.iter_mut().for_each(ArrayVec::clear);
         let order = std::mem::take(&mut self.order);
         let mut open = Open {
             used: 0,
             blocks,
-            rows: &mut self.rows,
+            rows: &mut self.contents.rows,
             extras: &mut self.extras,
             held: &mut self.held,
         };
@@ -122,27 +124,25 @@ impl Kernel {
             };
             open.take(&problem.rows, rows, &self.place, range);
             let blocks = first..open.used;
-            let first = self.resistances.len();
+            let first = self.contents.resistances.len();
             for block in blocks.clone() {
                 let rows = &open.rows[block][..open.blocks[block].count as usize];
                 open.blocks[block].resisted =
                     rows.iter().any(|&k| self.resistance[k as usize] != NONE);
                 if open.blocks[block].resisted {
                     let source = resistances(&problem.rows, rows, &self.resistance, &self.radius);
-                    self.resistances.push(source);
+                    self.contents.resistances.push(source);
                 }
-                let spheres = spheres as u32;
-                let other = |body: u32| body != GROUND && body >= spheres;
-                if rows
-                    .iter()
-                    .any(|&k| problem.rows.bodies(k as usize).into_iter().any(other))
-                {
-                    open.blocks[block].levers = self.levers.len() as u32;
+                let other = |body: u32| body != GROUND && body as usize >= spheres;
+                let levered = |&k: &u32| problem.rows.bodies(k as usize).into_iter().any(other);
+                // Of no other group can a body be reached that is no sphere.
+                if turn == LAST && rows.iter().any(levered) {
+                    open.blocks[block].levers = self.contents.levers.len() as u32;
                     let length = |i: usize| spin_scale(&self.radius, i);
-                    self.levers.push(Levers::of(problem, rows, length));
+                    self.contents.levers.push(Levers::of(problem, rows, length));
                 }
             }
-            let resistances = first..self.resistances.len();
+            let resistances = first..self.contents.resistances.len();
             // Interiors stay in any case: momentum moves their bodies.
             if turn == 0 || !blocks.is_empty() {
                 self.turns[turn].push(Group {
@@ -290,16 +290,21 @@ fn group_of(a: usize, b: usize, parts: usize) -> usize {
         (0, _) => low,
         (1, 0) => parts + low / 2,
         (1, _) => parts + parts / 2 + low / 2,
-        _ => 2 * parts - 1,
+        _ => last_group(parts),
     }
+}
+
+/// The group that is swept last: its bodies are those of all parts, and those behind them.
+fn last_group(parts: usize) -> usize {
+    2 * parts - 1
 }
 
 /// Turn of a group, and its lower part.
 fn turn_of(group: usize, parts: usize) -> (usize, usize) {
     if group < parts {
         (0, group)
-    } else if group == 2 * parts - 1 {
-        (3, 0)
+    } else if group == last_group(parts) {
+        (LAST, 0)
     } else if group < parts + parts / 2 {
         (1, 2 * (group - parts))
     } else {

@@ -29,11 +29,9 @@ const SINGLE: [f64; 2] = [1e-7, 1e-3];
 /// The compiled problem; its memory serves from solve to solve.
 #[derive(Debug, Default)]
 pub struct Kernel {
-    /// Rows of each block, resistances of those blocks that have such, and what else their contacts have beyond plain ones.
-    pub(super) rows: Vec<Sixteen<u32>>,
-    pub(super) resistances: Vec<resistance::Source>,
+    pub(super) contents: Contents,
+    /// What contacts have beyond plain ones.
     pub(super) extras: Vec<Extra<f64>>,
-    pub(super) levers: Vec<Levers<f64>>,
     /// Whether sweeps go over `quick`, or over the blocks of `exact`, whose bodies are those that are judged in either case.
     pub(super) single: bool,
     pub(super) exact: Batches<f64>,
@@ -60,6 +58,32 @@ pub struct Kernel {
     /// Bodies of the rows that were shared out last, `[C]`; empty where blocks have more than plain contacts, or not all rows.
     shared_out: Vec<[u32; 2]>,
     pub(super) tolerance: Tolerance,
+}
+
+/// What the blocks are made of.
+#[derive(Debug, Default)]
+pub(super) struct Contents {
+    /// Rows of each block.
+    pub(super) rows: Vec<Sixteen<u32>>,
+    /// Resistances, and levers, of those blocks that have such.
+    pub(super) resistances: Vec<resistance::Source>,
+    pub(super) levers: Vec<Levers<f64>>,
+}
+
+impl Contents {
+    /// Their contacts in double precision; impulses in the blocks are times `unit`.
+    fn exact<'a>(&'a self, problem: &'a Problem, unit: f64) -> Exact<'a> {
+        Exact {
+            source: Source {
+                numbers: problem.rows.compact(),
+                step: problem.step,
+                unit,
+            },
+            rows: &self.rows,
+            resistances: &self.resistances,
+            levers: &self.levers,
+        }
+    }
 }
 
 impl Kernel {
@@ -95,11 +119,7 @@ impl Kernel {
             true => masses.fold(f64::MIN_POSITIVE, f64::max),
             false => 1.0,
         };
-        let exact = exact(
-            problem,
-            (&self.rows, &self.resistances, &self.levers),
-            self.unit,
-        );
+        let exact = self.contents.exact(problem, self.unit);
         let (turns, pool) = (&self.turns, &self.pool);
         match self.single {
             true => self.quick.fill(exact, impulses, turns, pool),
@@ -193,11 +213,7 @@ impl Kernel {
             .blocks
             .extend(self.quick.blocks.iter().map(emptied));
         (self.single, self.unit) = (false, 1.0);
-        let exact = exact(
-            problem,
-            (&self.rows, &self.resistances, &self.levers),
-            self.unit,
-        );
+        let exact = self.contents.exact(problem, self.unit);
         self.exact.fill(exact, impulses, &self.turns, &self.pool);
         self.start_exact();
     }
@@ -206,18 +222,14 @@ impl Kernel {
     fn start_exact(&mut self) {
         self.exact.before.clone_from(&self.exact.bodies);
         self.exact.extras.clone_from(&self.extras);
-        self.exact.levers.clone_from(&self.levers);
+        self.exact.levers.clone_from(&self.contents.levers);
     }
 
     /// Takes the velocities of the impulses anew, without rounding from many sweeps.
     fn reload(&mut self, problem: &Problem) {
         let mut bodies = take(&mut self.exact.bodies);
         self.free(problem, &mut bodies);
-        let exact = exact(
-            problem,
-            (&self.rows, &self.resistances, &self.levers),
-            self.unit,
-        );
+        let exact = self.contents.exact(problem, self.unit);
         let (turns, pool) = (&self.turns, &self.pool);
         match self.single {
             true => self.quick.push(exact, turns, pool, &mut bodies),
@@ -228,7 +240,7 @@ impl Kernel {
         self.others.push(problem, &mut bodies);
         match self.single {
             true => {
-                let others = (&self.extras[..], &self.levers[..]);
+                let others = (&self.extras[..], &self.contents.levers[..]);
                 self.quick
                     .place(&self.exact.bodies, others, self.unit, &self.pool);
             }
@@ -289,11 +301,7 @@ impl Kernel {
     /// The residual of the impulses, with velocities taken anew from them, always in double precision.
     pub(super) fn judge(&mut self, problem: &Problem) -> Residual {
         self.reload(problem);
-        let exact = exact(
-            problem,
-            (&self.rows, &self.resistances, &self.levers),
-            self.unit,
-        );
+        let exact = self.contents.exact(problem, self.unit);
         let (turns, pool) = (&self.turns, &self.pool);
         let moving = (&self.exact.bodies[..], &self.extras[..]);
         let mut residual = match self.single {
@@ -334,39 +342,12 @@ impl Kernel {
 
     /// Writes the impulses of all rows \[N s\], `[C]`: those that were judged last.
     pub(super) fn store(&self, problem: &Problem, impulses: &mut [Vec3]) {
-        let exact = exact(
-            problem,
-            (&self.rows, &self.resistances, &self.levers),
-            self.unit,
-        );
+        let exact = self.contents.exact(problem, self.unit);
         match self.single {
             true => self.quick.store(exact, impulses),
             false => self.exact.store(exact, impulses),
         }
         self.others.store(impulses);
-    }
-}
-
-/// The contacts of the blocks in double precision.
-fn exact<'a>(
-    problem: &'a Problem,
-    (rows, resistances, levers): (
-        &'a [Sixteen<u32>],
-        &'a [resistance::Source],
-        &'a [Levers<f64>],
-    ),
-    unit: f64,
-) -> Exact<'a> {
-    let source = Source {
-        numbers: problem.rows.compact(),
-        step: problem.step,
-        unit,
-    };
-    Exact {
-        source,
-        rows,
-        resistances,
-        levers,
     }
 }
 

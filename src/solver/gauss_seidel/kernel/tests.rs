@@ -152,7 +152,7 @@ fn blocks_do_what_rows_do_one_after_the_other() {
         .map(|block| block.count)
         .sum();
     assert_eq!(levered, 9);
-    let blocks = kernel.exact.blocks.iter().zip(&kernel.rows);
+    let blocks = kernel.exact.blocks.iter().zip(&kernel.contents.rows);
     let rows = blocks.flat_map(|(block, rows)| &rows[..block.count as usize]);
     let with_resistance = |&k: &u32| [k, kernel.resistance[k as usize]];
     let mut order: Vec<u32> = rows.flat_map(with_resistance).collect();
