@@ -295,6 +295,29 @@ impl Clump {
 mod tests {
     use super::*;
 
+    /// As a shape of scaled spheres.
+    #[test]
+    fn a_scaled_shape_is_that_of_scaled_spheres() {
+        let centres = [Vec3::zeros(), Vec3::new(0.5, 0.2, 0.0), Vec3::y() * -0.4];
+        let radii = [0.5, 0.4, 0.3];
+        let of = |factor: f64| {
+            let centres = centres.map(|c| c * factor);
+            let radii = radii.map(|r| r * factor);
+            ClumpShape::new(&centres, &radii, 1e3, None, None)
+                .unwrap()
+                .0
+        };
+        let (found, expected) = (of(1.0).scaled(1.7), of(1.7));
+        let same = |a: f64, b: f64| assert!((a - b).abs() <= 1e-12 * b.abs(), "{a} {b}");
+        same(found.volume, expected.volume);
+        same(found.mass, expected.mass);
+        same(found.reach(), expected.reach());
+        same(found.equal_radius(), expected.equal_radius());
+        for axis in 0..3 {
+            same(found.moments[axis], expected.moments[axis]);
+        }
+    }
+
     #[test]
     fn shares_have_the_centre_of_mass_of_the_whole() {
         let centres = [

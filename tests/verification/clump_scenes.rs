@@ -196,3 +196,78 @@ fn forces_from_outside_act_on_members() {
     let spin = axes * inverse.component_mul(&(axes.inverse() * arm.cross(&force))) * t;
     assert!((run.spin(0) - spin).norm() < 1e-4 * spin.norm());
 }
+
+/// A source of rods in free space.
+fn hose(source: &str) -> String {
+    with_clumps(&format!(
+        r#"
+[simulation]
+duration = 1.0
+step = 1e-3
+fixed_step = true
+[[source]]
+name = "hose"
+material = "grain"
+clump = "rod"
+velocity = [0.2, 0.0, -0.5]
+spin = [3.0, 20.0, 1.0]
+{source}
+"#
+    ))
+}
+
+/// From the moment of its emission on a rod flies on its parabola.
+#[test]
+fn an_emitted_clump_flies_on_a_parabola() {
+    let region = "region = { box = { min = [0, 0, 0], max = [0.1, 0.1, 0.1] } }";
+    let scene = scene(&hose(&format!("capacity = 1\nrate = 1000\n{region}")));
+    let mut run = start(&scene);
+    let clump = &scene.clumps[0];
+    let shares = clump.members.clone().zip(&clump.shape.shares);
+    let velocity = |run: &Run| -> Vec3 { shares.clone().map(|(i, s)| run.velocity(i) * *s).sum() };
+    let mut emitted: Option<(f64, Vec3)> = None;
+    for _ in 0..60 {
+        run.simulation.advance(1e-3).expect("a step");
+        if !run.simulation.kinematics().present[0] {
+            continue;
+        }
+        let (now, (place, _)) = (
+            run.simulation.time(),
+            clump.place(run.simulation.kinematics()),
+        );
+        let (then, from) = *emitted.get_or_insert((now, place));
+        let (t, v0) = (now - then, Vec3::new(0.2, 0.0, -0.5));
+        let fallen = Vec3::z() * (0.5 * 9.81 * t * t);
+        assert!((place - (from + v0 * t - fallen)).norm() < 1e-12, "{t}");
+        assert!(
+            (velocity(&run) - (v0 - Vec3::z() * (9.81 * t))).norm() < 1e-12,
+            "{t}"
+        );
+    }
+    assert!(emitted.is_some_and(|(then, _)| then < 0.01));
+}
+
+/// Many rods at once into a narrow region: none overlaps another.
+#[test]
+fn clumps_that_are_emitted_together_do_not_overlap() {
+    let region = "region = { box = { min = [0, 0, 0], max = [0.05, 0.04, 0.03] } }";
+    let scene = scene(&hose(&format!("capacity = 12\nrate = 100000\n{region}")));
+    let mut run = start(&scene);
+    run.simulation.advance(1e-3).expect("a step");
+    let kinematics = run.simulation.kinematics();
+    let particles = &scene.particles;
+    let present = (0..particles.len()).filter(|&i| kinematics.present[i]);
+    let present: Vec<usize> = present.collect();
+    assert!(present.len() >= 6, "{}", present.len());
+    for (&i, &j) in present
+        .iter()
+        .flat_map(|i| present.iter().map(move |j| (i, j)))
+    {
+        let apart = (kinematics.position[i] - kinematics.position[j]).norm();
+        let touching = particles.radius[i] + particles.radius[j];
+        assert!(
+            particles.clump[i] == particles.clump[j] || apart >= touching,
+            "{i} {j}"
+        );
+    }
+}

@@ -93,7 +93,7 @@ fn with_clumps(mut problem: Problem) -> Problem {
             angular: turned * 1e5,
         });
         problem.free.push(SpatialVector {
-            linear: Vector3::new(0.1, -0.2, 0.05 * f64::from(d)),
+            linear: Vector3::new(0.1, -0.2, -0.5 - 0.05 * f64::from(d)),
             angular: Vector3::new(1.0, 2.0, -3.0),
         });
         for (k, b) in [GROUND, 6 * d, 23 + (d + 1) % 3].into_iter().enumerate() {
@@ -195,6 +195,43 @@ fn blocks_do_what_rows_do_one_after_the_other() {
         same(judged.active_set_closeness, common.active_set_closeness);
         assert_eq!(judged.worst, common.worst);
     }
+}
+
+/// Contacts of clumps in single precision: the impulses of double precision but for its rounding.
+#[test]
+fn clumps_in_single_precision_differ_by_rounding() {
+    let problem = with_clumps(problem());
+    let loose = Tolerance {
+        gap: 1e-4,
+        slip: 1e-4,
+        force: 0.1,
+    };
+    let pace = SweepParams {
+        momentum: 0.0,
+        damping: 1.0,
+        strictness: 1.0,
+        tolerance: loose,
+    };
+    let found = [loose, Tolerance::default()].map(|tolerance| {
+        let mut impulses = vec![Vec3::zeros(); problem.rows.len()];
+        let mut kernel = Kernel::default();
+        kernel.compile(&problem, &tolerance, &impulses);
+        assert_eq!(kernel.single, tolerance == loose);
+        for _ in 0..4 {
+            kernel.sweep(&problem, pace);
+        }
+        kernel.store(&problem, &mut impulses);
+        impulses
+    });
+    let [single, double] = found;
+    let largest = double.iter().map(Vec3::norm).fold(0.0, f64::max);
+    let mut loaded = 0;
+    for (k, (p, q)) in single.iter().zip(&double).enumerate() {
+        assert!((p - q).norm() < 1e-5 * largest, "row {k}: {p} {q}");
+        let levered = problem.rows.bodies(k)[0] >= 23;
+        loaded += usize::from(levered && *q != Vec3::zeros());
+    }
+    assert!(loaded >= 6, "{loaded} of 9 contacts of clumps carry");
 }
 
 /// Alone, resistances are the worst rows: their slip and force come out as in the common residual.
