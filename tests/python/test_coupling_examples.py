@@ -55,7 +55,8 @@ def test_a_drum_turns_where_motor_and_grains_agree(command, tmp_path):
     table = turn(exported(command, tmp_path, "drum"))
     speed, motor, grains = steady(table)
     assert 0.5 * IDLE < speed < 0.95 * IDLE
-    assert abs(motor + grains) < 0.02 * motor
+    # What is left is J (w - w_0) / 10 s: the speed sways by less than 0.7 rad/s between two instants.
+    assert abs(motor + grains) < 0.01 * motor
     assert abs(motor - STALL * (1 - speed / IDLE)) < 1e-3 * motor
     missing, half = balance(table)
     assert missing < 1.001 * half
