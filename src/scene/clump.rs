@@ -171,6 +171,14 @@ impl ClumpShape {
         axes * Matrix3::from_diagonal(&self.moments.map(f)) * axes.inverse()
     }
 
+    /// What its inertia (`f(J) = J`) or another function of it makes of a vector when turned by `rotation`: `f(J) v`.
+    fn times(&self, rotation: UnitQuaternion<f64>, f: impl Fn(f64) -> f64, v: &Vec3) -> Vec3 {
+        let axes = rotation * self.axes;
+        axes * axes
+            .inverse_transform_vector(v)
+            .component_mul(&self.moments.map(f))
+    }
+
     /// Velocity that `momentum` gives it when turned by `rotation`, or acceleration that a force does: `p/m`, `J^-1 L`.
     pub(crate) fn response(
         &self,
@@ -179,7 +187,19 @@ impl ClumpShape {
     ) -> SpatialVector {
         SpatialVector {
             linear: momentum.linear / self.mass,
-            angular: self.inertia(rotation, f64::recip) * momentum.angular,
+            angular: self.times(rotation, f64::recip, &momentum.angular),
+        }
+    }
+
+    /// Momentum \[kg m/s\] and angular momentum about its centre of mass \[kg m^2/s\] when turned by `rotation`.
+    pub(crate) fn momentum(
+        &self,
+        rotation: UnitQuaternion<f64>,
+        v: &SpatialVector,
+    ) -> SpatialVector {
+        SpatialVector {
+            linear: v.linear * self.mass,
+            angular: self.times(rotation, |moment| moment, &v.angular),
         }
     }
 
@@ -189,10 +209,10 @@ impl ClumpShape {
         rotation: UnitQuaternion<f64>,
         v: &SpatialVector,
     ) -> [f64; 2] {
-        let inertia = self.inertia(rotation, |moment| moment);
+        let momentum = self.momentum(rotation, v);
         [
-            0.5 * self.mass * v.linear.norm_squared(),
-            0.5 * v.angular.dot(&(inertia * v.angular)),
+            0.5 * v.linear.dot(&momentum.linear),
+            0.5 * v.angular.dot(&momentum.angular),
         ]
     }
 }
