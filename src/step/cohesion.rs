@@ -10,7 +10,6 @@ use super::solution::{Solution, Solved};
 use crate::Vec3;
 use crate::contact::ContactId;
 use crate::contact::cohesion::{BondLoad, BondStrength, Cohesion, Hold};
-use crate::contact::elasticity::Elasticity;
 use crate::contact::forces::ContactForces;
 use crate::contact::neck::Neck;
 use crate::contact::spring::ContactSpring;
@@ -24,19 +23,18 @@ const NEARLY: f64 = 1e-9;
 
 impl Prediction<'_> {
     /// What holds a candidate together in this step, where `before` did until now: at the start all that touches is attached, and
-    /// bonded in a run that has no contacts yet. Elastic surfaces adhere as soon as they touch.
+    /// bonded in a run that has no contacts yet.
     #[inline]
     pub(super) fn hold(&self, candidate: &Candidate, before: Hold) -> Hold {
-        let closed = self.gives_way && candidate.gap < 0.0;
-        if before != Hold::Loose || !self.starts && !closed {
+        if before != Hold::Loose || !self.starts {
             return before;
         }
         let pair = self.pair(candidate.key);
-        let touches = match self.starts {
-            true => self.touches(candidate),
-            false => self.adheres(candidate.key),
-        };
-        if let Some(bond) = pair.bond.filter(|_| self.starts && self.makes_bonds)
+        if pair.cohesion.is_none() && pair.bond.is_none() {
+            return Hold::Loose;
+        }
+        let touches = self.touches(candidate);
+        if let Some(bond) = pair.bond.filter(|_| self.makes_bonds)
             && (touches || candidate.gap <= bond.reach * (1.0 + NEARLY))
         {
             let rigid = self.scene.elasticity(candidate.key).is_none();
@@ -51,13 +49,6 @@ impl Prediction<'_> {
             Some(_) => Hold::Attached,
             None => Hold::Loose,
         }
-    }
-
-    /// Whether a contact follows JKR's curve once it has touched.
-    fn adheres(&self, key: ContactId) -> bool {
-        let cohesion = self.pair(key).cohesion;
-        let hertz = || matches!(self.scene.elasticity(key), Some(Elasticity::Hertz { .. }));
-        cohesion.is_some_and(|cohesion| cohesion.jkr) && hertz()
     }
 
     /// `spring` of a contact of this reduced radius \[m\] with its neck or bond, and the curve that it follows once it adheres.
@@ -244,7 +235,7 @@ impl Assembly<'_> {
             };
             let pressed = impulses[k] != Vec3::zeros();
             if let Some(fold) = self.elastic(k).and_then(ElasticContact::fold) {
-                // A neck, and what a step begins with that it does not resolve: it has pressed as far as the surfaces touch.
+                // Elastic surfaces adhere as soon as they touch, until their neck parts.
                 let least = match *hold {
                     Hold::Attached => fold,
                     Hold::Loose | Hold::Bonded { .. } => 0.0,

@@ -173,10 +173,6 @@ fn insert(
         assembly.holds.insert(at, Hold::Loose);
         assembly.attraction.insert(at, 0.0);
     }
-    if elastic.is_some_and(|elastic| elastic.neck().is_some()) {
-        assembly.holds[at] = Hold::Attached;
-        assembly.weaken(at, found.gap);
-    }
     solution.impulses.insert(at, Vec3::zeros());
     assembly
         .problem

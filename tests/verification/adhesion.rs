@@ -78,7 +78,16 @@ impl Jkr {
     }
 
     fn cost(&self) -> f64 {
-        let [from, to] = [self.fold(), self.radius_at(0.0)];
+        self.work([self.fold(), self.radius_at(0.0)])
+    }
+
+    /// Energy stored at an overlap since the surfaces touched.
+    fn stored(&self, overlap: f64) -> f64 {
+        self.work([self.radius_at(overlap), self.radius_at(0.0)])
+    }
+
+    /// Work of the force from a contact radius to another.
+    fn work(&self, [from, to]: [f64; 2]) -> f64 {
         const N: usize = 20_000;
         let at = |k: usize| self.at(from + (to - from) * k as f64 / N as f64);
         let piece = |k: usize| {
@@ -184,6 +193,10 @@ fn a_driven_plate_meets_the_curve_of_jkr() {
         }
         assert_eq!((touches, parts), (2, 1));
         close(least, -jkr.pull_off, 1e-4, 0.0);
+        // It has parted once, and is in touch again.
+        let (work, now) = (run.simulation.work(), overlap(run.simulation.time()));
+        close(work.impact, jkr.cost(), 1e-6, 0.0);
+        close(-work.contacts, jkr.stored(now), 1e-6, jkr.cost());
     }
 }
 
@@ -232,18 +245,23 @@ fn an_elastic_grain_hangs_up_to_the_pull_off_force() {
             let gravity = -Vec3::z() * (share * jkr.pull_off / mass());
             run.simulation.set_gravity(gravity).unwrap();
             run.steps(steps);
-            (attached(&run), RADIUS + run.position(0).z)
+            let contacts = run.simulation.work().contacts;
+            (attached(&run), RADIUS + run.position(0).z, contacts)
         };
         for k in 0..=100 {
             let share = 0.999 * (1.0 - (1.0 - f64::from(k) / 100.0).powi(2));
-            let (held, _) = hang(share, steps / 40);
+            let (held, ..) = hang(share, steps / 40);
             assert!(held, "{share}");
             if [15, 40, 70].contains(&k) {
-                let (_, overlap) = hang(share, 3 * steps);
+                let (_, overlap, contacts) = hang(share, 3 * steps);
                 close(jkr.force(overlap), -share * jkr.pull_off, 1e-4, 0.0);
+                // Attached since the start.
+                let stored = jkr.stored(overlap);
+                assert!(stored.abs() > 1e-3 * jkr.cost(), "{stored:e}");
+                close(contacts, -stored, 1e-6, jkr.cost());
             }
         }
-        let (held, overlap) = hang(0.999, 4 * steps);
+        let (held, overlap, _) = hang(0.999, 4 * steps);
         assert!(held);
         close(
             jkr.force(overlap),
