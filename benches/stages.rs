@@ -275,7 +275,11 @@ fn gauss_seidel<const EXPONENT: i32>(bencher: Bencher, bed: &Bed) {
     let radii = simulation.scene().particles.radius.iter().copied();
     let diameter = 2.1 * radii.fold(0.0, f64::max);
     let mut solve = |impulses: &mut [sphere_dda::Vec3]| -> Report {
-        kernel.prepare(&simulation.kinematics().position, diameter);
+        kernel.prepare(
+            &simulation.kinematics().position,
+            diameter,
+            std::iter::empty(),
+        );
         gauss_seidel::solve(&problem, &params, &mut kernel, impulses)
     };
     let report = solve(&mut warm.clone());

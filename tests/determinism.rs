@@ -258,6 +258,39 @@ fn any_number_of_threads_gives_the_same_bytes() {
     same_with_any_number_of_threads(&scene);
 }
 
+/// Clumps go with the part of their first members.
+#[test]
+fn clumps_give_the_same_bytes_with_any_number_of_threads() {
+    let text = r#"
+[simulation]
+duration = 1.0
+gravity = [20, 10, -150]
+[[material]]
+name = "stone"
+density = 2500.0
+[pair_default]
+friction = 0.4
+[[clump]]
+name = "rod"
+members = [{ position = [0, 0, 0], radius = 1 }, { position = [1.4, 0, 0], radius = 0.9 }]
+[[spheres]]
+name = "rods"
+material = "stone"
+clump = "rod"
+radius = 0.005
+seed = 3
+lattice = { origin = [0, 0, 0.01], count = [40, 11, 10], spacing = 0.018, jitter = 0.1 }
+[[boundary]]
+name = "box"
+material = "stone"
+faces = [{ box = { min = [-0.02, -0.02, -0.01], max = [0.75, 0.22, 1.0] } }]
+"#;
+    let loaded =
+        Scene::from_toml("rods", text, Path::new("")).unwrap_or_else(|e| panic!("{}", e.plain()));
+    assert!(loaded.scene.particles.len() > 8192, "one part is no test");
+    same_with_any_number_of_threads(&loaded.scene);
+}
+
 fn same_with_any_number_of_threads(scene: &Scene) {
     let runs = [1, 2, 3].map(|threads| {
         let mut scene = scene.clone();

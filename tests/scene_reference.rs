@@ -42,9 +42,22 @@ fn blocks(text: &str) -> Vec<String> {
 fn every_example_of_the_reference_is_good() {
     let folder = tempfile::tempdir().expect("a folder");
     let facet = "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n";
+    let corners = ["0 0 0", "20 0 0", "0 20 0", "0 0 20"];
+    let gravel: String = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]
+        .map(|facet| {
+            let vertices: String = facet
+                .map(|k: usize| format!("vertex {}\n", corners[k]))
+                .concat();
+            format!("facet normal 0 0 0\nouter loop\n{vertices}endloop\nendfacet\n")
+        })
+        .concat();
     let grid = "ncols 2\nnrows 2\nxllcorner 3456000\nyllcorner 5678000\ncellsize 1\n0 0\n0 0\n";
     for (name, content) in [
         ("part.stl", format!("solid part\n{facet}endsolid part\n")),
+        (
+            "gravel.stl",
+            format!("solid gravel\n{gravel}endsolid gravel\n"),
+        ),
         ("ground.asc", grid.into()),
     ] {
         fs::write(folder.path().join(name), content).expect("a file");

@@ -67,7 +67,7 @@ pub(crate) fn run(arguments: &Check) -> Result<(), Failure> {
             .count()
     };
     print(|out| {
-        writeln!(out, "{}", Summary::of(scene))?;
+        writeln!(out, "{}", summary(&loaded))?;
         writeln!(
             out,
             "  as FMI 2.0        {} inputs, {} outputs, {} parameters, {} local variables",
@@ -82,6 +82,13 @@ pub(crate) fn run(arguments: &Check) -> Result<(), Failure> {
         Some(path) => draw(scene, path),
         None => Ok(()),
     }
+}
+
+/// The summary of a scene and of what was fitted in it.
+fn summary(loaded: &Loaded) -> String {
+    let fitted = loaded.fitted.iter().map(ToString::to_string);
+    let texts = std::iter::once(Summary::of(&loaded.scene).to_string()).chain(fitted);
+    texts.collect::<Vec<_>>().join("\n")
 }
 
 /// Prints all that there is to say about a scene as JSON.
@@ -99,9 +106,7 @@ fn tell(scene: &Path, values: &[(String, f64)]) -> Result<(), Failure> {
                 })
             });
             let refused = outputs.err();
-            let summary = refused
-                .is_none()
-                .then(|| Summary::of(&loaded.scene).to_string());
+            let summary = refused.is_none().then(|| summary(&loaded));
             problems.extend(refused);
             (problems, summary)
         }

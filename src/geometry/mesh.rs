@@ -148,6 +148,20 @@ impl Mesh {
             .map(|leaf| leaf.data)
     }
 
+    /// Distance of a point from the nearest triangle \[m\].
+    pub(super) fn distance(&self, x: Vec3) -> f64 {
+        let mut least = f64::INFINITY;
+        // Boxes come by their distances: the first that is farther than a triangle ends the search.
+        for (leaf, bound) in self.tree.nearest_neighbor_iter_with_distance_2(x.into()) {
+            if bound >= least {
+                break;
+            }
+            let (closest, _) = on_triangle(&self.topology.corners(leaf.data), x);
+            least = least.min((closest - x).norm_squared());
+        }
+        least.sqrt()
+    }
+
     /// Appends the triangles in which [`Self::closest_points`] finds all places up to `range` \[m\] from `centre`; the ball that
     /// they meet. None, and a ball without contents, where they are many.
     pub(super) fn facets_near(&self, centre: Vec3, range: f64, out: &mut Vec<u32>) -> Ball {

@@ -8,11 +8,13 @@
 //! to the next without noticing; between shapes of different kinds nothing is merged.
 //! Half-spaces are one-sided; everything else is a thin sheet with two sides.
 
+mod ball_fit;
 mod closest_point;
 mod error;
 mod facets;
 mod features;
 mod mesh;
+mod moments;
 mod plane;
 pub(crate) mod rays;
 pub mod region;
@@ -24,17 +26,19 @@ mod tessellate;
 mod topology;
 mod triangle;
 mod triangles;
-pub mod union;
+mod union;
 mod vicinity;
 
 use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
+pub use ball_fit::BallFit;
 pub use closest_point::ClosestPoint;
 pub use error::GeometryError;
 pub use facets::Facets;
 pub(crate) use features::Repair;
+pub use moments::Moments;
 pub use plane::HalfSpace;
 pub use revolution::Revolution;
 pub use solid::Solid;

@@ -5,11 +5,17 @@
 //! (Shewchuk 1997), and where it meets an edge or a vertex the point is taken as moved by `(e, e^2)` in x and y with
 //! an infinitesimal `e` (Edelsbrunner and Muecke 1990), so that no facet is missed or counted twice.
 //!
-//! The volume is the surface integral `1/3 int x . n dA` (divergence theorem) of every shell, turned outwards;
-//! a shell inside an odd number of others is a cavity and counts negative. The order of a facet's vertices in the
-//! file does not matter.
+//! Volume, centroid and inertia are exact sums over the tetrahedra `(0, a, b, c)` of all facets (divergence theorem), with
+//! `D = a . (b x c)` and `s = a + b + c`:
+//!
+//! ```text
+//! int dV = D/6,   int x dV = D/24 s,   int x x^T dV = D/120 (a a^T + b b^T + c c^T + s s^T)
+//! ```
+//!
+//! of every shell, turned outwards; a shell inside an odd number of others is a cavity and counts negative. The order of a
+//! facet's vertices in the file does not matter.
 
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 use rand_chacha::ChaCha8Rng;
 use robust::{Coord, Coord3D, orient2d, orient3d};
 use serde::{Deserialize, Serialize};
@@ -17,6 +23,7 @@ use serde::{Deserialize, Serialize};
 use super::error::GeometryError;
 use super::facets::Facets;
 use super::mesh::Mesh;
+use super::moments::Moments;
 use super::{ClosestPoint, topology};
 use crate::Vec3;
 use crate::random::unit;
@@ -24,6 +31,8 @@ use crate::spatial::extent::around;
 
 /// Random points tried to place a sphere.
 const POINTS: usize = 10_000;
+/// `1/p` and `1/p^2` of the plastic number `p^3 = p + 1`.
+const PLASTIC: [f64; 2] = [0.754_877_666_246_692_8, 0.569_840_290_998_053_3];
 
 /// A closed mesh ready for queries. Serialized as its facets.
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -32,7 +41,7 @@ pub struct Solid {
     facets: Facets,
     mesh: Mesh,
     bounds: (Vec3, Vec3),
-    volume: f64,
+    moments: Moments,
 }
 
 impl PartialEq for Solid {
@@ -72,15 +81,13 @@ impl Solid {
             });
         }
         let bounds = around(mesh.vertices().iter().copied());
-        let mut solid = Self {
+        let moments = measure(&mesh, bounds, &shells(mesh.indices(), &edges, &edge_of));
+        Ok(Self {
             facets,
             mesh,
             bounds,
-            volume: 0.0,
-        };
-        let shells = shells(solid.mesh.indices(), &edges, &edge_of);
-        solid.volume = solid.measure(&shells);
-        Ok(solid)
+            moments,
+        })
     }
 
     /// Whether a point \[m\] lies inside. Decided exactly for the welded mesh; the surface belongs to one side.
@@ -131,38 +138,79 @@ impl Solid {
     /// Volume \[m^3\].
     #[must_use]
     pub fn volume(&self) -> f64 {
-        self.volume
+        self.moments.volume
     }
 
-    /// Sum over the shells; `shells` has the number of its shell and its orientation (1, -1) for each triangle.
-    fn measure(&self, shells: &[(usize, f64)]) -> f64 {
-        let corners: Vec<_> = (0..shells.len() as u32)
-            .map(|t| self.mesh.corners(t))
-            .collect();
-        let number = shells.iter().map(|(shell, _)| shell + 1).max().unwrap_or(0);
-        let mut volume = 0.0;
-        for shell in 0..number {
-            let own = || (0..corners.len()).filter(|&t| shells[t].0 == shell);
-            // About the middle of the box: far from the origin the sum would cancel.
-            let middle = (self.bounds.0 + self.bounds.1) * 0.5;
-            let signed: f64 = own()
-                .map(|t| {
-                    let [a, b, c] = corners[t].map(|v| v - middle);
-                    shells[t].1 * a.dot(&b.cross(&c)) / 6.0
-                })
-                .sum();
-            let probe = own().next().map_or(middle, |t| corners[t][0]);
-            let around = (0..corners.len())
-                .filter(|&t| shells[t].0 != shell && crosses(&corners[t], probe))
-                .count();
-            volume += if around % 2 == 0 {
-                signed.abs()
-            } else {
-                -signed.abs()
-            };
-        }
-        volume
+    /// Volume, centroid and inertia.
+    #[must_use]
+    pub fn moments(&self) -> &Moments {
+        &self.moments
     }
+
+    /// Distance of a point \[m\] from the surface \[m\].
+    #[must_use]
+    pub fn distance(&self, x: Vec3) -> f64 {
+        self.mesh.distance(x)
+    }
+
+    /// `count` points spread evenly over the surface \[m\]: equal areas apart along the list of facets, and within a facet by the
+    /// additive recurrence of the plastic number (Roberts 2018).
+    #[must_use]
+    pub fn surface_points(&self, count: usize) -> Vec<Vec3> {
+        let facets = self.mesh.indices().len() as u32;
+        let corners: Vec<_> = (0..facets).map(|t| self.mesh.corners(t)).collect();
+        let areas = corners
+            .iter()
+            .map(|[a, b, c]| (b - a).cross(&(c - a)).norm());
+        let ends: Vec<f64> = areas
+            .scan(0.0, |sum, area| {
+                *sum += area;
+                Some(*sum)
+            })
+            .collect();
+        let whole = ends.last().copied().unwrap_or(0.0);
+        let point = |k: usize| {
+            let along = (k as f64 + 0.5) / count as f64 * whole;
+            let [a, b, c] = corners[ends.partition_point(|&end| end <= along)];
+            let [mut u, mut v] = PLASTIC.map(|step| (0.5 + step * (k as f64 + 1.0)).fract());
+            if u + v > 1.0 {
+                (u, v) = (1.0 - u, 1.0 - v);
+            }
+            a + (b - a) * u + (c - a) * v
+        };
+        (0..count).map(point).collect()
+    }
+}
+
+/// Sum over the shells; `shells` has the number of its shell and its orientation (1, -1) for each triangle.
+fn measure(mesh: &Mesh, bounds: (Vec3, Vec3), shells: &[(usize, f64)]) -> Moments {
+    let corners: Vec<_> = (0..shells.len() as u32).map(|t| mesh.corners(t)).collect();
+    let number = shells.iter().map(|(shell, _)| shell + 1).max().unwrap_or(0);
+    // About the middle of the box: far from the origin the sums would cancel.
+    let middle = (bounds.0 + bounds.1) * 0.5;
+    let (mut volume, mut first, mut second) = (0.0, Vec3::zeros(), Matrix3::zeros());
+    for shell in 0..number {
+        let own = || (0..corners.len()).filter(|&t| shells[t].0 == shell);
+        let probe = own().next().map_or(middle, |t| corners[t][0]);
+        let around = (0..corners.len())
+            .filter(|&t| shells[t].0 != shell && crosses(&corners[t], probe))
+            .count();
+        let tetrahedra = own().map(|t| {
+            let [a, b, c] = corners[t].map(|v| v - middle);
+            let (size, sum) = (shells[t].1 * a.dot(&b.cross(&c)), a + b + c);
+            let square: Matrix3<f64> = [a, b, c, sum].map(|v| v * v.transpose()).iter().sum();
+            (size / 6.0, sum * (size / 24.0), square * (size / 120.0))
+        });
+        let (v, x, xx) = tetrahedra.fold(
+            (0.0, Vec3::zeros(), Matrix3::zeros()),
+            |(v, x, xx), (dv, dx, dxx)| (v + dv, x + dx, xx + dxx),
+        );
+        let sign = f64::signum(v) * if around % 2 == 0 { 1.0 } else { -1.0 };
+        volume += sign * v;
+        first += x * sign;
+        second += xx * sign;
+    }
+    Moments::of_integrals(middle, (volume, first, second))
 }
 
 /// The connected shell of each triangle and whether its order of vertices runs with (1) or against (-1) that of the

@@ -6,33 +6,23 @@ use std::num::NonZeroUsize;
 use gauss_quad::GaussLegendre;
 use nalgebra::Matrix3;
 
+use super::moments::Moments;
 use crate::Vec3;
 
 /// Points of the Gauss rule in each interval of a slice, and of slices.
 const POINTS: NonZeroUsize = NonZeroUsize::MIN.saturating_add(23);
 
-/// Volume, centroid and inertia of a union of balls.
-///
-/// Along x the union of chords is exact; across it, in slices along y and z, Gauss rules with 24 points between the places
-/// where spheres begin, end and meet, in `sin(theta)`, which takes out the square roots there. The relative error is below 1e-8
-/// for two spheres and below 1e-6 where three or more overlap in one place.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct BallUnion {
-    /// Volume \[m^3\].
-    pub volume: f64,
-    /// Centroid \[m\].
-    pub centroid: Vec3,
-    /// Inertia about the centroid over the density \[m^5\].
-    pub inertia: Matrix3<f64>,
-}
-
-impl BallUnion {
-    /// The union of balls of these centres \[m\] and radii \[m\].
+impl Moments {
+    /// Those of a union of balls of these centres \[m\] and radii \[m\].
+    ///
+    /// Along x the union of chords is exact; across it, in slices along y and z, Gauss rules with 24 points between the places
+    /// where spheres begin, end and meet, in `sin(theta)`, which takes out the square roots there. The relative error is below 1e-8
+    /// for two spheres and below 1e-6 where three or more overlap in one place.
     ///
     /// # Panics
     /// If there is no ball.
     #[must_use]
-    pub fn of(centres: &[Vec3], radii: &[f64]) -> Self {
+    pub fn of_balls(centres: &[Vec3], radii: &[f64]) -> Self {
         let rule = GaussLegendre::new(POINTS);
         let rule: Vec<(f64, f64)> = rule.iter().map(|(x, w)| (*x, *w)).collect();
         let origin = centres[0];
@@ -98,13 +88,7 @@ impl BallUnion {
                 }
             }
         }
-        let centroid = first / volume;
-        let second = second - centroid * centroid.transpose() * volume;
-        Self {
-            volume,
-            centroid: origin + centroid,
-            inertia: Matrix3::identity() * second.trace() - second,
-        }
+        Self::of_integrals(origin, (volume, first, second))
     }
 }
 
@@ -158,7 +142,7 @@ mod tests {
     #[test]
     fn balls_and_lenses_are_exact() {
         let (r, d): (f64, f64) = (0.7, 0.9);
-        let ball = BallUnion::of(&[Vec3::new(1.0, 2.0, 3.0)], &[r]);
+        let ball = Moments::of_balls(&[Vec3::new(1.0, 2.0, 3.0)], &[r]);
         let volume = 4.0 / 3.0 * PI * r.powi(3);
         assert!(
             (ball.volume / volume - 1.0).abs() < 1e-12,
@@ -173,7 +157,7 @@ mod tests {
             Vec3::new(0.6, 0.0, 0.8),
             Vec3::new(2.0, -3.0, 6.0) / 7.0,
         ] {
-            let two = BallUnion::of(&[along * -0.5 * d, along * 0.5 * d], &[r; 2]);
+            let two = Moments::of_balls(&[along * -0.5 * d, along * 0.5 * d], &[r; 2]);
             let lens = PI * (4.0 * r + d) * (2.0 * r - d).powi(2) / 12.0;
             let union = 2.0 * volume - lens;
             assert!(
@@ -224,7 +208,7 @@ mod tests {
         let of = |turn: f64| {
             let turn = UnitQuaternion::from_scaled_axis(Vec3::new(turn, 0.7 * turn, -0.3 * turn));
             let centres: Vec<Vec3> = corners.map(|c| turn * Vec3::from(c) * 0.4).into();
-            BallUnion::of(&centres, &[0.6; 4])
+            Moments::of_balls(&centres, &[0.6; 4])
         };
         let known = of(0.0);
         for turn in [0.2, 0.9, 1.7, 2.6] {

@@ -176,9 +176,8 @@ impl Totals {
             let [translational, rotational] = clump.shape.kinetic_energy(rotation, &reported);
             energy.translational += translational;
             energy.rotational += rotational;
-            let inertia = clump.shape.inertia(rotation, |moment| moment);
-            momentum.angular +=
-                centre.cross(&(half.linear * clump.shape.mass)) + inertia * half.angular;
+            let half = clump.shape.momentum(rotation, &half);
+            momentum.angular += centre.cross(&half.linear) + half.angular;
         }
         energy.add_others(state);
         Self {

@@ -5,8 +5,8 @@
 //! `Q` of its own axes, member `k` is at `x_k = x + Q a_k` and moves with `v_k = v + w x (Q a_k)`. What a clump is to carry on
 //! with stands in the motion of its members alone: `Q` is their orientation, `w` their spin.
 //!
-//! Mass, centre and inertia are those of the union of the members ([`BallUnion`]) or given. Its mass is shared out to the members
-//! such that `sum m_k = m`, `sum m_k a_k = 0`: sums of mass, momentum and weight over spheres count a clump once.
+//! Mass and inertia are those of the union of the members ([`Moments::of_balls`]), of a solid whose surface they stand for, or given;
+//! the centre of mass is that of the union. Its mass is shared out to the members such that `sum m_k = m`, `sum m_k a_k = 0`: sums of mass, momentum and weight over spheres count a clump once.
 
 use std::f64::consts::PI;
 use std::ops::Range;
@@ -15,7 +15,7 @@ use nalgebra::{Matrix3, Rotation3, UnitQuaternion};
 use serde::{Deserialize, Serialize};
 
 use crate::Vec3;
-use crate::geometry::union::BallUnion;
+use crate::geometry::Moments;
 use crate::scene::particles::{Kinematics, Locks, Particles};
 use crate::spatial::SpatialVector;
 
@@ -110,8 +110,22 @@ impl ClumpShape {
         mass: Option<f64>,
         inertia: Option<Matrix3<f64>>,
     ) -> Option<(Self, Vec3)> {
-        let solid = BallUnion::of(centres, radii);
-        let centroid = among(centres, solid.centroid);
+        let union = Moments::of_balls(centres, radii);
+        Self::of_solid(centres, radii, (&union, &union), density, mass, inertia)
+    }
+
+    /// As [`Self::new`], with volume and inertia of a `solid` that the members stand for in place of those of their `union`. Its
+    /// centroid is put on that of the union.
+    #[must_use]
+    pub fn of_solid(
+        centres: &[Vec3],
+        radii: &[f64],
+        (solid, union): (&Moments, &Moments),
+        density: f64,
+        mass: Option<f64>,
+        inertia: Option<Matrix3<f64>>,
+    ) -> Option<(Self, Vec3)> {
+        let centroid = among(centres, union.centroid);
         let mass = mass.unwrap_or(density * solid.volume);
         let inertia = inertia.unwrap_or(solid.inertia * (mass / solid.volume));
         let eigen = inertia.symmetric_eigen();
@@ -171,6 +185,14 @@ impl ClumpShape {
         axes * Matrix3::from_diagonal(&self.moments.map(f)) * axes.inverse()
     }
 
+    /// What its inertia (`f(J) = J`) or another function of it makes of a vector when turned by `rotation`: `f(J) v`.
+    fn times(&self, rotation: UnitQuaternion<f64>, f: impl Fn(f64) -> f64, v: &Vec3) -> Vec3 {
+        let axes = rotation * self.axes;
+        axes * axes
+            .inverse_transform_vector(v)
+            .component_mul(&self.moments.map(f))
+    }
+
     /// Velocity that `momentum` gives it when turned by `rotation`, or acceleration that a force does: `p/m`, `J^-1 L`.
     pub(crate) fn response(
         &self,
@@ -179,7 +201,19 @@ impl ClumpShape {
     ) -> SpatialVector {
         SpatialVector {
             linear: momentum.linear / self.mass,
-            angular: self.inertia(rotation, f64::recip) * momentum.angular,
+            angular: self.times(rotation, f64::recip, &momentum.angular),
+        }
+    }
+
+    /// Momentum \[kg m/s\] and angular momentum about its centre of mass \[kg m^2/s\] when turned by `rotation`.
+    pub(crate) fn momentum(
+        &self,
+        rotation: UnitQuaternion<f64>,
+        v: &SpatialVector,
+    ) -> SpatialVector {
+        SpatialVector {
+            linear: v.linear * self.mass,
+            angular: self.times(rotation, |moment| moment, &v.angular),
         }
     }
 
@@ -189,10 +223,10 @@ impl ClumpShape {
         rotation: UnitQuaternion<f64>,
         v: &SpatialVector,
     ) -> [f64; 2] {
-        let inertia = self.inertia(rotation, |moment| moment);
+        let momentum = self.momentum(rotation, v);
         [
-            0.5 * self.mass * v.linear.norm_squared(),
-            0.5 * v.angular.dot(&(inertia * v.angular)),
+            0.5 * v.linear.dot(&momentum.linear),
+            0.5 * v.angular.dot(&momentum.angular),
         ]
     }
 }

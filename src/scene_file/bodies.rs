@@ -323,28 +323,38 @@ fn stl(document: &mut Document<'_>, path: &str, mesh: &file::Stl) -> Option<Shap
 
 /// The facets of an STL file where the scene puts them.
 pub(super) fn facets(document: &mut Document<'_>, path: &str, mesh: &file::Stl) -> Option<Facets> {
-    let mut good = document.positive((path, "scale"), mesh.scale, "a factor > 0 [-]");
-    let unit = mesh.unit.as_deref().unwrap_or("m");
+    let good = document.positive((path, "scale"), mesh.scale, "a factor > 0 [-]");
+    let metres = unit_of_length(document, path, mesh.unit.as_deref());
+    let facets = stl_file(document, &format!("{path}.file"), &mesh.file)?;
+    let scale = mesh.scale * metres?;
+    good.then(|| facets.placed(scale, UnitQuaternion::identity(), mesh.translate.into()))
+}
+
+/// The factor of `unit` of the table at `path` to metres.
+pub(super) fn unit_of_length(
+    document: &mut Document<'_>,
+    path: &str,
+    unit: Option<&str>,
+) -> Option<f64> {
+    let unit = unit.unwrap_or("m");
     let metres = metres(unit);
     let expected = "a unit of length like \"mm\"";
-    good &= document.demand(
+    document.demand(
         metres.is_some(),
         (path, "unit"),
         format!("`{unit}`"),
         expected,
     );
-    let key = format!("{path}.file");
-    document.read(&key, &mesh.file)?;
-    let mut facets = accept(document, &key, Facets::stl(&document.place(&mesh.file)))?;
+    metres
+}
+
+/// The facets of the STL file that stands at `key`, as they are.
+pub(super) fn stl_file(document: &mut Document<'_>, key: &str, file: &str) -> Option<Facets> {
+    document.read(key, file)?;
+    let mut facets = accept(document, key, Facets::stl(&document.place(file)))?;
     // The scene must not depend on where its folder lies.
-    facets.name.clone_from(&mesh.file);
-    good.then(|| {
-        facets.placed(
-            mesh.scale * metres.unwrap_or(1.0),
-            UnitQuaternion::identity(),
-            mesh.translate.into(),
-        )
-    })
+    facets.name = file.to_owned();
+    Some(facets)
 }
 
 fn terrain(document: &mut Document<'_>, path: &str, grid: &file::Terrain) -> Option<Shape> {

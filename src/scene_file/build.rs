@@ -41,7 +41,7 @@ pub(super) fn load(
     folder: &Path,
     values: &[(String, f64)],
 ) -> Result<Loaded, SceneError> {
-    let mut edited = None;
+    let (mut edited, mut fitted) = (None, Vec::new());
     let mut document = Document::parse(text, folder);
     // A broken syntax shifts keys into wrong tables: its consequences would only hide it.
     let scene = if document.refused() {
@@ -54,10 +54,16 @@ pub(super) fn load(
         let root = written(root, &edits);
         edited = parameters::with_defaults(text, &document, &entries, &parameters, values);
         let file = SceneFile::decode(&mut document, &root);
-        build(&mut document, &file).map(|scene| Scene {
+        let templates: Vec<_> = (file.clumps.iter())
+            .map(|entry| Template::new(&mut document, entry))
+            .collect();
+        let scene = build(&mut document, &file, &templates).map(|scene| Scene {
             parameters,
             ..scene
-        })
+        });
+        let fits = templates.into_iter().flatten();
+        fitted = fits.filter_map(|template| template.fitted).collect();
+        scene
     };
     let refused = document.refused();
     let (errors, warnings, attachments) = document.into_parts();
@@ -73,6 +79,7 @@ pub(super) fn load(
                 name: name.to_owned(),
                 text,
                 attachments,
+                fitted,
                 warnings,
             })
         }
@@ -92,7 +99,11 @@ fn stem(name: &str) -> String {
     }
 }
 
-fn build(document: &mut Document<'_>, file: &SceneFile) -> Option<Scene> {
+fn build(
+    document: &mut Document<'_>,
+    file: &SceneFile,
+    templates: &[Option<Template>],
+) -> Option<Scene> {
     let groups = file.spheres.iter().map(Entry::declaration);
     let mut context = Context {
         materials: Names::declare(document, "material", &file.materials),
@@ -129,7 +140,7 @@ fn build(document: &mut Document<'_>, file: &SceneFile) -> Option<Scene> {
     let boundaries: Option<Vec<_>> = boundaries.into_iter().collect();
     let (particles, initial, clumps, sources) = populate(
         document,
-        &mut context,
+        (&mut context, templates),
         file,
         &materials,
         boundaries.as_deref(),
@@ -194,23 +205,19 @@ fn build(document: &mut Document<'_>, file: &SceneFile) -> Option<Scene> {
 /// The spheres of the groups, then those that wait in sources, and the sources.
 fn populate(
     document: &mut Document<'_>,
-    context: &mut Context,
+    (context, templates): (&mut Context, &[Option<Template>]),
     file: &SceneFile,
     materials: &[Material],
     boundaries: Option<&[Boundary]>,
 ) -> (Particles, Kinematics, Vec<Clump>, Vec<Source>) {
     let (mut particles, mut initial) = (Particles::default(), Kinematics::default());
     let mut clumps = Vec::new();
-    let templates = file.clumps.iter();
-    let templates: Vec<_> = templates
-        .map(|entry| Template::new(document, entry))
-        .collect();
     for group in &file.spheres {
         let range = group.value.as_ref().and_then(|value| {
             let material =
                 sphere_material(document, context, file, materials, group, &value.material)?;
             let named = (group.path.as_str(), value.clump.as_ref());
-            let clump = shape(document, context, &templates, named, material.1)?;
+            let clump = shape(document, context, templates, named, material.1)?;
             let present = Present {
                 particles: &mut particles,
                 initial: &mut initial,
@@ -227,7 +234,7 @@ fn populate(
             let material =
                 sphere_material(document, context, file, materials, element, &value.material)?;
             let named = (element.path.as_str(), value.clump.as_ref());
-            let clump = shape(document, context, &templates, named, material.1)?;
+            let clump = shape(document, context, templates, named, material.1)?;
             let store = (&mut particles, &mut initial, &mut clumps);
             source(document, &element.path, value, material, clump, store)
         });

@@ -1,17 +1,23 @@
 //! `[[clump]]`, checked, and what scenes with clumps do not have.
 
-use nalgebra::Matrix3;
+use std::ops::RangeInclusive;
 
+use nalgebra::{Matrix3, UnitQuaternion};
+
+use super::bodies::{stl_file, unit_of_length};
+use super::checks::accept;
 use super::decode::Entry;
 use super::document::Document;
 use super::driven::principal;
 use super::file;
+use super::fitted::Fitted;
 use crate::Vec3;
+use crate::geometry::{BallFit, Solid};
 use crate::scene::Scene;
 use crate::scene::clump::ClumpShape;
 
 /// Fewest and most members.
-const MEMBERS: [usize; 2] = [2, 20];
+const MEMBERS: RangeInclusive<usize> = 2..=20;
 /// Smallest edge of a periodic cell over the largest diameter of a clump [-].
 const ROOM: f64 = 1.001;
 
@@ -21,38 +27,15 @@ pub(super) struct Template {
     radii: Vec<f64>,
     mass: Option<f64>,
     inertia: Option<Matrix3<f64>>,
+    /// The mesh that its members stand for.
+    pub(super) fitted: Option<Fitted>,
 }
 
 impl Template {
     /// Checks one; `None` if it was refused.
     pub(super) fn new(document: &mut Document<'_>, element: &Entry<file::Clump>) -> Option<Self> {
         let (path, given) = (&element.path, element.value.as_ref()?);
-        let [fewest, most] = MEMBERS;
-        let key = format!("{path}.members");
-        let expected = "2 to 20 of them: a single sphere needs no clump";
-        let mut good = document.demand(
-            (fewest..=most).contains(&given.members.len()),
-            key.as_str(),
-            format!("{} members", given.members.len()),
-            expected,
-        );
-        for (k, member) in given.members.iter().enumerate() {
-            let key = format!("{key}[{k}].radius");
-            good &= document.positive(key, member.radius, "a radius > 0 [m]");
-        }
-        for (k, member) in given.members.iter().enumerate() {
-            let place = |member: &file::Member| Vec3::from(member.position);
-            let holds = |other: &&file::Member| {
-                (place(other) - place(member)).norm() + member.radius <= other.radius
-            };
-            let others = given.members.iter().enumerate().filter(|(j, _)| *j != k);
-            if good && others.map(|(_, other)| other).any(|other| holds(&other)) {
-                let message = "lies inside another member of its clump, where nothing touches it";
-                document.error(format!("{key}[{k}]"), message, "remove it");
-                good = false;
-            }
-        }
-        good &= document.positive((path, "mass"), given.mass, "a mass > 0 [kg]");
+        let mut good = document.positive((path, "mass"), given.mass, "a mass > 0 [kg]");
         let inertia = match &given.inertia {
             None => None,
             Some(rows) => {
@@ -61,11 +44,45 @@ impl Template {
                 Some(axes * Matrix3::from_diagonal(&moments) * axes.inverse())
             }
         };
-        good.then(|| Self {
-            centres: given.members.iter().map(|m| m.position.into()).collect(),
-            radii: given.members.iter().map(|m| m.radius).collect(),
+        let (centres, radii, fitted) = match (&given.members, &given.stl) {
+            (Some(members), None) => {
+                good &= judge_members(document, &format!("{path}.members"), members);
+                for (key, given) in [
+                    ("spheres", given.spheres.is_some()),
+                    ("unit", given.unit.is_some()),
+                ] {
+                    if given {
+                        let message =
+                            format!("found `{key}` beside `members`, which it is not for");
+                        document.error((path, key), message, "it goes with `stl`: remove it");
+                        good = false;
+                    }
+                }
+                let centres = members.iter().map(|m| m.position.into()).collect();
+                (centres, members.iter().map(|m| m.radius).collect(), None)
+            }
+            (None, Some(file)) => {
+                let fitted = fit(document, path, given, file)?;
+                let balls = fitted.balls.clone();
+                (balls.centres, balls.radii, Some(fitted))
+            }
+            (Some(_), Some(_)) => {
+                let message = "found both `stl` and `members`, expected one of them";
+                return document.reject((path, "stl"), message, "remove the one or the other");
+            }
+            (None, None) => {
+                let message = "found neither `members` nor `stl`, expected one of them";
+                let help =
+                    "give 2 to 20 spheres as `members`, or an STL file and a number of `spheres`";
+                return document.reject(path, message, help);
+            }
+        };
+        good.then_some(Self {
+            centres,
+            radii,
             mass: given.mass,
             inertia,
+            fitted,
         })
     }
 
@@ -77,7 +94,14 @@ impl Template {
         density: f64,
     ) -> Option<ClumpShape> {
         let (centres, radii) = (&self.centres, &self.radii);
-        let shape = ClumpShape::new(centres, radii, density, self.mass, self.inertia);
+        let given = (self.mass, self.inertia);
+        let shape = match &self.fitted {
+            None => ClumpShape::new(centres, radii, density, given.0, given.1),
+            Some(fitted) => {
+                let moments = (&fitted.mesh, &fitted.balls.union);
+                ClumpShape::of_solid(centres, radii, moments, density, given.0, given.1)
+            }
+        };
         let shape = shape.map(|(shape, _)| shape);
         let usable = |shape: &ClumpShape| {
             shape.mass.is_normal() && shape.moments.iter().all(|m| m.is_normal() && *m > 0.0)
@@ -92,6 +116,67 @@ impl Template {
             }
         }
     }
+}
+
+/// Checks the members at `key`.
+fn judge_members(document: &mut Document<'_>, key: &str, members: &[file::Member]) -> bool {
+    let mut good = document.demand(
+        MEMBERS.contains(&members.len()),
+        key,
+        format!("{} members", members.len()),
+        "2 to 20 of them: a single sphere needs no clump",
+    );
+    for (k, member) in members.iter().enumerate() {
+        let key = format!("{key}[{k}].radius");
+        good &= document.positive(key, member.radius, "a radius > 0 [m]");
+    }
+    for (k, member) in members.iter().enumerate() {
+        let place = |member: &file::Member| Vec3::from(member.position);
+        let holds = |other: &&file::Member| {
+            (place(other) - place(member)).norm() + member.radius <= other.radius
+        };
+        let others = members.iter().enumerate().filter(|(j, _)| *j != k);
+        if good && others.map(|(_, other)| other).any(|other| holds(&other)) {
+            let message = "lies inside another member of its clump, where nothing touches it";
+            document.error(format!("{key}[{k}]"), message, "remove it");
+            good = false;
+        }
+    }
+    good
+}
+
+/// Fits the spheres of the clump at `path` to the mesh in `file`.
+fn fit(document: &mut Document<'_>, path: &str, given: &file::Clump, file: &str) -> Option<Fitted> {
+    let key = format!("{path}.stl");
+    let metres = unit_of_length(document, path, given.unit.as_deref());
+    let facets = stl_file(document, &key, file);
+    let expected = "2 to 20 spheres that stand for the mesh";
+    let count = match given.spheres {
+        None => document.reject(
+            path,
+            "missing key `spheres`",
+            format!("add `spheres = 10`: {expected}"),
+        ),
+        Some(count) => {
+            let few = usize::try_from(count).ok().filter(|n| MEMBERS.contains(n));
+            document.demand(few.is_some(), (path, "spheres"), count, expected);
+            few
+        }
+    };
+    let (facets, metres, count) = (facets?, metres?, count?);
+    let placed = facets.placed(metres, UnitQuaternion::identity(), Vec3::zeros());
+    let solid = accept(document, &key, Solid::new(placed))?;
+    let balls = BallFit::new(&solid, count).filter(|fit| fit.radii.len() >= *MEMBERS.start());
+    let Some(balls) = balls else {
+        let message = format!("`{file}` is so thin that no two spheres stand for it");
+        return document.reject(key, message, "give `members`, or a mesh of a compact solid");
+    };
+    Some(Fitted {
+        clump: given.name.clone(),
+        file: file.to_owned(),
+        mesh: *solid.moments(),
+        balls,
+    })
 }
 
 /// Refuses what has no meaning with clumps, or is not there yet. Returns whether they fit into the cell.

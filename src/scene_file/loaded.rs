@@ -1,6 +1,7 @@
 //! What reading a scene file gives.
 
 use super::diagnostic::Diagnostic;
+use super::fitted::Fitted;
 use super::resources::Attachment;
 use super::source_text::SourceText;
 use crate::scene::Scene;
@@ -16,6 +17,8 @@ pub struct Loaded {
     pub text: String,
     /// Files it refers to, sorted by path, each once.
     pub attachments: Vec<Attachment>,
+    /// Clumps whose spheres were fitted to a mesh.
+    pub fitted: Vec<Fitted>,
     /// What runs, but probably not as meant.
     pub warnings: Vec<Diagnostic>,
 }

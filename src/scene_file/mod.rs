@@ -17,6 +17,7 @@ mod document;
 mod driven;
 mod edits;
 pub mod file;
+mod fitted;
 mod frame;
 mod keys;
 mod loaded;
@@ -41,6 +42,7 @@ mod wording;
 use std::path::Path;
 
 pub use diagnostic::{Diagnostic, SceneError};
+pub use fitted::Fitted;
 pub use loaded::Loaded;
 pub use overlap::{Overlap, Overlaps};
 pub use resources::Attachment;

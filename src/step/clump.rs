@@ -85,10 +85,13 @@ impl<'a> ClumpPrediction<'a> {
             linear: Matrix3::identity() * f(shape.mass),
             angular: shape.inertia(rotation, f),
         };
-        let momentum = operator(rotation, |inertia| inertia).times(&velocity);
-        let here = operator(rotation, f64::recip);
+        let momentum = shape.momentum(rotation, &velocity);
         let ahead = integrator.free(&momentum, &external, dt);
-        let middle = turned(&rotation, &here.times(&ahead).angular, 0.5 * dt);
+        let middle = turned(
+            &rotation,
+            &shape.response(rotation, &ahead).angular,
+            0.5 * dt,
+        );
         let inverse = operator(middle, f64::recip);
         let spin = velocity.angular;
         let gyroscopic = SpatialVector {
@@ -105,7 +108,7 @@ impl<'a> ClumpPrediction<'a> {
                 linear: inverse.linear * integrator.mobility(),
                 angular: inverse.angular * integrator.mobility(),
             },
-            acceleration: here.times(&external.plus(&gyroscopic, 1.0)),
+            acceleration: shape.response(rotation, &external.plus(&gyroscopic, 1.0)),
             external,
             momentum,
             mass: operator(middle, |inertia| inertia),
@@ -129,9 +132,12 @@ impl<'a> ClumpPrediction<'a> {
 
     /// Mass \[kg\] with which it meets an impulse along the unit vector `n` at `arm` \[m\].
     pub(super) fn mass_at(&self, arm: Vec3, n: Vec3) -> f64 {
-        let lever = arm.cross(&n);
-        let turning = self.clump.shape.inertia(self.rotation, f64::recip);
-        1.0 / (1.0 / self.clump.shape.mass + lever.dot(&(turning * lever)))
+        let push = SpatialVector {
+            linear: n,
+            angular: arm.cross(&n),
+        };
+        let own = self.clump.shape.response(self.rotation, &push);
+        1.0 / (n.dot(&own.linear) + push.angular.dot(&own.angular))
     }
 
     /// Where `velocity` leads its centre \[m\] and its axes within `dt` \[s\].

@@ -6,6 +6,7 @@ use super::prediction::Prediction;
 use super::workspace::Workspace;
 use crate::detection::configuration::{Candidate, Configuration};
 use crate::detection::detection_distance::DetectionDistance;
+use crate::scene::clump::Clump;
 use crate::spatial::SpatialVector;
 use crate::spatial::extent::larger;
 
@@ -42,10 +43,14 @@ pub(super) fn detect(
     }
     let largest = radii.iter().copied().fold(0.0, larger);
     let diameter = 2.0 * (largest + DetectionDistance::largest(&reach).pairs);
+    // A clump is swept where its first member is.
+    let first = |clump: &Clump| Some(clump.members.start);
+    let members = prediction.bodies.iter().map(|_| None);
+    let members = members.chain(scene.clumps.iter().map(first));
     workspace
         .solver
         .kernel
-        .prepare(configuration.position, diameter);
+        .prepare(configuration.position, diameter, members);
     // Of every sphere and boundary: what the list holds already must not decide what it lacks.
     let carried = (0..scene.boundaries.len()).map(|b| configuration.carried(b, &end[b]));
     let carried = carried.fold(0.0, f64::max);

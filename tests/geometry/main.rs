@@ -1,5 +1,6 @@
 //! Boundaries: closed forms of every primitive, properties of every touch, meshes without ghosts.
 
+mod fits;
 mod meshes;
 mod primitives;
 mod properties;

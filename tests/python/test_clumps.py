@@ -2,6 +2,7 @@
 
 import subprocess
 
+import fmpy
 import numpy as np
 import pytest
 from fmu import Slave
@@ -95,3 +96,67 @@ def test_a_saved_state_goes_on_with_the_same_bits(fmu):
         assert slave.get("maxOverlap")[0] <= 1e-4
         distance = np.linalg.norm(first[:, 0:3] - first[:, 6:9], axis=1)
         np.testing.assert_allclose(distance, 0.1, rtol=1e-13)
+
+
+MESH = """
+title = "Clumps from a mesh"
+
+[simulation]
+duration = 1.0
+communication_step = 0.01
+
+[[material]]
+name = "glass"
+density = 2500.0
+friction = 0.4
+
+[[clump]]
+name = "brick"
+stl = "meshes/brick.stl"
+unit = "mm"
+spheres = 9
+
+[[spheres]]
+name = "bricks"
+material = "glass"
+clump = "brick"
+seed = 2
+lattice = { origin = [0.0, 0.0, 0.1], count = [2, 2, 1], spacing = 0.12 }
+
+[[boundary]]
+name = "floor"
+material = "glass"
+faces = [{ plane = { point = [0.0, 0.0, 0.0], normal = [0.0, 0.0, 1.0] } }]
+"""
+SIDES = np.array([80.0, 60.0, 40.0])
+
+
+def write_box(path, sides):
+    """A closed binary STL of a box about the origin."""
+    corners = 0.5 * sides * np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)])
+    quads = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
+    facets = [t for a, b, c, d in quads for t in ((a, b, c), (a, c, d))]
+    record = np.zeros(len(facets), dtype=[("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("extra", "<u2")])
+    record["corners"] = corners[np.array(facets)]
+    path.parent.mkdir()
+    path.write_bytes(b"box".ljust(80) + np.uint32(len(facets)).tobytes() + record.tobytes())
+
+
+@pytest.mark.parametrize("version", ["2", "3"])
+def test_an_fmu_carries_the_mesh_of_its_clumps(command, tmp_path, version):
+    """The FMU runs without the file, with the mass of the mesh, as the command runs the scene."""
+    write_box(tmp_path / "meshes" / "brick.stl", SIDES)
+    (tmp_path / "bricks.toml").write_text(MESH)
+    told = subprocess.run([command, "check", tmp_path / "bricks.toml"], check=True, capture_output=True, text=True).stdout
+    assert "9 spheres for `meshes/brick.stl`" in told and "1.9200e-4 m^3" in told
+    subprocess.run([command, "run", tmp_path / "bricks.toml", "-o", tmp_path / "run", "--stop", "0.4"], check=True)
+    table = np.genfromtxt(tmp_path / "run" / "history.csv", delimiter=",", names=True)
+    unit = tmp_path / "bricks.fmu"
+    subprocess.run([command, "export", tmp_path / "bricks.toml", "--fmi", version, "-o", unit], check=True)
+    (tmp_path / "meshes" / "brick.stl").unlink()
+    result = fmpy.simulate_fmu(str(unit), stop_time=0.4, output_interval=0.01, output=["mass", "maxOverlap", "kineticEnergy"])
+    assert result["mass"] == pytest.approx(4 * 2500 * SIDES.prod() * 1e-9, rel=1e-6)
+    assert result["maxOverlap"].max() <= 1e-4
+    assert np.array_equal(result["kineticEnergy"], table["kineticEnergy_J"])
+    # They have met the floor.
+    assert table["kineticEnergy_J"].max() > 1.5 * table["kineticEnergy_J"][-1] > 0

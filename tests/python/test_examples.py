@@ -23,6 +23,8 @@ STOP = {
     "chute": 0.8,
     "press": 0.45,
     "wet_heap": 0.4,
+    "clump_drum": 0.2,
+    "clump_repose": 0.1,
 }
 
 
@@ -152,6 +154,40 @@ def test_wet_heap_driver(units, tmp_path):
     assert abs(none - dry) < 6 and abs(beside - dry) < 6
     assert wet > dry + 20
     assert all(float(run[2]) <= 1e-4 for run in runs)
+
+
+def test_clump_drum_ribs_are_what_their_script_writes(tmp_path):
+    script = tmp_path / "mesh.py"
+    script.write_text((ROOT / "examples/clump_drum/mesh.py").read_text())
+    subprocess.run([sys.executable, script], check=True)
+    assert (tmp_path / "ribs.stl").read_bytes() == (ROOT / "examples/clump_drum/ribs.stl").read_bytes()
+
+
+def test_clump_drum_driver(units, tmp_path):
+    """Clumps stand at least 5 degrees steeper than spheres, and the drums carry the weight of the beds at its lever."""
+    picture = tmp_path / "drums.png"
+    told = python("examples/clump_drum/turn.py", "--fmu", units["clump_drum"], "--stop", 4, "--since", 1.2, "--output", picture)
+    assert picture.stat().st_size > 10_000
+    beds = re.findall(r"surface (\S+) deg, .* torque (\S+) N m, of the weight (\S+) N m", told)
+    assert len(beds) == 2
+    for angle, torque, weight in np.array(beds, dtype=float):
+        assert 20 < angle < 60
+        assert torque == pytest.approx(weight, rel=0.03)
+    more = re.search(r"clumps stand (\S+) deg steeper, their centre of mass (\S+) deg; overlap (\S+) R", told)
+    surface, centre, overlap = map(float, more.groups())
+    assert surface > 5 and centre > 5
+    assert overlap <= 1e-4
+
+
+def test_clump_repose_driver(units, tmp_path):
+    """The slope that stays is at least 5 degrees steeper of clumps than of spheres."""
+    arguments = ("--fmu", units["clump_repose"], "--packings", 1, "--output", tmp_path / "repose.png")
+    told = python("examples/clump_drum/repose.py", *arguments)
+    assert (tmp_path / "repose.png").stat().st_size > 10_000
+    spheres, clumps, speed, overlap = re.search(r"spheres (\S+) deg, clumps (\S+) deg; fastest (\S+) m/s, overlap (\S+) R", told).groups()
+    assert float(speed) < 1e-3
+    assert float(clumps) > float(spheres) + 5
+    assert float(overlap) <= 1e-4
 
 
 def test_feeder_driver(fmus, tmp_path):

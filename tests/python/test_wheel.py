@@ -74,6 +74,19 @@ def test_the_wheel_is_for_this_platform_and_has_what_it_needs(wheel):
     assert f"\nVersion: {version}\n" in metadata
 
 
+def test_live_pages_are_made_by_the_wheel_alone(command, machine, tmp_path):
+    """As the wheel has the module for WebAssembly where that is built."""
+    (tmp_path / "scene.toml").write_text(texts("README.md", "toml")[0])
+    module = command.parent / "platforms" / "wasm" / "sphere_dda_fmu.wasm"
+    if not module.exists():
+        pytest.skip("the module is not there: fmu/platforms/build wasm")
+    machine.run("sphere-dda", "view", "scene.toml", "--live", "-o", "live.html", cwd=tmp_path)
+    assert (tmp_path / "live.html").stat().st_size > 1e6
+    machine.run("sphere-dda", "export", "scene.toml", "--fmi", "3", "--platform", "linux64,wasm", cwd=tmp_path)
+    with zipfile.ZipFile(tmp_path / "scene.fmu") as archive:
+        assert any(name.endswith(".wasm") for name in archive.namelist())
+
+
 def test_the_released_folder_alone_is_enough(released, tmp_path):
     """Checksums are right; wheel, command and FMUs work without an index and without anything else of the project."""
     lines = (released / "SHA256SUMS").read_text().splitlines()

@@ -14,7 +14,7 @@ fn scene(group: &str, clump: &str, more: &str) -> String {
         1,
     );
     let members = "members = [{ position = [0, 0, 0], radius = 0.1 }, { position = [0, 0, 0.1], radius = 0.1 }]";
-    let clump = if clump.contains("members") {
+    let clump = if clump.contains("members") || clump.contains("stl") || clump.contains("none") {
         clump.to_owned()
     } else {
         format!("{members}\n{clump}")
@@ -106,4 +106,142 @@ fn each_bad_clump_is_refused_with_place_and_reason() {
         error.contains("rotating frame in a scene with clumps"),
         "{error}"
     );
+}
+
+/// An ASCII STL file of a tetrahedron without its last `open` facets.
+fn tetrahedron(open: usize) -> String {
+    let corners = ["0 0 0", "0.2 0 0", "0 0.2 0", "0 0 0.2"];
+    let facets = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]];
+    let facets = facets[open..].iter().map(|facet| {
+        let vertices: String = facet
+            .iter()
+            .map(|&k| format!("vertex {}\n", corners[k]))
+            .collect();
+        format!("facet normal 0 0 0\nouter loop\n{vertices}endloop\nendfacet\n")
+    });
+    format!(
+        "solid grain\n{}endsolid grain\n",
+        facets.collect::<String>()
+    )
+}
+
+/// A clump has the mass and the inertia of its mesh; `unit` scales both.
+#[test]
+fn a_clump_from_a_mesh_has_the_mass_of_the_mesh() {
+    let folder = folder();
+    std::fs::write(folder.path().join("grain.stl"), tetrahedron(0)).unwrap();
+    for (unit, scale) in [("", 1.0_f64), ("unit = \"cm\"", 0.01)] {
+        let text = scene("", &format!("stl = \"grain.stl\"\nspheres = 4\n{unit}"), "");
+        let loaded = load(&text, folder.path()).unwrap_or_else(|e| panic!("{}", e.plain()));
+        assert_eq!(loaded.scene.clumps.len(), 6);
+        assert_eq!(loaded.attachments.len(), 1);
+        let volume = (0.2 * scale).powi(3) / 6.0;
+        let shape = &loaded.scene.clumps[0].shape;
+        assert_eq!(shape.radii.len(), 4);
+        assert!(
+            (shape.mass / (2500.0 * volume) - 1.0).abs() < 1e-6,
+            "{}",
+            shape.mass
+        );
+        // About the corner int x^2 dV = a^5/60 and int x y dV = a^5/120; the centroid is at a/4 along each axis.
+        let (side, mass) = (0.2 * scale, 2500.0 * volume);
+        let [diagonal, beside] = [2.0 * (0.1 - 0.0625), 0.0625 - 0.05];
+        let moments = [
+            diagonal - beside,
+            diagonal - beside,
+            diagonal + 2.0 * beside,
+        ];
+        let mut expected = moments.map(|x| x * mass * side * side);
+        let mut found: [f64; 3] = shape.moments.into();
+        expected.sort_by(f64::total_cmp);
+        found.sort_by(f64::total_cmp);
+        for (found, expected) in found.iter().zip(&expected) {
+            assert!((found / expected - 1.0).abs() < 1e-5, "{found} {expected}");
+        }
+        let told = loaded.fitted[0].to_string();
+        assert!(told.contains("4 spheres for `grain.stl`"), "{told}");
+        for word in ["volume", "centroid", "inertia", "surface"] {
+            assert!(told.contains(word), "{told}");
+        }
+    }
+}
+
+#[test]
+fn each_bad_mesh_of_a_clump_is_refused_with_place_and_reason() {
+    let folder = folder();
+    for (name, content) in [
+        ("grain.stl", tetrahedron(0)),
+        ("open.stl", tetrahedron(1)),
+        ("text.stl", "no mesh".to_owned()),
+    ] {
+        std::fs::write(folder.path().join(name), content).unwrap();
+    }
+    let members = "members = [{ position = [0, 0, 0], radius = 0.1 }, { position = [0, 0, 0.1], radius = 0.1 }]";
+    for (clump, path, part) in [
+        (
+            "stl = \"open.stl\"\nspheres = 4",
+            "clump[0].stl",
+            "expected a closed mesh",
+        ),
+        (
+            "stl = \"text.stl\"\nspheres = 4",
+            "clump[0].stl",
+            "expected a binary or ASCII STL file",
+        ),
+        (
+            "stl = \"none.stl\"\nspheres = 4",
+            "clump[0].stl",
+            "cannot read",
+        ),
+        (
+            "stl = \"../grain.stl\"\nspheres = 4",
+            "clump[0].stl",
+            "below the scene's folder",
+        ),
+        (
+            "stl = \"grain.stl\"\nspheres = 1",
+            "clump[0].spheres",
+            "found 1, expected 2 to 20",
+        ),
+        (
+            "stl = \"grain.stl\"\nspheres = 21",
+            "clump[0].spheres",
+            "found 21, expected 2 to 20",
+        ),
+        (
+            "stl = \"grain.stl\"\nspheres = -3",
+            "clump[0].spheres",
+            "found -3, expected 2 to 20",
+        ),
+        ("stl = \"grain.stl\"", "clump[0]", "missing key `spheres`"),
+        (
+            "stl = \"grain.stl\"\nspheres = 4\nunit = \"kg\"",
+            "clump[0].unit",
+            "a unit of length",
+        ),
+        (
+            &format!("stl = \"grain.stl\"\nspheres = 4\n{members}"),
+            "clump[0].stl",
+            "found both",
+        ),
+        (
+            &format!("spheres = 4\n{members}"),
+            "clump[0].spheres",
+            "beside `members`",
+        ),
+        (
+            &format!("unit = \"mm\"\n{members}"),
+            "clump[0].unit",
+            "beside `members`",
+        ),
+        ("# none", "clump[0]", "found neither `members` nor `stl`"),
+    ] {
+        let error = load(&scene("", clump, ""), folder.path())
+            .expect_err(clump)
+            .plain();
+        assert!(
+            error.contains(path) && error.contains(part),
+            "{clump}: {error}"
+        );
+    }
 }

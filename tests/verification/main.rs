@@ -15,6 +15,7 @@ mod cohesion_scenes;
 mod compliant;
 mod contact_statics;
 mod convergence;
+mod cooling;
 mod defaults;
 mod derivatives;
 mod driven;

@@ -37,7 +37,8 @@ impl Kernel {
             return;
         }
         let moves_alike = |body: u32| self.radius[body as usize] > 0.0;
-        let part = |body: u32| self.layout.place(body as usize).1;
+        let spheres = problem.inverse_mass.len();
+        let part = |body: u32| Some(self.layout.seat(body as usize, spheres)?.1);
         refill(&mut self.resistance, rows.len(), NONE);
         for (k, contact) in rows.resistances() {
             self.resistance[contact] = k as u32;
@@ -47,15 +48,17 @@ impl Kernel {
         self.group.extend((0..rows.len()).map(|k| {
             let [a, b] = rows.bodies(k);
             let alike = moves_alike(a) && (b == GROUND || moves_alike(b));
-            if is_levered(problem, k, (&self.radius, &self.resistance)) {
-                last_group(parts) as u32
-            } else if !alike || !is_rigid(self.resistance[k]) || !rows.is_of_spheres(k) {
-                NONE
+            let levered = is_levered(problem, k, (&self.radius, &self.resistance));
+            let plain = alike && is_rigid(self.resistance[k]) && rows.is_of_spheres(k);
+            if !levered && !plain {
+                return NONE;
             } else if parts == 1 {
-                0
-            } else {
-                let a = part(a);
-                group_of(a, if b == GROUND { a } else { part(b) }, parts) as u32
+                // Blocks of plain contacts are swept faster without others among them.
+                return u32::from(levered);
+            }
+            match (part(a), part(if b == GROUND { a } else { b })) {
+                (Some(a), Some(b)) => group_of(a, b, parts) as u32,
+                _ => last_group(parts) as u32,
             }
         }));
         for (contact, &k) in self.resistance.iter().enumerate() {
@@ -135,8 +138,7 @@ impl Kernel {
                 }
                 let other = |body: u32| body != GROUND && body as usize >= spheres;
                 let levered = |&k: &u32| problem.rows.bodies(k as usize).into_iter().any(other);
-                // Of no other group can a body be reached that is no sphere.
-                if turn == LAST && rows.iter().any(levered) {
+                if problem.free.len() > spheres && rows.iter().any(levered) {
                     open.blocks[block].levers = self.contents.levers.len() as u32;
                     let length = |i: usize| spin_scale(&self.radius, i);
                     self.contents.levers.push(Levers::of(problem, rows, length));

@@ -16,6 +16,8 @@ const PART: usize = 4096;
 pub(super) const PARTS: usize = 32;
 /// Most cells over the number of spheres.
 const CELLS_PER_SPHERE: usize = 4;
+/// A body that is in no sphere's place.
+const NO_SEAT: u32 = u32::MAX;
 /// Cells along an axis at most.
 const CELLS: f64 = 512.0;
 
@@ -28,6 +30,8 @@ pub(crate) struct Partition {
     sphere: Vec<u32>,
     /// First place of each part, and the end of the last.
     starts: Vec<u32>,
+    /// Of each body behind the spheres the sphere in whose place it is, `[D]`; [`NO_SEAT`] where it has its own behind all parts.
+    seats: Vec<u32>,
     /// Cell of each sphere, `[N]`.
     cell: Vec<u32>,
     /// First place of each cell.
@@ -35,8 +39,14 @@ pub(crate) struct Partition {
 }
 
 impl Partition {
-    /// Lays out spheres of the given centres \[m\], `[N]`, with cells of `edge` \[m\].
-    pub(crate) fn arrange(&mut self, centres: &[Vec3], edge: f64) {
+    /// Lays out spheres of the given centres \[m\], `[N]`, with cells of `edge` \[m\], and the bodies behind them, `[D]`: in the place of
+    /// a sphere that does not move by itself, or behind all parts.
+    pub(crate) fn arrange(
+        &mut self,
+        centres: &[Vec3],
+        edge: f64,
+        seats: impl Iterator<Item = Option<usize>>,
+    ) {
         self.forget();
         let n = centres.len();
         if n < SMALL {
@@ -87,12 +97,15 @@ impl Partition {
             self.sphere[*next as usize] = i as u32;
             *next += 1;
         }
+        let seat = |sphere: Option<usize>| sphere.map_or(NO_SEAT, |i| i as u32);
+        self.seats.extend(seats.map(seat));
     }
 
     fn forget(&mut self) {
         self.place.clear();
         self.sphere.clear();
         self.starts.clear();
+        self.seats.clear();
     }
 
     /// Forgets an order of another number of spheres.
@@ -118,6 +131,17 @@ impl Partition {
     /// Sphere at `place`.
     pub(super) fn sphere(&self, place: usize) -> usize {
         self.sphere.get(place).map_or(place, |&i| i as usize)
+    }
+
+    /// Place of body `i` behind `spheres` spheres or among them, and its part; `None` behind all parts.
+    pub(super) fn seat(&self, i: usize, spheres: usize) -> Option<(usize, usize)> {
+        match i.checked_sub(spheres) {
+            None => Some(self.place(i)),
+            Some(own) => match self.seats.get(own) {
+                None | Some(&NO_SEAT) => None,
+                Some(&sphere) => Some(self.place(sphere as usize)),
+            },
+        }
     }
 
     /// Place of sphere `i`, and its part.
@@ -146,7 +170,8 @@ mod tests {
             })
             .collect();
         let mut layout = Partition::default();
-        layout.arrange(&centres, 1.0);
+        let seats = [None, Some(77)];
+        layout.arrange(&centres, 1.0, seats.into_iter());
         let n = centres.len();
         let mut seen = vec![false; n];
         for i in 0..n {
@@ -156,13 +181,18 @@ mod tests {
             assert_eq!(layout.sphere(place), i);
         }
         assert_eq!(layout.parts(), 3);
+        assert_eq!(
+            [3, n, n + 1].map(|i| layout.seat(i, n)),
+            [Some(layout.place(3)), None, Some(layout.place(77))]
+        );
         for (i, x) in centres.iter().enumerate() {
             for (j, y) in centres.iter().enumerate().skip(i).take(700) {
                 let parts = [layout.place(i).1, layout.place(j).1];
                 assert!((x - y).norm() > 1.6 || parts[0].abs_diff(parts[1]) <= 1);
             }
         }
-        layout.arrange(&centres[..100], 1.0);
+        layout.arrange(&centres[..100], 1.0, seats.into_iter());
+        assert_eq!(layout.seat(101, 100), None);
         assert_eq!((layout.parts(), layout.place(7)), (1, (7, 0)));
         assert_eq!(layout.sphere(7), 7);
     }

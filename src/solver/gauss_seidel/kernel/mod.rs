@@ -41,7 +41,7 @@ pub struct Kernel {
     pub(super) pool: Pool,
     pub(super) layout: Partition,
     pub(super) turns: Colours,
-    /// Where each body is, `[N + D]`. Each part ends with a body that never moves, and driven bodies are behind them all.
+    /// Where each body is, `[N + D]`. Each part ends with a body that never moves; behind them all are those that are in no part.
     pub(super) place: Vec<u32>,
     /// Length by which each body's spin is scaled \[m\], `[N + D]`: its radius; zero where no contact gives it.
     pub(super) radius: Vec<f64>,
@@ -146,12 +146,10 @@ impl Kernel {
         let (layout, parts) = (&self.layout, self.layout.parts());
         refill(&mut self.held, problem.free.len() + parts, 0);
         self.place.clear();
-        self.place.extend((0..spheres).map(|i| {
-            let (place, part) = layout.place(i);
+        self.place.extend((0..problem.free.len()).map(|i| {
+            let (place, part) = layout.seat(i, spheres).unwrap_or((i, parts));
             (place + part) as u32
         }));
-        let driven = (spheres..problem.free.len()).map(|d| (d + parts) as u32);
-        self.place.extend(driven);
         self.sort(problem);
         match self.single {
             true => {
@@ -174,9 +172,15 @@ impl Kernel {
         }
     }
 
-    /// Says where the spheres are, `[N]` \[m\]; `diameter` \[m\] is the largest. Forgotten by a problem of another size.
-    pub fn prepare(&mut self, centres: &[Vec3], diameter: f64) {
-        self.layout.arrange(centres, diameter);
+    /// Says where the spheres are, `[N]` \[m\], whose largest diameter is `diameter` \[m\]; and of each body behind them, `[D]`, a sphere
+    /// that moves with it and has no row, if there is one. Forgotten by a problem of another size.
+    pub fn prepare(
+        &mut self,
+        centres: &[Vec3],
+        diameter: f64,
+        members: impl Iterator<Item = Option<usize>>,
+    ) {
+        self.layout.arrange(centres, diameter, members);
         if self.layout.parts() > 1 {
             self.shared_out.clear();
         }
@@ -265,7 +269,7 @@ impl Kernel {
             let (m, k) = (w.linear.x, w.angular.x * scale * scale);
             Body([v.x, v.y, v.z, m, s.x, s.y, s.z, k])
         };
-        let (bodies, driven) = bodies.split_at_mut(spheres + parts);
+        let (bodies, others) = bodies.split_at_mut(spheres + parts);
         let ranges = self.turns[0].iter().map(|group| group.bodies.clone());
         let mut own: ArrayVec<_, PARTS> = split(bodies, ranges).into_iter().enumerate().collect();
         self.pool.each(spheres / BODIES, &mut own, |(part, own)| {
@@ -276,8 +280,12 @@ impl Kernel {
                 *own = body(layout.sphere(place));
             }
         });
-        for (driven, i) in driven.iter_mut().zip(spheres..) {
-            *driven = body(i);
+        drop(own);
+        for (i, other) in (spheres..).zip(others) {
+            match layout.seat(i, spheres) {
+                None => *other = body(i),
+                Some((place, part)) => bodies[place + part] = body(i),
+            }
         }
     }
 
