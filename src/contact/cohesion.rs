@@ -7,18 +7,26 @@
 //! p_n >= -f_c,    |p_t| <= mu (p_n + f_c)            p' >= 0, |p'_t| <= mu p'_n
 //! ```
 //!
-//! so that a solver finds an ordinary contact, `p'`. Of a surface energy `W` \[J/m^2\] (work of adhesion) and the reduced radius `R*`
+//! so that a solver finds an ordinary contact, `p'`; where grains give way `p'` is a spring's, and JKR's a curve ([`super::neck`]).
+//! Of a surface energy `W` \[J/m^2\] (work of adhesion) and the reduced radius `R*`
 //!
 //! ```text
 //! DMT   f_c = 2 pi W R*        (Derjaguin, Muller and Toporov, J. Colloid Interface Sci. 53, 1975)
 //! JKR   f_c = 3/2 pi W R*      (Johnson, Kendall and Roberts, Proc. R. Soc. A 324, 1971)
 //! ```
 //!
-//! A bond is glue of the section `pi R_b^2`, `R_b` the smaller radius, between surfaces that touch. It holds without slip nor turn up
-//! to its strengths `f_t = s_t pi R_b^2` and `f_s = s_s pi R_b^2`, and breaks for good after a step that ends with
+//! A bond is glue of the section `A = pi R_b^2`, `R_b` the smaller radius, between surfaces that touch or are no farther apart than its
+//! reach. Between rigid grains it holds without slip nor turn; where they give way it is an elastic beam beside the contact, of the
+//! length `L` between the centres (on a boundary: from it),
 //!
 //! ```text
-//! -p_n + 4 |m_b|/R_b > f_t    or    |p_t| + 2 |m_t|/R_b > f_s + mu max(p_n, 0)
+//! k_n = E A/L,   k_t = 2/5 k_n,   k_b = k_n R_b^2/4,   k_w = k_t R_b^2/2       pull, shear, bending, twisting
+//! ```
+//!
+//! with the given `E`, or `E*` of its materials; with a linear spring `k_n = k` of that. It breaks for good after a step that ends with
+//!
+//! ```text
+//! -p_n + 4 |m_b|/R_b > f_t    or    |p_t| + 2 |m_t|/R_b > f_s + mu max(p_n, 0),     f_t = s_t A, f_s = s_s A
 //! ```
 //!
 //! (Potyondy and Cundall, Int. J. Rock Mech. Min. Sci. 41, 2004, with Mohr and Coulomb's friction), `m_b` and `m_t` being the couples
@@ -27,6 +35,11 @@
 use std::f64::consts::PI;
 
 use serde::{Deserialize, Serialize};
+
+use super::elasticity::Elasticity;
+use super::neck::Neck;
+use super::spring::BondSpring;
+use crate::problem::law::SHEAR_RATIO;
 
 /// Attraction of two materials.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
@@ -37,6 +50,8 @@ pub struct Cohesion {
     pub per_radius: f64,
     /// Gap \[m\] up to which an attached contact attracts; zero: as long as it is closed.
     pub rupture_distance: f64,
+    /// Whether elastic grains follow the force curve of Johnson, Kendall and Roberts.
+    pub jkr: bool,
 }
 
 impl Cohesion {
@@ -54,8 +69,17 @@ impl Cohesion {
     pub fn jkr(energy: f64) -> Self {
         Self {
             per_radius: 1.5 * PI * energy,
+            jkr: true,
             ..Self::default()
         }
+    }
+
+    /// The force curve of a contact whose materials give way so.
+    #[must_use]
+    pub(crate) fn neck(&self, elasticity: &Elasticity, reduced_radius: f64) -> Option<Neck> {
+        let energy = self.per_radius / (1.5 * PI);
+        let neck = || elasticity.neck(energy, reduced_radius);
+        self.jkr.then(neck).flatten()
     }
 
     /// Pull-off force `f_c` \[N\] of a contact of the reduced radius `R*` \[m\].
@@ -72,6 +96,10 @@ pub struct Bond {
     pub normal_strength: f64,
     /// Shear strength `s_s` \[Pa\].
     pub shear_strength: f64,
+    /// Gap \[m\] up to which it joins at the start; zero: what touches.
+    pub reach: f64,
+    /// Young's modulus `E` \[Pa\] where grains give way; `None`: that of their contact.
+    pub young: Option<f64>,
 }
 
 /// Strengths \[N\] of one bond, and its radius \[m\].
@@ -101,6 +129,33 @@ impl Bond {
             radius,
         }
     }
+
+    /// Largest elongation \[m\] of a bond of at most this radius \[m\].
+    pub(crate) fn stretch(&self, elasticity: &Elasticity, radius: f64) -> f64 {
+        let beam = (radius, 2.0 * radius + self.reach);
+        let spring = self.spring(elasticity, beam, 0.0);
+        self.strength(radius).tension / spring.normal
+    }
+
+    /// Its springs between centres that are `length` \[m\] apart, where it carries nothing at the gap `rest` \[m\].
+    pub(crate) fn spring(
+        &self,
+        elasticity: &Elasticity,
+        (radius, length): (f64, f64),
+        rest: f64,
+    ) -> BondSpring {
+        let beam = |young: f64| young * PI * radius * radius / length;
+        let normal = match (self.young, *elasticity) {
+            (Some(young), _) | (None, Elasticity::Hertz { young, .. }) => beam(young),
+            (None, Elasticity::Linear { stiffness, .. }) => stiffness,
+        };
+        BondSpring {
+            normal,
+            shear: SHEAR_RATIO * normal,
+            rest,
+            attraction: self.strength(radius).attraction(),
+        }
+    }
 }
 
 impl BondStrength {
@@ -118,7 +173,7 @@ impl BondStrength {
 }
 
 /// What holds the surfaces of a contact together in the next step.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub enum Hold {
     /// Nothing.
     #[default]
@@ -126,7 +181,26 @@ pub enum Hold {
     /// Cohesion.
     Attached,
     /// A bond.
-    Bonded,
+    Bonded {
+        /// Gap \[m\] that it keeps, or at which its spring carries nothing.
+        rest: f64,
+    },
+}
+
+impl Hold {
+    /// Whether it is a bond.
+    #[must_use]
+    pub fn is_bond(&self) -> bool {
+        matches!(self, Self::Bonded { .. })
+    }
+
+    /// Gap \[m\] that a bond keeps; zero without one.
+    pub(crate) fn rest(&self) -> f64 {
+        match self {
+            Self::Bonded { rest } => *rest,
+            Self::Loose | Self::Attached => 0.0,
+        }
+    }
 }
 
 #[cfg(test)]
@@ -139,6 +213,8 @@ mod tests {
         let bond = Bond {
             normal_strength: 2e4,
             shear_strength: 5e3,
+            reach: 0.0,
+            young: None,
         };
         let strength = bond.strength(0.1);
         let load = |normal, shear, bending, twisting| BondLoad {

@@ -26,6 +26,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::neck::Neck;
+use super::spring::ContactSpring;
 use crate::problem::law::SHEAR_RATIO;
 
 /// Damping ratio of the least coefficient of restitution, 0.01.
@@ -86,86 +88,20 @@ impl Elasticity {
     #[must_use]
     pub(crate) fn spring(&self, reduced_radius: f64) -> ContactSpring {
         match *self {
-            Self::Linear { stiffness, shear } => ContactSpring {
-                normal: stiffness,
-                shear,
-                hertz: false,
-            },
-            Self::Hertz { young, shear } => {
-                let root = reduced_radius.sqrt();
-                ContactSpring {
-                    normal: 4.0 / 3.0 * young * root,
-                    shear: 8.0 * shear * root,
-                    hertz: true,
-                }
+            Self::Linear { stiffness, shear } => ContactSpring::linear(stiffness, shear),
+            Self::Hertz { young, shear } => ContactSpring::hertz(young, shear, reduced_radius),
+        }
+    }
+
+    /// The curve of a contact that adheres with a work of adhesion \[J/m^2\]; `None` where grains are no elastic solids or it is zero.
+    #[must_use]
+    pub(crate) fn neck(&self, energy: f64, reduced_radius: f64) -> Option<Neck> {
+        match *self {
+            Self::Hertz { young, .. } if energy > 0.0 => {
+                Some(Neck::new(energy, young, reduced_radius))
             }
+            _ => None,
         }
-    }
-}
-
-/// The spring of one contact.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct ContactSpring {
-    /// `k` \[N/m\] or `K` \[N/m^1.5\].
-    normal: f64,
-    /// Shear stiffness \[N/m\], or over the root of the overlap.
-    shear: f64,
-    hertz: bool,
-}
-
-impl ContactSpring {
-    /// Normal force \[N\] at an overlap \[m\] >= 0.
-    pub(crate) fn force(&self, overlap: f64) -> f64 {
-        self.normal * overlap * self.root(overlap)
-    }
-
-    /// Its derivative by the overlap \[N/m\].
-    pub(crate) fn slope(&self, overlap: f64) -> f64 {
-        let exponent = if self.hertz { 1.5 } else { 1.0 };
-        exponent * self.normal * self.root(overlap)
-    }
-
-    /// Overlap \[m\] at which the tangent at `overlap` has no force.
-    pub(crate) fn intercept(&self, overlap: f64) -> f64 {
-        if self.hertz { overlap / 3.0 } else { 0.0 }
-    }
-
-    /// Shear stiffness \[N/m\] at an overlap.
-    pub(crate) fn shear(&self, overlap: f64) -> f64 {
-        self.shear * self.root(overlap)
-    }
-
-    /// Energy \[J\] stored at an overlap.
-    pub(crate) fn energy(&self, overlap: f64) -> f64 {
-        let share = if self.hertz { 0.4 } else { 0.5 };
-        share * self.force(overlap) * overlap
-    }
-
-    /// Overlap \[m\] at a normal force \[N\] >= 0.
-    pub(crate) fn overlap(&self, force: f64) -> f64 {
-        let ratio = force / self.normal;
-        match self.hertz {
-            true => libm::cbrt(ratio * ratio),
-            false => ratio,
-        }
-    }
-
-    /// Overlap \[m\] at which an energy \[J\] is stored.
-    pub(crate) fn reach(&self, energy: f64) -> f64 {
-        match self.hertz {
-            true => libm::pow(2.5 * energy / self.normal, 0.4),
-            false => (2.0 * energy / self.normal).sqrt(),
-        }
-    }
-
-    /// Coefficient \[N s/m\] of the damper along the normal of damping ratio `z` at an overlap, for the reduced mass `m` \[kg\].
-    pub(crate) fn damping(&self, ratio: f64, mass: f64, overlap: f64) -> f64 {
-        let share = if self.hertz { 1.25 } else { 1.0 };
-        2.0 * ratio * (mass * share * self.normal * self.root(overlap)).sqrt()
-    }
-
-    fn root(&self, overlap: f64) -> f64 {
-        if self.hertz { overlap.sqrt() } else { 1.0 }
     }
 }
 
@@ -200,6 +136,7 @@ pub(crate) fn damping_ratio(e: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::contact::spring::BondSpring;
 
     fn springs() -> [ContactSpring; 2] {
         let glass = Elastic {
@@ -208,6 +145,35 @@ mod tests {
         };
         let hertz = Elasticity::hertz([Some(glass), None]).unwrap();
         [Elasticity::linear(3e4), hertz].map(|law| law.spring(5e-3))
+    }
+
+    /// A bond adds its line to the force, pulls where surfaces are apart, and `overlap` stays the inverse.
+    #[test]
+    fn a_bond_acts_beside_the_spring() {
+        let bond = BondSpring {
+            normal: 2e4,
+            shear: 8e3,
+            rest: 3e-6,
+            attraction: 7.0,
+        };
+        for spring in springs() {
+            let bonded = spring.with(None, Some(bond));
+            for d in [-1e-4, -1e-6, 0.0, 2e-7, 1e-5] {
+                let beside = bonded.force(d) - spring.force(d.max(0.0));
+                assert!((beside - 7.0 - 2e4 * (d + 3e-6)).abs() < 1e-9);
+                let found = bonded.overlap(bonded.force(d));
+                assert!((found - d).abs() < 1e-12, "{found:e} for {d:e}");
+                let own = if d > 0.0 { spring.shear(d) } else { 0.0 };
+                assert!((bonded.shear(d) - own - 8e3).abs() < 1e-9 * own.max(1.0));
+                let h = 1e-9;
+                if d != 0.0 {
+                    let rise = (bonded.force(d + h) - bonded.force(d - h)) / (2.0 * h);
+                    assert!((bonded.slope(d) / rise - 1.0).abs() < 1e-4);
+                }
+                let tangent = bonded.force(d) - bonded.slope(d) * (d - bonded.intercept(d));
+                assert!(tangent.abs() < 1e-9);
+            }
+        }
     }
 
     /// Force is the derivative of energy, slope that of force; `overlap` and `reach` are inverses, the tangent has its zero.

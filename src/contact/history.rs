@@ -1,5 +1,7 @@
 //! Contact transfer: what the last step's contacts hand to the next step's candidates.
 
+use nalgebra::UnitQuaternion;
+
 use super::cohesion::Hold;
 use super::forces::{ContactForces, SpringState};
 use super::{ContactForce, ContactId, Partner};
@@ -76,6 +78,14 @@ impl HistoryIndex {
     #[inline]
     pub(crate) fn hold(self, contacts: &ContactForces) -> Hold {
         contacts.hold(self.0 as usize)
+    }
+
+    /// [`Self::torque`] that has turned with the normal, which is `normal` now.
+    pub(crate) fn turned_torque(self, contacts: &ContactForces, normal: Vec3) -> Vec3 {
+        let before = contacts.get(self.0 as usize).map(|load| load.normal);
+        let turn = before.and_then(|before| UnitQuaternion::rotation_between(&before, &normal));
+        let torque = self.torque(contacts);
+        turn.map_or(torque, |turn| turn * torque)
     }
 
     /// Likewise the couple of its resistance on A \[N m\].

@@ -4,6 +4,8 @@ pub mod cohesion;
 pub mod elasticity;
 pub(crate) mod forces;
 pub(crate) mod history;
+pub(crate) mod neck;
+pub(crate) mod spring;
 
 use serde::{Deserialize, Serialize};
 

@@ -198,7 +198,7 @@ pub fn contacts(state: &Observation) -> Grid {
             hold: match contact.hold {
                 Hold::Loose => 0,
                 Hold::Attached => 1,
-                Hold::Bonded => 2,
+                Hold::Bonded { .. } => 2,
             },
             overlap: (-contact.gap).max(0.0),
             slip: slip(state, contact),

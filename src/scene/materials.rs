@@ -36,6 +36,23 @@ pub struct Pair {
     pub bond: Option<Bond>,
 }
 
+impl Pair {
+    /// Largest gap \[m\] of a bridge, a neck or a bond between spheres of at most this radius \[m\], or one and a boundary, where
+    /// they give way by `elasticity`.
+    fn holding_distance(&self, radius: f64, elasticity: Option<&Elasticity>) -> f64 {
+        let cohesion = self.cohesion.map_or(0.0, |cohesion| {
+            let neck = elasticity.and_then(|e| cohesion.neck(e, radius));
+            let fold = neck.map_or(0.0, |neck| -neck.fold());
+            cohesion.rupture_distance.max(fold)
+        });
+        let bond = self.bond.map_or(0.0, |bond| {
+            let stretch = elasticity.map_or(0.0, |e| bond.stretch(e, radius));
+            bond.reach + stretch
+        });
+        cohesion.max(bond)
+    }
+}
+
 /// Symmetric table of [`Pair`]s for `n` materials.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PairTable {
@@ -60,6 +77,12 @@ impl PairTable {
     #[must_use]
     pub fn get(&self, a: u16, b: u16) -> Pair {
         self.pairs[usize::from(a) * self.materials + usize::from(b)]
+    }
+
+    /// The pairs of materials, each once.
+    pub(crate) fn all(&self) -> impl Iterator<Item = (u16, u16)> {
+        let indices = (0..self.materials).filter_map(|a| u16::try_from(a).ok());
+        indices.flat_map(|b| (0..=b).map(move |a| (a, b)))
     }
 
     /// Damping ratio \[-\] that gives the pair its restitution where it gives way.
@@ -92,10 +115,19 @@ impl PairTable {
         pairs.any(|pair| pair.cohesion.is_some() || pair.bond.is_some())
     }
 
-    /// Largest gap \[m\] at which an attached contact attracts.
-    pub(crate) fn rupture_distance(&self) -> f64 {
-        let cohesion = self.pairs.iter().filter_map(|pair| pair.cohesion);
-        cohesion.map(|c| c.rupture_distance).fold(0.0, f64::max)
+    /// Largest gap \[m\] over which a contact is held, where no sphere is larger than `radius` \[m\]; boundaries give way by `others`.
+    pub(crate) fn holding_distance(
+        &self,
+        radius: f64,
+        others: impl Iterator<Item = Elasticity> + Clone,
+    ) -> f64 {
+        let of = |pair: &Pair| {
+            let own = pair.holding_distance(radius, pair.elasticity.as_ref());
+            let others = others.clone();
+            let others = others.map(|other| pair.holding_distance(radius, Some(&other)));
+            others.fold(own, f64::max)
+        };
+        self.pairs.iter().map(of).fold(0.0, f64::max)
     }
 
     /// Sets the pair of `a` and `b`, in both orders.

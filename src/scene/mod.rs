@@ -446,6 +446,14 @@ impl Scene {
         self.pairs.get(a, b).elasticity
     }
 
+    /// Largest gap \[m\] over which bridges, necks and bonds hold.
+    pub(crate) fn holding_distance(&self) -> f64 {
+        let walls = self.boundaries.iter().filter_map(|b| b.stiffness);
+        let walls = walls.map(Elasticity::linear);
+        let largest = self.particles.radius.iter().copied().fold(0.0, f64::max);
+        self.pairs.holding_distance(largest, walls)
+    }
+
     /// The driven bodies and the index of their boundary, ascending.
     pub fn driven(&self) -> impl Iterator<Item = (usize, &Body)> {
         let boundaries = self.boundaries.iter().enumerate();

@@ -3,6 +3,7 @@
 use super::document::Document;
 use super::file::{Adhesion, BondStrengths};
 use crate::contact::cohesion::{Bond, Cohesion};
+use crate::contact::elasticity::Elasticity;
 use crate::scene::materials::Pair;
 
 /// The keys of `[pair_default]` or a `[[pair]]`.
@@ -16,15 +17,15 @@ pub(super) struct Holding {
 }
 
 impl Holding {
-    /// `pair`, which has the default's, with what the table at `path` gives, checked. `elastic`: contacts may give way.
+    /// `pair`, which has the default's, with what the table at `path` gives, checked. `penalty`: contacts are those of the penalty method.
     pub(super) fn over(
         self,
         document: &mut Document<'_>,
         path: &str,
-        elastic: bool,
+        penalty: bool,
         mut pair: Pair,
     ) -> Pair {
-        self.check(document, path, elastic);
+        self.check(document, path, penalty);
         let own = match (self.cohesion, self.surface_energy, self.adhesion) {
             (Some(force), ..) => Some(Cohesion {
                 force,
@@ -49,12 +50,14 @@ impl Holding {
         let bond = self.bond.map(|bond| Bond {
             normal_strength: bond.normal_strength,
             shear_strength: bond.shear_strength,
+            reach: bond.reach,
+            young: bond.young,
         });
         pair.bond = bond.or(pair.bond);
         pair
     }
 
-    fn check(&self, document: &mut Document<'_>, path: &str, elastic: bool) {
+    fn check(&self, document: &mut Document<'_>, path: &str, penalty: bool) {
         let least = [
             ("cohesion", self.cohesion, "a force >= 0 [N]"),
             (
@@ -87,13 +90,6 @@ impl Holding {
                 "it says how a surface energy becomes a force: give `surface_energy` [J/m^2]",
             );
         }
-        if elastic && self.adhesion == Some(Adhesion::Jkr) {
-            document.error(
-                (path, "adhesion"),
-                "found \"jkr\" for contacts that give way",
-                "its force curve is not built: use \"dmt\", or rigid contacts, whose pull-off force is JKR's",
-            );
-        }
         let Some(bond) = self.bond else { return };
         let strengths = [
             ("bond.normal_strength", bond.normal_strength),
@@ -102,12 +98,39 @@ impl Holding {
         for (key, strength) in strengths {
             document.positive((path, key), strength, "a strength > 0 [Pa]");
         }
-        if elastic {
+        document.within(
+            (path, "bond.reach"),
+            bond.reach,
+            0.0..,
+            "a distance >= 0 [m]",
+        );
+        if let Some(young) = bond.young {
+            document.positive((path, "bond.young"), young, "young > 0 [Pa]");
+        }
+        if penalty {
             document.error(
                 (path, "bond"),
-                "found a bond of contacts that give way",
-                "bonds join rigid grains: remove `young`, `stiffness` or method = \"penalty\"",
+                "found a bond with method = \"penalty\"",
+                "its springs are no material's: remove the method, or the bond",
             );
         }
+    }
+}
+
+/// What of a pair's whole law does not go together, from its two materials or its table: `key` and why, how to mend.
+pub(super) fn clash(pair: &Pair) -> Option<(&'static str, &'static str, &'static str)> {
+    let cohesion = pair.cohesion.filter(|cohesion| cohesion.jkr)?;
+    match pair.elasticity {
+        Some(Elasticity::Linear { .. }) => Some((
+            "adhesion",
+            "found \"jkr\" for contacts with `stiffness`",
+            "its force curve is one of elastic solids: give `young` of the materials, or use \"dmt\"",
+        )),
+        Some(Elasticity::Hertz { .. }) if cohesion.rupture_distance > 0.0 => Some((
+            "rupture_distance",
+            "found `rupture_distance` for contacts with `young` and adhesion = \"jkr\"",
+            "JKR's neck parts where its curve ends: remove it, or use \"dmt\"",
+        )),
+        _ => None,
     }
 }

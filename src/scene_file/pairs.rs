@@ -1,6 +1,6 @@
 //! How materials touch: `[[pair]]` over what their `[[material]]`s say over `[pair_default]`.
 
-use super::cohesion::Holding;
+use super::cohesion::{self, Holding};
 use super::decode::SceneFile;
 use super::document::Document;
 use super::names::Context;
@@ -100,8 +100,7 @@ pub(super) fn pairs(document: &mut Document<'_>, context: &Context, file: &Scene
     let elastic = elastic(document, file);
     let method = file.simulation.as_ref().map(|s| s.method);
     let penalty = method == Some(Method::Penalty);
-    let gives_way = penalty || default.elasticity.is_some() || elastic.iter().any(Option::is_some);
-    let default = holding!(&file.pair_default).over(document, "pair_default", gives_way, default);
+    let default = holding!(&file.pair_default).over(document, "pair_default", penalty, default);
     let both = |a: usize, b: usize| {
         // Moduli of the materials are more than a default.
         let hertz = Elasticity::hertz([elastic[a], elastic[b]]);
@@ -118,6 +117,7 @@ pub(super) fn pairs(document: &mut Document<'_>, context: &Context, file: &Scene
         table.set(a, b, both(a.into(), b.into()));
     }
     let mut seen: Vec<(usize, usize)> = Vec::new();
+    let mut own_holds = Vec::new();
     for element in &file.pairs {
         let (path, Some(value)) = (&element.path, &element.value) else {
             continue;
@@ -146,12 +146,13 @@ pub(super) fn pairs(document: &mut Document<'_>, context: &Context, file: &Scene
         }
         seen.push(pair_of);
         let pair = own.over(both(a, b));
-        let gives_way = penalty || pair.elasticity.is_some();
-        let pair = holding!(value).over(document, path, gives_way, pair);
+        let pair = holding!(value).over(document, path, penalty, pair);
         if let (Ok(a), Ok(b)) = (u16::try_from(a), u16::try_from(b)) {
             table.set(a, b, pair);
+            own_holds.push((a, b, path.clone()));
         }
     }
+    clashes(document, &table, &own_holds);
     let shi = file
         .simulation
         .as_ref()
@@ -165,6 +166,24 @@ pub(super) fn pairs(document: &mut Document<'_>, context: &Context, file: &Scene
         );
     }
     table
+}
+
+/// Tells what does not go together in the law of a pair, once for each table that gives it.
+fn clashes(document: &mut Document<'_>, table: &PairTable, own: &[(u16, u16, String)]) {
+    let mut told = Vec::new();
+    for (a, b) in table.all() {
+        let of = |(x, y, path): &(u16, u16, String)| {
+            ((*x, *y) == (a, b) || (*x, *y) == (b, a)).then(|| path.clone())
+        };
+        let path = own.iter().find_map(of);
+        let path = path.unwrap_or_else(|| "pair_default".into());
+        if let Some((key, found, help)) = cohesion::clash(&table.get(a, b))
+            && !told.contains(&path)
+        {
+            document.error((path.as_str(), key), found, help);
+            told.push(path);
+        }
+    }
 }
 
 /// Young's modulus and Poisson's ratio of the materials that give them, checked.

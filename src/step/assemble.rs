@@ -199,7 +199,13 @@ impl Assembly<'_> {
         let hold = self.past[k].hold(&state.contacts);
         let hold = self.prediction.hold(candidate, hold);
         let contact = (candidate.key, hold);
-        if let Some(resistance) = self.prediction.resistance(contact, &row, k, torque) {
+        let bond = self.elastic(k).filter(|elastic| elastic.bond().is_some());
+        let torque = match bond {
+            Some(_) => self.past[k].turned_torque(&state.contacts, candidate.normal),
+            None => torque,
+        };
+        if let Some(mut resistance) = self.prediction.resistance(contact, &row, k, torque) {
+            self.prediction.spring_couple(bond, torque, &mut resistance);
             let lever = resistance.radius;
             self.problem.rows.push(resistance);
             impulses.push(torque * (self.prediction.step / lever));
@@ -280,6 +286,11 @@ impl Assembly<'_> {
     pub(super) fn compressed(&self, k: usize) -> Option<&ElasticContact> {
         self.elastic(k)
             .filter(|elastic| !elastic.is_resolved() && self.problem.rows.compliance(k) > 0.0)
+    }
+
+    /// Gap \[m\] that the bond of candidate `k` keeps; zero without one.
+    pub(super) fn rest(&self, k: usize) -> f64 {
+        self.holds.get(k).map_or(0.0, Hold::rest)
     }
 
     /// Whether candidate `k` is a contact with a boundary.

@@ -6,6 +6,7 @@ use super::rows::elastic::ElasticContact;
 use super::rows::joint::JointConstraint;
 use super::solution::Solved;
 use crate::Vec3;
+use crate::contact::cohesion::Hold;
 use crate::detection::configuration::Configuration;
 use crate::problem::{Law, Row, retain};
 use crate::state::State;
@@ -44,7 +45,8 @@ impl Assembly<'_> {
             let at_rest = row.normal.dot(&row.relative_velocity(&velocity)).abs() <= 1e-3 * creep;
             let pressed = self.elastic(k).is_some_and(ElasticContact::is_resolved)
                 && self.candidates[k].gap < 0.0;
-            pressed || at_rest && self.candidates[k].gap <= closed * row.radius
+            let bonded = self.holds.get(k).is_some_and(Hold::is_bond);
+            pressed || bonded || at_rest && self.candidates[k].gap <= closed * row.radius
         };
         let stop_rests = |joint: &JointConstraint, row: &Row| {
             joint.limit.distance <= closed * row.radius

@@ -5,36 +5,84 @@
 
 use super::assemble::Assembly;
 use super::prediction::Prediction;
+use super::rows::elastic::ElasticContact;
 use super::solution::{Solution, Solved};
 use crate::Vec3;
 use crate::contact::ContactId;
-use crate::contact::cohesion::{BondLoad, BondStrength, Hold};
+use crate::contact::cohesion::{BondLoad, BondStrength, Cohesion, Hold};
 use crate::contact::forces::ContactForces;
+use crate::contact::neck::Neck;
+use crate::contact::spring::ContactSpring;
 use crate::detection::configuration::{Candidate, Configuration};
 use crate::problem::Law;
 use crate::problem::law::split;
 use crate::spatial::SpatialVector;
+
+/// Share by which rounding may have grains at a bond's reach appear beyond it.
+const NEARLY: f64 = 1e-9;
 
 impl Prediction<'_> {
     /// What holds a candidate together in this step, where `before` did until now: at the start all that touches is attached, and
     /// bonded in a run that has no contacts yet.
     #[inline]
     pub(super) fn hold(&self, candidate: &Candidate, before: Hold) -> Hold {
-        if !self.starts || before != Hold::Loose {
+        if before != Hold::Loose || !self.starts {
             return before;
         }
         let pair = self.pair(candidate.key);
-        if pair.cohesion.is_none() && pair.bond.is_none() || !self.touches(candidate) {
+        if pair.cohesion.is_none() && pair.bond.is_none() {
             return Hold::Loose;
         }
-        let bonded = pair.bond.is_some()
-            && self.makes_bonds
-            && self.scene.elasticity(candidate.key).is_none();
-        match (bonded, pair.cohesion) {
-            (true, _) => Hold::Bonded,
-            (false, Some(_)) => Hold::Attached,
-            (false, None) => Hold::Loose,
+        let touches = self.touches(candidate);
+        if let Some(bond) = pair.bond.filter(|_| self.makes_bonds)
+            && (touches || candidate.gap <= bond.reach * (1.0 + NEARLY))
+        {
+            let rigid = self.scene.elasticity(candidate.key).is_none();
+            return Hold::Bonded {
+                rest: match rigid && touches {
+                    true => 0.0,
+                    false => candidate.gap,
+                },
+            };
         }
+        match pair.cohesion.filter(|_| touches) {
+            Some(_) => Hold::Attached,
+            None => Hold::Loose,
+        }
+    }
+
+    /// `spring` of a contact of this reduced radius \[m\] with its neck or bond, and the curve that it follows once it adheres.
+    pub(super) fn held_spring(
+        &self,
+        key: ContactId,
+        hold: Hold,
+        (spring, reduced_radius): (ContactSpring, f64),
+    ) -> (ContactSpring, Option<Neck>) {
+        let pair = self.pair(key);
+        if pair.cohesion.is_none() && pair.bond.is_none() {
+            return (spring, None);
+        }
+        let Some(elasticity) = self.scene.elasticity(key) else {
+            return (spring, None);
+        };
+        let neck = |cohesion: Cohesion| cohesion.neck(&elasticity, reduced_radius);
+        let curve = pair.cohesion.and_then(neck);
+        let bond = pair.bond.zip(match hold {
+            Hold::Bonded { rest } => Some(rest),
+            Hold::Loose | Hold::Attached => None,
+        });
+        let bond = bond.map(|(bond, rest)| {
+            let particles = &self.scene.particles;
+            let beam = (particles.smaller_radius(key), self.centres(key) + rest);
+            bond.spring(&elasticity, beam, rest)
+        });
+        let neck = curve.filter(|_| hold == Hold::Attached);
+        (spring.with(neck, bond), curve)
+    }
+
+    /// Distance \[m\] of the centres of a contact that touches, or of the centre from a boundary.
+    fn centres(&self, key: ContactId) -> f64 {
+        key.spheres().map(|i| self.scene.particles.radius[i]).sum()
     }
 
     /// Attraction \[N\] of a contact.
@@ -45,7 +93,7 @@ impl Prediction<'_> {
             Hold::Attached => pair
                 .cohesion
                 .map_or(0.0, |c| c.pull_off(particles.reduced_radius(key))),
-            Hold::Bonded => pair.bond.map_or(0.0, |bond| {
+            Hold::Bonded { .. } => pair.bond.map_or(0.0, |bond| {
                 bond.strength(particles.smaller_radius(key)).attraction()
             }),
         }
@@ -57,7 +105,7 @@ impl Prediction<'_> {
         let pair = self.pair(key);
         let own = [pair.friction, pair.rolling_friction, pair.twisting_friction];
         match hold {
-            Hold::Bonded => own.map(|coefficient| coefficient.max(pair.friction).max(1.0)),
+            Hold::Bonded { .. } => own.map(|coefficient| coefficient.max(pair.friction).max(1.0)),
             Hold::Loose | Hold::Attached => own,
         }
     }
@@ -84,7 +132,8 @@ impl Assembly<'_> {
         }
         for (k, candidate) in self.candidates.iter().enumerate() {
             let hold = self.prediction.hold(candidate, self.past[k].hold(contacts));
-            let force = self.prediction.attraction(candidate.key, hold);
+            let neck = self.elastic(k).and_then(|e| e.attraction(candidate.gap));
+            let force = neck.unwrap_or_else(|| self.prediction.attraction(candidate.key, hold));
             self.holds.push(hold);
             self.attraction.push(force);
         }
@@ -100,6 +149,18 @@ impl Assembly<'_> {
     fn attracting(&self, k: usize) -> Option<Vec3> {
         let force = self.attraction.get(k).filter(|force| **force > 0.0)?;
         Some(self.candidates[k].normal * (force * self.prediction.step))
+    }
+
+    /// Lets contact `k`, which adheres, attract with what it has at a `gap` \[m\].
+    pub(super) fn weaken(&mut self, k: usize, gap: f64) {
+        let Some(force) = self.elastic(k).and_then(|e| e.attraction(gap)) else {
+            return;
+        };
+        if force != self.attraction[k] {
+            self.pull(|i| i == k, 1.0);
+            self.attraction[k] = force;
+            self.pull(|i| i == k, -1.0);
+        }
     }
 
     /// Takes the attraction of the contacts that `of` names out of the motion of the bodies without contacts.
@@ -149,7 +210,7 @@ impl Assembly<'_> {
 
     /// Takes what holds the contacts after the step.
     pub(super) fn take_holds(&mut self, after: Vec<Hold>) {
-        let bonded = |holds: &[Hold]| holds.iter().filter(|hold| **hold == Hold::Bonded).count();
+        let bonded = |holds: &[Hold]| holds.iter().filter(|hold| hold.is_bond()).count();
         self.broken_bonds = bonded(&self.holds).saturating_sub(bonded(&after)) as u64;
         self.holds = after;
     }
@@ -160,19 +221,30 @@ impl Assembly<'_> {
         let couples = self.couples(impulses);
         let after = |(k, (candidate, hold)): (usize, (&Candidate, &Hold))| {
             let pair = prediction.pair(candidate.key);
-            let strength = pair.bond.filter(|_| *hold == Hold::Bonded);
+            let strength = pair.bond.filter(|_| hold.is_bond());
             if let Some(bond) = strength {
                 let strength =
                     bond.strength(prediction.scene.particles.smaller_radius(candidate.key));
                 let load = self.bond_load(k, &strength, impulses[k], couples[k]);
                 if !strength.breaks(&load, pair.friction) {
-                    return Hold::Bonded;
+                    return *hold;
                 }
             }
             let Some(cohesion) = pair.cohesion else {
                 return Hold::Loose;
             };
             let pressed = impulses[k] != Vec3::zeros();
+            if let Some(fold) = self.elastic(k).and_then(ElasticContact::fold) {
+                // Elastic surfaces adhere as soon as they touch, until their neck parts.
+                let least = match *hold {
+                    Hold::Attached => fold,
+                    Hold::Loose | Hold::Bonded { .. } => 0.0,
+                };
+                return match -end.gap(candidate) > least {
+                    true => Hold::Attached,
+                    false => Hold::Loose,
+                };
+            }
             let range = || {
                 cohesion
                     .rupture_distance

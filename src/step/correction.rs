@@ -35,8 +35,11 @@ pub(super) fn error_of(assembly: &Assembly, solution: &Solution, k: usize, gap: 
     let (rows, step) = (&assembly.problem.rows, assembly.prediction.step);
     let along = || solution.impulses[k].dot(&rows.normal(k));
     match (assembly.compressed(k), rows.compliance(k)) {
-        (Some(elastic), _) => gap + elastic.compression(along() / step),
-        (None, 0.0) => gap,
+        (Some(elastic), _) => {
+            let attraction = assembly.attraction.get(k).copied().unwrap_or(0.0);
+            elastic.error(gap, along() / step, attraction)
+        }
+        (None, 0.0) => gap - assembly.rest(k),
         (None, c) => gap + along() * c * step,
     }
 }
@@ -108,6 +111,7 @@ fn relinearise(assembly: &mut Assembly, solution: &Solution, end: &Configuration
         let gap = end.gap(&assembly.candidates[k]);
         elastic.follow(solution.impulses[k].dot(&n) / step, gap);
         let [bias, compliance] = elastic.along(gap - linear);
+        assembly.weaken(k, gap);
         let rows = &mut assembly.problem.rows;
         rows.shift(k, bias - rows.bias(k));
         rows.set_compliance(k, compliance);
@@ -118,7 +122,8 @@ fn relinearise(assembly: &mut Assembly, solution: &Solution, end: &Configuration
         0.0 => 0.0,
         c => solution.impulses[k].dot(&n) * c * step,
     };
-    let carried = settings.carried(assembly.candidates[k].gap, rows.radius(k), step);
+    let start = assembly.candidates[k].gap - assembly.rest(k);
+    let carried = settings.carried(start, rows.radius(k), step);
     let wanted = (gap - carried - compression - linear) / step;
     let now = rows.bias(k);
     let wanted = match assembly.impact[k] {

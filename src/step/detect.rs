@@ -29,8 +29,12 @@ pub(super) fn detect(
     let both = both.map(|(now, free)| [*now, free.linear]);
     let radii = &scene.particles.radius;
     let mut reach = take(&mut workspace.reach);
-    let rupture = scene.pairs.rupture_distance();
-    DetectionDistance::of(both, step, |i| NEAR * radii[i] + rupture, &mut reach);
+    let held = if scene.pairs.coheres() {
+        scene.holding_distance()
+    } else {
+        0.0
+    };
+    DetectionDistance::of(both, step, |i| NEAR * radii[i] + held, &mut reach);
     if let Some(edge) = scene.cell.smallest_edge() {
         // Copies beyond the next ones are met by no step that is not cut anyway.
         for own in &mut reach {

@@ -133,7 +133,7 @@ impl Gaps {
             Method::Penalty => 0.0,
         };
         let error = match assembly.compressed(k) {
-            Some(_) if solution.loads(k) || compression > 0.0 => {
+            Some(elastic) if solution.loads(k) || compression > 0.0 || elastic.neck().is_some() => {
                 error_of(assembly, solution, k, gap) / radius
             }
             _ => 0.0,

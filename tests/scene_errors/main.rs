@@ -174,11 +174,13 @@ const CASES: &[Case] = cases! {
     "friction_angle = 20.0" => "friction_angle = 20.0\nsurface_energy = -1.0", "pair[0].surface_energy", "-1.0", "an energy >= 0 [J/m^2]";
     "friction_angle = 20.0" => "friction_angle = 20.0\ncohesion = 1.0\nsurface_energy = 1.0", "pair[0].surface_energy", "surface_energy", "both `cohesion` and `surface_energy`";
     "friction_angle = 20.0" => "friction_angle = 20.0\nadhesion = \"jkr\"", "pair[0].adhesion", "adhesion", "without `surface_energy`";
-    "friction_angle = 20.0" => "friction_angle = 20.0\nsurface_energy = 1.0\nstiffness = 1e3\nadhesion = \"jkr\"", "pair[0].adhesion", "adhesion", "for contacts that give way";
+    "friction_angle = 20.0" => "friction_angle = 20.0\nsurface_energy = 1.0\nstiffness = 1e3\nadhesion = \"jkr\"", "pair[0].adhesion", "adhesion", "for contacts with `stiffness`";
+    "friction_angle = 20.0" => "friction_angle = 20.0\nsurface_energy = 1.0\n[[material]]\nname = \"gel\"\nyoung = 1e6\n[[pair]]\nmaterials = [\"gel\", \"rock\"]\nsurface_energy = 1.0\nadhesion = \"jkr\"\nrupture_distance = 1e-3", "pair[1].rupture_distance", "rupture_distance = 1e-3", "parts where its curve ends";
     "friction_angle = 20.0" => "friction_angle = 20.0\nrupture_distance = 1.0", "pair[0].rupture_distance", "rupture_distance", "without a force that it ends";
     "friction_angle = 20.0" => "friction_angle = 20.0\ncohesion = 1.0\nrupture_distance = -1.0", "pair[0].rupture_distance", "-1.0", "a distance >= 0 [m]";
     "friction_angle = 20.0" => "friction_angle = 20.0\nbond = { normal_strength = 0.0, shear_strength = 1.0 }", "pair[0].bond.normal_strength", "normal_strength = 0.0", "a strength > 0 [Pa]";
-    "friction_angle = 20.0" => "friction_angle = 20.0\nstiffness = 1e3\nbond = { normal_strength = 1.0, shear_strength = 1.0 }", "pair[0].bond", "bond", "bond of contacts that give way";
+    "friction_angle = 20.0" => "friction_angle = 20.0\nbond = { normal_strength = 1.0, shear_strength = 1.0, reach = -1.0 }", "pair[0].bond.reach", "reach = -1.0", "a distance >= 0 [m]";
+    "friction_angle = 20.0" => "friction_angle = 20.0\nbond = { normal_strength = 1.0, shear_strength = 1.0, young = 0.0 }", "pair[0].bond.young", "young = 0.0", "young > 0 [Pa]";
     "friction = 0.3" => "friction = -0.3", "pair_default.friction", "-0.3", ">= 0 [-]";
     "restitution = 0.5" => "restitution = 1.5", "pair[0].restitution", "1.5", "0 <= restitution <= 1";
     "restitution = 0.5" => "wear = -1.0", "pair[0].wear", "-1.0", "found -1, expected a coefficient >= 0 [1/Pa]";

@@ -49,6 +49,12 @@ fn what_will_hurt_is_warned_of() {
             "no boundary keeps what it feels",
         ),
         (
+            "restitution = 0.5",
+            "bond = { normal_strength = 1.0, shear_strength = 1.0, young = 1e6 }",
+            "pair[0].bond.young",
+            "bonds of rigid grains are rigid",
+        ),
+        (
             "materials = [\"rock\", \"steel\"]",
             "materials = [\"steel\", \"steel\"]",
             "pair[0]",

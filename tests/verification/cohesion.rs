@@ -56,6 +56,8 @@ impl Case {
         let bond = Bond {
             normal_strength: tension / section,
             shear_strength: shear / section,
+            reach: 0.0,
+            young: None,
         };
         self.pairs(|pair| Pair {
             bond: Some(bond),

@@ -3,6 +3,8 @@
 
 #![allow(unreachable_pub, reason = "a test crate has no outside")]
 
+mod adhesion;
+mod adhesion_scenes;
 mod applied_forces;
 mod axes;
 mod belts;
@@ -19,6 +21,7 @@ mod derivatives;
 mod driven;
 mod driven_scenes;
 mod edges;
+mod elastic_bonds;
 mod frames;
 mod free_motion;
 mod holds;

@@ -18,7 +18,11 @@ name = "wall"
 "#;
 
 pub fn scene(text: &str) -> Arc<Scene> {
-    let text = format!("{text}{MATERIALS}");
+    let materials = match text.contains("[[material]]") {
+        true => "",
+        false => MATERIALS,
+    };
+    let text = format!("{text}{materials}");
     let loaded = Scene::from_toml("scene", &text, Path::new(""));
     Arc::new(loaded.unwrap_or_else(|e| panic!("{}", e.plain())).scene)
 }

@@ -90,10 +90,11 @@ pub(super) struct Whole {
 impl Whole {
     pub(super) fn of(state: &Observation, loads: &Loads) -> Self {
         let totals = Totals::of(state);
-        let held = |by: Hold| state.contacts.iter().filter(|c| c.hold == by).count() as u64;
+        let held =
+            |by: &dyn Fn(Hold) -> bool| state.contacts.iter().filter(|c| by(c.hold)).count() as u64;
         Self {
-            attached: held(Hold::Attached),
-            bonds: held(Hold::Bonded),
+            attached: held(&|hold| hold == Hold::Attached),
+            bonds: held(&|hold| hold.is_bond()),
             broken_bonds: state.broken_bonds,
             body_force: state.body_force,
             work: state.work,

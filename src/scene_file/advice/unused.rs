@@ -1,9 +1,10 @@
 //! Keys that do nothing.
 
 use crate::integrator::Integrator;
-use crate::scene::{Method, Scene};
+use crate::scene::{Boundary, Method, Scene};
 use crate::scene_file::decode::SceneFile;
 use crate::scene_file::diagnostic::Advice;
+use crate::scene_file::file::BondStrengths;
 use crate::solver::SolverKind;
 use crate::solver::gauss_seidel::SMALL;
 
@@ -12,6 +13,7 @@ pub(super) fn advise(scene: &Scene, file: &SceneFile) -> Vec<Advice> {
     advice.extend(materials(scene, file));
     advice.extend(pairs(scene, file));
     advice.extend(wear(scene, file));
+    advice.extend(glue(scene, file));
     advice
 }
 
@@ -135,5 +137,24 @@ fn wear(scene: &Scene, file: &SceneFile) -> Option<Advice> {
         format!("{path}.wear"),
         "has no effect: no boundary keeps what it feels",
         "write `wall_fields = true` in the boundary that wears, or remove it",
+    ))
+}
+
+/// Stiffness of bonds between grains that are rigid.
+fn glue(scene: &Scene, file: &SceneFile) -> Option<Advice> {
+    let soft = |boundary: &Boundary| boundary.stiffness.is_some();
+    if scene.pairs.gives_way() || scene.boundaries.iter().any(soft) {
+        return None;
+    }
+    let given =
+        |bond: &Option<BondStrengths>| bond.as_ref().is_some_and(|bond| bond.young.is_some());
+    let default = given(&file.pair_default.bond).then(|| "pair_default".to_owned());
+    let mut pairs = file.pairs.iter();
+    let pair = pairs.find(|pair| pair.value.as_ref().is_some_and(|pair| given(&pair.bond)));
+    let path = default.or(pair.map(|pair| pair.path.clone()))?;
+    Some(Advice::warning(
+        format!("{path}.bond.young"),
+        "has no effect: bonds of rigid grains are rigid",
+        "give `young` [Pa] to the materials as well, or remove it",
     ))
 }

@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 pub enum Adhesion {
     /// Derjaguin, Muller and Toporov: `2 pi W R*`; small, hard grains.
     Dmt,
-    /// Johnson, Kendall and Roberts: `1.5 pi W R*`; large, soft grains. Rigid contacts only.
+    /// Johnson, Kendall and Roberts: `1.5 pi W R*`; large, soft grains; with `young` its whole force curve, with a neck.
     Jkr,
 }
 
@@ -23,4 +23,11 @@ pub struct BondStrengths {
     /// Shear strength \[Pa\] of a bond that is not pressed.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub shear_strength: f64,
+    /// Gap \[m\] up to which a bond joins at the start, beside all that touches.
+    #[serde(default)]
+    #[schemars(extend("minimum" = 0))]
+    pub reach: f64,
+    /// Young's modulus \[Pa\] of the glue where contacts give way; it is an elastic beam between the centres.
+    #[schemars(extend("exclusiveMinimum" = 0, "x-default" = "that of the contact, or its `stiffness`"))]
+    pub young: Option<f64>,
 }

@@ -3,10 +3,12 @@
 use std::ops::Range;
 
 use crate::Vec3;
+use crate::contact::cohesion::Hold;
 use crate::contact::forces::ContactForces;
 use crate::detection::configuration::Configuration;
 use crate::integrator::Integrator;
 use crate::problem::Law;
+use crate::problem::law::split;
 use crate::spatial::{Pose, SpatialVector};
 use crate::state::{BodyState, EnergyLedger, State};
 use crate::step::rows::elastic::ElasticContact;
@@ -28,16 +30,27 @@ pub(super) struct Lost {
 pub(super) struct End<'p> {
     position: Vec<Vec3>,
     poses: &'p [Pose],
+    /// Couples \[N m\] of the contacts on A, where some resist.
+    couples: Vec<Vec3>,
 }
 
 /// What the springs of a contact do \[J\].
 pub(super) struct SpringWork {
     /// Work of the normal spring.
     normal: f64,
-    /// What its damper loses.
+    /// What its damper loses, or a neck or bond that parts.
     pub(super) damped: f64,
     /// What the shear spring gives back.
     pub(super) shear: f64,
+    /// What a bond's springs across the normal and its couples lose: to dampers, and where it breaks.
+    bond: Option<f64>,
+}
+
+impl SpringWork {
+    /// What counts as lost by friction beside the work across the normal.
+    pub(super) fn slid(&self) -> f64 {
+        self.bond.unwrap_or(self.shear)
+    }
 }
 
 impl Solved<'_> {
@@ -64,7 +77,12 @@ impl Solved<'_> {
             let mut position = Vec::new();
             let velocity = &self.solution.velocity;
             self.prediction().end_positions(velocity, &mut position);
-            End { position, poses }
+            let couples = self.couples();
+            End {
+                position,
+                poses,
+                couples,
+            }
         })
     }
 
@@ -95,7 +113,10 @@ impl Solved<'_> {
                 work.impact += sprung.damped;
                 known += sprung.normal - sprung.damped;
                 // What the shear spring gives slides away, unless the force brings it to the bodies.
-                work.friction += sprung.shear;
+                work.friction += sprung.slid();
+                if let Some(lost) = sprung.bond {
+                    known += sprung.shear - lost;
+                }
             }
             if *p == Vec3::zeros() || self.assembly.joint(k).is_some() {
                 continue;
@@ -107,9 +128,14 @@ impl Solved<'_> {
                 known += spring;
                 continue;
             }
-            let attracted = self.work_of_attraction(k, |i| self.working(k, i));
-            work.contacts += attracted;
-            known += attracted;
+            let contact = self.assembly.contact_of(k).unwrap_or(k);
+            let held = self.assembly.elastic(contact);
+            // Necks and bonds have their attraction in their energy.
+            if held.is_none_or(|held| held.neck().is_none() && held.bond().is_none()) {
+                let attracted = self.work_of_attraction(k, |i| self.working(k, i));
+                work.contacts += attracted;
+                known += attracted;
+            }
             let lost = self.lost(k);
             work.friction += lost.friction;
             known -= lost.friction;
@@ -144,14 +170,24 @@ impl Solved<'_> {
         // A couple of resistance is friction as a whole.
         let p_n = if couple { 0.0 } else { p.dot(&n) };
         let along = u.dot(&n);
+        let contact = self.assembly.contact_of(k);
+        let held = contact.and_then(|contact| self.assembly.elastic(contact));
+        // The springs of a bond have all of it.
+        let bonded = held.is_some_and(|held| held.bond().is_some());
         Lost {
-            friction: -(p - n * p_n).dot(&u),
+            friction: match bonded {
+                true => 0.0,
+                false => -(p - n * p_n).dot(&u),
+            },
             impact: match impact && rows.compliance(k) == 0.0 {
                 true => -p_n * along,
                 false => 0.0,
             },
             impulse: p_n,
-            slip: (u - n * along).norm(),
+            slip: match bonded {
+                true => 0.0,
+                false => (u - n * along).norm(),
+            },
         }
     }
 
@@ -165,29 +201,68 @@ impl Solved<'_> {
     ) -> SpringWork {
         let (assembly, rows) = (self.assembly, &self.assembly.problem.rows);
         let candidate = &assembly.candidates[k];
+        let couples = &end.couples;
         let end = Configuration {
             position: &end.position,
             poses: end.poses,
             ..assembly.start()
         };
-        // A late contact is a candidate of the end.
-        let [before, after] = [assembly.start(), end].map(|at| elastic.energy(at.gap(candidate)));
+        let [start, end] = [assembly.start(), end].map(|at| at.gap(candidate));
+        let past = assembly.past[k].hold(contacts);
+        let now = assembly.holds.get(k).copied().unwrap_or_default();
+        let [before, after] = [elastic.energy(start, past), elastic.energy(end, now)];
         let normal = before - after;
-        let damped = match (self.pressing(k) != Vec3::zeros(), rows.compliance(k) == 0.0) {
-            (false, _) => normal,
-            (true, true) => 0.0,
-            (true, false) => {
-                let speed = |velocity: &dyn Fn(usize) -> SpatialVector| {
-                    rows.relative(k, velocity).dot(&rows.normal(k))
-                };
-                let before = speed(&|i| self.prediction().velocity(i));
-                elastic.damped([before, speed(&|i| self.solution.velocity[i])])
-            }
+        let speed = |velocity: &dyn Fn(usize) -> SpatialVector| rows.relative(k, velocity);
+        let speeds = || {
+            let before = speed(&|i| self.prediction().velocity(i));
+            [before, speed(&|i| self.solution.velocity[i])]
         };
+        let pressed = self.pressing(k) != Vec3::zeros();
+        let damped = match (elastic.neck(), elastic.bond()) {
+            // It has been pulled down its curve before it parts, wherever the step ends.
+            (Some(neck), _) if now != Hold::Attached => neck.parted(),
+            (Some(_), _) if pressed || !elastic.is_resolved() => {
+                elastic.damped(speeds().map(|u| u.dot(&rows.normal(k))))
+            }
+            // Its damper has all but what the attraction works.
+            (Some(_), _) => {
+                let u = speed(&|i| self.solution.velocity[i]);
+                normal - self.solution.impulses[k].dot(&u)
+            }
+            (None, Some(bond)) if self.breaks(k) => bond.energy(-end),
+            _ => match (pressed, rows.compliance(k) == 0.0) {
+                // What the scheme has missed since surfaces that adhere have touched is no loss of theirs.
+                (false, _) if now == Hold::Attached && elastic.fold().is_some() => 0.0,
+                (false, _) => normal,
+                (true, true) => 0.0,
+                (true, false) => elastic.damped(speeds().map(|u| u.dot(&rows.normal(k)))),
+            },
+        };
+        let stored = assembly.past[k].stored(contacts);
+        let left = self.spring_left(k).energy();
+        let Some(bond) = elastic.bond() else {
+            return SpringWork {
+                normal,
+                damped,
+                shear: stored - left,
+                bond: None,
+            };
+        };
+        let normals = [assembly.past[k].carried(contacts).normal, candidate.normal];
+        let couples = [assembly.past[k].torque(contacts), couples[k]];
+        let radius = rows.radius(k);
+        let [old, new] = [0, 1].map(|i| {
+            let couple = couples[i] / radius;
+            ElasticContact::turned(bond, normals[i], couple)
+        });
+        let whole = self.spring_state(k).energy() + new;
+        let left = if self.breaks(k) { left } else { whole };
+        let across = speeds().map(|u| split(u, rows.normal(k)).1);
         SpringWork {
             normal,
             damped,
-            shear: assembly.past[k].stored(contacts) - self.spring_state(k).energy(),
+            shear: stored + old - left,
+            bond: Some(whole - left + elastic.damped_across(across)),
         }
     }
 

@@ -10,6 +10,7 @@ use crate::problem::Law;
 use crate::problem::law::split;
 use crate::spatial::{Pose, SpatialVector, Wrench};
 use crate::state::{BodyState, State};
+use crate::step::rows::elastic::ElasticContact;
 use crate::step::rows::joint::JointConstraint;
 use crate::step::solution::Solved;
 
@@ -46,7 +47,7 @@ impl Solved<'_> {
                 let load = ContactForce { key, normal, force };
                 let beside = Beside {
                     torque: couples.get(k).copied(),
-                    spring: gives_way.then(|| self.spring_state(k)),
+                    spring: gives_way.then(|| self.spring_left(k)),
                     hold,
                 };
                 self.carry(state, load, beside, !self.assembly.impact[k]);
@@ -74,6 +75,26 @@ impl Solved<'_> {
         elastic.state_after(slip, mu * pressed)
     }
 
+    /// What is left of the spring where the step breaks the bond that contact `k` has had in it.
+    pub(super) fn spring_left(&self, k: usize) -> SpringState {
+        let whole = self.spring_state(k);
+        match self.assembly.elastic(k) {
+            Some(elastic) if self.breaks(k) => {
+                let candidate = &self.assembly.candidates[k];
+                let acting = self.solution.impulses[k].dot(&candidate.normal);
+                let mu = self.prediction().pair(candidate.key).friction;
+                elastic.state_unbound(whole, mu * acting / self.prediction().step)
+            }
+            _ => whole,
+        }
+    }
+
+    /// Whether the step breaks the elastic bond of contact `k`.
+    pub(super) fn breaks(&self, k: usize) -> bool {
+        let bonded = |elastic: &ElasticContact| elastic.bond().is_some();
+        self.assembly.elastic(k).is_some_and(bonded) && !self.assembly.holds[k].is_bond()
+    }
+
     /// The contacts of spheres that sleep, with what goes with them.
     fn sleeping(&self, contacts: &ContactForces) -> Vec<(ContactForce, Beside)> {
         let prediction = self.prediction();
@@ -97,7 +118,9 @@ impl Solved<'_> {
         let (scene, i) = (prediction.scene, load.key.sphere as usize);
         let (boundary, pose) = (&scene.boundaries[b], &prediction.poses[0][b]);
         let centre = boundary.copy_near(&scene.cell, pose, prediction.kinematics.position[i]);
-        let point = centre + load.normal * -scene.particles.radius[i];
+        // A bond over a gap holds the boundary at its own end.
+        let apart = beside.hold.map_or(0.0, |hold| hold.rest().max(0.0));
+        let point = centre + load.normal * -(scene.particles.radius[i] + apart);
         let pivot = boundary.point_of_action + pose.translation;
         let wrench = Wrench {
             force: -load.force,
@@ -111,7 +134,7 @@ impl Solved<'_> {
     }
 
     /// Couple \[N m\] of each contact's resistance on A, `[contacts]`; empty where there is no resistance.
-    fn couples(&self) -> Vec<Vec3> {
+    pub(super) fn couples(&self) -> Vec<Vec3> {
         if !self.prediction().scene.pairs.resists() {
             return Vec::new();
         }

@@ -74,7 +74,7 @@ impl Solved<'_> {
             let sprung = elastic.zip(end);
             let sprung = sprung
                 .map(|(elastic, end)| self.work_of_spring(k, elastic, (end, &state.contacts)));
-            let [damped, returned] = sprung.map_or([0.0; 2], |work| [work.damped, work.shear]);
+            let [damped, returned] = sprung.map_or([0.0; 2], |work| [work.damped, work.slid()]);
             let share = 1.0 / triangles.len() as f64;
             let wear = self.prediction().pair(candidate.key).wear;
             for triangle in triangles {

@@ -141,16 +141,17 @@ impl Prediction<'_> {
             pressed: carried.force.dot(&carried.normal) + attraction,
             shear: carried.shear(n),
         };
-        let elastic = self.elastic(candidate, &contact, (&before, loading));
+        let elastic = self.elastic((candidate, hold), &contact, (&before, loading));
         let excess = match elastic {
             Some(_) => candidate.gap,
             None => {
                 let settings = &self.scene.settings;
-                candidate.gap - settings.carried(candidate.gap, contact.radius, self.step)
+                let gap = candidate.gap - hold.rest();
+                gap - settings.carried(gap, contact.radius, self.step)
             }
         };
         let impact = known_impact.unwrap_or_else(|| {
-            if elastic.is_some_and(|elastic| elastic.is_resolved()) {
+            if elastic.is_some_and(|elastic| elastic.is_never_impact(candidate.gap)) {
                 return false;
             }
             let freely = || n.dot(&(free[a].linear - contact.partner));
@@ -186,6 +187,16 @@ impl Prediction<'_> {
         } else {
             excess
         };
+        // A bond acts in its middle: what it does to one body it undoes to the other.
+        let apart = if hold.is_bond() {
+            candidate.gap.max(0.0)
+        } else {
+            0.0
+        };
+        let middle = match candidate.key.partner {
+            Partner::Sphere { .. } => 0.5 * apart,
+            Partner::Boundary { .. } => apart,
+        };
         let (mut bias, compliance) = self.bias(terms, n, (excess + bend, rebound));
         if !impact {
             bias += contact.rolling;
@@ -194,15 +205,21 @@ impl Prediction<'_> {
             a: body,
             b: contact.b,
             normal: n,
-            arm_a: arm(centre, n * -own.radius),
-            arm_b: contact.arm_b,
+            arm_a: arm(centre, n * -(own.radius + middle)),
+            arm_b: match candidate.key.partner {
+                Partner::Sphere { .. } => contact.arm_b + n * middle,
+                Partner::Boundary { .. } if middle > 0.0 && contact.b != GROUND => {
+                    contact.arm_b - n * middle
+                }
+                Partner::Boundary { .. } => contact.arm_b,
+            },
             prescribed_velocity: contact.prescribed_velocity,
             bias,
             compliance_n: compliance[0],
             compliance_t: compliance[1],
             law: Law::Contact {
                 mu: match hold {
-                    Hold::Bonded => self.held_friction(candidate.key, hold)[0],
+                    Hold::Bonded { .. } => self.held_friction(candidate.key, hold)[0],
                     Hold::Loose | Hold::Attached => pair.friction,
                 },
             },
@@ -214,7 +231,11 @@ impl Prediction<'_> {
         ContactRow {
             row,
             impact,
-            is_of_spheres: sphere(body) && sphere(contact.b) && at_rest && elastic.is_none(),
+            is_of_spheres: sphere(body)
+                && sphere(contact.b)
+                && at_rest
+                && elastic.is_none()
+                && middle == 0.0,
             elastic,
         }
     }
@@ -257,7 +278,7 @@ impl Prediction<'_> {
     #[inline]
     fn elastic(
         &self,
-        candidate: &Candidate,
+        (candidate, hold): (&Candidate, Hold),
         contact: &ContactKinematics,
         (before, loading): (&impl Fn() -> Before, f64),
     ) -> Option<ElasticContact> {
@@ -267,14 +288,15 @@ impl Prediction<'_> {
         let settings = &self.scene.settings;
         let elasticity = self.scene.elasticity(candidate.key)?;
         let spring = elasticity.spring(contact.reduced_radius);
+        let held = self.held_spring(candidate.key, hold, (spring, contact.reduced_radius));
         let [a, b] = self.scene.touching(candidate.key);
         let body = (contact.reduced_mass, self.scene.pairs.damping(a, b));
         // Where nothing acts, as much as an overlap that nobody sees.
-        let least = spring.force(UNSEEN * settings.tolerance.gap * contact.radius);
+        let least = spring.own_force(UNSEEN * settings.tolerance.gap * contact.radius);
         let load = least.max(contact.lightest * loading);
         let resolves = settings.integrator == Integrator::Moreau;
         let step = (self.step, resolves, load);
-        Some(ElasticContact::new(spring, body, &before(), step))
+        Some(ElasticContact::new(held, body, &before(), step))
     }
 
     /// Bias \[m/s\] and compliances of a contact: its spring's, or rigid with a gap that exceeds what it carries by `excess` \[m\],

@@ -21,15 +21,25 @@
 //!
 //! with the tangent of `F` at a known overlap in the row; the step's passes bring that where the solution is (Newton's method).
 //! So is every contact with the integrator of Shi, which has no restitution.
+//!
+//! `F` is what presses against the attraction of a contact that holds, `p_n` likewise. A neck that is pulled beyond its largest tension
+//! weakens: a step that resolves it has its force as that of any spring; a longer one has no `p_n` there, and the passes take the
+//! attraction itself down the curve, to the end of the step. That converges where the bodies hold the neck, which is more than its
+//! slope asks for; else it parts.
 
 use crate::Vec3;
-use crate::contact::elasticity::ContactSpring;
+use crate::contact::cohesion::Hold;
 use crate::contact::forces::SpringState;
+use crate::contact::neck::Neck;
+use crate::contact::spring::{BondSpring, ContactSpring};
+use crate::problem::law::split;
 
 /// Largest `k dt^2/m` of a step that resolves a contact: 16 steps from touching to parting.
 const RESOLVED: f64 = 0.04;
 /// Share `b` of the acceleration.
 const AHEAD: f64 = 1.0 / 12.0;
+/// The same of a bond's couples, which a state keeps with it: so little that it damps nothing.
+const LITTLE: f64 = 1e-3;
 /// Reduced mass of a pair of spheres across the normal over that along it.
 const ACROSS: f64 = 2.0 / 7.0;
 
@@ -37,6 +47,8 @@ const ACROSS: f64 = 2.0 / 7.0;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct ElasticContact {
     spring: ContactSpring,
+    /// The curve that it follows while it adheres.
+    curve: Option<Neck>,
     dt: f64,
     /// Overlap \[m\] at the start of the step, or where the row has its tangent.
     overlap: f64,
@@ -74,21 +86,22 @@ pub(super) struct Before {
 
 /// Bias \[m/s\] and compliance \[m/(s N s)\] of a row, along and across the normal.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Terms {
-    pub(super) along: [f64; 2],
-    pub(super) across: (Vec3, f64),
+pub(crate) struct Terms {
+    pub(crate) along: [f64; 2],
+    pub(crate) across: (Vec3, f64),
 }
 
 impl ElasticContact {
     /// Of a pair of the reduced mass `mass` \[kg\] and the given damping ratio; a normal force \[N\] of the size of `load` is to be
     /// expected. `resolves`: whether the integrator takes springs where they are.
     pub(super) fn new(
-        spring: ContactSpring,
+        (spring, curve): (ContactSpring, Option<Neck>),
         (mass, ratio): (f64, f64),
         before: &Before,
         (dt, resolves, load): (f64, bool, f64),
     ) -> Self {
-        let overlap = (-before.gap).max(0.0);
+        let overlap = (-before.gap).max(spring.least());
+        let touches = -before.gap > spring.least();
         let pressed = spring.overlap(match before.pressed > 0.0 {
             true => before.pressed,
             false => load,
@@ -104,7 +117,7 @@ impl ElasticContact {
         };
         let stiffness = spring.slope(reached);
         let resolved = (resolves && short(reached)).then(|| Resolved {
-            damping: match before.gap < 0.0 {
+            damping: match touches {
                 true => {
                     let across = ACROSS * mass;
                     let stiffness = finite(spring.shear(overlap));
@@ -129,6 +142,7 @@ impl ElasticContact {
         }
         Self {
             spring,
+            curve,
             dt,
             overlap,
             shear,
@@ -144,14 +158,49 @@ impl ElasticContact {
         2.0 * loading * self.response.max(self.dt)
     }
 
+    /// Whether it is no impact at a gap \[m\], however fast: the step resolves it, or its surfaces are still held together.
+    pub(super) fn is_never_impact(&self, gap: f64) -> bool {
+        self.is_resolved() || self.bond().is_some() || self.neck().is_some() && gap > 0.0
+    }
+
     /// Whether the step resolves it.
     pub(crate) fn is_resolved(&self) -> bool {
         self.resolved.is_some()
     }
 
-    /// Energy \[J\] stored along the normal at a gap \[m\].
-    pub(crate) fn energy(&self, gap: f64) -> f64 {
-        self.spring.energy((-gap).max(0.0))
+    /// Energy \[J\] stored along the normal at a gap \[m\] where `hold` holds it.
+    pub(crate) fn energy(&self, gap: f64, hold: Hold) -> f64 {
+        let own = || self.spring.own_energy((-gap).max(0.0));
+        match (hold, &self.curve, self.spring.bond()) {
+            (Hold::Attached, Some(neck), _) => neck.stored(-gap),
+            (Hold::Bonded { .. }, _, Some(bond)) => own() + bond.energy(-gap),
+            _ => own(),
+        }
+    }
+
+    /// The neck that it has in this step.
+    pub(crate) fn neck(&self) -> Option<&Neck> {
+        self.spring.neck()
+    }
+
+    /// The bond that it has in this step.
+    pub(crate) fn bond(&self) -> Option<&BondSpring> {
+        self.spring.bond()
+    }
+
+    /// Overlap \[m\] down to which it adheres.
+    pub(crate) fn fold(&self) -> Option<f64> {
+        self.curve.as_ref().map(Neck::fold)
+    }
+
+    /// Attraction \[N\] of a neck at a gap \[m\]: its pull-off force, but for what `p_n` lacks of it in a step that does not resolve it.
+    pub(crate) fn attraction(&self, gap: f64) -> Option<f64> {
+        let neck = self.neck()?;
+        Some(match (-gap > neck.fold(), -gap < neck.tensest()) {
+            (false, _) => 0.0,
+            (true, true) if !self.is_resolved() => neck.pull_off() - neck.force(-gap),
+            (true, _) => neck.pull_off(),
+        })
     }
 
     /// What its spring goes on with after a step in which the surfaces slip at `slip` \[m/s\] and friction bears `most` \[N\].
@@ -170,6 +219,73 @@ impl ElasticContact {
         SpringState::Stretched { shear, stiffness }
     }
 
+    /// What is left of [`Self::state_after`] where the bond breaks: what its own law holds of the stretch, up to `most` \[N\].
+    pub(crate) fn state_unbound(&self, whole: SpringState, most: f64) -> SpringState {
+        let SpringState::Stretched { shear, stiffness } = whole else {
+            return whole;
+        };
+        let own = self.spring.own_shear(self.overlap);
+        let share = if own < stiffness {
+            own / stiffness
+        } else {
+            1.0
+        };
+        let (shear, size) = (shear * share, shear.norm() * share);
+        let most = most.max(0.0);
+        SpringState::Stretched {
+            shear: if size > most {
+                shear * (most / size)
+            } else {
+                shear
+            },
+            stiffness: own,
+        }
+    }
+
+    /// Energy \[J\] that its damper across the normal takes in a step that begins and ends with these slips \[m/s\].
+    pub(crate) fn damped_across(&self, [before, after]: [Vec3; 2]) -> f64 {
+        let taken = |resolved: &Resolved| {
+            let [early, late] = resolved.damping[1];
+            self.dt * (before * early + after * late).dot(&after)
+        };
+        self.resolved.as_ref().map_or(0.0, taken)
+    }
+
+    /// Terms of the row of a bond's couples, over the lever `R_b`: `held` \[N\] is what they were, `turning` \[m/s\] what turned it in
+    /// the step before. Along the normal it is twisted, across it bent.
+    pub(crate) fn couple(
+        &self,
+        bond: &BondSpring,
+        n: Vec3,
+        (held, turning): (Vec3, Vec3),
+    ) -> Terms {
+        let [bent, twisted] = bond.turning();
+        let terms = |stiffness: f64, held: Vec3, turning: Vec3| match self.is_resolved() {
+            true => {
+                let ahead = LITTLE * stiffness * self.dt;
+                let force = held - turning * (stiffness * self.dt - ahead);
+                (force * (-1.0 / ahead), 1.0 / (ahead * self.dt))
+            }
+            false => (
+                held * (-1.0 / (stiffness * self.dt)),
+                self.compliance(stiffness),
+            ),
+        };
+        let [(held_n, held_t), (turning_n, turning_t)] = [held, turning].map(|x| split(x, n));
+        let (along, compliance) = terms(twisted, n * held_n, n * turning_n);
+        Terms {
+            along: [along.dot(&n), compliance],
+            across: terms(bent, held_t, turning_t),
+        }
+    }
+
+    /// Energy \[J\] that a bond's couples have stored, over the lever `R_b` \[N\].
+    pub(crate) fn turned(bond: &BondSpring, n: Vec3, couple: Vec3) -> f64 {
+        let [bent, twisted] = bond.turning();
+        let (along, across) = split(couple, n);
+        0.5 * (along * along / twisted + across.norm_squared() / bent)
+    }
+
     /// Energy \[J\] that its dampers take in a step that begins and ends with these relative velocities along the normal \[m/s\].
     pub(crate) fn damped(&self, [before, after]: [f64; 2]) -> f64 {
         let taken = |resolved: &Resolved| {
@@ -179,16 +295,27 @@ impl ElasticContact {
         self.resolved.as_ref().map_or(0.0, taken)
     }
 
-    /// Overlap \[m\] that the spring has under a normal force \[N\].
-    pub(crate) fn compression(&self, force: f64) -> f64 {
-        self.spring.overlap(force.max(0.0))
+    /// By how much \[m\] a `gap` \[m\] differs from that at which the spring has a normal force \[N\] beside an attraction \[N\].
+    pub(crate) fn error(&self, gap: f64, force: f64, attraction: f64) -> f64 {
+        let Some((neck, wanted)) = self.neck().zip(self.attraction(gap)) else {
+            return gap + self.spring.overlap(force.max(0.0));
+        };
+        let missed = (attraction - wanted) / neck.stiffness();
+        match force > 0.0 || -gap > neck.tensest() {
+            true => gap + neck.overlap(force.max(0.0)) + missed,
+            false => missed,
+        }
     }
 
     /// Takes the tangent at the normal force \[N\] that a solution has, or at its `gap` \[m\] where it has none.
     pub(crate) fn follow(&mut self, force: f64, gap: f64) {
+        let least = match self.neck() {
+            Some(neck) => neck.overlap(0.0),
+            None => self.spring.least().max(0.0),
+        };
         if force > 0.0 {
             self.overlap = self.spring.overlap(force);
-        } else if gap < 0.0 {
+        } else if -gap > least {
             self.overlap = -gap;
         }
     }
@@ -223,7 +350,7 @@ impl ElasticContact {
         let (speed, slip) = before.velocity;
         let [ahead, ahead_t] = resolved.reached.map(|k| AHEAD * k * self.dt);
         let [[early, late], [early_t, late_t]] = resolved.damping;
-        let force = match before.gap < 0.0 {
+        let force = match -before.gap > self.spring.least() {
             true => self.spring.force(self.overlap),
             // Nothing acts yet, whatever the other contacts of the step do but for a push through all of the gap.
             false => -resolved.reached[0] * before.gap,

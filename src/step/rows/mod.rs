@@ -29,6 +29,7 @@ use crate::scene::Method;
 use crate::scene::materials::Pair;
 use crate::spatial::SpatialVector;
 use crate::step::prediction::Prediction;
+use crate::step::rows::elastic::ElasticContact;
 use crate::step::rows::joint::{JointLimit, Kind};
 
 impl Prediction<'_> {
@@ -109,6 +110,22 @@ impl Prediction<'_> {
             resistance.bias = torque * (-self.step / row.radius * compliance);
         }
         Some(resistance)
+    }
+
+    /// Lets the row of a resistance be the bending and twisting spring of the bond of `elastic`, whose couple \[N m\] was `torque`.
+    pub(super) fn spring_couple(
+        &self,
+        elastic: Option<&ElasticContact>,
+        torque: Vec3,
+        row: &mut Row,
+    ) {
+        let Some((elastic, bond)) = elastic.and_then(|e| Some((e, e.bond()?))) else {
+            return;
+        };
+        let turning = row.relative(|i| self.velocity(i));
+        let terms = elastic.couple(bond, row.normal, (torque / row.radius, turning));
+        row.bias = row.normal * terms.along[0] + terms.across.0;
+        (row.compliance_n, row.compliance_t) = (terms.along[1], terms.across.1);
     }
 
     /// The row of a stop or spring of driven body `rank`, and whether it is an impact: a stop acts as a boundary, without
