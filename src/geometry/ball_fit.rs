@@ -30,8 +30,9 @@ use crate::Vec3;
 const POINTS: usize = 1000;
 /// Points of the grid inside the solid, about.
 const CANDIDATES: f64 = 3000.0;
-/// Most points of the grid, inside or outside.
-const MOST: usize = 400_000;
+/// Most points of the grid, inside or outside, and how much wider a grid of more becomes \[-\].
+const MOST: f64 = 400_000.0;
+const COARSER: f64 = 1.2;
 /// Smallest radius over the largest: smaller balls would cost short steps and stand for little.
 const SMALLEST: f64 = 0.1;
 /// Smallest step of a centre over the width of the grid.
@@ -95,7 +96,7 @@ impl BallFit {
     /// none of the grid's points is inside.
     #[must_use]
     pub fn new(solid: &Solid, count: usize) -> Option<Self> {
-        let search = Search::new(solid);
+        let search = Search::new(solid)?;
         let mut balls = Vec::with_capacity(count);
         search.extend(&mut balls, count);
         let mut sum = search.sum(&balls);
@@ -137,7 +138,7 @@ fn grow(balls: &mut [Ball], volume: f64) -> (f64, Moments) {
     let radii: Vec<f64> = balls.iter().map(|ball| ball.radius).collect();
     let union = |grown: f64| {
         let radii: Vec<f64> = radii.iter().map(|radius| radius + grown).collect();
-        Moments::of_balls(&centres, &radii)
+        Moments::of_many_balls(&centres, &radii)
     };
     let (mut grown, mut found) = (0.0, union(0.0));
     // What the surface of a ball of the same volume gains.
@@ -156,13 +157,20 @@ fn grow(balls: &mut [Ball], volume: f64) -> (f64, Moments) {
 }
 
 impl<'a> Search<'a> {
-    fn new(solid: &'a Solid) -> Self {
+    /// `None` for a solid that has no volume, or none that is a number.
+    fn new(solid: &'a Solid) -> Option<Self> {
         let (low, high) = solid.bounds();
         let size = high - low;
-        let most = size.x * size.y * size.z / MOST as f64;
-        let width = libm::cbrt((solid.volume() / CANDIDATES).max(most));
+        let mut width = libm::cbrt(solid.volume() / CANDIDATES);
+        if !(width > 0.0 && width.is_finite()) {
+            return None;
+        }
         // Whole cells along each edge, centred in the box: a plate has its middle plane among them.
-        let counts = size.map(|side| (side / width).ceil().max(1.0));
+        let cells = |width: f64| size.map(|side| (side / width).ceil().max(1.0));
+        while cells(width).product() > MOST {
+            width *= COARSER;
+        }
+        let counts = cells(width);
         let cell = size.component_div(&counts);
         let [nx, ny, nz] = <[f64; 3]>::from(counts).map(|count| count as usize);
         let places = (0..nx * ny * nz).map(|k| {
@@ -181,13 +189,13 @@ impl<'a> Search<'a> {
             .map(|ball| ball.radius)
             .fold(0.0, f64::max);
         candidates.retain(|ball| ball.radius >= SMALLEST * largest);
-        Self {
+        Some(Self {
             solid,
             points: solid.surface_points(POINTS),
             candidates,
             width,
             smallest: SMALLEST * largest,
-        }
+        })
     }
 
     /// The inscribed ball about a point, if it is large enough.

@@ -11,6 +11,8 @@ use crate::Vec3;
 
 /// Points of the Gauss rule in each interval of a slice, and of slices.
 const POINTS: NonZeroUsize = NonZeroUsize::MIN.saturating_add(23);
+/// Fewest points in each interval.
+const FEWEST: usize = 6;
 
 impl Moments {
     /// Those of a union of balls of these centres \[m\] and radii \[m\].
@@ -23,7 +25,22 @@ impl Moments {
     /// If there is no ball.
     #[must_use]
     pub fn of_balls(centres: &[Vec3], radii: &[f64]) -> Self {
-        let rule = GaussLegendre::new(POINTS);
+        Self::of_balls_by(centres, radii, POINTS)
+    }
+
+    /// As [`Self::of_balls`], with fewer points the more balls there are, since they make more intervals: the relative error is below
+    /// 1e-5, at a sixteenth of the cost for 20 balls.
+    ///
+    /// # Panics
+    /// If there is no ball.
+    #[must_use]
+    pub(super) fn of_many_balls(centres: &[Vec3], radii: &[f64]) -> Self {
+        let points = (2 * POINTS.get() / centres.len()).clamp(FEWEST, POINTS.get());
+        Self::of_balls_by(centres, radii, NonZeroUsize::new(points).unwrap_or(POINTS))
+    }
+
+    fn of_balls_by(centres: &[Vec3], radii: &[f64], points: NonZeroUsize) -> Self {
+        let rule = GaussLegendre::new(points);
         let rule: Vec<(f64, f64)> = rule.iter().map(|(x, w)| (*x, *w)).collect();
         let origin = centres[0];
         let balls: Vec<(Vec3, f64)> = centres
@@ -221,6 +238,26 @@ mod tests {
             assert!(
                 (found.inertia / known.inertia[0] - known.inertia / known.inertia[0]).norm() < 2e-6
             );
+        }
+    }
+
+    /// The rule with fewer points against the other one: balls that overlap in all ways.
+    #[test]
+    fn fewer_points_do_for_many_balls() {
+        for count in [1, 2, 3, 5, 8, 12] {
+            // Places that fill a cube evenly, by the additive recurrence.
+            let place = |k: usize| {
+                Vec3::new(0.8192, 0.6711, 0.5497).map(|step| (0.5 + step * k as f64).fract())
+            };
+            let centres: Vec<Vec3> = (0..count).map(place).collect();
+            let radii: Vec<f64> = (0..count).map(|k| 0.3 + 0.02 * k as f64).collect();
+            let known = Moments::of_balls(&centres, &radii);
+            let found = Moments::of_many_balls(&centres, &radii);
+            let off = found.volume / known.volume - 1.0;
+            assert!(off.abs() < 1e-5, "{count}: {off:e}");
+            assert!((found.centroid - known.centroid).norm() < 1e-5, "{count}");
+            let off = (found.inertia - known.inertia).norm() / known.inertia.norm();
+            assert!(off < 1e-5, "{count}: {off:e}");
         }
     }
 }

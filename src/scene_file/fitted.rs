@@ -38,7 +38,7 @@ impl fmt::Display for Fitted {
         )?;
         writeln!(
             f,
-            "    surface         off by {}, at most {} of a ball of its volume; radii {} above inscribed ones",
+            "    surface         off by {}, at most {}; radii {} above inscribed ones (% of the radius of a ball of this volume)",
             share(balls.mean),
             share(balls.largest),
             share(balls.grown)

@@ -220,3 +220,25 @@ fn more_balls_stand_for_more() {
         assert!((0.0..missing).contains(&lack), "{name}: {lack}");
     }
 }
+
+/// A foil has a grid that is no finer for its small volume, and what has no volume has no balls.
+#[test]
+fn thin_solids_have_a_grid_of_bounded_size() {
+    let solid = cuboid(v(0.0, 0.0, 0.0), v(1.0, 1.0, 1e-5));
+    let fit = fit(&solid, 3);
+    assert!(
+        fit.radii
+            .iter()
+            .all(|r| (r - fit.grown - 5e-6).abs() < 1e-9)
+    );
+    let corners = [
+        v(0.0, 0.0, 0.0),
+        v(1.0, 0.0, 0.0),
+        v(0.3, 0.3, 0.0),
+        v(0.0, 1.0, 0.0),
+    ];
+    let triangles = vec![[0, 1, 2], [0, 2, 3], [1, 3, 2], [0, 3, 1]];
+    let flat = Solid::new(Facets::mesh("flat", corners.to_vec(), triangles)).unwrap();
+    assert_eq!(flat.volume(), 0.0);
+    assert!(BallFit::new(&flat, 3).is_none());
+}
