@@ -23,6 +23,7 @@ ARRAYS = {
     "spheres": {
         "point": {
             "radius": 1, "velocity": 3, "angular_velocity": 3, "force": 3, "torque": 3, "orientation": 4, "id": 1, "material": 1,
+            "clump": 1,
         },
         "cell": {},
     },
@@ -42,8 +43,8 @@ ARRAYS = {
 }
 # Written where some contact resists rolling or twisting, where some holds, and where a boundary has `wall_fields`.
 WALLS = ("area", "pressure", "shear", "traction", "friction_energy", "impact_energy", "wear_depth")
-OPTIONAL = {("contacts", "torque"), ("contacts", "hold"), *(("boundaries", name) for name in WALLS)}
-INTEGERS = {"id", "material", "id1", "id2", "kind", "boundary", "hold"}
+OPTIONAL = {("spheres", "clump"), ("contacts", "torque"), ("contacts", "hold"), *(("boundaries", name) for name in WALLS)}
+INTEGERS = {"id", "material", "clump", "id1", "id2", "kind", "boundary", "hold"}
 UNITS = {
     "radius": "m", "velocity": "m/s", "angular_velocity": "rad/s", "force": "N", "torque": "N m", "normal_force": "N",
     "overlap": "m", "slip": "m/s", "TimeValue": "s", "area": "m2", "pressure": "Pa", "shear": "Pa", "traction": "Pa",
