@@ -66,42 +66,38 @@ export class Fmu {
     this.call("exit-initialization-mode");
   }
 
-  /** What `found` makes of the answer to a question about variables, given the address of its list. */
-  read(name, references, found) {
+  /** The elements of variables, one after the other. */
+  read(name, Kind, references) {
     const at = this.invoke(name, ...this.list(Uint32Array.from(references)));
     const view = this.view();
     if (view.getUint8(at)) this.refuse(name);
-    const values = found(view, at + 4);
+    const found = new Kind(this.core.memory.buffer, view.getUint32(at + 4, true), view.getUint32(at + 8, true)).slice();
     this.core[`cabi_post_${INTERFACE}#[method]${RESOURCE}.${name}`](at);
-    return values;
-  }
-
-  /** A copy of the list whose place and length stand at an address. */
-  copy(Kind, view, at) {
-    return new Kind(view.buffer, view.getUint32(at, true), view.getUint32(at + 4, true)).slice();
-  }
-
-  /** The elements of variables, one after the other. */
-  readList(name, Kind, references) {
-    return this.read(name, references, (view, at) => this.copy(Kind, view, at));
+    return found;
   }
 
   getFloat64(references) {
-    return this.readList("get-float64", Float64Array, references);
+    return this.read("get-float64", Float64Array, references);
   }
 
   getInt32(references) {
-    return this.readList("get-int32", Int32Array, references);
+    return this.read("get-int32", Int32Array, references);
   }
 
   getBoolean(references) {
-    return this.readList("get-boolean", Uint8Array, references);
+    return this.read("get-boolean", Uint8Array, references);
   }
 
   /** The bytes of one variable. */
   getBinary(reference) {
-    // The list of one list of bytes.
-    return this.read("get-binary", [reference], (view, at) => this.copy(Uint8Array, view, view.getUint32(at, true)));
+    const name = "get-binary";
+    const at = this.invoke(name, ...this.list(Uint32Array.of(reference)));
+    const view = this.view();
+    if (view.getUint8(at)) this.refuse(name);
+    const first = view.getUint32(at + 4, true);
+    const found = new Uint8Array(this.core.memory.buffer, view.getUint32(first, true), view.getUint32(first + 4, true)).slice();
+    this.core[`cabi_post_${INTERFACE}#[method]${RESOURCE}.${name}`](at);
+    return found;
   }
 
   setFloat64(references, values) {
