@@ -7,7 +7,7 @@
 //! p_n >= -f_c,    |p_t| <= mu (p_n + f_c)            p' >= 0, |p'_t| <= mu p'_n
 //! ```
 //!
-//! so that a solver finds an ordinary contact, `p'`; where grains give way `p'` is a spring's, and JKR's a curve ([`super::neck`]).
+//! so that a solver finds an ordinary contact, `p'`; where grains give way `p'` is a spring's, and JKR's a curve (`contact::neck`).
 //! Of a surface energy `W` \[J/m^2\] (work of adhesion) and the reduced radius `R*`
 //!
 //! ```text
