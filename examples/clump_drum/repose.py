@@ -8,18 +8,15 @@ Friction and seed are parameters of the FMU. Needs fmpy, numpy and matplotlib.
 """
 
 import argparse
-import shutil
 
-import fmpy
 import matplotlib
 import numpy as np
-from fmpy.fmi3 import FMU3Slave
 
 matplotlib.use("Agg")
 from matplotlib import pyplot as plt
+from turn import RADIUS, STEP, opened
 
-RADIUS, LENGTH = 5e-3, 0.12
-STEP = 0.01
+LENGTH = 0.12
 # Boxes: where they are across [m].
 BOXES = {"spheres": (0.0, 0.03), "clumps": (0.04, 0.07)}
 
@@ -27,23 +24,7 @@ BOXES = {"spheres": (0.0, 0.03), "clumps": (0.04, 0.07)}
 def run(fmu, seed, friction, stop):
     """Centres [m] and radii [m] of the spheres at the end, which of them are still there, their largest speed [m/s]; the largest
     overlap over the radius."""
-    description = fmpy.read_model_description(str(fmu))
-    variables = {v.name: v for v in description.modelVariables}
-    folder = fmpy.extract(str(fmu))
-    slave = FMU3Slave(
-        guid=description.guid,
-        unzipDirectory=folder,
-        modelIdentifier=description.coSimulation.modelIdentifier,
-        instanceName="slopes",
-    )
-
-    def get(name):
-        shape = [int(d.start) for d in variables[name].dimensions]
-        values = slave.getFloat64([variables[name].valueReference], nValues=int(np.prod(shape, dtype=int)))
-        return np.array(values).reshape(shape)
-
-    slave.instantiate()
-    try:
+    with opened(fmu) as (slave, variables, get):
         slave.setInt32([variables["seed"].valueReference], [seed])
         slave.setFloat64([variables["friction"].valueReference], [friction])
         slave.enterInitializationMode(startTime=0.0, stopTime=stop)
@@ -54,10 +35,6 @@ def run(fmu, seed, friction, stop):
             worst = max(worst, float(get("maxOverlap")))
         position, radius = get("spheres.position"), get("spheres.radius")
         speed = np.linalg.norm(get("spheres.velocity"), axis=1)
-        slave.terminate()
-    finally:
-        slave.freeInstance()
-        shutil.rmtree(folder, ignore_errors=True)
     # The sink takes what has fallen off the edge; grains on their way are not the slope.
     there = (position[:, 0] < LENGTH) & (position[:, 2] > 0.0)
     return position, radius, there, speed[there].max(), worst
@@ -81,7 +58,7 @@ def main():
     parser.add_argument("--output", required=True, help="picture (PNG)")
     parser.add_argument("--packings", type=int, default=4)
     parser.add_argument("--friction", type=float, default=0.5)
-    parser.add_argument("--stop", type=float, default=3.5, help="end [s]")
+    parser.add_argument("--stop", type=float, default=5.0, help="end [s]")
     given = parser.parse_args()
     angles = {name: [] for name in BOXES}
     figure, axes = plt.subplots(figsize=(6.4, 4.0), layout="constrained")

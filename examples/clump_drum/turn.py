@@ -10,6 +10,7 @@ on a drum is the weight of the bed times the distance of its centre of mass from
 
 import argparse
 import shutil
+from contextlib import contextmanager
 from pathlib import Path
 
 import fmpy
@@ -25,6 +26,33 @@ RADIUS, DRUM, G = 5e-3, 0.1, 9.81
 FILL, SPEED, STEP = 0.4, 1.0, 0.01
 # Group and sensor, boundary, axis [m], spheres of a grain.
 BEDS = {"spheres": ("left", -0.11, 1), "clumps": ("right", 0.11, 4)}
+
+
+@contextmanager
+def opened(fmu):
+    """An instance of the FMU that is not initialized, its variables by name, and what gives the values of one of them."""
+    description = fmpy.read_model_description(str(fmu))
+    variables = {v.name: v for v in description.modelVariables}
+    folder = fmpy.extract(str(fmu))
+    slave = FMU3Slave(
+        guid=description.guid,
+        unzipDirectory=folder,
+        modelIdentifier=description.coSimulation.modelIdentifier,
+        instanceName="grains",
+    )
+
+    def get(name):
+        shape = [int(d.start) for d in variables[name].dimensions]
+        values = slave.getFloat64([variables[name].valueReference], nValues=int(np.prod(shape, dtype=int)))
+        return np.array(values).reshape(shape)
+
+    slave.instantiate()
+    try:
+        yield slave, variables, get
+        slave.terminate()
+    finally:
+        slave.freeInstance()
+        shutil.rmtree(folder, ignore_errors=True)
 
 
 def surface(x, z, slope):
@@ -46,23 +74,7 @@ def surface(x, z, slope):
 def turn(fmu, stop, friction=None, results=None):
     """One row per step: time, then of each bed its mass, centre of mass from the axis (x, z), torque of the drum on it, angle of the
     surface [deg] and its distance from the axis; the spheres at the end (centre, radius); the largest overlap over the radius."""
-    description = fmpy.read_model_description(str(fmu))
-    variables = {v.name: v for v in description.modelVariables}
-    folder = fmpy.extract(str(fmu))
-    slave = FMU3Slave(
-        guid=description.guid,
-        unzipDirectory=folder,
-        modelIdentifier=description.coSimulation.modelIdentifier,
-        instanceName="drums",
-    )
-
-    def get(name):
-        shape = [int(d.start) for d in variables[name].dimensions]
-        values = slave.getFloat64([variables[name].valueReference], nValues=int(np.prod(shape, dtype=int)))
-        return np.array(values).reshape(shape)
-
-    slave.instantiate()
-    try:
+    with opened(fmu) as (slave, variables, get):
         if friction is not None:
             slave.setFloat64([variables["friction"].valueReference], [friction])
         if results is not None:
@@ -86,10 +98,6 @@ def turn(fmu, stop, friction=None, results=None):
                 torque = -get(f"boundary.{boundary}.averageTorque")[1]
                 row += [float(get(f"sensor.{name}.mass")), axis - centre[0], centre[2], torque, np.degrees(slopes[name]), height]
             rows.append(row)
-        slave.terminate()
-    finally:
-        slave.freeInstance()
-        shutil.rmtree(folder, ignore_errors=True)
     return np.array(rows), (position, radius), worst
 
 

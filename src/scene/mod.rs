@@ -446,11 +446,13 @@ impl Scene {
         self.pairs.get(a, b).elasticity
     }
 
-    /// Largest gap \[m\] over which bridges, necks and bonds hold.
-    pub(crate) fn holding_distance(&self) -> f64 {
+    /// Largest gap \[m\] over which bridges, necks and bonds hold spheres of at most `largest` \[m\] radius.
+    pub(crate) fn holding_distance(&self, largest: f64) -> f64 {
+        if !self.pairs.coheres() {
+            return 0.0;
+        }
         let walls = self.boundaries.iter().filter_map(|b| b.stiffness);
         let walls = walls.map(Elasticity::linear);
-        let largest = self.particles.radius.iter().copied().fold(0.0, f64::max);
         self.pairs.holding_distance(largest, walls)
     }
 

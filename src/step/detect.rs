@@ -29,11 +29,8 @@ pub(super) fn detect(
     let both = both.map(|(now, free)| [*now, free.linear]);
     let radii = &scene.particles.radius;
     let mut reach = take(&mut workspace.reach);
-    let held = if scene.pairs.coheres() {
-        scene.holding_distance()
-    } else {
-        0.0
-    };
+    let largest = radii.iter().copied().fold(0.0, larger);
+    let held = scene.holding_distance(largest);
     DetectionDistance::of(both, step, |i| NEAR * radii[i] + held, &mut reach);
     if let Some(edge) = scene.cell.smallest_edge() {
         // Copies beyond the next ones are met by no step that is not cut anyway.
@@ -41,7 +38,6 @@ pub(super) fn detect(
             own.pairs = own.pairs.min(edge);
         }
     }
-    let largest = radii.iter().copied().fold(0.0, larger);
     let diameter = 2.0 * (largest + DetectionDistance::largest(&reach).pairs);
     // A clump is swept where its first member is.
     let first = |clump: &Clump| Some(clump.members.start);

@@ -14,6 +14,7 @@ use sphere_dda::contact::elasticity::{Elastic, Elasticity};
 use sphere_dda::scene::materials::Pair;
 use sphere_dda::scene::particles::Locks;
 
+use crate::scenes::held;
 use crate::support::{Case, G, Run, close, order};
 
 const RADIUS: f64 = 0.01;
@@ -61,8 +62,7 @@ fn case(
 }
 
 fn bonds(run: &Run) -> usize {
-    let contacts = run.simulation.contacts();
-    contacts.iter().filter(|c| c.hold.is_bond()).count()
+    held(run, Hold::is_bond)
 }
 
 /// A sphere on a wall whose normal is `normal`, at this gap.
@@ -224,6 +224,44 @@ fn a_bonded_pair_swings() {
     assert!(order(coarse.0, fine.0, 2.0) > 1.9, "{coarse:?} {fine:?}");
     assert!(fine.0 < 3e-3, "{fine:?}");
     assert!(order(coarse.1, fine.1, 2.0) > 1.5, "{coarse:?} {fine:?}");
+}
+
+/// A pair that is twisted turns by a half about an axis across its bond: the couple turns with it, so that the energy which the scheme
+/// misses falls with the step. `w^2 = 2 k_w/J = k_n/m` is the rate of twisting.
+#[test]
+fn the_couple_of_a_bond_turns_with_it() {
+    let stiffness = GLUE * section() / (2.0 * RADIUS);
+    let rate = (stiffness / mass()).sqrt();
+    let turn = 0.1 * rate;
+    let twisting = 0.4 * mass() * (RADIUS * turn).powi(2);
+    let missed = |count: f64| {
+        let step = 2.0 * PI / rate / count;
+        let mut case = case(step, 1.0, true, [1e4, 1e4], 0.0).without_gravity();
+        for side in [-1.0, 1.0] {
+            let x = Vec3::x() * side * RADIUS;
+            let spin = Vec3::new(side * turn, 0.0, turn);
+            case = case.body(
+                RADIUS,
+                x,
+                Vec3::z().cross(&x) * turn,
+                spin,
+                Locks::default(),
+            );
+        }
+        let mut run = case.start();
+        let mut worst = 0.0_f64;
+        for _ in 0..(0.5 / 0.1 * count) as usize {
+            run.step();
+            let work = run.simulation.work();
+            assert!(work.friction.abs() + work.impact.abs() < 1e-9 * twisting);
+            worst = worst.max(work.numerical_work.abs() / twisting);
+        }
+        assert_eq!(bonds(&run), 1);
+        worst
+    };
+    let [coarse, fine] = [160.0, 320.0].map(missed);
+    assert!(order(coarse, fine, 2.0) > 0.9, "{coarse:e} {fine:e}");
+    assert!(fine < 5e-2, "{fine:e}");
 }
 
 /// A pair over a gap turns about itself, is bent and sheared, and keeps its angular momentum; its energy is kinetic, stored, or the

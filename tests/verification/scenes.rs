@@ -4,6 +4,7 @@
 use std::path::Path;
 use std::sync::Arc;
 
+use sphere_dda::contact::cohesion::Hold;
 use sphere_dda::scene::Scene;
 use sphere_dda::simulation::Simulation;
 
@@ -64,4 +65,18 @@ pub fn check(text: &str, count: usize) -> Run {
     }
     assert!(again.simulation.snapshot() == run.simulation.snapshot());
     run
+}
+
+/// Contacts that are held so.
+pub fn held(run: &Run, by: impl Fn(&Hold) -> bool) -> usize {
+    let contacts = run.simulation.contacts();
+    contacts.iter().filter(|c| by(&c.hold)).count()
+}
+
+/// Of a rock of 4 x 3 x 4 bonded grains, some bonds have broken and some hold, and none is missing.
+pub fn broken_in_part(run: &Run) {
+    let whole = held(run, Hold::is_bond);
+    let broken = run.simulation.state().broken_bonds as usize;
+    assert_eq!(whole + broken, 3 * 3 * 4 + 4 * 2 * 4 + 4 * 3 * 3);
+    assert!(broken > 5 && whole > 5, "{broken} broken, {whole} whole");
 }

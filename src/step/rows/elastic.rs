@@ -86,9 +86,18 @@ pub(super) struct Before {
 
 /// Bias \[m/s\] and compliance \[m/(s N s)\] of a row, along and across the normal.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Terms {
-    pub(crate) along: [f64; 2],
-    pub(crate) across: (Vec3, f64),
+pub(super) struct Terms {
+    pub(super) along: [f64; 2],
+    pub(super) across: (Vec3, f64),
+}
+
+/// `force` \[N\], no longer than `most` \[N\].
+fn within(force: Vec3, most: f64) -> Vec3 {
+    let (size, most) = (force.norm(), most.max(0.0));
+    match size > most {
+        true => force * (most / size),
+        false => force,
+    }
 }
 
 impl ElasticContact {
@@ -211,12 +220,10 @@ impl ElasticContact {
             (Some(_), true) => self.held,
             (None, true) => self.held - slip * (stiffness * self.dt),
         };
-        let size = stretched.norm();
-        let shear = match size > most {
-            true => stretched * (most.max(0.0) / size),
-            false => stretched,
-        };
-        SpringState::Stretched { shear, stiffness }
+        SpringState::Stretched {
+            shear: within(stretched, most),
+            stiffness,
+        }
     }
 
     /// What is left of [`Self::state_after`] where the bond breaks: what its own law holds of the stretch, up to `most` \[N\].
@@ -230,14 +237,8 @@ impl ElasticContact {
         } else {
             1.0
         };
-        let (shear, size) = (shear * share, shear.norm() * share);
-        let most = most.max(0.0);
         SpringState::Stretched {
-            shear: if size > most {
-                shear * (most / size)
-            } else {
-                shear
-            },
+            shear: within(shear * share, most),
             stiffness: own,
         }
     }
@@ -253,7 +254,7 @@ impl ElasticContact {
 
     /// Terms of the row of a bond's couples, over the lever `R_b`: `held` \[N\] is what they were, `turning` \[m/s\] what turned it in
     /// the step before. Along the normal it is twisted, across it bent.
-    pub(crate) fn couple(
+    pub(super) fn couple(
         &self,
         bond: &BondSpring,
         n: Vec3,
