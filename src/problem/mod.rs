@@ -112,6 +112,18 @@ impl Problem {
         }
     }
 
+    /// The operator of body `body` on momentum.
+    pub(crate) fn operator(&self, body: u32) -> SpatialOperator {
+        let body = body as usize;
+        match self.inverse_mass.get(body) {
+            Some(w) => SpatialOperator {
+                linear: Matrix3::from_diagonal(&w.linear),
+                angular: Matrix3::from_diagonal(&w.angular),
+            },
+            None => self.operators[body - self.inverse_mass.len()],
+        }
+    }
+
     /// Scale of a row's Delassus operator \[1/kg\]: `(w_n, w_t)` such that the operator is at most
     /// `w_n n n^T + w_t (1 - n n^T)`. Exact for free spheres, where normal and tangent do not couple: `w_t = 3.5 w_n`.
     #[must_use]
@@ -150,14 +162,7 @@ impl Problem {
 
     /// `d(velocity) / d(impulse)` of one body as a row holds it, 3x3 \[1/kg\].
     fn compliance(&self, body: u32, grip: JacobianBlock) -> Matrix3<f64> {
-        let body = body as usize;
-        let w = match self.inverse_mass.get(body) {
-            Some(w) => SpatialOperator {
-                linear: Matrix3::from_diagonal(&w.linear),
-                angular: Matrix3::from_diagonal(&w.angular),
-            },
-            None => self.operators[body - self.inverse_mass.len()],
-        };
+        let w = self.operator(body);
         match grip {
             JacobianBlock::Point(arm) => {
                 let cross = arm.cross_matrix();

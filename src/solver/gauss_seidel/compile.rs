@@ -43,14 +43,15 @@ impl Kernel {
         for (k, contact) in rows.resistances() {
             self.resistance[contact] = k as u32;
         }
-        let is_rigid = |k: u32| k == NONE || rows.get(k as usize).is_rigid_resistance();
         self.group.clear();
         self.group.extend((0..rows.len()).map(|k| {
             let [a, b] = rows.bodies(k);
             let alike = moves_alike(a) && (b == GROUND || moves_alike(b));
-            let levered = is_levered(problem, k, (&self.radius, &self.resistance));
-            let plain = alike && is_rigid(self.resistance[k]) && rows.is_of_spheres(k);
-            if !levered && !plain {
+            let levered = is_levered(problem, k, &self.radius);
+            let resistance = self.resistance[k];
+            let rigid = resistance == NONE || rows.get(resistance as usize).is_rigid_resistance();
+            let plain = alike && rows.is_of_spheres(k);
+            if !rigid || !(levered || plain) {
                 return NONE;
             } else if parts == 1 {
                 // Blocks of plain contacts are swept faster without others among them.
@@ -141,7 +142,9 @@ impl Kernel {
                 if problem.free.len() > spheres && rows.iter().any(levered) {
                     open.blocks[block].levers = self.contents.levers.len() as u32;
                     let length = |i: usize| spin_scale(&self.radius, i);
-                    self.contents.levers.push(Levers::of(problem, rows, length));
+                    let of = |k: u32| problem.rows.general(self.resistance[k as usize] as usize);
+                    let levers = Levers::of(problem, rows, |k| of(k).copied(), length);
+                    self.contents.levers.push(levers);
                 }
             }
             let resistances = first..self.contents.resistances.len();
@@ -160,8 +163,8 @@ impl Kernel {
     }
 }
 
-/// Whether row `k` is a contact, without a row in `resistance`, of bodies of which one is no sphere, that is of no `radius`.
-fn is_levered(problem: &Problem, k: usize, (radius, resistance): (&[f64], &[u32])) -> bool {
+/// Whether row `k` is a contact of bodies of which one is no sphere, that is of no `radius`.
+fn is_levered(problem: &Problem, k: usize, radius: &[f64]) -> bool {
     let spheres = problem.inverse_mass.len();
     let moves_alike = |i: usize| match i < spheres {
         true => radius[i] > 0.0,
@@ -171,7 +174,6 @@ fn is_levered(problem: &Problem, k: usize, (radius, resistance): (&[f64], &[u32]
     let on_ground = b == GROUND as usize;
     (a >= spheres || !on_ground && b >= spheres)
         && problem.rows.general(k).is_some_and(Row::is_contact)
-        && resistance[k] == NONE
         && moves_alike(a)
         && (on_ground || moves_alike(b))
 }
@@ -274,12 +276,11 @@ fn resistances(rows: &Rows, own: &[u32], resistance: &[u32], radius: &[f64]) -> 
     for (lane, &k) in own.iter().enumerate() {
         let k = resistance[k as usize];
         if let Some(row) = rows.general(k as usize) {
-            let scales = [row.a, row.b].map(|body| radius.get(body as usize).copied());
-            source.set(
-                lane,
-                (k, row),
-                scales.map(|scale| scale.unwrap_or(f64::INFINITY)),
-            );
+            let scales = [row.a, row.b].map(|body| match body {
+                GROUND => f64::INFINITY,
+                body => spin_scale(radius, body as usize),
+            });
+            source.set(lane, (k, row), scales);
         }
     }
     source

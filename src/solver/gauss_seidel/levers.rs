@@ -5,31 +5,39 @@
 //! ```text
 //! u   = v_A - v_B + s_A x a - s_B x b,    a = r_A/L_A, b = r_B/L_B          [m/s]
 //! v_A += m_A dp,  v_B -= m_B dp                                             m: inverse mass [1/kg]
-//! s_A += T_A dp,  s_B -= T_B dp,          T = L J^-1 [r x]                  [1/kg]
+//! s_A += K_A (a x dp),  s_B -= K_B (b x dp),          K = L^2 J^-1          [1/kg]
 //! ```
 //!
-//! Its law is solved with the bounds of its operator along the normal and across it ([`Problem::delassus`]).
+//! A couple over the radius `R` turns them by `K_A (R/L_A) dp`, as a [resistance](super::resistance) does. Contacts and resistances
+//! are solved with the bounds of their operators along the normal and across it ([`Problem::delassus`]).
 
-use super::batch::{Batch, Extra, PLAIN, Vector};
-use super::lanes::{Body, Columns, Lanes, Pack, Real, Sixteen, changed};
-use super::local::{Constants, Seen, cross, dot, each, vector};
-use crate::Vec3;
-use crate::problem::{GROUND, Problem};
+use super::batch::{Batch, PLAIN, Vector};
+use super::lanes::{Columns, Lanes, Pack, Real, Sixteen, changed};
+use super::local::{Seen, cross, dot, each, vector};
+use crate::problem::{GROUND, Problem, Row};
 
 /// Those of a block, also of its contacts of spheres.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Levers<T> {
     /// `a` and `b` \[-\].
     pub(super) arms: [Vector<T>; 2],
-    /// Columns of `T_A` and `T_B` \[1/kg\].
-    pub(super) turns: [[Vector<T>; 3]; 2],
-    /// `w_n` and `w_t` \[1/kg\].
+    /// `K_A` and `K_B` \[1/kg\]: their elements xx, yy, zz, yz, zx, xy.
+    pub(super) turns: [[Sixteen<T>; 6]; 2],
+    /// `w_n` and `w_t` \[1/kg\] of the contacts.
     pub(super) scale: [Sixteen<T>; 2],
+    /// Those of their resistances, zeros where there is none.
+    pub(super) resistance_scale: [Sixteen<T>; 2],
 }
 
 impl Levers<f64> {
-    /// Those of the contacts that are `rows` of `problem`; spins of bodies are scaled by `length` \[m\].
-    pub(super) fn of(problem: &Problem, rows: &[u32], length: impl Fn(usize) -> f64) -> Self {
+    /// Those of the contacts that are `rows` of `problem`, where `resistance` gives the row of each one's; spins of bodies are scaled
+    /// by `length` \[m\].
+    pub(super) fn of(
+        problem: &Problem,
+        rows: &[u32],
+        resistance: impl Fn(u32) -> Option<Row>,
+        length: impl Fn(usize) -> f64,
+    ) -> Self {
         let mut levers = Self::default();
         for (lane, &k) in rows.iter().enumerate() {
             let row = problem.rows.get(k as usize);
@@ -38,18 +46,22 @@ impl Levers<f64> {
                     continue;
                 }
                 let length = length(*body as usize);
-                let grip = row.jacobian()[side];
-                for axis in 0..3 {
-                    levers.arms[side][axis][lane] = arm[axis] / length;
-                    let unit = Vec3::ith(axis, 1.0);
-                    let turn = problem.velocity_change(*body, &grip.momentum(unit)).angular;
-                    for (lanes, x) in levers.turns[side][axis].iter_mut().zip(&turn) {
-                        lanes[lane] = x * length;
-                    }
+                let turn = problem.operator(*body).angular * (length * length);
+                for (lanes, x) in levers.arms[side].iter_mut().zip(arm) {
+                    lanes[lane] = x / length;
+                }
+                let elements = [(0, 0), (1, 1), (2, 2), (1, 2), (2, 0), (0, 1)];
+                for (lanes, element) in levers.turns[side].iter_mut().zip(elements) {
+                    lanes[lane] = turn[element];
                 }
             }
             let (normal, tangential) = problem.delassus(&row);
             (levers.scale[0][lane], levers.scale[1][lane]) = (normal, tangential);
+            if let Some(resistance) = resistance(k) {
+                let (twisting, rolling) = problem.delassus(&resistance);
+                levers.resistance_scale[0][lane] = twisting;
+                levers.resistance_scale[1][lane] = rolling;
+            }
         }
         levers
     }
@@ -57,12 +69,13 @@ impl Levers<f64> {
     /// In another precision, inverse masses times `share`.
     pub(super) fn of_share<T: Real>(&self, share: f64) -> Levers<T> {
         let scaled = |x: &Sixteen<f64>| changed(x, |x| T::of(x * share));
-        let [turn_a, turn_b] = &self.turns;
-        let turned = |columns: &[Vector<f64>; 3]| each(|j| each(|k| scaled(&columns[j][k])));
+        let turned = |elements: &[Sixteen<f64>; 6]| std::array::from_fn(|k| scaled(&elements[k]));
+        let both = |scale: &[Sixteen<f64>; 2]| [scaled(&scale[0]), scaled(&scale[1])];
         Levers {
             arms: [0, 1].map(|side| each(|k| changed(&self.arms[side][k], T::of))),
-            turns: [turned(turn_a), turned(turn_b)],
-            scale: [scaled(&self.scale[0]), scaled(&self.scale[1])],
+            turns: [turned(&self.turns[0]), turned(&self.turns[1])],
+            scale: both(&self.scale),
+            resistance_scale: both(&self.resistance_scale),
         }
     }
 }
@@ -103,16 +116,51 @@ impl<T: Real> Levers<T> {
         d: [L::Pack; 3],
         [a, b]: &mut Columns<L::Pack>,
     ) {
-        let [turn_a, turn_b] = &self.turns;
         for k in 0..3 {
             a[k] = a[k].plus(a[3], d[k]);
             b[k] = b[k].less(b[3], d[k]);
-            for axis in 0..3 {
-                a[k + 4] = a[k + 4].plus(l.load(&turn_a[axis][k], pass), d[axis]);
-                b[k + 4] = b[k + 4].less(l.load(&turn_b[axis][k], pass), d[axis]);
-            }
+        }
+        let at_a = cross(vector(l, &self.arms[0], pass), d);
+        let at_b = cross(vector(l, &self.arms[1], pass), d);
+        self.turn(l, pass, [at_a, at_b], [a, b]);
+    }
+
+    /// Turns bodies A by `K_A x_A`, and B back by `K_B x_B`.
+    #[inline(always)]
+    pub(super) fn turn<L: Lanes<T>>(
+        &self,
+        l: L,
+        pass: usize,
+        [x_a, x_b]: [[L::Pack; 3]; 2],
+        [a, b]: [&mut [L::Pack; 8]; 2],
+    ) {
+        let [turn_a, turn_b] = &self.turns;
+        let (turn_a, turn_b) = (
+            symmetric(l, pass, turn_a, x_a),
+            symmetric(l, pass, turn_b, x_b),
+        );
+        for k in 0..3 {
+            a[k + 4] = a[k + 4] + turn_a[k];
+            b[k + 4] = b[k + 4] - turn_b[k];
         }
     }
+}
+
+/// What a symmetric matrix of the given elements makes of `x`.
+#[inline(always)]
+fn symmetric<T, L: Lanes<T>>(
+    l: L,
+    pass: usize,
+    elements: &[Sixteen<T>; 6],
+    x: [L::Pack; 3],
+) -> [L::Pack; 3] {
+    let [xx, yy, zz, yz, zx, xy] = elements;
+    let (yz, zx, xy) = (l.load(yz, pass), l.load(zx, pass), l.load(xy, pass));
+    [
+        dot([l.load(xx, pass), xy, zx], x),
+        dot([xy, l.load(yy, pass), yz], x),
+        dot([zx, yz, l.load(zz, pass)], x),
+    ]
 }
 
 impl<T: Real> Batch<T> {
@@ -123,25 +171,5 @@ impl<T: Real> Batch<T> {
             PLAIN => None,
             levers => Some(&all[levers as usize]),
         }
-    }
-
-    /// [`Batch::update`] of contacts with levers.
-    #[inline(always)]
-    pub(super) fn update_levered<L: Lanes<T>>(
-        &mut self,
-        l: L,
-        pass: usize,
-        (bodies, levers): (&mut [Body<T>], &Levers<T>),
-        extras: &[Extra<T>],
-        latest: usize,
-        pace: &Constants<L::Pack>,
-    ) -> (u16, L::Pack, L::Pack) {
-        let mut ab = self.columns(l, pass, bodies);
-        let own = (vector(l, &self.normal, pass), l.load(&self.bias, pass));
-        let seen = levers.see(l, pass, &ab, own, self.drift(l, pass, extras));
-        let own = self.solve_seen(l, pass, seen, extras, latest, pace);
-        levers.give(l, pass, own.change.d, &mut ab);
-        self.put_columns(l, pass, ab, bodies);
-        (own.settled, own.change.along, own.squared)
     }
 }

@@ -16,7 +16,7 @@
 use std::ops::Range;
 
 use super::batch::{Batch, Extra, PLAIN, SweepParams, Vector};
-use super::lanes::{Body, Lanes, Pack, Real, Sixteen, changed};
+use super::lanes::{Body, Columns, Lanes, Pack, Real, Sixteen, changed};
 use crate::problem::law::onto_cone;
 use crate::problem::{BIAS, FRICTION, RADIUS, SCALE, SphereContact};
 
@@ -247,6 +247,32 @@ impl<T: Real> Batch<T> {
         ]
     }
 
+    /// Bodies A and B by components.
+    #[inline(always)]
+    pub(super) fn columns<L: Lanes<R>, R: Real>(
+        &self,
+        l: L,
+        pass: usize,
+        bodies: &[Body<R>],
+    ) -> Columns<L::Pack> {
+        let [a, b] = self.fetch(l, pass, bodies);
+        // Written out: a closure that is not inlined does not get the wide registers.
+        [l.columns(a), l.columns(b)]
+    }
+
+    /// Puts them back.
+    #[inline(always)]
+    pub(super) fn put_columns<L: Lanes<R>, R: Real>(
+        &self,
+        l: L,
+        pass: usize,
+        [a, b]: Columns<L::Pack>,
+        bodies: &mut [Body<R>],
+    ) {
+        l.put(l.rows(a), bodies, &self.bodies[0], pass);
+        l.put(l.rows(b), bodies, &self.bodies[1], pass);
+    }
+
     /// Velocities of moving ground, and biases across the normal \[m/s\].
     #[inline(always)]
     pub(super) fn drift<L: Lanes<R>, R>(
@@ -322,25 +348,6 @@ impl<T: Real> Batch<T> {
         let [a, b] = l.pushed(ab, d, cross(n, d));
         l.put(a, bodies, &self.bodies[0], pass);
         l.put(b, bodies, &self.bodies[1], pass);
-    }
-
-    /// Solves the contacts of a pass, of which `latest` of the impulses are the last: which were within the tolerances, and
-    /// their shares of [`Progress`](super::batch::Progress).
-    #[inline(always)]
-    pub(super) fn update<L: Lanes<T>>(
-        &mut self,
-        l: L,
-        pass: usize,
-        bodies: &mut [Body<T>],
-        extras: &[Extra<T>],
-        latest: usize,
-        pace: &Constants<L::Pack>,
-    ) -> (u16, L::Pack, L::Pack) {
-        let ab = self.fetch(l, pass, bodies);
-        let between = l.between(ab);
-        let own = self.solve(l, pass, between, extras, latest, pace);
-        self.give(l, pass, (own.n, own.change.d), ab, bodies);
-        (own.settled, own.change.along, own.squared)
     }
 
     /// Solves the contacts of a pass that see `between`.

@@ -8,12 +8,13 @@
 //! s_A += a k_A dp,  s_B -= b k_B dp
 //! w    = a^2 k_A + b^2 k_B          [1/kg], the same along the normal and across it
 //! ```
+//!
+//! or, where the contact has [levers](super::levers), `s_A += a K_A dp` and the bounds of that operator.
 
-use super::batch::{Batch, BatchResidual, Extra, Vector};
-use super::lanes::{Body, Columns, Lanes, Pack, Real, Sixteen, between, changed, pushed};
-use super::local::{
-    self, Constants, Contacts, Seen, Solved, Update, cross, dot, each, edge, vector,
-};
+use super::batch::{Batch, BatchResidual, Vector};
+use super::lanes::{Body, Columns, Lanes, Pack, Real, Sixteen, changed};
+use super::levers::Levers;
+use super::local::{self, Constants, Contacts, Seen, Solved, dot, each, edge, vector};
 use crate::Vec3;
 use crate::problem::law::onto_cylinder;
 use crate::problem::{Law, Row};
@@ -58,13 +59,13 @@ impl Default for Source {
 }
 
 /// What a pass needs of the contacts themselves.
-struct OfContacts<P> {
+pub(super) struct OfContacts<P> {
     /// Their normals and the normal impulses that press.
-    n: [P; 3],
-    load: P,
+    pub(super) n: [P; 3],
+    pub(super) load: P,
     /// Squares of the radius over the step, and of the scale of the force residual.
-    length: P,
-    scale: P,
+    pub(super) length: P,
+    pub(super) scale: P,
 }
 
 /// Resistances as a pass holds them.
@@ -88,9 +89,15 @@ impl<T: Real> Numbers<T> {
 }
 
 impl<P: Pack> Held<P> {
-    /// What they see of bodies A and B of contacts with normals `n`.
+    /// What they see of bodies A and B of contacts with normals `n`, and with `levers` where they have such.
     #[inline(always)]
-    fn see(&self, n: [P; 3], [a, b]: &Columns<P>) -> Seen<P> {
+    fn see<T: Real, L: Lanes<T, Pack = P>>(
+        &self,
+        (l, pass): (L, usize),
+        n: [P; 3],
+        [a, b]: &Columns<P>,
+        levers: Option<&Levers<T>>,
+    ) -> Seen<P> {
         let [lever_a, lever_b] = self.levers;
         let u = each(|k| {
             self.prescribed[k]
@@ -98,13 +105,19 @@ impl<P: Pack> Held<P> {
                 .less(lever_b, b[k + 4])
         });
         let along = dot(u, n);
-        let w = (lever_a * lever_a * a[7]).plus(lever_b * lever_b, b[7]);
+        let [w_n, w_t] = match levers {
+            None => [(lever_a * lever_a * a[7]).plus(lever_b * lever_b, b[7]); 2],
+            Some(levers) => {
+                let [twisting, rolling] = &levers.resistance_scale;
+                [l.load(twisting, pass), l.load(rolling, pass)]
+            }
+        };
         Seen {
             n,
             u_n: along,
             u_t: each(|k| u[k].less(n[k], along)),
-            w_n: w,
-            w_t: w,
+            w_n,
+            w_t,
         }
     }
 
@@ -125,8 +138,19 @@ impl<P: Pack> Held<P> {
 
     /// Gives the bodies the impulses `d`.
     #[inline(always)]
-    fn give(&self, d: [P; 3], [a, b]: &mut Columns<P>) {
-        let [of_a, of_b] = [self.levers[0] * a[7], self.levers[1] * b[7]];
+    fn give<T: Real, L: Lanes<T, Pack = P>>(
+        &self,
+        (l, pass): (L, usize),
+        d: [P; 3],
+        [a, b]: &mut Columns<P>,
+        levers: Option<&Levers<T>>,
+    ) {
+        let [lever_a, lever_b] = self.levers;
+        if let Some(levers) = levers {
+            let couples = [d.map(|d| lever_a * d), d.map(|d| lever_b * d)];
+            return levers.turn(l, pass, couples, [a, b]);
+        }
+        let [of_a, of_b] = [lever_a * a[7], lever_b * b[7]];
         for k in 0..3 {
             a[k + 4] = a[k + 4].plus(of_a, d[k]);
             b[k + 4] = b[k + 4].less(of_b, d[k]);
@@ -137,17 +161,17 @@ impl<P: Pack> Held<P> {
 impl<T: Real> Resistances<T> {
     /// Solves them for bodies `ab`: as [`Batch::update`] says of contacts.
     #[inline(always)]
-    fn update<L: Lanes<T>>(
+    pub(super) fn update<L: Lanes<T>>(
         &mut self,
         l: L,
         pass: usize,
         contacts: &OfContacts<L::Pack>,
-        ab: &mut Columns<L::Pack>,
+        (ab, levers): (&mut Columns<L::Pack>, Option<&Levers<T>>),
         latest: usize,
         pace: &Constants<L::Pack>,
     ) -> (u16, L::Pack, L::Pack) {
         let held = self.numbers.held(l, pass);
-        let seen = held.see(contacts.n, ab);
+        let seen = held.see((l, pass), contacts.n, ab, levers);
         let old = vector(l, &self.impulse[latest], pass);
         let p = pace.moved(old, vector(l, &self.impulse[1 - latest], pass));
         let ends = (pace.zero, pace.one);
@@ -157,12 +181,11 @@ impl<T: Real> Resistances<T> {
         let (dd, size) = (nn + tt, solved.size(contacts.scale));
         // Both are angles by which it turns while it need not.
         let allowed = pace.slip * contacts.length;
-        let w = seen.w_t * seen.w_t;
-        let settled = (nn * w).bits_within(allowed)
-            & (tt * w).bits_within(allowed)
+        let settled = (nn * (seen.w_n * seen.w_n)).bits_within(allowed)
+            & (tt * (seen.w_t * seen.w_t)).bits_within(allowed)
             & dd.bits_within(pace.force * size);
         let change = pace.correct(l, pass, (p, old, over), &mut self.impulse[1 - latest]);
-        held.give(change.d, ab);
+        held.give((l, pass), change.d, ab, levers);
         (settled, change.along, dd)
     }
 
@@ -228,14 +251,14 @@ impl Source {
     pub(super) fn push<L: Lanes<f64>, T: Real>(
         &self,
         l: L,
-        contacts: &Batch<T>,
+        (contacts, levers): (&Batch<T>, Option<&Levers<f64>>),
         impulse: &Vector<f64>,
         bodies: &mut [Body<f64>],
     ) {
         for pass in contacts.passes::<L, f64>() {
             let mut ab = contacts.columns(l, pass, bodies);
             let held = self.numbers.held(l, pass);
-            held.give(vector(l, impulse, pass), &mut ab);
+            held.give((l, pass), vector(l, impulse, pass), &mut ab, levers);
             contacts.put_columns(l, pass, ab, bodies);
         }
     }
@@ -245,7 +268,7 @@ impl Source {
     pub(super) fn judge<L: Lanes<f64>, T: Real>(
         &self,
         l: L,
-        contacts: &Batch<T>,
+        (contacts, levers): (&Batch<T>, Option<&Levers<f64>>),
         (source, rows): (&local::Source, &Sixteen<u32>),
         impulses: [&Vector<f64>; 2],
         bodies: &[Body<f64>],
@@ -259,7 +282,8 @@ impl Source {
             let p = vector(l, impulses[1], pass);
             let load = dot(vector(l, impulses[0], pass), n).or_larger(zero);
             let held = self.numbers.held(l, pass);
-            let seen = held.see(n, &contacts.columns(l, pass, bodies));
+            let ab = contacts.columns(l, pass, bodies);
+            let seen = held.see((l, pass), n, &ab, levers);
             let solved = held.solve(&seen, p, load, (zero, one));
             let [along, across, force] = solved.residuals(l, &seen, length, scale);
             let [twisting, rolling] = held.limits(load);
@@ -273,64 +297,5 @@ impl Source {
             l.store(seen.w_n.within(zero, one, nearest), margins, pass);
         }
         verdict
-    }
-}
-
-impl<T: Real> Batch<T> {
-    /// [`Batch::update`] of contacts with resistances.
-    #[inline(always)]
-    pub(super) fn update_resisted<L: Lanes<T>>(
-        &mut self,
-        l: L,
-        pass: usize,
-        (bodies, resistances): (&mut [Body<T>], &mut Resistances<T>),
-        extras: &[Extra<T>],
-        latest: usize,
-        pace: &Constants<L::Pack>,
-    ) -> (u16, L::Pack, L::Pack) {
-        let ab = self.columns(l, pass, bodies);
-        let between = between(&ab);
-        let Update {
-            settled,
-            n,
-            change,
-            squared,
-        } = self.solve(l, pass, between, extras, latest, pace);
-        let mut ab = pushed(ab, change.d, cross(n, change.d));
-        let contacts = OfContacts {
-            n,
-            load: dot(change.new, n).or_larger(pace.zero),
-            length: l.load(&self.length, pass),
-            scale: l.load(&self.scale, pass),
-        };
-        let (turned, along, own) = resistances.update(l, pass, &contacts, &mut ab, latest, pace);
-        self.put_columns(l, pass, ab, bodies);
-        (settled & turned, change.along + along, squared + own)
-    }
-
-    /// Bodies A and B by components.
-    #[inline(always)]
-    pub(super) fn columns<L: Lanes<R>, R: Real>(
-        &self,
-        l: L,
-        pass: usize,
-        bodies: &[Body<R>],
-    ) -> Columns<L::Pack> {
-        let [a, b] = self.fetch(l, pass, bodies);
-        // Written out: a closure that is not inlined does not get the wide registers.
-        [l.columns(a), l.columns(b)]
-    }
-
-    /// Puts them back.
-    #[inline(always)]
-    pub(super) fn put_columns<L: Lanes<R>, R: Real>(
-        &self,
-        l: L,
-        pass: usize,
-        [a, b]: Columns<L::Pack>,
-        bodies: &mut [Body<R>],
-    ) {
-        l.put(l.rows(a), bodies, &self.bodies[0], pass);
-        l.put(l.rows(b), bodies, &self.bodies[1], pass);
     }
 }

@@ -169,14 +169,14 @@ impl<T: Real> Sweep<'_, T> {
             };
             for pass in block.passes::<L, T>() {
                 let bodies = &mut *self.bodies;
-                let (within, a, c) = match &mut resisted {
-                    None if let Some(levers) = levers => {
-                        block.update_levered(l, pass, (bodies, levers), extras, latest, &pace)
+                let (within, a, c) = match (levers, resisted.as_deref_mut()) {
+                    (None, None) => block.update(l, pass, bodies, extras, latest, &pace),
+                    (None, Some(own)) => {
+                        block.update_resisted(l, pass, (bodies, own), extras, latest, &pace)
                     }
-                    None => block.update(l, pass, bodies, extras, latest, &pace),
-                    Some(own) => {
-                        let moved = (bodies, &mut **own);
-                        block.update_resisted(l, pass, moved, extras, latest, &pace)
+                    (Some(levers), own) => {
+                        let moved = (bodies, levers, own);
+                        block.update_levered(l, pass, moved, extras, latest, &pace)
                     }
                 };
                 settled &= within;
@@ -260,7 +260,7 @@ impl<T: Real> Task for Push<'_, T> {
                 && let Some((own, held)) = resisted.next()
             {
                 let impulse = held.exact(self.latest, source.unit);
-                own.push(l, block, &impulse, self.bodies);
+                own.push(l, (block, levers), &impulse, self.bodies);
             }
         }
     }
@@ -296,7 +296,8 @@ impl<T: Real> Task for Judge<'_, T> {
                     &block.exact(self.latest, source.unit),
                     &held.exact(self.latest, source.unit),
                 ];
-                let found = own.judge(l, block, (&source, rows), impulses, self.bodies);
+                let contacts = (block, levers);
+                let found = own.judge(l, contacts, (&source, rows), impulses, self.bodies);
                 let [gaps, slips, forces, margins] = found;
                 for (lane, row) in own.lanes() {
                     let values = [gaps[lane], slips[lane], forces[lane]];

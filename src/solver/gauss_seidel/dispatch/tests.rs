@@ -71,12 +71,10 @@ impl<T> Case<T> {
         }
     }
 
-    /// Some of the blocks as a group; the first has the resistances.
+    /// Some of the blocks as a group.
     fn group(&self, blocks: std::ops::Range<usize>) -> Group {
-        let resistances = match blocks.start {
-            0 => 0..self.resistances.len(),
-            _ => 0..0,
-        };
+        let resisted = |end: usize| self.blocks[..end].iter().filter(|b| b.resisted).count();
+        let resistances = resisted(blocks.start)..resisted(blocks.end);
         Group {
             blocks,
             resistances,
@@ -98,7 +96,7 @@ impl<T> Case<T> {
 }
 
 /// Three blocks of 32 bodies from numbers in -1..1. Some contacts of the first have resistances; the second is not full, and its
-/// ground moves; the third has levers. The last body never moves.
+/// ground moves; the third has levers, and resistances as well. The last body never moves.
 fn case<T: Real>(numbers: &[f64]) -> Case<T> {
     let mut source = numbers.iter().cycle().map(|&x| T::of(x));
     let mut sixteen =
@@ -169,22 +167,19 @@ fn case<T: Real>(numbers: &[f64]) -> Case<T> {
         || -> Vector<f64> { [sixteen(), sixteen(), sixteen()].map(|x| x.map(T::exact)) };
     let levers = Levers {
         arms: [exact(), exact()],
-        turns: [[exact(), exact(), exact()], [exact(), exact(), exact()]],
+        turns: [exact(), exact()].map(|[x, y, z]| [x, y, z, y, z, x]),
         scale: [exact()[0], exact()[0]].map(|x| x.map(|x| 1.0 + x * x)),
+        resistance_scale: [exact()[1], exact()[2]].map(|x| x.map(|x| 1.0 + x * x)),
     };
-    let levered = Batch {
-        levers: 0,
-        resisted: false,
-        ..full
-    };
+    let levered = Batch { levers: 0, ..full };
     let mut resistances = Resistances::default();
     resistances.fill(&own, &impulses, 0.7);
     Case {
         numbers,
         rows: rows.to_vec(),
         blocks: vec![full, part, levered],
-        resistances: vec![resistances],
-        sources: vec![own],
+        resistances: vec![resistances; 2],
+        sources: vec![own; 2],
         bodies,
         extras,
         levers: vec![levers.of_share(0.8)],

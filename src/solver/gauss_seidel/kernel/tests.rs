@@ -62,24 +62,8 @@ fn problem() -> Problem {
     }
     for contact in (0..problem.rows.len()).filter(|k| k % 5 != 3) {
         let row = problem.rows.get(contact);
-        let turning = match row.b {
-            GROUND => Vec3::new(0.02, -0.01, 0.005 * f64::from(row.a % 3)),
-            _ => Vec3::zeros(),
-        };
-        problem.rows.push(Row {
-            arm_a: Vec3::zeros(),
-            arm_b: Vec3::zeros(),
-            prescribed_velocity: turning,
-            bias: Vec3::zeros(),
-            compliance_n: 0.0,
-            compliance_t: 0.0,
-            law: Law::Resistance {
-                contact: contact as u32,
-                rolling: 0.05 * (contact % 3) as f64,
-                twisting: 0.02 * (contact % 4) as f64,
-            },
-            ..row
-        });
+        let turning = Vec3::new(0.02, -0.01, 0.005 * f64::from(row.a % 3));
+        problem.rows.push(resistance(contact, row, turning));
     }
     problem
 }
@@ -121,9 +105,36 @@ fn with_clumps(mut problem: Problem) -> Problem {
                 radius: 0.01,
                 impulse_scale: 1e-4,
             });
+            let contact = problem.rows.len() - 1;
+            if contact % 3 != 1 {
+                let turning = Vec3::new(0.02, -0.01, 0.005 * k);
+                let row = resistance(contact, problem.rows.get(contact), turning);
+                problem.rows.push(row);
+            }
         }
     }
     problem
+}
+
+/// A resistance of the contact that is row `contact`.
+fn resistance(contact: usize, row: Row, turning: Vec3) -> Row {
+    Row {
+        arm_a: Vec3::zeros(),
+        arm_b: Vec3::zeros(),
+        prescribed_velocity: match row.b {
+            GROUND => turning,
+            _ => Vec3::zeros(),
+        },
+        bias: Vec3::zeros(),
+        compliance_n: 0.0,
+        compliance_t: 0.0,
+        law: Law::Resistance {
+            contact: contact as u32,
+            rolling: 0.05 * (contact % 3) as f64,
+            twisting: 0.02 * (contact % 4) as f64,
+        },
+        ..row
+    }
 }
 
 /// The oracle is the row's own operations, one row after the other in the order of the blocks.
