@@ -19,7 +19,7 @@ const BED: [(f64, f64); 4] = [(1e-4, 5e-4), (1e-5, 2.5e-4), (1e-6, 1e-4), (1e-6,
 const EXAMPLES: [&str; 3] = ["funnel", "slopes", "feeder"];
 
 /// What is added to the bed, or put in the place of a line of it.
-const FEATURES: [(&str, &str, &str); 7] = [
+const FEATURES: [(&str, &str, &str); 9] = [
     ("plain", "", ""),
     (
         "rolling",
@@ -50,6 +50,16 @@ const FEATURES: [(&str, &str, &str); 7] = [
         "stray",
         "",
         "[[spheres]]\nname = \"stray\"\nmaterial = \"glass\"\nradius = 0.01\npositions = [[0.0, 0.0, 5.0]]\nvelocity = [0.0, 0.0, 100.0]",
+    ),
+    (
+        "slide",
+        "name = \"box\"",
+        "name = \"box\"\nbody = { mass = 5.0, inertia = [0.1, 0.1, 0.1], joint = { slide = [0.0, 0.0, 1.0] }, spring = { stiffness = 2e4 }, damping = 200.0 }",
+    ),
+    (
+        "hinge",
+        "name = \"box\"",
+        "name = \"box\"\nbody = { mass = 5.0, inertia = [0.1, 0.1, 0.1], joint = { hinge = [0.0, 1.0, 0.0] }, spring = { stiffness = 2e3 }, damping = 20.0 }",
     ),
 ];
 

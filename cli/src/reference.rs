@@ -213,7 +213,9 @@ fn range(property: &Value) -> String {
         (Some(3), Some(3)) | (None, None) => {}
         (Some(low), Some(high)) if low == high => found.push(format!("{low} entries")),
         (Some(1), None) => found.push("not empty".to_owned()),
-        (low, high) => found.push(format!("{low:?} to {high:?} entries")),
+        (Some(low), Some(high)) => found.push(format!("{low} to {high} entries")),
+        (Some(low), None) => found.push(format!("at least {low} entries")),
+        (None, Some(high)) => found.push(format!("at most {high} entries")),
     }
     if property["pattern"].is_string() && property["type"] == "string" {
         found.push("letters, digits, `_`".to_owned());

@@ -128,15 +128,16 @@ impl Problem {
     /// `w_n n n^T + w_t (1 - n n^T)`. Exact for free spheres, where normal and tangent do not couple: `w_t = 3.5 w_n`.
     #[must_use]
     pub fn delassus(&self, row: &Row) -> (f64, f64) {
-        if let Some(closed) = self.sphere_delassus(row) {
-            return closed;
+        match self.sphere_delassus(row) {
+            Some(closed) => closed,
+            None => self.split_delassus(row, [1.0; 2]),
         }
-        let [grip_a, grip_b] = row.jacobian();
-        let mut operator = self.compliance(row.a, grip_a);
-        if row.b != GROUND {
-            operator += self.compliance(row.b, grip_b);
-        }
-        bounding_scale(&operator, row.normal)
+    }
+
+    /// [`Self::delassus`] where the row has one part in so many of the mass of A and of B.
+    pub(crate) fn split_delassus(&self, row: &Row, parts: [f64; 2]) -> (f64, f64) {
+        let [of_a, of_b] = self.mobilities(row);
+        bounding_scale(&(of_a * parts[0] + of_b * parts[1]), row.normal)
     }
 
     /// [`Self::delassus`] of a contact whose bodies have the same mobility in all directions and arms along the normal:
@@ -158,6 +159,16 @@ impl Problem {
         let (a, b) = (one(row.a, &row.arm_a)?, one(row.b, &row.arm_b)?);
         let w_n = a.0 + b.0;
         Some((w_n, w_n + (a.1 + b.1)))
+    }
+
+    /// `d(velocity) / d(impulse)` of bodies A and B as a row holds them, 3x3 each \[1/kg\].
+    pub(crate) fn mobilities(&self, row: &Row) -> [Matrix3<f64>; 2] {
+        let [grip_a, grip_b] = row.jacobian();
+        let of_b = match row.b {
+            GROUND => Matrix3::zeros(),
+            b => self.compliance(b, grip_b),
+        };
+        [self.compliance(row.a, grip_a), of_b]
     }
 
     /// `d(velocity) / d(impulse)` of one body as a row holds it, 3x3 \[1/kg\].

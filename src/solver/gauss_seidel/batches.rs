@@ -236,11 +236,11 @@ impl<T: Real> Batches<T> {
         }
     }
 
-    /// Takes bodies, extras and levers from double precision, masses over `unit`, as if bodies had not moved before.
+    /// Takes bodies and extras from double precision, masses over `unit`, as if bodies had not moved before.
     pub(super) fn place(
         &mut self,
         bodies: &[Body<f64>],
-        (extras, levers): (&[Extra<f64>], &[Levers<f64>]),
+        extras: &[Extra<f64>],
         unit: f64,
         pool: &Pool,
     ) {
@@ -266,8 +266,5 @@ impl<T: Real> Batches<T> {
             velocity: extra.velocity.map(|axis| axis.map(T::of)),
             compliance: extra.compliance.map(|c| c.map(|c| T::of(c * share))),
         }));
-        self.levers.clear();
-        self.levers
-            .extend(levers.iter().map(|own| own.of_share(share)));
     }
 }

@@ -4,10 +4,11 @@ use arrayvec::ArrayVec;
 
 use super::batch::{Batch, Extra, Group, PLAIN};
 use super::general_rows::spin_scale;
-use super::kernel::{ATTACHED, Kernel, NONE, alike, refill};
+use super::kernel::{ATTACHED, Kernel, NONE, refill};
 use super::lanes::{LANES, Real, Sixteen};
 use super::levers::Levers;
 use super::resistance::Source;
+use super::sharing::Sharing;
 use crate::problem::{GROUND, Problem, Row, Rows};
 use crate::sorting::counting_sort;
 
@@ -32,6 +33,7 @@ impl Kernel {
         if parts == 1 && rows.are_of_spheres() && self.radius.iter().all(|r| *r > 0.0) {
             refill(&mut self.resistance, rows.len(), NONE);
             refill(&mut self.group, rows.len(), 0);
+            self.levered.clear();
             self.order.clear();
             self.order.extend(0..rows.len() as u32);
             return;
@@ -43,15 +45,17 @@ impl Kernel {
         for (k, contact) in rows.resistances() {
             self.resistance[contact] = k as u32;
         }
+        self.levered.clear();
         self.group.clear();
         self.group.extend((0..rows.len()).map(|k| {
             let [a, b] = rows.bodies(k);
             let alike = moves_alike(a) && (b == GROUND || moves_alike(b));
-            let levered = is_levered(problem, k, &self.radius);
+            let is_contact = rows.general(k).is_none_or(Row::is_contact);
+            let levered = is_contact && !(alike && rows.is_of_spheres(k));
+            self.levered.push(levered);
             let resistance = self.resistance[k];
             let rigid = resistance == NONE || rows.get(resistance as usize).is_rigid_resistance();
-            let plain = alike && rows.is_of_spheres(k);
-            if !rigid || !(levered || plain) {
+            if !is_contact || !rigid {
                 return NONE;
             } else if parts == 1 {
                 // Blocks of plain contacts are swept faster without others among them.
@@ -96,14 +100,17 @@ impl Kernel {
         self.contents.resistances.clear();
         self.extras.clear();
         self.contents.levers.clear();
+        self.contents.split.clear();
         self.turns.iter_mut().for_each(ArrayVec::clear);
         let order = std::mem::take(&mut self.order);
+        self.sharing.find(problem, &order);
         let mut open = Open {
             used: 0,
             blocks,
             rows: &mut self.contents.rows,
             extras: &mut self.extras,
             held: &mut self.held,
+            sharing: &self.sharing,
         };
         let mut rest = &order[..];
         for group in 0..2 * parts {
@@ -137,13 +144,19 @@ impl Kernel {
                     let source = resistances(&problem.rows, rows, &self.resistance, &self.radius);
                     self.contents.resistances.push(source);
                 }
-                let other = |body: u32| body != GROUND && body as usize >= spheres;
-                let levered = |&k: &u32| problem.rows.bodies(k as usize).into_iter().any(other);
-                if problem.free.len() > spheres && rows.iter().any(levered) {
+                let levered = |&k: &u32| self.levered.get(k as usize) == Some(&true);
+                if rows.iter().any(levered) {
                     open.blocks[block].levers = self.contents.levers.len() as u32;
                     let length = |i: usize| spin_scale(&self.radius, i);
                     let of = |k: u32| problem.rows.general(self.resistance[k as usize] as usize);
-                    let levers = Levers::of(problem, rows, |k| of(k).copied(), length);
+                    let resistance = |k: u32| of(k).copied();
+                    let block = &open.blocks[block];
+                    let levers = Levers::of(problem, block, rows, resistance, length);
+                    if let Some(split) = levers.split(problem, block, rows, resistance) {
+                        self.contents
+                            .split
+                            .push((self.contents.levers.len(), split));
+                    }
                     self.contents.levers.push(levers);
                 }
             }
@@ -163,21 +176,6 @@ impl Kernel {
     }
 }
 
-/// Whether row `k` is a contact of bodies of which one is no sphere, that is of no `radius`.
-fn is_levered(problem: &Problem, k: usize, radius: &[f64]) -> bool {
-    let spheres = problem.inverse_mass.len();
-    let moves_alike = |i: usize| match i < spheres {
-        true => radius[i] > 0.0,
-        false => alike(problem, i).is_some(),
-    };
-    let [a, b] = problem.rows.bodies(k).map(|body| body as usize);
-    let on_ground = b == GROUND as usize;
-    (a >= spheres || !on_ground && b >= spheres)
-        && problem.rows.general(k).is_some_and(Row::is_contact)
-        && moves_alike(a)
-        && (on_ground || moves_alike(b))
-}
-
 /// Blocks that fill.
 struct Open<'a, T> {
     /// Blocks in use; beyond are old ones, for their memory.
@@ -186,18 +184,27 @@ struct Open<'a, T> {
     rows: &'a mut Vec<Sixteen<u32>>,
     extras: &'a mut Vec<Extra<f64>>,
     held: &'a mut [u16],
+    sharing: &'a Sharing,
+}
+
+/// A block that fills.
+#[derive(Clone, Copy)]
+struct Filling {
+    block: usize,
+    /// The body that its contacts may share, and how many more of them.
+    shared: Option<(u32, usize)>,
 }
 
 impl<T: Real> Open<'_, T> {
     /// Blocks of rows `order`: a contact joins the first open block that does not have its bodies yet; when there is none the
     /// oldest is closed.
     fn take(&mut self, rows: &Rows, order: &[u32], place: &[u32], range: Bodies) {
-        let mut open = [None; OPEN];
+        let mut open: [Option<Filling>; OPEN] = [None; OPEN];
         let mut oldest = 0;
         for &k in order {
             let place = |body: u32| place.get(body as usize).map(|at| at - range.first);
-            let bodies = rows.bodies(k as usize);
-            let bodies = bodies.map(|body| place(body).unwrap_or(range.still));
+            let who = rows.bodies(k as usize);
+            let bodies = who.map(|body| place(body).unwrap_or(range.still));
             let held = bodies.map(|at| self.held[at as usize]);
             let mut at = (!(held[0] | held[1])).trailing_zeros() as usize;
             if at >= OPEN {
@@ -205,14 +212,21 @@ impl<T: Real> Open<'_, T> {
                 oldest = (oldest + 1) % OPEN;
                 self.close(open[at].take(), at);
             }
-            let block = match open[at] {
-                Some(block) => block,
-                None => self.new_block(range),
-            };
-            open[at] = Some(block);
-            for body in bodies {
-                self.held[body as usize] |= 1 << at;
+            let filling = open[at].get_or_insert_with(|| Filling {
+                block: self.new_block(range),
+                shared: None,
+            });
+            for (body, who) in bodies.into_iter().zip(who) {
+                let limit = self.sharing.limit(who);
+                if limit > 1 && filling.shared.is_none() {
+                    filling.shared = Some((body, limit));
+                }
+                match &mut filling.shared {
+                    Some((shared, left)) if *shared == body && *left > 1 => *left -= 1,
+                    _ => self.held[body as usize] |= 1 << at,
+                }
             }
+            let block = filling.block;
             // Any number of contacts may join the one that never moves.
             self.held[range.still as usize] = 0;
             let lane = self.blocks[block].join(bodies);
@@ -224,8 +238,8 @@ impl<T: Real> Open<'_, T> {
                 self.close(open[at].take(), at);
             }
         }
-        for (at, block) in open.into_iter().enumerate() {
-            self.close(block, at);
+        for (at, filling) in open.into_iter().enumerate() {
+            self.close(filling, at);
         }
     }
 
@@ -244,8 +258,8 @@ impl<T: Real> Open<'_, T> {
     }
 
     /// Lets the bodies of the block that was open at `at` join another.
-    fn close(&mut self, block: Option<usize>, at: usize) {
-        let Some(block) = block else {
+    fn close(&mut self, filling: Option<Filling>, at: usize) {
+        let Some(Filling { block, .. }) = filling else {
             return;
         };
         for &body in self.blocks[block].bodies.as_flattened() {

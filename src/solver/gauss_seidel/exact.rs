@@ -2,7 +2,7 @@
 
 use super::batch::{Batch, BatchResidual, Extra};
 use super::lanes::{Body, Lanes, Pack, Real, Sixteen};
-use super::levers::Levers;
+use super::levers::{Levers, Shared};
 use super::local::{Contacts, Source, dot, edge, vector};
 use crate::problem::law::onto_cone;
 
@@ -18,17 +18,21 @@ impl<T: Real> Batch<T> {
         latest: usize,
     ) {
         let impulse = self.exact(latest, source.unit);
+        let mut shared = Shared::of(levers, bodies);
         for pass in self.passes::<L, f64>() {
             let p = vector(l, &impulse, pass);
             if let Some(levers) = levers {
                 let mut ab = self.columns(l, pass, bodies);
                 levers.give(l, pass, p, &mut ab);
-                self.put_columns(l, pass, ab, bodies);
+                self.put(l, pass, ab, (&mut *bodies, &mut shared));
                 continue;
             }
             let n = source.contacts(l, rows, pass).n;
             let ab = self.fetch(l, pass, bodies);
             self.give(l, pass, (n, p), ab, bodies);
+        }
+        if let Some(shared) = shared {
+            shared.finish(bodies);
         }
     }
 
@@ -57,8 +61,8 @@ impl<T: Real> Batch<T> {
                     self.see(l, pass, between, (n, bias), extras)
                 }
                 Some(levers) => {
-                    let drift = self.drift(l, pass, extras);
-                    levers.see(l, pass, &self.columns(l, pass, bodies), (n, bias), drift)
+                    let (drift, ab) = (self.drift(l, pass, extras), self.columns(l, pass, bodies));
+                    levers.see(l, pass, &ab, (n, bias), drift)
                 }
             };
             self.yields(l, pass, &mut seen, p, extras);

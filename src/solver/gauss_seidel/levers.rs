@@ -1,39 +1,63 @@
-//! Contacts of bodies that are no spheres: arms across the normal, inertia of any kind.
+//! Contacts that are no plain ones of spheres: arms across the normal, masses and inertia of any kind.
 //!
 //! With `s = L w`, `L` being the length by which the spin of a body is scaled, a contact at `r_A`, `r_B` from its bodies has
 //!
 //! ```text
 //! u   = v_A - v_B + s_A x a - s_B x b,    a = r_A/L_A, b = r_B/L_B          [m/s]
-//! v_A += m_A dp,  v_B -= m_B dp                                             m: inverse mass [1/kg]
-//! s_A += K_A (a x dp),  s_B -= K_B (b x dp),          K = L^2 J^-1          [1/kg]
+//! v_A += M_A dp,          v_B -= M_B dp                                     M: inverse mass [1/kg]
+//! s_A += K_A (a x dp),    s_B -= K_B (b x dp),        K = L^2 J^-1          [1/kg]
 //! ```
 //!
 //! A couple over the radius `R` turns them by `K_A (R/L_A) dp`, as a [resistance](super::resistance) does. Contacts and resistances
 //! are solved with the bounds of their operators along the normal and across it ([`Problem::delassus`]).
+//!
+//! A heavy body on which many spheres lie would need a block for each of its contacts. Instead `c` contacts of a block may share it:
+//! each has a part of its own, a `c`-th of the mass, and the body has the mean of the parts' velocities afterwards. That is what the sum of
+//! the impulses gives it.
 
 use super::batch::{Batch, PLAIN, Vector};
-use super::lanes::{Columns, Lanes, Pack, Real, Sixteen, changed};
+use super::lanes::{Body, Columns, LANES, Lanes, Pack, Real, Sixteen, changed};
 use super::local::{Seen, cross, dot, each, vector};
 use crate::problem::{GROUND, Problem, Row};
+use nalgebra::Matrix3;
+
+/// Elements xx, yy, zz, yz, zx, xy of a symmetric matrix of each contact.
+pub(super) type Symmetric<T> = [Sixteen<T>; 6];
+
+/// Bounds `w_n` and `w_t` \[1/kg\] of each contact's operator.
+pub(super) type Bounds<T> = [Sixteen<T>; 2];
 
 /// Those of a block, also of its contacts of spheres.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Levers<T> {
     /// `a` and `b` \[-\].
     pub(super) arms: [Vector<T>; 2],
-    /// `K_A` and `K_B` \[1/kg\]: their elements xx, yy, zz, yz, zx, xy.
-    pub(super) turns: [[Sixteen<T>; 6]; 2],
-    /// `w_n` and `w_t` \[1/kg\] of the contacts.
-    pub(super) scale: [Sixteen<T>; 2],
-    /// Those of their resistances, zeros where there is none.
-    pub(super) resistance_scale: [Sixteen<T>; 2],
+    /// `K_A` and `K_B` \[1/kg\].
+    pub(super) turns: [Symmetric<T>; 2],
+    /// Bounds of the contacts, and of their resistances, zeros where there is none.
+    pub(super) bounds: [Bounds<T>; 2],
+    /// `M_A` and `M_B` \[1/kg\].
+    pub(super) masses: [Symmetric<T>; 2],
+    /// Whether some `M` is no number, so that the bodies' own inverse masses do not do.
+    pub(super) directed: bool,
+    /// The body that some of the contacts share, if they do, and the share that each of their changes has in its own.
+    pub(super) shared: Option<(u32, T)>,
+}
+
+/// Elements of `matrix` into lane `lane`.
+fn set(elements: &mut Symmetric<f64>, lane: usize, matrix: &Matrix3<f64>) {
+    let order = [(0, 0), (1, 1), (2, 2), (1, 2), (2, 0), (0, 1)];
+    for (lanes, element) in elements.iter_mut().zip(order) {
+        lanes[lane] = matrix[element];
+    }
 }
 
 impl Levers<f64> {
-    /// Those of the contacts that are `rows` of `problem`, where `resistance` gives the row of each one's; spins of bodies are scaled
-    /// by `length` \[m\].
+    /// Those of the contacts of `block` that are `rows` of `problem`, where `resistance` gives the row of each one's; spins of bodies
+    /// are scaled by `length` \[m\].
     pub(super) fn of(
         problem: &Problem,
+        block: &Batch<impl Real>,
         rows: &[u32],
         resistance: impl Fn(u32) -> Option<Row>,
         length: impl Fn(usize) -> f64,
@@ -45,39 +69,85 @@ impl Levers<f64> {
                 if *body == GROUND {
                     continue;
                 }
-                let length = length(*body as usize);
-                let turn = problem.operator(*body).angular * (length * length);
+                let (operator, length) = (problem.operator(*body), length(*body as usize));
                 for (lanes, x) in levers.arms[side].iter_mut().zip(arm) {
                     lanes[lane] = x / length;
                 }
-                let elements = [(0, 0), (1, 1), (2, 2), (1, 2), (2, 0), (0, 1)];
-                for (lanes, element) in levers.turns[side].iter_mut().zip(elements) {
-                    lanes[lane] = turn[element];
+                let turn = operator.angular * (length * length);
+                set(&mut levers.turns[side], lane, &turn);
+                set(&mut levers.masses[side], lane, &operator.linear);
+                levers.directed |= alike(&operator.linear).is_none();
+                let at = block.bodies[side][lane];
+                if block.holding(at).count() > 1 {
+                    levers.shared = Some((at, 1.0));
                 }
             }
-            let (normal, tangential) = problem.delassus(&row);
-            (levers.scale[0][lane], levers.scale[1][lane]) = (normal, tangential);
-            if let Some(resistance) = resistance(k) {
-                let (twisting, rolling) = problem.delassus(&resistance);
-                levers.resistance_scale[0][lane] = twisting;
-                levers.resistance_scale[1][lane] = rolling;
+            for (bounds, row) in levers.bounds.iter_mut().zip([Some(row), resistance(k)]) {
+                if let Some(row) = row {
+                    (bounds[0][lane], bounds[1][lane]) = problem.delassus(&row);
+                }
             }
         }
         levers
     }
 
+    /// With parts in place of a body that contacts of `block` share, if there is one; else as for [`Self::of`].
+    pub(super) fn split(
+        &self,
+        problem: &Problem,
+        block: &Batch<impl Real>,
+        rows: &[u32],
+        resistance: impl Fn(u32) -> Option<Row>,
+    ) -> Option<Self> {
+        let (at, _) = self.shared?;
+        let count = block.holding(at).count() as f64;
+        let mut split = Self {
+            shared: Some((at, 1.0 / count)),
+            directed: true,
+            ..*self
+        };
+        for (side, lane) in block.holding(at) {
+            for elements in [&mut split.turns[side], &mut split.masses[side]] {
+                elements.iter_mut().for_each(|lanes| lanes[lane] *= count);
+            }
+            let mut parts = [1.0; 2];
+            parts[side] = count;
+            let own = [
+                Some(problem.rows.get(rows[lane] as usize)),
+                resistance(rows[lane]),
+            ];
+            for (bounds, row) in split.bounds.iter_mut().zip(own) {
+                if let Some(row) = row {
+                    (bounds[0][lane], bounds[1][lane]) = problem.split_delassus(&row, parts);
+                }
+            }
+        }
+        Some(split)
+    }
+
     /// In another precision, inverse masses times `share`.
     pub(super) fn of_share<T: Real>(&self, share: f64) -> Levers<T> {
         let scaled = |x: &Sixteen<f64>| changed(x, |x| T::of(x * share));
-        let turned = |elements: &[Sixteen<f64>; 6]| std::array::from_fn(|k| scaled(&elements[k]));
-        let both = |scale: &[Sixteen<f64>; 2]| [scaled(&scale[0]), scaled(&scale[1])];
+        let matrices = |own: &[Symmetric<f64>; 2]| {
+            [0, 1].map(|side| std::array::from_fn(|k| scaled(&own[side][k])))
+        };
+        let bounds =
+            |own: &[Bounds<f64>; 2]| [0, 1].map(|kind| [0, 1].map(|k| scaled(&own[kind][k])));
         Levers {
             arms: [0, 1].map(|side| each(|k| changed(&self.arms[side][k], T::of))),
-            turns: [turned(&self.turns[0]), turned(&self.turns[1])],
-            scale: both(&self.scale),
-            resistance_scale: both(&self.resistance_scale),
+            turns: matrices(&self.turns),
+            bounds: bounds(&self.bounds),
+            masses: matrices(&self.masses),
+            directed: self.directed,
+            shared: self.shared.map(|(at, share)| (at, T::of(share))),
         }
     }
+}
+
+/// The number that `matrix` is, if it is one.
+pub(super) fn alike(matrix: &Matrix3<f64>) -> Option<f64> {
+    let number = matrix[(0, 0)];
+    (*matrix == Matrix3::identity() * number).then_some(number)
 }
 
 impl<T: Real> Levers<T> {
@@ -102,8 +172,8 @@ impl<T: Real> Levers<T> {
             n,
             u_n: along + bias,
             u_t: each(|k| u[k].less(n[k], along)),
-            w_n: l.load(&self.scale[0], pass),
-            w_t: l.load(&self.scale[1], pass),
+            w_n: l.load(&self.bounds[0][0], pass),
+            w_t: l.load(&self.bounds[0][1], pass),
         }
     }
 
@@ -116,9 +186,23 @@ impl<T: Real> Levers<T> {
         d: [L::Pack; 3],
         [a, b]: &mut Columns<L::Pack>,
     ) {
-        for k in 0..3 {
-            a[k] = a[k].plus(a[3], d[k]);
-            b[k] = b[k].less(b[3], d[k]);
+        match self.directed {
+            true => {
+                let (moved_a, moved_b) = (
+                    symmetric(l, pass, &self.masses[0], d),
+                    symmetric(l, pass, &self.masses[1], d),
+                );
+                for k in 0..3 {
+                    a[k] = a[k] + moved_a[k];
+                    b[k] = b[k] - moved_b[k];
+                }
+            }
+            false => {
+                for k in 0..3 {
+                    a[k] = a[k].plus(a[3], d[k]);
+                    b[k] = b[k].less(b[3], d[k]);
+                }
+            }
         }
         let at_a = cross(vector(l, &self.arms[0], pass), d);
         let at_b = cross(vector(l, &self.arms[1], pass), d);
@@ -151,7 +235,7 @@ impl<T: Real> Levers<T> {
 fn symmetric<T, L: Lanes<T>>(
     l: L,
     pass: usize,
-    elements: &[Sixteen<T>; 6],
+    elements: &Symmetric<T>,
     x: [L::Pack; 3],
 ) -> [L::Pack; 3] {
     let [xx, yy, zz, yz, zx, xy] = elements;
@@ -170,6 +254,94 @@ impl<T: Real> Batch<T> {
         match self.levers {
             PLAIN => None,
             levers => Some(&all[levers as usize]),
+        }
+    }
+
+    /// Sides and lanes that hold the body at `at`, which is not the one that never moves.
+    fn holding(&self, at: u32) -> impl Iterator<Item = (usize, usize)> {
+        let lanes = (0..self.count as usize).flat_map(|lane| [(0, lane), (1, lane)]);
+        lanes.filter(move |&(side, lane)| self.bodies[side][lane] == at)
+    }
+
+    /// Puts bodies A and B back, but the one that contacts share.
+    #[inline(always)]
+    pub(super) fn put<L: Lanes<R>, R: Real>(
+        &self,
+        l: L,
+        pass: usize,
+        ab: Columns<L::Pack>,
+        (bodies, shared): (&mut [Body<R>], &mut Option<Shared<R>>),
+    ) {
+        match shared {
+            None => self.put_columns(l, pass, ab, bodies),
+            Some(shared) => shared.put(l, pass, self, ab, bodies),
+        }
+    }
+}
+
+/// The body that contacts of a block share, while the block is under way.
+pub(super) struct Shared<T> {
+    at: u32,
+    share: T,
+    before: Body<T>,
+    /// What the contacts add to it.
+    change: [T; 8],
+}
+
+impl<T: Real> Shared<T> {
+    /// That of the contacts of `levers`, if they share one.
+    #[inline(always)]
+    pub(super) fn of(levers: Option<&Levers<T>>, bodies: &[Body<T>]) -> Option<Self> {
+        let (at, share) = levers?.shared?;
+        Some(Self {
+            at,
+            share,
+            before: bodies[at as usize],
+            change: [T::default(); 8],
+        })
+    }
+
+    /// Puts the bodies `ab` of contacts of `block` back, but this one, whose changes are kept: lane after lane, so that registers of
+    /// every width sum in the same order.
+    #[inline(always)]
+    pub(super) fn put<L: Lanes<T>>(
+        &mut self,
+        l: L,
+        pass: usize,
+        block: &Batch<impl Real>,
+        ab: Columns<L::Pack>,
+        bodies: &mut [Body<T>],
+    ) {
+        let mut moved = [[Sixteen::<T>::default(); 8]; 2];
+        for (lanes, columns) in moved.iter_mut().zip(ab) {
+            for (lanes, column) in lanes.iter_mut().zip(columns) {
+                l.store(column, lanes, pass);
+            }
+        }
+        let first = pass * L::WIDTH;
+        for lane in first..(first + L::WIDTH).min(LANES) {
+            for (_, x) in block
+                .bodies
+                .iter()
+                .zip(&moved)
+                .filter(|(at, _)| at[lane] == self.at)
+            {
+                for (change, (x, before)) in self.change.iter_mut().zip(x.iter().zip(self.before.0))
+                {
+                    *change += x[lane] - before;
+                }
+            }
+        }
+        block.put_columns(l, pass, ab, bodies);
+        bodies[self.at as usize] = self.before;
+    }
+
+    /// Gives it its share of all changes.
+    #[inline(always)]
+    pub(super) fn finish(self, bodies: &mut [Body<T>]) {
+        let Body(x) = &mut bodies[self.at as usize];
+        for (x, change) in x.iter_mut().zip(self.change) {
+            *x += self.share * change;
         }
     }
 }

@@ -27,6 +27,7 @@ mod partition;
 #[cfg(target_arch = "x86_64")]
 mod registers;
 mod resistance;
+mod sharing;
 mod update;
 
 use super::{Params, Report};

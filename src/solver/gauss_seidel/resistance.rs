@@ -13,7 +13,7 @@
 
 use super::batch::{Batch, BatchResidual, Vector};
 use super::lanes::{Body, Columns, Lanes, Pack, Real, Sixteen, changed};
-use super::levers::Levers;
+use super::levers::{Levers, Shared};
 use super::local::{self, Constants, Contacts, Seen, Solved, dot, each, edge, vector};
 use crate::Vec3;
 use crate::problem::law::onto_cylinder;
@@ -108,7 +108,7 @@ impl<P: Pack> Held<P> {
         let [w_n, w_t] = match levers {
             None => [(lever_a * lever_a * a[7]).plus(lever_b * lever_b, b[7]); 2],
             Some(levers) => {
-                let [twisting, rolling] = &levers.resistance_scale;
+                let [twisting, rolling] = &levers.bounds[1];
                 [l.load(twisting, pass), l.load(rolling, pass)]
             }
         };
@@ -255,11 +255,15 @@ impl Source {
         impulse: &Vector<f64>,
         bodies: &mut [Body<f64>],
     ) {
+        let mut shared = Shared::of(levers, bodies);
         for pass in contacts.passes::<L, f64>() {
             let mut ab = contacts.columns(l, pass, bodies);
             let held = self.numbers.held(l, pass);
             held.give((l, pass), vector(l, impulse, pass), &mut ab, levers);
-            contacts.put_columns(l, pass, ab, bodies);
+            contacts.put(l, pass, ab, (bodies, &mut shared));
+        }
+        if let Some(shared) = shared {
+            shared.finish(bodies);
         }
     }
 

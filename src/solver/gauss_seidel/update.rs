@@ -2,7 +2,7 @@
 
 use super::batch::{Batch, Extra};
 use super::lanes::{Body, Columns, Lanes, Pack, Real, between, pushed};
-use super::levers::Levers;
+use super::levers::{Levers, Shared};
 use super::local::{Constants, Update, cross, dot, vector};
 use super::resistance::{OfContacts, Resistances};
 
@@ -53,8 +53,8 @@ impl<T: Real> Batch<T> {
         &mut self,
         l: L,
         pass: usize,
-        (bodies, levers, resistances): (&mut [Body<T>], &Levers<T>, Option<&mut Resistances<T>>),
-        extras: &[Extra<T>],
+        (bodies, shared): (&mut [Body<T>], &mut Option<Shared<T>>),
+        (levers, resistances, extras): (&Levers<T>, Option<&mut Resistances<T>>, &[Extra<T>]),
         latest: usize,
         pace: &Constants<L::Pack>,
     ) -> (u16, L::Pack, L::Pack) {
@@ -70,7 +70,7 @@ impl<T: Real> Batch<T> {
                 self.resist(l, pass, (&own, Some(levers)), moved, latest, pace)
             }
         };
-        self.put_columns(l, pass, ab, bodies);
+        self.put(l, pass, ab, (bodies, shared));
         found
     }
 

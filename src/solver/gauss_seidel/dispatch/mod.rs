@@ -2,7 +2,7 @@
 
 use super::batch::{Batch, Extra, Group, Progress, SweepParams, Vector};
 use super::lanes::{Body, FUSES, Lanes, Plain, Real, Sixteen};
-use super::levers::Levers;
+use super::levers::{Levers, Shared};
 use super::local::{Constants, Source};
 use super::resistance::{self, Resistances};
 use crate::Vec3;
@@ -167,6 +167,7 @@ impl<T: Real> Sweep<'_, T> {
                 true => block.levers(self.levers),
                 false => None,
             };
+            let mut shared = Shared::of(levers, self.bodies);
             for pass in block.passes::<L, T>() {
                 let bodies = &mut *self.bodies;
                 let (within, a, c) = match (levers, resisted.as_deref_mut()) {
@@ -175,13 +176,16 @@ impl<T: Real> Sweep<'_, T> {
                         block.update_resisted(l, pass, (bodies, own), extras, latest, &pace)
                     }
                     (Some(levers), own) => {
-                        let moved = (bodies, levers, own);
-                        block.update_levered(l, pass, moved, extras, latest, &pace)
+                        let (moved, has) = ((bodies, &mut shared), (levers, own, extras));
+                        block.update_levered(l, pass, moved, has, latest, &pace)
                     }
                 };
                 settled &= within;
                 l.store(l.load(&along, pass) + a, &mut along, pass);
                 l.store(l.load(&change, pass) + c, &mut change, pass);
+            }
+            if let Some(shared) = shared {
+                shared.finish(self.bodies);
             }
         }
         let sum = |x: Sixteen<T>| x.iter().map(|x| x.exact()).sum();

@@ -96,7 +96,8 @@ impl<T> Case<T> {
 }
 
 /// Three blocks of 32 bodies from numbers in -1..1. Some contacts of the first have resistances; the second is not full, and its
-/// ground moves; the third has levers, and resistances as well. The last body never moves.
+/// ground moves; the third has levers, resistances, masses that depend on the direction and a body that contacts share, once as A. The
+/// last body never moves.
 fn case<T: Real>(numbers: &[f64]) -> Case<T> {
     let mut source = numbers.iter().cycle().map(|&x| T::of(x));
     let mut sixteen =
@@ -168,10 +169,16 @@ fn case<T: Real>(numbers: &[f64]) -> Case<T> {
     let levers = Levers {
         arms: [exact(), exact()],
         turns: [exact(), exact()].map(|[x, y, z]| [x, y, z, y, z, x]),
-        scale: [exact()[0], exact()[0]].map(|x| x.map(|x| 1.0 + x * x)),
-        resistance_scale: [exact()[1], exact()[2]].map(|x| x.map(|x| 1.0 + x * x)),
+        bounds: [exact(), exact()].map(|[a, b, _]| [a, b].map(|x| x.map(|x| 1.0 + x * x))),
+        masses: [exact(), exact()].map(|[x, y, z]| [y, z, x, x, y, z]),
+        directed: true,
+        shared: Some((17, 0.3)),
     };
-    let levered = Batch { levers: 0, ..full };
+    let mut levered = Batch { levers: 0, ..full };
+    for lane in [3, 4, 9, 14] {
+        levered.bodies[1][lane] = 17;
+    }
+    (levered.bodies[0][7], levered.bodies[1][7]) = (17, 23);
     let mut resistances = Resistances::default();
     resistances.fill(&own, &impulses, 0.7);
     Case {

@@ -4,17 +4,17 @@ use std::iter::repeat;
 use std::mem::take;
 
 use arrayvec::ArrayVec;
-use nalgebra::Matrix3;
 
 use super::batch::{Batch, Extra, Progress, SweepParams};
 use super::batches::{BODIES, Batches, Colours, split};
 use super::dispatch::Exact;
 use super::general_rows::{Bodies, GeneralRows, spin_scale};
-use super::lanes::{Body, Sixteen};
-use super::levers::Levers;
+use super::lanes::{Body, Real, Sixteen};
+use super::levers::{Levers, alike};
 use super::local::Source;
 use super::partition::{PARTS, Partition};
 use super::resistance;
+use super::sharing::Sharing;
 use crate::Vec3;
 use crate::parallel::Pool;
 use crate::problem::Problem;
@@ -48,6 +48,9 @@ pub struct Kernel {
     pub(super) others: GeneralRows,
     /// Row of each contact's resistance, `[C]`; [`NONE`] where it has none.
     pub(super) resistance: Vec<u32>,
+    /// Which rows are contacts, but no plain ones, `[C]`; empty where there is none.
+    pub(super) levered: Vec<bool>,
+    pub(super) sharing: Sharing,
     /// Rows of the blocks by group, and which group each is of.
     pub(super) order: Vec<u32>,
     pub(super) group: Vec<u32>,
@@ -68,9 +71,20 @@ pub(super) struct Contents {
     /// Resistances, and levers, of those blocks that have such.
     pub(super) resistances: Vec<resistance::Source>,
     pub(super) levers: Vec<Levers<f64>>,
+    /// Those that sweeps have instead, and where: those of bodies that contacts share.
+    pub(super) split: Vec<(usize, Levers<f64>)>,
 }
 
 impl Contents {
+    /// Levers for sweeps, of inverse masses times `share`.
+    fn swept<T: Real>(&self, share: f64, levers: &mut Vec<Levers<T>>) {
+        levers.clear();
+        levers.extend(self.levers.iter().map(|own| own.of_share(share)));
+        for (k, own) in &self.split {
+            levers[*k] = own.of_share(share);
+        }
+    }
+
     /// Their contacts in double precision; impulses in the blocks are times `unit`.
     fn exact<'a>(&'a self, problem: &'a Problem, unit: f64) -> Exact<'a> {
         Exact {
@@ -112,7 +126,7 @@ impl Kernel {
         }
         let group = &self.group;
         self.others.take(problem, impulses, |k| group[k] == NONE);
-        let others = (spheres..problem.free.len()).filter_map(|i| alike(problem, i));
+        let others = problem.operators.iter().map(|w| w.linear.diagonal().max());
         let masses = problem.inverse_mass.iter().map(|w| w.linear.max());
         let masses = masses.chain(others);
         self.unit = match self.single {
@@ -226,7 +240,7 @@ impl Kernel {
     fn start_exact(&mut self) {
         self.exact.before.clone_from(&self.exact.bodies);
         self.exact.extras.clone_from(&self.extras);
-        self.exact.levers.clone_from(&self.contents.levers);
+        self.contents.swept(1.0, &mut self.exact.levers);
     }
 
     /// Takes the velocities of the impulses anew, without rounding from many sweeps.
@@ -244,9 +258,9 @@ impl Kernel {
         self.others.push(problem, &mut bodies);
         match self.single {
             true => {
-                let others = (&self.extras[..], &self.contents.levers[..]);
                 self.quick
-                    .place(&self.exact.bodies, others, self.unit, &self.pool);
+                    .place(&self.exact.bodies, &self.extras, self.unit, &self.pool);
+                self.contents.swept(1.0 / self.unit, &mut self.quick.levers);
             }
             false => self.start_exact(),
         }
@@ -259,14 +273,15 @@ impl Kernel {
         bodies.resize(problem.free.len() + parts, Body::default());
         let body = |i: usize| {
             let (v, scale) = (&problem.free[i], spin_scale(&self.radius, i));
-            // Of others each contact says how they turn.
-            let w = problem.inverse_mass.get(i).copied();
-            let w = w.unwrap_or_else(|| SpatialVector {
-                linear: Vec3::repeat(alike(problem, i).unwrap_or(0.0)),
-                angular: Vec3::zeros(),
-            });
+            // Of others each contact says how they turn, and how they move if not alike in all directions.
+            let (m, k) = match i.checked_sub(spheres) {
+                None => {
+                    let w = &problem.inverse_mass[i];
+                    (w.linear.x, w.angular.x * scale * scale)
+                }
+                Some(other) => (alike(&problem.operators[other].linear).unwrap_or(0.0), 0.0),
+            };
             let (v, s) = (v.linear, v.angular * scale);
-            let (m, k) = (w.linear.x, w.angular.x * scale * scale);
             Body([v.x, v.y, v.z, m, s.x, s.y, s.z, k])
         };
         let (bodies, others) = bodies.split_at_mut(spheres + parts);
@@ -357,13 +372,6 @@ impl Kernel {
         }
         self.others.store(impulses);
     }
-}
-
-/// Inverse mass \[1/kg\] of body `i`, which is no sphere, if it is the same in all directions.
-pub(super) fn alike(problem: &Problem, i: usize) -> Option<f64> {
-    let linear = &problem.operators[i - problem.inverse_mass.len()].linear;
-    let mass = linear[(0, 0)];
-    (*linear == Matrix3::identity() * mass).then_some(mass)
 }
 
 /// Radius of a body that does not move alike in all directions.

@@ -7,7 +7,7 @@ use crate::problem::{GROUND, Law, Row};
 use crate::solver::gauss_seidel::batch::PLAIN;
 use crate::solver::residual::{Scale, evaluate};
 use crate::spatial::SpatialOperator;
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 
 /// A row of spheres of different sizes on the ground, pushed, with one that has springs; most contacts have a resistance.
 fn problem() -> Problem {
@@ -68,12 +68,26 @@ fn problem() -> Problem {
     problem
 }
 
-/// With three bodies of any inertia, on the ground, on spheres and on each other.
+/// With three bodies of any inertia, on the ground, on spheres and on each other, of which one slides along a line; a sphere that is
+/// locked in one direction, a spring, and a resistance that has a spring.
 fn with_clumps(mut problem: Problem) -> Problem {
+    problem.inverse_mass[15].linear.y = 0.0;
+    let mut spring = problem.rows.get(0);
+    (spring.law, spring.compliance_n, spring.compliance_t) = (Law::Bilateral, 30.0, 30.0);
+    problem.rows.push(spring);
+    problem.rows.update_all(|_, row| {
+        if let Law::Resistance { contact: 4, .. } = row.law {
+            row.compliance_t = 20.0;
+        }
+    });
     for d in 0..3_u32 {
         let turned = Matrix3::new(3.0, 0.5, -0.2, 0.5, 2.0, 0.4, -0.2, 0.4, 1.5);
+        let along = Vec3::new(0.6, 0.0, 0.8);
         problem.operators.push(SpatialOperator {
-            linear: Matrix3::identity() * (40.0 + f64::from(d)),
+            linear: match d {
+                2 => along * along.transpose() * 40.0,
+                d => Matrix3::identity() * (40.0 + f64::from(d)),
+            },
             angular: turned * 1e5,
         });
         problem.free.push(SpatialVector {
@@ -154,15 +168,20 @@ fn blocks_do_what_rows_do_one_after_the_other() {
     kernel.compile(&problem, &Tolerance::default(), &start);
     assert_eq!(
         kernel.others.places().len(),
-        4,
-        "rows and resistances of a sphere that is held elsewhere"
+        3,
+        "a spring, and a contact with a resistance that has one"
     );
     assert!(!kernel.single);
     let levered: u32 = (kernel.exact.blocks.iter())
         .filter(|block| block.levers != PLAIN)
         .map(|block| block.count)
         .sum();
-    assert_eq!(levered, 9);
+    let of_spheres = 5;
+    assert_eq!(
+        levered,
+        9 + of_spheres,
+        "those of clumps, and of two spheres"
+    );
     let blocks = kernel.exact.blocks.iter().zip(&kernel.contents.rows);
     let rows = blocks.flat_map(|(block, rows)| &rows[..block.count as usize]);
     let with_resistance = |&k: &u32| [k, kernel.resistance[k as usize]];
@@ -206,6 +225,83 @@ fn blocks_do_what_rows_do_one_after_the_other() {
         same(judged.active_set_closeness, common.active_set_closeness);
         assert_eq!(judged.worst, common.worst);
     }
+}
+
+/// Contacts of a block share a heavy body as if each had its own part of the mass, and the whole had the mean of the parts' velocities.
+#[test]
+fn a_shared_body_is_the_mean_of_its_parts() {
+    let mut problem = problem();
+    let plate = 23;
+    let angular = Matrix3::new(3.0, 0.5, -0.2, 0.5, 2.0, 0.4, -0.2, 0.4, 1.5) * 4.0;
+    problem.operators.push(SpatialOperator {
+        linear: Matrix3::identity() * 0.9,
+        angular,
+    });
+    problem.free.push(SpatialVector {
+        linear: Vector3::new(0.1, 0.0, 0.05),
+        angular: Vector3::new(0.1, -0.2, 0.3),
+    });
+    problem.rows.update_all(|_, row| {
+        if row.b == GROUND {
+            let arm = Vec3::new(0.05 * f64::from(row.a % 5) - 0.1, 0.03, 0.002);
+            (row.b, row.arm_b, row.prescribed_velocity) = (plate, arm, Vec3::zeros());
+        }
+    });
+    let mut found: Vec<Vec3> = (0..problem.rows.len())
+        .map(|k| problem.rows.normal(k) * (1e-4 * (k % 5) as f64))
+        .collect();
+    let mut expected = found.clone();
+    let mut kernel = Kernel::default();
+    kernel.compile(&problem, &Tolerance::default(), &found);
+    let (mut velocity, mut shared) = (problem.velocities(&found), 0);
+    for sweep in 0..3 {
+        let pace = SweepParams {
+            momentum: 0.0,
+            damping: 1.0,
+            strictness: 1.0,
+            tolerance: Tolerance::default(),
+        };
+        kernel.sweep(&problem, pace);
+        kernel.store(&problem, &mut found);
+        for (block, rows) in kernel.exact.blocks.iter().zip(&kernel.contents.rows) {
+            let rows = &rows[..block.count as usize];
+            let touches = |k: &&u32| problem.rows.bodies(**k as usize)[1] == plate;
+            let parts = rows.iter().filter(touches).count().max(1) as f64;
+            shared = shared.max(parts as usize);
+            let mut split = problem.clone();
+            split.operators[0].linear *= parts;
+            split.operators[0].angular *= parts;
+            let whole = velocity[plate as usize];
+            let mut change = SpatialVector::ZERO;
+            for &k in rows {
+                velocity[plate as usize] = whole;
+                for k in [k, kernel.resistance[k as usize]] {
+                    let row = match k {
+                        NONE => continue,
+                        k => split.rows.get(k as usize),
+                    };
+                    let load = row.load(&split.rows, &expected);
+                    let p = &mut expected[k as usize];
+                    let scale = Scale::of_row(&split, &row);
+                    let map = scale.natural_map(&row, row.relative_velocity(&velocity), *p, load);
+                    let full = row.normal * map.normal + map.tangential;
+                    *p += full;
+                    split.apply(&row, &mut velocity, full);
+                }
+                let part = velocity[plate as usize];
+                change = change.plus(&part, 1.0 / parts).plus(&whole, -1.0 / parts);
+            }
+            velocity[plate as usize] = whole.plus(&change, 1.0);
+        }
+        for (k, (p, q)) in found.iter().zip(&expected).enumerate() {
+            assert!((p - q).norm() < 1e-14, "sweep {sweep}, row {k}: {p} {q}");
+        }
+        let judged = kernel.judge(&problem);
+        let common = evaluate(&problem, &Scale::of(&problem), &found);
+        assert!((judged.slip - common.slip).abs() < 1e-9 * common.slip);
+        assert!((judged.force - common.force).abs() < 1e-9 * common.force);
+    }
+    assert!(shared > 4, "{shared} contacts of a block share the plate");
 }
 
 /// Contacts of clumps in single precision: the impulses of double precision but for its rounding.
