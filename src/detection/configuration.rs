@@ -6,8 +6,9 @@ use crate::contact::{Contact, ContactForce, ContactId, Partner};
 use crate::geometry::ClosestPoint;
 use crate::scene::particles::{Kinematics, Particles};
 use crate::scene::{Boundary, Scene};
-use crate::spatial::Pose;
 use crate::spatial::cell::{Cell, HERE, Image};
+use crate::spatial::extent::larger;
+use crate::spatial::{Displacement, Pose};
 
 /// Where everything is at one instant.
 #[derive(Debug, Clone, Copy)]
@@ -176,27 +177,29 @@ impl Configuration<'_> {
 
     /// The longest displacement \[m\] of points fixed to boundary `b`, where spheres are, while it moves to `to`.
     pub(crate) fn carried(&self, b: usize, to: &Pose) -> f64 {
-        if &self.poses[b] == to {
+        let Some(displacement) = self.displacement(b, to) else {
             return 0.0;
-        }
+        };
         let mut displacements = self
             .present_positions()
-            .map(|x| self.displacement_at(b, to, x));
-        if self.poses[b].rotation == to.rotation {
+            .map(|x| self.displacement_at(b, &displacement, x));
+        if !displacement.turns {
             // A translation carries all alike, but for rounding.
             return displacements.next().map_or(0.0, |way| way * (1.0 + 1e-9));
         }
-        displacements.fold(0.0, f64::max)
+        displacements.fold(0.0, larger)
     }
 
-    /// Way \[m\] of the point fixed to boundary `b` that is at `x` while it moves to `to`.
-    pub(crate) fn displacement_at(&self, b: usize, to: &Pose, x: Vec3) -> f64 {
-        let (shape, from) = (&self.boundaries[b], &self.poses[b]);
-        if from == to {
-            return 0.0;
-        }
-        let x = shape.copy_near(self.cell, from, x);
-        (shape.from_frame(to, shape.to_frame(from, x)) - x).norm()
+    /// How boundary `b` moves to `to`, if it does.
+    pub(crate) fn displacement(&self, b: usize, to: &Pose) -> Option<Displacement> {
+        self.poses[b].displacement(to, self.boundaries[b].point_of_action)
+    }
+
+    /// Way \[m\] of the point fixed to boundary `b` that is at `x`.
+    #[inline]
+    pub(crate) fn displacement_at(&self, b: usize, displacement: &Displacement, x: Vec3) -> f64 {
+        let x = self.boundaries[b].copy_near(self.cell, &self.poses[b], x);
+        displacement.at(x).norm()
     }
 
     /// Distance of the centres of spheres `i` and `j` \[m\].

@@ -229,12 +229,9 @@ impl NearBoundaries {
         for ((carried, boundary), (then, pose)) in
             self.carried.iter_mut().zip(now.boundaries).zip(poses)
         {
-            if then != pose {
-                let path = |corner: Vec3| {
-                    let x = boundary.to_frame(pose, corner);
-                    (boundary.from_frame(then, x) - corner).norm()
-                };
-                let path = corners.map(path).into_iter().fold(0.0, larger);
+            if let Some(displacement) = pose.displacement(then, boundary.point_of_action) {
+                let paths = corners.map(|corner| displacement.at(corner).norm());
+                let path = paths.into_iter().fold(0.0, larger);
                 *carried += path;
                 longest = larger(longest, path);
             }

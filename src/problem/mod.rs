@@ -186,17 +186,14 @@ impl Problem {
 
 /// `(w_n, w_t)` such that `operator` is at most `w_n n n^T + w_t (1 - n n^T)` \[1/kg\].
 pub(crate) fn bounding_scale(operator: &Matrix3<f64>, n: Vec3) -> (f64, f64) {
-    let w_n = (n.transpose() * operator * n)[0];
-    // Largest eigenvalue of the 2x2 tangential block from its trace and determinant.
     let [t1, t2] = tangents(n);
-    let (a, b, c) = (
-        t1.dot(&(operator * t1)),
-        t2.dot(&(operator * t2)),
-        t1.dot(&(operator * t2)),
-    );
+    let [of_n, of_1, of_2] = [n, t1, t2].map(|x| operator * x);
+    let w_n = n.dot(&of_n);
+    // Largest eigenvalue of the 2x2 tangential block from its trace and determinant.
+    let (a, b, c) = (t1.dot(&of_1), t2.dot(&of_2), t1.dot(&of_2));
     let w_t = 0.5 * (a + b) + (0.25 * (a - b) * (a - b) + c * c).sqrt();
     // The update of a row treats normal and tangent side by side: a bound keeps it from overshooting where they couple.
-    let coupling = t1.dot(&(operator * n)).hypot(t2.dot(&(operator * n)));
+    let coupling = (t1.dot(&of_n).powi(2) + t2.dot(&of_n).powi(2)).sqrt();
     let share = coupling / (w_n * w_t).sqrt();
     // Where a joint leaves nothing but the normal, all across it is rounding.
     if share > UNCOUPLED && coupling > UNCOUPLED * w_n {

@@ -5,6 +5,7 @@ pub(crate) mod extent;
 mod pose;
 mod vector;
 
+pub(crate) use pose::Displacement;
 pub use pose::{Pose, turned};
 pub(crate) use vector::SpatialOperator;
 pub use vector::{SpatialVector, Twist, Wrench};

@@ -1,7 +1,7 @@
 //! Rigid displacement of a boundary: `x(t) = a + s(t) + Q(t) (x_0 - a)`, with `a` the reference point \[m\], `s` the
 //! translation \[m\] and `Q` the rotation from the scene. Zero translation and identity rotation mean "as in the scene".
 
-use nalgebra::{Quaternion, UnitQuaternion};
+use nalgebra::{Matrix3, Quaternion, UnitQuaternion};
 use serde::{Deserialize, Serialize};
 
 use super::Twist;
@@ -69,6 +69,20 @@ impl Pose {
                 .inverse_transform_vector(&(x - point_of_action - self.translation))
     }
 
+    /// What the move to `to` does to points of a boundary whose reference point is `point_of_action`; `None` where it does not move.
+    pub(crate) fn displacement(&self, to: &Self, point_of_action: Vec3) -> Option<Displacement> {
+        if self == to {
+            return None;
+        }
+        let turn = (to.rotation * self.rotation.inverse()).to_rotation_matrix();
+        Some(Displacement {
+            pivot: point_of_action + self.translation,
+            shift: to.translation - self.translation,
+            turn: turn.matrix() - Matrix3::identity(),
+            turns: self.rotation != to.rotation,
+        })
+    }
+
     /// The constant twist that leads to `end` within `duration` \[s\], the shorter way round.
     pub(crate) fn twist_to(&self, end: &Self, duration: f64) -> Twist {
         Twist {
@@ -83,6 +97,24 @@ impl Pose {
             translation: self.translation + twist.linear * duration,
             rotation: UnitQuaternion::from_scaled_axis(twist.angular * duration) * self.rotation,
         }
+    }
+}
+
+/// A rigid displacement: `x' - x = s + (Q - 1)(x - p)`, with the pivot `p` \[m\].
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Displacement {
+    pivot: Vec3,
+    shift: Vec3,
+    turn: Matrix3<f64>,
+    /// Whether it is more than a translation.
+    pub(crate) turns: bool,
+}
+
+impl Displacement {
+    /// Of the point that was at `x` \[m\].
+    #[inline]
+    pub(crate) fn at(&self, x: Vec3) -> Vec3 {
+        self.shift + self.turn * (x - self.pivot)
     }
 }
 
@@ -121,6 +153,17 @@ mod tests {
 
     fn near(a: Vec3, b: Vec3, tolerance: f64) -> bool {
         (a - b).norm() <= tolerance
+    }
+
+    proptest! {
+        /// A displacement leads points from where one pose has them to where another has them.
+        #[test]
+        fn a_displacement_is_the_way_between_two_poses(from in pose(), to in pose(), a in vector(1.0), x_0 in vector(3.0)) {
+            let [start, end] = [&from, &to].map(|pose| pose.apply(a, x_0));
+            let displacement = from.displacement(&to, a).expect("a move");
+            prop_assert!(near(start + displacement.at(start), end, 1e-13));
+            prop_assert!(from.displacement(&from, a).is_none());
+        }
     }
 
     proptest! {

@@ -56,10 +56,13 @@ pub(super) fn detect(
         let [a, b] = [i, j].map(|k| &reach[k as usize]);
         (a.pairs + b.pairs).min(a.boundaries + b.boundaries)
     };
+    let displacements = (0..scene.boundaries.len()).map(|b| configuration.displacement(b, &end[b]));
+    let displacements: Vec<_> = displacements.collect();
     let of_boundary = |i: u32, b: u16| {
         let (i, b) = (i as usize, usize::from(b));
         let x = prediction.kinematics.position[i];
-        reach[i].boundaries + configuration.displacement_at(b, &end[b], x)
+        let way = |displacement| configuration.displacement_at(b, displacement, x);
+        reach[i].boundaries + displacements[b].as_ref().map_or(0.0, way)
     };
     configuration.candidates(&workspace.neighbors, of_pair, of_boundary, candidates);
     workspace.reach = reach;

@@ -66,8 +66,9 @@ impl<T: Real> Batch<T> {
                 }
             };
             self.yields(l, pass, &mut seen, p, extras);
-            let law = |y_n, squared| onto_cone(y_n, squared, friction, (zero, one));
-            let solved = seen.solve(p, law, (zero, one));
+            let trial = seen.trial(p, (zero, one));
+            let law = onto_cone(trial.free, trial.squared, friction, (zero, one));
+            let solved = trial.held(law);
             let [gap, slip, force] = solved.residuals(l, &seen, contacts.length, contacts.scale);
             // Distances to the edges of the state: of opening, and of slip.
             let held = dot(p, p).or_larger(contacts.scale).root();

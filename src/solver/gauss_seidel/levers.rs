@@ -125,22 +125,35 @@ impl Levers<f64> {
         Some(split)
     }
 
-    /// In another precision, inverse masses times `share`.
-    pub(super) fn of_share<T: Real>(&self, share: f64) -> Levers<T> {
-        let scaled = |x: &Sixteen<f64>| changed(x, |x| T::of(x * share));
-        let matrices = |own: &[Symmetric<f64>; 2]| {
-            [0, 1].map(|side| std::array::from_fn(|k| scaled(&own[side][k])))
+    /// Leaves in `levers` what these are in another precision, inverse masses times `share`.
+    pub(super) fn write<T: Real>(&self, share: f64, levers: &mut Levers<T>) {
+        let write = |from: &[Sixteen<f64>], to: &mut [Sixteen<T>], share: f64| {
+            for (from, to) in from.iter().zip(to) {
+                *to = changed(from, |x| T::of(x * share));
+            }
         };
-        let bounds =
-            |own: &[Bounds<f64>; 2]| [0, 1].map(|kind| [0, 1].map(|k| scaled(&own[kind][k])));
-        Levers {
-            arms: [0, 1].map(|side| each(|k| changed(&self.arms[side][k], T::of))),
-            turns: matrices(&self.turns),
-            bounds: bounds(&self.bounds),
-            masses: matrices(&self.masses),
-            directed: self.directed,
-            shared: self.shared.map(|(at, share)| (at, T::of(share))),
-        }
+        write(
+            self.arms.as_flattened(),
+            levers.arms.as_flattened_mut(),
+            1.0,
+        );
+        write(
+            self.turns.as_flattened(),
+            levers.turns.as_flattened_mut(),
+            share,
+        );
+        write(
+            self.bounds.as_flattened(),
+            levers.bounds.as_flattened_mut(),
+            share,
+        );
+        write(
+            self.masses.as_flattened(),
+            levers.masses.as_flattened_mut(),
+            share,
+        );
+        levers.directed = self.directed;
+        levers.shared = self.shared.map(|(at, share)| (at, T::of(share)));
     }
 }
 

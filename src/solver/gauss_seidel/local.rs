@@ -201,15 +201,36 @@ pub(super) fn vector<T, L: Lanes<T>>(l: L, x: &Vector<T>, pass: usize) -> [L::Pa
     ]
 }
 
-impl<P: Pack> Seen<P> {
-    /// A law at impulse `p`: what it makes of one along the normal and of the square of one across it.
+/// Impulses that would stop all motion, for the law to bring between its bounds.
+pub(super) struct Trial<P> {
+    /// Normal and tangential impulse that contacts have, and what they should have.
+    p_n: P,
+    pub(super) free: P,
+    p_t: [P; 3],
+    t: [P; 3],
+    /// Square of the tangential one that they should have.
+    pub(super) squared: P,
+}
+
+impl<P: Pack> Trial<P> {
+    /// What the law makes of it: the normal impulse, and the share of the tangential one that stays.
     #[inline(always)]
-    pub(super) fn solve(
-        &self,
-        p: [P; 3],
-        law: impl Fn(P, P) -> (P, P),
-        (zero, one): (P, P),
-    ) -> Solved<P> {
+    pub(super) fn held(self, (normal, share): (P, P)) -> Solved<P> {
+        Solved {
+            free: self.free,
+            normal,
+            squared: self.squared,
+            share,
+            over_n: self.p_n - normal,
+            over_t: each(|k| self.p_t[k].less(self.t[k], share)),
+        }
+    }
+}
+
+impl<P: Pack> Seen<P> {
+    /// The trial at impulse `p`.
+    #[inline(always)]
+    pub(super) fn trial(&self, p: [P; 3], (zero, one): (P, P)) -> Trial<P> {
         let (n, u_t) = (self.n, self.u_t);
         // Where nothing moves the impulse stays.
         let mass = |w: P| w.within(zero, zero, one.over(w));
@@ -219,15 +240,12 @@ impl<P: Pack> Seen<P> {
         // Tangential part of p - u/w_t, on the disc. All as differences: what is solved stays to the last bit.
         let p_t = each(|k| p[k].less(n[k], p_n));
         let t = each(|k| p_t[k].less(u_t[k], mass_t));
-        let squared = dot(t, t);
-        let (normal, share) = law(free, squared);
-        Solved {
+        Trial {
+            p_n,
             free,
-            normal,
-            squared,
-            share,
-            over_n: p_n - normal,
-            over_t: each(|k| p_t[k].less(t[k], share)),
+            p_t,
+            t,
+            squared: dot(t, t),
         }
     }
 }
@@ -381,8 +399,9 @@ impl<T: Real> Batch<T> {
         let p = pace.moved(old, vector(l, &self.impulse[1 - latest], pass));
         self.yields(l, pass, &mut seen, p, extras);
         let (ends, friction) = ((pace.zero, pace.one), l.load(&self.friction, pass));
-        let law = |y_n, squared| onto_cone(y_n, squared, friction, ends);
-        let solved = seen.solve(p, law, ends);
+        let trial = seen.trial(p, ends);
+        let law = onto_cone(trial.free, trial.squared, friction, ends);
+        let solved = trial.held(law);
         let over = solved.over(seen.n, p, solved.normal, pace.zero);
         // Judged before damping.
         let (nn, tt) = solved.squares();

@@ -132,8 +132,9 @@ impl<P: Pack> Held<P> {
     fn solve(&self, seen: &Seen<P>, p: [P; 3], load: P, (zero, one): (P, P)) -> Solved<P> {
         let [twisting, rolling] = self.limits(load);
         let bounds = ([zero - twisting, twisting], rolling);
-        let law = |y_n, squared| onto_cylinder(y_n, squared, bounds, one);
-        seen.solve(p, law, (zero, one))
+        let trial = seen.trial(p, (zero, one));
+        let law = onto_cylinder(trial.free, trial.squared, bounds, one);
+        trial.held(law)
     }
 
     /// Gives the bodies the impulses `d`.

@@ -181,6 +181,8 @@ fn case<T: Real>(numbers: &[f64]) -> Case<T> {
     (levered.bodies[0][7], levered.bodies[1][7]) = (17, 23);
     let mut resistances = Resistances::default();
     resistances.fill(&own, &impulses, 0.7);
+    let mut scaled = Levers::default();
+    levers.write(0.8, &mut scaled);
     Case {
         numbers,
         rows: rows.to_vec(),
@@ -189,7 +191,7 @@ fn case<T: Real>(numbers: &[f64]) -> Case<T> {
         sources: vec![own; 2],
         bodies,
         extras,
-        levers: vec![levers.of_share(0.8)],
+        levers: vec![scaled],
         exact_levers: vec![levers],
     }
 }

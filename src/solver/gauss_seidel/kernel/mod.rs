@@ -78,10 +78,12 @@ pub(super) struct Contents {
 impl Contents {
     /// Levers for sweeps, of inverse masses times `share`.
     fn swept<T: Real>(&self, share: f64, levers: &mut Vec<Levers<T>>) {
-        levers.clear();
-        levers.extend(self.levers.iter().map(|own| own.of_share(share)));
+        levers.resize_with(self.levers.len(), Levers::default);
+        for (own, swept) in self.levers.iter().zip(&mut *levers) {
+            own.write(share, swept);
+        }
         for (k, own) in &self.split {
-            levers[*k] = own.of_share(share);
+            own.write(share, &mut levers[*k]);
         }
     }
 
