@@ -6,6 +6,7 @@ import os
 import platform
 import shlex
 import shutil
+import signal
 import subprocess
 import sys
 import time
@@ -19,7 +20,7 @@ from record import FILE, Record
 from runs import Case, Failed, Outcome, Row
 
 HERE = Path(__file__).resolve().parent
-LONGEST = 6 * 3600  # of one run [s]
+LONGEST = 360.0  # of one run [min]
 QUIET = 0.2  # cores busy with other work, above which times are worth little
 LISTEN = 3.0  # time over which that is measured [s]
 
@@ -55,7 +56,7 @@ def main() -> int:
     done = failed = 0
     for group in groups:
         for case in group.sequence():
-            row = _timed(group.name, case)
+            row = _timed(group.name, case, 60.0 * arguments.limit)
             record.rows.append(row)
             record.write(out)
             done, failed = done + 1, failed + isinstance(row, Failed)
@@ -73,24 +74,32 @@ def _arguments() -> argparse.Namespace:
     )
     parser.add_argument("--pairs", action="store_true", help="without the rows that are not timed beside a reference")
     parser.add_argument("--up-to", type=float, default=1e6, metavar="N", help="no scenes of more spheres")
+    parser.add_argument("--limit", type=float, default=LONGEST, metavar="MIN", help=f"stop a run that takes longer ({LONGEST:g} minutes)")
     parser.add_argument("--keep", action="store_true", help="keep the rows of the last record that are not run anew")
     parser.add_argument("--out", type=Path, default=sphere_dda.ROOT / "docs", help="folder of the page (docs)")
     parser.add_argument("--page", action="store_true", help="write the page of the last record anew, run nothing")
     return parser.parse_args()
 
 
-def _timed(group: str, case: Case) -> Row | Failed:
-    """The row of one run in a process of its own."""
+def _timed(group: str, case: Case, limit: float) -> Row | Failed:
+    """The row of one run in a process of its own, which has `limit` seconds."""
     command = [sys.executable, str(HERE / "one.py")]
-    try:
-        done = subprocess.run(command, input=json.dumps(asdict(case)), capture_output=True, text=True, timeout=LONGEST, check=False)
-    except subprocess.TimeoutExpired:
-        return Failed(case, group, f"not done after {LONGEST} s")
-    if done.returncode != 0:
-        reason = (done.stderr.strip().splitlines() or [f"exit status {done.returncode}"])[-1]
+    pipe = subprocess.PIPE
+    # A session of its own: what the run has started ends with it.
+    with subprocess.Popen(command, stdin=pipe, stdout=pipe, stderr=pipe, text=True, start_new_session=True) as run:
+        try:
+            out, errors = run.communicate(json.dumps(asdict(case)), timeout=limit)
+        except subprocess.TimeoutExpired:
+            os.killpg(run.pid, signal.SIGKILL)
+            return Failed(case, group, f"not done after {limit / 60:g} min")
+        except BaseException:
+            os.killpg(run.pid, signal.SIGKILL)
+            raise
+    if run.returncode != 0:
+        reason = (errors.strip().splitlines() or [f"exit status {run.returncode}"])[-1]
         return Failed(case, group, reason)
     # Codes may print before the last line.
-    return Row(case, group, Outcome.from_dict(json.loads(done.stdout.splitlines()[-1])))
+    return Row(case, group, Outcome.from_dict(json.loads(out.splitlines()[-1])))
 
 
 def _told(row: Row | Failed) -> str:
