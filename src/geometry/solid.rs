@@ -24,6 +24,7 @@ use super::error::GeometryError;
 use super::facets::Facets;
 use super::mesh::Mesh;
 use super::moments::Moments;
+use super::tessellate::Triangulation;
 use super::{ClosestPoint, topology};
 use crate::Vec3;
 use crate::random::unit;
@@ -88,6 +89,15 @@ impl Solid {
             bounds,
             moments,
         })
+    }
+
+    /// Its surface, welded.
+    #[must_use]
+    pub fn surface(&self) -> Triangulation {
+        Triangulation {
+            points: self.mesh.vertices().to_vec(),
+            triangles: self.mesh.indices().to_vec(),
+        }
     }
 
     /// Whether a point \[m\] lies inside. Decided exactly for the welded mesh; the surface belongs to one side.

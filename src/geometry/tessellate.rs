@@ -2,6 +2,8 @@
 
 use std::f64::consts::TAU;
 
+use serde::{Deserialize, Serialize};
+
 use super::Geometry;
 use super::plane::HalfSpace;
 use super::revolution::Revolution;
@@ -11,7 +13,7 @@ use crate::Vec3;
 pub(super) const SEGMENTS: usize = 64;
 
 /// A triangulated surface.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Triangulation {
     /// Points \[m\].
     pub points: Vec<Vec3>,

@@ -60,7 +60,8 @@ pub(super) enum Message {
 pub(super) struct Disk {
     directory: Directory,
     precision: Precision,
-    series: [Collection; 3],
+    /// Of [`Series::ALL`].
+    series: Vec<Collection>,
     history: Table,
     status: Arc<Mutex<Status>>,
 }
@@ -75,7 +76,9 @@ impl Disk {
         let path = directory.path();
         Ok(Self {
             precision,
-            series: Series::ALL.map(|series| Collection::new(collection(path, series))),
+            series: Series::ALL
+                .map(|series| Collection::new(collection(path, series)))
+                .into(),
             history: Table::create(&path.join(HISTORY), columns(scene))?,
             status: Arc::default(),
             directory,
@@ -89,11 +92,10 @@ impl Disk {
         precision: Precision,
     ) -> Result<Self, OutputError> {
         let path = directory.path();
-        let [spheres, contacts, boundaries] =
-            Series::ALL.map(|series| Collection::open(collection(path, series)));
+        let series = Series::ALL.map(|series| Collection::open(collection(path, series)));
         Ok(Self {
             precision,
-            series: [spheres?, contacts?, boundaries?],
+            series: series.into_iter().collect::<Result<_, _>>()?,
             history: Table::open(&path.join(HISTORY), columns(scene))?,
             status: Arc::default(),
             directory,

@@ -83,6 +83,8 @@ pub struct Frame {
     pub contacts: Option<Contents>,
     /// Triangles of the boundaries.
     pub boundaries: Option<Contents>,
+    /// Triangles of the clumps that show their meshes.
+    pub clumps: Option<Contents>,
 }
 
 impl Frame {
@@ -104,6 +106,7 @@ impl Frame {
             Series::Spheres => &mut self.spheres,
             Series::Contacts => &mut self.contacts,
             Series::Boundaries => &mut self.boundaries,
+            Series::Clumps => &mut self.clumps,
         }
     }
 }

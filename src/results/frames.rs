@@ -2,9 +2,10 @@
 //!
 //! | series | cells | arrays |
 //! |---|---|---|
-//! | spheres | vertex at the centre | over points: `radius` \[m\], `velocity` \[m/s\], `angular_velocity` \[rad/s\], `force` \[N\] and `torque` \[N m\] of all contacts, `orientation` (w, x, y, z), `id`, `material`, with clumps `clump` (-1: none) |
+//! | spheres | vertex at the centre | over points: `radius` \[m\], `velocity` \[m/s\], `angular_velocity` \[rad/s\], `force` \[N\] and `torque` \[N m\] of all contacts, `orientation` (w, x, y, z), `id`, `material`, with clumps `clump` (-1: none), where some show their meshes `meshed` (1: its clump does) |
 //! | contacts | line from centre 1 to centre 2 or to the closest point | over cells: `normal_force` \[N\], `force` on 1 \[N\], `torque` on 1 \[N m\] of rolling and twisting resistance where the scene has any, `hold` (1 by cohesion, 2 by a bond) where it has any, `overlap` \[m\], `slip` \[m/s\], `id1`, `id2`, `kind` |
 //! | boundaries | triangles | over points: `velocity` \[m/s\]; over cells: `force` \[N\] on the whole boundary, `boundary` (index), and [`walls::FIELDS`] where a boundary has `wall_fields`, zero on all others |
+//! | clumps | triangles of their meshes | over points: `velocity` \[m/s\]; over cells: `clump` |
 //!
 //! `kind` is 0 between spheres and 1 on a boundary, `id2` then being the boundary. Readers cannot take a file without
 //! cells: a frame without contacts holds the centres, one vertex, zero force, ids and kind -1. Contacts listed are
@@ -24,9 +25,9 @@ use crate::observe::{BoundaryState, Observation};
 use crate::scene::Scene;
 use crate::spatial::cell::{HERE, Image};
 use crate::spatial::extent::joined;
-use crate::spatial::{Twist, Wrench};
+use crate::spatial::{SpatialVector, Twist, Wrench};
 
-/// The three series of a run, in the order they are written.
+/// The series of a run, in the order they are written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Series {
     /// One vertex per sphere.
@@ -35,11 +36,18 @@ pub enum Series {
     Contacts,
     /// The boundaries' triangles.
     Boundaries,
+    /// The triangles of clumps that show their meshes.
+    Clumps,
 }
 
 impl Series {
     /// All series.
-    pub const ALL: [Self; 3] = [Self::Spheres, Self::Contacts, Self::Boundaries];
+    pub const ALL: [Self; 4] = [
+        Self::Spheres,
+        Self::Contacts,
+        Self::Boundaries,
+        Self::Clumps,
+    ];
 
     /// Stem of the file names.
     #[must_use]
@@ -48,6 +56,7 @@ impl Series {
             Self::Spheres => "spheres",
             Self::Contacts => "contacts",
             Self::Boundaries => "boundaries",
+            Self::Clumps => "clumps",
         }
     }
 }
@@ -58,8 +67,15 @@ pub(crate) fn series(scene: &Scene, surface: &Surface) -> Vec<Series> {
     let shown = |series: &Series| match series {
         Series::Spheres | Series::Contacts => !scene.particles.is_empty(),
         Series::Boundaries => !surface.triangles.is_empty(),
+        Series::Clumps => shows_meshes(scene),
     };
     Series::ALL.into_iter().filter(shown).collect()
+}
+
+/// Whether some clumps show their meshes.
+fn shows_meshes(scene: &Scene) -> bool {
+    let mut clumps = scene.clumps.iter();
+    clumps.any(|clump| clump.shape.surface.is_some())
 }
 
 /// Every grid of a frame.
@@ -69,6 +85,7 @@ pub fn frame(state: &Observation, surface: &Surface) -> Vec<(Series, Grid)> {
         Series::Spheres => (of, spheres(state)),
         Series::Contacts => (of, contacts(state)),
         Series::Boundaries => (of, surface.grid(state)),
+        Series::Clumps => (of, clumps(state)),
     };
     let shown = series(state.scene, surface);
     shown.into_iter().map(grid).collect()
@@ -152,6 +169,12 @@ pub fn spheres(state: &Observation) -> Grid {
     if !state.scene.clumps.is_empty() {
         let clumps = rows.iter().map(|row| row.clump);
         grid.point_data.push(Array::integer("clump", clumps));
+        if shows_meshes(state.scene) {
+            let clump = |row: &Vertex| state.scene.clumps.get(usize::try_from(row.clump).ok()?);
+            let meshed = |row| clump(row).is_some_and(|clump| clump.shape.surface.is_some());
+            let meshed = rows.iter().map(|row| i32::from(meshed(row)));
+            grid.point_data.push(Array::integer("meshed", meshed));
+        }
     }
     if !cell.is_open() {
         grid.point_data.push(Array {
@@ -162,6 +185,47 @@ pub fn spheres(state: &Observation) -> Grid {
         });
     }
     grid
+}
+
+/// The meshes of the clumps in the scene that show them. Where there is none, one vertex at the origin stands for them.
+#[must_use]
+pub fn clumps(state: &Observation) -> Grid {
+    let (mut points, mut velocity) = (Vec::new(), Vec::new());
+    let (mut triangles, mut owners) = (Vec::new(), Vec::new());
+    for (c, clump) in (0..).zip(&state.scene.clumps) {
+        let first = clump.members.start;
+        let Some(surface) = &clump.shape.surface else {
+            continue;
+        };
+        if !state.kinematics.present[first] {
+            continue;
+        }
+        let (centre, rotation) = clump.place(state.kinematics);
+        let place = state.scene.cell.wrapped(centre);
+        let Twist { linear, angular } = state.velocities.reported(first);
+        let moves = clump.of_member(rotation, &SpatialVector { linear, angular });
+        let before = points.len() as u32;
+        for point in &surface.mesh.points {
+            let arm = rotation * (point * surface.scale);
+            points.push(place + arm);
+            velocity.push(moves.at(arm));
+        }
+        let own = surface.mesh.triangles.iter();
+        triangles.extend(own.flatten().map(|corner| before + corner));
+        owners.extend(std::iter::repeat_n(c, surface.mesh.triangles.len()));
+    }
+    let none = owners.is_empty();
+    if none {
+        (points, velocity) = (vec![Vec3::zeros()], vec![Vec3::zeros()]);
+        (triangles, owners) = (vec![0], vec![-1]);
+    }
+    Grid {
+        points,
+        cell: if none { Cell::Vertex } else { Cell::Triangle },
+        connectivity: triangles,
+        point_data: vec![Array::vector("velocity", "m/s", velocity)],
+        cell_data: vec![Array::integer("clump", owners)],
+    }
 }
 
 /// The contacts that carry a force or overlap.

@@ -134,6 +134,14 @@ def show_spheres(view, spheres, limit):
     return display
 
 
+def alone(spheres):
+    # A frame without such clumps has no array.
+    single = simple.Threshold(registrationName="grains without a mesh", Input=spheres)
+    single.Scalars = ["POINTS", "meshed"]
+    single.LowerThreshold, single.UpperThreshold = 0, 0
+    return single
+
+
 def show_forces(view, contacts, radius):
     # A frame without contacts has one vertex of kind -1 and points without cells, to which 5.11 would give any force.
     loaded = simple.Threshold(registrationName="contacts alone", Input=contacts)
@@ -153,6 +161,14 @@ def show_forces(view, contacts, radius):
     limit = force.GetRange()[1] if force else 0.0
     colour(display, view, "normal_force", "normal force [N]", limit or 1.0, 0.12)
     return tubes, display
+
+
+def show_clumps(view, clumps):
+    display = simple.Show(clumps, view)
+    display.SetRepresentationType("Surface")
+    display.Ambient, display.Diffuse = 0.3, 0.8
+    # Speeds as those of the spheres.
+    simple.ColorBy(display, ("POINTS", "velocity", "Magnitude"))
 
 
 def show_boundaries(view, boundaries):
@@ -185,7 +201,7 @@ def aim(view, box):
 
 def main(picture, time, forces):
     view = simple.GetActiveViewOrCreate("RenderView")
-    spheres, contacts, boundaries = read("spheres"), read("contacts"), read("boundaries")
+    spheres, contacts, boundaries, clumps = map(read, ["spheres", "contacts", "boundaries", "clumps"])
     around = boundaries or spheres
     scene = simple.GetAnimationScene()
     scene.UpdateAnimationUsingDataTimeSteps()
@@ -205,7 +221,8 @@ def main(picture, time, forces):
     view.UseColorPaletteForBackground, view.BackgroundColorMode = 0, "Single Color"
     view.Background = [1.0, 1.0, 1.0]
     view.OrientationAxesLabelColor = DARK
-    balls = show_spheres(view, spheres, max(speeds, default=0.0) or 1.0)
+    # Members of clumps lie within the meshes that are shown.
+    balls = show_spheres(view, alone(spheres) if clumps else spheres, max(speeds, default=0.0) or 1.0)
     balls.SetScalarBarVisibility(view, not forces)
     if contacts:
         tubes, display = show_forces(view, contacts, max(radii, default=1.0))
@@ -217,6 +234,8 @@ def main(picture, time, forces):
             simple.Hide(tubes, view)
     if boundaries:
         show_boundaries(view, boundaries)
+    if clumps:
+        show_clumps(view, clumps)
     clock = simple.AnnotateTimeFilter(registrationName="time", Input=spheres)
     clock.Format = "t = {time:.3f} s"
     display = simple.Show(clock, view)

@@ -10,12 +10,13 @@
 
 use std::f64::consts::PI;
 use std::ops::Range;
+use std::sync::Arc;
 
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion};
 use serde::{Deserialize, Serialize};
 
 use crate::Vec3;
-use crate::geometry::Moments;
+use crate::geometry::{Moments, Triangulation};
 use crate::scene::particles::{Kinematics, Locks, Particles};
 use crate::spatial::SpatialVector;
 
@@ -50,6 +51,17 @@ pub struct ClumpShape {
     pub radii: Vec<f64>,
     /// Their shares of the mass \[-\], `[K]`.
     pub shares: Vec<f64>,
+    /// What frames show in place of the members, if it is not they.
+    pub surface: Option<ClumpSurface>,
+}
+
+/// The mesh that the members of clumps stand for, in axes that have their origin in the centre of mass.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct ClumpSurface {
+    /// Shared by clumps of all sizes.
+    pub mesh: Arc<Triangulation>,
+    /// Their size over that of the mesh \[-\].
+    pub scale: f64,
 }
 
 /// The point nearest to `point` of the line, the plane or the space that these centres span \[m\]: there a union has its centroid.
@@ -143,8 +155,20 @@ impl ClumpShape {
             shares: shares(&volumes, &arms)?,
             arms,
             radii: radii.to_vec(),
+            surface: None,
         };
         Some((shape, centroid))
+    }
+
+    /// This with a `mesh` as what frames show, in the axes in which its centre of mass is at `centre` \[m\].
+    #[must_use]
+    pub(crate) fn shown_as(self, mesh: &Triangulation, centre: Vec3) -> Self {
+        let mesh = Arc::new(Triangulation {
+            points: mesh.points.iter().map(|point| point - centre).collect(),
+            triangles: mesh.triangles.clone(),
+        });
+        let surface = Some(ClumpSurface { mesh, scale: 1.0 });
+        Self { surface, ..self }
     }
 
     /// The same shape of the same density, `factor` times as large.
@@ -159,6 +183,10 @@ impl ClumpShape {
             arms: self.arms.iter().map(|arm| arm * factor).collect(),
             radii: self.radii.iter().map(|radius| radius * factor).collect(),
             shares: self.shares.clone(),
+            surface: self.surface.as_ref().map(|surface| ClumpSurface {
+                mesh: Arc::clone(&surface.mesh),
+                scale: surface.scale * factor,
+            }),
         }
     }
 

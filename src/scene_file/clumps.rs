@@ -12,7 +12,7 @@ use super::driven::principal;
 use super::file;
 use super::fitted::Fitted;
 use crate::Vec3;
-use crate::geometry::{BallFit, Solid};
+use crate::geometry::{BallFit, Solid, Triangulation};
 use crate::scene::Scene;
 use crate::scene::clump::ClumpShape;
 
@@ -27,8 +27,9 @@ pub(super) struct Template {
     radii: Vec<f64>,
     mass: Option<f64>,
     inertia: Option<Matrix3<f64>>,
-    /// The mesh that its members stand for.
+    /// The mesh that its members stand for, and its surface if frames are to show it.
     pub(super) fitted: Option<Fitted>,
+    surface: Option<Triangulation>,
 }
 
 impl Template {
@@ -44,12 +45,14 @@ impl Template {
                 Some(axes * Matrix3::from_diagonal(&moments) * axes.inverse())
             }
         };
+        let mut surface = None;
         let (centres, radii, fitted) = match (&given.members, &given.stl) {
             (Some(members), None) => {
                 good &= judge_members(document, &format!("{path}.members"), members);
                 for (key, given) in [
                     ("spheres", given.spheres.is_some()),
                     ("unit", given.unit.is_some()),
+                    ("surface", given.surface.is_some()),
                 ] {
                     if given {
                         let message =
@@ -62,7 +65,8 @@ impl Template {
                 (centres, members.iter().map(|m| m.radius).collect(), None)
             }
             (None, Some(file)) => {
-                let fitted = fit(document, path, given, file)?;
+                let (fitted, solid) = fit(document, path, given, file)?;
+                surface = (given.surface == Some(true)).then(|| solid.surface());
                 let balls = fitted.balls.clone();
                 (balls.centres, balls.radii, Some(fitted))
             }
@@ -83,6 +87,7 @@ impl Template {
             mass: given.mass,
             inertia,
             fitted,
+            surface,
         })
     }
 
@@ -102,7 +107,10 @@ impl Template {
                 ClumpShape::of_solid(centres, radii, moments, density, given.0, given.1)
             }
         };
-        let shape = shape.map(|(shape, _)| shape);
+        let shape = shape.map(|(shape, centre)| match &self.surface {
+            Some(surface) => shape.shown_as(surface, centre),
+            None => shape,
+        });
         let usable = |shape: &ClumpShape| {
             shape.mass.is_normal() && shape.moments.iter().all(|m| m.is_normal() && *m > 0.0)
         };
@@ -145,8 +153,13 @@ fn judge_members(document: &mut Document<'_>, key: &str, members: &[file::Member
     good
 }
 
-/// Fits the spheres of the clump at `path` to the mesh in `file`.
-fn fit(document: &mut Document<'_>, path: &str, given: &file::Clump, file: &str) -> Option<Fitted> {
+/// Fits the spheres of the clump at `path` to the mesh in `file`. Returns the mesh as well.
+fn fit(
+    document: &mut Document<'_>,
+    path: &str,
+    given: &file::Clump,
+    file: &str,
+) -> Option<(Fitted, Solid)> {
     let key = format!("{path}.stl");
     let metres = unit_of_length(document, path, given.unit.as_deref());
     let facets = stl_file(document, &key, file);
@@ -171,12 +184,13 @@ fn fit(document: &mut Document<'_>, path: &str, given: &file::Clump, file: &str)
         let message = format!("`{file}` is so thin that no two spheres stand for it");
         return document.reject(key, message, "give `members`, or a mesh of a compact solid");
     };
-    Some(Fitted {
+    let fitted = Fitted {
         clump: given.name.clone(),
         file: file.to_owned(),
         mesh: *solid.moments(),
         balls,
-    })
+    };
+    Some((fitted, solid))
 }
 
 /// Refuses what has no meaning with clumps, or is not there yet. Returns whether they fit into the cell.

@@ -108,11 +108,11 @@ pub struct State {
     /// Length of the next internal step.
     pub(crate) control: StepControl,
     /// Steps in a row without motion of each sphere, [`ASLEEP`] where it sleeps, `[N]`; empty where none may.
-    pub(crate) calm: Vec<u8>,
+    pub(crate) calm: Vec<u32>,
 }
 
 /// A sphere that sleeps in [`State::calm`].
-pub(crate) const ASLEEP: u8 = u8::MAX;
+pub(crate) const ASLEEP: u32 = u32::MAX;
 
 /// A [`Clone`] of all `fields` that copies into the memory that there is, which the derived one does not.
 macro_rules! clone_in_place {

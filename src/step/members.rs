@@ -39,6 +39,10 @@ impl Prediction<'_> {
     pub(super) fn carry_members(&self, velocity: &mut [SpatialVector]) {
         for (c, clump) in self.clumps.iter().enumerate() {
             let own = velocity[self.clump_body(c)];
+            if self.stays(clump.clump.members.start, velocity) {
+                velocity[clump.clump.members.clone()].fill(own);
+                continue;
+            }
             let (centre, rotation) = clump.moved(&own, self.step);
             for (i, arm) in clump.clump.members.clone().zip(&clump.clump.shape.arms) {
                 let way = centre + rotation * arm - self.kinematics.position[i];
@@ -94,6 +98,9 @@ impl Solved<'_> {
         for (c, clump) in prediction.clumps.iter().enumerate() {
             let shape = &clump.clump.shape;
             let first = clump.clump.members.start;
+            if prediction.stays(first, &self.solution.velocity) {
+                continue;
+            }
             let v1 = &self.solution.velocity[prediction.clump_body(c)];
             let (centre, rotation) = clump.moved(v1, step);
             let momentum = integrator.finish(

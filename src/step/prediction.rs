@@ -248,11 +248,15 @@ impl<'a> Prediction<'a> {
             .free
             .extend(self.bodies.iter().map(|body| body.free));
         for clump in &self.clumps {
-            problem.free.push(clump.free);
+            let own = match self.is_asleep(clump.clump.members.start) {
+                true => SpatialVector::ZERO,
+                false => clump.free,
+            };
+            problem.free.push(own);
             for (i, arm) in clump.arms() {
                 problem.free[i] = SpatialVector {
-                    linear: clump.free.at(arm),
-                    angular: clump.free.angular,
+                    linear: own.at(arm),
+                    angular: own.angular,
                 };
             }
         }

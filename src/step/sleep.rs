@@ -1,11 +1,13 @@
 //! Spheres at rest: islands of them fall asleep, and a step then costs nothing for them.
 //!
-//! An island, spheres that hang together by loaded contacts, falls asleep where for ten steps or more none of its spheres nor the
+//! An island, spheres that hang together by loaded contacts or in one clump, falls asleep where for ten steps or more none of its spheres nor the
 //! surfaces of its contacts has moved faster than `rest_speed`, no boundary that it touches has moved, and no sphere has
 //! gathered more than a thousandth of the speed that gravity would have brought in this time: forces balance. The island must
 //! touch a boundary, which takes the momentum that is left. Its contacts keep their
 //! forces and are no rows of a step. It wakes as a whole when something awake touches it or would within the step, or when a
 //! boundary that it touches moves.
+
+use std::ops::Range;
 
 use petgraph::unionfind::UnionFind;
 
@@ -20,8 +22,8 @@ use crate::scene::Scene;
 use crate::spatial::{SpatialVector, Wrench};
 use crate::state::{ASLEEP, State};
 
-/// Steps without motion after which an island may fall asleep, and most that are counted.
-const CALM: [u8; 2] = [10, 250];
+/// Steps without motion after which an island may fall asleep.
+const CALM: u32 = 10;
 /// Largest share of gravity that may be without balance: the speed over what gravity would have brought since motion ended.
 const BALANCE: f64 = 1e-3;
 /// Surface speed of a spin that no contact feels, over that of all other motion.
@@ -32,6 +34,11 @@ impl Prediction<'_> {
     #[inline]
     pub(super) fn is_asleep(&self, i: usize) -> bool {
         self.asleep.get(i).copied().unwrap_or(false)
+    }
+
+    /// Whether sphere `i` is asleep and stays where it is: a contact that was found late may have moved it.
+    pub(super) fn stays(&self, i: usize, velocity: &[SpatialVector]) -> bool {
+        self.is_asleep(i) && velocity[self.mover(i).0 as usize] == SpatialVector::ZERO
     }
 
     /// Whether all of a contact is asleep: its force stays, and it is no row.
@@ -76,16 +83,29 @@ impl Prediction<'_> {
             .iter()
             .filter(stirs)
             .flat_map(|c| c.key.spheres());
-        let stirred: Vec<usize> = stirred.filter(|&i| self.is_asleep(i)).collect();
+        let stirred: Vec<usize> = stirred
+            .chain(self.roused())
+            .filter(|&i| self.is_asleep(i))
+            .collect();
         if stirred.is_empty() {
             return false;
         }
-        let islands = islands(state).into_labeling();
+        let islands = islands(self.scene, state).into_labeling();
         let woken: Vec<usize> = stirred.iter().map(|&i| islands[i]).collect();
         for (asleep, island) in self.asleep.iter_mut().zip(&islands) {
             *asleep &= !woken.contains(island);
         }
         true
+    }
+
+    /// Members of clumps of which some are awake.
+    fn roused(&self) -> impl Iterator<Item = usize> {
+        let members = self.scene.clumps.iter().map(|clump| &clump.members);
+        let awake = |members: &Range<usize>| members.clone().any(|i| !self.is_asleep(i));
+        members
+            .filter(move |&members| awake(members))
+            .cloned()
+            .flatten()
     }
 
     /// Whether the free motion of the step closes the gap.
@@ -113,7 +133,10 @@ impl Solved<'_> {
     pub(super) fn still(&self, acceleration: &mut [SpatialVector]) {
         let prediction = self.prediction();
         for i in (0..prediction.asleep.len()).filter(|&i| prediction.asleep[i]) {
-            acceleration[i] = acceleration[i].plus(&prediction.external[i], -1.0);
+            acceleration[i] = match prediction.stays(i, &self.solution.velocity) {
+                true => SpatialVector::ZERO,
+                false => acceleration[i].plus(&prediction.external[i], -1.0),
+            };
         }
     }
 
@@ -135,16 +158,21 @@ impl Solved<'_> {
                 load.key.spheres().for_each(|i| calm[i] = false);
             }
         }
+        for clump in &scene.clumps {
+            // A clump is calm as a whole, and a member that another one has moved is awake.
+            let members = clump.members.clone();
+            let whole = members.clone().all(|i| calm[i]);
+            calm[members].fill(whole);
+        }
         let mut due = false;
         for (i, count) in state.calm.iter_mut().enumerate() {
-            let still = state.kinematics.velocity[i] == Vec3::zeros();
-            if *count == ASLEEP && prediction.is_asleep(i) && still {
+            if *count == ASLEEP && prediction.stays(i, &self.solution.velocity) {
                 continue;
             }
             // One that was woken counts anew.
             let before = if *count == ASLEEP { 0 } else { *count };
-            *count = if calm[i] { CALM[1].min(before + 1) } else { 0 };
-            due |= *count >= CALM[0];
+            *count = if calm[i] { (before + 1).min(ASLEEP - 1) } else { 0 };
+            due |= *count >= CALM;
         }
         if due {
             self.fall_asleep(state);
@@ -157,9 +185,7 @@ impl Solved<'_> {
         let (slow, radius) = (scene.settings.rest_speed, &scene.particles.radius);
         let calm = |i: usize| {
             let v = self.reported(state, i);
-            // Clumps stay awake, and all that touches them.
             state.kinematics.present[i]
-                && scene.particles.clump(i).is_none()
                 && v.linear.norm() <= slow
                 && v.angular.norm() * radius[i] <= SPIN * slow
         };
@@ -175,7 +201,7 @@ impl Solved<'_> {
         };
         let time = f64::from(state.calm[i]) * prediction.step;
         let speed = self.reported(state, i).linear.norm();
-        state.calm[i] >= CALM[0] && speed <= BALANCE * pull * time
+        state.calm[i] >= CALM && speed <= BALANCE * pull * time
     }
 
     fn reported(&self, state: &State, i: usize) -> SpatialVector {
@@ -212,7 +238,7 @@ impl Solved<'_> {
 
     /// Lets the islands fall asleep whose spheres are all calm.
     fn fall_asleep(&self, state: &mut State) {
-        let islands = islands(state).into_labeling();
+        let islands = islands(self.prediction().scene, state).into_labeling();
         // Of each island whether all of it is calm, and its strongest contact with a boundary.
         let mut calm = vec![true; islands.len()];
         for (i, island) in islands.iter().enumerate() {
@@ -239,27 +265,51 @@ impl Solved<'_> {
         }
     }
 
-    /// Stops sphere `i`. The boundary of the contact `ground` takes its momentum, the ledger its kinetic energy.
+    /// Stops sphere `i`. The boundary of the contact `ground` takes its momentum, the ledger its kinetic energy. Those of a clump go with
+    /// its first member.
     fn stop(&self, state: &mut State, i: usize, ground: &ContactForce) {
         let Partner::Boundary { boundary, .. } = ground.key.partner else {
             return;
         };
         let boundary = usize::from(boundary);
-        let (scene, v) = (self.prediction().scene, self.reported(state, i));
-        let particles = &scene.particles;
-        let momentum = v.linear * particles.mass[i];
-        let pivot = scene.boundaries[boundary].point_of_action + state.poses[boundary].translation;
-        let arm = state.kinematics.position[i] - pivot;
-        let impulse = Wrench {
-            force: momentum,
-            torque: arm.cross(&momentum) + v.angular * particles.inertia(i),
-        };
-        state.owed[boundary].add(&impulse, 1.0);
-        self.strike(state, ground, momentum);
-        state.work.numerical_work -= particles.kinetic_energy(i, &v.linear, &v.angular);
+        let scene = self.prediction().scene;
+        if let Some((centre, momentum, energy)) = self.carries(state, i) {
+            let reference = scene.boundaries[boundary].point_of_action;
+            let pivot = reference + state.poses[boundary].translation;
+            let impulse = Wrench {
+                force: momentum.linear,
+                torque: (centre - pivot).cross(&momentum.linear) + momentum.angular,
+            };
+            state.owed[boundary].add(&impulse, 1.0);
+            self.strike(state, ground, momentum.linear);
+            state.work.numerical_work -= energy;
+        }
         state.kinematics.velocity[i] = Vec3::zeros();
         state.kinematics.spin[i] = Vec3::zeros();
         state.smooth[i] = SpatialVector::ZERO;
+    }
+
+    /// Centre \[m\], momentum and kinetic energy \[J\] of the body that has sphere `i` as its first member.
+    fn carries(&self, state: &State, i: usize) -> Option<(Vec3, SpatialVector, f64)> {
+        let scene = self.prediction().scene;
+        let (particles, v) = (&scene.particles, self.reported(state, i));
+        let Some(c) = particles.clump(i) else {
+            let momentum = SpatialVector {
+                linear: v.linear * particles.mass[i],
+                angular: v.angular * particles.inertia(i),
+            };
+            let energy = particles.kinetic_energy(i, &v.linear, &v.angular);
+            return Some((state.kinematics.position[i], momentum, energy));
+        };
+        let clump = &scene.clumps[c];
+        if clump.members.start != i {
+            return None;
+        }
+        let (centre, rotation) = clump.place(&state.kinematics);
+        let own = clump.of_member(rotation, &v);
+        let momentum = clump.shape.momentum(rotation, &own);
+        let energy = clump.shape.kinetic_energy(rotation, &own).iter().sum();
+        Some((centre, momentum, energy))
     }
 }
 
@@ -273,9 +323,15 @@ fn is_loaded(state: &State, key: ContactId) -> bool {
     contact.force(&state.contacts) != Vec3::zeros() || contact.hold(&state.contacts) != Hold::Loose
 }
 
-/// Spheres that hang together by loaded contacts.
-fn islands(state: &State) -> UnionFind<usize> {
+/// Spheres that hang together by loaded contacts, or in one clump.
+fn islands(scene: &Scene, state: &State) -> UnionFind<usize> {
     let mut islands = UnionFind::new(state.kinematics.len());
+    for members in scene.clumps.iter().map(|clump| clump.members.clone()) {
+        let first = members.start;
+        members.for_each(|i| {
+            islands.union(first, i);
+        });
+    }
     for load in state.contacts.iter() {
         if let Partner::Sphere { index, .. } = load.key.partner {
             islands.union(load.key.sphere as usize, index as usize);

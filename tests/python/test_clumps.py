@@ -3,6 +3,7 @@
 import subprocess
 
 import fmpy
+import meshio
 import numpy as np
 import pytest
 from fmu import Slave
@@ -160,3 +161,36 @@ def test_an_fmu_carries_the_mesh_of_its_clumps(command, tmp_path, version):
     assert np.array_equal(result["kineticEnergy"], table["kineticEnergy_J"])
     # They have met the floor.
     assert table["kineticEnergy_J"].max() > 1.5 * table["kineticEnergy_J"][-1] > 0
+
+
+def test_frames_show_the_meshes_of_clumps(command, tmp_path):
+    """Each clump's mesh is the box of its file, turned and moving as its members, which lie within it."""
+    write_box(tmp_path / "meshes" / "brick.stl", SIDES)
+    ball = '[[spheres]]\nname = "ball"\nmaterial = "glass"\nradius = 0.02\npositions = [[0.3, 0.0, 0.02]]\n'
+    (tmp_path / "bricks.toml").write_text(MESH.replace("spheres = 9", "spheres = 9\nsurface = true") + ball)
+    subprocess.run([command, "run", tmp_path / "bricks.toml", "-o", tmp_path / "run", "--stop", "0.3"], check=True)
+    last = sorted((tmp_path / "run").glob("clumps_*.vtu"))[-1]
+    clumps, spheres = meshio.read(last), meshio.read(str(last).replace("clumps", "spheres"))
+    triangles, owner = clumps.cells_dict["triangle"], clumps.cell_data_dict["clump"]["triangle"]
+    of = spheres.point_data["clump"]
+    assert np.array_equal(np.unique(owner), np.arange(4))
+    assert np.array_equal(spheres.point_data["meshed"], of >= 0) and (of < 0).sum() == 1
+    for k in range(4):
+        members, corners = np.flatnonzero(of == k), np.unique(triangles[owner == k])
+        w, x, y, z = spheres.point_data["orientation"][members[0]].astype(float)
+        own = np.array(
+            [
+                [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
+                [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
+                [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
+            ]
+        )
+        points, half = clumps.points[corners].astype(float), 0.5e-3 * SIDES
+        centre = points.mean(axis=0)
+        assert len(corners) == 8
+        np.testing.assert_allclose(np.abs((points - centre) @ own), np.tile(half, (8, 1)), atol=1e-6)
+        assert (np.abs((spheres.points[members] - centre) @ own) < half).all()
+        first, spin = members[0], spheres.point_data["angular_velocity"][members[0]]
+        turning = np.cross(spin, points - spheres.points[first])
+        np.testing.assert_allclose(clumps.point_data["velocity"][corners], spheres.point_data["velocity"][first] + turning, atol=1e-5)
+    assert np.linalg.norm(clumps.point_data["velocity"], axis=1).max() > 1e-3

@@ -1,9 +1,11 @@
 //! Scenes that nobody tuned, with clumps and everything else at once.
 
 use sphere_dda::Vec3;
+use sphere_dda::scene::Command;
+use sphere_dda::spatial::Twist;
 
 use crate::scenes::{check, scene, start};
-use crate::support::Run;
+use crate::support::{G, Run, close};
 
 const CLUMPS: &str = r#"
 [[clump]]
@@ -119,6 +121,41 @@ name = "belt"
 material = "wall"
 surface_velocity = [0.2, 0.0, 0.0]
 faces = [{ plane = { point = [0.0, 0.0, 0.0], normal = [-0.1, 0.0, 1.0] } }]
+[fmu]
+applied_forces = true
+"#;
+
+/// Tetrahedra and balls that come to rest in a box whose floor can be moved away.
+const HEAP: &str = r#"
+[simulation]
+duration = 1.0
+step = 1e-3
+fixed_step = true
+communication_step = 0.01
+rest_speed = 1e-4
+[pair_default]
+friction = 0.5
+rolling_friction = 0.1
+twisting_friction = 0.1
+[[spheres]]
+name = "grains"
+material = "grain"
+clump = "tetra"
+lattice = { origin = [-0.012, -0.012, 0.008], count = [3, 3, 2], spacing = 0.012, jitter = 1e-4 }
+[[spheres]]
+name = "balls"
+material = "grain"
+radius = 0.004
+lattice = { origin = [-0.01, -0.01, 0.035], count = [3, 3, 1], spacing = 0.01 }
+[[boundary]]
+name = "floor"
+material = "wall"
+input = "twist"
+faces = [{ plane = { point = [0.0, 0.0, 0.0], normal = [0.0, 0.0, 1.0] } }]
+[[boundary]]
+name = "sides"
+material = "wall"
+faces = [{ cylinder = { base = [0.0, 0.0, -0.1], radius = 0.025, height = 0.3 } }]
 [fmu]
 applied_forces = true
 "#;
@@ -270,4 +307,80 @@ fn clumps_that_are_emitted_together_do_not_overlap() {
             "{i} {j}"
         );
     }
+}
+
+/// [`HEAP`] when all of it sleeps.
+fn asleep() -> Run {
+    let mut run = start(&scene(&with_clumps(HEAP)));
+    let start = run.whole_energy();
+    let open = |run: &Run| {
+        let (work, energy) = (run.simulation.work(), run.whole_energy());
+        let lost = work.friction + work.impact - work.numerical_work;
+        energy.kinetic() + energy.gravity - start.kinetic() - start.gravity + lost
+    };
+    let spheres = run.simulation.scene().particles.len();
+    let sleeps = |run: &Run| (0..spheres).all(|i| run.simulation.velocity(i) == Twist::default());
+    loop {
+        run.simulation.advance(0.01).expect("a step");
+        // What falls asleep leaves its energy to the scheme.
+        assert!(open(&run).abs() < 1e-12 * start.gravity);
+        if sleeps(&run) {
+            return run;
+        }
+        assert!(run.simulation.time() < 5.0, "it never rests");
+    }
+}
+
+/// A heap of clumps comes to rest: no sweeps, no motion to the last bit, forces that carry its weight.
+#[test]
+fn a_heap_of_clumps_sleeps_and_falls_when_its_floor_goes() {
+    let mut run = asleep();
+    run.simulation.advance(0.01).expect("a step");
+    let (mass, places) = (
+        run.simulation.scene().particles.mass.iter().sum::<f64>(),
+        run.simulation.kinematics().clone(),
+    );
+    for _ in 0..10 {
+        let report = run.simulation.advance(0.01).expect("a step");
+        assert_eq!(report.sweeps, 0);
+        assert!(run.simulation.kinematics() == &places);
+    }
+    let carried = run.force_on_boundary(0).z + run.force_on_boundary(1).z;
+    close(-carried, mass * G, 1e-3, 0.0);
+    let away = Command {
+        velocity: Vec3::new(0.0, 0.0, -1.0),
+        ..Command::default()
+    };
+    run.simulation.command(0, away).expect("an input");
+    run.simulation.advance(0.02).expect("a step");
+    let scene = run.simulation.scene();
+    let fastest = scene.clumps.iter().flat_map(|clump| clump.members.clone());
+    let fastest = fastest.map(|i| -run.velocity(i).z).fold(0.0, f64::max);
+    assert!((fastest - G * 0.02).abs() <= 0.51 * G * 1e-3, "{fastest}");
+}
+
+/// A force on one member wakes its clump and what it carries; a saved sleep goes on with the same bits.
+#[test]
+fn a_force_on_a_member_wakes_its_clump() {
+    let mut run = asleep();
+    let scene = std::sync::Arc::clone(run.simulation.scene());
+    let saved = run.simulation.snapshot();
+    // Of the clump that nothing lies on.
+    let height = |c: usize| run.simulation.kinematics().position[scene.clumps[c].members.start].z;
+    let highest = |a: &usize, b: &usize| height(*a).total_cmp(&height(*b));
+    let c = (0..scene.clumps.len()).max_by(highest).expect("a clump");
+    let members = scene.clumps[c].members.clone();
+    let mut forces = vec![Vec3::zeros(); scene.particles.len()];
+    forces[members.end - 1] = Vec3::z() * (20.0 * G * scene.clumps[c].shape.mass);
+    let lift = |run: &mut Run| {
+        run.simulation.apply_forces(&forces).expect("forces");
+        run.simulation.advance(0.01).expect("a step");
+    };
+    lift(&mut run);
+    let moves = |run: &Run, i: usize| run.velocity(i) != Vec3::zeros();
+    assert!(members.clone().all(|i| moves(&run, i)));
+    let mut again = start(&scene);
+    again.simulation.restore(&saved).expect("its state");
+    lift(&mut again);
+    assert!(again.simulation.snapshot() == run.simulation.snapshot());
 }

@@ -89,6 +89,23 @@ fn a_spin_that_no_contact_feels_does_not_keep_a_scene_awake() {
     assert!(!rests(zero, rolling * 4.0));
 }
 
+/// Steady rolling is a balance of forces: it ends once gravity would have brought a thousand times its speed, however short the steps are.
+#[test]
+fn a_sphere_that_rolls_more_slowly_than_at_rest_falls_asleep() {
+    let (step, speed) = (5e-4, 5e-3);
+    let mut case = Case::new(step, 0.5, 0.0).floor();
+    case = case.sphere(RADIUS, Vec3::z() * RADIUS, Vec3::x() * speed);
+    case.scene.initial.spin[0] = Vec3::y() * (speed / RADIUS);
+    case.scene.settings.rest_speed = 2.0 * speed;
+    let mut simulation = Simulation::new(Arc::new(case.scene)).expect("a start");
+    let wanted = speed / (1e-3 * G);
+    while simulation.velocity(0).linear != Vec3::zeros() {
+        assert!(simulation.time() < 2.0 * wanted, "it rolls on");
+        simulation.advance(step).expect("a step");
+    }
+    assert!((simulation.time() - wanted).abs() < 2.0 * step);
+}
+
 /// A heap comes to rest: no sweeps, no motion, forces that carry its weight; a floor that moves away wakes it, and the spheres
 /// fall with gravity.
 #[test]

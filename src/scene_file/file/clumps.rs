@@ -25,6 +25,9 @@ pub struct Clump {
     /// Number of spheres fitted to `stl`.
     #[schemars(extend("minimum" = 2, "maximum" = 20, "x-default" = "required with `stl`"))]
     pub spheres: Option<i64>,
+    /// Whether frames show the surface of `stl` as well (`clumps_*.vtu`): each frame has the whole mesh once for each clump.
+    #[schemars(extend("x-default" = "`false`"))]
+    pub surface: Option<bool>,
     /// Mass \[kg\].
     #[schemars(extend("x-default" = "density of the group's material times the volume", "exclusiveMinimum" = 0))]
     pub mass: Option<f64>,

@@ -24,34 +24,59 @@ const CELLS: f64 = 512.0;
 /// The order of the bodies.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Partition {
-    /// Place of each sphere, `[N]`; empty where all are in the order of the scene.
-    place: Vec<u32>,
-    /// Sphere at each place, `[N]`; likewise.
+    now: Order,
+    /// The order before, for its memory and to be compared with.
+    before: Order,
+    /// Sphere at each place, `[N]`; empty where all are in the order of the scene.
     sphere: Vec<u32>,
-    /// First place of each part, and the end of the last.
-    starts: Vec<u32>,
-    /// Of each body behind the spheres the sphere in whose place it is, `[D]`; [`NO_SEAT`] where it has its own behind all parts.
-    seats: Vec<u32>,
     /// Cell of each sphere, `[N]`.
     cell: Vec<u32>,
     /// First place of each cell.
     first: Vec<u32>,
 }
 
+/// Where bodies are.
+#[derive(Debug, Clone, PartialEq, Default)]
+struct Order {
+    /// Place of each sphere, `[N]`; empty where all are in the order of the scene.
+    place: Vec<u32>,
+    /// First place of each part, and the end of the last.
+    starts: Vec<u32>,
+    /// Of each body behind the spheres the sphere in whose place it is, `[D]`; [`NO_SEAT`] where it has its own behind all parts.
+    seats: Vec<u32>,
+}
+
+impl Order {
+    fn clear(&mut self) {
+        self.place.clear();
+        self.starts.clear();
+        self.seats.clear();
+    }
+}
+
 impl Partition {
     /// Lays out spheres of the given centres \[m\], `[N]`, with cells of `edge` \[m\], and the bodies behind them, `[D]`: in the place of
-    /// a sphere that does not move by itself, or behind all parts.
+    /// a sphere that does not move by itself, or behind all parts. Returns whether that is another order than before.
     pub(crate) fn arrange(
         &mut self,
         centres: &[Vec3],
         edge: f64,
         seats: impl Iterator<Item = Option<usize>>,
-    ) {
+    ) -> bool {
+        std::mem::swap(&mut self.now, &mut self.before);
         self.forget();
         let n = centres.len();
-        if n < SMALL {
-            return;
+        if n >= SMALL {
+            self.lay_out(centres, edge);
+            let seat = |sphere: Option<usize>| sphere.map_or(NO_SEAT, |i| i as u32);
+            self.now.seats.extend(seats.map(seat));
         }
+        self.now != self.before
+    }
+
+    /// Puts the spheres into places and parts.
+    fn lay_out(&mut self, centres: &[Vec3], edge: f64) {
+        let n = centres.len();
         let (low, high) = around(centres.iter().copied());
         let size = high - low;
         let edge = edge.max(size.max() / CELLS);
@@ -81,50 +106,47 @@ impl Partition {
         first_places(self.cell.iter().copied(), cells, &mut self.first);
         // Parts end where a layer does.
         let share = n.div_ceil((n / PART).clamp(1, PARTS));
-        self.starts.push(0);
+        let starts = &mut self.now.starts;
+        starts.push(0);
         for k in 1..counts[0] {
             let end = self.first[k * layer];
-            let last = self.starts.last().copied().unwrap_or_default();
+            let last = starts.last().copied().unwrap_or_default();
             if end - last >= share as u32 && n as u32 - end >= (share / 2) as u32 {
-                self.starts.push(end);
+                starts.push(end);
             }
         }
-        self.starts.push(n as u32);
+        starts.push(n as u32);
         self.sphere.resize(n, 0);
         for (i, &cell) in self.cell.iter().enumerate() {
             let next = &mut self.first[cell as usize];
-            self.place.push(*next);
+            self.now.place.push(*next);
             self.sphere[*next as usize] = i as u32;
             *next += 1;
         }
-        let seat = |sphere: Option<usize>| sphere.map_or(NO_SEAT, |i| i as u32);
-        self.seats.extend(seats.map(seat));
     }
 
     fn forget(&mut self) {
-        self.place.clear();
+        self.now.clear();
         self.sphere.clear();
-        self.starts.clear();
-        self.seats.clear();
     }
 
     /// Forgets an order of another number of spheres.
     pub(super) fn fit(&mut self, spheres: usize) {
-        if self.place.len() != spheres {
+        if self.now.place.len() != spheres {
             self.forget();
         }
     }
 
     /// How many parts there are.
     pub(super) fn parts(&self) -> usize {
-        self.starts.len().saturating_sub(1).max(1)
+        self.now.starts.len().saturating_sub(1).max(1)
     }
 
     /// Spheres of part `k` of `n` in all.
     pub(super) fn part(&self, k: usize, n: usize) -> std::ops::Range<usize> {
-        match self.starts.len() {
-            0 => 0..n,
-            _ => self.starts[k] as usize..self.starts[k + 1] as usize,
+        match self.now.starts.get(k..k + 2) {
+            Some(&[start, end]) => start as usize..end as usize,
+            _ => 0..n,
         }
     }
 
@@ -137,7 +159,7 @@ impl Partition {
     pub(super) fn seat(&self, i: usize, spheres: usize) -> Option<(usize, usize)> {
         match i.checked_sub(spheres) {
             None => Some(self.place(i)),
-            Some(own) => match self.seats.get(own) {
+            Some(own) => match self.now.seats.get(own) {
                 None | Some(&NO_SEAT) => None,
                 Some(&sphere) => Some(self.place(sphere as usize)),
             },
@@ -146,10 +168,10 @@ impl Partition {
 
     /// Place of sphere `i`, and its part.
     pub(super) fn place(&self, i: usize) -> (usize, usize) {
-        match self.place.get(i) {
+        match self.now.place.get(i) {
             None => (i, 0),
             Some(&place) => {
-                let part = self.starts.partition_point(|&start| start <= place) - 1;
+                let part = self.now.starts.partition_point(|&start| start <= place) - 1;
                 (place as usize, part)
             }
         }
@@ -171,7 +193,7 @@ mod tests {
             .collect();
         let mut layout = Partition::default();
         let seats = [None, Some(77)];
-        layout.arrange(&centres, 1.0, seats.into_iter());
+        assert!(layout.arrange(&centres, 1.0, seats.into_iter()));
         let n = centres.len();
         let mut seen = vec![false; n];
         for i in 0..n {
@@ -191,7 +213,11 @@ mod tests {
                 assert!((x - y).norm() > 1.6 || parts[0].abs_diff(parts[1]) <= 1);
             }
         }
-        layout.arrange(&centres[..100], 1.0, seats.into_iter());
+        assert!(!layout.arrange(&centres, 1.0, seats.into_iter()));
+        assert!(layout.arrange(&centres, 1.0, [None, Some(78)].into_iter()));
+        let swapped: Vec<Vec3> = centres.iter().rev().copied().collect();
+        assert!(layout.arrange(&swapped, 1.0, seats.into_iter()));
+        assert!(layout.arrange(&centres[..100], 1.0, seats.into_iter()));
         assert_eq!(layout.seat(101, 100), None);
         assert_eq!((layout.parts(), layout.place(7)), (1, (7, 0)));
         assert_eq!(layout.sphere(7), 7);

@@ -196,8 +196,7 @@ impl Kernel {
         diameter: f64,
         members: impl Iterator<Item = Option<usize>>,
     ) {
-        self.layout.arrange(centres, diameter, members);
-        if self.layout.parts() > 1 {
+        if self.layout.arrange(centres, diameter, members) {
             self.shared_out.clear();
         }
     }
