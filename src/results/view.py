@@ -163,12 +163,12 @@ def show_forces(view, contacts, radius):
     return tubes, display
 
 
-def show_clumps(view, clumps):
+def show_clumps(view, clumps, limit):
     display = simple.Show(clumps, view)
     display.SetRepresentationType("Surface")
     display.Ambient, display.Diffuse = 0.3, 0.8
-    # Speeds as those of the spheres.
-    simple.ColorBy(display, ("POINTS", "velocity", "Magnitude"))
+    colour(display, view, "velocity", "speed [m/s]", limit, 0.55)
+    return display
 
 
 def show_boundaries(view, boundaries):
@@ -221,21 +221,23 @@ def main(picture, time, forces):
     view.UseColorPaletteForBackground, view.BackgroundColorMode = 0, "Single Color"
     view.Background = [1.0, 1.0, 1.0]
     view.OrientationAxesLabelColor = DARK
+    fastest = max(speeds, default=0.0) or 1.0
     # Members of clumps lie within the meshes that are shown.
-    balls = show_spheres(view, alone(spheres) if clumps else spheres, max(speeds, default=0.0) or 1.0)
-    balls.SetScalarBarVisibility(view, not forces)
+    shown = [show_spheres(view, alone(spheres) if clumps else spheres, fastest)]
+    if clumps:
+        shown.append(show_clumps(view, clumps, fastest))
+    shown[0].SetScalarBarVisibility(view, not forces)
     if contacts:
         tubes, display = show_forces(view, contacts, max(radii, default=1.0))
         display.SetScalarBarVisibility(view, forces)
         if forces:
-            plain(balls, [0.7, 0.7, 0.7])
-            balls.Opacity = 0.3
+            for display in shown:
+                plain(display, [0.7, 0.7, 0.7])
+                display.Opacity = 0.3
         else:
             simple.Hide(tubes, view)
     if boundaries:
         show_boundaries(view, boundaries)
-    if clumps:
-        show_clumps(view, clumps)
     clock = simple.AnnotateTimeFilter(registrationName="time", Input=spheres)
     clock.Format = "t = {time:.3f} s"
     display = simple.Show(clock, view)
