@@ -14,7 +14,7 @@ pytest_plugins = ("wheel",)
 
 ROOT = Path(__file__).resolve().parents[2]
 EXAMPLES = ("funnel", "slopes", "feeder", "conveyor", "landslide", "bed", "shear", "triaxial", "chute", "press", "wet_heap",
-            "clump_drum", "clump_repose")
+            "clump_drum", "clump_repose", "dumper")
 # All scenes of the examples, also those that other tests run: what lies in the archive is judged for each.
 SCENES = (*EXAMPLES, "plate", "bucket", "drum", "dropped", "hopper", "gate", "tray", "viscous",
           "live_hopper", "live_drum", "live_box")

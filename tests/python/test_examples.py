@@ -25,6 +25,7 @@ STOP = {
     "wet_heap": 0.4,
     "clump_drum": 0.2,
     "clump_repose": 0.1,
+    "dumper": 0.5,
 }
 
 
@@ -64,9 +65,10 @@ def test_check(command):
 def test_every_frame_opens_in_meshio_and_vtk(results):
     from test_vtk import check_frame, listed
 
-    for folder in results.values():
+    for name, folder in results.items():
         collections = sorted(folder.glob("*.pvd"))
-        assert [c.stem for c in collections] == ["boundaries", "contacts", "spheres"]
+        meshes = ["clumps"] if name == "dumper" else []
+        assert [c.stem for c in collections] == ["boundaries", *meshes, "contacts", "spheres"]
         for pvd in collections:
             for time, path in listed(pvd):
                 check_frame(pvd.stem, time, path)
@@ -111,6 +113,27 @@ def test_chute_driver(units, tmp_path):
     deepest, missed = re.search(r"x = (\S+) m, tractions miss the force by at most (\S+) of it", told).groups()
     assert 0.1 < float(deepest) < 0.3
     assert float(missed) < 1e-12
+
+
+def test_dumper_stone_is_what_its_script_says():
+    """The committed facets, in whatever order the hull has them."""
+    sys.path.insert(0, str(ROOT / "examples/dumper"))
+    import mesh
+
+    record = np.frombuffer((ROOT / "examples/dumper/stone.stl").read_bytes()[84:], dtype=[("n", "<f4", 3), ("c", "<f4", (3, 3)), ("e", "<u2")])
+
+    def corners(facets):
+        return sorted(tuple(sorted(map(tuple, np.round(facet.astype(float), 3)))) for facet in facets)
+
+    assert len(record) == 64 and corners(record["c"]) == corners(mesh.facets())
+
+
+def test_dumper_driver(fmus, tmp_path):
+    """The suspension carries the weight in the end, and twice as much when the stones fall."""
+    told = python("examples/dumper/load.py", "--fmu", fmus["dumper"], "--output", tmp_path / "dumper.png")
+    assert (tmp_path / "dumper.png").stat().st_size > 10_000
+    share, most = re.search(r"(\S+) of the weight on the suspension at the end\nat most (\S+) of it", told).groups()
+    assert float(share) == pytest.approx(1, abs=0.02) and 1.8 < float(most) < 2.3
 
 
 def test_press_driver(fmus, tmp_path):

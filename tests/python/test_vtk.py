@@ -23,7 +23,7 @@ ARRAYS = {
     "spheres": {
         "point": {
             "radius": 1, "velocity": 3, "angular_velocity": 3, "force": 3, "torque": 3, "orientation": 4, "id": 1, "material": 1,
-            "clump": 1,
+            "clump": 1, "meshed": 1,
         },
         "cell": {},
     },
@@ -40,17 +40,18 @@ ARRAYS = {
             "wear_depth": 1,
         },
     },
+    "clumps": {"point": {"velocity": 3}, "cell": {"clump": 1}},
 }
 # Written where some contact resists rolling or twisting, where some holds, and where a boundary has `wall_fields`.
 WALLS = ("area", "pressure", "shear", "traction", "friction_energy", "impact_energy", "wear_depth")
-OPTIONAL = {("spheres", "clump"), ("contacts", "torque"), ("contacts", "hold"), *(("boundaries", name) for name in WALLS)}
-INTEGERS = {"id", "material", "clump", "id1", "id2", "kind", "boundary", "hold"}
+OPTIONAL = {("spheres", "clump"), ("spheres", "meshed"), ("contacts", "torque"), ("contacts", "hold"), *(("boundaries", name) for name in WALLS)}
+INTEGERS = {"id", "material", "clump", "meshed", "id1", "id2", "kind", "boundary", "hold"}
 UNITS = {
     "radius": "m", "velocity": "m/s", "angular_velocity": "rad/s", "force": "N", "torque": "N m", "normal_force": "N",
     "overlap": "m", "slip": "m/s", "TimeValue": "s", "area": "m2", "pressure": "Pa", "shear": "Pa", "traction": "Pa",
     "friction_energy": "J", "impact_energy": "J", "wear_depth": "m",
 }
-CELLS = {"spheres": {"vertex"}, "contacts": {"line", "vertex"}, "boundaries": {"triangle"}}
+CELLS = {"spheres": {"vertex"}, "contacts": {"line", "vertex"}, "boundaries": {"triangle"}, "clumps": {"triangle", "vertex"}}
 
 
 def runs():
