@@ -171,7 +171,11 @@ impl Solved<'_> {
             }
             // One that was woken counts anew.
             let before = if *count == ASLEEP { 0 } else { *count };
-            *count = if calm[i] { (before + 1).min(ASLEEP - 1) } else { 0 };
+            *count = if calm[i] {
+                (before + 1).min(ASLEEP - 1)
+            } else {
+                0
+            };
             due |= *count >= CALM;
         }
         if due {
