@@ -1,21 +1,24 @@
 //! The threads of a simulation: joined when it goes, so that a library that is unloaded leaves none behind.
 //!
 //! Work is cut by the data alone and every piece writes its own part, so that results are the same for any number of
-//! threads. Workers look for work for some microseconds before they sleep, and a sleeping one takes a tenth of a millisecond to
-//! wake: what is cut many times runs [`Pool::within`] the workers as a whole.
+//! threads. A sleeping worker takes a tenth of a millisecond to wake, longer than a sweep: what is cut many times runs
+//! [`Pool::within`] workers that stay awake.
 
 use std::fmt;
 use std::ops::Range;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, OnceLock};
 use std::thread::{Builder, JoinHandle};
 
 use rayon::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
-/// Blocks of contacts from which handing out, which takes as long as a hundred of them, costs less than it gains.
-const WORTH: usize = 256;
+/// Blocks of contacts from which handing out, which takes as long as a dozen of them, costs less than it gains.
+const WORTH: usize = 24;
 /// Items of a piece where each is little work.
-const PIECE: usize = 4096;
+const PIECE: usize = 512;
+/// How often a worker looks for work in vain before it lets others have its core each time.
+const PATIENCE: usize = 1000;
 
 /// Threads, made with the first work for them.
 #[derive(Clone, Default)]
@@ -82,14 +85,14 @@ impl Pool {
         self.0.count
     }
 
-    /// Does `work` where [`Self::each`] shares it out.
+    /// Does `work` where [`Self::each`] and [`Self::pieces`] share it out, to workers that are awake until it ends.
     pub(crate) fn within<R: Send>(&self, work: impl FnOnce() -> R + Send) -> R {
         if self.0.count < 2 {
             return work();
         }
         let workers = self.0.workers.get_or_init(|| Workers::new(self.0.count));
         match workers.as_ref().and_then(|workers| workers.pool.as_ref()) {
-            Some(pool) => pool.install(work),
+            Some(pool) => pool.install(|| awake(work)),
             None => work(),
         }
     }
@@ -121,6 +124,45 @@ impl Pool {
     /// Whether there are others to share with, and they are at hand.
     fn shares(&self) -> bool {
         self.0.count > 1 && rayon::current_thread_index().is_some()
+    }
+}
+
+/// Does `work` while all other workers look for what it shares.
+fn awake<R: Send>(work: impl FnOnce() -> R + Send) -> R {
+    let done = AtomicBool::new(false);
+    let this = rayon::current_thread_index();
+    rayon::scope(|scope| {
+        scope.spawn_broadcast(|_, worker| {
+            if Some(worker.index()) != this {
+                look_for_work(&done);
+            }
+        });
+        // Even if it panics.
+        let _end = SetOnDrop(&done);
+        work()
+    })
+}
+
+/// Does what others share until all is `done`.
+fn look_for_work(done: &AtomicBool) {
+    let mut in_vain = 0;
+    while !done.load(Ordering::Acquire) {
+        match rayon::yield_now() {
+            Some(rayon::Yield::Executed) => in_vain = 0,
+            _ if in_vain < PATIENCE => {
+                in_vain += 1;
+                std::hint::spin_loop();
+            }
+            _ => std::thread::yield_now(),
+        }
+    }
+}
+
+struct SetOnDrop<'a>(&'a AtomicBool);
+
+impl Drop for SetOnDrop<'_> {
+    fn drop(&mut self) {
+        self.0.store(true, Ordering::Release);
     }
 }
 

@@ -13,17 +13,16 @@ pub(crate) fn first_places(keys: impl Iterator<Item = u32>, count: usize, first:
     }
 }
 
-/// Into `sorted` the `items` by ascending key; of equal keys in the order they come in. `ends` then has where each key's items
-/// end.
+/// Into `sorted` the `items` by ascending key; of equal keys in the order they come in. Keys are below `count`. `ends` then has
+/// where each key's items end.
 pub(crate) fn counting_sort<T: Copy + Default>(
     items: impl Iterator<Item = T> + Clone,
-    key: impl Fn(&T) -> u32,
+    (key, count): (impl Fn(&T) -> u32, usize),
     ends: &mut Vec<u32>,
     sorted: &mut Vec<T>,
 ) {
     let keys = items.clone().map(|item| key(&item));
-    let largest = keys.clone().max().unwrap_or_default() as usize;
-    first_places(keys, largest + 1, ends);
+    first_places(keys, count, ends);
     sorted.clear();
     sorted.resize(ends.last().map_or(0, |&all| all as usize), T::default());
     for item in items {

@@ -287,7 +287,8 @@ faces = [{ box = { min = [-0.02, -0.02, -0.01], max = [0.75, 0.22, 1.0] } }]
 "#;
     let loaded =
         Scene::from_toml("rods", text, Path::new("")).unwrap_or_else(|e| panic!("{}", e.plain()));
-    assert!(loaded.scene.particles.len() > 8192, "one part is no test");
+    // Of 640 spheres a part: eight of them.
+    assert!(loaded.scene.particles.len() > 8192, "few parts are no test");
     same_with_any_number_of_threads(&loaded.scene);
 }
 

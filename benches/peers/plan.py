@@ -149,7 +149,8 @@ def groups(quick: bool) -> list[Group]:
     big = Case("sphere-dda", "bed", 10_000, OURS["1e-4"])
     big_rapier, big_soft = replace(rapier, n=10_000), replace(soft, n=10_000)
     huge = replace(ours["1e-4"], n=100_000, duration=max(0.2, _duration(100_000, quick)), watch=False)
-    threads: tuple[Case, ...] = (huge, replace(huge, threads=2))
+    few = replace(ours["1e-4"], n=2000, watch=False)
+    threads: tuple[Case, ...] = tuple(replace(case, threads=t) for case in (few, huge) for t in (1, 2))
     if not quick:
         bigs = (big, big_rapier, big_soft)
         threads = (*threads, *(replace(c, threads=t, watch=False) for c in bigs for t in (1, 2)))

@@ -42,7 +42,7 @@ pub(crate) fn pairs_up_to(
         grid.pairs(&grids.0[k + 1..], most, &mut search);
     }
     drop(grids);
-    ascending(&search.pairs)
+    ascending(&search.pairs, position.len())
 }
 
 /// The pairs of [`sphere_pairs`] that have one of `chosen` in them.
@@ -291,10 +291,11 @@ impl Grid {
     }
 }
 
-/// `pairs` in ascending order.
-fn ascending(pairs: &[(u32, u32)]) -> Vec<(u32, u32)> {
+/// `pairs` of so many `spheres` in ascending order.
+fn ascending(pairs: &[(u32, u32)], spheres: usize) -> Vec<(u32, u32)> {
     let (mut ends, mut sorted) = (Vec::new(), Vec::new());
-    counting_sort(pairs.iter().copied(), |pair| pair.0, &mut ends, &mut sorted);
+    let first = (|pair: &(u32, u32)| pair.0, spheres);
+    counting_sort(pairs.iter().copied(), first, &mut ends, &mut sorted);
     let mut first = 0;
     for end in ends {
         sorted[first as usize..end as usize].sort_unstable();

@@ -104,7 +104,9 @@ impl Mesh {
         let bulge = bulges.fold(0.0, f64::max);
         let (mut ends, mut by_face) = (Vec::new(), Vec::new());
         let face = |t: u32| topology.parts[t as usize][0];
-        counting_sort(triangles, |&t| face(t), &mut ends, &mut by_face);
+        let faces = topology.parts.iter().map(|parts| parts[0] as usize + 1);
+        let key = (|&t: &u32| face(t), faces.max().unwrap_or(0));
+        counting_sort(triangles, key, &mut ends, &mut by_face);
         Ok(Self {
             slack: (1e-3 * topology.tolerance).max(16.0 * f64::EPSILON * largest),
             tree: RTree::bulk_load(leaves.collect()),

@@ -1,5 +1,7 @@
 //! All blocks and bodies of a problem in one precision, and what is done with all of them, part by part.
 
+use std::iter::repeat_with;
+use std::mem::take;
 use std::ops::Range;
 
 use arrayvec::ArrayVec;
@@ -76,24 +78,48 @@ fn by_group<X: Send>(
 }
 
 impl<T: Precision> Batches<T> {
-    /// One sweep.
+    /// One sweep. Bodies first move on by the momentum times their last change: those of a part by who sweeps it, for they are at
+    /// hand there.
     pub(super) fn sweep(&mut self, turns: &Colours, pool: &Pool, pace: SweepParams) -> Progress {
-        self.extrapolate(turns, pool, pace.momentum);
         let (mut total, registers) = (Progress::NONE, self.registers);
+        let move_on = |bodies: &mut [Body<T>], before: &mut [Body<T>]| {
+            let momentum = pace.momentum;
+            T::with(
+                registers,
+                Drift {
+                    bodies,
+                    before,
+                    momentum,
+                },
+            );
+        };
+        // Behind the parts are driven bodies.
+        let rest = turns[0].last().map_or(0, |group| group.bodies.end);
+        let (parts, others) = self.before.split_at_mut(rest);
+        move_on(&mut self.bodies[rest..], others);
+        let mut before = split(parts, turns[0].iter().map(|group| group.bodies.clone()));
         for turn in turns.iter().filter(|turn| !turn.is_empty()) {
             let blocks = split(&mut self.blocks, turn.iter().map(|g| g.blocks.clone()));
             let of_group = turn.iter().map(|g| g.resistances.clone());
             let resistances = split(&mut self.resistances, of_group);
             let bodies = split(&mut self.bodies, turn.iter().map(|g| g.bodies.clone()));
             let (extras, levers, latest) = (&self.extras[..], &self.levers[..], self.latest);
+            // The first turn is that of the parts.
+            let before = take(&mut before)
+                .into_iter()
+                .map(Some)
+                .chain(repeat_with(|| None));
             let mut tasks: ArrayVec<_, PARTS> = blocks
                 .into_iter()
                 .zip(resistances)
-                .zip(bodies)
+                .zip(bodies.into_iter().zip(before))
                 .map(|task| (task, Progress::NONE))
                 .collect();
             pool.each(size(turn), &mut tasks, |(task, found)| {
-                let ((blocks, resistances), bodies) = task;
+                let ((blocks, resistances), (bodies, before)) = task;
+                if let Some(before) = before {
+                    move_on(bodies, before);
+                }
                 *found = T::with(
                     registers,
                     Sweep {
@@ -111,31 +137,6 @@ impl<T: Precision> Batches<T> {
         }
         self.latest = 1 - self.latest;
         total
-    }
-
-    /// Moves all bodies on by `momentum` times their last change.
-    fn extrapolate(&mut self, turns: &Colours, pool: &Pool, momentum: f64) {
-        let parts = || turns[0].iter().map(|group| group.bodies.clone());
-        let registers = self.registers;
-        // Behind the parts are driven bodies.
-        let rest = turns[0].last().map_or(0, |group| group.bodies.end);
-        let extrapolate = |bodies: &mut [Body<T>], before: &mut [Body<T>]| {
-            T::with(
-                registers,
-                Drift {
-                    bodies,
-                    before,
-                    momentum,
-                },
-            );
-        };
-        extrapolate(&mut self.bodies[rest..], &mut self.before[rest..]);
-        let bodies = split(&mut self.bodies, parts()).into_iter();
-        let pairs = bodies.zip(split(&mut self.before, parts()));
-        let mut pairs: ArrayVec<_, PARTS> = pairs.collect();
-        pool.each(rest / BODIES, &mut pairs, |(now, before)| {
-            extrapolate(now, before)
-        });
     }
 }
 

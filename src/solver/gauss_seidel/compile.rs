@@ -45,27 +45,34 @@ impl Kernel {
         for (k, contact) in rows.resistances() {
             self.resistance[contact] = k as u32;
         }
-        self.levered.clear();
-        self.group.clear();
-        self.group.extend((0..rows.len()).map(|k| {
+        let resistance = &self.resistance;
+        let group_of = |k: usize, levered: &mut bool| {
             let [a, b] = rows.bodies(k);
             let alike = moves_alike(a) && (b == GROUND || moves_alike(b));
             let is_contact = rows.general(k).is_none_or(Row::is_contact);
-            let levered = is_contact && !(alike && rows.is_of_spheres(k));
-            self.levered.push(levered);
-            let resistance = self.resistance[k];
+            *levered = is_contact && !(alike && rows.is_of_spheres(k));
+            let resistance = resistance[k];
             let rigid = resistance == NONE || rows.get(resistance as usize).is_rigid_resistance();
             if !is_contact || !rigid {
                 return NONE;
             } else if parts == 1 {
                 // Blocks of plain contacts are swept faster without others among them.
-                return u32::from(levered);
+                return u32::from(*levered);
             }
             match (part(a), part(if b == GROUND { a } else { b })) {
-                (Some(a), Some(b)) => group_of(a, b, parts) as u32,
+                (Some(a), Some(b)) => group_between(a, b, parts) as u32,
                 _ => last_group(parts) as u32,
             }
-        }));
+        };
+        self.levered.resize(rows.len(), false);
+        self.group.resize(rows.len(), NONE);
+        let all = (&mut self.group[..], &mut self.levered[..]);
+        let work = |first, (groups, levered): (&mut [u32], &mut [bool])| {
+            for (k, (group, levered)) in (first..).zip(groups.iter_mut().zip(levered)) {
+                *group = group_of(k, levered);
+            }
+        };
+        self.pool.pieces(all, work, |(), ()| ());
         for (contact, &k) in self.resistance.iter().enumerate() {
             if k != NONE && self.group[contact] != NONE {
                 self.group[k as usize] = ATTACHED;
@@ -84,13 +91,13 @@ impl Kernel {
         let place = |k: &u32| self.place[rows.bodies(*k as usize)[0] as usize];
         counting_sort(
             all.filter(ours),
-            place,
+            (place, self.held.len()),
             &mut self.counts,
             &mut self.by_place,
         );
         let group = |k: &u32| self.group[*k as usize];
         let rows = self.by_place.iter().copied();
-        counting_sort(rows, group, &mut self.counts, &mut self.order);
+        counting_sort(rows, (group, 2 * parts), &mut self.counts, &mut self.order);
     }
 
     /// Which rows each of the `blocks` of all groups has.
@@ -301,7 +308,7 @@ fn resistances(rows: &Rows, own: &[u32], resistance: &[u32], radius: &[f64]) -> 
 }
 
 /// Group of rows between parts `a` and `b` of `parts`: interiors, then borders of even and of odd parts, then all else.
-fn group_of(a: usize, b: usize, parts: usize) -> usize {
+fn group_between(a: usize, b: usize, parts: usize) -> usize {
     let low = a.min(b);
     match (a.abs_diff(b), low % 2) {
         (0, _) => low,

@@ -9,9 +9,9 @@ use crate::sorting::first_places;
 use crate::spatial::extent::around;
 
 /// Below this many spheres there is one part, in the order of the scene: a sweep is too short to share.
-pub(crate) const SMALL: usize = 8192;
-/// Spheres of a part.
-const PART: usize = 4096;
+pub(crate) const SMALL: usize = 2 * PART;
+/// Spheres of a part at least, on the average.
+const PART: usize = 640;
 /// Most parts.
 pub(super) const PARTS: usize = 32;
 /// Most cells over the number of spheres.
@@ -33,13 +33,16 @@ pub(crate) struct Partition {
     cell: Vec<u32>,
     /// First place of each cell.
     first: Vec<u32>,
+    /// Part of each layer.
+    parts: Vec<u8>,
 }
 
 /// Where bodies are.
 #[derive(Debug, Clone, PartialEq, Default)]
 struct Order {
-    /// Place of each sphere, `[N]`; empty where all are in the order of the scene.
+    /// Place of each sphere, and its part, `[N]`; empty where all are in the order of the scene.
     place: Vec<u32>,
+    part: Vec<u8>,
     /// First place of each part, and the end of the last.
     starts: Vec<u32>,
     /// Of each body behind the spheres the sphere in whose place it is, `[D]`; [`NO_SEAT`] where it has its own behind all parts.
@@ -49,6 +52,7 @@ struct Order {
 impl Order {
     fn clear(&mut self) {
         self.place.clear();
+        self.part.clear();
         self.starts.clear();
         self.seats.clear();
     }
@@ -104,22 +108,25 @@ impl Partition {
         );
         let cells = counts[0] * layer;
         first_places(self.cell.iter().copied(), cells, &mut self.first);
-        // Parts end where a layer does.
-        let share = n.div_ceil((n / PART).clamp(1, PARTS));
+        // Parts end where a layer does, as near to equal shares as can be: of a power of two, so that threads have equal shares too.
+        let share = n as f64 / f64::from(1 << (n / PART).clamp(1, PARTS).ilog2());
         let starts = &mut self.now.starts;
         starts.push(0);
-        for k in 1..counts[0] {
-            let end = self.first[k * layer];
-            let last = starts.last().copied().unwrap_or_default();
-            if end - last >= share as u32 && n as u32 - end >= (share / 2) as u32 {
-                starts.push(end);
+        self.parts.clear();
+        for k in 0..counts[0] {
+            let [start, end] = [k, k + 1].map(|k| self.first[k * layer]);
+            let middle = 0.5 * (f64::from(start) + f64::from(end));
+            if starts.len() as f64 * share <= middle && start > starts[starts.len() - 1] {
+                starts.push(start);
             }
+            self.parts.push(starts.len() as u8 - 1);
         }
         starts.push(n as u32);
         self.sphere.resize(n, 0);
         for (i, &cell) in self.cell.iter().enumerate() {
             let next = &mut self.first[cell as usize];
             self.now.place.push(*next);
+            self.now.part.push(self.parts[cell as usize / layer]);
             self.sphere[*next as usize] = i as u32;
             *next += 1;
         }
@@ -170,10 +177,7 @@ impl Partition {
     pub(super) fn place(&self, i: usize) -> (usize, usize) {
         match self.now.place.get(i) {
             None => (i, 0),
-            Some(&place) => {
-                let part = self.now.starts.partition_point(|&start| start <= place) - 1;
-                (place as usize, part)
-            }
+            Some(&place) => (place as usize, usize::from(self.now.part[i])),
         }
     }
 }
@@ -202,7 +206,10 @@ mod tests {
             assert!(!std::mem::replace(&mut seen[place], true));
             assert_eq!(layout.sphere(place), i);
         }
-        assert_eq!(layout.parts(), 3);
+        // 24 layers of 576 spheres, and 16 parts.
+        assert_eq!(layout.parts(), 16);
+        let sizes = (0..16).map(|k| layout.part(k, n).len());
+        assert_eq!([sizes.clone().min(), sizes.max()], [Some(576), Some(1152)]);
         assert_eq!(
             [3, n, n + 1].map(|i| layout.seat(i, n)),
             [Some(layout.place(3)), None, Some(layout.place(77))]
