@@ -16,7 +16,7 @@
 //!
 //! A new law is a variant of [`Law`] with its [`Law::bounds`]: projection, derivative, energy and margin follow.
 
-use std::ops::Mul;
+use std::ops::{Add, Mul, Sub};
 
 use nalgebra::Matrix3;
 use serde::{Deserialize, Serialize};
@@ -83,7 +83,9 @@ pub(crate) struct Across {
 }
 
 /// Numbers that the law of contact works on: one, or one for each lane.
-pub(crate) trait Number: Copy + Mul<Output = Self> {
+pub(crate) trait Number:
+    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self>
+{
     /// `self / other`.
     fn over(self, other: Self) -> Self;
     /// Square root.

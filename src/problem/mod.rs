@@ -17,12 +17,14 @@
 //! (`c = 0`: rigid). Moreau has `W = M^-1`, Shi `W = (2M)^-1` and `v1` the mean velocity of the step.
 //! The penalty method is the rigid problem with `k = P` on every contact.
 
+mod bounds;
 pub mod friction;
 pub(crate) mod law;
 pub mod reduction;
 mod row;
 mod rows;
 
+pub(crate) use bounds::{CONSTANTS, ELEMENTS, bounding_scale, bounds};
 pub use law::Law;
 use nalgebra::Matrix3;
 pub(crate) use row::JacobianBlock;
@@ -33,9 +35,6 @@ use serde::{Deserialize, Serialize};
 
 use crate::Vec3;
 use crate::spatial::{SpatialOperator, SpatialVector};
-
-/// Coupling of normal and tangent over `sqrt(w_n w_t)` that is rounding.
-const UNCOUPLED: f64 = 1e-12;
 
 /// The problem of one step: frozen once assembled.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
@@ -181,24 +180,5 @@ impl Problem {
             }
             JacobianBlock::Couple(lever) => w.angular * (lever * lever),
         }
-    }
-}
-
-/// `(w_n, w_t)` such that `operator` is at most `w_n n n^T + w_t (1 - n n^T)` \[1/kg\].
-pub(crate) fn bounding_scale(operator: &Matrix3<f64>, n: Vec3) -> (f64, f64) {
-    let [t1, t2] = tangents(n);
-    let [of_n, of_1, of_2] = [n, t1, t2].map(|x| operator * x);
-    let w_n = n.dot(&of_n);
-    // Largest eigenvalue of the 2x2 tangential block from its trace and determinant.
-    let (a, b, c) = (t1.dot(&of_1), t2.dot(&of_2), t1.dot(&of_2));
-    let w_t = 0.5 * (a + b) + (0.25 * (a - b) * (a - b) + c * c).sqrt();
-    // The update of a row treats normal and tangent side by side: a bound keeps it from overshooting where they couple.
-    let coupling = (t1.dot(&of_n).powi(2) + t2.dot(&of_n).powi(2)).sqrt();
-    let share = coupling / (w_n * w_t).sqrt();
-    // Where a joint leaves nothing but the normal, all across it is rounding.
-    if share > UNCOUPLED && coupling > UNCOUPLED * w_n {
-        (w_n * (1.0 + share), w_t * (1.0 + share))
-    } else {
-        (w_n, w_t)
     }
 }

@@ -76,8 +76,8 @@ pub(super) fn assemble<'a>(
         broken_bonds: 0,
         moves: true,
     };
-    match prediction.gives_way {
-        true => assembly.write_elastic(state, impact, impulses),
+    match prediction.gives_way || !prediction.clumps.is_empty() {
+        true => assembly.write_whole(state, impact, impulses),
         false => assembly.write_contacts(state, impact, impulses),
     }
     assembly.attract(&state.contacts, impulses);
@@ -158,8 +158,8 @@ impl Assembly<'_> {
         }
     }
 
-    /// Likewise where contacts give way: nearly all rows are kept whole, so each is made once.
-    fn write_elastic(
+    /// Likewise where contacts give way or are of clumps: nearly all rows are kept whole, so each is made once.
+    fn write_whole(
         &mut self,
         state: &State,
         known_impact: Option<&[bool]>,
@@ -185,7 +185,9 @@ impl Assembly<'_> {
             rows.push(contact.row);
             impulses.push(carried.force * prediction.step);
             self.impact.push(contact.impact);
-            self.elastic.push(contact.elastic);
+            if prediction.gives_way {
+                self.elastic.push(contact.elastic);
+            }
         }
     }
 

@@ -158,13 +158,14 @@ impl Kernel {
                     let of = |k: u32| problem.rows.general(self.resistance[k as usize] as usize);
                     let resistance = |k: u32| of(k).copied();
                     let block = &open.blocks[block];
-                    let levers = Levers::of(problem, block, rows, resistance, length);
+                    let registers = self.exact.registers;
+                    let at = self.contents.levers.len();
+                    self.contents.levers.push(Levers::default());
+                    let levers = &mut self.contents.levers[at];
+                    levers.fill(problem, block, rows, resistance, length, registers);
                     if let Some(split) = levers.split(problem, block, rows, resistance) {
-                        self.contents
-                            .split
-                            .push((self.contents.levers.len(), split));
+                        self.contents.split.push((at, split));
                     }
-                    self.contents.levers.push(levers);
                 }
             }
             let resistances = first..self.contents.resistances.len();

@@ -9,7 +9,7 @@
 //! ```
 //!
 //! A couple over the radius `R` turns them by `K_A (R/L_A) dp`, as a [resistance](super::resistance) does. Contacts and resistances
-//! are solved with the bounds of their operators along the normal and across it ([`Problem::delassus`]).
+//! are solved with the bounds of their operators along the normal and across it ([`Problem::delassus`](crate::problem::Problem::delassus)).
 //!
 //! A heavy body on which many spheres lie would need a block for each of its contacts. Instead `c` contacts of a block may share it:
 //! each has a part of its own, a `c`-th of the mass, and the body has the mean of the parts' velocities afterwards. That is what the sum of
@@ -18,10 +18,9 @@
 use super::batch::{Batch, PLAIN, Vector};
 use super::lanes::{Body, Columns, LANES, Lanes, Pack, Real, Sixteen, changed};
 use super::local::{Seen, cross, dot, each, vector};
-use crate::problem::{GROUND, Problem, Row};
 use nalgebra::Matrix3;
 
-/// Elements xx, yy, zz, yz, zx, xy of a symmetric matrix of each contact.
+/// [`ELEMENTS`](crate::problem::ELEMENTS) of a symmetric matrix of each contact.
 pub(super) type Symmetric<T> = [Sixteen<T>; 6];
 
 /// Bounds `w_n` and `w_t` \[1/kg\] of each contact's operator.
@@ -44,87 +43,7 @@ pub(super) struct Levers<T> {
     pub(super) shared: Option<(u32, T)>,
 }
 
-/// Elements of `matrix` into lane `lane`.
-fn set(elements: &mut Symmetric<f64>, lane: usize, matrix: &Matrix3<f64>) {
-    let order = [(0, 0), (1, 1), (2, 2), (1, 2), (2, 0), (0, 1)];
-    for (lanes, element) in elements.iter_mut().zip(order) {
-        lanes[lane] = matrix[element];
-    }
-}
-
 impl Levers<f64> {
-    /// Those of the contacts of `block` that are `rows` of `problem`, where `resistance` gives the row of each one's; spins of bodies
-    /// are scaled by `length` \[m\].
-    pub(super) fn of(
-        problem: &Problem,
-        block: &Batch<impl Real>,
-        rows: &[u32],
-        resistance: impl Fn(u32) -> Option<Row>,
-        length: impl Fn(usize) -> f64,
-    ) -> Self {
-        let mut levers = Self::default();
-        for (lane, &k) in rows.iter().enumerate() {
-            let row = problem.rows.get(k as usize);
-            for (side, (body, arm)) in [(row.a, row.arm_a), (row.b, row.arm_b)].iter().enumerate() {
-                if *body == GROUND {
-                    continue;
-                }
-                let (operator, length) = (problem.operator(*body), length(*body as usize));
-                for (lanes, x) in levers.arms[side].iter_mut().zip(arm) {
-                    lanes[lane] = x / length;
-                }
-                let turn = operator.angular * (length * length);
-                set(&mut levers.turns[side], lane, &turn);
-                set(&mut levers.masses[side], lane, &operator.linear);
-                levers.directed |= alike(&operator.linear).is_none();
-                let at = block.bodies[side][lane];
-                if block.holding(at).count() > 1 {
-                    levers.shared = Some((at, 1.0));
-                }
-            }
-            for (bounds, row) in levers.bounds.iter_mut().zip([Some(row), resistance(k)]) {
-                if let Some(row) = row {
-                    (bounds[0][lane], bounds[1][lane]) = problem.delassus(&row);
-                }
-            }
-        }
-        levers
-    }
-
-    /// With parts in place of a body that contacts of `block` share, if there is one; else as for [`Self::of`].
-    pub(super) fn split(
-        &self,
-        problem: &Problem,
-        block: &Batch<impl Real>,
-        rows: &[u32],
-        resistance: impl Fn(u32) -> Option<Row>,
-    ) -> Option<Self> {
-        let (at, _) = self.shared?;
-        let count = block.holding(at).count() as f64;
-        let mut split = Self {
-            shared: Some((at, 1.0 / count)),
-            directed: true,
-            ..*self
-        };
-        for (side, lane) in block.holding(at) {
-            for elements in [&mut split.turns[side], &mut split.masses[side]] {
-                elements.iter_mut().for_each(|lanes| lanes[lane] *= count);
-            }
-            let mut parts = [1.0; 2];
-            parts[side] = count;
-            let own = [
-                Some(problem.rows.get(rows[lane] as usize)),
-                resistance(rows[lane]),
-            ];
-            for (bounds, row) in split.bounds.iter_mut().zip(own) {
-                if let Some(row) = row {
-                    (bounds[0][lane], bounds[1][lane]) = problem.split_delassus(&row, parts);
-                }
-            }
-        }
-        Some(split)
-    }
-
     /// Leaves in `levers` what these are in another precision, inverse masses times `share`.
     pub(super) fn write<T: Real>(&self, share: f64, levers: &mut Levers<T>) {
         let write = |from: &[Sixteen<f64>], to: &mut [Sixteen<T>], share: f64| {
@@ -245,7 +164,7 @@ impl<T: Real> Levers<T> {
 
 /// What a symmetric matrix of the given elements makes of `x`.
 #[inline(always)]
-fn symmetric<T, L: Lanes<T>>(
+pub(super) fn symmetric<T, L: Lanes<T>>(
     l: L,
     pass: usize,
     elements: &Symmetric<T>,
@@ -271,7 +190,7 @@ impl<T: Real> Batch<T> {
     }
 
     /// Sides and lanes that hold the body at `at`, which is not the one that never moves.
-    fn holding(&self, at: u32) -> impl Iterator<Item = (usize, usize)> {
+    pub(super) fn holding(&self, at: u32) -> impl Iterator<Item = (usize, usize)> {
         let lanes = (0..self.count as usize).flat_map(|lane| [(0, lane), (1, lane)]);
         lanes.filter(move |&(side, lane)| self.bodies[side][lane] == at)
     }

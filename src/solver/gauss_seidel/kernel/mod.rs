@@ -141,6 +141,10 @@ impl Kernel {
             true => self.quick.fill(exact, impulses, turns, pool),
             false => self.exact.fill(exact, impulses, turns, pool),
         }
+        match self.single {
+            true => self.contents.swept(1.0 / self.unit, &mut self.quick.levers),
+            false => self.contents.swept(1.0, &mut self.exact.levers),
+        }
         self.reload(problem);
     }
 
@@ -234,6 +238,7 @@ impl Kernel {
         (self.single, self.unit) = (false, 1.0);
         let exact = self.contents.exact(problem, self.unit);
         self.exact.fill(exact, impulses, &self.turns, &self.pool);
+        self.contents.swept(1.0, &mut self.exact.levers);
         self.start_exact();
     }
 
@@ -241,7 +246,6 @@ impl Kernel {
     fn start_exact(&mut self) {
         self.exact.before.clone_from(&self.exact.bodies);
         self.exact.extras.clone_from(&self.extras);
-        self.contents.swept(1.0, &mut self.exact.levers);
     }
 
     /// Takes the velocities of the impulses anew, without rounding from many sweeps.
@@ -258,11 +262,9 @@ impl Kernel {
         let mut bodies = Bodies::of(&mut self.exact.bodies, &self.place, &self.radius);
         self.others.push(problem, &mut bodies);
         match self.single {
-            true => {
-                self.quick
-                    .place(&self.exact.bodies, &self.extras, self.unit, &self.pool);
-                self.contents.swept(1.0 / self.unit, &mut self.quick.levers);
-            }
+            true => self
+                .quick
+                .place(&self.exact.bodies, &self.extras, self.unit, &self.pool),
             false => self.start_exact(),
         }
     }
