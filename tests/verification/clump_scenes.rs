@@ -1,6 +1,7 @@
 //! Scenes that nobody tuned, with clumps and everything else at once.
 
 use sphere_dda::Vec3;
+use sphere_dda::contact::Partner;
 use sphere_dda::scene::Command;
 use sphere_dda::spatial::Twist;
 
@@ -365,13 +366,24 @@ fn a_force_on_a_member_wakes_its_clump() {
     let mut run = asleep();
     let scene = std::sync::Arc::clone(run.simulation.scene());
     let saved = run.simulation.snapshot();
-    // Of the clump that nothing lies on.
-    let height = |c: usize| run.simulation.kinematics().position[scene.clumps[c].members.start].z;
-    let highest = |a: &usize, b: &usize| height(*a).total_cmp(&height(*b));
-    let c = (0..scene.clumps.len()).max_by(highest).expect("a clump");
-    let members = scene.clumps[c].members.clone();
+    // One that nothing touches, so that it is the clump that wakes the others.
+    let contacts = run.simulation.contacts();
+    let held: Vec<u32> = contacts
+        .iter()
+        .flat_map(|contact| match contact.key.partner {
+            Partner::Sphere { index, .. } => [contact.key.sphere, index],
+            Partner::Boundary { .. } => [contact.key.sphere; 2],
+        })
+        .collect();
+    let clump_of = |i: &usize| scene.clumps.iter().find(|clump| clump.members.contains(i));
+    let later = |i: &usize| clump_of(i).is_some_and(|clump| clump.members.start != *i);
+    let untouched = |i: &usize| later(i) && !held.contains(&(*i as u32));
+    let free = (0..scene.particles.len()).find(untouched);
+    let free = free.expect("a member that nothing touches");
+    let clump = clump_of(&free).expect("its clump");
+    let members = clump.members.clone();
     let mut forces = vec![Vec3::zeros(); scene.particles.len()];
-    forces[members.end - 1] = Vec3::z() * (20.0 * G * scene.clumps[c].shape.mass);
+    forces[free] = Vec3::z() * (200.0 * G * clump.shape.mass);
     let lift = |run: &mut Run| {
         run.simulation.apply_forces(&forces).expect("forces");
         run.simulation.advance(0.01).expect("a step");
