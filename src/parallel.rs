@@ -230,6 +230,15 @@ fn share<P: Pieces, R: Send>(
 mod tests {
     use super::*;
 
+    /// Workers that stayed awake would never be joined.
+    #[test]
+    fn a_panic_ends_the_workers() {
+        let pool = Pool::new(2);
+        let panic = std::panic::AssertUnwindSafe(|| pool.within(|| panic!("as it should")));
+        assert!(std::panic::catch_unwind(panic).is_err());
+        assert_eq!(pool.within(|| 7), 7);
+    }
+
     #[test]
     fn pieces_cover_all_and_join_alike_on_any_number_of_threads() {
         let count = 5 * PIECE + 7;

@@ -55,17 +55,6 @@ pub struct Problem {
 /// Impulses on body A \[N s\], world axes, `[C]`: what every solver returns and starts from.
 pub type Impulses = Vec<Vec3>;
 
-/// Two unit vectors that complete the unit vector `n` to an orthonormal frame.
-fn tangents(n: Vec3) -> [Vec3; 2] {
-    let helper = if n.x.abs() < 0.6 {
-        Vec3::x()
-    } else {
-        Vec3::y()
-    };
-    let t1 = n.cross(&helper).normalize();
-    [t1, n.cross(&t1)]
-}
-
 impl Problem {
     /// Velocities `v_free + W J^T p` \[m/s\], \[rad/s\], `[N]`.
     #[must_use]

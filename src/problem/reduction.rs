@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, DVector, Matrix3};
 
 use super::friction::FrictionProblem;
-use super::{GROUND, Law, Problem, Row, tangents};
+use super::{GROUND, Law, Problem, Row};
 use crate::Vec3;
 
 /// Most bilateral rows that are eliminated: their inverse is dense.
@@ -176,4 +176,15 @@ impl Operator {
             }
         }
     }
+}
+
+/// Two unit vectors that complete the unit vector `n` to an orthonormal frame.
+fn tangents(n: Vec3) -> [Vec3; 2] {
+    let helper = if n.x.abs() < 0.6 {
+        Vec3::x()
+    } else {
+        Vec3::y()
+    };
+    let t1 = n.cross(&helper).normalize();
+    [t1, n.cross(&t1)]
 }

@@ -16,7 +16,7 @@ use crate::support::{Case, G, Run, close, order};
 const DENSITY: f64 = 2500.0;
 
 /// Members of these centres \[m\] and one radius \[m\], with the density of the spheres.
-fn shape(centres: &[Vec3], radius: f64) -> ClumpShape {
+pub fn shape(centres: &[Vec3], radius: f64) -> ClumpShape {
     let radii = vec![radius; centres.len()];
     let (shape, _) = ClumpShape::new(centres, &radii, DENSITY, None, None).expect("a clump");
     shape
@@ -28,12 +28,12 @@ fn dumbbell(axis: Vec3, half: f64, radius: f64) -> ClumpShape {
 }
 
 /// Inertia of a clump about its centre in its own axes.
-fn inertia(shape: &ClumpShape) -> Matrix3<f64> {
+pub fn inertia(shape: &ClumpShape) -> Matrix3<f64> {
     let axes = shape.axes.to_rotation_matrix();
     axes * Matrix3::from_diagonal(&shape.moments) * axes.inverse()
 }
 
-fn upright(position: Vec3) -> (Vec3, UnitQuaternion<f64>) {
+pub fn upright(position: Vec3) -> (Vec3, UnitQuaternion<f64>) {
     (position, UnitQuaternion::identity())
 }
 

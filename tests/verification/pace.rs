@@ -2,14 +2,13 @@
 
 use std::sync::Arc;
 
-use nalgebra::{Matrix3, UnitQuaternion};
 use sphere_dda::Vec3;
 use sphere_dda::geometry::HalfSpace;
-use sphere_dda::scene::clump::ClumpShape;
 use sphere_dda::scene::{Command, InputKind, Motion};
 use sphere_dda::simulation::Simulation;
 use sphere_dda::spatial::{Twist, Wrench};
 
+use crate::clumps::{inertia, shape, upright};
 use crate::support::{Case, G, close};
 
 const RADIUS: f64 = 0.01;
@@ -118,32 +117,26 @@ fn a_sphere_that_rolls_more_slowly_than_at_rest_falls_asleep() {
 fn a_clump_that_falls_asleep_leaves_its_momentum_to_the_floor() {
     let (step, speed, spin) = (5e-4, 5e-3, 0.2);
     let corners = [[0.0, 0.0], [0.03, 0.0], [0.0, 0.02]].map(|[x, y]| Vec3::new(x, y, 0.0));
-    let shape = ClumpShape::new(&corners, &[RADIUS; 3], 2500.0, None, None);
-    let (shape, _) = shape.expect("a clump");
-    let place = (Vec3::new(0.02, 0.05, RADIUS), UnitQuaternion::identity());
+    let shape = shape(&corners, RADIUS);
+    let place = upright(Vec3::new(0.02, 0.05, RADIUS));
     let velocity = Vec3::new(speed, -0.5 * speed, 0.0);
     let case = Case::new(step, 0.0, 0.0).floor();
     let mut case = case.clump(&shape, place, velocity, Vec3::z() * spin);
     case.scene.settings.rest_speed = 4.0 * speed;
     let mut simulation = Simulation::new(Arc::new(case.scene)).expect("a start");
-    let axes = shape.axes.to_rotation_matrix();
-    let inertia = axes * Matrix3::from_diagonal(&shape.moments) * axes.inverse();
     let momentum = velocity * shape.mass;
-    let about = place.0.cross(&momentum).z + inertia[(2, 2)] * spin;
-    let mut booked = [0.0; 3];
-    while simulation.velocity(0) != Twist::default() {
+    let about = place.0.cross(&momentum).z + inertia(&shape)[(2, 2)] * spin;
+    let (mut booked, mut moves) = (Vec3::zeros(), true);
+    // The step after the last that moves books it.
+    while moves {
         assert!(simulation.time() < 3.0, "it never sleeps");
+        moves = simulation.velocity(0) != Twist::default();
         simulation.advance(step).expect("a step");
         let Wrench { force, torque } = simulation.mean_wrench(0);
-        for (sum, x) in booked.iter_mut().zip([force.x, force.y, torque.z]) {
-            *sum += x * step;
-        }
+        booked += Vec3::new(force.x, force.y, torque.z) * step;
     }
-    simulation.advance(step).expect("a step");
-    let Wrench { force, torque } = simulation.mean_wrench(0);
-    for (k, x) in [force.x, force.y, torque.z].into_iter().enumerate() {
-        let had = [momentum.x, momentum.y, about][k];
-        close(booked[k] + x * step, had, 1e-6, 0.0);
+    for (booked, had) in booked.iter().zip([momentum.x, momentum.y, about]) {
+        close(*booked, had, 1e-6, 0.0);
     }
 }
 

@@ -17,8 +17,8 @@ fn set(elements: &mut Symmetric<f64>, lane: usize, matrix: &Matrix3<f64>) {
 }
 
 impl Levers<f64> {
-    /// Makes empty ones those of the contacts of `block` that are `rows` of `problem`, where `resistance` gives the row of each one's; spins of bodies
-    /// are scaled by `length` \[m\].
+    /// Makes empty ones those of the contacts of `block` that are `rows` of `problem`, where `resistance` gives the row of each
+    /// one's; spins of bodies are scaled by `length` \[m\].
     pub(super) fn fill(
         &mut self,
         problem: &Problem,

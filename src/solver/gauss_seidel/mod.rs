@@ -3,7 +3,8 @@
 //! Contact by contact: the contact's own law is solved in closed form with all other multipliers held, and the velocities of
 //! its two bodies follow at once (for a sphere contact the local operator is diagonal, so normal and tangent do not couple).
 //! Contacts of spheres go sixteen at a time (`local`), each with its resistance to rolling (`resistance`), those of clumps
-//! likewise (`levers`, from rows by `lever_rows`), in single precision first where the tolerances allow; what it finds is judged in double. Every other row goes by the operations of
+//! likewise (`levers`, from rows by `lever_rows`), in single precision first where the tolerances allow; what it finds is judged in
+//! double. Every other row goes by the operations of
 //! [`Row`](crate::problem::Row) (`general_rows`). The order is fixed by the rows and, in large scenes, by where the bodies are
 //! (`partition`): parts of the scene can be swept side by side. From the
 //! fourth sweep on Nesterov's momentum moves impulses and velocities together; it starts anew where the corrections point back

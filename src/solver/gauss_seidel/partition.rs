@@ -33,8 +33,6 @@ pub(crate) struct Partition {
     cell: Vec<u32>,
     /// First place of each cell.
     first: Vec<u32>,
-    /// Part of each layer.
-    parts: Vec<u8>,
 }
 
 /// Where bodies are.
@@ -112,21 +110,20 @@ impl Partition {
         let share = n as f64 / f64::from(1 << (n / PART).clamp(1, PARTS).ilog2());
         let starts = &mut self.now.starts;
         starts.push(0);
-        self.parts.clear();
         for k in 0..counts[0] {
             let [start, end] = [k, k + 1].map(|k| self.first[k * layer]);
             let middle = 0.5 * (f64::from(start) + f64::from(end));
             if starts.len() as f64 * share <= middle && start > starts[starts.len() - 1] {
                 starts.push(start);
             }
-            self.parts.push(starts.len() as u8 - 1);
         }
         starts.push(n as u32);
         self.sphere.resize(n, 0);
         for (i, &cell) in self.cell.iter().enumerate() {
             let next = &mut self.first[cell as usize];
+            let part = starts.partition_point(|start| start <= next) - 1;
             self.now.place.push(*next);
-            self.now.part.push(self.parts[cell as usize / layer]);
+            self.now.part.push(part as u8);
             self.sphere[*next as usize] = i as u32;
             *next += 1;
         }

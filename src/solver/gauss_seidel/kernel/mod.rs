@@ -138,12 +138,14 @@ impl Kernel {
         let exact = self.contents.exact(problem, self.unit);
         let (turns, pool) = (&self.turns, &self.pool);
         match self.single {
-            true => self.quick.fill(exact, impulses, turns, pool),
-            false => self.exact.fill(exact, impulses, turns, pool),
-        }
-        match self.single {
-            true => self.contents.swept(1.0 / self.unit, &mut self.quick.levers),
-            false => self.contents.swept(1.0, &mut self.exact.levers),
+            true => {
+                self.quick.fill(exact, impulses, turns, pool);
+                self.contents.swept(1.0 / self.unit, &mut self.quick.levers);
+            }
+            false => {
+                self.exact.fill(exact, impulses, turns, pool);
+                self.contents.swept(1.0, &mut self.exact.levers);
+            }
         }
         self.reload(problem);
     }
