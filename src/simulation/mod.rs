@@ -105,6 +105,7 @@ impl Simulation {
             report: StepReport::default(),
             control: StepControl::of(settings),
             calm: Vec::new(),
+            ground: Vec::new(),
         };
         let mut simulation = Self {
             scene,

@@ -109,6 +109,8 @@ pub struct State {
     pub(crate) control: StepControl,
     /// Steps in a row without motion of each sphere, [`ASLEEP`] where it sleeps, `[N]`; empty where none may.
     pub(crate) calm: Vec<u32>,
+    /// Boundary on which each sphere sleeps, if it does, `[N]`; empty likewise.
+    pub(crate) ground: Vec<u16>,
 }
 
 /// A sphere that sleeps in [`State::calm`].
@@ -134,7 +136,7 @@ macro_rules! clone_in_place {
 clone_in_place! {
     time last_step gravity kinematics smooth external applied_forces body_force mean_body_force contacts
     springs poses twists bodies commands rates wrenches smooth_wrenches mean_wrenches owed walls broken_bonds work reserves
-    emitted removed passed flow initial_overlap penalty report control calm
+    emitted removed passed flow initial_overlap penalty report control calm ground
 }
 
 impl State {
@@ -168,6 +170,8 @@ impl State {
             && [0, spheres].contains(&self.applied_forces.len())
             && [0, boundaries].contains(&self.rates.len())
             && [0, spheres].contains(&self.calm.len())
+            && self.ground.len() == self.calm.len()
+            && self.ground.iter().all(|&b| usize::from(b) < boundaries.max(1))
             && (f64::MIN_POSITIVE..=scene.settings.step).contains(&self.control.step)
     }
 

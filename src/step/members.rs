@@ -39,7 +39,7 @@ impl Prediction<'_> {
     pub(super) fn carry_members(&self, velocity: &mut [SpatialVector]) {
         for (c, clump) in self.clumps.iter().enumerate() {
             let own = velocity[self.clump_body(c)];
-            if self.stays(clump.clump.members.start, velocity) {
+            if self.is_asleep(clump.clump.members.start) {
                 velocity[clump.clump.members.clone()].fill(own);
                 continue;
             }
@@ -98,7 +98,7 @@ impl Solved<'_> {
         for (c, clump) in prediction.clumps.iter().enumerate() {
             let shape = &clump.clump.shape;
             let first = clump.clump.members.start;
-            if prediction.stays(first, &self.solution.velocity) {
+            if prediction.is_asleep(first) {
                 continue;
             }
             let v1 = &self.solution.velocity[prediction.clump_body(c)];

@@ -59,8 +59,9 @@ use crate::solver::gauss_seidel::SMALL;
 use crate::state::State;
 use commit::{commit, spread_impacts};
 use linear_problem::linear_problem;
-use prediction::{PredictionArrays, predict};
+use prediction::{Prediction, PredictionArrays, predict};
 use resolve::resolve;
+use sleep::{Attempt, Border, undisturbed};
 use solution::Solved;
 
 /// Takes `state` from `state.time` to `state.time + dt` of `input`. On failure `state` is unchanged.
@@ -83,7 +84,7 @@ pub fn step(
     }
 }
 
-/// The stages in order.
+/// The stages in order, from detection on again where the solution moves what sleeps.
 fn stages(
     scene: &Scene,
     state: &mut State,
@@ -92,24 +93,49 @@ fn stages(
     effort: Effort,
 ) -> Result<StepOutput, StepFailure> {
     let mut prediction = predict(scene, state, input, take(&mut workspace.prediction));
-    let (mut assembly, mut solution) = linear_problem(&mut prediction, state, workspace);
+    let output = undisturbed(&mut prediction, state, |prediction, state| {
+        attempt(prediction, state, workspace, effort)
+    })?;
+    if output.solver.penalty > 0.0 && output.solver.penalty.is_finite() {
+        state.penalty = output.solver.penalty;
+    }
+    workspace.prediction = prediction.into_arrays();
+    Ok(output)
+}
+
+/// Stages from detection on.
+fn attempt(
+    prediction: &mut Prediction,
+    state: &mut State,
+    workspace: &mut Workspace,
+    effort: Effort,
+) -> Attempt {
+    let (mut assembly, mut solution) = linear_problem(prediction, state, workspace);
     let resolved = resolve(&mut assembly, &mut solution, (state, effort), workspace);
-    let (when, what) = ((state.time, input.dt), (&assembly, &solution));
+    if let Some(disturbed) = Attempt::failed_beside_sleepers(&assembly, &resolved) {
+        workspace.keep(assembly, solution);
+        return disturbed;
+    }
+    let what = (&assembly, &solution);
+    let when = (state.time, assembly.prediction.step);
     workspace.failed.note(when, what, &resolved);
-    let output = resolved?;
+    let output = match resolved {
+        Ok(output) => output,
+        Err(failure) => return Attempt::Done(Err(failure)),
+    };
     assembly.hold_on(&mut solution);
     spread_impacts(&mut assembly, &solution, state);
     let solved = Solved {
         assembly: &assembly,
         solution: &solution,
     };
-    commit(&solved, state, &mut workspace.accelerations);
-    if output.solver.penalty > 0.0 && output.solver.penalty.is_finite() {
-        state.penalty = output.solver.penalty;
+    let border = Border::of(&solved, state);
+    let ends = border.ends(output);
+    if matches!(ends, Attempt::Done(_)) {
+        commit(&solved, state, &border, &mut workspace.accelerations);
     }
     workspace.keep(assembly, solution);
-    workspace.prediction = prediction.into_arrays();
-    Ok(output)
+    ends
 }
 
 /// The problem that a step from `state` by `input` begins with, and the impulses \[N s\] it starts from: candidates within

@@ -10,7 +10,7 @@ use crate::Vec3;
 use crate::problem::Problem;
 use crate::scene::particles::Kinematics;
 use crate::scene::{Boundary, Command, Method, Scene};
-use crate::spatial::{Pose, SpatialVector, Twist};
+use crate::spatial::{Pose, SpatialOperator, SpatialVector, Twist};
 use crate::state::State;
 
 /// Length of the step before over that of this one from which on its velocities count for this one \[-\].
@@ -260,22 +260,23 @@ impl<'a> Prediction<'a> {
                 };
             }
         }
-        // The same in every step.
-        if problem.inverse_mass.len() != spheres.len() {
-            problem.inverse_mass.clear();
-            problem
-                .inverse_mass
-                .extend(spheres.map(|i| match particles.clump(i) {
-                    Some(_) => SpatialVector::ZERO,
-                    None => SpatialVector {
-                        linear: particles.inverse_mass(i) * integrator.mobility(),
-                        angular: particles.inverse_inertia(i) * integrator.mobility(),
-                    },
-                }));
-        }
+        let inverse_mass = |i| match particles.clump(i).is_some() || self.is_asleep(i) {
+            true => SpatialVector::ZERO,
+            false => SpatialVector {
+                linear: particles.inverse_mass(i) * integrator.mobility(),
+                angular: particles.inverse_inertia(i) * integrator.mobility(),
+            },
+        };
+        problem.inverse_mass.clear();
+        problem.inverse_mass.extend(spheres.map(inverse_mass));
         problem.operators.clear();
         let operators = self.bodies.iter().map(|body| body.mobility);
-        let clumps = self.clumps.iter().map(|clump| clump.mobility);
+        let clumps = self.clumps.iter().map(|clump| {
+            match self.is_asleep(clump.clump.members.start) {
+                true => SpatialOperator::zero(),
+                false => clump.mobility,
+            }
+        });
         problem.operators.extend(operators.chain(clumps));
     }
 

@@ -13,6 +13,7 @@ use super::initial::{effort, overlaps, solve_forces};
 use super::linear_problem::linear_problem;
 use super::prediction::{Prediction, PredictionArrays, predict};
 use super::resolve::{Pass, Passes};
+use super::sleep::{Attempt, Border, undisturbed};
 use super::solution::{Solution, Solved};
 use super::workspace::Workspace;
 use super::{Effort, StepFailure, StepInput, StepOutput};
@@ -52,41 +53,69 @@ pub fn step_with_replicas(
             .map(|replica| of(replica.state, &replica.input))
     });
     let mut beside: Vec<[Prediction; 2]> = beside.collect();
-    let (mut assembly, mut solution) = linear_problem(&mut prediction, state, workspace);
+    let output = undisturbed(&mut prediction, state, |prediction, state| {
+        attempt(
+            (prediction, &mut beside),
+            (state, &mut *replicas),
+            workspace,
+            effort,
+        )
+    })?;
+    for replica in replicas.iter_mut().flatten() {
+        replica.state.calm.clone_from(&state.calm);
+        replica.state.ground.clone_from(&state.ground);
+    }
+    if output.solver.penalty > 0.0 && output.solver.penalty.is_finite() {
+        state.penalty = output.solver.penalty;
+    }
+    Ok(output)
+}
+
+/// Stages from detection on, of the step and those `beside` it.
+fn attempt(
+    (prediction, beside): (&mut Prediction, &mut [[Prediction; 2]]),
+    (state, replicas): (&mut State, &mut [[Replica<'_>; 2]]),
+    workspace: &mut Workspace,
+    effort: Effort,
+) -> Attempt {
+    let (mut assembly, mut solution) = linear_problem(prediction, state, workspace);
     for replica in beside.iter_mut().flatten() {
         replica.asleep.clone_from(&assembly.prediction.asleep);
     }
     let states = replicas
         .iter()
         .map(|pair| pair.each_ref().map(|replica| &*replica.state));
-    let mut pairs = pairs(&assembly, &beside, states);
-    let output = resolve(
-        &mut assembly,
-        &mut solution,
-        (state, effort),
-        workspace,
-        &mut pairs,
-    )?;
+    let mut pairs = pairs(&assembly, beside, states);
+    let how = (&*state, effort);
+    let resolved = resolve(&mut assembly, &mut solution, how, workspace, &mut pairs);
+    if let Some(disturbed) = Attempt::failed_beside_sleepers(&assembly, &resolved) {
+        return disturbed;
+    }
+    let output = match resolved {
+        Ok(output) => output,
+        Err(failure) => return Attempt::Done(Err(failure)),
+    };
     assembly.hold_on(&mut solution);
     spread_impacts(&mut assembly, &solution, state);
-    for (pair, replicas) in pairs.iter_mut().zip(&mut *replicas) {
-        for (side, replica) in pair.0.iter_mut().zip(replicas) {
-            side.take_impacts(&assembly);
-            commit(&side.solved(), replica.state, &mut Vec::new());
-        }
-    }
     let solved = Solved {
         assembly: &assembly,
         solution: &solution,
     };
-    commit(&solved, state, &mut Vec::new());
-    for replica in replicas.iter_mut().flatten() {
-        replica.state.calm.clone_from(&state.calm);
+    let border = Border::of(&solved, state);
+    let ends = border.ends(output);
+    if matches!(ends, Attempt::Disturbed(..)) {
+        return ends;
     }
-    if output.solver.penalty > 0.0 && output.solver.penalty.is_finite() {
-        state.penalty = output.solver.penalty;
+    for (pair, replicas) in pairs.iter_mut().zip(&mut *replicas) {
+        for (side, replica) in pair.0.iter_mut().zip(replicas) {
+            side.take_impacts(&assembly);
+            let (solved, state) = (side.solved(), &mut *replica.state);
+            let border = Border::of(&solved, state);
+            commit(&solved, state, &border, &mut Vec::new());
+        }
     }
-    Ok(output)
+    commit(&solved, state, &border, &mut Vec::new());
+    ends
 }
 
 /// [`super::remove_overlaps`] and [`super::initial_forces`], with pairs of states to either side of `state`.

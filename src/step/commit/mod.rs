@@ -10,6 +10,7 @@ use nalgebra::UnitQuaternion;
 
 use super::assemble::Assembly;
 use super::external;
+use super::sleep::Border;
 use super::solution::{Solution, Solved};
 use crate::Vec3;
 use crate::spatial::{SpatialVector, turned};
@@ -23,8 +24,13 @@ type Places<'a> = (&'a mut [Vec3], &'a mut [UnitQuaternion<f64>]);
 /// Likewise velocities and spins.
 type Velocities<'a> = (&'a mut [Vec3], &'a mut [Vec3]);
 
-/// Writes a solved step into `state`: motion, contact forces, wrenches, work. The time stays. `spare` is memory.
-pub(super) fn commit(solved: &Solved, state: &mut State, spare: &mut Vec<SpatialVector>) {
+/// Writes a solved step into `state`: motion, contact forces, wrenches, work. The time stays. `border` is that of `solved`, `spare` is memory.
+pub(super) fn commit(
+    solved: &Solved,
+    state: &mut State,
+    border: &Border,
+    spare: &mut Vec<SpatialVector>,
+) {
     let prediction = solved.prediction();
     let dt = prediction.step;
     let ends = prediction.end_poses(&solved.solution.velocity);
@@ -63,7 +69,7 @@ pub(super) fn commit(solved: &Solved, state: &mut State, spare: &mut Vec<Spatial
     let (external, clumps) = (&prediction.external, &prediction.clumps);
     external::keep(prediction.scene, state, external, clumps);
     solved.gravity_work(state);
-    solved.rest(state);
+    solved.rest(state, border);
     state.last_step = dt;
 }
 

@@ -1,0 +1,269 @@
+//! Bodies that sleep beside awake ones: the forces on them, old and new, must balance.
+
+use super::super::assemble::Assembly;
+use super::super::prediction::Prediction;
+use super::super::solution::Solved;
+use super::super::{StepFailure, StepOutput};
+use crate::Vec3;
+use crate::contact::{ContactForce, Partner};
+use crate::solver::Report;
+use crate::spatial::SpatialVector;
+use crate::state::State;
+
+/// The bodies that sleep and have contacts with awake ones, as a solution leaves them.
+pub(in crate::step) struct Border {
+    pub(super) bodies: Vec<Sleeper>,
+}
+
+/// A body that sleeps beside an awake one.
+pub(super) struct Sleeper {
+    /// The sphere, or the first member of the clump.
+    pub(super) sphere: usize,
+    /// Its centre \[m\].
+    pub(super) centre: Vec3,
+    /// Sum of all forces \[N\] and torques about its centre \[N m\] on it.
+    pub(super) net: SpatialVector,
+    /// What it is out of balance by, over what its forces allow for \[-\].
+    excess: f64,
+}
+
+impl Border {
+    /// The border of a step that is `solved`, before it is committed to `state`.
+    pub(in crate::step) fn of(solved: &Solved, state: &State) -> Self {
+        let (assembly, solution, prediction) =
+            (solved.assembly, solved.solution, solved.prediction());
+        let found = beside(assembly);
+        if found.is_empty() {
+            return Self { bodies: Vec::new() };
+        }
+        let rows = &assembly.problem.rows;
+        let mut sums = Sums::new(prediction, &found);
+        for (k, &impulse) in solution.impulses.iter().enumerate() {
+            let bodies = rows.bodies(k);
+            if impulse != Vec3::zeros() && bodies.iter().any(|&body| prediction.body_sleeps(body)) {
+                let grips = rows.get(k).jacobian();
+                for (side, sign) in [(0, 1.0), (1, -1.0)] {
+                    let force = impulse * (sign / prediction.step);
+                    sums.add(bodies[side], &grips[side].momentum(force), force.norm());
+                }
+            }
+        }
+        for (k, load) in state.contacts.iter().enumerate() {
+            if prediction.sleeps(load.key) {
+                sums.add_load(prediction, load, state.contacts.torque(k));
+            }
+        }
+        let tolerance = prediction.scene.settings.tolerance.force;
+        let bodies = (0..found.len()).map(|k| sums.sleeper(prediction, k, tolerance));
+        Self {
+            bodies: bodies.collect(),
+        }
+    }
+
+    /// How a step ends whose `output` is this: not, if a body is out of balance by more than the tolerance.
+    pub(in crate::step) fn ends(&self, output: StepOutput) -> Attempt {
+        let off = self.beyond(1.0);
+        match off.is_empty() {
+            true => Attempt::Done(Ok(output)),
+            false => Attempt::Disturbed(off, output.solver),
+        }
+    }
+
+    /// Spheres that are out of balance by more than `share` of what the tolerance of forces allows for.
+    pub(in crate::step) fn beyond(&self, share: f64) -> Vec<usize> {
+        let off = self.bodies.iter().filter(|body| body.excess > share);
+        off.map(|body| body.sphere).collect()
+    }
+}
+
+/// How an attempt at a step ends.
+pub(in crate::step) enum Attempt {
+    /// With the next state, or without.
+    Done(Result<StepOutput, StepFailure>),
+    /// The spheres, which sleep, would move; what the solver has done.
+    Disturbed(Vec<usize>, Report),
+}
+
+impl Attempt {
+    /// That of a problem which is not solved while bodies sleep beside those of its rows; `None` if it is, or none sleeps.
+    pub(in crate::step) fn failed_beside_sleepers(
+        assembly: &Assembly,
+        resolved: &Result<StepOutput, StepFailure>,
+    ) -> Option<Self> {
+        let report = match resolved {
+            Ok(output) if !output.unconverged => return None,
+            Ok(output) => output.solver,
+            Err(_) => Report::default(),
+        };
+        let found = beside(assembly);
+        let first = |&body: &u32| assembly.prediction.place_of(body).0;
+        let spheres: Vec<usize> = found.iter().map(first).collect();
+        (!spheres.is_empty()).then_some(Self::Disturbed(spheres, report))
+    }
+}
+
+/// Attempts a step until it moves nothing that sleeps. What would move wakes, with what is about it, more each time.
+pub(in crate::step) fn undisturbed(
+    prediction: &mut Prediction,
+    state: &mut State,
+    mut attempt: impl FnMut(&mut Prediction, &mut State) -> Attempt,
+) -> Result<StepOutput, StepFailure> {
+    let (mut rings, mut spent) = (1, Report::default());
+    loop {
+        match attempt(prediction, state) {
+            Attempt::Done(output) => {
+                return output.map(|output| StepOutput {
+                    solver: spent.then(output.solver),
+                    ..output
+                });
+            }
+            Attempt::Disturbed(spheres, report) => {
+                spent = spent.then(report);
+                prediction.wake_around(&spheres, rings, state);
+                rings *= 2;
+            }
+        }
+    }
+}
+
+/// The bodies that sleep and have rows, ascending.
+fn beside(assembly: &Assembly) -> Vec<u32> {
+    let (rows, prediction) = (&assembly.problem.rows, assembly.prediction);
+    if prediction.asleep.is_empty() {
+        return Vec::new();
+    }
+    let bodies = (0..rows.len()).flat_map(|k| rows.bodies(k));
+    let mut found: Vec<u32> = bodies
+        .filter(|&body| prediction.body_sleeps(body))
+        .collect();
+    found.sort_unstable();
+    found.dedup();
+    found
+}
+
+/// Sums of forces on some bodies.
+struct Sums<'a> {
+    bodies: &'a [u32],
+    /// Where each of all bodies is among these.
+    rank: Vec<u32>,
+    net: Vec<SpatialVector>,
+    /// Largest force of a contact \[N\].
+    largest: Vec<f64>,
+}
+
+impl<'a> Sums<'a> {
+    /// Of `bodies`: their external forces.
+    fn new(prediction: &Prediction, bodies: &'a [u32]) -> Self {
+        let mut rank = vec![u32::MAX; prediction.clump_body(prediction.clumps.len())];
+        for (k, &body) in bodies.iter().enumerate() {
+            rank[body as usize] = k as u32;
+        }
+        let external = |&body: &u32| prediction.external_force(body);
+        Self {
+            bodies,
+            rank,
+            net: bodies.iter().map(external).collect(),
+            largest: vec![0.0; bodies.len()],
+        }
+    }
+
+    /// Adds a force and torque, `size` \[N\] that of the force, if `body` is one of them.
+    fn add(&mut self, body: u32, force: &SpatialVector, size: f64) {
+        if let Some(&k) = self.rank.get(body as usize)
+            && k != u32::MAX
+        {
+            let k = k as usize;
+            self.net[k] = self.net[k].plus(force, 1.0);
+            self.largest[k] = self.largest[k].max(size);
+        }
+    }
+
+    /// Adds a contact that sleeps, with its couple \[N m\] on A.
+    fn add_load(&mut self, prediction: &Prediction, load: &ContactForce, couple: Vec3) {
+        let a = load.key.sphere as usize;
+        let mut give = |i: usize, side: f64| {
+            let (body, arm) = prediction.mover(i);
+            if self.rank[body as usize] == u32::MAX {
+                return;
+            }
+            let radius = prediction.scene.particles.radius[i];
+            let arm = arm.unwrap_or_default() - load.normal * (side * radius);
+            let force = SpatialVector {
+                linear: load.force * side,
+                angular: (arm.cross(&load.force) + couple) * side,
+            };
+            self.add(body, &force, load.force.norm());
+        };
+        give(a, 1.0);
+        if let Partner::Sphere { index, .. } = load.key.partner {
+            give(index as usize, -1.0);
+        }
+    }
+
+    fn sleeper(&self, prediction: &Prediction, k: usize, tolerance: f64) -> Sleeper {
+        let body = self.bodies[k];
+        let net = prediction.felt(body, &self.net[k]);
+        let (sphere, centre, reach) = prediction.place_of(body);
+        let off = net.linear.norm().max(net.angular.norm() / reach);
+        let allowed = tolerance * self.largest[k].max(prediction.weight(body));
+        Sleeper {
+            sphere,
+            centre,
+            net,
+            excess: off / allowed,
+        }
+    }
+}
+
+impl Prediction<'_> {
+    /// Rank of the clump that a body is.
+    fn clump_of(&self, body: u32) -> Option<usize> {
+        (body as usize).checked_sub(self.clump_body(0))
+    }
+
+    /// Whether a body, of `[N + D + C]` or the ground, sleeps.
+    pub(in crate::step) fn body_sleeps(&self, body: u32) -> bool {
+        match self.clump_of(body).and_then(|c| self.clumps.get(c)) {
+            Some(clump) => self.is_asleep(clump.clump.members.start),
+            None => self.is_asleep(body as usize),
+        }
+    }
+
+    /// External force \[N\] and torque \[N m\] on a sphere or clump.
+    fn external_force(&self, body: u32) -> SpatialVector {
+        if let Some(c) = self.clump_of(body) {
+            return self.clumps[c].external;
+        }
+        let i = body as usize;
+        let (particles, acceleration) = (&self.scene.particles, &self.external[i]);
+        SpatialVector {
+            linear: acceleration.linear * particles.mass[i],
+            angular: acceleration.angular * particles.inertia(i),
+        }
+    }
+
+    /// What of a force and torque on a body its locks leave.
+    fn felt(&self, body: u32, force: &SpatialVector) -> SpatialVector {
+        match self.clump_of(body) {
+            Some(_) => *force,
+            None => {
+                let [shifts, turns] = self.scene.particles.free(body as usize);
+                SpatialVector {
+                    linear: force.linear.component_mul(&shifts),
+                    angular: force.angular.component_mul(&turns),
+                }
+            }
+        }
+    }
+
+    /// The sphere, or first member of the clump, that a body is; its centre and its reach \[m\].
+    fn place_of(&self, body: u32) -> (usize, Vec3, f64) {
+        if let Some(c) = self.clump_of(body) {
+            let clump = &self.clumps[c];
+            let (centre, _) = clump.clump.place(&self.kinematics);
+            return (clump.clump.members.start, centre, clump.clump.shape.reach());
+        }
+        let i = body as usize;
+        (i, self.kinematics.position[i], self.scene.particles.radius[i])
+    }
+}

@@ -1,0 +1,325 @@
+//! What falls asleep at the end of a step.
+//!
+//! A sphere is calm while its centre and the surfaces of its contacts are slower than `rest_speed`, and no boundary that it
+//! touches moves. Spheres fall asleep that have been calm for ten steps, on a boundary, which takes the momentum that is left:
+//!
+//! - islands, that is spheres that hang together by loaded contacts or in one clump, where no sphere has gathered more than
+//!   a thousandth of the speed that gravity would have brought since it is calm: forces balance;
+//! - of other islands the parts that stand still: as slow as gravity would make them in ten thousandths of a step, with forces that
+//!   balance within the tolerance, and with neighbours, and theirs, that do.
+
+use petgraph::unionfind::UnionFind;
+
+use super::super::solution::Solved;
+use super::Border;
+use crate::Vec3;
+use crate::contact::{ContactForce, ContactId, Partner};
+use crate::scene::Scene;
+use crate::spatial::{SpatialVector, Wrench};
+use crate::state::{ASLEEP, State};
+
+/// Steps without motion after which spheres may fall asleep.
+const CALM: u32 = 10;
+/// Largest share of gravity that may be without balance: the speed over what gravity would have brought since motion ended.
+const BALANCE: f64 = 1e-3;
+/// Surface speed of a spin that no contact feels, over that of all other motion.
+const SPIN: f64 = 10.0;
+/// Contacts that lead from what sleeps alone to what does not stand still.
+const RINGS: usize = 2;
+/// Shares of the tolerance of forces by which a body may be out of balance: to fall asleep, and, beside what is awake, to sleep on.
+const FALLING: f64 = 0.125;
+const WAKING: f64 = 0.25;
+
+impl Solved<'_> {
+    /// Leaves in the `acceleration` of spheres that sleep no external one: their contacts, which are no rows, balance it.
+    pub(in crate::step) fn still(&self, acceleration: &mut [SpatialVector]) {
+        let prediction = self.prediction();
+        for i in (0..prediction.asleep.len()).filter(|&i| prediction.asleep[i]) {
+            acceleration[i] = SpatialVector::ZERO;
+        }
+    }
+
+    /// Counts steps without motion and lets spheres fall asleep, at the end of a step. What sleeps at the `border` out of balance wakes.
+    pub(in crate::step) fn rest(&self, state: &mut State, border: &Border) {
+        let prediction = self.prediction();
+        let scene = prediction.scene;
+        if !may_rest(scene) {
+            return;
+        }
+        state.calm.resize(scene.particles.len(), 0);
+        state.ground.resize(scene.particles.len(), 0);
+        self.hand_on(state, border);
+        for i in border.beyond(WAKING) {
+            state.calm[i] = 0;
+        }
+        let mut calm = self.calm_spheres(state);
+        for spring in &scene.springs {
+            calm[spring.sphere] = false;
+        }
+        let slow = scene.settings.rest_speed;
+        for load in state.contacts.iter() {
+            if self.slip(state, load) > slow || !self.is_on_ground(load.key) {
+                load.key.spheres().for_each(|i| calm[i] = false);
+            }
+        }
+        for clump in &scene.clumps {
+            // A clump is calm as a whole, and a member that another one has moved is awake.
+            let members = clump.members.clone();
+            let whole = members.clone().all(|i| calm[i]);
+            calm[members].fill(whole);
+        }
+        let mut due = false;
+        for (i, count) in state.calm.iter_mut().enumerate() {
+            if *count == ASLEEP && prediction.is_asleep(i) {
+                continue;
+            }
+            // One that was woken counts anew.
+            let before = if *count == ASLEEP { 0 } else { *count };
+            *count = if calm[i] {
+                (before + 1).min(ASLEEP - 1)
+            } else {
+                0
+            };
+            due |= *count > 0 && *count % CALM == 0;
+        }
+        if due {
+            self.fall_asleep(state);
+        }
+    }
+
+    /// Whether each sphere is slow.
+    fn calm_spheres(&self, state: &State) -> Vec<bool> {
+        let scene = self.prediction().scene;
+        let (slow, radius) = (scene.settings.rest_speed, &scene.particles.radius);
+        let calm = |i: usize| {
+            let v = self.reported(state, i);
+            state.kinematics.present[i]
+                && v.linear.norm() <= slow
+                && v.angular.norm() * radius[i] <= SPIN * slow
+        };
+        (0..radius.len()).map(calm).collect()
+    }
+
+    /// Whether sphere `i` has been slow for long enough, and is slower than forces without balance would make it.
+    fn balances(&self, state: &State, i: usize) -> bool {
+        let prediction = self.prediction();
+        let time = f64::from(state.calm[i]) * prediction.step;
+        let speed = self.reported(state, i).linear.norm();
+        state.calm[i] >= CALM && speed <= BALANCE * self.pull() * time
+    }
+
+    /// Gravity \[m/s^2\], or what loads would accelerate all by.
+    fn pull(&self) -> f64 {
+        match self.prediction().gravity_size {
+            0.0 => self.prediction().mean_acceleration,
+            gravity => gravity,
+        }
+    }
+
+    fn reported(&self, state: &State, i: usize) -> SpatialVector {
+        let integrator = self.prediction().scene.settings.integrator;
+        let velocity = state.kinematics.spatial_velocity(i);
+        integrator.reported(&velocity, &state.smooth[i], self.prediction().step)
+    }
+
+    /// Speed of the surfaces of a contact against each other, on a boundary at rest \[m/s\].
+    fn slip(&self, state: &State, load: &ContactForce) -> f64 {
+        let radius = &self.prediction().scene.particles.radius;
+        let one = |i: usize| {
+            let v = self.reported(state, i);
+            (v.linear, v.angular * radius[i])
+        };
+        let (own, spin) = one(load.key.sphere as usize);
+        let (apart, turning) = match load.key.partner {
+            Partner::Sphere { index, .. } => {
+                let (other, turning) = one(index as usize);
+                (own - other, spin + turning)
+            }
+            Partner::Boundary { .. } => (own, spin),
+        };
+        (apart - turning.cross(&load.normal)).norm()
+    }
+
+    /// Whether a contact is between spheres or with a boundary that does not move.
+    fn is_on_ground(&self, key: ContactId) -> bool {
+        match key.partner {
+            Partner::Sphere { .. } => true,
+            Partner::Boundary { boundary, .. } => !self.prediction().moves(usize::from(boundary)),
+        }
+    }
+
+    /// Lets the spheres of calm islands fall asleep, and parts of others that stand still.
+    fn fall_asleep(&self, state: &mut State) {
+        let scene = self.prediction().scene;
+        let asleep = |i: usize| state.calm[i] == ASLEEP;
+        let islands = islands(scene, state, |_| true);
+        let mut whole = vec![true; islands.len()];
+        for (i, island) in islands.iter().enumerate() {
+            whole[*island] &= asleep(i) || self.balances(state, i);
+        }
+        let still = self.still_spheres(state);
+        let of = |i: usize| asleep(i) || whole[islands[i]] || still[i];
+        let sleeps: Vec<bool> = (0..still.len()).map(of).collect();
+        let parts = self::islands(scene, state, |i| sleeps[i]);
+        // The strongest contact with a boundary of each.
+        let mut ground: Vec<Option<(ContactForce, f64)>> = vec![None; parts.len()];
+        for load in state.contacts.iter() {
+            let i = load.key.sphere as usize;
+            if matches!(load.key.partner, Partner::Boundary { .. }) && sleeps[i] {
+                let (size, known) = (load.force.norm(), &mut ground[parts[i]]);
+                if known.is_none_or(|(_, most)| size > most) {
+                    *known = Some((*load, size));
+                }
+            }
+        }
+        for i in (0..sleeps.len()).filter(|&i| sleeps[i]) {
+            if let Some((load, _)) = &ground[parts[i]]
+                && let Partner::Boundary { boundary, .. } = load.key.partner
+                && state.calm[i] != ASLEEP
+            {
+                self.stop(state, i, load);
+                (state.calm[i], state.ground[i]) = (ASLEEP, boundary);
+            }
+        }
+    }
+
+    /// Whether each sphere stands still, or sleeps, and all do that a few contacts lead to from it.
+    fn still_spheres(&self, state: &State) -> Vec<bool> {
+        let scene = self.prediction().scene;
+        let of = |i| state.calm[i] == ASLEEP || self.stands(state, i);
+        let mut still: Vec<bool> = (0..state.calm.len()).map(of).collect();
+        for _ in 0..RINGS {
+            let before = still.clone();
+            for load in state.contacts.iter() {
+                if load.key.spheres().any(|i| !before[i]) {
+                    load.key.spheres().for_each(|i| still[i] = false);
+                }
+            }
+            for members in scene.clumps.iter().map(|clump| clump.members.clone()) {
+                let whole = members.clone().all(|i| still[i]);
+                still[members].fill(whole);
+            }
+        }
+        still
+    }
+
+    /// Whether sphere `i` is slower than forces without balance make it in a few steps, and its forces balance.
+    fn stands(&self, state: &State, i: usize) -> bool {
+        let prediction = self.prediction();
+        let settings = &prediction.scene.settings;
+        let pull = self.pull();
+        let radius = prediction.scene.particles.radius[i];
+        let size = |v: &SpatialVector| v.linear.norm().max(v.angular.norm() * radius);
+        let time = f64::from(CALM) * prediction.step;
+        state.calm[i] >= CALM
+            && self.reported(state, i).linear.norm() <= BALANCE * pull * time
+            && size(&state.smooth[i]) <= FALLING * settings.tolerance.force * pull
+    }
+
+    /// Stops sphere `i`. The boundary of the contact `ground` takes its momentum, the ledger its kinetic energy. Those of a clump go with
+    /// its first member.
+    fn stop(&self, state: &mut State, i: usize, ground: &ContactForce) {
+        if let Some((centre, momentum, energy)) = self.carries(state, i) {
+            self.owe(state, ground, &momentum, centre);
+            state.work.numerical_work -= energy;
+        }
+        state.kinematics.velocity[i] = Vec3::zeros();
+        state.kinematics.spin[i] = Vec3::zeros();
+        state.smooth[i] = SpatialVector::ZERO;
+    }
+
+    /// Gives the boundary of the contact `ground` the `momentum` of a body at `centre` \[m\].
+    fn owe(
+        &self,
+        state: &mut State,
+        ground: &ContactForce,
+        momentum: &SpatialVector,
+        centre: Vec3,
+    ) {
+        let Partner::Boundary { boundary, .. } = ground.key.partner else {
+            return;
+        };
+        let b = usize::from(boundary);
+        let reference = self.prediction().scene.boundaries[b].point_of_action;
+        let pivot = reference + state.poses[b].translation;
+        let impulse = Wrench {
+            force: momentum.linear,
+            torque: (centre - pivot).cross(&momentum.linear) + momentum.angular,
+        };
+        state.owed[b].add(&impulse, 1.0);
+        self.strike(state, ground, momentum.linear);
+    }
+
+    /// Gives what the bodies of the border are out of balance by to the boundaries on which they sleep, where these are pressed most.
+    fn hand_on(&self, state: &mut State, border: &Border) {
+        if border.bodies.is_empty() {
+            return;
+        }
+        let mut strongest: Vec<Option<ContactForce>> = vec![None; state.poses.len()];
+        for load in state.contacts.iter() {
+            if let Partner::Boundary { boundary, .. } = load.key.partner {
+                let known = &mut strongest[usize::from(boundary)];
+                let size = |load: &ContactForce| load.force.norm_squared();
+                if known.is_none_or(|known| size(load) > size(&known)) {
+                    *known = Some(*load);
+                }
+            }
+        }
+        let step = self.prediction().step;
+        for body in &border.bodies {
+            if let Some(load) = &strongest[usize::from(state.ground[body.sphere])] {
+                let impulse = SpatialVector::ZERO.plus(&body.net, step);
+                self.owe(state, load, &impulse, body.centre);
+            }
+        }
+    }
+
+    /// Centre \[m\], momentum and kinetic energy \[J\] of the body that has sphere `i` as its first member.
+    fn carries(&self, state: &State, i: usize) -> Option<(Vec3, SpatialVector, f64)> {
+        let scene = self.prediction().scene;
+        let (particles, v) = (&scene.particles, self.reported(state, i));
+        let Some(c) = particles.clump(i) else {
+            let momentum = SpatialVector {
+                linear: v.linear * particles.mass[i],
+                angular: v.angular * particles.inertia(i),
+            };
+            let energy = particles.kinetic_energy(i, &v.linear, &v.angular);
+            return Some((state.kinematics.position[i], momentum, energy));
+        };
+        let clump = &scene.clumps[c];
+        if clump.members.start != i {
+            return None;
+        }
+        let (centre, rotation) = clump.place(&state.kinematics);
+        let own = clump.of_member(rotation, &v);
+        let momentum = clump.shape.momentum(rotation, &own);
+        let energy = clump.shape.kinetic_energy(rotation, &own).iter().sum();
+        Some((centre, momentum, energy))
+    }
+}
+
+/// Whether spheres may fall asleep in a scene.
+fn may_rest(scene: &Scene) -> bool {
+    scene.settings.rest_speed > 0.0 && scene.settings.is_steady()
+}
+
+/// Spheres that hang together by loaded contacts, or in one clump, of those that are `in_it`: the label of each.
+fn islands(scene: &Scene, state: &State, in_it: impl Fn(usize) -> bool) -> Vec<usize> {
+    let mut islands = UnionFind::new(state.kinematics.len());
+    for members in scene.clumps.iter().map(|clump| clump.members.clone()) {
+        let first = members.start;
+        members.for_each(|i| {
+            islands.union(first, i);
+        });
+    }
+    for load in state.contacts.iter() {
+        let a = load.key.sphere as usize;
+        if let Partner::Sphere { index, .. } = load.key.partner
+            && in_it(a)
+            && in_it(index as usize)
+        {
+            islands.union(a, index as usize);
+        }
+    }
+    islands.into_labeling()
+}
