@@ -25,6 +25,8 @@ const ACCEPT_SWEEPS: usize = 2000;
 const ACCEPT_FACTORIZATIONS: usize = 60;
 const CHUNK: usize = 50;
 const CHUNKS: usize = 10;
+/// Sweeps without momentum from no impulses at all, each of which takes energy away, where the best iterate makes some.
+const PLAIN_SWEEPS: usize = 500;
 
 /// Gauss-Seidel sweeps that `auto` spends before it turns to Newton.
 const AUTO_SWEEPS: usize = 1000;
@@ -117,9 +119,31 @@ fn best(
         }
     }
     impulses.copy_from_slice(&best.impulses);
+    if makes_energy(problem, impulses) {
+        impulses.fill(Vec3::zeros());
+        gauss_seidel::smooth(problem, PLAIN_SWEEPS, &mut workspace.kernel, impulses);
+        report.sweeps += PLAIN_SWEEPS;
+        residual = evaluate(problem, &Scale::of(problem), impulses);
+    }
     report.residual = residual;
     report.converged = residual.within(tolerance);
     report
+}
+
+/// Whether impulses make energy that neither the motion nor what presses gives them: `p . ((u_0 + u)/2 + b + c p/2) > 0`, with `u_0` the
+/// relative velocities without impulses. At a solution `p . (u + b + c p) <= 0`, and `p . u_0` is less than `p . u` by `p . W p`.
+fn makes_energy(problem: &Problem, impulses: &[Vec3]) -> bool {
+    let velocity = problem.velocities(impulses);
+    let rows = problem.rows.iter().zip(impulses);
+    let work = rows.map(|(row, p)| {
+        let [free, after] =
+            [&problem.free, &velocity].map(|velocity| row.relative_velocity(velocity));
+        let p_n = p.dot(&row.normal);
+        let springs = row.compliance_n * p_n * p_n
+            + row.compliance_t * (p.norm_squared() - p_n * p_n);
+        p.dot(&((free + after) * 0.5 + row.bias)) + 0.5 * springs
+    });
+    work.sum::<f64>() > 0.0
 }
 
 /// What a solution comes from: sweeps know its velocities.

@@ -9,6 +9,7 @@ use super::solve::{reserve_share, solve};
 use super::verify::verify;
 use super::workspace::Workspace;
 use super::{Effort, StepFailure, StepOutput};
+use crate::scene::Method;
 use crate::solver::Report;
 use crate::state::{Squeezed, State};
 
@@ -113,16 +114,17 @@ impl Passes {
         let how = (self.penalty, self.effort, share);
         let report = solve(assembly, solution, how, &mut workspace.solver, limit);
         self.total = self.total.then(report);
+        let spent = |total: &Report, budget: Option<usize>| budget.is_some_and(|most| total.sweeps >= most);
         if !self.total.converged
             && accept
+            && !spent(&self.total, self.budget)
             && let Some(squeezed) = soften_pinched(assembly, solution)
         {
             self.squeezed = Some(squeezed);
             let report = solve(assembly, solution, how, &mut workspace.solver, limit);
             self.total = self.total.then(report);
         }
-        let spent = self.budget.is_some_and(|most| self.total.sweeps >= most);
-        let as_it_is = spent || (accept && !self.total.converged);
+        let as_it_is = spent(&self.total, self.budget) || (accept && !self.total.converged);
         if !self.total.converged && !as_it_is {
             return Err(failed(assembly, solution, &self.total));
         }
@@ -133,6 +135,9 @@ impl Passes {
             ..failed(assembly, solution, &self.total)
         })?;
         let gaps = (verdict.max_overlap, verdict.max_opening);
+        let settings = &assembly.prediction.scene.settings;
+        let alm = settings.method == Method::Alm;
+        let overlaps = alm && assembly.moves && gaps.0 > settings.tolerance.gap;
         let compression = verdict.max_compression;
         let output = StepOutput::of(self.total, [gaps.0, gaps.1, compression]);
         let correction = match verdict.correction {
@@ -143,7 +148,8 @@ impl Passes {
             Some(correction) if self.count < PASSES => Ok(Pass::Corrected(correction)),
             Some(_) if !accept => Err(failed_to_converge(assembly, solution, gaps)),
             correction => Ok(Pass::Accepted(StepOutput {
-                unconverged: correction.is_some()
+                unconverged: overlaps
+                    || correction.is_some()
                     || !self.total.converged
                     || self.squeezed.is_some(),
                 squeezed: self.squeezed,

@@ -31,6 +31,7 @@ pub(super) fn solve(
     if let Some(sweeps) = sweeps {
         params.kind = SolverKind::GaussSeidel;
         params.max_sweeps = sweeps;
+        params.accept = false;
     }
     workspace.velocity = take(&mut solution.velocity);
     let report = solver::solve(

@@ -106,14 +106,16 @@ impl Gaps {
             if !(loaded || assembly.is_with_boundary(k)) {
                 return Self::NONE;
             }
-            let gap = true_gap(assembly, solution, end, k) / assembly.problem.rows.radius(k);
+            let radius = assembly.problem.rows.radius(k);
+            let gap = true_gap(assembly, solution, end, k) / radius;
+            let left = settings.left(assembly.candidates[k].gap, radius, assembly.prediction.step);
             let opening = match loaded && !assembly.impact[k] {
                 true => gap.max(0.0),
                 false => 0.0,
             };
             Self {
                 opening,
-                off: gap < -tolerance || opening > widest,
+                off: gap < -tolerance - left / radius || opening > widest,
                 ..Self::NONE
             }
         };
@@ -199,9 +201,11 @@ fn correction(
         return None;
     }
     // A rebound yields only to an overlap; a spring that the step resolves is as it is.
+    let settings = &assembly.prediction.scene.settings;
     let yields = |k: usize| {
         let radius = assembly.problem.rows.radius(k);
-        let overlaps = || true_gap(assembly, solution, end, k) < -tolerance * radius;
+        let left = settings.left(assembly.candidates[k].gap, radius, assembly.prediction.step);
+        let overlaps = || true_gap(assembly, solution, end, k) < -tolerance * radius - left;
         assembly.compressed(k).is_some()
             || assembly.elastic(k).is_none() && (!assembly.impact[k] || overlaps())
     };

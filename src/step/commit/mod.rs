@@ -2,16 +2,18 @@
 
 mod energy;
 mod forces;
+mod impacts;
 mod walls;
+
+pub(super) use impacts::spread_impacts;
 
 use std::mem::swap;
 
 use nalgebra::UnitQuaternion;
 
-use super::assemble::Assembly;
 use super::external;
 use super::sleep::Border;
-use super::solution::{Solution, Solved};
+use super::solution::Solved;
 use crate::Vec3;
 use crate::spatial::{SpatialVector, turned};
 use crate::state::State;
@@ -71,44 +73,6 @@ pub(super) fn commit(
     solved.gravity_work(state);
     solved.rest(state, border);
     state.last_step = dt;
-}
-
-/// Counts as impacts the contacts that an impact has hit through others: their impulses are more than twice what they
-/// carried before and what loads bring in a step. As smooth forces they would shift the half step.
-pub(super) fn spread_impacts(assembly: &mut Assembly, solution: &Solution, state: &State) {
-    let struck = |(k, p): (usize, &Vec3)| *p != Vec3::zeros() && assembly.is_impact(k);
-    if !solution.impulses.iter().enumerate().any(struck) {
-        return;
-    }
-    let prediction = assembly.prediction;
-    let step = prediction.step;
-    let first = assembly.first_joint();
-    for (k, joint) in assembly.joints.iter_mut().enumerate() {
-        let load = prediction.weight(assembly.problem.rows.bodies(first + k)[0]);
-        let before = joint.limit.force.abs();
-        let handed_on = solution.impulses[first + k].norm() > 2.0 * step * (before + load);
-        joint.impact |= joint.limit.stops() && handed_on;
-    }
-    for (k, (impact, past)) in assembly.impact.iter_mut().zip(&assembly.past).enumerate() {
-        // What a step resolves is no impact.
-        if assembly
-            .elastic
-            .get(k)
-            .is_some_and(|e| e.is_some_and(|e| e.is_resolved()))
-        {
-            continue;
-        }
-        let size = solution.impulses[k].norm();
-        let before = past.force(&state.contacts).norm();
-        // Most carry what they did.
-        if size <= 2.0 * step * before {
-            continue;
-        }
-        let bodies = assembly.problem.rows.bodies(k);
-        let load = bodies.map(|body| prediction.weight(body));
-        let load = load[0].max(load[1]);
-        *impact |= size > 2.0 * step * (before + load);
-    }
 }
 
 impl Solved<'_> {

@@ -10,6 +10,9 @@ use crate::solver::Report;
 use crate::spatial::SpatialVector;
 use crate::state::State;
 
+/// Out of balance by so many times what the tolerance of forces allows for, a body wakes within the step, and not after it.
+const DISTURBED: f64 = 10.0;
+
 /// The bodies that sleep and have contacts with awake ones, as a solution leaves them.
 pub(in crate::step) struct Border {
     pub(super) bodies: Vec<Sleeper>,
@@ -23,7 +26,8 @@ pub(super) struct Sleeper {
     pub(super) centre: Vec3,
     /// Sum of all forces \[N\] and torques about its centre \[N m\] on it.
     pub(super) net: SpatialVector,
-    /// What it is out of balance by, over what its forces allow for \[-\].
+    /// What it is out of balance by, over the tolerance times the sum of the sizes of its contacts' forces, or times its weight if that is
+    /// more \[-\].
     excess: f64,
 }
 
@@ -60,9 +64,9 @@ impl Border {
         }
     }
 
-    /// How a step ends whose `output` is this: not, if a body is out of balance by more than the tolerance.
+    /// How a step ends whose `output` is this: not, if a body is out of balance by much more than the tolerance.
     pub(in crate::step) fn ends(&self, output: StepOutput) -> Attempt {
-        let off = self.beyond(1.0);
+        let off = self.beyond(DISTURBED);
         match off.is_empty() {
             true => Attempt::Done(Ok(output)),
             false => Attempt::Disturbed(off, output.solver),
@@ -147,8 +151,8 @@ struct Sums<'a> {
     /// Where each of all bodies is among these.
     rank: Vec<u32>,
     net: Vec<SpatialVector>,
-    /// Largest force of a contact \[N\].
-    largest: Vec<f64>,
+    /// Sum of the sizes of the contacts' forces \[N\].
+    sizes: Vec<f64>,
 }
 
 impl<'a> Sums<'a> {
@@ -163,7 +167,7 @@ impl<'a> Sums<'a> {
             bodies,
             rank,
             net: bodies.iter().map(external).collect(),
-            largest: vec![0.0; bodies.len()],
+            sizes: vec![0.0; bodies.len()],
         }
     }
 
@@ -174,7 +178,7 @@ impl<'a> Sums<'a> {
         {
             let k = k as usize;
             self.net[k] = self.net[k].plus(force, 1.0);
-            self.largest[k] = self.largest[k].max(size);
+            self.sizes[k] += size;
         }
     }
 
@@ -205,7 +209,7 @@ impl<'a> Sums<'a> {
         let net = prediction.felt(body, &self.net[k]);
         let (sphere, centre, reach) = prediction.place_of(body);
         let off = net.linear.norm().max(net.angular.norm() / reach);
-        let allowed = tolerance * self.largest[k].max(prediction.weight(body));
+        let allowed = tolerance * self.sizes[k].max(prediction.weight(body));
         Sleeper {
             sphere,
             centre,

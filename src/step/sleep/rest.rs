@@ -6,7 +6,7 @@
 //! - islands, that is spheres that hang together by loaded contacts or in one clump, where no sphere has gathered more than
 //!   a thousandth of the speed that gravity would have brought since it is calm: forces balance;
 //! - of other islands the parts that stand still: as slow as gravity would make them in ten thousandths of a step, with forces that
-//!   balance within the tolerance, and with neighbours, and theirs, that do.
+//!   balance within the tolerance, and with neighbours that do.
 
 use petgraph::unionfind::UnionFind;
 
@@ -24,11 +24,11 @@ const CALM: u32 = 10;
 const BALANCE: f64 = 1e-3;
 /// Surface speed of a spin that no contact feels, over that of all other motion.
 const SPIN: f64 = 10.0;
-/// Contacts that lead from what sleeps alone to what does not stand still.
-const RINGS: usize = 2;
+/// Contacts that lead at least from what falls asleep to what does not stand still, less one.
+const RINGS: usize = 1;
 /// Shares of the tolerance of forces by which a body may be out of balance: to fall asleep, and, beside what is awake, to sleep on.
-const FALLING: f64 = 0.125;
-const WAKING: f64 = 0.25;
+const FALLING: f64 = 0.5;
+const WAKING: f64 = 1.0;
 
 impl Solved<'_> {
     /// Leaves in the `acceleration` of spheres that sleep no external one: their contacts, which are no rows, balance it.

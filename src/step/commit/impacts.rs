@@ -1,0 +1,109 @@
+//! Which contacts of a solved step count as impacts: their forces are none that the next step may go on with. As smooth forces they
+//! would shift the half step.
+
+use crate::Vec3;
+use crate::problem::GROUND;
+use crate::spatial::SpatialVector;
+use crate::state::State;
+use crate::step::assemble::Assembly;
+use crate::step::output::StepOutput;
+use crate::step::rows::elastic::ElasticContact;
+use crate::step::solution::Solution;
+
+/// Forces over those carried before and what loads bring, from which on a contact was hit through others.
+const STRUCK: f64 = 2.0;
+/// Forces that a body keeps over what changes its motion, from which on they only hold against its impacts.
+const HELD: f64 = 4.0;
+
+/// Counts as impacts the contacts that an impact has hit through others: their impulses are more than [`STRUCK`] times what they
+/// carried before and what loads bring in a step, or their sum on a body only holds against its impacts. Of a step that does not meet its
+/// tolerances, as `output` says, all are.
+pub(in crate::step) fn spread_impacts(
+    assembly: &mut Assembly,
+    solution: &Solution,
+    state: &State,
+    output: &StepOutput,
+) {
+    if output.unconverged {
+        assembly.impact.fill(true);
+        assembly.joints.iter_mut().for_each(|joint| joint.impact = true);
+        return;
+    }
+    let struck = |(k, p): (usize, &Vec3)| *p != Vec3::zeros() && assembly.is_impact(k);
+    if !solution.impulses.iter().enumerate().any(struck) {
+        return;
+    }
+    let prediction = assembly.prediction;
+    let step = prediction.step;
+    let first = assembly.first_joint();
+    for (k, joint) in assembly.joints.iter_mut().enumerate() {
+        let load = prediction.weight(assembly.problem.rows.bodies(first + k)[0]);
+        let before = joint.limit.force.abs();
+        let handed_on = solution.impulses[first + k].norm() > STRUCK * step * (before + load);
+        joint.impact |= joint.limit.stops() && handed_on;
+    }
+    for (k, (impact, past)) in assembly.impact.iter_mut().zip(&assembly.past).enumerate() {
+        if is_resolved(&assembly.elastic, k) {
+            continue;
+        }
+        let size = solution.impulses[k].norm();
+        let before = past.force(&state.contacts).norm();
+        // Most carry what they did.
+        if size <= STRUCK * step * before {
+            continue;
+        }
+        let bodies = assembly.problem.rows.bodies(k);
+        let load = bodies.map(|body| prediction.weight(body));
+        let load = load[0].max(load[1]);
+        *impact |= size > STRUCK * step * (before + load);
+    }
+    while hold_against(assembly, solution) {}
+}
+
+/// Counts as impacts the contacts of bodies whose smooth forces and impacts, each much more than what both together change of the motion,
+/// cancel. Returns whether there were any.
+fn hold_against(assembly: &mut Assembly, solution: &Solution) -> bool {
+    let rows = &assembly.problem.rows;
+    let mut sums = vec![[SpatialVector::ZERO; 2]; assembly.problem.free.len()];
+    for (k, &impulse) in solution.impulses.iter().enumerate() {
+        if impulse == Vec3::zeros() {
+            continue;
+        }
+        let kind = usize::from(assembly.is_impact(k));
+        let grips = rows.get(k).jacobian();
+        for (side, body) in rows.bodies(k).into_iter().enumerate() {
+            if body != GROUND {
+                let push = grips[side].momentum([impulse, -impulse][side]);
+                let sum = &mut sums[body as usize][kind];
+                *sum = sum.plus(&push, 1.0);
+            }
+        }
+    }
+    let prediction = assembly.prediction;
+    let holds = |k: usize, side: usize| {
+        let body = rows.bodies(k)[side];
+        if body == GROUND {
+            return false;
+        }
+        let [smooth, impacts] = &sums[body as usize];
+        let net = smooth.plus(impacts, 1.0);
+        let brought = prediction.step * prediction.weight(body);
+        let radius = rows.radius(k);
+        smooth.linear.norm() > HELD * (net.linear.norm() + brought)
+            || smooth.angular.norm() > HELD * (net.angular.norm() + brought * radius)
+    };
+    let also = |k: usize| {
+        let smooth = !assembly.impact[k] && !is_resolved(&assembly.elastic, k) && solution.loads(k);
+        smooth && (holds(k, 0) || holds(k, 1))
+    };
+    let found: Vec<usize> = (0..assembly.impact.len()).filter(|&k| also(k)).collect();
+    found.iter().for_each(|&k| assembly.impact[k] = true);
+    !found.is_empty()
+}
+
+/// Whether contact `k` gives way and the step resolves how: that is no impact.
+fn is_resolved(elastic: &[Option<ElasticContact>], k: usize) -> bool {
+    elastic
+        .get(k)
+        .is_some_and(|elastic| elastic.is_some_and(|elastic| elastic.is_resolved()))
+}
