@@ -155,18 +155,17 @@ const OPENED: f64 = 0.01;
 impl Settings {
     /// Gap \[m\] at which a contact is to carry load that a step of `dt` \[s\] finds at `gap` \[m\], `radius` \[m\] being the smaller
     /// one: its own between one and two reserves, so that what rests keeps its place and its forces. A narrower one opens
-    /// little by little, which presses like a hundredth of the weight; an overlap that no step should have left, as
-    /// [`Self::left`] has it.
+    /// little by little, which presses like a hundredth of the weight.
     #[inline]
     pub(crate) fn carried(&self, gap: f64, radius: f64, dt: f64) -> f64 {
         let reserve = self.reserve() * radius;
         let touching = gap.max(0.0);
         let opened = touching + OPENED * self.gravity.norm() * dt * dt;
-        opened.min(reserve).max(touching).min(2.0 * reserve) - self.left(gap, radius, dt)
+        opened.min(reserve).max(touching).min(2.0 * reserve)
     }
 
-    /// Overlap \[m\] that a step of `dt` \[s\] may leave of one beyond the tolerance, `gap < -R gap_tol`: it is pushed out as fast as in
-    /// one longest step. In a short step `overlap/dt` would be a shot.
+    /// Overlap \[m\] that a step of `dt` \[s\] may leave of one that it finds at `gap` \[m\] beyond the tolerance: that is pushed out as fast
+    /// as in one longest step. In a short step `overlap/dt` would be a shot.
     #[inline]
     pub(crate) fn left(&self, gap: f64, radius: f64, dt: f64) -> f64 {
         let beyond = -gap - self.tolerance.gap * radius;

@@ -44,6 +44,17 @@ pub(super) fn error_of(assembly: &Assembly, solution: &Solution, k: usize, gap: 
     }
 }
 
+/// Overlap \[m\] that the step may leave of the one with which contact `k` begins. The candidate of a late contact has another gap.
+pub(super) fn left_of(assembly: &Assembly, k: usize) -> f64 {
+    let prediction = assembly.prediction;
+    let (settings, radius) = (&prediction.scene.settings, assembly.problem.rows.radius(k));
+    let start = match assembly.candidates[k].gap < 0.0 {
+        true => assembly.start().gap(&assembly.candidates[k]) - assembly.rest(k),
+        false => 0.0,
+    };
+    settings.left(start, radius, prediction.step)
+}
+
 impl Correction {
     /// Applies this to a problem at its `solution`; forces of the last step are those of `state`. Late contacts are impacts as
     /// found, which is returned, or as in `impact`.
@@ -123,7 +134,7 @@ fn relinearise(assembly: &mut Assembly, solution: &Solution, end: &Configuration
         c => solution.impulses[k].dot(&n) * c * step,
     };
     let start = assembly.candidates[k].gap - assembly.rest(k);
-    let carried = settings.carried(start, rows.radius(k), step);
+    let carried = settings.carried(start, rows.radius(k), step) - left_of(assembly, k);
     let wanted = (gap - carried - compression - linear) / step;
     let now = rows.bias(k);
     let wanted = match assembly.impact[k] {

@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use super::Tunnelling;
 use super::assemble::Assembly;
-use super::correction::{Correction, error_of, true_gap};
+use super::correction::{Correction, error_of, left_of, true_gap};
 use super::solution::Solution;
 use super::tunnelling::{passed, struck};
 use super::workspace::Workspace;
@@ -108,14 +108,14 @@ impl Gaps {
             }
             let radius = assembly.problem.rows.radius(k);
             let gap = true_gap(assembly, solution, end, k) / radius;
-            let left = settings.left(assembly.candidates[k].gap, radius, assembly.prediction.step);
             let opening = match loaded && !assembly.impact[k] {
                 true => gap.max(0.0),
                 false => 0.0,
             };
             Self {
                 opening,
-                off: gap < -tolerance - left / radius || opening > widest,
+                off: opening > widest
+                    || gap < -tolerance && gap < -tolerance - left_of(assembly, k) / radius,
                 ..Self::NONE
             }
         };
@@ -201,11 +201,11 @@ fn correction(
         return None;
     }
     // A rebound yields only to an overlap; a spring that the step resolves is as it is.
-    let settings = &assembly.prediction.scene.settings;
     let yields = |k: usize| {
         let radius = assembly.problem.rows.radius(k);
-        let left = settings.left(assembly.candidates[k].gap, radius, assembly.prediction.step);
-        let overlaps = || true_gap(assembly, solution, end, k) < -tolerance * radius - left;
+        let overlaps = || {
+            true_gap(assembly, solution, end, k) < -tolerance * radius - left_of(assembly, k)
+        };
         assembly.compressed(k).is_some()
             || assembly.elastic(k).is_none() && (!assembly.impact[k] || overlaps())
     };

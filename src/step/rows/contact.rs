@@ -148,6 +148,7 @@ impl Prediction<'_> {
                 let settings = &self.scene.settings;
                 let gap = candidate.gap - hold.rest();
                 gap - settings.carried(gap, contact.radius, self.step)
+                    + settings.left(gap, contact.radius, self.step)
             }
         };
         let impact = known_impact.unwrap_or_else(|| {
