@@ -98,6 +98,9 @@ impl Simulation {
         };
         let before = self.state.fork(memory);
         self.state.report = StepReport::default();
+        if self.state.momentum_step == 0.0 {
+            self.state.momentum_step = plan.length().min(self.scene.settings.step);
+        }
         // One too short for a mean of its own goes on with the last one.
         if h >= REMAINDER * self.state.last_step {
             self.state
@@ -306,7 +309,7 @@ impl Simulation {
     pub(super) fn book(&mut self, before: &Before, dt: f64, totals: &mut ImpulseTotals) {
         totals.length += dt;
         let settings = &self.scene.settings;
-        let shift = settings.integrator.shift(dt, settings.step);
+        let shift = settings.integrator.shift(dt, self.state.momentum_step);
         for (b, sum) in totals.impulse.iter_mut().enumerate() {
             sum.add(&self.state.wrenches[b], dt);
             // A step of another length moves the half step by smooth forces: their share.

@@ -74,8 +74,8 @@ impl Simulation {
         self.velocities().reported(i)
     }
 
-    /// Velocity \[m/s\] and angular velocity \[rad/s\] of sphere `i` half a `simulation.step` before [`Self::time`]
-    /// (integrator `shi`: at that time): between two communication points the momentum of these velocities changes by
+    /// Velocity \[m/s\] and angular velocity \[rad/s\] of sphere `i` half a `simulation.step` before [`Self::time`], or half the first
+    /// communication step if that is shorter (integrator `shi`: at that time): between two communication points the momentum of these velocities changes by
     /// weight and loads x time less the [`Self::mean_wrench`]es x time, also where steps were cut.
     #[must_use]
     pub fn half_step_velocity(&self, i: usize) -> Twist {
@@ -91,7 +91,10 @@ impl Simulation {
             smooth: &self.state.smooth,
             integrator: settings.integrator,
             last: self.state.last_step,
-            step: settings.step,
+            step: match self.state.momentum_step {
+                0.0 => settings.step,
+                step => step,
+            },
         }
     }
 

@@ -139,8 +139,8 @@ fn makes_energy(problem: &Problem, impulses: &[Vec3]) -> bool {
         let [free, after] =
             [&problem.free, &velocity].map(|velocity| row.relative_velocity(velocity));
         let p_n = p.dot(&row.normal);
-        let springs = row.compliance_n * p_n * p_n
-            + row.compliance_t * (p.norm_squared() - p_n * p_n);
+        let springs =
+            row.compliance_n * p_n * p_n + row.compliance_t * (p.norm_squared() - p_n * p_n);
         p.dot(&((free + after) * 0.5 + row.bias)) + 0.5 * springs
     });
     work.sum::<f64>() > 0.0

@@ -105,6 +105,9 @@ pub struct State {
     pub penalty: f64,
     /// Report of the last communication step.
     pub report: StepReport,
+    /// Twice the time \[s\] by which the velocities whose momentum the impulses balance lie back: `simulation.step`, or the first
+    /// communication step if that is shorter; zero before it. In a shorter one a change of force would count for more than it is.
+    pub(crate) momentum_step: f64,
     /// Length of the next internal step.
     pub(crate) control: StepControl,
     /// Steps in a row without motion of each sphere, [`ASLEEP`] where it sleeps, `[N]`; empty where none may.
@@ -115,6 +118,8 @@ pub struct State {
 
 /// A sphere that sleeps in [`State::calm`].
 pub(crate) const ASLEEP: u32 = u32::MAX;
+/// One that has fallen asleep in the last step: its forces have not been balanced yet.
+pub(crate) const FALLEN: u32 = ASLEEP - 1;
 
 /// A [`Clone`] of all `fields` that copies into the memory that there is, which the derived one does not.
 macro_rules! clone_in_place {
@@ -136,7 +141,7 @@ macro_rules! clone_in_place {
 clone_in_place! {
     time last_step gravity kinematics smooth external applied_forces body_force mean_body_force contacts
     springs poses twists bodies commands rates wrenches smooth_wrenches mean_wrenches owed walls broken_bonds work reserves
-    emitted removed passed flow initial_overlap penalty report control calm ground
+    emitted removed passed flow initial_overlap penalty report momentum_step control calm ground
 }
 
 impl State {
@@ -171,14 +176,19 @@ impl State {
             && [0, boundaries].contains(&self.rates.len())
             && [0, spheres].contains(&self.calm.len())
             && self.ground.len() == self.calm.len()
-            && self.ground.iter().all(|&b| usize::from(b) < boundaries.max(1))
+            && self
+                .ground
+                .iter()
+                .all(|&b| usize::from(b) < boundaries.max(1))
             && (f64::MIN_POSITIVE..=scene.settings.step).contains(&self.control.step)
+            && (0.0..=scene.settings.step).contains(&self.momentum_step)
     }
 
     /// Which spheres are asleep, `[N]`; empty where none is.
     pub(crate) fn asleep(&self) -> Vec<bool> {
-        match self.calm.contains(&ASLEEP) {
-            true => self.calm.iter().map(|count| *count == ASLEEP).collect(),
+        let mut asleep = self.calm.iter().map(|count| *count >= FALLEN);
+        match asleep.any(|asleep| asleep) {
+            true => self.calm.iter().map(|count| *count >= FALLEN).collect(),
             false => Vec::new(),
         }
     }

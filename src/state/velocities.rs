@@ -15,7 +15,7 @@ pub struct Velocities<'a> {
     pub integrator: Integrator,
     /// Last internal step \[s\].
     pub last: f64,
-    /// `simulation.step` of the scene \[s\].
+    /// `simulation.step` of the scene, or the first communication step if that is shorter \[s\].
     pub step: f64,
 }
 
@@ -27,8 +27,8 @@ impl Velocities<'_> {
         twist(&self.integrator.reported(&own, smooth, self.last))
     }
 
-    /// Velocity \[m/s\] and angular velocity \[rad/s\] of sphere `i` half a `simulation.step` before that time (integrator
-    /// `shi`: at that time).
+    /// Velocity \[m/s\] and angular velocity \[rad/s\] of sphere `i` half of `step` before that time (integrator `shi`:
+    /// at that time).
     #[inline]
     pub(crate) fn half_step(&self, i: usize) -> Twist {
         let shift = self.integrator.shift(self.last, self.step);

@@ -61,7 +61,7 @@ use commit::{commit, spread_impacts};
 use linear_problem::linear_problem;
 use prediction::{Prediction, PredictionArrays, predict};
 use resolve::resolve;
-use sleep::{Attempt, Border, undisturbed};
+use sleep::{Attempt, Sleepers, undisturbed};
 use solution::Solved;
 
 /// Takes `state` from `state.time` to `state.time + dt` of `input`. On failure `state` is unchanged.
@@ -129,10 +129,10 @@ fn attempt(
         assembly: &assembly,
         solution: &solution,
     };
-    let border = Border::of(&solved, state);
-    let ends = border.ends(output);
+    let sleepers = Sleepers::of(&solved, state);
+    let ends = sleepers.ends(output);
     if matches!(ends, Attempt::Done(_)) {
-        commit(&solved, state, &border, &mut workspace.accelerations);
+        commit(&solved, state, &sleepers, &mut workspace.accelerations);
     }
     workspace.keep(assembly, solution);
     ends

@@ -13,7 +13,7 @@ use super::initial::{effort, overlaps, solve_forces};
 use super::linear_problem::linear_problem;
 use super::prediction::{Prediction, PredictionArrays, predict};
 use super::resolve::{Pass, Passes};
-use super::sleep::{Attempt, Border, undisturbed};
+use super::sleep::{Attempt, Sleepers, undisturbed};
 use super::solution::{Solution, Solved};
 use super::workspace::Workspace;
 use super::{Effort, StepFailure, StepInput, StepOutput};
@@ -101,8 +101,8 @@ fn attempt(
         assembly: &assembly,
         solution: &solution,
     };
-    let border = Border::of(&solved, state);
-    let ends = border.ends(output);
+    let sleepers = Sleepers::of(&solved, state);
+    let ends = sleepers.ends(output);
     if matches!(ends, Attempt::Disturbed(..)) {
         return ends;
     }
@@ -110,11 +110,11 @@ fn attempt(
         for (side, replica) in pair.0.iter_mut().zip(replicas) {
             side.take_impacts(&assembly);
             let (solved, state) = (side.solved(), &mut *replica.state);
-            let border = Border::of(&solved, state);
-            commit(&solved, state, &border, &mut Vec::new());
+            let sleepers = Sleepers::of(&solved, state);
+            commit(&solved, state, &sleepers, &mut Vec::new());
         }
     }
-    commit(&solved, state, &border, &mut Vec::new());
+    commit(&solved, state, &sleepers, &mut Vec::new());
     ends
 }
 

@@ -114,7 +114,8 @@ impl Passes {
         let how = (self.penalty, self.effort, share);
         let report = solve(assembly, solution, how, &mut workspace.solver, limit);
         self.total = self.total.then(report);
-        let spent = |total: &Report, budget: Option<usize>| budget.is_some_and(|most| total.sweeps >= most);
+        let spent =
+            |total: &Report, budget: Option<usize>| budget.is_some_and(|most| total.sweeps >= most);
         if !self.total.converged
             && accept
             && !spent(&self.total, self.budget)

@@ -50,6 +50,8 @@ pub(super) fn verify(
     neighbors.ensure(&end, &[], 0.0);
     let limit = settings.tolerance.gap;
     let mut max_overlap = end.overlaps(neighbors, limit, &assembly.pool, &mut overlapping);
+    // Springs that sleep are compressed.
+    overlapping.retain(|found| !prediction.sleeps(found.key));
     // The penalty method lets bodies overlap as they like.
     let alm = settings.method == Method::Alm;
     let swept = alm && assembly.moves && !pass;
@@ -58,7 +60,7 @@ pub(super) fn verify(
         false => None,
     };
     let gaps = Gaps::of(assembly, solution, &end);
-    if alm && !assembly.elastic.is_empty() {
+    if alm && prediction.gives_way {
         max_overlap = rigid_overlap(assembly, &end, &overlapping).max(gaps.overlap);
     }
     let correction = match late_contact.is_none() && alm && !as_it_is {
@@ -203,9 +205,8 @@ fn correction(
     // A rebound yields only to an overlap; a spring that the step resolves is as it is.
     let yields = |k: usize| {
         let radius = assembly.problem.rows.radius(k);
-        let overlaps = || {
-            true_gap(assembly, solution, end, k) < -tolerance * radius - left_of(assembly, k)
-        };
+        let overlaps =
+            || true_gap(assembly, solution, end, k) < -tolerance * radius - left_of(assembly, k);
         assembly.compressed(k).is_some()
             || assembly.elastic(k).is_none() && (!assembly.impact[k] || overlaps())
     };

@@ -26,7 +26,10 @@ pub(in crate::step) fn spread_impacts(
 ) {
     if output.unconverged {
         assembly.impact.fill(true);
-        assembly.joints.iter_mut().for_each(|joint| joint.impact = true);
+        assembly
+            .joints
+            .iter_mut()
+            .for_each(|joint| joint.impact = true);
         return;
     }
     let struck = |(k, p): (usize, &Vec3)| *p != Vec3::zeros() && assembly.is_impact(k);

@@ -12,7 +12,7 @@ use std::mem::swap;
 use nalgebra::UnitQuaternion;
 
 use super::external;
-use super::sleep::Border;
+use super::sleep::Sleepers;
 use super::solution::Solved;
 use crate::Vec3;
 use crate::spatial::{SpatialVector, turned};
@@ -26,11 +26,11 @@ type Places<'a> = (&'a mut [Vec3], &'a mut [UnitQuaternion<f64>]);
 /// Likewise velocities and spins.
 type Velocities<'a> = (&'a mut [Vec3], &'a mut [Vec3]);
 
-/// Writes a solved step into `state`: motion, contact forces, wrenches, work. The time stays. `border` is that of `solved`, `spare` is memory.
+/// Writes a solved step into `state`: motion, contact forces, wrenches, work. The time stays. `sleepers` is that of `solved`, `spare` is memory.
 pub(super) fn commit(
     solved: &Solved,
     state: &mut State,
-    border: &Border,
+    sleepers: &Sleepers,
     spare: &mut Vec<SpatialVector>,
 ) {
     let prediction = solved.prediction();
@@ -71,7 +71,7 @@ pub(super) fn commit(
     let (external, clumps) = (&prediction.external, &prediction.clumps);
     external::keep(prediction.scene, state, external, clumps);
     solved.gravity_work(state);
-    solved.rest(state, border);
+    solved.rest(state, sleepers);
     state.last_step = dt;
 }
 

@@ -3,15 +3,15 @@
 //! | file | what |
 //! |---|---|
 //! | here | what sleeps in a step, and what wakes before it is solved |
-//! | `border` | the balance of what sleeps beside what is awake: what wakes by the solution |
+//! | `sleepers` | the balance of forces on what sleeps: what wakes by the solution |
 //! | `rest` | what falls asleep at the end of a step |
 //!
 //! What sleeps stands still: its contacts keep their forces and are no rows of a step, and to what is awake it is fixed. It wakes
 //! when something that moves hits it, when a boundary that it touches moves, or when the forces on it change: a step in which
 //! they are out of balance by more than the tolerance of forces is solved again with more of what sleeps awake.
 
-mod border;
 mod rest;
+mod sleepers;
 
 use std::ops::Range;
 
@@ -23,7 +23,7 @@ use crate::contact::{ContactId, Partner};
 use crate::detection::configuration::Candidate;
 use crate::spatial::SpatialVector;
 use crate::state::State;
-pub(super) use border::{Attempt, Border, undisturbed};
+pub(super) use sleepers::{Attempt, Sleepers, undisturbed};
 
 impl Prediction<'_> {
     /// Whether sphere `i` is asleep.

@@ -11,12 +11,12 @@
 use petgraph::unionfind::UnionFind;
 
 use super::super::solution::Solved;
-use super::Border;
+use super::Sleepers;
 use crate::Vec3;
 use crate::contact::{ContactForce, ContactId, Partner};
 use crate::scene::Scene;
 use crate::spatial::{SpatialVector, Wrench};
-use crate::state::{ASLEEP, State};
+use crate::state::{ASLEEP, FALLEN, State};
 
 /// Steps without motion after which spheres may fall asleep.
 const CALM: u32 = 10;
@@ -39,8 +39,8 @@ impl Solved<'_> {
         }
     }
 
-    /// Counts steps without motion and lets spheres fall asleep, at the end of a step. What sleeps at the `border` out of balance wakes.
-    pub(in crate::step) fn rest(&self, state: &mut State, border: &Border) {
+    /// Counts steps without motion and lets spheres fall asleep, at the end of a step. Of the `sleepers` those out of balance wake.
+    pub(in crate::step) fn rest(&self, state: &mut State, sleepers: &Sleepers) {
         let prediction = self.prediction();
         let scene = prediction.scene;
         if !may_rest(scene) {
@@ -48,8 +48,8 @@ impl Solved<'_> {
         }
         state.calm.resize(scene.particles.len(), 0);
         state.ground.resize(scene.particles.len(), 0);
-        self.hand_on(state, border);
-        for i in border.beyond(WAKING) {
+        self.hand_on(state, sleepers);
+        for i in sleepers.beyond(WAKING) {
             state.calm[i] = 0;
         }
         let mut calm = self.calm_spheres(state);
@@ -70,13 +70,14 @@ impl Solved<'_> {
         }
         let mut due = false;
         for (i, count) in state.calm.iter_mut().enumerate() {
-            if *count == ASLEEP && prediction.is_asleep(i) {
+            if *count >= FALLEN && prediction.is_asleep(i) {
+                *count = ASLEEP;
                 continue;
             }
             // One that was woken counts anew.
-            let before = if *count == ASLEEP { 0 } else { *count };
+            let before = if *count >= FALLEN { 0 } else { *count };
             *count = if calm[i] {
-                (before + 1).min(ASLEEP - 1)
+                (before + 1).min(FALLEN - 1)
             } else {
                 0
             };
@@ -151,14 +152,14 @@ impl Solved<'_> {
     /// Lets the spheres of calm islands fall asleep, and parts of others that stand still.
     fn fall_asleep(&self, state: &mut State) {
         let scene = self.prediction().scene;
-        let asleep = |i: usize| state.calm[i] == ASLEEP;
+        let asleep = |calm: u32| calm >= FALLEN;
         let islands = islands(scene, state, |_| true);
         let mut whole = vec![true; islands.len()];
         for (i, island) in islands.iter().enumerate() {
-            whole[*island] &= asleep(i) || self.balances(state, i);
+            whole[*island] &= asleep(state.calm[i]) || self.balances(state, i);
         }
         let still = self.still_spheres(state);
-        let of = |i: usize| asleep(i) || whole[islands[i]] || still[i];
+        let of = |i: usize| asleep(state.calm[i]) || whole[islands[i]] || still[i];
         let sleeps: Vec<bool> = (0..still.len()).map(of).collect();
         let parts = self::islands(scene, state, |i| sleeps[i]);
         // The strongest contact with a boundary of each.
@@ -175,10 +176,10 @@ impl Solved<'_> {
         for i in (0..sleeps.len()).filter(|&i| sleeps[i]) {
             if let Some((load, _)) = &ground[parts[i]]
                 && let Partner::Boundary { boundary, .. } = load.key.partner
-                && state.calm[i] != ASLEEP
+                && !asleep(state.calm[i])
             {
                 self.stop(state, i, load);
-                (state.calm[i], state.ground[i]) = (ASLEEP, boundary);
+                (state.calm[i], state.ground[i]) = (FALLEN, boundary);
             }
         }
     }
@@ -186,7 +187,7 @@ impl Solved<'_> {
     /// Whether each sphere stands still, or sleeps, and all do that a few contacts lead to from it.
     fn still_spheres(&self, state: &State) -> Vec<bool> {
         let scene = self.prediction().scene;
-        let of = |i| state.calm[i] == ASLEEP || self.stands(state, i);
+        let of = |i| state.calm[i] >= FALLEN || self.stands(state, i);
         let mut still: Vec<bool> = (0..state.calm.len()).map(of).collect();
         for _ in 0..RINGS {
             let before = still.clone();
@@ -219,8 +220,14 @@ impl Solved<'_> {
     /// Stops sphere `i`. The boundary of the contact `ground` takes its momentum, the ledger its kinetic energy. Those of a clump go with
     /// its first member.
     fn stop(&self, state: &mut State, i: usize, ground: &ContactForce) {
+        let Partner::Boundary { boundary, .. } = ground.key.partner else {
+            return;
+        };
         if let Some((centre, momentum, energy)) = self.carries(state, i) {
-            self.owe(state, ground, &momentum, centre);
+            let boundary = usize::from(boundary);
+            let impulse = self.wrench(state, boundary, &momentum, centre);
+            state.owed[boundary].add(&impulse, 1.0);
+            self.strike(state, ground, momentum.linear);
             state.work.numerical_work -= energy;
         }
         state.kinematics.velocity[i] = Vec3::zeros();
@@ -228,32 +235,15 @@ impl Solved<'_> {
         state.smooth[i] = SpatialVector::ZERO;
     }
 
-    /// Gives the boundary of the contact `ground` the `momentum` of a body at `centre` \[m\].
-    fn owe(
-        &self,
-        state: &mut State,
-        ground: &ContactForce,
-        momentum: &SpatialVector,
-        centre: Vec3,
-    ) {
-        let Partner::Boundary { boundary, .. } = ground.key.partner else {
+    /// Adds what the sleepers are out of balance by to the forces on the boundaries on which they sleep, where these are pressed most.
+    fn hand_on(&self, state: &mut State, sleepers: &Sleepers) {
+        if sleepers.bodies.is_empty() {
             return;
-        };
-        let b = usize::from(boundary);
-        let reference = self.prediction().scene.boundaries[b].point_of_action;
-        let pivot = reference + state.poses[b].translation;
-        let impulse = Wrench {
-            force: momentum.linear,
-            torque: (centre - pivot).cross(&momentum.linear) + momentum.angular,
-        };
-        state.owed[b].add(&impulse, 1.0);
-        self.strike(state, ground, momentum.linear);
-    }
-
-    /// Gives what the bodies of the border are out of balance by to the boundaries on which they sleep, where these are pressed most.
-    fn hand_on(&self, state: &mut State, border: &Border) {
-        if border.bodies.is_empty() {
-            return;
+        }
+        let mut extra = vec![Wrench::default(); state.poses.len()];
+        for body in &sleepers.bodies {
+            let boundary = usize::from(state.ground[body.sphere]);
+            extra[boundary].add(&self.wrench(state, boundary, &body.net, body.centre), 1.0);
         }
         let mut strongest: Vec<Option<ContactForce>> = vec![None; state.poses.len()];
         for load in state.contacts.iter() {
@@ -265,23 +255,38 @@ impl Solved<'_> {
                 }
             }
         }
-        let step = self.prediction().step;
-        for body in &border.bodies {
-            if let Some(load) = &strongest[usize::from(state.ground[body.sphere])] {
-                let impulse = SpatialVector::ZERO.plus(&body.net, step);
-                self.owe(state, load, &impulse, body.centre);
+        for (b, (extra, strongest)) in extra.iter().zip(strongest).enumerate() {
+            state.wrenches[b].add(extra, 1.0);
+            if let Some(load) = strongest {
+                let force = -extra.force;
+                self.press(state, &ContactForce { force, ..load }, false);
             }
         }
     }
 
-    /// Centre \[m\], momentum and kinetic energy \[J\] of the body that has sphere `i` as its first member.
+    /// Force \[N\] and torque \[N m\], or impulses, on a body at `centre` \[m\] as a boundary has them at its point of action.
+    fn wrench(&self, state: &State, boundary: usize, on: &SpatialVector, centre: Vec3) -> Wrench {
+        let reference = self.prediction().scene.boundaries[boundary].point_of_action;
+        let pivot = reference + state.poses[boundary].translation;
+        Wrench {
+            force: on.linear,
+            torque: (centre - pivot).cross(&on.linear) + on.angular,
+        }
+    }
+
+    /// Centre \[m\], momentum that the impulses balance and kinetic energy \[J\] of the body that has sphere `i` as its first member.
     fn carries(&self, state: &State, i: usize) -> Option<(Vec3, SpatialVector, f64)> {
-        let scene = self.prediction().scene;
+        let (scene, step) = (self.prediction().scene, self.prediction().step);
         let (particles, v) = (&scene.particles, self.reported(state, i));
+        let shift = scene.settings.integrator.shift(step, state.momentum_step);
+        let half_step = state
+            .kinematics
+            .spatial_velocity(i)
+            .plus(&state.smooth[i], shift);
         let Some(c) = particles.clump(i) else {
             let momentum = SpatialVector {
-                linear: v.linear * particles.mass[i],
-                angular: v.angular * particles.inertia(i),
+                linear: half_step.linear * particles.mass[i],
+                angular: half_step.angular * particles.inertia(i),
             };
             let energy = particles.kinetic_energy(i, &v.linear, &v.angular);
             return Some((state.kinematics.position[i], momentum, energy));
@@ -291,8 +296,8 @@ impl Solved<'_> {
             return None;
         }
         let (centre, rotation) = clump.place(&state.kinematics);
-        let own = clump.of_member(rotation, &v);
-        let momentum = clump.shape.momentum(rotation, &own);
+        let [own, half_step] = [v, half_step].map(|v| clump.of_member(rotation, &v));
+        let momentum = clump.shape.momentum(rotation, &half_step);
         let energy = clump.shape.kinetic_energy(rotation, &own).iter().sum();
         Some((centre, momentum, energy))
     }

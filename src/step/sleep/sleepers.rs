@@ -1,4 +1,4 @@
-//! Bodies that sleep beside awake ones: the forces on them, old and new, must balance.
+//! The forces on bodies that sleep, old ones and those of awake neighbours: they must balance.
 
 use super::super::assemble::Assembly;
 use super::super::prediction::Prediction;
@@ -13,12 +13,12 @@ use crate::state::State;
 /// Out of balance by so many times what the tolerance of forces allows for, a body wakes within the step, and not after it.
 const DISTURBED: f64 = 10.0;
 
-/// The bodies that sleep and have contacts with awake ones, as a solution leaves them.
-pub(in crate::step) struct Border {
+/// The bodies that sleep, as a solution leaves them.
+pub(in crate::step) struct Sleepers {
     pub(super) bodies: Vec<Sleeper>,
 }
 
-/// A body that sleeps beside an awake one.
+/// A body that sleeps.
 pub(super) struct Sleeper {
     /// The sphere, or the first member of the clump.
     pub(super) sphere: usize,
@@ -26,20 +26,31 @@ pub(super) struct Sleeper {
     pub(super) centre: Vec3,
     /// Sum of all forces \[N\] and torques about its centre \[N m\] on it.
     pub(super) net: SpatialVector,
+    /// Whether it has contacts with awake ones.
+    touched: bool,
     /// What it is out of balance by, over the tolerance times the sum of the sizes of its contacts' forces, or times its weight if that is
     /// more \[-\].
     excess: f64,
 }
 
-impl Border {
-    /// The border of a step that is `solved`, before it is committed to `state`.
+impl Sleepers {
+    /// Those of a step that is `solved`, before it is committed to `state`.
     pub(in crate::step) fn of(solved: &Solved, state: &State) -> Self {
         let (assembly, solution, prediction) =
             (solved.assembly, solved.solution, solved.prediction());
-        let found = beside(assembly);
-        if found.is_empty() {
+        if prediction.asleep.is_empty() {
             return Self { bodies: Vec::new() };
         }
+        let touched = beside(assembly);
+        let all = 0..prediction.clump_body(prediction.clumps.len()) as u32;
+        let single = |body: &u32| match prediction.clump_of(*body) {
+            Some(_) => true,
+            None => prediction.scene.particles.clump(*body as usize).is_none(),
+        };
+        let found = all
+            .filter(|&body| prediction.body_sleeps(body))
+            .filter(single);
+        let found: Vec<u32> = found.collect();
         let rows = &assembly.problem.rows;
         let mut sums = Sums::new(prediction, &found);
         for (k, &impulse) in solution.impulses.iter().enumerate() {
@@ -58,7 +69,8 @@ impl Border {
             }
         }
         let tolerance = prediction.scene.settings.tolerance.force;
-        let bodies = (0..found.len()).map(|k| sums.sleeper(prediction, k, tolerance));
+        let touched = |k: usize| touched.binary_search(&found[k]).is_ok();
+        let bodies = (0..found.len()).map(|k| sums.sleeper(prediction, k, (touched(k), tolerance)));
         Self {
             bodies: bodies.collect(),
         }
@@ -73,9 +85,10 @@ impl Border {
         }
     }
 
-    /// Spheres that are out of balance by more than `share` of what the tolerance of forces allows for.
+    /// Spheres that awake ones touch and that are out of balance by more than `share` of what the tolerance of forces allows for.
     pub(in crate::step) fn beyond(&self, share: f64) -> Vec<usize> {
-        let off = self.bodies.iter().filter(|body| body.excess > share);
+        let off = |body: &&Sleeper| body.touched && body.excess > share;
+        let off = self.bodies.iter().filter(off);
         off.map(|body| body.sphere).collect()
     }
 }
@@ -204,7 +217,12 @@ impl<'a> Sums<'a> {
         }
     }
 
-    fn sleeper(&self, prediction: &Prediction, k: usize, tolerance: f64) -> Sleeper {
+    fn sleeper(
+        &self,
+        prediction: &Prediction,
+        k: usize,
+        (touched, tolerance): (bool, f64),
+    ) -> Sleeper {
         let body = self.bodies[k];
         let net = prediction.felt(body, &self.net[k]);
         let (sphere, centre, reach) = prediction.place_of(body);
@@ -214,6 +232,7 @@ impl<'a> Sums<'a> {
             sphere,
             centre,
             net,
+            touched,
             excess: off / allowed,
         }
     }
@@ -268,6 +287,10 @@ impl Prediction<'_> {
             return (clump.clump.members.start, centre, clump.clump.shape.reach());
         }
         let i = body as usize;
-        (i, self.kinematics.position[i], self.scene.particles.radius[i])
+        (
+            i,
+            self.kinematics.position[i],
+            self.scene.particles.radius[i],
+        )
     }
 }
