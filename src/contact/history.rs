@@ -13,6 +13,8 @@ use crate::problem::law::split;
 pub(crate) struct Carried {
     /// Force on A \[N\].
     pub(crate) force: Vec3,
+    /// Couple on A \[N m\].
+    pub(crate) torque: Vec3,
     /// Unit normal from B to A in that step.
     pub(crate) normal: Vec3,
     /// Its spring, if it gave way.
@@ -68,6 +70,7 @@ impl HistoryIndex {
         let load = contacts.get(self.0 as usize);
         Carried {
             force: self.force(contacts),
+            torque: self.torque(contacts),
             normal: load.map_or_else(Vec3::zeros, |load| load.normal),
             spring: contacts.beside(self.0 as usize).spring,
             hold: self.hold(contacts),

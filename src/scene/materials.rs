@@ -115,6 +115,12 @@ impl PairTable {
         pairs.any(|pair| pair.cohesion.is_some() || pair.bond.is_some())
     }
 
+    /// Whether some pairs have bonds that do not give way.
+    pub(crate) fn has_rigid_bonds(&self) -> bool {
+        let mut pairs = self.pairs.iter();
+        pairs.any(|pair| pair.bond.is_some() && pair.elasticity.is_none())
+    }
+
     /// Largest gap \[m\] over which a contact is held, where no sphere is larger than `radius` \[m\]; boundaries give way by `others`.
     pub(crate) fn holding_distance(
         &self,

@@ -18,7 +18,7 @@ use super::parameters;
 use super::quantities::quantities;
 use super::regions::measured;
 use super::resources::hash;
-use super::settings::{choose_steps, fall, materials, settings};
+use super::settings::{choose_slip, choose_steps, fall, materials, settings};
 use super::source_text::SourceText;
 use super::sources::{sinks, source};
 use super::spheres::{self, Present};
@@ -157,6 +157,7 @@ fn build(
         let boundaries = boundaries.as_deref().unwrap_or_default();
         let fall = fall(settings, (&particles, &initial), boundaries);
         choose_steps(settings, typed, fall);
+        choose_slip(settings, typed, &pairs);
     }
     // Their names are declared, and judged, among the groups.
     let source_names = Names::of("source", file.sources.iter().map(Entry::declaration));

@@ -8,7 +8,7 @@ use super::file;
 use super::frame::{gravity, rotating_frame};
 use crate::integrator::Integrator;
 use crate::scene::accuracy::round_time;
-use crate::scene::materials::Material;
+use crate::scene::materials::{Material, PairTable};
 use crate::scene::particles::{Kinematics, Particles};
 use crate::scene::{Boundary, Method, Motion, Settings};
 use crate::solver::Tolerance;
@@ -147,6 +147,17 @@ fn tolerances(document: &mut Document<'_>, s: &file::Simulation) -> (Tolerance, 
         document.demand(good, path, format!("{value:e}"), expected);
     }
     (tolerance, opening)
+}
+
+/// Slip that a step may leave of that of loose grains where rigid bonds hold them \[-\]: what bonded bodies slip and turn by in each
+/// step adds up, a bar bends by the sum.
+const BONDED_SLIP: f64 = 1e-2;
+
+/// Gives the steps of scenes with rigid bonds a finer tolerance of slip, where the file has none.
+pub(super) fn choose_slip(settings: &mut Settings, typed: &file::Simulation, pairs: &PairTable) {
+    if typed.tolerance.slip.is_none() && pairs.has_rigid_bonds() {
+        settings.tolerance.slip = (BONDED_SLIP * settings.tolerance.slip).max(1e-12);
+    }
 }
 
 /// Shortest time \[s\] in which gravity, the centrifugal force or the pressure of a servo boundary moves a sphere by half its radius.

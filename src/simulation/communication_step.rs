@@ -86,6 +86,9 @@ impl Simulation {
         };
         let plan = StepPlan::new(start, end, state.control.step, self.scene.settings.step);
         self.check_jump(&trajectory.paths(&self.scene), start, end, plan.left())?;
+        if self.state.momentum_step == 0.0 {
+            self.state.momentum_step = plan.length().min(step);
+        }
         let replay = self.replay.take();
         let (replay, memory) = match back {
             true => (replay, None),
@@ -98,9 +101,6 @@ impl Simulation {
         };
         let before = self.state.fork(memory);
         self.state.report = StepReport::default();
-        if self.state.momentum_step == 0.0 {
-            self.state.momentum_step = plan.length().min(self.scene.settings.step);
-        }
         // One too short for a mean of its own goes on with the last one.
         if h >= REMAINDER * self.state.last_step {
             self.state

@@ -9,8 +9,9 @@ use super::rows::elastic::ElasticContact;
 use super::solution::{Solution, Solved};
 use crate::Vec3;
 use crate::contact::ContactId;
-use crate::contact::cohesion::{BondLoad, BondStrength, Cohesion, Hold};
+use crate::contact::cohesion::{BondLoad, Cohesion, Hold};
 use crate::contact::forces::ContactForces;
+use crate::contact::history::Carried;
 use crate::contact::neck::Neck;
 use crate::contact::spring::ContactSpring;
 use crate::detection::configuration::{Candidate, Configuration};
@@ -18,6 +19,12 @@ use crate::problem::Law;
 use crate::problem::law::split;
 use crate::spatial::SpatialVector;
 
+/// Attraction of a rigid bond over what it has carried and a weight of its bodies.
+const RESERVE: f64 = 4.0;
+/// Share of the cone of its attraction from which on a load calls for more of it, so many times as much, and the least share of the strength.
+const FILLED: f64 = 0.7;
+const MORE: f64 = 4.0;
+const LEAST: f64 = 1e-3;
 /// Share by which rounding may have grains at a bond's reach appear beyond it.
 const NEARLY: f64 = 1e-9;
 
@@ -85,8 +92,9 @@ impl Prediction<'_> {
         key.spheres().map(|i| self.scene.particles.radius[i]).sum()
     }
 
-    /// Attraction \[N\] of a contact.
-    pub(super) fn attraction(&self, key: ContactId, hold: Hold) -> f64 {
+    /// Attraction \[N\] of a contact that has `carried` this in the last step. A rigid bond attracts with a part of its strength that holds
+    /// what it carries: the tolerance of forces is a share of it. [`Assembly::fill`] says where that is not enough.
+    pub(super) fn attraction(&self, key: ContactId, hold: Hold, carried: &Carried) -> f64 {
         let (pair, particles) = (self.pair(key), &self.scene.particles);
         match hold {
             Hold::Loose => 0.0,
@@ -94,7 +102,14 @@ impl Prediction<'_> {
                 .cohesion
                 .map_or(0.0, |c| c.pull_off(particles.reduced_radius(key))),
             Hold::Bonded { .. } => pair.bond.map_or(0.0, |bond| {
-                bond.strength(particles.smaller_radius(key)).attraction()
+                let whole = bond.strength(particles.smaller_radius(key)).attraction();
+                if self.starts || self.scene.elasticity(key).is_some() {
+                    return whole;
+                }
+                let weight = |i: usize| self.weight(self.mover(i).0);
+                let weight = key.spheres().map(weight).fold(0.0, f64::max);
+                let couple = carried.torque.norm() / particles.reduced_radius(key);
+                whole.min(RESERVE * (carried.force.norm() + couple + weight))
             }),
         }
     }
@@ -133,7 +148,9 @@ impl Assembly<'_> {
         for (k, candidate) in self.candidates.iter().enumerate() {
             let hold = self.prediction.hold(candidate, self.past[k].hold(contacts));
             let neck = self.elastic(k).and_then(|e| e.attraction(candidate.gap));
-            let force = neck.unwrap_or_else(|| self.prediction.attraction(candidate.key, hold));
+            let carried = self.past[k].carried(contacts);
+            let force =
+                neck.unwrap_or_else(|| self.prediction.attraction(candidate.key, hold, &carried));
             self.holds.push(hold);
             self.attraction.push(force);
         }
@@ -149,6 +166,56 @@ impl Assembly<'_> {
     fn attracting(&self, k: usize) -> Option<Vec3> {
         let force = self.attraction.get(k).filter(|force| **force > 0.0)?;
         Some(self.candidates[k].normal * (force * self.prediction.step))
+    }
+
+    /// The rigid bonds that what `impulses` press and turn fills the cones of, with the attraction \[N\] that they need.
+    pub(super) fn filled(&self, impulses: &[Vec3]) -> Vec<(usize, f64)> {
+        let mut filled = Vec::new();
+        if !self.holds.iter().any(Hold::is_bond) {
+            return filled;
+        }
+        let mut couples = vec![0.0_f64; self.candidates.len()];
+        for (k, impulse) in impulses.iter().enumerate() {
+            if let Some(Law::Resistance {
+                contact,
+                rolling,
+                twisting,
+            }) = self.problem.rows.general(k).map(|row| row.law)
+            {
+                let (along, across) = split(*impulse, self.problem.rows.normal(k));
+                let needed = (across.norm() / rolling).max(along.abs() / twisting);
+                couples[contact as usize] = needed;
+            }
+        }
+        for k in (0..self.candidates.len()).filter(|&k| self.holds[k].is_bond()) {
+            let key = self.candidates[k].key;
+            let prediction = self.prediction;
+            let Some(bond) = prediction
+                .pair(key)
+                .bond
+                .filter(|_| self.elastic(k).is_none())
+            else {
+                continue;
+            };
+            let radius = prediction.scene.particles.smaller_radius(key);
+            let (now, whole) = (self.attraction[k], bond.strength(radius).attraction());
+            let (along, across) = split(impulses[k], self.candidates[k].normal);
+            let attracting = now * prediction.step;
+            let pulls = along < (1.0 - FILLED) * attracting;
+            if now < whole && (pulls || across.norm().max(couples[k]) > FILLED * along) {
+                filled.push((k, (MORE * now).clamp(LEAST * whole, whole)));
+            }
+        }
+        filled
+    }
+
+    /// Lets contact `k` attract with `force` \[N\]: what acts stays.
+    pub(super) fn attract_with(&mut self, (k, force): (usize, f64), impulses: &mut [Vec3]) {
+        self.pull(|i| i == k, 1.0);
+        let more = force - self.attraction[k];
+        self.attraction[k] = force;
+        self.pull(|i| i == k, -1.0);
+        impulses[k] += self.candidates[k].normal * (more * self.prediction.step);
     }
 
     /// Lets contact `k`, which adheres, attract with what it has at a `gap` \[m\].
@@ -225,7 +292,7 @@ impl Assembly<'_> {
             if let Some(bond) = strength {
                 let strength =
                     bond.strength(prediction.scene.particles.smaller_radius(candidate.key));
-                let load = self.bond_load(k, &strength, impulses[k], couples[k]);
+                let load = self.bond_load(k, impulses[k], couples[k]);
                 if !strength.breaks(&load, pair.friction) {
                     return *hold;
                 }
@@ -262,18 +329,12 @@ impl Assembly<'_> {
     }
 
     /// What the bond of contact `k` carries.
-    fn bond_load(
-        &self,
-        k: usize,
-        strength: &BondStrength,
-        impulse: Vec3,
-        couple: Vec3,
-    ) -> BondLoad {
+    fn bond_load(&self, k: usize, impulse: Vec3, couple: Vec3) -> BondLoad {
         let normal = self.candidates[k].normal;
         let (along, across) = split(impulse / self.prediction.step, normal);
         let (twisting, bending) = split(couple, normal);
         BondLoad {
-            normal: along - strength.attraction(),
+            normal: along - self.attraction[k],
             shear: across.norm(),
             bending: bending.norm(),
             twisting: twisting.abs(),

@@ -9,7 +9,7 @@ use crate::detection::configuration::{Candidate, Configuration};
 use crate::state::State;
 
 /// What is corrected in a problem: gaps as the true geometry has them, normals and arms keep the start of the step, as in SHAKE;
-/// rebounds where they make energy.
+/// rebounds where they make energy, bonds whose attraction does not hold what they carry.
 #[derive(Default)]
 pub(super) struct Correction {
     /// Of the candidates, whether their gap is re-linearised.
@@ -18,6 +18,8 @@ pub(super) struct Correction {
     pub(super) late: Vec<Candidate>,
     /// Impacts that rebound with this share of Newton's law.
     pub(super) rebounds: Vec<(usize, f64)>,
+    /// Bonds that attract with so much \[N\] from now on.
+    pub(super) filled: Vec<(usize, f64)>,
 }
 
 /// Gap \[m\] of contact `k` at `end`, without the compression of a contact that gives way, which is not an overlap.
@@ -78,6 +80,9 @@ impl Correction {
                 &prediction.poses[0],
             )
         };
+        for &bond in &self.filled {
+            assembly.attract_with(bond, &mut solution.impulses);
+        }
         let late: Vec<Candidate> = match impact {
             None => self.late.clone(),
             Some(_) => self.late.iter().map(|found| follow(&end, found)).collect(),

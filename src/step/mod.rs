@@ -124,7 +124,7 @@ fn attempt(
         Err(failure) => return Attempt::Done(Err(failure)),
     };
     assembly.hold_on(&mut solution);
-    spread_impacts(&mut assembly, &solution, state, &output);
+    spread_impacts(&mut assembly, &solution, state, output.unconverged);
     let solved = Solved {
         assembly: &assembly,
         solution: &solution,

@@ -129,6 +129,13 @@ impl Passes {
         if !self.total.converged && !as_it_is {
             return Err(failed(assembly, solution, &self.total));
         }
+        let filled = assembly.filled(&solution.impulses);
+        if !filled.is_empty() && !as_it_is && self.count < PASSES {
+            return Ok(Pass::Corrected(Correction {
+                filled,
+                ..Correction::default()
+            }));
+        }
         let how = (as_it_is, self.effort.pass);
         let verdict = verify(assembly, solution, workspace, how);
         let verdict = verdict.map_err(|passed| StepFailure {

@@ -213,6 +213,6 @@ fn correction(
     Some(Correction {
         yields: (0..assembly.candidates.len()).map(yields).collect(),
         late,
-        rebounds: Vec::new(),
+        ..Correction::default()
     })
 }

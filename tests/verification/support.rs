@@ -369,9 +369,13 @@ impl Run {
 
     pub fn advance(&mut self, h: f64) {
         let bodies = self.bodies();
-        let before = self.momentum();
         let last = self.simulation.state().last_step;
-        self.simulation.advance(h).expect("the step converges");
+        let end = self.simulation.time() + h;
+        let communication = self.simulation.begin(end).expect("a communication step");
+        // The first one says how far back the velocities lie.
+        let before = self.momentum();
+        let finished = self.simulation.finish(communication);
+        finished.expect("the step converges");
         let scene = Arc::clone(self.simulation.scene());
         if scene.settings.method == Method::Alm {
             let overlap = self.simulation.report().max_overlap;

@@ -6,7 +6,6 @@ use crate::problem::GROUND;
 use crate::spatial::SpatialVector;
 use crate::state::State;
 use crate::step::assemble::Assembly;
-use crate::step::output::StepOutput;
 use crate::step::rows::elastic::ElasticContact;
 use crate::step::solution::Solution;
 
@@ -16,15 +15,15 @@ const STRUCK: f64 = 2.0;
 const HELD: f64 = 4.0;
 
 /// Counts as impacts the contacts that an impact has hit through others: their impulses are more than [`STRUCK`] times what they
-/// carried before and what loads bring in a step, or their sum on a body only holds against its impacts. Of a step that does not meet its
-/// tolerances, as `output` says, all are.
-pub(in crate::step) fn spread_impacts(
+/// carried before and what loads bring in a step, or their sum on a body only holds against its impacts. Of a step that is `unconverged` all
+/// are.
+pub(crate) fn spread_impacts(
     assembly: &mut Assembly,
     solution: &Solution,
     state: &State,
-    output: &StepOutput,
+    unconverged: bool,
 ) {
-    if output.unconverged {
+    if unconverged {
         assembly.impact.fill(true);
         assembly
             .joints
@@ -67,28 +66,33 @@ pub(in crate::step) fn spread_impacts(
 /// cancel. Returns whether there were any.
 fn hold_against(assembly: &mut Assembly, solution: &Solution) -> bool {
     let rows = &assembly.problem.rows;
-    let mut sums = vec![[SpatialVector::ZERO; 2]; assembly.problem.free.len()];
-    for (k, &impulse) in solution.impulses.iter().enumerate() {
-        if impulse == Vec3::zeros() {
-            continue;
-        }
-        let kind = usize::from(assembly.is_impact(k));
-        let grips = rows.get(k).jacobian();
+    let loaded = |k: &usize| solution.impulses[*k] != Vec3::zeros();
+    let impacts = (0..assembly.impact.len()).filter(|&k| assembly.impact[k]);
+    let mut struck: Vec<u32> = impacts
+        .filter(loaded)
+        .flat_map(|k| rows.bodies(k))
+        .filter(|&body| body != GROUND)
+        .collect();
+    struck.sort_unstable();
+    struck.dedup();
+    let mut sums = vec![[SpatialVector::ZERO; 2]; struck.len()];
+    for k in (0..solution.impulses.len()).filter(loaded) {
+        let (kind, impulse) = (usize::from(assembly.is_impact(k)), solution.impulses[k]);
         for (side, body) in rows.bodies(k).into_iter().enumerate() {
-            if body != GROUND {
-                let push = grips[side].momentum([impulse, -impulse][side]);
-                let sum = &mut sums[body as usize][kind];
-                *sum = sum.plus(&push, 1.0);
+            if let Ok(rank) = struck.binary_search(&body) {
+                let grip = rows.get(k).jacobian()[side];
+                let push = grip.momentum([impulse, -impulse][side]);
+                sums[rank][kind] = sums[rank][kind].plus(&push, 1.0);
             }
         }
     }
     let prediction = assembly.prediction;
     let holds = |k: usize, side: usize| {
         let body = rows.bodies(k)[side];
-        if body == GROUND {
+        let Ok(rank) = struck.binary_search(&body) else {
             return false;
-        }
-        let [smooth, impacts] = &sums[body as usize];
+        };
+        let [smooth, impacts] = &sums[rank];
         let net = smooth.plus(impacts, 1.0);
         let brought = prediction.step * prediction.weight(body);
         let radius = rows.radius(k);

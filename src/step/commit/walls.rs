@@ -22,7 +22,7 @@ pub(super) fn keep_smooth(state: &mut State, loads: Vec<TriangleLoads>) {
 
 impl Solved<'_> {
     /// Adds what a contact does to the loads of its triangles.
-    pub(in crate::step) fn press(&self, state: &mut State, load: &ContactForce, smooth: bool) {
+    pub(crate) fn press(&self, state: &mut State, load: &ContactForce, smooth: bool) {
         if let Some((b, loads)) = self.loads(state, load) {
             let wall = &mut state.walls.list[b];
             if smooth {

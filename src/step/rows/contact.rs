@@ -110,7 +110,7 @@ impl Prediction<'_> {
         let hold = self.hold(candidate, carried.hold);
         let attraction = match hold {
             Hold::Loose => 0.0,
-            hold => self.attraction(candidate.key, hold),
+            hold => self.attraction(candidate.key, hold, &carried),
         };
         // What presses it, whatever attracts.
         let force = carried.force + n * attraction;

@@ -10,13 +10,13 @@
 
 use petgraph::unionfind::UnionFind;
 
-use super::super::solution::Solved;
 use super::Sleepers;
 use crate::Vec3;
 use crate::contact::{ContactForce, ContactId, Partner};
 use crate::scene::Scene;
 use crate::spatial::{SpatialVector, Wrench};
 use crate::state::{ASLEEP, FALLEN, State};
+use crate::step::solution::Solved;
 
 /// Steps without motion after which spheres may fall asleep.
 const CALM: u32 = 10;
@@ -32,7 +32,7 @@ const WAKING: f64 = 1.0;
 
 impl Solved<'_> {
     /// Leaves in the `acceleration` of spheres that sleep no external one: their contacts, which are no rows, balance it.
-    pub(in crate::step) fn still(&self, acceleration: &mut [SpatialVector]) {
+    pub(crate) fn still(&self, acceleration: &mut [SpatialVector]) {
         let prediction = self.prediction();
         for i in (0..prediction.asleep.len()).filter(|&i| prediction.asleep[i]) {
             acceleration[i] = SpatialVector::ZERO;
@@ -40,7 +40,7 @@ impl Solved<'_> {
     }
 
     /// Counts steps without motion and lets spheres fall asleep, at the end of a step. Of the `sleepers` those out of balance wake.
-    pub(in crate::step) fn rest(&self, state: &mut State, sleepers: &Sleepers) {
+    pub(crate) fn rest(&self, state: &mut State, sleepers: &Sleepers) {
         let prediction = self.prediction();
         let scene = prediction.scene;
         if !may_rest(scene) {

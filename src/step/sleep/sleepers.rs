@@ -1,20 +1,20 @@
 //! The forces on bodies that sleep, old ones and those of awake neighbours: they must balance.
 
-use super::super::assemble::Assembly;
-use super::super::prediction::Prediction;
-use super::super::solution::Solved;
-use super::super::{StepFailure, StepOutput};
 use crate::Vec3;
 use crate::contact::{ContactForce, Partner};
 use crate::solver::Report;
 use crate::spatial::SpatialVector;
 use crate::state::State;
+use crate::step::assemble::Assembly;
+use crate::step::output::{StepFailure, StepOutput};
+use crate::step::prediction::Prediction;
+use crate::step::solution::Solved;
 
 /// Out of balance by so many times what the tolerance of forces allows for, a body wakes within the step, and not after it.
 const DISTURBED: f64 = 10.0;
 
 /// The bodies that sleep, as a solution leaves them.
-pub(in crate::step) struct Sleepers {
+pub(crate) struct Sleepers {
     pub(super) bodies: Vec<Sleeper>,
 }
 
@@ -35,7 +35,7 @@ pub(super) struct Sleeper {
 
 impl Sleepers {
     /// Those of a step that is `solved`, before it is committed to `state`.
-    pub(in crate::step) fn of(solved: &Solved, state: &State) -> Self {
+    pub(crate) fn of(solved: &Solved, state: &State) -> Self {
         let (assembly, solution, prediction) =
             (solved.assembly, solved.solution, solved.prediction());
         if prediction.asleep.is_empty() {
@@ -77,7 +77,7 @@ impl Sleepers {
     }
 
     /// How a step ends whose `output` is this: not, if a body is out of balance by much more than the tolerance.
-    pub(in crate::step) fn ends(&self, output: StepOutput) -> Attempt {
+    pub(crate) fn ends(&self, output: StepOutput) -> Attempt {
         let off = self.beyond(DISTURBED);
         match off.is_empty() {
             true => Attempt::Done(Ok(output)),
@@ -86,7 +86,7 @@ impl Sleepers {
     }
 
     /// Spheres that awake ones touch and that are out of balance by more than `share` of what the tolerance of forces allows for.
-    pub(in crate::step) fn beyond(&self, share: f64) -> Vec<usize> {
+    pub(crate) fn beyond(&self, share: f64) -> Vec<usize> {
         let off = |body: &&Sleeper| body.touched && body.excess > share;
         let off = self.bodies.iter().filter(off);
         off.map(|body| body.sphere).collect()
@@ -94,7 +94,7 @@ impl Sleepers {
 }
 
 /// How an attempt at a step ends.
-pub(in crate::step) enum Attempt {
+pub(crate) enum Attempt {
     /// With the next state, or without.
     Done(Result<StepOutput, StepFailure>),
     /// The spheres, which sleep, would move; what the solver has done.
@@ -103,7 +103,7 @@ pub(in crate::step) enum Attempt {
 
 impl Attempt {
     /// That of a problem which is not solved while bodies sleep beside those of its rows; `None` if it is, or none sleeps.
-    pub(in crate::step) fn failed_beside_sleepers(
+    pub(crate) fn failed_beside_sleepers(
         assembly: &Assembly,
         resolved: &Result<StepOutput, StepFailure>,
     ) -> Option<Self> {
@@ -120,7 +120,7 @@ impl Attempt {
 }
 
 /// Attempts a step until it moves nothing that sleeps. What would move wakes, with what is about it, more each time.
-pub(in crate::step) fn undisturbed(
+pub(crate) fn undisturbed(
     prediction: &mut Prediction,
     state: &mut State,
     mut attempt: impl FnMut(&mut Prediction, &mut State) -> Attempt,
@@ -245,7 +245,7 @@ impl Prediction<'_> {
     }
 
     /// Whether a body, of `[N + D + C]` or the ground, sleeps.
-    pub(in crate::step) fn body_sleeps(&self, body: u32) -> bool {
+    pub(crate) fn body_sleeps(&self, body: u32) -> bool {
         match self.clump_of(body).and_then(|c| self.clumps.get(c)) {
             Some(clump) => self.is_asleep(clump.clump.members.start),
             None => self.is_asleep(body as usize),
