@@ -115,10 +115,10 @@ impl PairTable {
         pairs.any(|pair| pair.cohesion.is_some() || pair.bond.is_some())
     }
 
-    /// Whether some pairs have bonds that do not give way.
-    pub(crate) fn has_rigid_bonds(&self) -> bool {
+    /// Whether some pairs have bonds.
+    pub(crate) fn has_bonds(&self) -> bool {
         let mut pairs = self.pairs.iter();
-        pairs.any(|pair| pair.bond.is_some() && pair.elasticity.is_none())
+        pairs.any(|pair| pair.bond.is_some())
     }
 
     /// Largest gap \[m\] over which a contact is held, where no sphere is larger than `radius` \[m\]; boundaries give way by `others`.

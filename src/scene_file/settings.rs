@@ -149,13 +149,13 @@ fn tolerances(document: &mut Document<'_>, s: &file::Simulation) -> (Tolerance, 
     (tolerance, opening)
 }
 
-/// Slip that a step may leave of that of loose grains where rigid bonds hold them \[-\]: what bonded bodies slip and turn by in each
+/// Slip that a step may leave of that of loose grains where bonds hold them \[-\]: what bonded bodies slip and turn by in each
 /// step adds up, a bar bends by the sum.
 const BONDED_SLIP: f64 = 1e-2;
 
-/// Gives the steps of scenes with rigid bonds a finer tolerance of slip, where the file has none.
+/// Gives the steps of scenes with bonds a finer tolerance of slip, where the file has none.
 pub(super) fn choose_slip(settings: &mut Settings, typed: &file::Simulation, pairs: &PairTable) {
-    if typed.tolerance.slip.is_none() && pairs.has_rigid_bonds() {
+    if typed.tolerance.slip.is_none() && pairs.has_bonds() {
         settings.tolerance.slip = (BONDED_SLIP * settings.tolerance.slip).max(1e-12);
     }
 }

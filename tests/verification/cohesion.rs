@@ -487,3 +487,51 @@ fn a_broken_bond_stays_broken() {
     run.steps(100);
     close(run.position(0).z, -1.01 * RADIUS, 1e-9, RADIUS);
 }
+
+/// A glued bar on two supports rests: half of its weight on each, however strong the glue is. Errors of forces are a share of what the
+/// glue carries, and the bar does not bend by the sum of what its grains turn by in each step.
+#[test]
+fn a_strong_bar_rests_on_two_supports() {
+    for (r, strength) in [(0.01, 1e9), (0.01, 1e7), (0.001, 1e7)] {
+        let support = |name: &str, x: f64| {
+            let (low, high) = (x - r, x + r);
+            format!(
+                "[[boundary]]\nname = \"{name}\"\nmaterial = \"wall\"\nfaces = [{{ box = {{ min = [{low}, -{r}, -{r}], max = [{high}, {r}, 0.0] }} }}]\n"
+            )
+        };
+        let text = format!(
+            r#"
+[simulation]
+duration = 1.0
+communication_step = 0.01
+[pair_default]
+friction = 0.5
+[[pair]]
+materials = ["grain", "grain"]
+bond = {{ normal_strength = {strength:e}, shear_strength = {strength:e} }}
+[[spheres]]
+name = "bar"
+material = "grain"
+radius = {r}
+lattice = {{ origin = [0.0, 0.0, {r}], count = [20, 1, 1], spacing = {} }}
+{}{}
+"#,
+            2.0 * r,
+            support("left", 0.0),
+            support("right", 38.0 * r)
+        );
+        let mut run = crate::scenes::start(&crate::scenes::scene(&text));
+        let half = 10.0 * run.mass(0) * G;
+        while run.simulation.time() < 1.0 - 1e-9 {
+            run.advance(0.01);
+            assert_eq!(run.simulation.report().unconverged_steps, 0);
+            for b in 0..2 {
+                let borne = -run.simulation.mean_wrench(b).force.z;
+                close(borne, half, 0.02, 0.0);
+            }
+        }
+        let sag = r - run.position(10).z;
+        assert!(sag.abs() < 0.02 * r, "{} R", sag / r);
+        assert_eq!(run.simulation.state().broken_bonds, 0);
+    }
+}

@@ -44,11 +44,7 @@ pub fn check(text: &str, count: usize) -> Run {
         if k == count / 2 {
             saved = Some(run.simulation.snapshot());
         }
-        // What falls asleep hands its last momentum to the next step.
-        match scene.settings.rest_speed > 0.0 {
-            true => drop(run.simulation.advance(h).expect("a step")),
-            false => run.advance(h),
-        }
+        run.advance(h);
         assert!(run.simulation.report().max_overlap <= scene.settings.tolerance.gap);
         unconverged += run.simulation.report().unconverged_steps;
     }

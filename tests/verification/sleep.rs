@@ -1,0 +1,158 @@
+//! Parts of a scene that sleep beside others that move. [`Run::advance`] checks momentum to 1e-9 and overlaps in every step.
+
+use sphere_dda::Vec3;
+
+use crate::scenes::{scene, start};
+use crate::support::{G, Run, close};
+
+const R: f64 = 0.01;
+
+fn asleep(run: &Run) -> usize {
+    let spheres = run.simulation.scene().particles.len();
+    (0..spheres)
+        .filter(|&i| run.velocity(i) == Vec3::zeros() && run.spin(i) == Vec3::zeros())
+        .count()
+}
+
+/// A long trough with a blade at one end that begins to move at 0.8 s.
+fn trough(rest_speed: f64) -> Run {
+    let mut positions = String::new();
+    for k in 0..480_u32 {
+        let shaken = |seed: u32| (f64::from(k * seed) * 0.618_034).fract() * 0.002;
+        let [x, y, z] = [k % 40, k / 40 % 3, k / 120].map(|n| 0.02 + 0.024 * f64::from(n));
+        positions += &format!("[{}, {}, {}],", x + shaken(1), y + shaken(3), z + shaken(7));
+    }
+    let text = format!(
+        r#"
+[simulation]
+duration = 2.0
+communication_step = 0.01
+rest_speed = {rest_speed:?}
+[[spheres]]
+name = "grains"
+material = "grain"
+radius = {R}
+positions = [{positions}]
+[[boundary]]
+name = "trough"
+material = "grain"
+faces = [{{ box = {{ min = [0.0, 0.0, 0.0], max = [1.0, 0.09, 1.0] }} }}]
+[[boundary]]
+name = "blade"
+material = "grain"
+faces = [{{ box = {{ min = [0.0, 0.002, 0.002], max = [0.008, 0.088, 0.2] }} }}]
+motion = {{ table = {{ time = [0.0, 0.8, 1.8], translation = [[0.0, 0.0, 0.0], [0.0, 0.0, 0.0], [0.1, 0.0, 0.0]] }} }}
+[pair_default]
+friction = 0.5
+"#
+    );
+    start(&scene(&text))
+}
+
+/// A blade ploughs one end of a bed, the other end sleeps on, and what it feels is what it feels where nothing sleeps.
+#[test]
+fn what_lies_far_from_a_blade_sleeps() {
+    let [mut sleeping, mut awake] = [0.01, 0.0].map(trough);
+    let mut means = [0.0; 2];
+    for (run, mean) in [&mut sleeping, &mut awake].into_iter().zip(&mut means) {
+        while run.simulation.time() < 1.4 - 1e-9 {
+            run.advance(0.01);
+            assert_eq!(run.simulation.report().unconverged_steps, 0);
+            if run.simulation.time() > 1.1 {
+                *mean += run.simulation.mean_wrench(1).force.x / 30.0;
+            }
+        }
+    }
+    assert!(asleep(&sleeping) > 240, "{} sleep", asleep(&sleeping));
+    assert!(
+        asleep(&sleeping) < 470,
+        "what the blade moves does not sleep"
+    );
+    assert!(asleep(&awake) == 0);
+    // Two runs of a bed differ by so much.
+    close(means[0], means[1], 0.25, 0.0);
+}
+
+/// A pile asleep, on whose top ball a force pulls with a tenth of its weight: nothing else wakes, and the floor feels it.
+#[test]
+fn a_small_force_wakes_one_ball() {
+    let text = format!(
+        r#"
+[simulation]
+duration = 2.0
+communication_step = 0.01
+rest_speed = 0.001
+tolerance = {{ force = 0.1 }}
+[[spheres]]
+name = "pile"
+material = "grain"
+radius = {R}
+positions = [[0.0, 0.0, {R}], [0.0, 0.0, {}], [0.0, 0.0, {}]]
+[[boundary]]
+name = "floor"
+material = "grain"
+faces = [{{ plane = {{ point = [0.0, 0.0, 0.0], normal = [0.0, 0.0, 1.0] }} }}]
+[pair_default]
+friction = 0.5
+"#,
+        3.0 * R,
+        5.0 * R
+    );
+    let mut run = start(&scene(&text));
+    while asleep(&run) < 3 || run.simulation.report().sweeps > 0 {
+        run.advance(0.01);
+        assert!(run.simulation.time() < 1.0, "it does not sleep");
+    }
+    let pull = 0.1 * run.mass(2) * G;
+    for share in [1.0, 0.5, 1.0] {
+        let forces = [Vec3::zeros(), Vec3::zeros(), Vec3::z() * (share * pull)];
+        run.simulation.apply_forces(&forces).expect("forces");
+        run.advance(0.01);
+        assert!(run.simulation.report().sweeps > 0, "the ball is awake");
+        for i in 0..2 {
+            assert!(run.velocity(i) == Vec3::zeros(), "ball {i} woke");
+        }
+        let weight = 3.0 * run.mass(0) * G - share * pull;
+        close(-run.simulation.mean_wrench(0).force.z, weight, 1e-6, 0.0);
+        close(-run.simulation.wrench(0).force.z, weight, 1e-6, 0.0);
+    }
+}
+
+/// Balls whose contacts give way are compressed while they sleep. That is no overlap, and the floor bears their weight.
+#[test]
+fn elastic_balls_sleep_on_their_weight() {
+    let text = format!(
+        r#"
+[simulation]
+duration = 3.0
+communication_step = 0.02
+rest_speed = 0.01
+[[material]]
+name = "grain"
+density = 2500.0
+young = 1e7
+[pair_default]
+friction = 0.5
+restitution = 0.2
+[[spheres]]
+name = "b"
+material = "grain"
+radius = {R}
+positions = [[0.05, 0.05, 0.012], [0.08, 0.05, 0.2], [0.08, 0.05, 0.3]]
+[[boundary]]
+name = "floor"
+material = "grain"
+faces = [{{ plane = {{ point = [0.0, 0.0, 0.0], normal = [0.0, 0.0, 1.0] }} }}]
+"#
+    );
+    let mut run = start(&scene(&text));
+    let weight = 3.0 * run.mass(0) * G;
+    while run.simulation.time() < 3.0 - 1e-9 {
+        run.advance(0.02);
+        if run.simulation.time() > 2.0 {
+            close(-run.simulation.mean_wrench(0).force.z, weight, 1e-6, 0.0);
+        }
+    }
+    assert_eq!(asleep(&run), 3);
+    assert_eq!(run.simulation.report().sweeps, 0);
+}
