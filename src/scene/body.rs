@@ -111,6 +111,8 @@ pub struct Body {
     pub hold_while_settling: bool,
     /// Pose at t = 0.
     pub pose: Pose,
+    /// Displacement along its slide \[m\] or angle about its hinge \[rad\] at t = 0, of which the pose has no whole turns.
+    pub start_position: f64,
     /// Velocity of the point of action at t = 0.
     pub twist: Twist,
     /// Whether forces and torques come from outside too, by [`crate::simulation::Simulation::command`].
