@@ -152,10 +152,12 @@ fn build(
             "add a group `[[spheres]]` or a `[[source]]`",
         );
     }
+    let loads = loads(document, &context, &file.loads, &initial);
     let mut settings = settings;
     if let (Some(settings), Some(typed)) = (&mut settings, &file.simulation) {
         let boundaries = boundaries.as_deref().unwrap_or_default();
-        let fall = fall(settings, (&particles, &initial), boundaries);
+        let spheres = (&particles, &initial, &clumps[..]);
+        let fall = fall(settings, spheres, boundaries, &loads);
         choose_steps(settings, typed, fall);
     }
     // Their names are declared, and judged, among the groups.
@@ -165,7 +167,7 @@ fn build(
         about: file.about.clone(),
         // Known when all files have been read.
         hash: String::new(),
-        loads: loads(document, &context, &file.loads, &initial),
+        loads,
         springs: springs(document, &context, &file.springs, &initial),
         sinks: sinks(document, &source_names, &file.sinks),
         sources,
