@@ -296,13 +296,19 @@ fn loads(
 ) -> Vec<PointLoad> {
     let loads = elements.iter().filter_map(|element| {
         let value = element.value.as_ref()?;
+        let sphere = held(document, context, initial, &element.path, &value.sphere)?;
         Some(PointLoad {
-            sphere: held(document, context, initial, &element.path, &value.sphere)?,
-            arm: value.point.into(),
+            sphere,
+            arm: arm(initial, sphere, value.point),
             force: value.force.into(),
         })
     });
     loads.collect()
+}
+
+/// A point \[m\] from the centre of `sphere` at t = 0, world axes, in the sphere's own axes.
+fn arm(initial: &Kinematics, sphere: usize, point: file::Vector) -> Vec3 {
+    initial.orientation[sphere].inverse() * Vec3::from(point)
 }
 
 /// The sphere that the element at `path` pushes or holds: one that is there from the start.
@@ -337,14 +343,12 @@ fn springs(
             None => Some(Motion::Fixed),
         };
         let sphere = held(document, context, initial, path, &value.sphere)?;
-        let arm = Vec3::from(value.point);
+        let start = initial.position[sphere] + Vec3::from(value.point);
         Some(Spring {
             sphere,
-            arm,
+            arm: arm(initial, sphere, value.point),
             stiffness,
-            target: value
-                .target
-                .map_or(initial.position[sphere] + arm, Vec3::from),
+            target: value.target.map_or(start, Vec3::from),
             motion: motion?,
         })
     });

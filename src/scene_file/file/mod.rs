@@ -365,7 +365,7 @@ pub struct Load {
     pub sphere: String,
     /// Force \[N\], world axes.
     pub force: Vector,
-    /// Point of the sphere, from its centre, at t = 0 \[m\].
+    /// Point of the sphere, from its centre, at t = 0, world axes \[m\].
     #[serde(default)]
     pub point: Vector,
 }
@@ -379,7 +379,7 @@ pub struct Spring {
     /// Stiffness \[N/m\].
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub stiffness: f64,
-    /// Point of the sphere, from its centre, at t = 0 \[m\].
+    /// Point of the sphere, from its centre, at t = 0, world axes \[m\].
     #[serde(default)]
     pub point: Vector,
     /// Target \[m\].
