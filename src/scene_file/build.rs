@@ -32,6 +32,7 @@ use crate::scene::particles::{Kinematics, Particles};
 use crate::scene::{
     Boundary, Measure, Motion, Output, PointLoad, Probe, Scene, Sensor, Source, Spring,
 };
+use crate::spatial::cell::Cell;
 
 /// Reads, checks and builds; `name` is what problems call the file, `folder` where its files lie, `values` those of parameters
 /// that are not to have their default.
@@ -138,12 +139,13 @@ fn build(
         })
         .collect();
     let boundaries: Option<Vec<_>> = boundaries.into_iter().collect();
+    let cell = cell(document, &file.cell);
     let (particles, initial, clumps, sources) = populate(
         document,
         (&mut context, templates),
         file,
         &materials,
-        boundaries.as_deref(),
+        (boundaries.as_deref(), cell),
     );
     if file.spheres.is_empty() && file.sources.is_empty() {
         document.error(
@@ -182,7 +184,7 @@ fn build(
         clumps,
         initial,
         initial_contacts: ContactForces::default(),
-        cell: cell(document, &file.cell),
+        cell,
         boundaries: boundaries?,
         // Known to whoever has set them.
         parameters: Vec::new(),
@@ -210,7 +212,7 @@ fn populate(
     (context, templates): (&mut Context, &[Option<Template>]),
     file: &SceneFile,
     materials: &[Material],
-    boundaries: Option<&[Boundary]>,
+    (boundaries, cell): (Option<&[Boundary]>, Cell),
 ) -> (Particles, Kinematics, Vec<Clump>, Vec<Source>) {
     let (mut particles, mut initial) = (Particles::default(), Kinematics::default());
     let mut clumps = Vec::new();
@@ -225,6 +227,7 @@ fn populate(
                 initial: &mut initial,
                 clumps: &mut clumps,
                 boundaries,
+                cell,
             };
             spheres::add(document, (&group.path, value), material, clump, present)
         });
