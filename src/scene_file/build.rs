@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::advice::advise;
 use super::bodies::{boundary, motion};
-use super::cell::cell;
+use super::cell::{cell, turns};
 use super::checks::{accept, direction};
 use super::clumps::{self, Template};
 use super::decode::{self, Entry, SceneFile};
@@ -342,7 +342,14 @@ fn springs(
         let stiffness = value.stiffness;
         document.positive((path, "stiffness"), stiffness, "a stiffness > 0 [N/m]");
         let motion = match &value.motion {
-            Some(given) => motion(document, &format!("{path}.motion"), given),
+            Some(given) => {
+                let path = format!("{path}.motion");
+                let motion = motion(document, &path, given);
+                motion.filter(|motion| {
+                    let expected = "translations only: the target is a point, which cannot turn";
+                    document.demand(!turns(motion), path, "a rotation", expected)
+                })
+            }
             None => Some(Motion::Fixed),
         };
         let sphere = held(document, context, initial, path, &value.sphere)?;
