@@ -38,6 +38,11 @@ fn each_bad_clump_is_refused_with_place_and_reason() {
             "a list of 2 radii",
         ),
         (
+            scene("radius = 1e-110", "", ""),
+            "spheres[0]",
+            "no usable mass",
+        ),
+        (
             scene("lock = \"x\"", "", ""),
             "spheres[0].lock",
             "which has none",

@@ -12,6 +12,7 @@ use super::radii::{self, Radii};
 use crate::Vec3;
 use crate::random::{rotation, symmetric};
 use crate::scene::clump::{Clump, ClumpShape};
+use crate::scene_file::checks::clump_has_mass;
 use crate::scene_file::document::Document;
 use crate::scene_file::file;
 use crate::spatial::SpatialVector;
@@ -101,9 +102,11 @@ pub(super) fn add(
             linear: group.velocity.map_or(start.velocity, Vec3::from),
             angular: group.spin.map_or(start.spin, Vec3::from),
         };
+        let shape = shape.scaled(factor);
+        clump_has_mass(document, path, &shape).then_some(())?;
         let store = (&mut *particles, &mut *initial, &mut *clumps);
         Clump::push(
-            &shape.scaled(factor),
+            &shape,
             material,
             (start.position, rotation),
             &velocity,
