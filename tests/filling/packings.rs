@@ -255,3 +255,12 @@ fn copies_in_a_periodic_cell_are_kept_clear_of() {
     assert!(overlaps.pairs.is_empty(), "{:?}", overlaps.pairs);
     assert!(overlaps.boundaries.is_empty(), "{:?}", overlaps.boundaries);
 }
+
+/// Symptom: `check` of a region far flatter than wide ended for lack of memory. Cause: the cells of the search were as many as
+/// its sides had of the cubic root of its volume.
+#[test]
+fn a_flat_region_takes_no_memory_beyond_its_spheres() {
+    let region = "region = { box = { min = [0, 0, 0], max = [1, 1, 1e-15] } }";
+    let keys = format!("radius = 4e-16\npacking = {{ {region}, count = 5 }}");
+    assert_eq!(good(&group("grains", &keys)).particles.len(), 5);
+}
