@@ -125,10 +125,15 @@ impl Simulation {
     ) -> Result<(), StepError> {
         let result = self.take(communication);
         if result.is_err() {
-            self.state = communication.before.clone();
-            self.replay = communication.replay.take();
+            self.put_back(communication);
         }
         result
+    }
+
+    /// The state as before [`Self::begin`], and so is its [`Self::replay_record`]: gives `communication` up.
+    pub fn put_back(&mut self, communication: &mut CommunicationStep) {
+        self.state = communication.before.clone();
+        self.replay = communication.replay.take();
     }
 
     fn take(&mut self, communication: &mut CommunicationStep) -> Result<(), StepError> {
