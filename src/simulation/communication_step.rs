@@ -195,6 +195,7 @@ impl Simulation {
         self.state.rates.clear();
         self.carry_over(&communication);
         let none = ImpulseTotals::of(self.scene.boundaries.len());
+        let averages = communication.before.mean_wrenches.clone();
         let (state, before) = communication.midway.unwrap_or((communication.before, none));
         let mut totals = communication.totals;
         totals.taken.drain(..before.taken.len());
@@ -203,6 +204,7 @@ impl Simulation {
             start: communication.plan.start(),
             trajectory: communication.trajectory,
             taken: totals.taken,
+            averages,
             before,
         })));
     }
