@@ -417,13 +417,7 @@ impl Simulation {
         end: f64,
         steps: u64,
     ) -> Result<(), StepError> {
-        let limit = self
-            .scene
-            .particles
-            .radius
-            .iter()
-            .copied()
-            .fold(f64::INFINITY, f64::min);
+        let limit = self.scene.particles.smallest_radius();
         // With a constant twist every internal step is as long as the first.
         let looked_at = if paths.bends() { steps } else { 1 };
         let mut before = self.state.poses.clone();

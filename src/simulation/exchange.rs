@@ -181,7 +181,7 @@ impl FreeSpace {
     fn around(simulation: &Simulation, source: &Source) -> Self {
         let particles = &simulation.scene.particles;
         let kinematics = &simulation.state.kinematics;
-        let largest = particles.radius.iter().copied().fold(0.0, f64::max);
+        let largest = particles.largest_radius();
         let near = source
             .region
             .bounds()
