@@ -21,6 +21,8 @@ pub(crate) struct Dump {
     scene: String,
     /// Number of the next file.
     next: usize,
+    /// Whether a step missed its tolerances.
+    missed: bool,
     written: usize,
     omitted: u64,
 }
@@ -52,6 +54,7 @@ impl Dump {
             folder: folder.to_path_buf(),
             scene: scene.display().to_string(),
             next: last + 1,
+            missed: false,
             written: 0,
             omitted: 0,
         })
@@ -65,6 +68,7 @@ impl Dump {
         let (steps, omitted) = simulation.take_failed_steps();
         self.omitted = omitted;
         for step in steps {
+            self.missed = true;
             let reduction = Reduction::of(&step.problem, &step.impulses);
             let path = self.folder.join(file(self.next));
             problem::write(&path, &reduction.problem, &self.notes(&step, &reduction))?;
@@ -97,7 +101,7 @@ impl Dump {
     pub(crate) fn tell(&self) {
         let place = self.folder.display();
         match (self.written, self.omitted) {
-            (0, _) => note(format_args!(
+            (0, _) if !self.missed => note(format_args!(
                 "no step missed its tolerances: `{place}` got no file"
             )),
             (written, 0) => note(format_args!(

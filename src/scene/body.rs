@@ -99,7 +99,7 @@ pub struct Body {
     pub torque: Vec3,
     /// Force on a slide by pressure.
     pub servo: Option<Servo>,
-    /// Least and greatest joint_position of its slide \[m\] or hinge \[rad\] from the scene's placement.
+    /// Least and greatest position of its slide \[m\] or hinge \[rad\] from the scene's placement.
     pub limits: [Option<f64>; 2],
     /// Spring along its slide or about its hinge.
     pub spring: Option<Spring>,

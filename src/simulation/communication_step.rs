@@ -199,14 +199,15 @@ impl Simulation {
         let (state, before) = communication.midway.unwrap_or((communication.before, none));
         let mut totals = communication.totals;
         totals.taken.drain(..before.taken.len());
-        self.replay = Some(Arc::new(ReplayRecord::Step(Step {
+        let step = Step {
             state,
             start: communication.plan.start(),
             trajectory: communication.trajectory,
             taken: totals.taken,
             averages,
             before,
-        })));
+        };
+        self.replay = Some(Arc::new(ReplayRecord::Step(Box::new(step))));
     }
 
     /// The remainder of a step is no shock: where a communication step is shorter than [`REMAINDER`] of the internal step before

@@ -12,7 +12,7 @@ pub enum ReplayRecord {
     /// The start of a run: from this state, before overlaps were removed and forces solved.
     Start(SharedState),
     /// A communication step.
-    Step(Step),
+    Step(Box<Step>),
 }
 
 /// Everything to take a communication step again. Where commands changed within it, from the internal step at which they last

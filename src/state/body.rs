@@ -27,7 +27,7 @@ pub struct BodyState {
 pub struct JointState {
     /// Displacement or angle from the scene's placement.
     pub joint_position: f64,
-    /// Force or torque of its stops and its spring in the last internal step, positive to greater joint_position.
+    /// Force or torque of its stops and its spring in the last internal step, positive to greater positions.
     pub force: f64,
 }
 

@@ -12,7 +12,7 @@ use crate::spatial::SpatialVector;
 /// Contacts with a gap below this share of the radius are candidates even at rest.
 const NEAR: f64 = 1e-3;
 
-/// Into `candidates` the pairs within reach of the step, in canonical order. `free` are velocities without contacts, `[N + D]`.
+/// Into `candidates` the pairs within reach of the step, in canonical order. `free` are velocities without contacts, `[N + D + C]`.
 ///
 /// What a sphere can move is known before contacts change its velocity: [`super::verify`] finds what this misses.
 pub(super) fn detect(

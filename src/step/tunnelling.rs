@@ -29,7 +29,7 @@ pub(super) const SMALL_MOTION: f64 = 0.5;
 /// How deep a path may go into another body before it counts as passing, over the smaller radius \[-\].
 const DEPTH: f64 = 0.1;
 
-/// The first pair, in canonical order, that passes or is joint apart without need.
+/// The first pair, in canonical order, that passes through another or is held apart without need.
 pub(super) fn passed(
     assembly: &Assembly,
     solution: &Solution,

@@ -1,4 +1,4 @@
-//! The trajectory of settling, pass after pass.
+//! Settling, pass after pass.
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
