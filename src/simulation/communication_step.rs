@@ -130,7 +130,7 @@ impl Simulation {
         result
     }
 
-    /// The state as before [`Self::begin`], and so is its [`Self::replay_record`]: gives `communication` up.
+    /// Gives `communication` up: the state is as before [`Self::begin`], and so is its [`Self::replay_record`].
     pub fn put_back(&mut self, communication: &mut CommunicationStep) {
         self.state = communication.before.clone();
         self.replay = communication.replay.take();
