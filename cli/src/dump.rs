@@ -1,5 +1,6 @@
 //! `--dump-failed DIR`: contact problems of steps that miss their tolerances, as files.
 
+use std::io;
 use std::path::{Path, PathBuf};
 
 use miette::miette;
@@ -20,6 +21,8 @@ pub(crate) struct Dump {
     scene: String,
     /// Number of the next file.
     next: usize,
+    /// Whether a step missed its tolerances.
+    missed: bool,
     written: usize,
     omitted: u64,
 }
@@ -41,14 +44,17 @@ impl Dump {
             ))
         })?;
         simulation.keep_failed_steps(MOST);
-        let mut next = 1;
-        while folder.join(file(next)).exists() {
-            next += 1;
-        }
+        let last = last_number(folder).map_err(|error| {
+            let place = folder.display();
+            Failure::Input(miette!(
+                "--dump-failed: cannot read `{place}`: {error}; choose another folder"
+            ))
+        })?;
         Ok(Self {
             folder: folder.to_path_buf(),
             scene: scene.display().to_string(),
-            next,
+            next: last + 1,
+            missed: false,
             written: 0,
             omitted: 0,
         })
@@ -62,6 +68,7 @@ impl Dump {
         let (steps, omitted) = simulation.take_failed_steps();
         self.omitted = omitted;
         for step in steps {
+            self.missed = true;
             let reduction = Reduction::of(&step.problem, &step.impulses);
             let path = self.folder.join(file(self.next));
             problem::write(&path, &reduction.problem, &self.notes(&step, &reduction))?;
@@ -94,7 +101,7 @@ impl Dump {
     pub(crate) fn tell(&self) {
         let place = self.folder.display();
         match (self.written, self.omitted) {
-            (0, _) => note(format_args!(
+            (0, _) if !self.missed => note(format_args!(
                 "no step missed its tolerances: `{place}` got no file"
             )),
             (written, 0) => note(format_args!(
@@ -111,4 +118,19 @@ impl Dump {
 
 fn file(number: usize) -> String {
     format!("step-{number:04}.dat")
+}
+
+/// The largest number of a [`file`] in `folder`; 0 without one.
+fn last_number(folder: &Path) -> io::Result<usize> {
+    let mut last = 0;
+    for entry in std::fs::read_dir(folder)? {
+        let name = entry?.file_name();
+        let digits = name.to_str().and_then(|name| {
+            let name = name.strip_prefix("step-")?;
+            name.strip_suffix(".dat")
+        });
+        let number = digits.and_then(|digits| digits.parse().ok());
+        last = last.max(number.unwrap_or(0));
+    }
+    Ok(last)
 }

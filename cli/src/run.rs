@@ -303,22 +303,25 @@ fn run_to_end(
     while reached < clock.count() {
         let point = clock.point(reached + 1);
         let taken = simulation.advance_to(point);
-        if let Some(dump) = &mut dump
-            && let Err(failure) = dump.write(simulation)
-        {
-            end = Err(failure);
-            break;
-        }
+        let dumped = match &mut dump {
+            Some(dump) => dump.write(simulation),
+            None => Ok(()),
+        };
         match taken {
             Ok(own) => report.add(&own),
             Err(error) => {
-                end = Err(error.into());
+                end = dumped.and(Err(error.into()));
                 break;
             }
         }
         reached += 1;
         let state = Observation::of(simulation);
         results.record(&state);
+        // The step itself was taken: the checkpoint after the loop is of its end.
+        if dumped.is_err() {
+            end = dumped;
+            break;
+        }
         warned = warned || warn_of_failures(results, &progress);
         progress.show(point, || detail(&state));
         if reached < clock.count() {

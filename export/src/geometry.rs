@@ -1,7 +1,7 @@
 //! The boundaries as glTF 2.0 (binary), for masters and viewers that show the FMU while it runs.
 //!
 //! One node for each boundary, with the name of its terminal. Its translation and rotation are the boundary's position \[m\] and
-//! orientation at t = 0 as in the scene; `extras` names the variables that they follow. Points \[m\] are relative to the reference
+//! orientation where the scene places it, before any motion; `extras` names the variables that they follow. Points \[m\] are relative to the reference
 //! point. glTF has y upwards, scenes have z: a node above all others turns one into the other, so that the values of the
 //! variables go into the nodes as they are.
 

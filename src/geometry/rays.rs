@@ -77,7 +77,7 @@ impl SelectionFunction<Leaf> for Ray {
     }
 }
 
-/// Moeller and Trumbore (1997). A ray in the triangle's plane does not is_hit it.
+/// Moeller and Trumbore (1997). A ray in the triangle's plane does not hit it.
 fn meets(&[a, b, c]: &[Vec3; 3], x: Vec3, direction: Vec3) -> bool {
     let (u, v) = (b - a, c - a);
     let p = direction.cross(&v);

@@ -191,7 +191,7 @@ impl Totals {
     }
 }
 
-/// Where a point of a sphere is now \[m\]; `arm` \[m\] from the centre in the sphere's initial orientation.
+/// Where a point of a sphere is now \[m\]; `arm` \[m\] from the centre in the sphere's own axes.
 fn material_point(state: &Observation, sphere: usize, arm: Vec3) -> Vec3 {
     state.kinematics.position[sphere] + state.kinematics.orientation[sphere] * arm
 }

@@ -41,11 +41,11 @@ use crate::spatial::{SpatialOperator, SpatialVector};
 pub struct Problem {
     /// Time step \[s\].
     pub step: f64,
-    /// Velocity without contacts, `[N + D]`: spheres, then driven bodies.
+    /// Velocity without contacts, `[N + M]`: spheres, then the `M` other bodies, driven ones first, then clumps.
     pub free: Vec<SpatialVector>,
     /// Diagonal of `W` of the spheres, `[N]`; zero where a degree of freedom is locked.
     pub inverse_mass: Vec<SpatialVector>,
-    /// `W` of the driven bodies, `[D]`; singular where a joint holds them.
+    /// `W` of the driven bodies and clumps, `[M]`; singular where a joint holds them.
     #[serde(default)]
     pub operators: Vec<SpatialOperator>,
     /// The rows, `[C]`, in canonical order.
@@ -56,7 +56,7 @@ pub struct Problem {
 pub type Impulses = Vec<Vec3>;
 
 impl Problem {
-    /// Velocities `v_free + W J^T p` \[m/s\], \[rad/s\], `[N]`.
+    /// Velocities `v_free + W J^T p` \[m/s\], \[rad/s\], `[N + M]`.
     #[must_use]
     pub fn velocities(&self, impulses: &[Vec3]) -> Vec<SpatialVector> {
         let mut velocity = Vec::new();
@@ -74,7 +74,7 @@ impl Problem {
         }
     }
 
-    /// Adds to `velocity`, `[N + D]`, the effect of `impulse` \[N s\] on A and of its opposite on B.
+    /// Adds to `velocity`, `[N + M]`, the effect of `impulse` \[N s\] on A and of its opposite on B.
     #[inline]
     pub fn apply(&self, row: &Row, velocity: &mut [SpatialVector], impulse: Vec3) {
         let [grip_a, grip_b] = row.jacobian();

@@ -46,13 +46,13 @@ impl JacobianBlock {
 pub struct Row {
     /// Body A.
     pub a: u32,
-    /// Body B, or [`GROUND`]: a sphere, or driven body `d` as `N + d`.
+    /// Body B, or [`GROUND`]: a sphere, or of the driven bodies and clumps the `k`-th as `N + k`.
     pub b: u32,
     /// Unit normal, from B to A.
     pub normal: Vec3,
     /// Contact point from the centre of A \[m\].
     pub arm_a: Vec3,
-    /// Contact point from the centre of B, or the reference point of a driven body \[m\]; zero for the ground.
+    /// Contact point from the centre of B, or the reference point of a driven body, the centre of mass of a clump \[m\]; zero for the ground.
     pub arm_b: Vec3,
     /// `u_0`, minus the velocity of the ground or of a belt as the row sees it \[m/s\]; zero between spheres.
     pub prescribed_velocity: Vec3,

@@ -2,7 +2,8 @@
 //!
 //! With the smallest radius `R` and gravity `g`, a step is at most a share `c` of the time in which a
 //! sphere falls by half its radius, `c sqrt(R/g)`, and at least a part of that; only steps that fail are
-//! cut further. Centrifugal acceleration adds to `g`, and the pressure `p` of a servo boundary gives a
+//! cut further. `g` is the largest gravity of a table, and where there is none at all the force of a load or on a driven body
+//! over the mass that it moves. Centrifugal acceleration adds to `g`, and the pressure `p` of a servo boundary gives a
 //! sphere of mass `m` on it `a = p pi R^2 / m` in place of `g`, where that is more. Between the two
 //! bounds the step with the least cost of simulated time is chosen ([`crate::simulation`]).
 //!

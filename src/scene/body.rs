@@ -99,7 +99,7 @@ pub struct Body {
     pub torque: Vec3,
     /// Force on a slide by pressure.
     pub servo: Option<Servo>,
-    /// Least and greatest joint_position of its slide \[m\] or hinge \[rad\] from the scene's placement.
+    /// Least and greatest position of its slide \[m\] or hinge \[rad\] from the scene's placement.
     pub limits: [Option<f64>; 2],
     /// Spring along its slide or about its hinge.
     pub spring: Option<Spring>,
@@ -111,6 +111,8 @@ pub struct Body {
     pub hold_while_settling: bool,
     /// Pose at t = 0.
     pub pose: Pose,
+    /// Displacement along its slide \[m\] or angle about its hinge \[rad\] at t = 0, of which the pose has no whole turns.
+    pub start_position: f64,
     /// Velocity of the point of action at t = 0.
     pub twist: Twist,
     /// Whether forces and torques come from outside too, by [`crate::simulation::Simulation::command`].

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{Command, InputKind, Motion};
 use crate::Vec3;
-use crate::geometry::Geometry;
+use crate::geometry::{ClosestPoint, Geometry};
 use crate::spatial::Pose;
 use crate::spatial::cell::Cell;
 
@@ -57,6 +57,23 @@ impl Boundary {
         self.geometry
             .finite_bounds()
             .map_or(x, |bounds| cell.nearest(x, middle(bounds)))
+    }
+
+    /// Appends to `out` where the boundary at `pose` is within `reach` \[m\] of a sphere of `radius` \[m\] at the world point `x` \[m\],
+    /// or of its copy nearest to the boundary; points \[m\] are in the boundary's own frame, normals in the world.
+    pub(crate) fn closest_points(
+        &self,
+        (cell, pose): (&Cell, &Pose),
+        (x, radius): (Vec3, f64),
+        reach: f64,
+        out: &mut Vec<ClosestPoint>,
+    ) {
+        let first = out.len();
+        let centre = self.to_frame(pose, self.copy_near(cell, pose, x));
+        self.geometry.closest_points(centre, radius, reach, out);
+        for point in &mut out[first..] {
+            point.normal = pose.rotation * point.normal;
+        }
     }
 
     /// Where the point `x_0` \[m\] of the boundary's own frame lies in the world: `a + s + Q (x_0 - a)`.

@@ -48,6 +48,15 @@ impl GravityMotion {
             Self::Table { time, gravity } => interpolate(time, gravity, t),
         }
     }
+
+    /// The largest it ever is \[m/s^2\]; `set` as for [`Self::at`].
+    pub(crate) fn largest(&self, set: Vec3) -> f64 {
+        match self {
+            Self::Fixed | Self::Rotation { .. } => set.norm(),
+            // Nowhere between two times is it larger than at both.
+            Self::Table { gravity, .. } => gravity.iter().map(Vec3::norm).fold(0.0, f64::max),
+        }
+    }
 }
 
 #[cfg(test)]

@@ -209,7 +209,7 @@ impl Settings {
 pub struct PointLoad {
     /// Sphere index.
     pub sphere: usize,
-    /// Point of the sphere, from its centre in its initial orientation \[m\].
+    /// Point of the sphere, from its centre \[m\] in its own axes, those of the world where its orientation is zero.
     pub arm: Vec3,
     /// Force \[N\], world axes.
     pub force: Vec3,
@@ -220,7 +220,7 @@ pub struct PointLoad {
 pub struct Spring {
     /// Sphere index.
     pub sphere: usize,
-    /// Point of the sphere, from its centre in its initial orientation \[m\].
+    /// Point of the sphere, from its centre \[m\] in its own axes, those of the world where its orientation is zero.
     pub arm: Vec3,
     /// Stiffness `P_c` \[N/m\].
     pub stiffness: f64,

@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 use crate::Vec3;
 use crate::contact::{ContactId, Partner};
 use crate::spatial::SpatialVector;
+use crate::spatial::extent::{larger, smaller};
 
 /// Degrees of freedom of a sphere that are held at zero velocity, in world axes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
@@ -69,12 +70,12 @@ impl Particles {
 
     /// Smallest radius \[m\]; infinite without spheres.
     pub(crate) fn smallest_radius(&self) -> f64 {
-        self.radius.iter().copied().fold(f64::INFINITY, f64::min)
+        self.radius.iter().copied().fold(f64::INFINITY, smaller)
     }
 
     /// Largest radius \[m\]; zero without spheres.
     pub(crate) fn largest_radius(&self) -> f64 {
-        self.radius.iter().copied().fold(0.0, f64::max)
+        self.radius.iter().copied().fold(0.0, larger)
     }
 
     /// Whether there is no sphere at all.

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::advice::advise;
 use super::bodies::{boundary, motion};
-use super::cell::cell;
+use super::cell::{cell, turns};
 use super::checks::{accept, direction};
 use super::clumps::{self, Template};
 use super::decode::{self, Entry, SceneFile};
@@ -32,6 +32,7 @@ use crate::scene::particles::{Kinematics, Particles};
 use crate::scene::{
     Boundary, Measure, Motion, Output, PointLoad, Probe, Scene, Sensor, Source, Spring,
 };
+use crate::spatial::cell::Cell;
 
 /// Reads, checks and builds; `name` is what problems call the file, `folder` where its files lie, `values` those of parameters
 /// that are not to have their default.
@@ -138,12 +139,13 @@ fn build(
         })
         .collect();
     let boundaries: Option<Vec<_>> = boundaries.into_iter().collect();
+    let cell = cell(document, &file.cell);
     let (particles, initial, clumps, sources) = populate(
         document,
         (&mut context, templates),
         file,
         &materials,
-        boundaries.as_deref(),
+        (boundaries.as_deref(), cell),
     );
     if file.spheres.is_empty() && file.sources.is_empty() {
         document.error(
@@ -152,10 +154,12 @@ fn build(
             "add a group `[[spheres]]` or a `[[source]]`",
         );
     }
+    let loads = loads(document, &context, &file.loads, &initial);
     let mut settings = settings;
     if let (Some(settings), Some(typed)) = (&mut settings, &file.simulation) {
         let boundaries = boundaries.as_deref().unwrap_or_default();
-        let fall = fall(settings, (&particles, &initial), boundaries);
+        let spheres = (&particles, &initial, &clumps[..]);
+        let fall = fall(settings, spheres, boundaries, &loads);
         choose_steps(settings, typed, fall);
         choose_slip(settings, typed, &pairs);
     }
@@ -166,7 +170,7 @@ fn build(
         about: file.about.clone(),
         // Known when all files have been read.
         hash: String::new(),
-        loads: loads(document, &context, &file.loads, &initial),
+        loads,
         springs: springs(document, &context, &file.springs, &initial),
         sinks: sinks(document, &source_names, &file.sinks),
         sources,
@@ -181,7 +185,7 @@ fn build(
         clumps,
         initial,
         initial_contacts: ContactForces::default(),
-        cell: cell(document, &file.cell),
+        cell,
         boundaries: boundaries?,
         // Known to whoever has set them.
         parameters: Vec::new(),
@@ -209,7 +213,7 @@ fn populate(
     (context, templates): (&mut Context, &[Option<Template>]),
     file: &SceneFile,
     materials: &[Material],
-    boundaries: Option<&[Boundary]>,
+    (boundaries, cell): (Option<&[Boundary]>, Cell),
 ) -> (Particles, Kinematics, Vec<Clump>, Vec<Source>) {
     let (mut particles, mut initial) = (Particles::default(), Kinematics::default());
     let mut clumps = Vec::new();
@@ -224,6 +228,7 @@ fn populate(
                 initial: &mut initial,
                 clumps: &mut clumps,
                 boundaries,
+                cell,
             };
             spheres::add(document, (&group.path, value), material, clump, present)
         });
@@ -295,13 +300,19 @@ fn loads(
 ) -> Vec<PointLoad> {
     let loads = elements.iter().filter_map(|element| {
         let value = element.value.as_ref()?;
+        let sphere = held(document, context, initial, &element.path, &value.sphere)?;
         Some(PointLoad {
-            sphere: held(document, context, initial, &element.path, &value.sphere)?,
-            arm: value.point.into(),
+            sphere,
+            arm: arm(initial, sphere, value.point),
             force: value.force.into(),
         })
     });
     loads.collect()
+}
+
+/// A point \[m\] from the centre of `sphere` at t = 0, world axes, in the sphere's own axes.
+fn arm(initial: &Kinematics, sphere: usize, point: file::Vector) -> Vec3 {
+    initial.orientation[sphere].inverse() * Vec3::from(point)
 }
 
 /// The sphere that the element at `path` pushes or holds: one that is there from the start.
@@ -332,18 +343,23 @@ fn springs(
         let stiffness = value.stiffness;
         document.positive((path, "stiffness"), stiffness, "a stiffness > 0 [N/m]");
         let motion = match &value.motion {
-            Some(given) => motion(document, &format!("{path}.motion"), given),
+            Some(given) => {
+                let path = format!("{path}.motion");
+                let motion = motion(document, &path, given);
+                motion.filter(|motion| {
+                    let expected = "translations only: the target is a point, which cannot turn";
+                    document.demand(!turns(motion), path, "a rotation", expected)
+                })
+            }
             None => Some(Motion::Fixed),
         };
         let sphere = held(document, context, initial, path, &value.sphere)?;
-        let arm = Vec3::from(value.point);
+        let start = initial.position[sphere] + Vec3::from(value.point);
         Some(Spring {
             sphere,
-            arm,
+            arm: arm(initial, sphere, value.point),
             stiffness,
-            target: value
-                .target
-                .map_or(initial.position[sphere] + arm, Vec3::from),
+            target: value.target.map_or(start, Vec3::from),
             motion: motion?,
         })
     });

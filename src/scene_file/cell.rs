@@ -175,7 +175,8 @@ fn spins(motion: &Motion) -> Option<Vec<Vec3>> {
     }
 }
 
-fn turns(motion: &Motion) -> bool {
+/// Whether a motion may turn.
+pub(super) fn turns(motion: &Motion) -> bool {
     spins(motion).is_none_or(|spins| spins.iter().any(|spin| *spin != Vec3::zeros()))
 }
 

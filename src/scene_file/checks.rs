@@ -4,6 +4,9 @@ use super::document::Document;
 use super::file;
 use crate::Vec3;
 use crate::geometry::GeometryError;
+use crate::scene::clump::ClumpShape;
+use crate::scene::materials::Material;
+use crate::scene::particles::Particles;
 
 /// The unit vector along a direction of any length.
 pub(super) fn direction(
@@ -46,4 +49,50 @@ pub(super) fn accept<T>(
         Ok(built) => Some(built),
         Err(error) => document.reject(path, error.to_string(), ""),
     }
+}
+
+/// Whether a mass \[kg\] and its moments of inertia \[kg m^2\] can be computed with; `what` gives them.
+pub(super) fn has_mass(
+    document: &mut Document<'_>,
+    path: &str,
+    what: &str,
+    (mass, moments): (f64, &[f64]),
+) -> bool {
+    let good = |x: f64| x.is_normal() && x > 0.0;
+    let usable = good(mass) && moments.iter().all(|moment| good(*moment));
+    if !usable {
+        let message = format!("{what} give no usable mass and inertia");
+        document.error(path, message, "lengths are in metres, densities in kg/m^3");
+    }
+    usable
+}
+
+/// [`has_mass`] of the sphere added last, of a `material`.
+pub(super) fn sphere_has_mass(
+    document: &mut Document<'_>,
+    path: &str,
+    particles: &Particles,
+    material: &Material,
+) -> bool {
+    let i = particles.len() - 1;
+    let (radius, density) = (particles.radius[i], material.density);
+    let what = format!("radius {radius} m and density {density} kg/m^3");
+    has_mass(
+        document,
+        path,
+        &what,
+        (particles.mass[i], &[particles.inertia(i)]),
+    )
+}
+
+/// [`has_mass`] of a scaled clump.
+pub(super) fn clump_has_mass(document: &mut Document<'_>, path: &str, shape: &ClumpShape) -> bool {
+    let radius = shape.equal_radius();
+    let what = format!("clumps of the volume of a sphere of radius {radius} m");
+    has_mass(
+        document,
+        path,
+        &what,
+        (shape.mass, shape.moments.as_slice()),
+    )
 }

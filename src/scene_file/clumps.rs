@@ -5,7 +5,7 @@ use std::ops::RangeInclusive;
 use nalgebra::{Matrix3, UnitQuaternion};
 
 use super::bodies::{stl_file, unit_of_length};
-use super::checks::accept;
+use super::checks::{accept, has_mass};
 use super::decode::Entry;
 use super::document::Document;
 use super::driven::principal;
@@ -111,18 +111,10 @@ impl Template {
             Some(surface) => shape.shown_as(surface, centre),
             None => shape,
         });
-        let usable = |shape: &ClumpShape| {
-            shape.mass.is_normal() && shape.moments.iter().all(|m| m.is_normal() && *m > 0.0)
-        };
-        match shape.filter(usable) {
-            Some(shape) => Some(shape),
-            None => {
-                let message = format!(
-                    "its members and a density of {density} kg/m^3 give no usable mass and inertia"
-                );
-                document.reject(path, message, "lengths are in metres, densities in kg/m^3")
-            }
-        }
+        let what = format!("its members and a density of {density} kg/m^3");
+        let found = shape.as_ref();
+        let found = found.map_or((0.0, &[][..]), |s| (s.mass, s.moments.as_slice()));
+        has_mass(document, path, &what, found).then_some(shape?)
     }
 }
 

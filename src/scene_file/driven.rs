@@ -75,6 +75,7 @@ pub(super) fn body(
         gravity: given.gravity,
         hold_while_settling: given.hold_while_settling,
         pose: Pose::default(),
+        start_position: 0.0,
         twist: Twist {
             linear: given.velocity.into(),
             angular: given.angular_velocity.into(),

@@ -71,11 +71,8 @@ impl Overlaps {
         for i in (0..radius.len()).filter(present) {
             for (b, boundary) in scene.boundaries.iter().enumerate() {
                 closest_points.clear();
-                let near = boundary.copy_near(&scene.cell, &poses[b], position[i]);
-                let centre = boundary.to_frame(&poses[b], near);
-                boundary
-                    .geometry
-                    .closest_points(centre, radius[i], 0.0, &mut closest_points);
+                let (sphere, place) = ((position[i], radius[i]), (&scene.cell, &poses[b]));
+                boundary.closest_points(place, sphere, 0.0, &mut closest_points);
                 let deepest = closest_points
                     .iter()
                     .map(|t| -t.gap / radius[i])

@@ -8,9 +8,10 @@ use super::file;
 use super::frame::{gravity, rotating_frame};
 use crate::integrator::Integrator;
 use crate::scene::accuracy::round_time;
+use crate::scene::clump::Clump;
 use crate::scene::materials::{Material, PairTable};
 use crate::scene::particles::{Kinematics, Particles};
-use crate::scene::{Boundary, Method, Motion, Settings};
+use crate::scene::{Boundary, Method, Motion, PointLoad, Settings};
 use crate::solver::Tolerance;
 
 /// Path of the table.
@@ -160,25 +161,39 @@ pub(super) fn choose_slip(settings: &mut Settings, typed: &file::Simulation, pai
     }
 }
 
-/// Shortest time \[s\] in which gravity, the centrifugal force or the pressure of a servo boundary moves a sphere by half its radius.
+/// Shortest time \[s\] in which the largest gravity, the centrifugal force or the pressure of a servo boundary moves a sphere by half
+/// its radius; without gravity also what a load gives its sphere or clump, and the force on a driven body this body.
 pub(super) fn fall(
     settings: &Settings,
-    (particles, initial): (&Particles, &Kinematics),
+    (particles, initial, clumps): (&Particles, &Kinematics, &[Clump]),
     boundaries: &[Boundary],
+    loads: &[PointLoad],
 ) -> f64 {
-    let pressure = boundaries
+    let driven = boundaries
         .iter()
         .filter_map(|boundary| match &boundary.motion {
-            Motion::Driven(body) => body.servo.as_ref(),
+            Motion::Driven(body) => Some(body),
             _ => None,
-        })
-        .fold(0.0, |most: f64, servo| most.max(servo.pressure.abs()));
+        });
+    let servos = driven.clone().filter_map(|body| body.servo.as_ref());
+    let pressure = servos.fold(0.0, |most: f64, servo| most.max(servo.pressure.abs()));
+    let gravity = settings.gravity_motion.largest(settings.gravity);
+    let pushed = driven.map(|body| body.force.norm() / body.mass);
+    let loaded = loads.iter().map(|load| {
+        let clump = particles.clump(load.sphere).map(|c| &clumps[c]);
+        let mass = clump.map_or(particles.mass[load.sphere], |clump| clump.shape.mass);
+        load.force.norm() / mass
+    });
+    let gravity = match gravity > 0.0 {
+        true => gravity,
+        false => pushed.chain(loaded).fold(0.0, f64::max),
+    };
     let acceleration = |i: usize| {
         let frame = settings.rotating_frame.as_ref();
         let centrifugal = frame.map_or(0.0, |frame| frame.centrifugal(initial.position[i]).norm());
         let radius = particles.radius[i];
         let pressed = pressure * PI * radius * radius / particles.mass[i];
-        (settings.gravity.norm() + centrifugal).max(pressed)
+        (gravity + centrifugal).max(pressed)
     };
     let times = (0..particles.radius.len()).map(|i| (particles.radius[i] / acceleration(i)).sqrt());
     times.fold(f64::INFINITY, f64::min)

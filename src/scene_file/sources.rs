@@ -3,6 +3,7 @@
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 
+use super::checks::{clump_has_mass, sphere_has_mass};
 use super::decode::Entry;
 use super::document::Document;
 use super::file;
@@ -66,11 +67,13 @@ pub(super) fn source(
         let middle = (low + high) / 2.0;
         match scaled {
             Some(shape) => {
+                clump_has_mass(document, path, &shape).then_some(())?;
                 let store = (&mut *particles, &mut *initial, &mut *clumps);
                 Clump::push_absent(&shape, material.0, middle, store);
             }
             None => {
                 particles.push(radius, material.1.density, material.0, Locks::default());
+                sphere_has_mass(document, path, particles, material.1).then_some(())?;
                 initial.push_absent(middle);
             }
         }

@@ -86,9 +86,6 @@ impl Simulation {
         };
         let plan = StepPlan::new(start, end, state.control.step, self.scene.settings.step);
         self.check_jump(&trajectory.paths(&self.scene), start, end, plan.left())?;
-        if self.state.momentum_step == 0.0 {
-            self.state.momentum_step = plan.length().min(step);
-        }
         let replay = self.replay.take();
         let (replay, memory) = match back {
             true => (replay, None),
@@ -101,6 +98,9 @@ impl Simulation {
         };
         let before = self.state.fork(memory);
         self.state.report = StepReport::default();
+        if self.state.momentum_step == 0.0 {
+            self.state.momentum_step = plan.length().min(step);
+        }
         // One too short for a mean of its own goes on with the last one.
         if h >= REMAINDER * self.state.last_step {
             self.state
@@ -128,10 +128,15 @@ impl Simulation {
     ) -> Result<(), StepError> {
         let result = self.take(communication);
         if result.is_err() {
-            self.state = communication.before.clone();
-            self.replay = communication.replay.take();
+            self.put_back(communication);
         }
         result
+    }
+
+    /// Gives `communication` up: the state is as before [`Self::begin`], and so is its [`Self::replay_record`].
+    pub fn put_back(&mut self, communication: &mut CommunicationStep) {
+        self.state = communication.before.clone();
+        self.replay = communication.replay.take();
     }
 
     fn take(&mut self, communication: &mut CommunicationStep) -> Result<(), StepError> {
@@ -193,16 +198,20 @@ impl Simulation {
         self.state.rates.clear();
         self.carry_over(&communication);
         let none = ImpulseTotals::of(self.scene.boundaries.len());
-        let (state, before) = communication.midway.unwrap_or((communication.before, none));
+        let averages = communication.before.mean_wrenches.clone();
+        let (mut state, before) = communication.midway.unwrap_or((communication.before, none));
+        state.momentum_step = self.state.momentum_step;
         let mut totals = communication.totals;
         totals.taken.drain(..before.taken.len());
-        self.replay = Some(Arc::new(ReplayRecord::Step(Step {
+        let step = Step {
             state,
             start: communication.plan.start(),
             trajectory: communication.trajectory,
             taken: totals.taken,
+            averages,
             before,
-        })));
+        };
+        self.replay = Some(Arc::new(ReplayRecord::Step(Box::new(step))));
     }
 
     /// The remainder of a step is no shock: where a communication step is shorter than [`REMAINDER`] of the internal step before
@@ -413,13 +422,7 @@ impl Simulation {
         end: f64,
         steps: u64,
     ) -> Result<(), StepError> {
-        let limit = self
-            .scene
-            .particles
-            .radius
-            .iter()
-            .copied()
-            .fold(f64::INFINITY, f64::min);
+        let limit = self.scene.particles.smallest_radius();
         // With a constant twist every internal step is as long as the first.
         let looked_at = if paths.bends() { steps } else { 1 };
         let mut before = self.state.poses.clone();

@@ -181,7 +181,7 @@ impl FreeSpace {
     fn around(simulation: &Simulation, source: &Source) -> Self {
         let particles = &simulation.scene.particles;
         let kinematics = &simulation.state.kinematics;
-        let largest = particles.radius.iter().copied().fold(0.0, f64::max);
+        let largest = particles.largest_radius();
         let near = source
             .region
             .bounds()
@@ -249,11 +249,8 @@ fn touches_any(
         .zip(&simulation.state.poses)
         .any(|(boundary, pose)| {
             closest_points.clear();
-            let place = boundary.copy_near(&simulation.scene.cell, pose, place);
-            let centre = boundary.to_frame(pose, place);
-            boundary
-                .geometry
-                .closest_points(centre, radius, 0.0, closest_points);
+            let cell = &simulation.scene.cell;
+            boundary.closest_points((cell, pose), (place, radius), 0.0, closest_points);
             !closest_points.is_empty()
         })
 }

@@ -2,6 +2,7 @@
 
 use super::impulse_totals::ImpulseTotals;
 use super::trajectory::Trajectory;
+use crate::spatial::Wrench;
 use crate::state::SharedState;
 use serde::{Deserialize, Serialize};
 
@@ -11,7 +12,7 @@ pub enum ReplayRecord {
     /// The start of a run: from this state, before overlaps were removed and forces solved.
     Start(SharedState),
     /// A communication step.
-    Step(Step),
+    Step(Box<Step>),
 }
 
 /// Everything to take a communication step again. Where commands changed within it, from the internal step at which they last
@@ -22,6 +23,8 @@ pub struct Step {
     /// Start of the communication step \[s\].
     pub(super) start: f64,
     pub(super) trajectory: Trajectory,
+    /// Averages of the communication step before, `[B]`: those of `state` may be of the same one.
+    pub(super) averages: Vec<Wrench>,
     /// What had been summed up before `state`.
     pub(super) before: ImpulseTotals,
     /// Ends of the internal steps from `state` on \[s\].
@@ -47,7 +50,11 @@ impl ReplayRecord {
     pub(super) fn fits(&self, boundaries: usize) -> bool {
         match self {
             Self::Start(_) => true,
-            Self::Step(step) => step.trajectory.fits(boundaries) && step.before.fits(boundaries),
+            Self::Step(step) => {
+                step.trajectory.fits(boundaries)
+                    && step.before.fits(boundaries)
+                    && step.averages.len() == boundaries
+            }
         }
     }
 }

@@ -2,9 +2,8 @@
 
 use crate::error::SnapshotError;
 use crate::formats::snapshot;
-use crate::scene::{Motion, Scene};
+use crate::scene::Scene;
 use crate::scene_file::digest;
-use crate::spatial::Twist;
 use crate::state::State;
 
 impl Scene {
@@ -27,12 +26,8 @@ impl Scene {
         let state: State = snapshot::restore(blob, hash)?;
         // The state has the velocities of the half step before.
         (_, self.initial) = snapshot::spheres(blob)?;
-        for (boundary, pose) in self.boundaries.iter_mut().zip(state.poses) {
-            if let Motion::Driven(body) = &mut boundary.motion {
-                body.pose = pose;
-                body.twist = Twist::default();
-            }
-        }
+        let driven: Vec<usize> = self.driven().map(|(b, _)| b).collect();
+        self.start_bodies(&state.poses, driven.into_iter().zip(&state.bodies));
         self.initial_contacts = state.contacts;
         self.hash = digest([self.hash.as_bytes(), blob]);
         Ok(())

@@ -44,7 +44,7 @@ const CEILING: f64 = 1e3;
 pub struct SolverWorkspace {
     symbolic: Option<Symbolic>,
     pub(crate) kernel: Kernel,
-    /// Velocities of the last solution \[m/s\], \[rad/s\], `[N + D]`.
+    /// Velocities of the last solution \[m/s\], \[rad/s\], `[N + M]`.
     pub(crate) velocity: Vec<SpatialVector>,
 }
 

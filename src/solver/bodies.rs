@@ -14,17 +14,18 @@ pub(super) struct Masses<'a> {
     problem: &'a Problem,
     /// Of the spheres, `[N]`: \[kg\], \[kg m^2\] of each degree of freedom.
     spheres: Vec<[f64; 6]>,
-    driven: Vec<Driven>,
+    /// Of the driven bodies and clumps, `[M]`.
+    others: Vec<OperatorMass>,
 }
 
-/// One driven body.
-struct Driven {
+/// One driven body or clump.
+struct OperatorMass {
     mass: SpatialOperator,
     /// Projector onto what its joint leaves free.
     free: SpatialOperator,
 }
 
-impl Driven {
+impl OperatorMass {
     fn of(operator: &SpatialOperator) -> Self {
         let [linear, angular] = [&operator.linear, &operator.angular].map(|block| {
             let largest = block.norm();
@@ -69,20 +70,23 @@ impl<'a> Masses<'a> {
         Self {
             problem,
             spheres: problem.inverse_mass.iter().map(mass).collect(),
-            driven: problem.operators.iter().map(Driven::of).collect(),
+            others: problem.operators.iter().map(OperatorMass::of).collect(),
         }
     }
 
-    /// Number of bodies, `N + D`.
+    /// Number of bodies, `N + M`.
     pub(super) fn len(&self) -> usize {
-        self.spheres.len() + self.driven.len()
+        self.spheres.len() + self.others.len()
     }
 
     /// Largest linear mass \[kg\].
     pub(super) fn heaviest(&self) -> f64 {
         let spheres = self.spheres.iter().map(|m| m[0]);
-        let driven = self.driven.iter().map(|d| d.mass.linear.diagonal().max());
-        spheres.chain(driven).fold(0.0, f64::max)
+        let others = self
+            .others
+            .iter()
+            .map(|other| other.mass.linear.diagonal().max());
+        spheres.chain(others).fold(0.0, f64::max)
     }
 
     /// `A` of one body.
@@ -90,7 +94,7 @@ impl<'a> Masses<'a> {
         match self.spheres.get(body) {
             Some(mass) => Matrix6::from_diagonal(&(*mass).into()),
             None => {
-                let mass = &self.driven[body - self.spheres.len()].mass;
+                let mass = &self.others[body - self.spheres.len()].mass;
                 let mut block = Matrix6::zeros();
                 block.fixed_view_mut::<3, 3>(0, 0).copy_from(&mass.linear);
                 block.fixed_view_mut::<3, 3>(3, 3).copy_from(&mass.angular);
@@ -104,7 +108,7 @@ impl<'a> Masses<'a> {
         match self.spheres.get(body) {
             Some(mass) => std::array::from_fn(|k| mass[k] * component(v, k)),
             None => {
-                let momentum = self.driven[body - self.spheres.len()].mass.times(v);
+                let momentum = self.others[body - self.spheres.len()].mass.times(v);
                 std::array::from_fn(|k| component(&momentum, k))
             }
         }
@@ -120,13 +124,13 @@ impl<'a> Masses<'a> {
         squares.sum::<f64>().sqrt()
     }
 
-    /// `sum over bodies of r^T W r` of `r`, `[6 (N + D)]`, with inverse mass one where a degree of freedom is held.
+    /// `sum over bodies of r^T W r` of `r`, `[6 (N + M)]`, with inverse mass one where a degree of freedom is held.
     pub(super) fn inverse_norm_squared(&self, r: &[f64]) -> f64 {
-        let (spheres, driven) = r.split_at(6 * self.spheres.len());
+        let (spheres, others) = r.split_at(6 * self.spheres.len());
         let masses = self.spheres.iter().flatten();
         let of_spheres: f64 = spheres.iter().zip(masses).map(|(r, m)| r * r / m).sum();
-        let driven = driven.chunks_exact(6).zip(&self.problem.operators);
-        driven.fold(of_spheres, |sum, (r, w)| {
+        let others = others.chunks_exact(6).zip(&self.problem.operators);
+        others.fold(of_spheres, |sum, (r, w)| {
             let r = SpatialVector {
                 linear: Vec3::new(r[0], r[1], r[2]),
                 angular: Vec3::new(r[3], r[4], r[5]),
@@ -144,7 +148,7 @@ impl<'a> Masses<'a> {
             JacobianBlock::Couple(lever) => (Matrix3::zeros(), Matrix3::identity() * lever),
         };
         let Some(w) = self.problem.inverse_mass.get(body) else {
-            let free = &self.driven[body - self.spheres.len()].free;
+            let free = &self.others[body - self.spheres.len()].free;
             j.fixed_view_mut::<3, 3>(0, 0)
                 .copy_from(&(linear * free.linear));
             j.fixed_view_mut::<3, 3>(0, 3)
@@ -164,7 +168,7 @@ impl<'a> Masses<'a> {
         j
     }
 
-    /// Adds `J^T impulse` of a row to `momentum`, `[6 (N + D)]`; held degrees of freedom do not feel it.
+    /// Adds `J^T impulse` of a row to `momentum`, `[6 (N + M)]`; held degrees of freedom do not feel it.
     pub(super) fn scatter(&self, row: &Row, impulse: Vec3, momentum: &mut [f64]) {
         let [grip_a, grip_b] = row.jacobian();
         self.give(row.a, &grip_a.momentum(impulse), momentum);
@@ -176,7 +180,7 @@ impl<'a> Masses<'a> {
     fn give(&self, body: u32, given: &SpatialVector, momentum: &mut [f64]) {
         let body = body as usize;
         let Some(w) = self.problem.inverse_mass.get(body) else {
-            let given = self.driven[body - self.spheres.len()].free.times(given);
+            let given = self.others[body - self.spheres.len()].free.times(given);
             for k in 0..6 {
                 momentum[6 * body + k] += component(&given, k);
             }

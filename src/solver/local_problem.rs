@@ -54,10 +54,10 @@ impl LocalProblem {
         };
         let mut rank = BTreeMap::new();
         let spheres = problem.inverse_mass.len();
-        // Spheres come before driven bodies, as in the whole.
-        for driven in [false, true] {
+        // Spheres come before the other bodies, as in the whole.
+        for other in [false, true] {
             let of_kind = rows.iter().flat_map(|&k| bodies(k));
-            for body in of_kind.filter(|&body| (body as usize >= spheres) == driven) {
+            for body in of_kind.filter(|&body| (body as usize >= spheres) == other) {
                 rank.entry(body).or_insert_with(|| {
                     let i = body as usize;
                     part.free.push(if inside[i] {
@@ -65,7 +65,7 @@ impl LocalProblem {
                     } else {
                         velocity[i]
                     });
-                    match (driven, inside[i]) {
+                    match (other, inside[i]) {
                         (false, true) => part.inverse_mass.push(problem.inverse_mass[i]),
                         (false, false) => part.inverse_mass.push(SpatialVector::ZERO),
                         (true, true) => part.operators.push(problem.operators[i - spheres]),

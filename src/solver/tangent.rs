@@ -33,7 +33,7 @@ const AT_BOUND: f64 = 1e-9;
 /// A change of a problem's data.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Change {
-    /// Of the velocities, with the impulses held; `[N + D]`.
+    /// Of the velocities, with the impulses held; `[N + M]`.
     pub velocity: Vec<SpatialVector>,
     /// Of the rows' unit normals, `[C]`.
     pub normal: Vec<Vec3>,
@@ -153,7 +153,7 @@ impl Tangent<'_> {
             .collect())
     }
 
-    /// What row `k` responses to changes of `u + b - S^-1 p`, `[C]`.
+    /// How row `k` answers to changes of `u + b - S^-1 p`, `[C]`.
     fn answer(&self, k: usize, seen: &[Vec3]) -> Vec3 {
         let (row, answer) = (self.proximal.problem.rows.get(k), &self.responses[k]);
         let own = -(answer.tangent * seen[k]);

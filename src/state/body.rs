@@ -2,9 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::scene::Scene;
 use crate::scene::body::Body;
-use crate::spatial::SpatialVector;
+use crate::scene::{Motion, Scene};
+use crate::spatial::{Pose, SpatialVector, Twist};
 
 /// What a driven body carries from step to step.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -27,8 +27,29 @@ pub struct BodyState {
 pub struct JointState {
     /// Displacement or angle from the scene's placement.
     pub joint_position: f64,
-    /// Force or torque of its stops and its spring in the last internal step, positive to greater joint_position.
+    /// Force or torque of its stops and its spring in the last internal step, positive to greater positions.
     pub force: f64,
+}
+
+impl Scene {
+    /// Lets the driven bodies start at `poses`, `[B]`, at rest; those whose boundary has a state in `carried` keep their whole turns.
+    pub(crate) fn start_bodies<'a>(
+        &mut self,
+        poses: &[Pose],
+        carried: impl Iterator<Item = (usize, &'a BodyState)>,
+    ) {
+        for (boundary, pose) in self.boundaries.iter_mut().zip(poses) {
+            if let Motion::Driven(body) = &mut boundary.motion {
+                body.pose = *pose;
+                body.twist = Twist::default();
+            }
+        }
+        for (b, state) in carried {
+            if let Motion::Driven(body) = &mut self.boundaries[b].motion {
+                body.start_position = state.joint_position;
+            }
+        }
+    }
 }
 
 impl BodyState {
@@ -43,7 +64,7 @@ impl BodyState {
                     .operator(pivot, body.pose.rotation, f64::recip)
                     .times(&momentum),
                 smooth: SpatialVector::ZERO,
-                joint_position: body.joint_position(&body.pose, 0.0),
+                joint_position: body.joint_position(&body.pose, body.start_position),
                 joint_forces: [0.0; 3],
             }
         };

@@ -87,9 +87,15 @@ pub(super) fn assemble<'a>(
     let rows = &mut assembly.problem.rows;
     rows.extend(springs.map(|s| prediction.spring(s)));
     assembly.joints.clear();
+    // Of all spheres: only bodies ask for it.
+    let largest = match prediction.bodies.is_empty() {
+        true => 0.0,
+        false => prediction.scene.particles.largest_radius(),
+    };
     for (rank, body) in prediction.bodies.iter().enumerate() {
         for limit in body.joint_limits() {
-            let (row, impact) = prediction.limit(&assembly.problem.free, rank, &limit);
+            let free = &assembly.problem.free;
+            let (row, impact) = prediction.limit(free, (rank, &limit), largest);
             assembly.problem.rows.push(row);
             impulses.push(limit.direction * (limit.force * prediction.step));
             assembly.joints.push(JointConstraint { limit, impact });

@@ -28,6 +28,8 @@ pub(super) struct ClumpPrediction<'a> {
     pub(super) free: SpatialVector,
     /// `W`.
     pub(super) mobility: SpatialOperator,
+    /// Gravity \[N\].
+    pub(super) weight: Vec3,
     /// Force \[N\] and torque about the centre \[N m\] of gravity and loads.
     pub(super) external: SpatialVector,
     /// Acceleration by `external`, and of its spin also by its rotation.
@@ -63,8 +65,10 @@ impl<'a> ClumpPrediction<'a> {
         let first = clump.members.start;
         let velocity = clump.of_member(rotation, &kinematics.spatial_velocity(first));
         let mut external = SpatialVector::ZERO;
+        let mut weight = Vec3::zeros();
         if let Some((gravity, applied)) = loads.filter(|_| kinematics.present[first]) {
-            external.linear = gravity * shape.mass;
+            weight = gravity * shape.mass;
+            external.linear = weight;
             let point_loads = scene
                 .loads
                 .iter()
@@ -109,6 +113,7 @@ impl<'a> ClumpPrediction<'a> {
                 angular: inverse.angular * integrator.mobility(),
             },
             acceleration: shape.response(rotation, &external.plus(&gyroscopic, 1.0)),
+            weight,
             external,
             momentum,
             mass: operator(middle, |inertia| inertia),

@@ -8,12 +8,11 @@ use crate::detection::configuration::{Candidate, Configuration};
 use crate::detection::detection_distance::DetectionDistance;
 use crate::scene::clump::Clump;
 use crate::spatial::SpatialVector;
-use crate::spatial::extent::larger;
 
 /// Contacts with a gap below this share of the radius are candidates even at rest.
 const NEAR: f64 = 1e-3;
 
-/// Into `candidates` the pairs within reach of the step, in canonical order. `free` are velocities without contacts, `[N + D]`.
+/// Into `candidates` the pairs within reach of the step, in canonical order. `free` are velocities without contacts, `[N + D + C]`.
 ///
 /// What a sphere can move is known before contacts change its velocity: [`super::verify`] finds what this misses.
 pub(super) fn detect(
@@ -29,7 +28,7 @@ pub(super) fn detect(
     let both = both.map(|(now, free)| [*now, free.linear]);
     let radii = &scene.particles.radius;
     let mut reach = take(&mut workspace.reach);
-    let largest = radii.iter().copied().fold(0.0, larger);
+    let largest = scene.particles.largest_radius();
     let held = scene.holding_distance(largest);
     DetectionDistance::of(both, step, |i| NEAR * radii[i] + held, &mut reach);
     if let Some(edge) = scene.cell.smallest_edge() {

@@ -119,9 +119,15 @@ impl Solved<'_> {
             };
             let new = kinetic(rotation, &after, &smooth[first]);
             let old = kinetic(clump.rotation, &clump.velocity, &state.smooth[first]);
-            state.work.numerical_work += new - old - step * clump.external.dot(v1);
+            state.work.numerical_work += new - old - step * clump.weight.dot(&v1.linear);
             let place = (centre, rotation);
             clump.clump.put(place, &after, &mut state.kinematics);
         }
+        // Loads work along the ways of the members, which are chords: what the ledger has of it.
+        let particles = &prediction.scene.particles;
+        let work = self.load_work(&state.applied_forces);
+        let members = work.filter(|(i, _)| particles.clump(*i).is_some());
+        let work: f64 = members.map(|(_, work)| work).sum();
+        state.work.numerical_work -= work;
     }
 }

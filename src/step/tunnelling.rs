@@ -23,14 +23,13 @@ use crate::detection::detection_distance::DetectionDistance;
 use crate::detection::sweep::{least_distance, meets};
 use crate::spatial::Pose;
 use crate::spatial::cell::{HERE, Image};
-use crate::spatial::extent::smaller;
 
 /// Relative motion over the smaller radius up to which the gaps at the ends of a step suffice \[-\].
 pub(super) const SMALL_MOTION: f64 = 0.5;
 /// How deep a path may go into another body before it counts as passing, over the smaller radius \[-\].
 const DEPTH: f64 = 0.1;
 
-/// The first pair, in canonical order, that passes or is joint apart without need.
+/// The first pair, in canonical order, that passes through another or is held apart without need.
 pub(super) fn passed(
     assembly: &Assembly,
     solution: &Solution,
@@ -50,8 +49,7 @@ pub(super) fn passed(
         |_| 0.0,
         &mut reach,
     );
-    let radii = start.particles.radius.iter().copied();
-    let smallest = radii.fold(f64::INFINITY, smaller);
+    let smallest = start.particles.smallest_radius();
     let freely = &prediction.poses[1];
     let carried =
         (0..ends.len()).flat_map(|b| [&ends[b], &freely[b]].map(|to| start.carried(b, to)));

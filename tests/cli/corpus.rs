@@ -138,3 +138,51 @@ fn steps_that_fail_are_written_and_read() {
         told.error
     );
 }
+
+/// Symptom: a file of an earlier run was overwritten where their numbers had a gap.
+#[test]
+fn files_of_earlier_runs_stay() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path();
+    let changes = [("strict = true", "strict = false\nmax_iterations = 1")];
+    let scene = funnel(path, &changes);
+    let scene = scene.to_str().unwrap();
+    fs::create_dir(path.join("failed")).unwrap();
+    let earlier = path.join("failed/step-0002.dat");
+    fs::write(&earlier, "earlier").unwrap();
+    let run = [
+        "run",
+        scene,
+        "--stop",
+        "0.4",
+        "-o",
+        "a",
+        "--dump-failed",
+        "failed",
+    ];
+    done(path, &run);
+    assert_eq!(fs::read_to_string(earlier).unwrap(), "earlier");
+    assert!(path.join("failed/step-0003.dat").exists());
+}
+
+/// Symptom: a run whose `--dump-failed` could not be written could not be resumed: its last checkpoint had the number of the
+/// communication step before the time it held.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_run_goes_on_after_a_file_that_was_not_written() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path();
+    let changes = [("strict = true", "strict = false\nmax_iterations = 1")];
+    let scene = funnel(path, &changes);
+    let run = ["run", scene.to_str().unwrap(), "--stop", "0.4", "-o"];
+    // No file can be made there, whoever tries.
+    let told = said(path, &[&run[..], &["a", "--dump-failed", "/proc"]].concat());
+    assert_eq!(told.code, Some(2), "{}", told.error);
+    let told = told.error;
+    assert!(told.contains("cannot write `/proc/step-0001.dat"), "{told}");
+    assert!(!told.contains("no step missed its tolerances"), "{told}");
+    done(path, &[&run[..], &["a", "--resume"]].concat());
+    done(path, &[&run[..], &["b"]].concat());
+    let history = |name: &str| fs::read(path.join(name).join("history.csv")).unwrap();
+    assert!(history("a") == history("b"));
+}

@@ -282,3 +282,51 @@ faces = [{ plane = { point = [0, 0, 0.03992], normal = [0, 0, -1] } }]
         "{text}"
     );
 }
+
+/// Symptom: a hinge that settled beyond half a turn started a whole turn short, and its spring, wound by 2 pi, threw it back.
+/// Cause: a start had the pose alone, in which whole turns are lost.
+#[test]
+fn a_hinge_keeps_its_whole_turns_when_it_settles() {
+    let mut wound = scene(
+        r#"
+[simulation]
+duration = 1.0
+communication_step = 0.01
+[[material]]
+name = "grain"
+density = 2500
+[[spheres]]
+name = "one"
+material = "grain"
+radius = 0.01
+positions = [[5, 5, 0.01]]
+[[boundary]]
+name = "floor"
+material = "grain"
+faces = [{ plane = { point = [0, 0, 0], normal = [0, 0, 1] } }]
+[[boundary]]
+name = "arm"
+material = "grain"
+faces = [{ box = { min = [0.0, -0.05, 0.95], max = [0.3, 0.05, 1.0] } }]
+point_of_action = [0, 0, 1]
+[boundary.body]
+mass = 1.0
+inertia = [0.01, 0.01, 0.01]
+centre = [0, 0, 1]
+joint = { hinge = [0, 1, 0] }
+spring = { stiffness = 2.0, rest = 4.0 }
+limits = { lower = -0.5, upper = 6.0 }
+angular_damping = 0.2
+gravity = false
+"#,
+    );
+    let settled = settle(&wound, 20.0, true);
+    wound.start_from(&settled.start).unwrap();
+    let mut simulation = Simulation::new(Arc::new(wound)).unwrap();
+    let angle = simulation.joint(1).joint_position;
+    assert!((angle - 4.0).abs() < 1e-3, "{angle} rad at the start");
+    simulation.advance_to(0.1).unwrap();
+    let joint = simulation.joint(1);
+    assert!((joint.joint_position - 4.0).abs() < 1e-3, "{joint:?}");
+    assert!(joint.force.abs() < 1e-2, "{joint:?}");
+}

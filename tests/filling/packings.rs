@@ -236,3 +236,31 @@ fn too_much_is_refused_with_what_fits() {
     );
     assert!(smallest_gap(&good(&group("grains", &keys))) >= 0.0);
 }
+
+/// Symptom: grains lay in those of an earlier group, and in walls, by up to their diameter. Cause: of what stands at a face of a
+/// periodic cell the packing did not know the copy at the other.
+#[test]
+fn copies_in_a_periodic_cell_are_kept_clear_of() {
+    let cell = "[cell]\nx = [0.0, 1.0]\n";
+    let wall = "[[boundary]]\nname = \"post\"\nmaterial = \"rock\"\n\
+                faces = [{ box = { min = [0.7, 0.4, 0.0], max = [0.9, 0.5, 0.4] } }]\n";
+    let first = group(
+        "first",
+        "radius = 0.03\nlattice = { origin = [0.95, 0.03, 0.03], count = [1, 6, 6], spacing = 0.061 }",
+    );
+    let region = "region = { box = { min = [-0.4, 0, 0], max = [0.6, 0.5, 0.5] } }";
+    let keys = format!("radius = 0.03\npacking = {{ {region}, solid_fraction = 0.35 }}");
+    let packed = good(&format!("{cell}{wall}{first}{}", group("grains", &keys)));
+    let overlaps = Overlaps::of(&packed);
+    assert!(overlaps.pairs.is_empty(), "{:?}", overlaps.pairs);
+    assert!(overlaps.boundaries.is_empty(), "{:?}", overlaps.boundaries);
+}
+
+/// Symptom: `check` of a region far flatter than wide ended for lack of memory. Cause: the cells of the search were as many as
+/// its sides had of the cubic root of its volume.
+#[test]
+fn a_flat_region_takes_no_memory_beyond_its_spheres() {
+    let region = "region = { box = { min = [0, 0, 0], max = [1, 1, 1e-15] } }";
+    let keys = format!("radius = 4e-16\npacking = {{ {region}, count = 5 }}");
+    assert_eq!(good(&group("grains", &keys)).particles.len(), 5);
+}

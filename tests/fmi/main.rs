@@ -4,6 +4,7 @@ mod about;
 mod c;
 mod extremes;
 mod feedthrough;
+mod intermediate;
 mod licences;
 mod parameters;
 mod refusals;

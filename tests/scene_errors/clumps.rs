@@ -38,6 +38,11 @@ fn each_bad_clump_is_refused_with_place_and_reason() {
             "a list of 2 radii",
         ),
         (
+            scene("radius = 1e-110", "", ""),
+            "spheres[0]",
+            "no usable mass",
+        ),
+        (
             scene("lock = \"x\"", "", ""),
             "spheres[0].lock",
             "which has none",
@@ -106,6 +111,45 @@ fn each_bad_clump_is_refused_with_place_and_reason() {
         error.contains("rotating frame in a scene with clumps"),
         "{error}"
     );
+}
+
+/// Symptom: radii of a CSV had no effect on clumps. As `radius` of their group they are those of spheres of the same volume.
+#[test]
+fn radii_of_a_file_are_those_of_spheres_of_the_same_volume() {
+    let folder = folder();
+    let places = "x,y,z,radius\n0,0,0.8,0.2\n2.0,0,0.8,0.4\n";
+    std::fs::write(folder.path().join("places.csv"), places).unwrap();
+    let lattice = "lattice = { origin = [0.0, 0.0, 0.3], count = [3, 2, 1], spacing = 0.4 }";
+    let listed = |keys: &str| {
+        scene(keys, "", "")
+            .replacen(lattice, "csv = \"places.csv\"", 1)
+            .replacen("grains[4]", "grains[0]", 1)
+    };
+    let loaded = load(&listed(""), folder.path()).unwrap_or_else(|e| panic!("{}", e.plain()));
+    let radii = loaded
+        .scene
+        .clumps
+        .iter()
+        .map(|clump| clump.shape.equal_radius());
+    for (found, expected) in radii.zip([0.2, 0.4]) {
+        assert!((found / expected - 1.0).abs() < 1e-12, "{found} {expected}");
+    }
+    let error = load(&listed("radius = 0.3"), folder.path())
+        .expect_err("two radii")
+        .plain();
+    assert!(
+        error.contains("spheres[0].radius") && error.contains("radii in the file"),
+        "{error}"
+    );
+    std::fs::write(
+        folder.path().join("places.csv"),
+        places.replace("0.4", "-0.4"),
+    )
+    .unwrap();
+    let error = load(&listed(""), folder.path())
+        .expect_err("a radius < 0")
+        .plain();
+    assert!(error.contains("spheres[0].csv"), "{error}");
 }
 
 /// An ASCII STL file of a tetrahedron without its last `open` facets.

@@ -292,6 +292,10 @@ const CASES: &[Case] = cases! {
     "\"grains[4]\"" => "\"grain[4]\"", "load[0].sphere", "grain[4]", "did you mean `grains`";
     "\"grains[4]\"" => "\"grains[-1]\"", "load[0].sphere", "grains[-1]", "group[k]";
     "stiffness = 1e3" => "stiffness = -1e3", "spring[0].stiffness", "stiffness", "> 0 [N/m]";
+    "stiffness = 1e3" => "stiffness = 1e3\nmotion = { sinusoid = { frequency = 2.0, rotation = [0, 0, 0.5] } }", "spring[0].motion", "sinusoid", "found a rotation, expected translations only";
+    "stiffness = 1e3" => "stiffness = 1e3\nmotion = { constant = { angular_velocity = [0, 0, 3] } }", "spring[0].motion", "constant", "found a rotation, expected translations only";
+    "stiffness = 1e3" => "stiffness = 1e3\nmotion = { table = { time = [0, 1], rotation = [[0, 0, 0], [0, 0, 1]] } }", "spring[0].motion", "rotation", "found a rotation, expected translations only";
+    "[output]\n" => "[[source]]\nname = \"feed\"\nmaterial = \"rock\"\nradius = 1e-110\ncapacity = 3\nrate = 100\nregion = { box = { min = [4, 4, 4], max = [5, 5, 5] } }\n[output]\n", "source[0]", "[[source]]", "no usable mass";
     "normal = [0.0, 0.0, -1.0]" => "normal = [0.0, 0.0, 0.0]", "sensor[0].mass_flow.plane.normal", "mass_flow", "length > 0";
     "max = [1.0, 1.0, 1.0]" => "max = [1.0, -1.0, 1.0]", "sensor[1].region.box", "region", "min < max";
     "mass_flow = { plane = { point = [0.0, 0.0, 0.0], normal = [0.0, 0.0, -1.0] } }" => "wrench = \"flor\"", "sensor[0].wrench", "flor", "did you mean `floor`";

@@ -206,3 +206,43 @@ fn grains_pressed_without_gravity_come_to_rest() {
     let force = simulation.mean_wrench(2).force.z;
     assert!((force / 50.0 - 1.0).abs() < 1e-2, "{force} N");
 }
+
+/// Symptom: where a table of gravity began at zero, steps were as long as a fall without gravity takes, 5e-2 s. Cause: the fall
+/// that chooses steps had the gravity of t = 0.
+#[test]
+fn steps_follow_the_largest_gravity_of_a_table() {
+    let table = |gravity: &str| {
+        format!("gravity_motion = {{ table = {{ time = [0, 1, 1.001], gravity = {gravity} }} }}")
+    };
+    let steps = |keys: &str| {
+        let settings = grains(5, keys, "").settings;
+        (settings.step, settings.smallest_step)
+    };
+    let fixed = steps("");
+    assert_eq!(
+        steps(&table("[[0, 0, 0], [0, 0, 0], [0, 0, -9.81]]")),
+        fixed
+    );
+    assert_eq!(
+        steps(&table("[[0, 0, -1], [9.81, 0, 0], [0, 0, 0]]")),
+        fixed
+    );
+}
+
+/// Without gravity the loads move the spheres: with a force of its weight on a sphere steps are those of its fall.
+#[test]
+fn without_gravity_steps_follow_the_loads() {
+    let step = |keys: &str, tables: &str| grains(1, keys, tables).settings.step;
+    let weight = 9.81 * grains(1, "", "").particles.mass[0];
+    let load = format!("[[load]]\nsphere = \"fill[0]\"\nforce = [{weight}, 0, 0]\n");
+    let (fallen, pushed) = (step("", ""), step("gravity = [0, 0, 0]", &load));
+    assert!((pushed / fallen - 1.0).abs() < 1e-12, "{pushed} {fallen}");
+    let press = format!(
+        "[[boundary]]\nname = \"press\"\nmaterial = \"grain\"\n\
+         faces = [{{ plane = {{ point = [0, 0, 1], normal = [0, 0, -1] }} }}]\n\
+         body = {{ mass = 2.0, joint = {{ slide = [0, 0, -1] }}, force = [0, 0, {}], gravity = false }}\n",
+        -2.0 * 9.81
+    );
+    let pressed = step("gravity = [0, 0, 0]", &press);
+    assert!((pressed / fallen - 1.0).abs() < 1e-12, "{pressed} {fallen}");
+}

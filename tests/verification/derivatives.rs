@@ -803,3 +803,64 @@ seed = 3
         assert!(off < 1e-5, "{name}: {} {}", column[name], difference[name]);
     }
 }
+
+/// A sphere between a floor that rises at a constant speed and a lid that gives way: the force on the lid rises by `k v`.
+/// Symptom: where the speed was set within the step, its average rose by a quarter of that. Cause: the average before the last
+/// command was taken for that of the communication step before.
+#[test]
+fn averages_rise_alike_whenever_commands_come() {
+    let text = r#"
+[simulation]
+duration = 1.0
+step = 1e-3
+fixed_step = true
+communication_step = 1e-2
+gravity = [0, 0, 0]
+[[material]]
+name = "glass"
+density = 1000
+[[spheres]]
+name = "ball"
+material = "glass"
+radius = 0.01
+positions = [[0, 0, 0.01]]
+[[boundary]]
+name = "lid"
+material = "glass"
+stiffness = 1e4
+faces = [{ plane = { point = [0, 0, 0.02], normal = [0, 0, -1] } }]
+[[boundary]]
+name = "floor"
+material = "glass"
+faces = [{ plane = { point = [0, 0, 0], normal = [0, 0, 1] } }]
+input = { slide_speed = [0, 0, 1] }
+"#;
+    let speed = 0.01;
+    let given = |scalar: f64| Command {
+        scalar,
+        ..Command::default()
+    };
+    for midway in [false, true] {
+        let mut simulation = simulation(&[text]);
+        simulation.command(1, given(speed)).unwrap();
+        for k in 1..=5 {
+            let mut march = simulation.begin(f64::from(k) * 1e-2).unwrap();
+            for n in 0..10 {
+                if midway && n == 5 {
+                    let close = speed * (1.0 + 1e-12 * f64::from(k));
+                    simulation.command(1, given(close)).unwrap();
+                }
+                simulation.internal_step(&mut march).unwrap();
+            }
+            simulation.end(march);
+        }
+        let rates = simulation
+            .time_derivatives_of(|now| vec![now.mean_wrench(0).force.z])
+            .unwrap();
+        assert!(
+            (rates[0] / (1e4 * speed) - 1.0).abs() < 1e-6,
+            "{midway}: {} N/s",
+            rates[0]
+        );
+    }
+}

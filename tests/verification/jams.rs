@@ -24,7 +24,7 @@ fn energy(run: &Run) -> [f64; 2] {
 
 /// Runs for `count` communication steps; whatever gives way takes work of the boundaries and makes none: `E - E_0 <= W`, and no sphere
 /// is faster than `fastest` \[m/s\]. Returns how many steps did not converge.
-fn makes_no_energy(text: &str, count: usize, fastest: f64) -> u32 {
+fn makes_no_energy(text: &str, count: usize, fastest: f64) -> u64 {
     let scene = scene(&[text, ROCK].concat());
     let mut run = start(&scene);
     let ([before, _], mut unconverged) = (energy(&run), 0);

@@ -273,6 +273,7 @@ pub fn body(mass: f64, centre: Vec3, moments: Vec3, joint: Joint) -> Body {
         gravity: true,
         hold_while_settling: false,
         pose: Pose::default(),
+        start_position: 0.0,
         twist: Twist::default(),
         input: false,
     }

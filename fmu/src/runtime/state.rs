@@ -22,7 +22,7 @@ use crate::runtime::life_cycle::LifeCycle;
 use crate::table::Parameters;
 
 const MAGIC: [u8; 8] = *b"SDDAFMU\0";
-const FORMAT: u32 = 12;
+const FORMAT: u32 = 13;
 const HEADER: usize = 24;
 
 /// Everything an instance holds beside the simulation.

@@ -50,7 +50,7 @@ pub struct Reading {
 }
 
 impl Reading {
-    /// What a region, a box or a cylinder, joint_forces now.
+    /// What a region, a box or a cylinder, holds now.
     #[must_use]
     pub fn of(region: &Primitive, state: &Observation) -> Self {
         let mut reading = Self::default();

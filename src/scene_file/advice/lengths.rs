@@ -49,12 +49,7 @@ fn large(
 ) -> Option<Advice> {
     let size = longest(boundary.geometry.finite_bounds()?);
     let around = longest(occupied);
-    let smallest = scene
-        .particles
-        .radius
-        .iter()
-        .copied()
-        .fold(f64::MAX, f64::min);
+    let smallest = scene.particles.smallest_radius();
     let mesh = mesh_file(boundary);
     let path = format!("boundary[{index}]");
     let found = format!(

@@ -9,7 +9,7 @@ use crate::scene_file::diagnostic::Advice;
 const COARSE: f64 = 20.0;
 
 pub(super) fn advise(scene: &Scene) -> Vec<Advice> {
-    let largest = scene.particles.radius.iter().copied().fold(0.0, f64::max);
+    let largest = scene.particles.largest_radius();
     let section = PI * largest * largest;
     let walls = scene.boundaries.iter().enumerate();
     let coarse = walls.filter(|(_, boundary)| boundary.wall_fields && section > 0.0);

@@ -123,7 +123,7 @@ pub struct Simulation {
     #[serde(default)]
     pub accuracy: Accuracy,
     /// Largest internal time step \[s\]. Steps are chosen at most so long; a larger value than the accuracy allows changes nothing.
-    #[schemars(extend("x-default" = "chosen from the accuracy, the smallest radius and gravity", "exclusiveMinimum" = 0))]
+    #[schemars(extend("x-default" = "chosen from the accuracy, the radii and the largest gravity, or the loads without it", "exclusiveMinimum" = 0))]
     pub step: Option<f64>,
     /// Whether every internal step is as long as `step`, which is then required. The integrator `shi` and the penalty method do so
     /// whenever `step` is given.
@@ -365,7 +365,7 @@ pub struct Load {
     pub sphere: String,
     /// Force \[N\], world axes.
     pub force: Vector,
-    /// Point of the sphere, from its centre, at t = 0 \[m\].
+    /// Point of the sphere, from its centre, at t = 0, world axes \[m\].
     #[serde(default)]
     pub point: Vector,
 }
@@ -379,13 +379,13 @@ pub struct Spring {
     /// Stiffness \[N/m\].
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub stiffness: f64,
-    /// Point of the sphere, from its centre, at t = 0 \[m\].
+    /// Point of the sphere, from its centre, at t = 0, world axes \[m\].
     #[serde(default)]
     pub point: Vector,
     /// Target \[m\].
     #[schemars(extend("x-default" = "where the point is at t = 0"))]
     pub target: Option<Vector>,
-    /// Motion of the target; translations only.
+    /// Motion of the target, a point: translations only.
     #[schemars(extend("x-default" = "fixed"))]
     pub motion: Option<Motion>,
 }

@@ -41,7 +41,8 @@ pub struct Spheres {
     pub packing: Option<Packing>,
     /// Centres \[m\].
     pub positions: Option<Vec<Vector>>,
-    /// CSV file with columns x, y, z \[m\] and optionally radius \[m\], vx, vy, vz \[m/s\], wx, wy, wz \[rad/s\].
+    /// CSV file with columns x, y, z \[m\] and optionally radius \[m\], of clumps that of a sphere of the same volume, vx, vy, vz
+    /// \[m/s\], wx, wy, wz \[rad/s\].
     pub csv: Option<String>,
     /// Frame of results, `spheres_NNNNNN.vtu`: its spheres with radius, velocity, spin and orientation, to seven
     /// digits unless the run wrote `float64`.
@@ -177,7 +178,7 @@ pub struct MassTable {
 
 /// A seeded random packing without overlap: exactly one of `count`, `mass`, `solid_fraction`. It keeps clear of the
 /// boundaries as they stand at t = 0 and of the groups before it, on every side of them: a region larger than a hopper
-/// also gets spheres outside of the hopper. Solid fractions up to about 0.57 are reached.
+/// also gets spheres outside of the hopper. In a periodic cell the copies of both count too. Solid fractions up to about 0.57 are reached.
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Packing {

@@ -12,9 +12,9 @@ use super::radii::{self, Radii};
 use crate::Vec3;
 use crate::random::{rotation, symmetric};
 use crate::scene::clump::{Clump, ClumpShape};
+use crate::scene_file::checks::clump_has_mass;
 use crate::scene_file::document::Document;
 use crate::scene_file::file;
-use crate::scene_file::sizes::Sizes;
 use crate::spatial::SpatialVector;
 
 /// Adds the clumps of a group, of a shape and a material, where `generator` places them; returns the indices of their spheres.
@@ -54,15 +54,20 @@ pub(super) fn add(
             let task = packing::Task::new(document, &format!("{path}.packing"), given)?;
             let reach = shape.reach();
             let ball = 4.0 / 3.0 * std::f64::consts::PI * reach.powi(3);
-            let draw = |random: &mut ChaCha8Rng| reach * sizes.draw(random);
+            let draw = |random: &mut ChaCha8Rng| reach * sizes.factor(0, random);
             let radii = task.radii(document, draw, shape.mass / ball, random)?;
             let places = task.places(document, &radii, &present, random)?;
             let starts = places.into_iter().map(InitialMotion::at).collect();
             (starts, radii.iter().map(|radius| radius / reach).collect())
         }
         given => {
-            let (starts, _) = given.read(document, path, random)?;
-            let factors = starts.iter().map(|_| sizes.draw(random)).collect();
+            let (starts, listed) = given.read(document, path, random)?;
+            let mut sizes = sizes;
+            if listed.is_some() {
+                sizes.radii = Some(Radii::new(document, path, group, starts.len(), listed)?);
+            }
+            let factors = (0..starts.len()).map(|k| sizes.factor(k, random));
+            let factors = factors.collect();
             (starts, factors)
         }
     };
@@ -97,9 +102,11 @@ pub(super) fn add(
             linear: group.velocity.map_or(start.velocity, Vec3::from),
             angular: group.spin.map_or(start.spin, Vec3::from),
         };
+        let shape = shape.scaled(factor);
+        clump_has_mass(document, path, &shape).then_some(())?;
         let store = (&mut *particles, &mut *initial, &mut *clumps);
         Clump::push(
-            &shape.scaled(factor),
+            &shape,
             material,
             (start.position, rotation),
             &velocity,
@@ -111,8 +118,10 @@ pub(super) fn add(
 
 /// How many times as large as the template clumps are.
 struct Scales {
-    /// Radii of spheres of the same volume \[m\], and that of the template; `None`: all are as given.
-    radii: Option<(Sizes, f64)>,
+    /// Radii of spheres of the same volume \[m\]; `None`: all are as the template.
+    radii: Option<Radii>,
+    /// That of the template \[m\].
+    own: f64,
     jitter: f64,
 }
 
@@ -125,19 +134,19 @@ impl Scales {
         let jitter = radii::jitter(document, path, group);
         let radii = match (&group.radius, &group.size) {
             (None, None) => None,
-            _ => Some((Radii::drawn(document, path, group)?, shape.equal_radius())),
+            _ => Some(Radii::Drawn(Radii::drawn(document, path, group)?)),
         };
         Some(Self {
             radii,
+            own: shape.equal_radius(),
             jitter: jitter?,
         })
     }
 
-    fn draw(&self, random: &mut ChaCha8Rng) -> f64 {
-        let factor = self
-            .radii
-            .as_ref()
-            .map_or(1.0, |(radii, own)| radii.draw(random) / own);
+    /// That of clump `k` of the group.
+    fn factor(&self, k: usize, random: &mut ChaCha8Rng) -> f64 {
+        let radii = self.radii.as_ref();
+        let factor = radii.map_or(1.0, |radii| radii.of(k, random) / self.own);
         match self.jitter {
             0.0 => factor,
             jitter => factor * (1.0 + jitter * symmetric(random)),

@@ -6,6 +6,7 @@ use crate::Vec3;
 use crate::scene::Boundary;
 use crate::scene::clump::Clump;
 use crate::scene::particles::{Kinematics, Particles};
+use crate::spatial::cell::Cell;
 
 /// Most spheres of a scene: a bound that catches a mistyped count before it eats the memory.
 pub(crate) const MOST_SPHERES: usize = 10_000_000;
@@ -39,4 +40,6 @@ pub(crate) struct Present<'a> {
     pub(crate) clumps: &'a mut Vec<Clump>,
     /// The boundaries; `None` if one of them was refused.
     pub(crate) boundaries: Option<&'a [Boundary]>,
+    /// The periodic cell.
+    pub(crate) cell: Cell,
 }

@@ -13,6 +13,7 @@ use std::ops::Range;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 
+use super::checks::sphere_has_mass;
 use super::document::Document;
 use super::file::{self, Lock, OneOrMany};
 use crate::Vec3;
@@ -83,13 +84,7 @@ pub(super) fn add(
         let spin = group.spin.map_or(start.spin, Vec3::from);
         initial.push(start.position, velocity, spin);
         initial.orientation[i] = start.orientation;
-        if !(particles.mass[i].is_normal() && particles.inertia(i).is_normal()) {
-            let message = format!(
-                "radius {radius} m and density {} kg/m^3 give no usable mass",
-                material.1.density
-            );
-            return document.reject(path, message, "lengths are in metres, densities in kg/m^3");
-        }
+        sphere_has_mass(document, path, particles, material.1).then_some(())?;
     }
     Some(first..particles.len())
 }

@@ -62,7 +62,7 @@ impl Simulation {
             before: replay.state.clone(),
             struck: Vec::new(),
             struck_before: vec![false; boundaries],
-            averages: replay.state.mean_wrenches.clone(),
+            averages: replay.averages.clone(),
             h: self.state.time - replay.start,
         };
         self.replay(replay, &mut [], |before, after| {

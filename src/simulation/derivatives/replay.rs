@@ -11,7 +11,7 @@ use crate::state::{SharedState, State};
 use crate::step::{Effort, Replica, Workspace, start_with_replicas, step_with_replicas};
 use std::sync::Arc;
 
-/// A simulation that takes the step of an [`ReplayRecord`] again.
+/// A simulation that takes the step of a [`ReplayRecord`] again.
 pub(super) struct ReplayedSimulation {
     pub(super) simulation: Simulation,
     pub(super) trajectory: Trajectory,

@@ -100,8 +100,7 @@ impl Simulation {
                 expected: "the index of a boundary with an input",
             });
         };
-        let radius = &self.scene.particles.radius;
-        let smallest = radius.iter().copied().fold(f64::INFINITY, f64::min);
+        let smallest = self.scene.particles.smallest_radius();
         let pivot = boundary.point_of_action + state.poses[b].translation;
         // What turns moves the spheres, or its own corners, at this distance.
         let lever = match boundary.geometry.bounds() {

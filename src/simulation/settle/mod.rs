@@ -87,12 +87,12 @@ impl Settled {
             }));
         }
         let still = still(scene);
-        let mut trajectory = Progress::new(scene, settle.time, watch);
-        let began = trajectory.begin(held(&still, COARSE), PassKind::Coarse, 0.0)?;
+        let mut progress = Progress::new(scene, settle.time, watch);
+        let began = progress.begin(held(&still, COARSE), PassKind::Coarse, 0.0)?;
         let load = StartLoads::of(&began);
         let length = (LAST * load.pause).max(scene.settings.communication_step);
         let way_down = settle.time - (FINE_PASSES * length).min(FINE_SHARE * settle.time);
-        let coarse = trajectory.run(began, &load, way_down, settle.until_rest)?;
+        let coarse = progress.run(began, &load, way_down, settle.until_rest)?;
 
         let mut near = held(&still, FINE);
         near.settings.step = near.settings.step.min(load.easy_step(scene));
@@ -101,7 +101,7 @@ impl Settled {
         *smallest = smallest.map(|least| least.min(step));
         let mut settled = Self {
             start: Vec::new(),
-            time: trajectory.time,
+            time: progress.time,
             passes: 1,
             speed: coarse.speed,
             rest_speed: coarse.rest_speed,
@@ -118,9 +118,9 @@ impl Settled {
         };
         for _ in 0..STRETCHES {
             last.stopped(&mut near);
-            let stretch = trajectory
+            let stretch = progress
                 .begin(near.clone(), kind, overlap)
-                .and_then(|began| trajectory.run(began, &load, length, false));
+                .and_then(|began| progress.run(began, &load, length, false));
             let fine = match stretch {
                 Ok(fine) => fine,
                 // The pass before has left a start already.
@@ -130,13 +130,13 @@ impl Settled {
                 }
                 Err(error) => return Err(error),
             };
-            settled.time = trajectory.time;
-            settled.passes = trajectory.pass.number;
+            settled.time = progress.time;
+            settled.passes = progress.pass.number;
             settled.at_rest = fine.speed <= fine.rest_speed;
             (settled.speed, settled.rest_speed) = (fine.speed, fine.rest_speed);
-            last = trajectory.stop(&fine.simulation, &still)?;
+            last = progress.stop(&fine.simulation, &still)?;
             settled.unbalanced = load.unbalanced(&last);
-            if settled.unbalanced <= BALANCED || fine.ended || trajectory.is_over() {
+            if settled.unbalanced <= BALANCED || fine.ended || progress.is_over() {
                 break;
             }
             near.settings.tolerance.slip = LOOSE.slip;
@@ -146,7 +146,7 @@ impl Settled {
         }
         // Bodies that were held are free from t = 0.
         if scene.driven().any(|(_, body)| body.hold_while_settling) {
-            last = trajectory.stop(&last, scene)?;
+            last = progress.stop(&last, scene)?;
         }
         settled.start = last.snapshot();
         Ok(settled)

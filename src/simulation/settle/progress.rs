@@ -1,4 +1,4 @@
-//! The trajectory of settling, pass after pass.
+//! Settling, pass after pass.
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
@@ -6,12 +6,12 @@ use std::sync::Arc;
 use super::start_loads::StartLoads;
 use super::{Pass, PassKind, SettleError, SettleProgress};
 use crate::error::StepError;
+use crate::scene::Scene;
 use crate::scene::particles::Kinematics;
-use crate::scene::{Motion, Scene};
 use crate::simulation::Simulation;
 use crate::simulation::trajectory::displacement;
 use crate::solver::Tolerance;
-use crate::spatial::{SpatialVector, Twist};
+use crate::spatial::SpatialVector;
 
 /// A time \[s\] in which no body turns: over it a displacement is a speed.
 const INSTANT: f64 = 1e-9;
@@ -165,12 +165,8 @@ impl Simulation {
         scene.initial.clone_from(&self.state.kinematics);
         scene.initial.stop();
         scene.initial_contacts.clone_from(&self.state.contacts);
-        for (boundary, pose) in scene.boundaries.iter_mut().zip(&self.state.poses) {
-            if let Motion::Driven(body) = &mut boundary.motion {
-                body.pose = *pose;
-                body.twist = Twist::default();
-            }
-        }
+        let driven = self.scene.driven().map(|(b, _)| b);
+        scene.start_bodies(&self.state.poses, driven.zip(&self.state.bodies));
     }
 
     /// Multiplies every velocity by `share`.

@@ -49,8 +49,7 @@ impl StartLoads {
             none if none == 0.0 && mass > 0.0 => force / mass,
             gravity => gravity,
         };
-        let radius = scene.particles.radius.iter().copied();
-        let smallest = radius.fold(f64::INFINITY, f64::min);
+        let smallest = scene.particles.smallest_radius();
         let pause = if acceleration > 0.0 && smallest.is_finite() {
             (smallest / acceleration).sqrt()
         } else {

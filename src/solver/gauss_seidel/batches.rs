@@ -93,7 +93,7 @@ impl<T: Precision> Batches<T> {
                 },
             );
         };
-        // Behind the parts are driven bodies.
+        // Behind the parts are driven bodies and clumps.
         let rest = turns[0].last().map_or(0, |group| group.bodies.end);
         let (parts, others) = self.before.split_at_mut(rest);
         move_on(&mut self.bodies[rest..], others);

@@ -28,9 +28,9 @@ pub(super) struct GeneralRows(Vec<GeneralRow>);
 /// Bodies as blocks hold them, for rows that hold them otherwise.
 pub(super) struct Bodies<'a, T> {
     bodies: &'a mut [Body<T>],
-    /// Where each body is, `[N + D]`.
+    /// Where each body is, `[N + M]`.
     place: &'a [u32],
-    /// Length by which each body's spin is scaled \[m\], `[N + D]`; see [`spin_scale`].
+    /// Length by which each body's spin is scaled \[m\], `[N + M]`; see [`spin_scale`].
     radius: &'a [f64],
 }
 

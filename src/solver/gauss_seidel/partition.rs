@@ -43,7 +43,7 @@ struct Order {
     part: Vec<u8>,
     /// First place of each part, and the end of the last.
     starts: Vec<u32>,
-    /// Of each body behind the spheres the sphere in whose place it is, `[D]`; [`NO_SEAT`] where it has its own behind all parts.
+    /// Of each body behind the spheres the sphere in whose place it is, `[M]`; [`NO_SEAT`] where it has its own behind all parts.
     seats: Vec<u32>,
 }
 
@@ -57,7 +57,7 @@ impl Order {
 }
 
 impl Partition {
-    /// Lays out spheres of the given centres \[m\], `[N]`, with cells of `edge` \[m\], and the bodies behind them, `[D]`: in the place of
+    /// Lays out spheres of the given centres \[m\], `[N]`, with cells of `edge` \[m\], and the bodies behind them, `[M]`: in the place of
     /// a sphere that does not move by itself, or behind all parts. Returns whether that is another order than before.
     pub(crate) fn arrange(
         &mut self,

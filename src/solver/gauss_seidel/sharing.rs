@@ -10,7 +10,7 @@ const SPLIT: f64 = 0.25;
 #[derive(Debug, Default)]
 pub(super) struct Sharing {
     spheres: usize,
-    /// Of those behind the spheres, `[D]`.
+    /// Of those behind the spheres, `[M]`.
     others: Vec<Touched>,
 }
 

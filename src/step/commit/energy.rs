@@ -58,17 +58,32 @@ impl Solved<'_> {
     /// contacts take across their normals is friction, along those of impacts the impact's loss. Along the normals of lasting
     /// contacts nothing is lost but by the scheme: that and all else of the change of kinetic energy is the numerical_work.
     pub(super) fn work(&self, state: &mut State, end: Option<&End>) {
-        let (scene, step) = (self.prediction().scene, self.prediction().step);
         let all = 0..self.solution.impulses.len();
         let of = |_, rows| self.work_of(rows, end, &state.contacts);
         state.work = state.work + self.assembly.pool.pieces(all, of, |a, b| a + b);
-        for load in &scene.loads {
-            let arm = self.prediction().kinematics.orientation[load.sphere] * load.arm;
-            state.work.loads += step * load.force.dot(&self.solution.velocity[load.sphere].at(arm));
-        }
-        let applied = state.applied_forces.iter().zip(&self.solution.velocity);
-        let power: f64 = applied.map(|(force, v)| force.dot(&v.linear)).sum();
-        state.work.loads += step * power;
+        let loads: f64 = self
+            .load_work(&state.applied_forces)
+            .map(|(_, work)| work)
+            .sum();
+        state.work.loads += loads;
+    }
+
+    /// Work \[J\] of every point load, and of the forces `applied` from outside \[N\], with the sphere on which it acts.
+    pub(in crate::step) fn load_work(
+        &self,
+        applied: &[Vec3],
+    ) -> impl Iterator<Item = (usize, f64)> {
+        let (prediction, velocity) = (self.prediction(), &self.solution.velocity);
+        let loads = prediction.scene.loads.iter().map(move |load| {
+            let i = load.sphere;
+            let arm = prediction.kinematics.orientation[i] * load.arm;
+            (i, prediction.step * load.force.dot(&velocity[i].at(arm)))
+        });
+        let applied = applied.iter().zip(velocity).enumerate();
+        let power = move |(i, (force, v)): (usize, (&Vec3, &SpatialVector))| {
+            (i, prediction.step * force.dot(&v.linear))
+        };
+        loads.chain(applied.map(power))
     }
 
     /// Where the spheres end and the boundaries with `poses`, if some contacts give way.

@@ -1,6 +1,6 @@
 //! Stops and springs of slides and hinges: rows of the step's problem on the joint's one free direction.
 //!
-//! With the joint_position `q` \[m\] or \[rad\] from the scene's configuration, and its rate over the step `q'`:
+//! With the position `q` \[m\] or \[rad\] from the scene's configuration, and its rate over the step `q'`:
 //!
 //! ```text
 //! lower stop   0 <= f  perp  q + dt q' - q_min >= 0        no restitution, no friction
@@ -16,12 +16,12 @@ use crate::scene::Boundary;
 use crate::scene::body::{Body, Joint};
 use crate::step::driven::BodyPrediction;
 
-/// What acts on a joint's joint_position.
+/// What acts on a joint.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Kind {
-    /// A stop that pushes to greater joint_position.
+    /// A stop that pushes to greater positions.
     Lower,
-    /// A stop that pushes to lesser joint_position.
+    /// A stop that pushes to lesser positions.
     Upper,
     /// A spring of this stiffness \[N/m\] at the row's point.
     Spring(f64),
@@ -34,9 +34,9 @@ pub struct JointLimit {
     pub kind: Kind,
     /// Where it holds the body, from its reference point \[m\].
     pub arm: Vec3,
-    /// Unit vector in which that point moves when the joint_position grows.
+    /// Unit vector in which that point moves when the position of the joint grows.
     pub direction: Vec3,
-    /// Velocity of that point over the joint_position's rate: 1 for a slide \[-\], `L` for a hinge \[m\].
+    /// Velocity of that point over the rate of the joint's position: 1 for a slide \[-\], `L` for a hinge \[m\].
     pub lever: f64,
     /// Distance to the stop, negative beyond it, or stretch of the spring \[m\] at the point.
     pub distance: f64,

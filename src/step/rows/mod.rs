@@ -129,15 +129,14 @@ impl Prediction<'_> {
     }
 
     /// The row of a stop or spring of driven body `rank`, and whether it is an impact: a stop acts as a boundary, without
-    /// restitution.
+    /// restitution. `radius` \[m\] is the scale of its gap and slip.
     pub(super) fn limit(
         &self,
         free: &[SpatialVector],
-        rank: usize,
-        limit: &JointLimit,
+        (rank, limit): (usize, &JointLimit),
+        radius: f64,
     ) -> (Row, bool) {
         let (settings, body) = (&self.scene.settings, &self.bodies[rank]);
-        let particles = &self.scene.particles;
         let normal = limit.normal();
         let dt2 = self.step * self.step;
         let (law, compliance) = match (limit.kind, settings.method, settings.penalty) {
@@ -158,7 +157,7 @@ impl Prediction<'_> {
             compliance_n: compliance,
             compliance_t: compliance,
             law,
-            radius: particles.radius.iter().copied().fold(0.0, f64::max),
+            radius,
             impulse_scale: 0.0,
         };
         let before = body.velocity.at(limit.arm).dot(&normal);

@@ -28,6 +28,7 @@ impl Instance {
         let end = self.check_step(point, h)?;
         let start = self.run.start;
         let commands = self.run.commands.clone();
+        let rates = self.run.rates.clone();
         let forces = self.run.forces.clone();
         let communication = self.commanded()?.begin(end - start)?;
         self.step = Some(StepInProgress {
@@ -36,6 +37,7 @@ impl Instance {
             h,
             end,
             commands,
+            rates,
             forces,
         });
         Ok(())
@@ -50,8 +52,13 @@ impl Instance {
             return Err(self.no_step());
         };
         self.measured = Measured::default();
-        let taken = command(simulation, &self.run)
-            .and_then(|()| simulation.internal_step(&mut step.communication));
+        let taken = match command(simulation, &self.run) {
+            Ok(()) => simulation.internal_step(&mut step.communication),
+            Err(refused) => {
+                simulation.put_back(&mut step.communication);
+                Err(refused)
+            }
+        };
         match taken {
             Ok(()) => {
                 let last = step.communication.is_done();
@@ -67,7 +74,8 @@ impl Instance {
             Err(error) => {
                 self.run.stage = LifeCycle::StepComplete;
                 self.run.time = step.point;
-                (self.run.commands, self.run.forces) = (step.commands, step.forces);
+                (self.run.commands, self.run.rates) = (step.commands, step.rates);
+                self.run.forces = step.forces;
                 match self.concluded(Err(error), step.h, step.end)? {
                     Step::Discarded(error) => Ok(Progress::Discarded(error)),
                     Step::Complete => Err(self.no_step()),

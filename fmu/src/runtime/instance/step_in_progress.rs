@@ -1,7 +1,7 @@
 //! A communication step under way.
 
 use sphere_dda::Vec3;
-use sphere_dda::scene::Command;
+use sphere_dda::scene::{Command, CommandDerivatives};
 use sphere_dda::simulation::CommunicationStep;
 
 /// A communication step under way.
@@ -12,6 +12,8 @@ pub(super) struct StepInProgress {
     pub(super) end: f64,
     /// As they were at its beginning.
     pub(super) commands: Vec<Command>,
+    /// Likewise.
+    pub(super) rates: Vec<CommandDerivatives>,
     /// Likewise.
     pub(super) forces: Vec<Vec3>,
 }

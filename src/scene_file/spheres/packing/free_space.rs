@@ -8,6 +8,7 @@ use crate::geometry::region::Region;
 use crate::scene::Boundary;
 use crate::scene::particles::{Kinematics, Particles};
 use crate::spatial::Pose;
+use crate::spatial::cell::Cell;
 
 /// How often a sphere is pushed out of what it overlaps before it is put back.
 const PUSHES: usize = 4;
@@ -18,6 +19,7 @@ const SLACK: f64 = 1e-9;
 pub(super) struct FreeSpace<'a> {
     region: &'a Region,
     boundaries: Vec<(&'a Boundary, Pose)>,
+    cell: Cell,
     /// Box around the region \[m\].
     pub(super) low: Vec3,
     pub(super) high: Vec3,
@@ -25,7 +27,7 @@ pub(super) struct FreeSpace<'a> {
 
 impl<'a> FreeSpace<'a> {
     /// `None` for an unbounded region.
-    pub(super) fn new(region: &'a Region, boundaries: &'a [Boundary]) -> Option<Self> {
+    pub(super) fn new(region: &'a Region, boundaries: &'a [Boundary], cell: Cell) -> Option<Self> {
         let (low, high) = region.bounds()?;
         let boundaries = boundaries
             .iter()
@@ -34,23 +36,26 @@ impl<'a> FreeSpace<'a> {
         Some(Self {
             region,
             boundaries,
+            cell,
             low,
             high,
         })
     }
 
-    /// Centres \[m\] and radii \[m\] of present spheres that reach into it.
+    /// Centres \[m\] and radii \[m\] of present spheres that reach into it, copies in a periodic cell included.
     pub(super) fn obstacles(
         &self,
         particles: &Particles,
         initial: &Kinematics,
     ) -> Vec<(Vec3, f64)> {
         let spheres = initial.position.iter().zip(&particles.radius);
-        let near = spheres.zip(&initial.present).filter(|((c, r), present)| {
-            let nearest = c.sup(&self.low).inf(&self.high);
-            **present && (*c - nearest).norm() < **r
+        let present = spheres.zip(&initial.present).filter(|(_, is)| **is);
+        let copies = present.flat_map(|((&c, &r), _)| {
+            let images = self.cell.copies(c, (self.low, self.high), r);
+            images.map(move |image| (c + self.cell.shift(image), r))
         });
-        near.map(|((c, r), _)| (*c, *r)).collect()
+        let reaches = |(c, r): &(Vec3, f64)| (c - c.sup(&self.low).inf(&self.high)).norm() < *r;
+        copies.filter(reaches).collect()
     }
 
     /// A random place in the region; `None` if the sphere does not fit.
@@ -115,12 +120,7 @@ impl<'a> FreeSpace<'a> {
     fn overlaps(&self, centre: Vec3, radius: f64, reach: f64, out: &mut Vec<ClosestPoint>) {
         out.clear();
         for (boundary, pose) in &self.boundaries {
-            let first = out.len();
-            let local = boundary.to_frame(pose, centre);
-            boundary.geometry.closest_points(local, radius, reach, out);
-            for touch in &mut out[first..] {
-                touch.normal = pose.rotation * touch.normal;
-            }
+            boundary.closest_points((&self.cell, pose), (centre, radius), reach, out);
         }
     }
 }

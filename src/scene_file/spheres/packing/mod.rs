@@ -137,7 +137,7 @@ impl Task {
         random: &mut ChaCha8Rng,
     ) -> Option<Vec<Vec3>> {
         // Without all of its boundaries the free space is another one; what is wrong with them is reported already.
-        let room = FreeSpace::new(&self.region, present.boundaries?)?;
+        let room = FreeSpace::new(&self.region, present.boundaries?, present.cell)?;
         let obstacles = room.obstacles(present.particles, present.initial);
         match Bed::drop(&room, radii, &obstacles, random).and_then(|bed| bed.relax(&room)) {
             Ok(places) => Some(places),

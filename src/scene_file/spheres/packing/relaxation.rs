@@ -22,6 +22,8 @@ const TRIES: usize = 30;
 const POINTS: usize = 20_000;
 /// Pairs are moved to this relative distance, so that the last overlaps end after few sweeps \[-\].
 const MARGIN: f64 = 1e-3;
+/// Most cells of the search over the number of spheres and one; a cube has no more.
+const MOST_CELLS: f64 = 8.0;
 /// Distance by which a pair is moved apart over its overlap: more than 1 halves the sweeps.
 const PUSH: f64 = 1.4;
 /// Longest displacement of a sphere in a sweep over its radius: none passes through a boundary.
@@ -306,8 +308,14 @@ impl Grid {
         let side = high - low;
         // No more cells than a few per sphere, however small the spheres are in the region.
         let coarse = (side.product() / (number as f64 + 1.0)).cbrt();
-        let cell = (2.0 * largest).max(coarse).max(1e-6 * side.amax());
-        let counts = [0, 1, 2].map(|k| (side[k] / cell) as usize + 1);
+        let mut cell = (2.0 * largest).max(coarse).max(1e-6 * side.amax());
+        let along = |cell: f64| [0, 1, 2].map(|k| (side[k] / cell) as usize + 1);
+        let cells = |cell: f64| along(cell).iter().map(|n| *n as f64).product::<f64>();
+        // The cubic root of a flat or slender region is far smaller than its sides.
+        while cells(cell) > MOST_CELLS * (number as f64 + 1.0) {
+            cell *= 2.0;
+        }
+        let counts = along(cell);
         Self {
             low,
             cell,

@@ -41,9 +41,9 @@ pub struct Kernel {
     pub(super) pool: Pool,
     pub(super) layout: Partition,
     pub(super) turns: Colours,
-    /// Where each body is, `[N + D]`. Each part ends with a body that never moves; behind them all are those that are in no part.
+    /// Where each body is, `[N + M]`. Each part ends with a body that never moves; behind them all are those that are in no part.
     pub(super) place: Vec<u32>,
-    /// Length by which each body's spin is scaled \[m\], `[N + D]`: its radius; zero where no contact gives it.
+    /// Length by which each body's spin is scaled \[m\], `[N + M]`: its radius; zero where no contact gives it.
     pub(super) radius: Vec<f64>,
     pub(super) others: GeneralRows,
     /// Row of each contact's resistance, `[C]`; [`NONE`] where it has none.
@@ -194,7 +194,7 @@ impl Kernel {
         }
     }
 
-    /// Says where the spheres are, `[N]` \[m\], whose largest diameter is `diameter` \[m\]; and of each body behind them, `[D]`, a sphere
+    /// Says where the spheres are, `[N]` \[m\], whose largest diameter is `diameter` \[m\]; and of each body behind them, `[M]`, a sphere
     /// that moves with it and has no row, if there is one. Forgotten by a problem of another size.
     pub fn prepare(
         &mut self,
@@ -309,7 +309,7 @@ impl Kernel {
         }
     }
 
-    /// Writes the velocities of all bodies \[m/s\], \[rad/s\], `[N + D]`: those of the impulses that were judged last.
+    /// Writes the velocities of all bodies \[m/s\], \[rad/s\], `[N + M]`: those of the impulses that were judged last.
     pub(crate) fn velocities_into(&self, velocities: &mut Vec<SpatialVector>) {
         velocities.resize(self.place.len(), SpatialVector::ZERO);
         let read = |first, velocities: &mut [SpatialVector]| {
