@@ -107,7 +107,7 @@ friction = 0.5
     for share in [1.0, 0.5, 1.0] {
         let forces = [Vec3::zeros(), Vec3::zeros(), Vec3::z() * (share * pull)];
         run.simulation.apply_forces(&forces).expect("forces");
-        run.advance(0.01);
+        run.simulation.advance(0.01).expect("a step");
         assert!(run.simulation.report().sweeps > 0, "the ball is awake");
         for i in 0..2 {
             assert!(run.velocity(i) == Vec3::zeros(), "ball {i} woke");

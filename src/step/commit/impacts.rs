@@ -11,6 +11,8 @@ use crate::step::solution::Solution;
 
 /// Forces over those carried before and what loads bring, from which on a contact was hit through others.
 const STRUCK: f64 = 2.0;
+/// Change of a force since the last step, over the force, up to which it lasts.
+const STEADY: f64 = 0.2;
 /// Forces that a body keeps over what changes its motion, from which on they only hold against its impacts.
 const HELD: f64 = 4.0;
 
@@ -59,14 +61,30 @@ pub(crate) fn spread_impacts(
         let load = load[0].max(load[1]);
         *impact |= size > STRUCK * step * (before + load);
     }
-    while hold_against(assembly, solution) {}
+    for k in held(assembly, solution) {
+        let (size, before) = (
+            solution.impulses[k].norm(),
+            assembly.past[k].force(&state.contacts),
+        );
+        assembly.impact[k] &= (size - step * before.norm()).abs() > STEADY * size;
+    }
+    loop {
+        let smooth = |k: &usize| !assembly.impact[*k] && !is_resolved(&assembly.elastic, *k);
+        let found: Vec<usize> = held(assembly, solution)
+            .into_iter()
+            .filter(smooth)
+            .collect();
+        if found.is_empty() {
+            return;
+        }
+        found.iter().for_each(|&k| assembly.impact[k] = true);
+    }
 }
 
-/// Counts as impacts the contacts of bodies whose smooth forces and impacts, each much more than what both together change of the motion,
-/// cancel. Returns whether there were any.
-fn hold_against(assembly: &mut Assembly, solution: &Solution) -> bool {
+/// The loaded contacts of bodies whose smooth forces and impacts, each much more than what both together change of the motion, cancel.
+fn held(assembly: &Assembly, solution: &Solution) -> Vec<usize> {
     let rows = &assembly.problem.rows;
-    let loaded = |k: &usize| solution.impulses[*k] != Vec3::zeros();
+    let loaded = |k: &usize| solution.loads(*k);
     let impacts = (0..assembly.impact.len()).filter(|&k| assembly.impact[k]);
     let mut struck: Vec<u32> = impacts
         .filter(loaded)
@@ -87,25 +105,21 @@ fn hold_against(assembly: &mut Assembly, solution: &Solution) -> bool {
         }
     }
     let prediction = assembly.prediction;
-    let holds = |k: usize, side: usize| {
-        let body = rows.bodies(k)[side];
+    let cancel = |body: u32, radius: f64| {
         let Ok(rank) = struck.binary_search(&body) else {
             return false;
         };
         let [smooth, impacts] = &sums[rank];
         let net = smooth.plus(impacts, 1.0);
         let brought = prediction.step * prediction.weight(body);
-        let radius = rows.radius(k);
         smooth.linear.norm() > HELD * (net.linear.norm() + brought)
             || smooth.angular.norm() > HELD * (net.angular.norm() + brought * radius)
     };
-    let also = |k: usize| {
-        let smooth = !assembly.impact[k] && !is_resolved(&assembly.elastic, k) && solution.loads(k);
-        smooth && (holds(k, 0) || holds(k, 1))
+    let of = |k: &usize| {
+        let bodies = rows.bodies(*k);
+        loaded(k) && bodies.into_iter().any(|body| cancel(body, rows.radius(*k)))
     };
-    let found: Vec<usize> = (0..assembly.impact.len()).filter(|&k| also(k)).collect();
-    found.iter().for_each(|&k| assembly.impact[k] = true);
-    !found.is_empty()
+    (0..assembly.impact.len()).filter(of).collect()
 }
 
 /// Whether contact `k` gives way and the step resolves how: that is no impact.

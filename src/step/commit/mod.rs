@@ -53,6 +53,7 @@ pub(super) fn commit(
     solved.body_work(state, &finished, &ends);
     solved.wear(state, end.as_ref());
     solved.store(state);
+    solved.hand_on(state, sleepers);
     if let Some(smooth) = smooth_wrenches {
         state.smooth_wrenches = smooth;
     }

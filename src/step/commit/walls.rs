@@ -32,6 +32,13 @@ impl Solved<'_> {
         }
     }
 
+    /// Adds what a contact does to what persists of the loads of its triangles.
+    pub(crate) fn press_smooth(&self, state: &mut State, load: &ContactForce) {
+        if let Some((b, loads)) = self.loads(state, load) {
+            state.walls.list[b].smooth.extend(loads);
+        }
+    }
+
     /// Gives the triangles of the contact `at` an impulse \[N s\].
     pub(crate) fn strike(&self, state: &mut State, at: &ContactForce, impulse: Vec3) {
         let load = ContactForce {

@@ -48,7 +48,6 @@ impl Solved<'_> {
         }
         state.calm.resize(scene.particles.len(), 0);
         state.ground.resize(scene.particles.len(), 0);
-        self.hand_on(state, sleepers);
         for i in sleepers.beyond(WAKING) {
             state.calm[i] = 0;
         }
@@ -223,12 +222,17 @@ impl Solved<'_> {
         let Partner::Boundary { boundary, .. } = ground.key.partner else {
             return;
         };
-        if let Some((centre, momentum, energy)) = self.carries(state, i) {
+        if let Some(carried) = self.carries(state, i) {
             let boundary = usize::from(boundary);
-            let impulse = self.wrench(state, boundary, &momentum, centre);
+            let impulse = self.wrench(state, boundary, &carried.momentum, carried.centre);
             state.owed[boundary].add(&impulse, 1.0);
-            self.strike(state, ground, momentum.linear);
-            state.work.numerical_work -= energy;
+            self.strike(state, ground, carried.momentum.linear);
+            // From now on the boundary has what accelerates it.
+            let force = self.wrench(state, boundary, &carried.force, carried.centre);
+            state.smooth_wrenches[boundary].add(&force, 1.0);
+            let force = -carried.force.linear;
+            self.press_smooth(state, &ContactForce { force, ..*ground });
+            state.work.numerical_work -= carried.energy;
         }
         state.kinematics.velocity[i] = Vec3::zeros();
         state.kinematics.spin[i] = Vec3::zeros();
@@ -236,14 +240,16 @@ impl Solved<'_> {
     }
 
     /// Adds what the sleepers are out of balance by to the forces on the boundaries on which they sleep, where these are pressed most.
-    fn hand_on(&self, state: &mut State, sleepers: &Sleepers) {
+    pub(crate) fn hand_on(&self, state: &mut State, sleepers: &Sleepers) {
         if sleepers.bodies.is_empty() {
             return;
         }
-        let mut extra = vec![Wrench::default(); state.poses.len()];
+        let mut extra = vec![[Wrench::default(); 2]; state.poses.len()];
         for body in &sleepers.bodies {
             let boundary = usize::from(state.ground[body.sphere]);
-            extra[boundary].add(&self.wrench(state, boundary, &body.net, body.centre), 1.0);
+            for (extra, sum) in extra[boundary].iter_mut().zip([&body.net, &body.smooth]) {
+                extra.add(&self.wrench(state, boundary, sum, body.centre), 1.0);
+            }
         }
         let mut strongest: Vec<Option<ContactForce>> = vec![None; state.poses.len()];
         for load in state.contacts.iter() {
@@ -255,11 +261,13 @@ impl Solved<'_> {
                 }
             }
         }
-        for (b, (extra, strongest)) in extra.iter().zip(strongest).enumerate() {
-            state.wrenches[b].add(extra, 1.0);
-            if let Some(load) = strongest {
-                let force = -extra.force;
-                self.press(state, &ContactForce { force, ..load }, false);
+        for (b, ([net, smooth], strongest)) in extra.iter().zip(strongest).enumerate() {
+            state.wrenches[b].add(net, 1.0);
+            state.smooth_wrenches[b].add(smooth, 1.0);
+            if let Some(at) = strongest {
+                let load = |force: Vec3| ContactForce { force, ..at };
+                self.press(state, &load(-net.force), false);
+                self.press_smooth(state, &load(-smooth.force));
             }
         }
     }
@@ -274,33 +282,53 @@ impl Solved<'_> {
         }
     }
 
-    /// Centre \[m\], momentum that the impulses balance and kinetic energy \[J\] of the body that has sphere `i` as its first member.
-    fn carries(&self, state: &State, i: usize) -> Option<(Vec3, SpatialVector, f64)> {
-        let (scene, step) = (self.prediction().scene, self.prediction().step);
+    /// What the body carries that has sphere `i` as its first member.
+    fn carries(&self, state: &State, i: usize) -> Option<Carried> {
+        let scene = self.prediction().scene;
         let (particles, v) = (&scene.particles, self.reported(state, i));
-        let shift = scene.settings.integrator.shift(step, state.momentum_step);
-        let half_step = state
-            .kinematics
-            .spatial_velocity(i)
-            .plus(&state.smooth[i], shift);
+        let (own, smooth) = (state.kinematics.spatial_velocity(i), &state.smooth[i]);
         let Some(c) = particles.clump(i) else {
-            let momentum = SpatialVector {
-                linear: half_step.linear * particles.mass[i],
-                angular: half_step.angular * particles.inertia(i),
+            let times_mass = |v: &SpatialVector| SpatialVector {
+                linear: v.linear * particles.mass[i],
+                angular: v.angular * particles.inertia(i),
             };
-            let energy = particles.kinetic_energy(i, &v.linear, &v.angular);
-            return Some((state.kinematics.position[i], momentum, energy));
+            return Some(Carried {
+                centre: state.kinematics.position[i],
+                momentum: times_mass(&own),
+                force: times_mass(smooth),
+                energy: particles.kinetic_energy(i, &v.linear, &v.angular),
+            });
         };
         let clump = &scene.clumps[c];
         if clump.members.start != i {
             return None;
         }
         let (centre, rotation) = clump.place(&state.kinematics);
-        let [own, half_step] = [v, half_step].map(|v| clump.of_member(rotation, &v));
-        let momentum = clump.shape.momentum(rotation, &half_step);
-        let energy = clump.shape.kinetic_energy(rotation, &own).iter().sum();
-        Some((centre, momentum, energy))
+        let momentum = |v: &SpatialVector| {
+            clump
+                .shape
+                .momentum(rotation, &clump.of_member(rotation, v))
+        };
+        let moves = clump.of_member(rotation, &v);
+        Some(Carried {
+            centre,
+            momentum: momentum(&own),
+            force: momentum(smooth),
+            energy: clump.shape.kinetic_energy(rotation, &moves).iter().sum(),
+        })
     }
+}
+
+/// What a body carries that falls asleep.
+struct Carried {
+    /// Its centre \[m\].
+    centre: Vec3,
+    /// Of the integrator's own velocity.
+    momentum: SpatialVector,
+    /// Force \[N\] and torque \[N m\] that accelerate it.
+    force: SpatialVector,
+    /// Kinetic energy \[J\].
+    energy: f64,
 }
 
 /// Whether spheres may fall asleep in a scene.

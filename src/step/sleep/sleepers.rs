@@ -24,8 +24,9 @@ pub(super) struct Sleeper {
     pub(super) sphere: usize,
     /// Its centre \[m\].
     pub(super) centre: Vec3,
-    /// Sum of all forces \[N\] and torques about its centre \[N m\] on it.
+    /// Sum of all forces \[N\] and torques about its centre \[N m\] on it, and of those that persist.
     pub(super) net: SpatialVector,
+    pub(super) smooth: SpatialVector,
     /// Whether it has contacts with awake ones.
     touched: bool,
     /// What it is out of balance by, over the tolerance times the sum of the sizes of its contacts' forces, or times its weight if that is
@@ -57,9 +58,11 @@ impl Sleepers {
             let bodies = rows.bodies(k);
             if impulse != Vec3::zeros() && bodies.iter().any(|&body| prediction.body_sleeps(body)) {
                 let grips = rows.get(k).jacobian();
+                let lasts = !assembly.is_impact(k);
                 for (side, sign) in [(0, 1.0), (1, -1.0)] {
                     let force = impulse * (sign / prediction.step);
-                    sums.add(bodies[side], &grips[side].momentum(force), force.norm());
+                    let moment = grips[side].momentum(force);
+                    sums.add(bodies[side], &moment, (force.norm(), lasts));
                 }
             }
         }
@@ -164,6 +167,8 @@ struct Sums<'a> {
     /// Where each of all bodies is among these.
     rank: Vec<u32>,
     net: Vec<SpatialVector>,
+    /// Of those that persist.
+    smooth: Vec<SpatialVector>,
     /// Sum of the sizes of the contacts' forces \[N\].
     sizes: Vec<f64>,
 }
@@ -175,22 +180,27 @@ impl<'a> Sums<'a> {
         for (k, &body) in bodies.iter().enumerate() {
             rank[body as usize] = k as u32;
         }
-        let external = |&body: &u32| prediction.external_force(body);
+        let external = bodies.iter().map(|&body| prediction.external_force(body));
+        let net: Vec<SpatialVector> = external.collect();
         Self {
             bodies,
             rank,
-            net: bodies.iter().map(external).collect(),
+            smooth: net.clone(),
+            net,
             sizes: vec![0.0; bodies.len()],
         }
     }
 
-    /// Adds a force and torque, `size` \[N\] that of the force, if `body` is one of them.
-    fn add(&mut self, body: u32, force: &SpatialVector, size: f64) {
+    /// Adds a force and torque if `body` is one of them: `size` \[N\] is that of the force, and `lasts` whether it is of no impact.
+    fn add(&mut self, body: u32, force: &SpatialVector, (size, lasts): (f64, bool)) {
         if let Some(&k) = self.rank.get(body as usize)
             && k != u32::MAX
         {
             let k = k as usize;
             self.net[k] = self.net[k].plus(force, 1.0);
+            if lasts {
+                self.smooth[k] = self.smooth[k].plus(force, 1.0);
+            }
             self.sizes[k] += size;
         }
     }
@@ -209,7 +219,7 @@ impl<'a> Sums<'a> {
                 linear: load.force * side,
                 angular: (arm.cross(&load.force) + couple) * side,
             };
-            self.add(body, &force, load.force.norm());
+            self.add(body, &force, (load.force.norm(), true));
         };
         give(a, 1.0);
         if let Partner::Sphere { index, .. } = load.key.partner {
@@ -224,7 +234,7 @@ impl<'a> Sums<'a> {
         (touched, tolerance): (bool, f64),
     ) -> Sleeper {
         let body = self.bodies[k];
-        let net = prediction.felt(body, &self.net[k]);
+        let [net, smooth] = [&self.net[k], &self.smooth[k]].map(|sum| prediction.felt(body, sum));
         let (sphere, centre, reach) = prediction.place_of(body);
         let off = net.linear.norm().max(net.angular.norm() / reach);
         let allowed = tolerance * self.sizes[k].max(prediction.weight(body));
@@ -232,6 +242,7 @@ impl<'a> Sums<'a> {
             sphere,
             centre,
             net,
+            smooth,
             touched,
             excess: off / allowed,
         }
