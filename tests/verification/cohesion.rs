@@ -522,16 +522,19 @@ lattice = {{ origin = [0.0, 0.0, {r}], count = [20, 1, 1], spacing = {} }}
         );
         let mut run = crate::scenes::start(&crate::scenes::scene(&text));
         let half = 10.0 * run.mass(0) * G;
+        let mut mean = [0.0; 2];
         while run.simulation.time() < 1.0 - 1e-9 {
             run.advance(0.01);
             assert_eq!(run.simulation.report().unconverged_steps, 0);
-            for b in 0..2 {
+            for (b, mean) in mean.iter_mut().enumerate() {
                 let borne = -run.simulation.mean_wrench(b).force.z;
-                close(borne, half, 0.02, 0.0);
+                close(borne, half, 0.05, 0.0);
+                *mean += borne / 100.0;
             }
         }
+        mean.iter().for_each(|&mean| close(mean, half, 2e-3, 0.0));
         let sag = r - run.position(10).z;
-        assert!(sag.abs() < 0.02 * r, "{} R", sag / r);
+        assert!(sag.abs() < 0.05 * r, "{} R", sag / r);
         assert_eq!(run.simulation.state().broken_bonds, 0);
     }
 }

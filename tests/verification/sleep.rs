@@ -99,15 +99,21 @@ friction = 0.5
         5.0 * R
     );
     let mut run = start(&scene(&text));
-    while asleep(&run) < 3 || run.simulation.report().sweeps > 0 {
+    loop {
         run.advance(0.01);
+        if asleep(&run) == 3 && run.simulation.report().sweeps == 0 {
+            break;
+        }
         assert!(run.simulation.time() < 1.0, "it does not sleep");
     }
     let pull = 0.1 * run.mass(2) * G;
     for share in [1.0, 0.5, 1.0] {
         let forces = [Vec3::zeros(), Vec3::zeros(), Vec3::z() * (share * pull)];
         run.simulation.apply_forces(&forces).expect("forces");
-        run.simulation.advance(0.01).expect("a step");
+        // The mean of the first step has the change of the force in it.
+        for _ in 0..2 {
+            run.simulation.advance(0.01).expect("a step");
+        }
         assert!(run.simulation.report().sweeps > 0, "the ball is awake");
         for i in 0..2 {
             assert!(run.velocity(i) == Vec3::zeros(), "ball {i} woke");
