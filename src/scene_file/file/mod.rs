@@ -184,7 +184,7 @@ pub struct Simulation {
     /// Real-time mode: most Gauss-Seidel sweeps of a step, whose result is taken as it is; `maxOverlap` and the residuals report its error.
     #[schemars(extend("x-default" = "as many as the tolerances need", "minimum" = 1))]
     pub sweeps: Option<u32>,
-    /// Speed of rest \[m/s\]: spheres that hang together by contacts fall asleep when for ten steps all their centres, and surfaces where they touch, are slower and forces balance; they cost nothing until something touches or moves them. 0: never.
+    /// Speed of rest \[m/s\]: spheres fall asleep when for ten steps their centres, and surfaces where they touch, are slower and forces balance; they cost next to nothing until something hits them, the forces on them change or a boundary that they touch moves. 0: never.
     #[serde(default)]
     #[schemars(extend("minimum" = 0))]
     pub rest_speed: f64,
@@ -212,7 +212,7 @@ pub struct Tolerance {
     #[schemars(extend("x-default" = "that of the accuracy", "minimum" = 1e-12, "maximum" = 1e-1))]
     pub gap: Option<f64>,
     /// Slip of a sticking contact over the smaller radius \[-\].
-    #[schemars(extend("x-default" = "that of the accuracy", "minimum" = 1e-12, "maximum" = 1e-1))]
+    #[schemars(extend("x-default" = "that of the accuracy, in scenes with bonds a hundredth of it", "minimum" = 1e-12, "maximum" = 1e-1))]
     pub slip: Option<f64>,
     /// Force residual over the contact's force scale \[-\].
     #[schemars(extend("x-default" = "that of the accuracy", "minimum" = 1e-12, "maximum" = 1e-1))]
