@@ -49,12 +49,15 @@ impl GravityMotion {
         }
     }
 
-    /// The largest it ever is \[m/s^2\]; `set` as for [`Self::at`].
-    pub(crate) fn largest(&self, set: Vec3) -> f64 {
+    /// Gravity when it is largest \[m/s^2\]; `set` as for [`Self::at`].
+    pub(crate) fn largest(&self, set: Vec3) -> Vec3 {
         match self {
-            Self::Fixed | Self::Rotation { .. } => set.norm(),
+            Self::Fixed | Self::Rotation { .. } => set,
             // Nowhere between two times is it larger than at both.
-            Self::Table { gravity, .. } => gravity.iter().map(Vec3::norm).fold(0.0, f64::max),
+            Self::Table { gravity, .. } => {
+                let largest = gravity.iter().max_by(|a, b| a.norm().total_cmp(&b.norm()));
+                largest.copied().unwrap_or_default()
+            }
         }
     }
 }
@@ -81,5 +84,7 @@ mod tests {
         for (t, expected) in [(0.0, set), (2.0, (set + Vec3::x()) / 2.0), (9.0, Vec3::x())] {
             assert_eq!(table.at(Vec3::repeat(5.0), t), expected);
         }
+        assert_eq!(table.largest(Vec3::repeat(99.0)), set);
+        assert_eq!(turning.largest(set), set);
     }
 }

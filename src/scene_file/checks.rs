@@ -76,7 +76,7 @@ pub(super) fn sphere_has_mass(
 ) -> bool {
     let i = particles.len() - 1;
     let (radius, density) = (particles.radius[i], material.density);
-    let what = format!("radius {radius} m and density {density} kg/m^3");
+    let what = format!("radius {radius:?} m and density {density} kg/m^3");
     has_mass(
         document,
         path,
@@ -88,7 +88,7 @@ pub(super) fn sphere_has_mass(
 /// [`has_mass`] of a scaled clump.
 pub(super) fn clump_has_mass(document: &mut Document<'_>, path: &str, shape: &ClumpShape) -> bool {
     let radius = shape.equal_radius();
-    let what = format!("clumps of the volume of a sphere of radius {radius} m");
+    let what = format!("clumps of the volume of a sphere of radius {radius:?} m");
     has_mass(
         document,
         path,

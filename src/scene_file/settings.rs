@@ -177,7 +177,7 @@ pub(super) fn fall(
         });
     let servos = driven.clone().filter_map(|body| body.servo.as_ref());
     let pressure = servos.fold(0.0, |most: f64, servo| most.max(servo.pressure.abs()));
-    let gravity = settings.gravity_motion.largest(settings.gravity);
+    let gravity = settings.gravity_motion.largest(settings.gravity).norm();
     let pushed = driven.map(|body| body.force.norm() / body.mass);
     let loaded = loads.iter().map(|load| {
         let clump = particles.clump(load.sphere).map(|c| &clumps[c]);

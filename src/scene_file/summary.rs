@@ -114,7 +114,7 @@ impl Summary {
     }
 
     /// `dt = min( sqrt(tol R / (c g)), 0.15 R / v )` \[s\], the cheapest step that satisfies the gap tolerance `tol`
-    /// with forces that mean something: `c = 0.2`, `R` the smallest radius, `g` gravity, `v` the largest speed of
+    /// with forces that mean something: `c = 0.2`, `R` the smallest radius, `g` the largest gravity, `v` the largest speed of
     /// a sphere or boundary in the scene plus that of a fall through the spheres' extent along gravity.
     pub(crate) fn suggested_step(scene: &Scene) -> f64 {
         Self::step_for(scene, scene.settings.tolerance.gap)
@@ -123,7 +123,8 @@ impl Summary {
     /// [`suggested_step`](Self::suggested_step) for another gap tolerance \[-\].
     pub(super) fn step_for(scene: &Scene, gap: f64) -> f64 {
         let radius = scene.particles.smallest_radius();
-        let g = scene.settings.gravity;
+        let settings = &scene.settings;
+        let g = settings.gravity_motion.largest(settings.gravity);
         let spheres = scene.initial.velocity.iter().map(|v| v.norm());
         let boundaries = scene.boundaries.iter().map(|b| top_speed(&b.motion));
         let heights = || scene.initial.position.iter().map(|c| c.dot(&g));

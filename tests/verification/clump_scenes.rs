@@ -451,8 +451,8 @@ fn points_of_a_turned_clump_are_where_the_scene_says() {
     assert!((run.spin(0) - spin).norm() < 1e-4 * spin.norm());
 }
 
-/// Symptom: the energy of a clump under a load or a force from outside changed by more than the ledger said, by 5e-4 of the work
-/// in d.toml of the report. Cause: the work was booked along the members' ways and the error of stepping reckoned with another.
+/// Symptom: the energy of a clump under a load or a force from outside changed by more than the ledger said, by 5e-4 of the work.
+/// Cause: the work was booked along the members' ways and the error of stepping reckoned with another.
 #[test]
 fn the_ledger_of_a_pushed_clump_closes() {
     let load = "[[load]]\nsphere = \"pairs[0]\"\npoint = [0, 0.01, 0]\nforce = [1e-3, 0, 2e-3]";

@@ -69,10 +69,7 @@ impl Solved<'_> {
     }
 
     /// Work \[J\] of every point load, and of the forces `applied` from outside \[N\], with the sphere on which it acts.
-    pub(in crate::step) fn load_work(
-        &self,
-        applied: &[Vec3],
-    ) -> impl Iterator<Item = (usize, f64)> {
+    pub(crate) fn load_work(&self, applied: &[Vec3]) -> impl Iterator<Item = (usize, f64)> {
         let (prediction, velocity) = (self.prediction(), &self.solution.velocity);
         let loads = prediction.scene.loads.iter().map(move |load| {
             let i = load.sphere;
