@@ -176,7 +176,10 @@ impl State {
             && [0, boundaries].contains(&self.rates.len())
             && [0, spheres].contains(&self.calm.len())
             && self.ground.len() == self.calm.len()
-            && self.ground.iter().all(|&b| usize::from(b) < boundaries.max(1))
+            && self
+                .ground
+                .iter()
+                .all(|&b| usize::from(b) < boundaries.max(1))
             && (f64::MIN_POSITIVE..=scene.settings.step).contains(&self.control.step)
             && (0.0..=scene.settings.step).contains(&self.momentum_step)
     }

@@ -271,12 +271,13 @@ impl<'a> Prediction<'a> {
         problem.inverse_mass.extend(spheres.map(inverse_mass));
         problem.operators.clear();
         let operators = self.bodies.iter().map(|body| body.mobility);
-        let clumps = self.clumps.iter().map(|clump| {
-            match self.is_asleep(clump.clump.members.start) {
-                true => SpatialOperator::zero(),
-                false => clump.mobility,
-            }
-        });
+        let clumps =
+            self.clumps
+                .iter()
+                .map(|clump| match self.is_asleep(clump.clump.members.start) {
+                    true => SpatialOperator::zero(),
+                    false => clump.mobility,
+                });
         problem.operators.extend(operators.chain(clumps));
     }
 

@@ -298,6 +298,10 @@ impl Prediction<'_> {
             return (clump.clump.members.start, centre, clump.clump.shape.reach());
         }
         let i = body as usize;
-        (i, self.kinematics.position[i], self.scene.particles.radius[i])
+        (
+            i,
+            self.kinematics.position[i],
+            self.scene.particles.radius[i],
+        )
     }
 }
