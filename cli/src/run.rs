@@ -8,6 +8,7 @@ use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use miette::miette;
 use sphere_dda::communication_points::{CommunicationPoints, due};
+use sphere_dda::contact::elasticity::LARGEST_COMPRESSION;
 use sphere_dda::formats::error::OutputError;
 use sphere_dda::observe::Observation;
 use sphere_dda::results::Options;
@@ -441,6 +442,13 @@ impl std::fmt::Display for Total {
         writeln!(
             f,
             "worst opening   {:.2e} of the radius, of a contact that carries load",
+            if report.max_compression > LARGEST_COMPRESSION {
+                writeln!(
+                    f,
+                    "                warning: laws of contacts that give way hold up to about {LARGEST_COMPRESSION}: beyond, they repel and \
+                     no more; raise `young` [Pa] or `stiffness` [N/m]"
+                )?;
+            }
             report.max_opening
         )?;
         writeln!(f, "wall time       {}", wall_time(*wall, time - begin))

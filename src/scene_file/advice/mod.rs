@@ -1,11 +1,12 @@
 //! Advice about a scene that can run but probably not as meant: lengths in mm, spheres that start on the wrong side of
-//! a boundary, keys that do nothing, a step far too long.
+//! a boundary, grains that their weight crushes, bonds that join nothing, keys that do nothing, a step far too long.
 //!
 //! Pure: a [`Scene`] and the file it was built from give a list; [`super::build`] adds it to the warnings.
 
 mod lengths;
 mod placement;
 mod unused;
+mod softness;
 mod walls;
 
 use std::ops::Range;
@@ -38,6 +39,7 @@ pub(super) fn advise(
     advice.extend(placement::advise(scene, file, ranges));
     advice.extend(walls::advise(scene));
     advice
+    advice.extend(softness::advise(scene, file));
 }
 
 /// A step \[s\] far above the suggested one.
