@@ -5,6 +5,7 @@
 
 mod advice;
 mod bodies;
+mod bonds;
 mod build;
 mod cell;
 mod checks;

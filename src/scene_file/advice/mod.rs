@@ -3,10 +3,11 @@
 //!
 //! Pure: a [`Scene`] and the file it was built from give a list; [`super::build`] adds it to the warnings.
 
+mod bonds;
 mod lengths;
 mod placement;
-mod unused;
 mod softness;
+mod unused;
 mod walls;
 
 use std::ops::Range;
@@ -35,11 +36,12 @@ pub(super) fn advise(
     if scene.settings.smallest_step.is_none() {
         advice.extend(long_step(scene.settings.step, suggested));
     }
+    advice.extend(bonds::advise(scene, file));
     advice.extend(lengths::advise(scene));
     advice.extend(placement::advise(scene, file, ranges));
+    advice.extend(softness::advise(scene, file));
     advice.extend(walls::advise(scene));
     advice
-    advice.extend(softness::advise(scene, file));
 }
 
 /// A step \[s\] far above the suggested one.
