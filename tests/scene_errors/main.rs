@@ -210,6 +210,7 @@ const CASES: &[Case] = cases! {
     "radius = [0.2]\npositions = [[0.0, 0.0, 3.0]]" => "csv = \"bad.csv\"", "spheres[1].csv", "csv", "`abc` in `bad.csv` line 3, column `radius`";
     "radius = [0.2]\npositions = [[0.0, 0.0, 3.0]]" => "csv = \"column.csv\"", "spheres[1].csv", "csv", "lacks the column `z`";
     "spacing = 0.3" => "spacing = 0.1", "spheres[0]", "name = \"grains\"", "of the smaller radius, expected at most max_initial_overlap = 0.05";
+    "radius = [0.2]\npositions = [[0.0, 0.0, 3.0]]" => "csv = \"semicolon.csv\"", "spheres[1].csv", "csv", "separated by ';', expected `,`";
     "origin = [0.0, 0.0, 0.2]" => "origin = [0.0, 0.0, -0.2]", "spheres[0]", "name = \"grains\"", "boundary `floor`";
     "material = \"rock\"\nradius = 0.1" => "material = \"rokc\"\nradius = 0.1", "spheres[0].material", "rokc", "did you mean `rock`";
     // Packings, sizes, files of results.
@@ -325,6 +326,7 @@ fn folder() -> tempfile::TempDir {
         ("bad.csv", "x,y,z,radius\n0,0,3,0.2\n0,0,4,abc\n".to_owned()),
         ("column.csv", "x,y,radius\n0,0,3\n".to_owned()),
         ("good.stl", solid(&[fin(["10", "1", "0"])])),
+        ("semicolon.csv", "x;y;z\n0;0;3\n".to_owned()),
         ("empty.stl", String::new()),
         ("none_inside.stl", solid(&[])),
         ("garbage.stl", "this is no mesh".to_owned()),
