@@ -70,6 +70,9 @@ pub(crate) struct Run {
     /// Solver, instead of the scene's.
     #[arg(long, value_parser = solver())]
     solver: Option<SolverKind>,
+    /// Number of threads, instead of the scene's; results are the same for any.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=256))]
+    threads: Option<u32>,
     /// Write the contact problem of each internal step that fails or ends unconverged to DIR, for `sphere-dda corpus`: the first
     /// 100 of the run.
     #[arg(long, value_name = "DIR")]
@@ -105,6 +108,7 @@ impl Run {
         settings.duration = self.stop.unwrap_or(settings.duration);
         settings.method = self.method.unwrap_or(settings.method);
         settings.solver = self.solver.unwrap_or(settings.solver);
+        settings.threads = self.threads.map_or(settings.threads, |n| n as usize);
         let output = &mut scene.output;
         output.checkpoint_interval = self
             .checkpoint_interval
@@ -438,10 +442,6 @@ impl std::fmt::Display for Total {
                 "compressed      {:.2e} of the radius at most, where contacts give way; overlaps are beyond that",
                 report.max_compression
             )?;
-        }
-        writeln!(
-            f,
-            "worst opening   {:.2e} of the radius, of a contact that carries load",
             if report.max_compression > LARGEST_COMPRESSION {
                 writeln!(
                     f,
@@ -449,6 +449,10 @@ impl std::fmt::Display for Total {
                      no more; raise `young` [Pa] or `stiffness` [N/m]"
                 )?;
             }
+        }
+        writeln!(
+            f,
+            "worst opening   {:.2e} of the radius, of a contact that carries load",
             report.max_opening
         )?;
         writeln!(f, "wall time       {}", wall_time(*wall, time - begin))

@@ -20,6 +20,7 @@ mod edits;
 pub mod file;
 mod fitted;
 mod frame;
+mod identity;
 mod keys;
 mod loaded;
 mod names;
