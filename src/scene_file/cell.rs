@@ -30,6 +30,26 @@ pub(super) fn cell(document: &mut Document<'_>, given: &file::Cell) -> Cell {
     }))
 }
 
+/// Demands an edge along `axis`, where it is periodic, in which the largest of some grains, of this diameter \[m\], keeps clear of its
+/// copies.
+pub(super) fn clear_of_copies(
+    document: &mut Document<'_>,
+    cell: &Cell,
+    axis: usize,
+    (diameter, what): (f64, &str),
+) -> bool {
+    let Some([low, high]) = cell.faces(axis) else {
+        return true;
+    };
+    let room = diameter * ROOM;
+    let found = format!("an edge of {} m", high - low);
+    let expected = format!(
+        "at least {room} m, {ROOM} diameters of the largest {what}: none may meet its own copy"
+    );
+    let path = format!("cell.{}", AXES[axis]);
+    document.demand(high - low >= room, path, found, &expected)
+}
+
 /// Refuses what has no meaning in the cell. Returns whether the spheres fit.
 pub(super) fn judge(
     document: &mut Document<'_>,
@@ -182,6 +202,10 @@ pub(super) fn turns(motion: &Motion) -> bool {
 
 /// Whether a motion may turn a plane of this normal, which runs along `axis`, towards it.
 fn may_tilt(motion: &Motion, normal: Vec3, axis: usize) -> bool {
-    let keeps = |spin: &Vec3| !leans(*spin, normal) || !leans(*spin, Vec3::ith(axis, 1.0));
-    spins(motion).is_none_or(|spins| !spins.iter().all(keeps))
+    let about = |spins: &[Vec3], direction: Vec3| spins.iter().all(|spin| !leans(*spin, direction));
+    let keeps = |spins: &[Vec3]| about(spins, normal) || about(spins, Vec3::ith(axis, 1.0));
+    spins(motion).is_none_or(|spins| {
+        let rows = spins.len().clamp(1, 2);
+        !spins.windows(rows).all(keeps)
+    })
 }
