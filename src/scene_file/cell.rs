@@ -64,11 +64,7 @@ pub(super) fn judge(
         let Some([low, high]) = scene.cell.faces(axis) else {
             continue;
         };
-        let found = format!("an edge of {} m", high - low);
-        let expected = format!(
-            "at least {room} m, {ROOM} diameters of the largest sphere: none may meet its own copy"
-        );
-        fit &= document.demand(high - low >= room, format!("cell.{name}"), found, &expected);
+        fit &= clear_of_copies(document, &scene.cell, axis, (2.0 * largest, "sphere"));
         let frame = scene.settings.rotating_frame;
         if frame.is_some_and(|f| leans(f.angular_velocity, Vec3::ith(axis, 1.0))) {
             let message = format!(
@@ -200,7 +196,8 @@ pub(super) fn turns(motion: &Motion) -> bool {
     spins(motion).is_none_or(|spins| spins.iter().any(|spin| *spin != Vec3::zeros()))
 }
 
-/// Whether a motion may turn a plane of this normal, which runs along `axis`, towards it.
+/// Whether a motion may turn a plane of this normal, which runs along `axis`, towards it. Between two rows of a table it turns about
+/// all axes between theirs.
 fn may_tilt(motion: &Motion, normal: Vec3, axis: usize) -> bool {
     let about = |spins: &[Vec3], direction: Vec3| spins.iter().all(|spin| !leans(*spin, direction));
     let keeps = |spins: &[Vec3]| about(spins, normal) || about(spins, Vec3::ith(axis, 1.0));

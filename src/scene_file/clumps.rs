@@ -223,16 +223,8 @@ pub(super) fn judge(document: &mut Document<'_>, scene: &Scene) -> bool {
         document.error("simulation.rotating_frame", message, help);
     }
     let reaches = scene.clumps.iter().map(|clump| clump.shape.reach());
-    let room = 2.0 * ROOM * reaches.fold(0.0, f64::max);
-    let mut fit = true;
-    for (axis, name) in ["x", "y", "z"].iter().enumerate() {
-        if let Some([low, high]) = scene.cell.faces(axis) {
-            let found = format!("an edge of {} m", high - low);
-            let expected = format!(
-                "at least {room} m, {ROOM} diameters of the largest clump: none may meet its own copy"
-            );
-            fit &= document.demand(high - low >= room, format!("cell.{name}"), found, &expected);
-        }
-    }
-    fit
+    let largest = 2.0 * reaches.fold(0.0, f64::max);
+    let clear =
+        [0, 1, 2].map(|axis| clear_of_copies(document, &scene.cell, axis, (largest, "clump")));
+    clear.iter().all(|clear| *clear)
 }

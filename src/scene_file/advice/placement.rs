@@ -5,6 +5,7 @@ use std::ops::Range;
 use crate::Vec3;
 use crate::geometry::region::Region;
 use crate::geometry::{Facets, Shape, Solid};
+use crate::scene::Scene;
 use crate::scene::gravity::GravityMotion;
 use crate::scene::line_of_sight::Wall;
 use crate::scene_file::decode::SceneFile;
@@ -182,19 +183,8 @@ impl<'a> Surroundings<'a> {
         let first = down.cross(&Vec3::ith(down.iamin(), 1.0)).normalize();
         let across = [first, down.cross(&first)];
         let shadow = |wall: &Wall<'_>| {
-            let (low, high) = wall.boundary.geometry.finite_bounds()?;
-            let corners = (0..8).map(|k| {
-                let pick = |axis: usize| {
-                    if k >> axis & 1 == 0 {
-                        low[axis]
-                    } else {
-                        high[axis]
-                    }
-                };
-                let corner = Vec3::new(pick(0), pick(1), pick(2));
-                wall.boundary.from_frame(&wall.pose, corner)
-            });
-            let corners: Vec<Vec3> = corners.collect();
+            let bounds = wall.boundary.geometry.finite_bounds()?;
+            let corners = corners(bounds).map(|x| wall.boundary.from_frame(&wall.pose, x));
             Some(across.map(|e| {
                 let places = || corners.iter().map(|c| c.dot(&e));
                 [
