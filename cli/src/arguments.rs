@@ -72,11 +72,17 @@ pub(crate) fn free<'p>(
             path.display()
         )));
     }
+    vacant(path, overwrite)?;
+    Ok(path)
+}
+
+/// Whether nothing lies at `path`, or may be replaced.
+pub(crate) fn vacant(path: &Path, overwrite: bool) -> Result<(), Failure> {
     if path.exists() && !overwrite {
         return Err(Failure::Input(miette!(
             "`{}` exists already: choose another name, or use --overwrite",
             path.display()
         )));
     }
-    Ok(path)
+    Ok(())
 }

@@ -10,6 +10,7 @@ mod browser;
 mod check;
 mod corpus;
 mod demo;
+mod draft;
 mod dump;
 mod export;
 mod failure;

@@ -12,9 +12,10 @@ use miette::miette;
 use serde_json::{Value, json};
 use sphere_dda::scene::Scene;
 
-use crate::arguments::{assignment, interval, positive};
+use crate::arguments::{assignment, interval, positive, vacant};
 use crate::browser::{Browser, on_path};
 use crate::check::warn;
+use crate::draft::Draft;
 use crate::failure::Failure;
 use crate::page::{self, Input};
 use crate::progress::{Interrupt, Progress, count, note, print};
@@ -96,12 +97,7 @@ enum Kind {
 pub(crate) fn run(arguments: &Movie, interrupt: &Interrupt) -> Result<(), Failure> {
     let output = &arguments.output;
     let kind = kind(output)?;
-    if output.exists() && !arguments.overwrite {
-        return Err(Failure::Input(miette!(
-            "`{}` exists already: choose another name, or use --overwrite",
-            output.display()
-        )));
-    }
+    vacant(output, arguments.overwrite)?;
     // What would stop it shows before anything is drawn.
     let encoder = (kind != Kind::Picture).then(encoder).transpose()?;
     let (recording, mut options) = match page::kind(&arguments.input)? {
@@ -136,9 +132,9 @@ pub(crate) fn run(arguments: &Movie, interrupt: &Interrupt) -> Result<(), Failur
     browser.run(&format!(
         "sphereDda.setTime({first}).then(() => sphereDda.set({settings}))"
     ))?;
-    let draft = output.with_extension(format!("part.{}", ending(output)));
+    let draft = Draft::of(output);
     let mut film = match &encoder {
-        Some(program) => Some(Film::begin(program, kind, arguments.fps, &draft)?),
+        Some(program) => Some(Film::begin(program, kind, arguments.fps, draft.path())?),
         None => None,
     };
     let (width, height) = arguments.size;
@@ -149,13 +145,13 @@ pub(crate) fn run(arguments: &Movie, interrupt: &Interrupt) -> Result<(), Failur
         let picture = decoded(&browser.run(&draw)?)?;
         match &mut film {
             Some(film) => film.push(&picture)?,
-            None => fs::write(&draft, &picture).map_err(|error| unwritable(output, &error))?,
+            None => {
+                fs::write(draft.path(), &picture).map_err(|error| unwritable(output, &error))?
+            }
         }
         progress.part(k + 1, times.len(), "picture");
         if interrupt.requested() {
             drop(film);
-            // A part of a film is none.
-            let _ = fs::remove_file(&draft);
             return Err(Failure::Interrupted);
         }
     }
@@ -163,7 +159,8 @@ pub(crate) fn run(arguments: &Movie, interrupt: &Interrupt) -> Result<(), Failur
     if let Some(film) = film {
         film.end()?;
     }
-    fs::rename(&draft, output).map_err(|error| unwritable(output, &error))?;
+    let put = draft.put();
+    put.map_err(|error| unwritable(output, &error))?;
     let drawn = count(times.len() as u64, "picture");
     print(|out| {
         writeln!(

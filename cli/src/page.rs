@@ -16,6 +16,7 @@ use sphere_dda_master::Fmu;
 use sphere_dda_picture::viewer::labels::labels;
 use sphere_dda_picture::viewer::{Detail, Options, Page, Recording, Table, ViewError, page};
 
+use crate::draft::Draft;
 use crate::failure::Failure;
 use crate::progress::{Progress, count, note};
 
@@ -230,12 +231,9 @@ pub(crate) fn end_with(
 
 /// Writes a page under another name first: who opens it sees the old one or the new one.
 fn put(output: &Path, html: &str) -> Result<(), Failure> {
-    let mut draft = output.as_os_str().to_owned();
-    draft.push(".part");
-    let written = fs::write(&draft, html).and_then(|()| fs::rename(&draft, output));
+    let draft = Draft::of(output);
+    let written = fs::write(draft.path(), html).and_then(|()| draft.put());
     written.map_err(|error| {
-        // What is left of the draft is of no use; that it cannot be removed changes nothing.
-        let _ = fs::remove_file(&draft);
         Failure::Input(miette!(
             "cannot write `{}`: {error}; choose another name with -o",
             output.display()

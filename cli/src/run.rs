@@ -8,6 +8,7 @@ use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use miette::miette;
 use sphere_dda::communication_points::{CommunicationPoints, due};
+use sphere_dda::contact::elasticity::LARGEST_COMPRESSION;
 use sphere_dda::formats::error::OutputError;
 use sphere_dda::observe::Observation;
 use sphere_dda::results::Options;
@@ -69,6 +70,9 @@ pub(crate) struct Run {
     /// Solver, instead of the scene's.
     #[arg(long, value_parser = solver())]
     solver: Option<SolverKind>,
+    /// Number of threads, instead of the scene's; results are the same for any.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=256))]
+    threads: Option<u32>,
     /// Write the contact problem of each internal step that fails or ends unconverged to DIR, for `sphere-dda corpus`: the first
     /// 100 of the run.
     #[arg(long, value_name = "DIR")]
@@ -104,6 +108,7 @@ impl Run {
         settings.duration = self.stop.unwrap_or(settings.duration);
         settings.method = self.method.unwrap_or(settings.method);
         settings.solver = self.solver.unwrap_or(settings.solver);
+        settings.threads = self.threads.map_or(settings.threads, |n| n as usize);
         let output = &mut scene.output;
         output.checkpoint_interval = self
             .checkpoint_interval
@@ -437,6 +442,13 @@ impl std::fmt::Display for Total {
                 "compressed      {:.2e} of the radius at most, where contacts give way; overlaps are beyond that",
                 report.max_compression
             )?;
+            if report.max_compression > LARGEST_COMPRESSION {
+                writeln!(
+                    f,
+                    "                warning: laws of contacts that give way hold up to about {LARGEST_COMPRESSION}: beyond, they repel and \
+                     no more; raise `young` [Pa] or `stiffness` [N/m]"
+                )?;
+            }
         }
         writeln!(
             f,

@@ -141,6 +141,7 @@ fn settled(scene: &Scene, settle: Settle, interrupt: &Interrupt) -> Result<Vec<u
         time,
         passes,
         speed,
+        fastest,
         rest_speed,
         at_rest,
         unbalanced,
@@ -151,6 +152,7 @@ fn settled(scene: &Scene, settle: Settle, interrupt: &Interrupt) -> Result<Vec<u
             "warning: the start is that of pass {passes}; the next one failed: {why}"
         ));
     }
+    let what = fastest.map_or("something".to_owned(), |fastest| fastest.to_string());
     if at_rest {
         note(format_args!(
             "settled in {time:.3} s, {passes} passes; the fastest sphere was slower than {rest_speed:.1e} m/s, unbalanced forces are \
@@ -164,14 +166,14 @@ fn settled(scene: &Scene, settle: Settle, interrupt: &Interrupt) -> Result<Vec<u
         }
     } else if settle.until_rest {
         return Err(Failure::Run(miette!(
-            help = "rolling spheres need friction and walls to stop, and a driven body that falls needs `hold_while_settling = true`; allow \
+            help = "what falls out of the scene needs a boundary below it; rolling spheres need friction and walls to stop, and a driven body that falls needs `hold_while_settling = true`; allow \
                     more time with --settle, or use --settle without --until-rest",
-            "not at rest after {time} s: found a speed of {speed:.2e} m/s, expected at most {rest_speed:.1e} m/s"
+            "not at rest after {time} s: found a speed of {speed:.2e} m/s, expected at most {rest_speed:.1e} m/s; the fastest is {what}"
         )));
     } else {
         note(format_args!(
-            "warning: after {time} s a sphere still moved at {speed:.2e} m/s, more than the {rest_speed:.1e} m/s of rest; it starts from rest \
-             nevertheless: settle longer, or use --until-rest"
+            "warning: after {time} s a speed of {speed:.2e} m/s was left, more than the {rest_speed:.1e} m/s of rest; all start from rest \
+             nevertheless: settle longer, or use --until-rest; the fastest is {what}"
         ));
     }
     Ok(start)

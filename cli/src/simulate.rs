@@ -14,7 +14,7 @@ use sphere_dda_master::{
     Table, Value, simulate,
 };
 
-use crate::arguments::{assignment, positive};
+use crate::arguments::{assignment, positive, vacant};
 use crate::failure::Failure;
 use crate::progress::{Interrupt, Progress, count, note};
 use crate::recorded::Recorded;
@@ -441,12 +441,7 @@ struct CsvFile<'a> {
 impl<'a> CsvFile<'a> {
     fn open(path: &'a Path, overwrite: bool) -> Result<Self, Failure> {
         let existed = path.exists();
-        if existed && !overwrite {
-            return Err(Failure::Input(miette!(
-                "`{}` exists already; choose another name or allow --overwrite",
-                path.display()
-            )));
-        }
+        vacant(path, overwrite)?;
         // An old file keeps its contents until there are new ones.
         let file = OpenOptions::new()
             .write(true)

@@ -30,6 +30,8 @@ use super::neck::Neck;
 use super::spring::ContactSpring;
 use crate::problem::law::SHEAR_RATIO;
 
+/// Overlap over the radius \[-\] above which Hertz's law, one of small overlaps, is a repulsion and no more.
+pub const LARGEST_COMPRESSION: f64 = 0.1;
 /// Damping ratio of the least coefficient of restitution, 0.01.
 const LARGEST_RATIO: f64 = 5.0;
 

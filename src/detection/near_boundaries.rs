@@ -8,7 +8,7 @@ use super::detection_distance::{DetectionDistance, SKIN, SOON, STEPS};
 use crate::Vec3;
 use crate::geometry::{Ball, ClosestPoint, Vicinity};
 use crate::spatial::Pose;
-use crate::spatial::extent::{around, larger};
+use crate::spatial::extent::{around, corners, larger};
 
 /// Rounding of gaps over the skin, generously.
 const ROUNDING: f64 = 1e-6;
@@ -223,7 +223,7 @@ impl NearBoundaries {
         // A rigid displacement is largest at a corner of the box around the spheres.
         let (low, high) = around(now.present_positions());
         let margin = Vec3::repeat(self.farthest);
-        let corners = corners(low - margin, high + margin);
+        let corners = corners((low - margin, high + margin));
         let mut longest = 0.0;
         let poses = self.poses.iter().zip(now.poses);
         for ((carried, boundary), (then, pose)) in
@@ -246,23 +246,10 @@ fn boxes(now: &Configuration) -> Vec<Option<(Vec3, Vec3)>> {
     let boundaries = now.boundaries.iter().zip(now.poses);
     let boxes = boundaries.map(|(boundary, pose)| {
         let (min, max) = boundary.geometry.bounds().filter(|_| now.cell.is_open())?;
-        let corners = corners(min, max).map(|corner| boundary.from_frame(pose, corner));
+        let corners = corners((min, max)).map(|corner| boundary.from_frame(pose, corner));
         Some(around(corners.into_iter()))
     });
     boxes.collect()
-}
-
-/// The corners of a box.
-pub(super) fn corners(low: Vec3, high: Vec3) -> [Vec3; 8] {
-    std::array::from_fn(|k| {
-        Vec3::from_fn(|axis, _| {
-            if k >> axis & 1 == 0 {
-                low[axis]
-            } else {
-                high[axis]
-            }
-        })
-    })
 }
 
 #[cfg(test)]

@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::error::{GeometryError, finite};
 use crate::Vec3;
+use crate::spatial::extent::corners;
 
 /// Welding and flatness tolerance over the diagonal of the bounding box \[-\]: seven typed digits.
 pub(super) const RELATIVE_TOLERANCE: f64 = 4e-7;
@@ -86,17 +87,6 @@ impl Facets {
                 });
             }
         }
-        let vertices = (0..8)
-            .map(|i| {
-                Vec3::from_fn(|axis, _| {
-                    if i >> axis & 1 == 0 {
-                        min[axis]
-                    } else {
-                        max[axis]
-                    }
-                })
-            })
-            .collect();
         const QUADS: [[u32; 4]; 6] = [
             [0, 2, 3, 1],
             [4, 5, 7, 6],
@@ -109,7 +99,7 @@ impl Facets {
             .iter()
             .flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]])
             .collect();
-        Ok(Self::mesh("box", vertices, triangles))
+        Ok(Self::mesh("box", corners((min, max)).to_vec(), triangles))
     }
 
     /// The facets scaled about the origin by `scale` (0.001 for a file in millimetres), then turned about the

@@ -22,6 +22,7 @@ use serde::{Deserialize, Serialize};
 
 use super::error::GeometryError;
 use super::facets::Facets;
+use super::features::Repair;
 use super::mesh::Mesh;
 use super::moments::Moments;
 use super::tessellate::Triangulation;
@@ -81,7 +82,9 @@ impl Solid {
                 edge: first.ends.map(|v| mesh.vertices()[v as usize]),
             });
         }
-        let bounds = around(mesh.vertices().iter().copied());
+        // A facet without area, which is left out, may have vertices anywhere.
+        let corners = mesh.indices().iter().flatten();
+        let bounds = around(corners.map(|&v| mesh.vertices()[v as usize]));
         let moments = measure(&mesh, bounds, &shells(mesh.indices(), &edges, &edge_of));
         Ok(Self {
             facets,
@@ -89,6 +92,12 @@ impl Solid {
             bounds,
             moments,
         })
+    }
+
+    /// What was mended in its facets.
+    #[must_use]
+    pub fn repair(&self) -> &Repair {
+        self.mesh.repair()
     }
 
     /// Its surface, welded.

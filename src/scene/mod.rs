@@ -8,6 +8,7 @@ mod boundary;
 pub mod clump;
 mod command;
 pub mod gravity;
+pub(crate) mod line_of_sight;
 pub mod materials;
 pub(crate) mod motion;
 mod parameters;

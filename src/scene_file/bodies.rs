@@ -10,7 +10,9 @@ use super::file;
 use super::names::{Context, Names};
 use super::units::metres;
 use crate::Vec3;
-use crate::geometry::{Facets, Geometry, GeometryError, HalfSpace, HeightField, Revolution, Shape};
+use crate::geometry::{
+    Facets, Geometry, GeometryError, HalfSpace, HeightField, Repair, Revolution, Shape,
+};
 use crate::scene::{Belt, Boundary, InputKind, Motion};
 use crate::spatial::Twist;
 
@@ -231,28 +233,34 @@ fn geometry(document: &mut Document<'_>, path: &str, faces: &[file::Face]) -> Op
     }
     let shapes: Vec<Shape> = shapes.into_iter().collect::<Option<_>>()?;
     let geometry = accept(document, path, Geometry::new(shapes))?;
-    if let Some(repair) = geometry.repair().filter(|r| !r.dropped_facets.is_empty()) {
-        let dropped = repair.dropped_facets.iter().take(3);
-        let named: Vec<String> = dropped
-            .map(|(name, facet)| format!("{facet} of {name}"))
-            .collect();
-        let message = format!(
-            "left out {} facets without area: {}{}",
-            repair.dropped_facets.len(),
-            named.join(", "),
-            if repair.dropped_facets.len() > 3 {
-                ", ..."
-            } else {
-                ""
-            }
-        );
-        document.warn(
-            path,
-            message,
-            "spheres do not notice; clean the mesh to silence this",
-        );
-    }
+    tell_dropped(document, path, geometry.repair());
     Some(geometry)
+}
+
+/// Warns of facets without area, which meshes leave out.
+pub(super) fn tell_dropped(document: &mut Document<'_>, path: &str, repair: Option<&Repair>) {
+    let Some(repair) = repair.filter(|r| !r.dropped_facets.is_empty()) else {
+        return;
+    };
+    let dropped = repair.dropped_facets.iter().take(3);
+    let named: Vec<String> = dropped
+        .map(|(name, facet)| format!("{facet} of {name}"))
+        .collect();
+    let message = format!(
+        "left out {} facets without area: {}{}",
+        repair.dropped_facets.len(),
+        named.join(", "),
+        if repair.dropped_facets.len() > 3 {
+            ", ..."
+        } else {
+            ""
+        }
+    );
+    document.warn(
+        path,
+        message,
+        "spheres do not notice; clean the mesh to silence this",
+    );
 }
 
 /// One face as a shape.

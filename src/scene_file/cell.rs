@@ -30,6 +30,26 @@ pub(super) fn cell(document: &mut Document<'_>, given: &file::Cell) -> Cell {
     }))
 }
 
+/// Demands an edge along `axis`, where it is periodic, in which the largest of some grains, of this diameter \[m\], keeps clear of its
+/// copies.
+pub(super) fn clear_of_copies(
+    document: &mut Document<'_>,
+    cell: &Cell,
+    axis: usize,
+    (diameter, what): (f64, &str),
+) -> bool {
+    let Some([low, high]) = cell.faces(axis) else {
+        return true;
+    };
+    let room = diameter * ROOM;
+    let found = format!("an edge of {} m", high - low);
+    let expected = format!(
+        "at least {room} m, {ROOM} diameters of the largest {what}: none may meet its own copy"
+    );
+    let path = format!("cell.{}", AXES[axis]);
+    document.demand(high - low >= room, path, found, &expected)
+}
+
 /// Refuses what has no meaning in the cell. Returns whether the spheres fit.
 pub(super) fn judge(
     document: &mut Document<'_>,
@@ -44,11 +64,7 @@ pub(super) fn judge(
         let Some([low, high]) = scene.cell.faces(axis) else {
             continue;
         };
-        let found = format!("an edge of {} m", high - low);
-        let expected = format!(
-            "at least {room} m, {ROOM} diameters of the largest sphere: none may meet its own copy"
-        );
-        fit &= document.demand(high - low >= room, format!("cell.{name}"), found, &expected);
+        fit &= clear_of_copies(document, &scene.cell, axis, (2.0 * largest, "sphere"));
         let frame = scene.settings.rotating_frame;
         if frame.is_some_and(|f| leans(f.angular_velocity, Vec3::ith(axis, 1.0))) {
             let message = format!(
@@ -180,8 +196,13 @@ pub(super) fn turns(motion: &Motion) -> bool {
     spins(motion).is_none_or(|spins| spins.iter().any(|spin| *spin != Vec3::zeros()))
 }
 
-/// Whether a motion may turn a plane of this normal, which runs along `axis`, towards it.
+/// Whether a motion may turn a plane of this normal, which runs along `axis`, towards it. Between two rows of a table it turns about
+/// all axes between theirs.
 fn may_tilt(motion: &Motion, normal: Vec3, axis: usize) -> bool {
-    let keeps = |spin: &Vec3| !leans(*spin, normal) || !leans(*spin, Vec3::ith(axis, 1.0));
-    spins(motion).is_none_or(|spins| !spins.iter().all(keeps))
+    let about = |spins: &[Vec3], direction: Vec3| spins.iter().all(|spin| !leans(*spin, direction));
+    let keeps = |spins: &[Vec3]| about(spins, normal) || about(spins, Vec3::ith(axis, 1.0));
+    spins(motion).is_none_or(|spins| {
+        let rows = spins.len().clamp(1, 2);
+        !spins.windows(rows).all(keeps)
+    })
 }

@@ -4,13 +4,15 @@ use std::ops::RangeInclusive;
 
 use nalgebra::{Matrix3, UnitQuaternion};
 
-use super::bodies::{stl_file, unit_of_length};
+use super::bodies::{stl_file, tell_dropped, unit_of_length};
+use super::cell::clear_of_copies;
 use super::checks::{accept, has_mass};
 use super::decode::Entry;
 use super::document::Document;
 use super::driven::principal;
 use super::file;
 use super::fitted::Fitted;
+use super::summary;
 use crate::Vec3;
 use crate::geometry::{BallFit, Solid, Triangulation};
 use crate::scene::Scene;
@@ -18,8 +20,9 @@ use crate::scene::clump::ClumpShape;
 
 /// Fewest and most members.
 const MEMBERS: RangeInclusive<usize> = 2..=20;
-/// Smallest edge of a periodic cell over the largest diameter of a clump [-].
-const ROOM: f64 = 1.001;
+
+/// Least volume of a solid over that of its box [-].
+const LEAST_VOLUME: f64 = 1e-9;
 
 /// A clump as given: its shape for every density.
 pub(super) struct Template {
@@ -111,10 +114,22 @@ impl Template {
             Some(surface) => shape.shown_as(surface, centre),
             None => shape,
         });
+        let Some(shape) = shape else {
+            let message = format!(
+                "the centre of mass of its clump does not lie between the centres of its {} spheres, which cannot carry its mass",
+                centres.len()
+            );
+            let help = match self.fitted {
+                Some(_) => {
+                    "try another number of `spheres`; a mesh with damaged facets gets bad ones: clean it"
+                }
+                None => "move or remove members: none may lie inside another",
+            };
+            return document.reject(path, message, help);
+        };
         let what = format!("its members and a density of {density} kg/m^3");
-        let found = shape.as_ref();
-        let found = found.map_or((0.0, &[][..]), |s| (s.mass, s.moments.as_slice()));
-        has_mass(document, path, &what, found).then_some(shape?)
+        let found = (shape.mass, shape.moments.as_slice());
+        has_mass(document, path, &what, found).then_some(shape)
     }
 }
 
@@ -171,10 +186,22 @@ fn fit(
     let (facets, metres, count) = (facets?, metres?, count?);
     let placed = facets.placed(metres, UnitQuaternion::identity(), Vec3::zeros());
     let solid = accept(document, &key, Solid::new(placed))?;
-    let balls = BallFit::new(&solid, count).filter(|fit| fit.radii.len() >= *MEMBERS.start());
+    tell_dropped(document, &key, Some(solid.repair()));
+    let (low, high) = solid.bounds();
+    let size = high - low;
+    // Of parts that cross one counts as a cavity of the other: next to nothing may be left.
+    let is_full = solid.volume() > LEAST_VOLUME * size.product();
+    let balls = is_full.then(|| BallFit::new(&solid, count)).flatten();
+    let balls = balls.filter(|fit| fit.radii.len() >= *MEMBERS.start());
     let Some(balls) = balls else {
-        let message = format!("`{file}` is so thin that no two spheres stand for it");
-        return document.reject(key, message, "give `members`, or a mesh of a compact solid");
+        let [x, y, z] = <[f64; 3]>::from(size).map(summary::metres);
+        let message = format!(
+            "no two spheres lie inside `{file}`, of {:.1e} m^3 in a box of {x} x {y} x {z} m: found a solid that is thin, or whose \
+             surface crosses itself",
+            solid.volume()
+        );
+        let help = "of a thin one give `members`; of one that crosses itself join the parts into one surface in a mesh editor";
+        return document.reject(key, message, help);
     };
     let fitted = Fitted {
         clump: given.name.clone(),
@@ -196,16 +223,8 @@ pub(super) fn judge(document: &mut Document<'_>, scene: &Scene) -> bool {
         document.error("simulation.rotating_frame", message, help);
     }
     let reaches = scene.clumps.iter().map(|clump| clump.shape.reach());
-    let room = 2.0 * ROOM * reaches.fold(0.0, f64::max);
-    let mut fit = true;
-    for (axis, name) in ["x", "y", "z"].iter().enumerate() {
-        if let Some([low, high]) = scene.cell.faces(axis) {
-            let found = format!("an edge of {} m", high - low);
-            let expected = format!(
-                "at least {room} m, {ROOM} diameters of the largest clump: none may meet its own copy"
-            );
-            fit &= document.demand(high - low >= room, format!("cell.{name}"), found, &expected);
-        }
-    }
-    fit
+    let largest = 2.0 * reaches.fold(0.0, f64::max);
+    let clear =
+        [0, 1, 2].map(|axis| clear_of_copies(document, &scene.cell, axis, (largest, "clump")));
+    clear.iter().all(|clear| *clear)
 }

@@ -5,6 +5,9 @@ use super::document::{Document, LARGEST, did_you_mean};
 /// Most findings reported from one file.
 const MOST_FINDINGS: usize = 10;
 
+/// What other programs put between columns.
+const OTHER_SEPARATORS: [char; 3] = [';', '\t', '|'];
+
 /// A CSV table of numbers with named columns.
 pub(super) struct Columns<const N: usize> {
     /// One entry per row and wanted column; `None` where the file has no such column.
@@ -33,6 +36,17 @@ impl<const N: usize> Columns<N> {
                 return document.reject(path, format!("`{file}` is not a CSV file: {error}"), "");
             }
         };
+        // A single column is no list of columns: it is one of another separator.
+        if let Some(other) = OTHER_SEPARATORS
+            .iter()
+            .find(|other| header.len() == 1 && header[0].contains(**other))
+        {
+            return document.reject(
+                path,
+                format!("the columns of `{file}` are separated by {other:?}, expected `,`"),
+                "write it with commas between the columns and points in the numbers",
+            );
+        }
         let mut good = true;
         for (k, column) in header.iter().enumerate() {
             let twice = header.iter().take(k).any(|c| c == column);

@@ -5,6 +5,7 @@
 
 mod advice;
 mod bodies;
+mod bonds;
 mod build;
 mod cell;
 mod checks;
@@ -19,6 +20,7 @@ mod edits;
 pub mod file;
 mod fitted;
 mod frame;
+mod identity;
 mod keys;
 mod loaded;
 mod names;

@@ -80,13 +80,6 @@ fn inside(file: &str) -> Option<String> {
     (!parts.is_empty()).then(|| parts.join("/"))
 }
 
-/// Hash of the text and the attachments in their order.
-pub(super) fn hash(text: &str, attachments: &[Attachment]) -> String {
-    let files = attachments.iter();
-    let files = files.flat_map(|file| [file.path.as_bytes(), &file.content]);
-    digest(std::iter::once(text.as_bytes()).chain(files))
-}
-
 /// SHA-256 of the parts, 64 hexadecimal digits: each is preceded by its length, so that no two lists of parts share
 /// their bytes.
 pub(crate) fn digest<'a>(parts: impl IntoIterator<Item = &'a [u8]>) -> String {

@@ -3,6 +3,7 @@
 use std::fmt;
 
 use super::Overlaps;
+use super::bonds::at_start;
 use crate::Vec3;
 use crate::geometry::Shape;
 use crate::scene::{Boundary, Motion, Scene};
@@ -49,6 +50,8 @@ pub struct Summary {
     pub extent: Option<(Vec3, Vec3)>,
     /// Overlaps at t = 0.
     pub overlaps: Overlaps,
+    /// Bonds made at t = 0; `None`: no pair has `bond`.
+    pub bonds: Option<usize>,
     /// Tolerances of the scene.
     pub tolerance: Tolerance,
     /// Step of the scene \[s\].
@@ -79,6 +82,7 @@ impl Summary {
         let particles = &scene.particles;
         let step = scene.settings.step.min(scene.settings.communication_step);
         let driven = scene.boundaries.iter().filter(|b| b.is_commanded());
+        let bonded = (scene.pairs.all()).any(|(a, b)| scene.pairs.get(a, b).bond.is_some());
         Self {
             title: scene.title.clone(),
             spheres: scene.particles.len(),
@@ -91,6 +95,7 @@ impl Summary {
             mass: scene.particles.mass.iter().sum(),
             extent: spheres_extent(scene),
             overlaps: Overlaps::of(scene),
+            bonds: bonded.then(|| at_start(scene).iter().filter(|bond| bond.joined).count()),
             tolerance: scene.settings.tolerance,
             step,
             suggested_step: Self::suggested_step(scene),
@@ -229,6 +234,9 @@ impl fmt::Display for Summary {
             row("sensors", self.sensors.to_string()),
             row("probes", self.probes.to_string()),
             row("initial overlaps", self.overlaps.to_string()),
+        ]);
+        lines.extend((self.bonds).map(|n| row("bonds", format!("{n} at the start"))));
+        lines.extend([
             row("step", step),
             row("penalty", penalty),
             row("cost", cost),

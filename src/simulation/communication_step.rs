@@ -13,7 +13,7 @@ use crate::simulation::flow::{Gate, crossings};
 use crate::simulation::impulse_totals::{Before, ImpulseTotals};
 use crate::simulation::trajectory::{BoundaryPaths, Trajectory, displacement};
 use crate::spatial::Wrench;
-use crate::state::{SharedState, StepControl, StepReport, Wall};
+use crate::state::{SharedState, State, StepControl, StepReport, Wall};
 use crate::step::{Effort, REMAINDER, StepFailure, step};
 
 /// A communication step under way: see [`Simulation::begin`].
@@ -157,14 +157,15 @@ impl Simulation {
         Ok(())
     }
 
-    /// Lets commands and forces given since the last internal step hold from here to the end of the communication step.
+    /// Lets commands, forces and gravity given since the last internal step hold from here to the end of the communication step.
     fn take_commands(&mut self, communication: &mut CommunicationStep) -> Result<(), StepError> {
         let (state, trajectory) = (&self.state, &mut communication.trajectory);
         let midway = communication.midway.as_ref().map(|(state, _)| state);
-        let applied = &midway.unwrap_or(&communication.before).applied_forces;
+        let before: &State = midway.unwrap_or(&communication.before);
         if trajectory.commands == state.commands
             && trajectory.rates == state.rates
-            && *applied == state.applied_forces
+            && before.applied_forces == state.applied_forces
+            && before.gravity == state.gravity
         {
             return Ok(());
         }

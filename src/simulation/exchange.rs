@@ -111,7 +111,7 @@ impl Simulation {
         let scene = std::sync::Arc::clone(&self.scene);
         let given = &scene.sources[source];
         let due = given.due(self.state.time);
-        let mut room: Option<FreeSpace> = None;
+        let mut room: Option<Neighbourhood> = None;
         loop {
             let reserve = &self.state.reserves[source];
             let Some(&next) = reserve.waiting.front() else {
@@ -124,7 +124,7 @@ impl Simulation {
             if due - reserve.spent < cost * (1.0 - EARLY) {
                 return;
             }
-            let room = room.get_or_insert_with(|| FreeSpace::around(self, given));
+            let room = room.get_or_insert_with(|| Neighbourhood::around(self, given));
             let clump = scene.particles.clump(i).map(|clump| &scene.clumps[clump]);
             let reach = clump.map_or(scene.particles.radius[i], |clump| clump.shape.reach());
             let place = room.place(self, source, reach);
@@ -169,7 +169,7 @@ impl Simulation {
 }
 
 /// What occupies and surrounds a source's region.
-struct FreeSpace {
+struct Neighbourhood {
     /// Box around the region and the largest sphere that reaches into it \[m\].
     near: Option<(Vec3, Vec3)>,
     cell: Cell,
@@ -177,7 +177,7 @@ struct FreeSpace {
     spheres: Vec<(Vec3, f64)>,
 }
 
-impl FreeSpace {
+impl Neighbourhood {
     fn around(simulation: &Simulation, source: &Source) -> Self {
         let particles = &simulation.scene.particles;
         let kinematics = &simulation.state.kinematics;

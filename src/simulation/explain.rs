@@ -60,10 +60,13 @@ impl Simulation {
         }
     }
 
-    /// A failure of a part of a step in which a sphere is squeezed: over a short part boundaries hardly approach each other.
+    /// A failure of a part of a step in which a sphere is squeezed: over a short part boundaries hardly
+    /// approach each other, and what they press out of their way passes them.
     pub(super) fn explain_part(&self, error: StepError, whole: Option<Squeezed>) -> StepError {
         match (error, whole) {
-            (StepError::NotConverged { .. }, Some(squeezed)) => self.pinched(squeezed),
+            (StepError::NotConverged { .. } | StepError::TooFast { .. }, Some(squeezed)) => {
+                self.pinched(squeezed)
+            }
             (error, _) => error,
         }
     }

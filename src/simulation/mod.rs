@@ -38,7 +38,7 @@ pub use derivatives::Direction;
 pub use replay_record::ReplayRecord;
 pub use running_scene::Simulation;
 pub use saved::Saved;
-pub use settle::{Pass, PassKind, Settle, SettleError, SettleProgress, Settled};
+pub use settle::{Fastest, Pass, PassKind, Settle, SettleError, SettleProgress, Settled};
 
 impl Simulation {
     /// Removes small initial overlaps and solves the contact forces at t = 0.

@@ -22,6 +22,7 @@ use crate::Vec3;
 use crate::integrator::Integrator;
 use crate::scene::{Boundary, Command, CommandDerivatives, InputKind, Motion, Scene};
 use crate::simulation::command_motion::{as_motion, carried, speeds, target};
+use crate::spatial::extent::corners;
 use crate::spatial::{Pose, Twist};
 use crate::state::State;
 use crate::step::StepInput;
@@ -225,23 +226,16 @@ pub(crate) fn displacement(
     mut spheres: impl Iterator<Item = Vec3>,
 ) -> f64 {
     let moved = |x: Vec3| (boundary.from_frame(to, x) - boundary.from_frame(from, x)).norm();
-    let Some((low, high)) = boundary.geometry.bounds() else {
+    let Some(bounds) = boundary.geometry.bounds() else {
         let reference = moved(boundary.point_of_action);
         let turns = from.rotation != to.rotation;
         let spheres = std::iter::from_fn(|| spheres.next().filter(|_| turns));
         let spheres = spheres.map(|x| moved(boundary.to_frame(from, x)));
         return spheres.fold(reference, larger_or_nan);
     };
-    (0..8)
-        .map(|k| {
-            moved(Vec3::from_fn(|axis, _| {
-                if k >> axis & 1 == 0 {
-                    low[axis]
-                } else {
-                    high[axis]
-                }
-            }))
-        })
+    corners(bounds)
+        .map(moved)
+        .into_iter()
         .fold(0.0, larger_or_nan)
 }
 

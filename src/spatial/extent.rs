@@ -26,6 +26,16 @@ pub(crate) fn around(points: impl Iterator<Item = Vec3>) -> (Vec3, Vec3) {
     points.map(|p| (p, p)).reduce(joined).unwrap_or_default()
 }
 
+/// The corners of a box: bit k of their number says which side along axis k.
+pub(crate) fn corners((low, high): (Vec3, Vec3)) -> [Vec3; 8] {
+    std::array::from_fn(|number| {
+        Vec3::from_fn(|axis, _| match number >> axis & 1 {
+            0 => low[axis],
+            _ => high[axis],
+        })
+    })
+}
+
 /// Whether the ray from `x` along `direction` (any length) passes a box: the slab method.
 pub(crate) fn passed((low, high): (Vec3, Vec3), x: Vec3, direction: Vec3) -> bool {
     let (mut from, mut to) = (0.0, f64::INFINITY);

@@ -91,7 +91,8 @@ pub(super) fn pinch(assembly: &Assembly, solution: &Solution, row: usize) -> Opt
     let overlap = prediction.scene.settings.tolerance.gap * radius;
     let sides: Vec<Side> = assembly
         .contacts_of(sphere)
-        .filter(|&k| assembly.problem.rows.compliance(k) == 0.0)
+        // What gives way is solved as rigid in an impact, and rigid as what gives way where it was softened.
+        .filter(|&k| assembly.elastic(k).is_none() && assembly.problem.rows.compliance(k) == 0.0)
         .filter(|&k| solution.loads(k))
         .filter_map(|k| {
             let candidate = &assembly.candidates[k];

@@ -224,6 +224,38 @@ fn what_does_not_fit_is_refused_and_nothing_changes() {
     );
 }
 
+/// Fault: results do not depend on `threads`, but with another number the run was "another run", and a start "of another scene".
+#[test]
+fn a_run_and_a_start_go_on_with_other_threads() {
+    let folder = prepare();
+    let folder = folder.path();
+    complete(
+        folder,
+        "whole",
+        "0.2",
+        &["--settle", "0.1", "--start", "a.start"],
+    );
+    complete(folder, "out", "0.1", &["--start", "a.start"]);
+    let scene = folder.join("funnel.toml");
+    let text = fs::read_to_string(&scene).unwrap();
+    let threads = text.replacen("[simulation]", "[simulation]\nthreads = 2", 1);
+    fs::write(&scene, threads).unwrap();
+    let more = ["--resume", "--settle", "0.1", "--start", "a.start"];
+    let told = complete(folder, "out", "0.15", &more);
+    assert!(told.error.contains("start read from"), "{}", told.error);
+    assert!(told.error.contains("resumes at 0.1 s"), "{}", told.error);
+    complete(
+        folder,
+        "out",
+        "0.2",
+        &[&more[..], &["--threads", "3"]].concat(),
+    );
+    let history = |out: &str| fs::read(folder.join(out).join("history.csv")).unwrap();
+    assert!(history("out") == history("whole"));
+    let told = run(folder, "out", "0.2", &["--threads", "0"]);
+    assert!(told.error.contains("1..=256"), "{}", told.error);
+}
+
 #[cfg(unix)]
 #[test]
 fn an_interrupted_run_goes_on_and_two_runs_do_not_share_a_directory() {

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use sphere_dda::Vec3;
 use sphere_dda::scene::Scene;
-use sphere_dda::simulation::{Pass, PassKind, Settle, SettleError, Settled, Simulation};
+use sphere_dda::simulation::{Fastest, Pass, PassKind, Settle, SettleError, Settled, Simulation};
 
 use crate::scene;
 
@@ -329,4 +329,30 @@ gravity = false
     let joint = simulation.joint(1);
     assert!((joint.joint_position - 4.0).abs() < 1e-3, "{joint:?}");
     assert!(joint.force.abs() < 1e-2, "{joint:?}");
+}
+
+/// Fault: a scene through whose hole a sphere falls for ever did not come to rest, and nothing said which sphere, and where it was.
+#[test]
+fn the_sphere_that_falls_out_of_the_scene_is_named() {
+    let text = hopper(1).replace("translation = [1.0, 0, 0]", "translation = [0, 0, 0]");
+    let spheres = "[[spheres]]\nname = \"out\"\nmaterial = \"grain\"\nradius = 0.02\npositions = [[1, 0, 0.1]]\n[[boundary]]";
+    let leaky = scene(&text.replacen("[[boundary]]", spheres, 1));
+    let settled = settle(&leaky, 1.0, true);
+    assert!(!settled.at_rest);
+    let Some(Fastest::Sphere {
+        index,
+        position,
+        lost,
+    }) = settled.fastest.clone()
+    else {
+        panic!("{:?}", settled.fastest);
+    };
+    assert_eq!((index, lost), (25, true));
+    assert!(position.z < -0.1, "{position}");
+    let told = settled
+        .fastest
+        .map(|fastest| fastest.to_string())
+        .unwrap_or_default();
+    assert!(told.contains("sphere 25 at (1.0000, 0.0000, -"), "{told}");
+    assert!(told.contains("nothing below it"), "{told}");
 }

@@ -4,7 +4,7 @@
  *
  * advanced by its closed form, so that no step size matters. It can fail on purpose: the string parameter `fault`
  * is "<function>:<status>", for example "fmi2DoStep:3"; the fault strikes from time `faultTime` on. Every call of
- * its life is written to `trace.txt` in the resources. Other faults are "nan", "terminate", "short", "half", "meet",
+ * its life is written to `trace.txt` in the resources. Other faults are "nan", "terminate", "short", "half", "crumbs", "down", "up", "meet",
  * which waits in each step until as many instances of this FMU as `faultTime` says are in it, and "logger", which calls the logger in every way that the standard does not foresee. In the place of a status "crash",
  * "abort", "exit" and "hang" do not come back, "sleep" takes 0.05 s, "print" writes to standard output and reads
  * standard input. Built with WITHOUT_DO_STEP, WITHOUT_STATES, UNDEFINED_SYMBOL, OTHER_VERSION, OTHER_TYPES,
@@ -297,6 +297,23 @@ FMI2_EXPORT fmi2Status fmi2DoStep(fmi2Component c, fmi2Real time, fmi2Real h, fm
         instance->reached = state->time = state->real[FAULT_TIME];
         instance->terminated = 1;
         return fmi2Discard;
+    }
+    /* No more than 2 ms at a time. */
+    if (strcmp(state->string[FAULT], "crumbs") == 0 && h > 0.0021) {
+        advance(state, 0.002);
+        instance->reached = state->time = time + 0.002;
+        return fmi2Discard;
+    }
+    /* Ends where it comes to a displacement of `faultTime`, from above or from below. */
+    int down = strcmp(state->string[FAULT], "down") == 0, up = strcmp(state->string[FAULT], "up") == 0;
+    if (down || up) {
+        State after = *state;
+        advance(&after, h);
+        double past = after.real[X] - state->real[FAULT_TIME];
+        if (down ? past < 0 : past > 0) {
+            instance->terminated = 1;
+            return fmi2Discard;
+        }
     }
     if (strcmp(state->string[FAULT], "meet") == 0 && meet(instance, (int)state->real[FAULT_TIME]) != fmi2OK) {
         return fmi2Error;

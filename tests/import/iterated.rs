@@ -200,3 +200,34 @@ fn a_run_can_go_on_with_values_that_do_not_agree() {
         off(&tables[1])
     );
 }
+
+/// Fault: an FMU that wanted to end in a trial, under values that were not the step's, ended the run.
+#[test]
+fn an_end_in_a_trial_that_did_not_agree_does_not_count() {
+    let (_folder, fmus) = pair(Build::Whole, |_| ());
+    let one = |coupling| Options {
+        stop: Some(0.5),
+        ..options(coupling, 0.5)
+    };
+    let first = |table: &Table| real(table, "a.mass.x")[1];
+    let exact = drive(&system(&fmus), &one(Coupling::Iterated)).unwrap();
+    // The first trial is the step of Gauss and Seidel.
+    let trial = first(&drive(&system(&fmus), &one(Coupling::GaussSeidel)).unwrap());
+    let agreed = first(&exact);
+    assert!((trial - agreed).abs() > 1e-3, "{trial} {agreed}");
+    let between = (0.5 * (trial + agreed)).to_string();
+    let ends = |fault: &str| {
+        let mut options = one(Coupling::Iterated);
+        for (name, value) in [("a.fault", fault), ("a.faultTime", &between)] {
+            options.set.push((name.to_owned(), value.to_owned()));
+        }
+        drive(&system(&fmus), &options).unwrap()
+    };
+    let (passed, stayed) = match trial < agreed {
+        true => ("down", "up"),
+        false => ("up", "down"),
+    };
+    let table = ends(passed);
+    assert_eq!((table.end, first(&table)), (End::Stop, agreed));
+    assert_ne!(ends(stayed).end, End::Stop);
+}

@@ -169,6 +169,71 @@ fn tetrahedron(open: usize) -> String {
     )
 }
 
+/// Facets of a cube with this edge and lower corner.
+fn cube(edge: f64, low: [f64; 3]) -> String {
+    let quads = [
+        [0, 2, 3, 1],
+        [4, 5, 7, 6],
+        [0, 1, 5, 4],
+        [2, 6, 7, 3],
+        [0, 4, 6, 2],
+        [1, 3, 7, 5],
+    ];
+    let corner = |k: usize| {
+        let [x, y, z] = [0, 1, 2].map(|axis| low[axis] + edge * f64::from((k >> axis & 1) as u8));
+        format!("vertex {x} {y} {z}\n")
+    };
+    let facets = quads
+        .iter()
+        .flat_map(|q| [[q[0], q[1], q[2]], [q[0], q[2], q[3]]]);
+    let facets = facets.map(|facet| {
+        let vertices = facet.map(corner).concat();
+        format!("facet normal 0 0 0\nouter loop\n{vertices}endloop\nendfacet\n")
+    });
+    facets.collect()
+}
+
+/// Fault: a facet without area and its far vertex spoiled the fit, so that the clump "gave no usable mass", without the warning that
+/// boundaries get; a mesh that crosses itself was called thin.
+#[test]
+fn damaged_meshes_are_told_as_what_they_are() {
+    let folder = folder();
+    let put = |name: &str, facets: &str| {
+        std::fs::write(
+            folder.path().join(name),
+            format!("solid s\n{facets}endsolid s\n"),
+        )
+        .unwrap();
+    };
+    let whole = cube(0.2, [0.0; 3]);
+    let sliver = "facet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 0 0 0\nvertex 10 0 0\nendloop\nendfacet\n";
+    put("whole.stl", &whole);
+    put("sliver.stl", &format!("{whole}{sliver}"));
+    put(
+        "crossed.stl",
+        &format!("{whole}{}", cube(0.2, [0.05, 0.05, 0.1])),
+    );
+    let fitted = |name: &str| {
+        let text = scene("", &format!("stl = \"{name}\"\nspheres = 4"), "");
+        load(&text, folder.path())
+    };
+    let whole = fitted("whole.stl").unwrap_or_else(|e| panic!("{}", e.plain()));
+    let mended = fitted("sliver.stl").unwrap_or_else(|e| panic!("{}", e.plain()));
+    assert_eq!(
+        mended.scene.clumps[0].shape.radii,
+        whole.scene.clumps[0].shape.radii
+    );
+    let told = |warning: &sphere_dda::scene_file::Diagnostic| {
+        warning.path == "clump[0].stl" && warning.message.contains("left out 1 facets without area")
+    };
+    assert!(mended.warnings.iter().any(told), "{:?}", mended.warnings);
+    assert!(!whole.warnings.iter().any(told));
+    let error = fitted("crossed.stl")
+        .expect_err("it crosses itself")
+        .plain();
+    assert!(error.contains("whose surface crosses itself"), "{error}");
+}
+
 /// A clump has the mass and the inertia of its mesh; `unit` scales both.
 #[test]
 fn a_clump_from_a_mesh_has_the_mass_of_the_mesh() {

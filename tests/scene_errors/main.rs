@@ -157,6 +157,7 @@ const CASES: &[Case] = cases! {
     "[[probe]]" => "[cell]\nx = [-1, 9.5]\n[[probe]]", "boundary[1]", "name = \"gate\"", "boundary `gate` crosses a face of the cell: it reaches from x = 9 m to 22 m, expected -1 m to 9.5 m";
     "[[probe]]" => "[cell]\nx = [9, 22.1]\n[[probe]]", "boundary[1]", "name = \"gate\"", "takes 13 m of the cell's";
     "normal = [0.0, 0.0, 2.0] } }]" => "normal = [0.0, 0.0, 2.0] } }]\nmotion = { constant = { angular_velocity = [0, 1, 0] } }\n[cell]\nx = [-99, 99]", "boundary[0]", "name = \"floor\"", "may tilt its plane towards x";
+    "normal = [0.0, 0.0, 2.0] } }]" => "normal = [0.0, 0.0, 2.0] } }]\nmotion = { table = { time = [0, 1], rotation = [[0, 0, 1], [1, 0, 0]] } }\n[cell]\nx = [-99, 99]", "boundary[0]", "name = \"floor\"", "may tilt its plane towards x";
     "normal = [0.0, 0.0, 2.0] } }]" => "normal = [0.0, 0.0, 2.0] } }]\ninput = \"pose\"\n[cell]\nx = [-99, 99]", "boundary[0]", "name = \"floor\"", "may tilt its plane towards x";
     "normal = [0.0, 0.0, 2.0] } }]" => "normal = [0.0, 0.0, 2.0] } }]\ninput = \"world_pose\"\n[cell]\nx = [-99, 99]", "boundary[0]", "name = \"floor\"", "may tilt its plane towards x";
     "[simulation.tolerance]\ngap = 1e-6\n" => "rotating_frame = { axis = [0, 0, 1], speed = 1 }\n[cell]\nx = [-99, 99]\n", "simulation.rotating_frame", "rotating_frame", "turns about an axis that is not x";
@@ -209,6 +210,7 @@ const CASES: &[Case] = cases! {
     "radius = [0.2]\npositions = [[0.0, 0.0, 3.0]]" => "csv = \"../a.csv\"", "spheres[1].csv", "csv", "below the scene's folder";
     "radius = [0.2]\npositions = [[0.0, 0.0, 3.0]]" => "csv = \"bad.csv\"", "spheres[1].csv", "csv", "`abc` in `bad.csv` line 3, column `radius`";
     "radius = [0.2]\npositions = [[0.0, 0.0, 3.0]]" => "csv = \"column.csv\"", "spheres[1].csv", "csv", "lacks the column `z`";
+    "radius = [0.2]\npositions = [[0.0, 0.0, 3.0]]" => "csv = \"semicolon.csv\"", "spheres[1].csv", "csv", "separated by ';', expected `,`";
     "spacing = 0.3" => "spacing = 0.1", "spheres[0]", "name = \"grains\"", "of the smaller radius, expected at most max_initial_overlap = 0.05";
     "origin = [0.0, 0.0, 0.2]" => "origin = [0.0, 0.0, -0.2]", "spheres[0]", "name = \"grains\"", "boundary `floor`";
     "material = \"rock\"\nradius = 0.1" => "material = \"rokc\"\nradius = 0.1", "spheres[0].material", "rokc", "did you mean `rock`";
@@ -324,6 +326,7 @@ fn folder() -> tempfile::TempDir {
         ),
         ("bad.csv", "x,y,z,radius\n0,0,3,0.2\n0,0,4,abc\n".to_owned()),
         ("column.csv", "x,y,radius\n0,0,3\n".to_owned()),
+        ("semicolon.csv", "x;y;z\n0;0;3\n".to_owned()),
         ("good.stl", solid(&[fin(["10", "1", "0"])])),
         ("empty.stl", String::new()),
         ("none_inside.stl", solid(&[])),

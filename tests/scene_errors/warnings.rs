@@ -55,6 +55,36 @@ fn what_will_hurt_is_warned_of() {
             "bonds of rigid grains are rigid",
         ),
         (
+            "density = 2500.0\n[[material]]",
+            "density = 2500.0\nyoung = 70\n[[material]]",
+            "material[0].young",
+            "70 GPa is `young = 7e10`",
+        ),
+        (
+            "density = 2500.0\n[[material]]",
+            "density = 2500.0\nyoung = 70e6\n[[material]]",
+            "",
+            "",
+        ),
+        (
+            "[output]",
+            "[[clump]]\nname = \"pair\"\nmembers = [{ position = [0, 0, 0], radius = 0.1 }, { position = [0, 0, 0.1], radius = 0.1 }]\n[output]",
+            "clump[0]",
+            "clump `pair` is placed by no spheres and no source",
+        ),
+        (
+            "friction = 0.3",
+            "friction = 0.3\nbond = { normal_strength = 1.0, shear_strength = 1.0 }",
+            "pair_default.bond",
+            "joins nothing: bonds are made at t = 0 alone, where the nearest surfaces are",
+        ),
+        (
+            "friction = 0.3",
+            "friction = 0.3\nbond = { normal_strength = 1.0, shear_strength = 1.0, reach = 0.2 }",
+            "",
+            "",
+        ),
+        (
             "materials = [\"rock\", \"steel\"]",
             "materials = [\"steel\", \"steel\"]",
             "pair[0]",

@@ -694,9 +694,17 @@ fn the_margin_warns_of_a_kink() {
     }
 }
 
-/// Where commands change between internal steps, the derivative is by what was set last: of the averages over the whole step too.
+/// Where commands or gravity change between internal steps, the derivative is by what was set last: of the averages over the whole step
+/// too. Fault: gravity alone was not noticed, the derivative was by commands of the whole step, under the gravity that it began with.
 #[test]
 fn commands_that_change_within_a_step_count_from_there() {
+    for (first, gravity) in [(0.0, 9.81), (0.4, 12.0)] {
+        commands_count_from(first, gravity);
+    }
+}
+
+/// The floor moves by `first` \[m/s\] faster until both that and gravity \[m/s^2\] change.
+fn commands_count_from(first: f64, gravity: f64) {
     let text = [HEAD, BALL, FLOOR, "input = \"twist\""].concat();
     let run = |last: f64| {
         let mut simulation = simulation(&[&text]);
@@ -704,13 +712,13 @@ fn commands_that_change_within_a_step_count_from_there() {
             velocity: Vec3::new(0.5, 0.2, 0.01),
             ..Command::default()
         };
-        simulation.command(0, slow).unwrap();
+        let faster = |by: f64| slow.plus(&velocity(1), by);
+        simulation.command(0, faster(first)).unwrap();
         let mut march = simulation.begin(5e-3).unwrap();
         for k in 0..5 {
             if k == 2 {
-                simulation
-                    .command(0, slow.plus(&velocity(1), last))
-                    .unwrap();
+                simulation.command(0, faster(last)).unwrap();
+                simulation.set_gravity(-Vec3::z() * gravity).unwrap();
             }
             simulation.internal_step(&mut march).unwrap();
         }

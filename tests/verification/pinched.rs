@@ -124,3 +124,26 @@ fn a_press_is_named_however_short_the_last_step() {
         "{error}"
     );
 }
+
+/// Fault: a gate whose edge comes down on a sphere beside its top ended with "reduce simulation.step to 3e-17 s", naming neither
+/// what squeezes nor `stiffness`: a part of the step failed otherwise than the whole.
+#[test]
+fn a_gate_that_squeezes_by_its_edge_is_named() {
+    let text = "[simulation]\nduration = 3.5\nstrict = true\n[[material]]\nname = 'rock'\ndensity = 2700.0\nfriction = 0.6\n\
+                restitution = 0.2\n[[spheres]]\nname = 's'\nmaterial = 'rock'\nradius = 0.25\npositions = [[0, 0, 0.25]]\n\
+                [[boundary]]\nname = 'floor'\nmaterial = 'rock'\nfaces = [{ plane = { point = [0, 0, 0], normal = [0, 0, 1] } }]\n\
+                [[boundary]]\nname = 'gate'\nmaterial = 'rock'\nmotion = { constant = { velocity = [0, 0, -0.3] } }\n\
+                faces = [{ rectangle = { corner = [-0.5, 0.02, 0.6], u = [1, 0, 0], v = [0, 0, 1] } }]\n";
+    let loaded = Scene::from_toml("gate", text, Path::new(".")).expect("a good scene");
+    let mut simulation = Simulation::new(Arc::new(loaded.scene)).expect("it starts");
+    let ran = (0..350).try_for_each(|_| simulation.advance(1e-2).map(drop));
+    let error = ran.expect_err("the gate went through").to_string();
+    for part in [
+        "sphere 0 is squeezed between",
+        "`floor`",
+        "`gate`",
+        "`stiffness`",
+    ] {
+        assert!(error.contains(part), "{error}");
+    }
+}

@@ -20,6 +20,7 @@ use sphere_dda::contact::{Contact, Partner};
 use sphere_dda::observe::Observation;
 use sphere_dda_model_description::value::Value;
 
+use super::header;
 use crate::table::ContactField;
 
 /// Media type of the binary.
@@ -27,7 +28,6 @@ pub const MEDIA_TYPE: &str = "application/x-sphere-dda-contacts";
 
 const MAGIC: &[u8; 8] = b"SDDACON\0";
 const VERSION: u32 = 1;
-const HEADER: usize = 28;
 const RECORD: usize = 120;
 /// Real numbers of a contact.
 const NUMBERS: usize = 13;
@@ -45,11 +45,7 @@ pub fn loaded(state: &Observation) -> Vec<Contact> {
 /// The document at `time` \[s\] of the experiment.
 #[must_use]
 pub fn of(contacts: &[Contact], time: f64) -> Vec<u8> {
-    let mut bytes = Vec::with_capacity(HEADER + RECORD * contacts.len());
-    bytes.extend_from_slice(MAGIC);
-    bytes.extend_from_slice(&VERSION.to_le_bytes());
-    bytes.extend_from_slice(&(contacts.len() as u64).to_le_bytes());
-    bytes.extend_from_slice(&time.to_le_bytes());
+    let mut bytes = header::document(MAGIC, VERSION, (contacts.len(), RECORD), time);
     for contact in contacts {
         bytes.extend(bodies(contact).into_iter().flat_map(i64::to_le_bytes));
         bytes.extend(numbers(contact).into_iter().flat_map(f64::to_le_bytes));

@@ -16,6 +16,7 @@
 use sphere_dda::simulation::Simulation;
 use sphere_dda_model_description::value::Value;
 
+use super::header;
 use crate::table::Field;
 
 /// Media type of the binary.
@@ -23,7 +24,6 @@ pub const MEDIA_TYPE: &str = "application/x-sphere-dda-spheres";
 
 const MAGIC: &[u8; 8] = b"SDDASPH\0";
 const VERSION: u32 = 1;
-const HEADER: usize = 28;
 const RECORD: usize = 120;
 /// Numbers of the motion of a sphere.
 pub const MOTION: usize = 13;
@@ -31,7 +31,7 @@ pub const MOTION: usize = 13;
 /// Bytes of the document of `spheres` spheres.
 #[must_use]
 pub fn size(spheres: usize) -> usize {
-    HEADER + RECORD * spheres
+    header::LENGTH + RECORD * spheres
 }
 
 /// The document at `time` \[s\] of the experiment.
@@ -39,11 +39,7 @@ pub fn size(spheres: usize) -> usize {
 pub fn of(simulation: &Simulation, time: f64) -> Vec<u8> {
     let kinematics = simulation.kinematics();
     let radius = &simulation.scene().particles.radius;
-    let mut bytes = Vec::with_capacity(size(radius.len()));
-    bytes.extend_from_slice(MAGIC);
-    bytes.extend_from_slice(&VERSION.to_le_bytes());
-    bytes.extend_from_slice(&(radius.len() as u64).to_le_bytes());
-    bytes.extend_from_slice(&time.to_le_bytes());
+    let mut bytes = header::document(MAGIC, VERSION, (radius.len(), RECORD), time);
     for (i, &radius) in radius.iter().enumerate() {
         let present = f64::from(u8::from(kinematics.present[i]));
         let numbers = [present, radius].into_iter().chain(motion(simulation, i));

@@ -2,6 +2,7 @@
 
 pub mod contacts;
 pub mod document;
+mod header;
 pub mod instance;
 pub mod life_cycle;
 pub mod recorder;

@@ -12,8 +12,8 @@ use super::communication_points::{CommunicationPoints, STEP_TOLERANCE};
 use super::exchange::Exchange;
 use super::halt::Halt;
 
-/// Most attempts to come from one communication point to the next with an FMU that discards.
-const MAX_ATTEMPTS: u32 = 12;
+/// Most attempts in a row of an FMU that discards without coming on: by less than a step halved so often.
+const MAX_ATTEMPTS: i32 = 12;
 
 /// Most components that step at the same time; others follow as soon as one is done.
 const MAX_THREADS: usize = 64;
@@ -142,7 +142,10 @@ fn step(
         step,
         mend,
     };
-    for _ in 0..MAX_ATTEMPTS {
+    let progress = length * 0.5_f64.powi(MAX_ATTEMPTS);
+    let mut attempts = 0;
+    while attempts < MAX_ATTEMPTS {
+        attempts += 1;
         let step = instance.step(time, length, no_rollback);
         let reached = match step.map_err(Halt::at(component))? {
             Step::Done if whole => return Ok(None),
@@ -161,7 +164,12 @@ fn step(
             },
         };
         match reached {
-            Some(reached) => (time, length) = (reached, target - reached),
+            Some(reached) => {
+                if reached - time >= progress {
+                    attempts = 0;
+                }
+                (time, length) = (reached, target - reached);
+            }
             None => length /= 2.0,
         }
         // A sum of parts may miss the target by rounding.

@@ -3,7 +3,7 @@
 //! Let x be the values that go back to FMUs which stepped before their source, and G(x) what the sources hold after a
 //! step with x. Sought is x = G(x), as [`accelerate`](super::accelerate) seeks it.
 
-use crate::calls::InputValues;
+use crate::calls::{InputValues, SavedState};
 use crate::value::Value;
 
 use super::accelerate::{Change, QuasiNewton, Search};
@@ -14,7 +14,7 @@ use super::options::Iteration;
 
 /// What became of an iterated step.
 pub(super) enum Outcome {
-    /// A component wants to end at this time \[s\].
+    /// A component wants to end at this time \[s\], without a way back.
     Ended(f64),
     /// The step is done.
     Done {
@@ -34,27 +34,49 @@ pub(super) fn iterate(
     quasi_newton: &mut QuasiNewton,
     k: u64,
 ) -> Result<Outcome, Halt> {
-    let mut guess = returned(components)?;
+    let guess = returned(components)?;
+    if guess.iter().all(InputValues::is_empty) {
+        // Nothing comes back: the first trial is the step.
+        return Ok(match sweep(components, k, &guess, true)? {
+            Some(time) => Outcome::Ended(time),
+            None => Outcome::Done {
+                iterations: 1,
+                left: None,
+                ended: None,
+            },
+        });
+    }
+    let states = components.save()?;
+    let outcome = search(components, settings, quasi_newton, (k, guess), &states);
+    let released = components.release(states);
+    let outcome = outcome?;
+    released?;
+    Ok(outcome)
+}
+
+/// Trials from `states`, the first with `guess`, until two agree. A component that wants to end in a trial does so under values that
+/// are not the step's: only the end of the last trial counts.
+fn search(
+    components: &mut Components<'_>,
+    settings: Iteration,
+    quasi_newton: &mut QuasiNewton,
+    (k, mut guess): (u64, Vec<InputValues>),
+    states: &[SavedState],
+) -> Result<Outcome, Halt> {
     let mut search = Search::new(quasi_newton, reals(&guess));
     put(&mut guess, &search.first());
-    let loops = guess.iter().any(|values| !values.is_empty());
-    let states = loops.then(|| components.save()).transpose()?;
-    let states = states.unwrap_or_default();
     let mut best = None;
     for iterations in 1..=settings.max_iterations {
-        if let Some(time) = sweep(components, k, &guess, !loops)? {
-            return Ok(Outcome::Ended(time));
-        }
+        let ended = sweep(components, k, &guess, false)?;
         let found = returned(components)?;
         let (x, g) = (reals(&guess), reals(&found));
         let change = search.change(&x, &g);
         if others_agree(&guess, &found) && change.size <= settings.tolerance {
-            components.release(states)?;
             search.end();
             return Ok(Outcome::Done {
                 iterations,
                 left: None,
-                ended: None,
+                ended,
             });
         }
         if best.as_ref().is_none_or(|(least, _)| change.size < *least) {
@@ -67,11 +89,10 @@ pub(super) fn iterate(
         if iterations < settings.max_iterations {
             put(&mut guess, &search.next(&x, &g, settings.relaxation));
         }
-        components.restore(&states)?;
+        components.restore(states)?;
     }
     let (left, guess) = best.unwrap_or((0.0, guess));
     let ended = sweep(components, k, &guess, false)?;
-    components.release(states)?;
     search.end();
     Ok(Outcome::Done {
         iterations: settings.max_iterations + 1,
@@ -88,13 +109,15 @@ fn not_converged(components: &Components<'_>, last: Change) -> Halt {
     }
 }
 
-/// Every component one step, in their order: with values of t + h from those before it, guessed ones from the others.
+/// Every component one step, in their order: with values of t + h from those before it, guessed ones from the others. The time that
+/// the first came to that wants to end before; where there is a way back the others step all the same.
 fn sweep(
     components: &mut Components<'_>,
     k: u64,
     guess: &[InputValues],
     no_rollback: bool,
 ) -> Result<Option<f64>, Halt> {
+    let mut ended = None;
     for (component, guessed) in guess.iter().enumerate() {
         let Components {
             exchange,
@@ -104,12 +127,12 @@ fn sweep(
         let mut load = exchange.read_from(component, instances, |source| source < component)?;
         load.extend(guessed.iter().cloned());
         Exchange::write(component, &load, instances)?;
-        let ended = components.step(component, k, no_rollback)?;
-        if ended.is_some() {
-            return Ok(ended);
+        ended = ended.or(components.step(component, k, no_rollback)?);
+        if no_rollback && ended.is_some() {
+            break;
         }
     }
-    Ok(None)
+    Ok(ended)
 }
 
 /// What now goes back to each component from itself and those behind it.

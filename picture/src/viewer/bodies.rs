@@ -4,6 +4,8 @@
 //! `sum |c + s + Q (x_0 - c) - x|^2` over its points (Kabsch, Acta Cryst. A32, 1976, 922), `c` being their centroid in
 //! the first frame.
 
+use std::collections::BTreeMap;
+
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion};
 use sphere_dda::Vec3;
 use sphere_dda::nalgebra;
@@ -42,19 +44,11 @@ pub(super) struct Bodies {
 
 impl Bodies {
     pub(super) fn new(surface: &Surface) -> Self {
-        let count = surface.owner.iter().max().map_or(0, |last| last + 1);
-        let mut list: Vec<Body> = (0..count)
-            .map(|index| Body {
-                index,
-                points: Vec::new(),
-                triangles: Vec::new(),
-                centre: Vec3::zeros(),
-                arms: Vec::new(),
-            })
-            .collect();
+        // As many as there are in the file, whatever their numbers: it may be damaged.
+        let mut bodies = BTreeMap::new();
         let mut places: Vec<Option<u32>> = vec![None; surface.points.len()];
         for (triangle, &owner) in surface.triangles.iter().zip(&surface.owner) {
-            let body = &mut list[owner];
+            let body: &mut Body = bodies.entry(owner).or_insert_with(|| Body::empty(owner));
             let corner = |point: u32| {
                 *places[point as usize].get_or_insert_with(|| {
                     body.points.push(point);
@@ -64,7 +58,7 @@ impl Bodies {
             let own = triangle.map(corner);
             body.triangles.push(own);
         }
-        list.retain(|body| !body.points.is_empty());
+        let mut list: Vec<Body> = bodies.into_values().collect();
         for body in &mut list {
             let points = body.points.iter().map(|&p| surface.points[p as usize]);
             body.centre = points.clone().sum::<Vec3>() / body.points.len() as f64;
@@ -115,6 +109,17 @@ impl Bodies {
 }
 
 impl Body {
+    /// The boundary of this index, without triangles yet.
+    fn empty(index: usize) -> Self {
+        Self {
+            index,
+            points: Vec::new(),
+            triangles: Vec::new(),
+            centre: Vec3::zeros(),
+            arms: Vec::new(),
+        }
+    }
+
     /// Translation \[m\], rotation, and the largest distance of a point from where they put it \[m\].
     fn displacement(
         &self,
@@ -146,5 +151,24 @@ impl Body {
         let turn = UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(u * v));
         let shift = middle - self.centre;
         (shift, turn, left(shift, turn))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Fault: the list was as long as the largest number of a boundary in the file: a damaged one took all memory.
+    #[test]
+    fn numbers_of_boundaries_take_no_memory() {
+        let surface = Surface {
+            points: vec![Vec3::zeros(), Vec3::x(), Vec3::y()],
+            triangles: vec![[0, 1, 2]; 2],
+            owner: vec![3, usize::MAX / 64],
+            ..Surface::default()
+        };
+        let bodies = Bodies::new(&surface);
+        let indices: Vec<usize> = bodies.list.iter().map(|body| body.index).collect();
+        assert_eq!(indices, surface.owner);
     }
 }

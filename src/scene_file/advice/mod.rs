@@ -1,10 +1,12 @@
 //! Advice about a scene that can run but probably not as meant: lengths in mm, spheres that start on the wrong side of
-//! a boundary, keys that do nothing, a step far too long.
+//! a boundary, grains that their weight crushes, bonds that join nothing, keys that do nothing, a step far too long.
 //!
 //! Pure: a [`Scene`] and the file it was built from give a list; [`super::build`] adds it to the warnings.
 
+mod bonds;
 mod lengths;
 mod placement;
+mod softness;
 mod unused;
 mod walls;
 
@@ -34,8 +36,10 @@ pub(super) fn advise(
     if scene.settings.smallest_step.is_none() {
         advice.extend(long_step(scene.settings.step, suggested));
     }
+    advice.extend(bonds::advise(scene, file));
     advice.extend(lengths::advise(scene));
     advice.extend(placement::advise(scene, file, ranges));
+    advice.extend(softness::advise(scene, file));
     advice.extend(walls::advise(scene));
     advice
 }

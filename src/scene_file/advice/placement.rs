@@ -3,37 +3,15 @@
 use std::ops::Range;
 
 use crate::Vec3;
-use crate::geometry::rays::Rays;
 use crate::geometry::region::Region;
 use crate::geometry::{Facets, Shape, Solid};
+use crate::scene::Scene;
 use crate::scene::gravity::GravityMotion;
-use crate::scene::{Boundary, Scene};
+use crate::scene::line_of_sight::Wall;
 use crate::scene_file::decode::SceneFile;
 use crate::scene_file::diagnostic::Advice;
 use crate::scene_file::file;
-use crate::spatial::Pose;
-use crate::spatial::extent::passed;
-
-/// A boundary where it is at t = 0.
-struct Wall<'a> {
-    boundary: &'a Boundary,
-    pose: Pose,
-    rays: Rays,
-}
-
-impl Wall<'_> {
-    /// A world point \[m\], or its copy in a periodic cell nearest to the boundary, in the boundary's frame.
-    fn local(&self, scene: &Scene, x: Vec3) -> Vec3 {
-        let near = self.boundary.copy_near(&scene.cell, &self.pose, x);
-        self.boundary.to_frame(&self.pose, near)
-    }
-
-    /// Whether the ray from the world point `x` \[m\] along `direction` meets it.
-    fn meets(&self, scene: &Scene, x: Vec3, direction: Vec3) -> bool {
-        let direction = self.pose.rotation.inverse() * direction;
-        self.rays.is_hit(self.local(scene, x), direction)
-    }
-}
+use crate::spatial::extent::{corners, passed};
 
 pub(super) fn advise(
     scene: &Scene,
@@ -43,11 +21,7 @@ pub(super) fn advise(
     let boundaries: Vec<Wall<'_>> = scene
         .boundaries
         .iter()
-        .map(|boundary| Wall {
-            boundary,
-            pose: boundary.motion.pose_at(0.0),
-            rays: Rays::new(&boundary.geometry),
-        })
+        .map(|boundary| Wall::new(boundary, boundary.motion.pose_at(0.0)))
         .collect();
     let present: Vec<usize> = (0..scene.particles.len())
         .filter(|&i| scene.initial.present[i])
@@ -209,19 +183,8 @@ impl<'a> Surroundings<'a> {
         let first = down.cross(&Vec3::ith(down.iamin(), 1.0)).normalize();
         let across = [first, down.cross(&first)];
         let shadow = |wall: &Wall<'_>| {
-            let (low, high) = wall.boundary.geometry.finite_bounds()?;
-            let corners = (0..8).map(|k| {
-                let pick = |axis: usize| {
-                    if k >> axis & 1 == 0 {
-                        low[axis]
-                    } else {
-                        high[axis]
-                    }
-                };
-                let corner = Vec3::new(pick(0), pick(1), pick(2));
-                wall.boundary.from_frame(&wall.pose, corner)
-            });
-            let corners: Vec<Vec3> = corners.collect();
+            let bounds = wall.boundary.geometry.finite_bounds()?;
+            let corners = corners(bounds).map(|x| wall.boundary.from_frame(&wall.pose, x));
             Some(across.map(|e| {
                 let places = || corners.iter().map(|c| c.dot(&e));
                 [

@@ -11,6 +11,7 @@ use crate::solver::gauss_seidel::SMALL;
 pub(super) fn advise(scene: &Scene, file: &SceneFile) -> Vec<Advice> {
     let mut advice = numerics(scene);
     advice.extend(materials(scene, file));
+    advice.extend(clumps(file));
     advice.extend(pairs(scene, file));
     advice.extend(wear(scene, file));
     advice.extend(glue(scene, file));
@@ -98,6 +99,30 @@ fn materials(scene: &Scene, file: &SceneFile) -> Vec<Advice> {
             format!("material `{name}` is used by no spheres and no boundary"),
             format!("remove it, or write `material = \"{name}\"` where it is meant"),
         )
+    });
+    advice.collect()
+}
+
+/// Clumps that no group and no source places.
+fn clumps(file: &SceneFile) -> Vec<Advice> {
+    let groups = file
+        .spheres
+        .iter()
+        .filter_map(|group| group.value.as_ref()?.clump.as_ref());
+    let sources = file
+        .sources
+        .iter()
+        .filter_map(|source| source.value.as_ref()?.clump.as_ref());
+    let placed: Vec<&String> = groups.chain(sources).collect();
+    let advice = file.clumps.iter().filter_map(|element| {
+        let name = element.name.as_ref()?;
+        (!placed.contains(&name)).then(|| {
+            Advice::warning(
+                element.path.clone(),
+                format!("clump `{name}` is placed by no spheres and no source"),
+                format!("remove it, or write `clump = \"{name}\"` where it is meant"),
+            )
+        })
     });
     advice.collect()
 }

@@ -192,7 +192,8 @@ pub struct Simulation {
     #[serde(default = "defaults::max_cuts")]
     #[schemars(extend("minimum" = 0, "maximum" = 20))]
     pub max_cuts: u32,
-    /// Threads that share the work of scenes of 1280 spheres and more; results are the same for any number.
+    /// Threads that share the work of scenes of 1280 spheres and more; results are the same for any number, and runs go on with
+    /// another one. `run --threads` is instead of it.
     #[serde(default = "defaults::threads")]
     #[schemars(extend("minimum" = 1, "maximum" = 256))]
     pub threads: u32,

@@ -23,6 +23,7 @@
 //! tolerance leaves undetermined, the third what a step of free fall adds.
 
 mod error;
+mod fastest;
 mod pass;
 mod progress;
 mod scenes;
@@ -33,6 +34,7 @@ use std::ops::ControlFlow;
 use crate::error::StepError;
 use crate::scene::Scene;
 pub use error::SettleError;
+pub use fastest::Fastest;
 pub use pass::{Pass, PassKind, SettleProgress};
 use progress::Progress;
 use scenes::{COARSE, FINE, LOOSE, held, still};
@@ -58,6 +60,8 @@ pub struct Settled {
     pub passes: u32,
     /// Largest speed at the end \[m/s\], before all were set to zero.
     pub speed: f64,
+    /// What had it; `None`: nothing moved.
+    pub fastest: Option<Fastest>,
     /// The speed below which a sphere is at rest \[m/s\].
     pub rest_speed: f64,
     /// Whether the spheres were at rest.
@@ -104,6 +108,7 @@ impl Settled {
             time: progress.time,
             passes: 1,
             speed: coarse.speed,
+            fastest: None,
             rest_speed: coarse.rest_speed,
             at_rest: coarse.speed <= coarse.rest_speed,
             unbalanced: f64::INFINITY,
@@ -134,6 +139,7 @@ impl Settled {
             settled.passes = progress.pass.number;
             settled.at_rest = fine.speed <= fine.rest_speed;
             (settled.speed, settled.rest_speed) = (fine.speed, fine.rest_speed);
+            settled.fastest = fine.mover.map(|mover| fine.simulation.describe(mover));
             last = progress.stop(&fine.simulation, &still)?;
             settled.unbalanced = load.unbalanced(&last);
             if settled.unbalanced <= BALANCED || fine.ended || progress.is_over() {

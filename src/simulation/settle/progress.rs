@@ -3,18 +3,16 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
+use super::fastest::Mover;
 use super::start_loads::StartLoads;
 use super::{Pass, PassKind, SettleError, SettleProgress};
 use crate::error::StepError;
 use crate::scene::Scene;
 use crate::scene::particles::Kinematics;
 use crate::simulation::Simulation;
-use crate::simulation::trajectory::displacement;
 use crate::solver::Tolerance;
 use crate::spatial::SpatialVector;
 
-/// A time \[s\] in which no body turns: over it a displacement is a speed.
-const INSTANT: f64 = 1e-9;
 /// Time in which velocities fall to 1/e in the first pass and in the others, over the time that counts as rest.
 const COARSE_DAMPING: f64 = 20.0;
 const FINE_DAMPING: f64 = 2.0;
@@ -36,6 +34,8 @@ pub(super) struct Reached {
     pub(super) simulation: Simulation,
     /// Largest speed at its end \[m/s\].
     pub(super) speed: f64,
+    /// What has it; `None`: nothing moves.
+    pub(super) mover: Option<Mover>,
     pub(super) rest_speed: f64,
     /// Whether who watches has ended it.
     pub(super) ended: bool,
@@ -101,7 +101,7 @@ impl<W: FnMut(&SettleProgress<'_>) -> ControlFlow<()>> Progress<W> {
         let mut k = 0_u32;
         loop {
             self.time = before + simulation.time();
-            let speed = simulation.fastest();
+            let (speed, mover) = simulation.fastest();
             if speed > rest_speed {
                 moved_at = simulation.time();
             }
@@ -120,6 +120,7 @@ impl<W: FnMut(&SettleProgress<'_>) -> ControlFlow<()>> Progress<W> {
                 return Ok(Reached {
                     simulation,
                     speed,
+                    mover,
                     rest_speed,
                     ended,
                 });
@@ -179,23 +180,5 @@ impl Simulation {
             body.momentum = SpatialVector::ZERO.plus(&body.momentum, share);
             body.velocity = SpatialVector::ZERO.plus(&body.velocity, share);
         }
-    }
-
-    /// Largest speed \[m/s\] of a centre or of a surface about its centre, or of a driven body.
-    fn fastest(&self) -> f64 {
-        let radius = &self.scene.particles.radius;
-        let driven = self.scene.driven().map(|(b, _)| {
-            let (pose, twist) = (&self.state.poses[b], self.boundary_twist(b));
-            displacement(
-                &self.scene.boundaries[b],
-                [pose, &pose.advanced(&twist, INSTANT)],
-                std::iter::empty(),
-            ) / INSTANT
-        });
-        let spheres = (0..radius.len()).map(|i| {
-            let twist = self.velocity(i);
-            twist.linear.norm().max(radius[i] * twist.angular.norm())
-        });
-        spheres.chain(driven).fold(0.0, f64::max)
     }
 }

@@ -182,14 +182,15 @@ impl Instance {
         }
     }
 
-    /// Before outputs are read: brings the start up to date in initialization mode, warns of a read that is too early.
+    /// Before outputs are read: brings the start up to date in initialization mode, tells of a read that is too early.
     pub(super) fn look(&mut self) -> Result<(), Refusal> {
         match self.run.stage {
             LifeCycle::Initialization if self.run.pending => self.prepare()?,
             LifeCycle::StepComplete if self.run.pending && !self.read_ahead => {
                 self.read_ahead = true;
                 let text = "outputs read after a set without a step: they are those of the last step (reported once)";
-                self.log.write(Level::Warning, text);
+                // No fault of the importer: a master sets what comes from outside before it carries outputs to inputs.
+                self.log.write(Level::Ok, text);
             }
             _ => {}
         }
