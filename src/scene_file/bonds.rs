@@ -9,6 +9,8 @@ use crate::scene::{Boundary, Scene};
 pub(super) struct StartBond {
     /// The two materials.
     pub(super) materials: [u16; 2],
+    /// Whether it is one of two spheres; else with a boundary.
+    pub(super) of_spheres: bool,
     /// Gap \[m\].
     pub(super) gap: f64,
     /// Whether it is bonded; else it is too far apart.
@@ -29,7 +31,7 @@ pub(super) fn at_start(scene: &Scene) -> Vec<StartBond> {
     // As steps judge what touches, `Prediction::hold`.
     let closed = (settings.tolerance.gap + settings.opening).max(1e-9);
     let mut found = Vec::new();
-    let mut judge = |materials: [u16; 2], gap: f64, radius: f64| {
+    let mut judge = |(materials, of_spheres): ([u16; 2], bool), gap: f64, radius: f64| {
         let Some(Bond { reach, .. }) = scene.pairs.get(materials[0], materials[1]).bond else {
             return;
         };
@@ -37,6 +39,7 @@ pub(super) fn at_start(scene: &Scene) -> Vec<StartBond> {
         if joined || gap <= radius {
             found.push(StartBond {
                 materials,
+                of_spheres,
                 gap,
                 joined,
             });
@@ -52,7 +55,7 @@ pub(super) fn at_start(scene: &Scene) -> Vec<StartBond> {
         let arm = initial.position[i] - initial.position[j] - scene.cell.shift(image);
         let materials = [i, j].map(|i| particles.material[i]);
         judge(
-            materials,
+            (materials, true),
             arm.norm() - radius[i] - radius[j],
             radius[i].min(radius[j]),
         );
@@ -75,7 +78,7 @@ pub(super) fn at_start(scene: &Scene) -> Vec<StartBond> {
                 &mut points,
             );
             for point in &points {
-                judge(materials, point.gap, radius[i]);
+                judge((materials, false), point.gap, radius[i]);
             }
         }
     }

@@ -50,8 +50,8 @@ pub struct Summary {
     pub extent: Option<(Vec3, Vec3)>,
     /// Overlaps at t = 0.
     pub overlaps: Overlaps,
-    /// Bonds made at t = 0; `None`: no pair has `bond`.
-    pub bonds: Option<usize>,
+    /// Bonds made at t = 0 between spheres, and with boundaries; `None`: no pair has `bond`.
+    pub bonds: Option<[usize; 2]>,
     /// Tolerances of the scene.
     pub tolerance: Tolerance,
     /// Step of the scene \[s\].
@@ -95,7 +95,7 @@ impl Summary {
             mass: scene.particles.mass.iter().sum(),
             extent: spheres_extent(scene),
             overlaps: Overlaps::of(scene),
-            bonds: bonded.then(|| at_start(scene).iter().filter(|bond| bond.joined).count()),
+            bonds: bonded.then(|| bonds(scene)),
             tolerance: scene.settings.tolerance,
             step,
             suggested_step: Self::suggested_step(scene),
@@ -158,6 +158,13 @@ impl BoundaryExtent {
             unbounded: planes.next().is_some(),
         }
     }
+}
+
+/// Numbers of bonds made at t = 0 between spheres, and with boundaries.
+fn bonds(scene: &Scene) -> [usize; 2] {
+    let made = at_start(scene).into_iter().filter(|bond| bond.joined);
+    let (spheres, boundaries): (Vec<_>, Vec<_>) = made.partition(|bond| bond.of_spheres);
+    [spheres.len(), boundaries.len()]
 }
 
 /// Lower and upper corner of the box around all spheres that are there at t = 0 \[m\].
@@ -235,7 +242,11 @@ impl fmt::Display for Summary {
             row("probes", self.probes.to_string()),
             row("initial overlaps", self.overlaps.to_string()),
         ]);
-        lines.extend((self.bonds).map(|n| row("bonds", format!("{n} at the start"))));
+        lines.extend(self.bonds.map(|[spheres, boundaries]| {
+            let made =
+                format!("{spheres} between spheres, {boundaries} with boundaries, at the start");
+            row("bonds", made)
+        }));
         lines.extend([
             row("step", step),
             row("penalty", penalty),

@@ -1,6 +1,7 @@
 //! Scenes that run, but probably not as meant.
 
 use sphere_dda::scene::Scene;
+use sphere_dda::scene_file::Summary;
 
 use crate::{GOOD, edited, folder, load};
 
@@ -167,6 +168,35 @@ fn what_will_hurt_is_warned_of() {
         }
     }
     assert!(failures.is_empty(), "{}", failures.join("\n---\n"));
+}
+
+/// Bonds with the floor alone are none of the grains that lie beside each other.
+#[test]
+fn bonds_with_boundaries_alone_are_told() {
+    let folder = folder();
+    let bond = "friction = 0.3\nbond = { normal_strength = 1.0, shear_strength = 1.0 }";
+    let text = edited("friction = 0.3", bond);
+    let text = text.replacen("spacing = 0.3, jitter = 0.1", "spacing = 0.25", 1);
+    let told = |height: &str| {
+        let text = text.replacen("origin = [0.0, 0.0, 0.2]", height, 1);
+        let loaded = load(&text, folder.path()).unwrap_or_else(|e| panic!("{}", e.plain()));
+        let warning = loaded
+            .warnings
+            .iter()
+            .find(|w| w.path == "pair_default.bond");
+        let message = warning.map(|w| w.message.clone()).unwrap_or_default();
+        (message, Summary::of(&loaded.scene).bonds)
+    };
+    let (message, bonds) = told("origin = [0.0, 0.0, 0.1]");
+    assert!(
+        message.contains("to boundaries, but not to each other"),
+        "{message}"
+    );
+    assert!(message.contains("5.0e-2 m apart"), "{message}");
+    assert_eq!(bonds, Some([0, 6]));
+    let (message, bonds) = told("origin = [0.0, 0.0, 0.2]");
+    assert!(message.starts_with("joins nothing"), "{message}");
+    assert_eq!(bonds, Some([0, 0]));
 }
 
 #[test]

@@ -45,13 +45,22 @@ fn own<'f>(scene: &Scene, file: &'f SceneFile) -> impl Iterator<Item = ([u16; 2]
 
 /// What to say of a `bond` at `path` that has `found` at t = 0.
 fn empty<'b>(path: &str, found: impl Iterator<Item = &'b StartBond>) -> Option<Advice> {
-    let mut nearest = f64::INFINITY;
-    for bond in found {
-        if bond.joined {
-            return None;
-        }
-        nearest = nearest.min(bond.gap);
+    let (made, apart): (Vec<&StartBond>, Vec<_>) = found.partition(|bond| bond.joined);
+    if made.iter().any(|bond| bond.of_spheres) {
+        return None;
     }
+    // Bonds with a boundary alone are none of the spheres that lie beside each other.
+    let apart = apart
+        .iter()
+        .filter(|bond| bond.of_spheres || made.is_empty());
+    let nearest = apart.map(|bond| bond.gap).fold(f64::INFINITY, f64::min);
+    if !made.is_empty() && nearest.is_infinite() {
+        return None;
+    }
+    let what = match made.is_empty() {
+        true => "joins nothing",
+        false => "joins spheres to boundaries, but not to each other",
+    };
     let (apart, help) = match nearest.is_finite() {
         true => (
             format!("the nearest surfaces are {nearest:.1e} m apart"),
@@ -65,6 +74,6 @@ fn empty<'b>(path: &str, found: impl Iterator<Item = &'b StartBond>) -> Option<A
             "place them so that they touch, or remove it".to_owned(),
         ),
     };
-    let message = format!("joins nothing: bonds are made at t = 0 alone, where {apart}");
+    let message = format!("{what}: bonds are made at t = 0 alone, where {apart}");
     Some(Advice::warning(format!("{path}.bond"), message, help))
 }
