@@ -173,6 +173,12 @@ impl Settings {
         beyond.max(0.0) * (1.0 - dt / self.step).max(0.0)
     }
 
+    /// Largest gap over the smaller radius at which surfaces touch \[-\]: what a step may leave open, and its own error.
+    #[inline]
+    pub(crate) fn closed(&self) -> f64 {
+        (self.tolerance.gap + self.opening).max(1e-9)
+    }
+
     /// Reserve `r` \[-\] by which loaded contacts keep away from overlaps, and from their largest opening. Gaps aimed at lie in
     /// `r..=2r`, those of a solution in `-l gap..=l opening`, `l` being [`LINEAR_SHARE`].
     #[inline]
@@ -472,5 +478,26 @@ impl Scene {
             Motion::Driven(body) => Some((b, &**body)),
             _ => None,
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// An overlap of 0.1 R beyond the tolerance goes within a longest step; a tenth of that takes a tenth of it.
+    #[test]
+    fn overlaps_go_at_the_pace_of_a_longest_step() {
+        let settings = Settings {
+            step: 1e-3,
+            ..Settings::default()
+        };
+        let (radius, tolerance) = (0.5, settings.tolerance.gap);
+        let found = -(0.1 + tolerance) * radius;
+        for (dt, left) in [(1e-3, 0.0), (1e-4, 0.045), (2e-3, 0.0)] {
+            assert!((settings.left(found, radius, dt) - left).abs() < 1e-12);
+        }
+        assert_eq!(settings.left(-tolerance * radius, radius, 1e-4), 0.0);
+        assert_eq!(settings.left(0.1, radius, 1e-4), 0.0);
     }
 }

@@ -29,7 +29,7 @@ pub(super) fn at_start(scene: &Scene) -> Vec<StartBond> {
     let (particles, initial) = (&scene.particles, &scene.initial);
     let settings = &scene.settings;
     // As steps judge what touches, `Prediction::hold`.
-    let closed = (settings.tolerance.gap + settings.opening).max(1e-9);
+    let closed = settings.closed();
     let mut found = Vec::new();
     let mut judge = |(materials, of_spheres): ([u16; 2], bool), gap: f64, radius: f64| {
         let Some(Bond { reach, .. }) = scene.pairs.get(materials[0], materials[1]).bond else {

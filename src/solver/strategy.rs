@@ -276,3 +276,39 @@ fn solve_part(
     }
     Ok(report)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::problem::Law;
+    use crate::solver::bodies::probe_row;
+    use crate::spatial::SpatialVector;
+
+    /// A sphere of 1 kg comes down on the ground with 2 m/s: impulses up to twice the one that stops it make no energy, larger ones do.
+    #[test]
+    fn impulses_that_are_too_large_make_energy() {
+        let mut row = probe_row(Law::Contact { mu: 0.0 });
+        (row.bias, row.compliance_n, row.compliance_t) = (Vec3::zeros(), 0.0, 0.0);
+        row.normal = Vec3::z();
+        let mut problem = Problem {
+            step: 1e-3,
+            ..Problem::default()
+        };
+        problem.free.push(SpatialVector {
+            linear: Vec3::z() * -2.0,
+            angular: Vec3::zeros(),
+        });
+        problem.inverse_mass.push(SpatialVector {
+            linear: Vec3::repeat(1.0),
+            angular: Vec3::repeat(2.5),
+        });
+        problem.rows = [row].into_iter().collect();
+        for (impulse, makes) in [(0.0, false), (2.0, false), (3.999, false), (4.001, true)] {
+            assert_eq!(
+                makes_energy(&problem, &[Vec3::z() * impulse]),
+                makes,
+                "{impulse}"
+            );
+        }
+    }
+}

@@ -38,8 +38,7 @@ impl Assembly<'_> {
         let external = self.prediction.external.iter().map(|a| a.linear.norm());
         let acceleration = external.fold(self.prediction.mean_acceleration, f64::max);
         let creep = acceleration.max(self.prediction.gravity_size) * self.prediction.step;
-        // A step leaves a loaded contact open by what it may carry, and its own error.
-        let closed = (settings.tolerance.gap + settings.opening).max(1e-9);
+        let closed = settings.closed();
         let rests = |k: usize| {
             let row = self.problem.rows.get(k);
             let at_rest = row.normal.dot(&row.relative_velocity(&velocity)).abs() <= 1e-3 * creep;

@@ -132,8 +132,7 @@ impl Prediction<'_> {
 
     fn closed(&self, key: ContactId) -> f64 {
         let settings = &self.scene.settings;
-        (settings.tolerance.gap + settings.opening).max(1e-9)
-            * self.scene.particles.smaller_radius(key)
+        settings.closed() * self.scene.particles.smaller_radius(key)
     }
 }
 

@@ -31,7 +31,14 @@ fn makes_no_energy(text: &str, count: usize, fastest: f64) -> u64 {
     for _ in 0..count {
         let h = scene.settings.communication_step;
         run.simulation.advance(h).expect("a step");
-        unconverged += run.simulation.report().unconverged_steps;
+        let report = run.simulation.report();
+        unconverged += report.unconverged_steps;
+        if report.max_overlap > scene.settings.tolerance.gap {
+            assert!(
+                report.unconverged_steps > 0,
+                "an overlap that nobody is told"
+            );
+        }
         let [now, work] = energy(&run);
         let (time, gained) = (run.simulation.time(), now - before - work);
         assert!(gained <= 1e-3 * before, "{gained:e} J at {time} s");

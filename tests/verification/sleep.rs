@@ -14,6 +14,12 @@ fn asleep(run: &Run) -> usize {
         .count()
 }
 
+/// Rows of the problem of a step.
+fn rows(run: &Run) -> usize {
+    let problem = run.simulation.problem(1e-3).expect("a problem");
+    problem.0.rows.len()
+}
+
 /// A long trough with a blade at one end that begins to move at 0.8 s.
 fn trough(rest_speed: f64) -> Run {
     let mut positions = String::new();
@@ -107,6 +113,7 @@ friction = 0.5
         assert!(run.simulation.time() < 1.0, "it does not sleep");
     }
     let pull = 0.1 * run.mass(2) * G;
+    assert_eq!(rows(&run), 0);
     for share in [1.0, 0.5, 1.0] {
         let forces = [Vec3::zeros(), Vec3::zeros(), Vec3::z() * (share * pull)];
         run.simulation.apply_forces(&forces).expect("forces");
@@ -118,6 +125,7 @@ friction = 0.5
         for i in 0..2 {
             assert!(run.velocity(i) == Vec3::zeros(), "ball {i} woke");
         }
+        assert_eq!(rows(&run), 1);
         let weight = 3.0 * run.mass(0) * G - share * pull;
         close(-run.simulation.mean_wrench(0).force.z, weight, 1e-6, 0.0);
         close(-run.simulation.wrench(0).force.z, weight, 1e-6, 0.0);
