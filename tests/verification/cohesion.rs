@@ -533,6 +533,9 @@ lattice = {{ origin = [0.0, 0.0, {r}], count = [20, 1, 1], spacing = {} }}
             }
         }
         mean.iter().for_each(|&mean| close(mean, half, 2e-3, 0.0));
+        // A gap that errs by 1e-6 R works against what holds it: so much, and not what would hold the whole strength.
+        let worked = run.simulation.work().contacts.abs();
+        assert!(worked < 10.0 * run.mass(0) * G * r, "{worked:e} J");
         let sag = r - run.position(10).z;
         assert!(sag.abs() < 0.05 * r, "{} R", sag / r);
         assert_eq!(run.simulation.state().broken_bonds, 0);
