@@ -351,7 +351,7 @@ fn a_step_that_is_discarded_late_in_a_run_is_halved() {
 fn a_step_that_no_length_helps_is_told_by_the_function_of_its_version() {
     let folder = tempfile::tempdir().unwrap();
     let folder = folder.path();
-    let sharp = "tolerance = { gap = 1e-6, slip = 1e-6, force = 1e-6, opening = 0 }";
+    let sharp = "tolerance = { gap = 1e-12, slip = 1e-12, force = 1e-12, opening = 0 }";
     fs::write(folder.join("heap.toml"), heap(sharp)).unwrap();
     for (version, function) in [("2", "fmi2DoStep"), ("3", "fmi3DoStep")] {
         let export = ["export", "heap.toml", "--fmi", version, "--overwrite"];
