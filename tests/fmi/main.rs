@@ -431,9 +431,9 @@ fn an_output_read_after_a_set_is_the_last_steps() {
     instance.set(scene.reference("boundary.floor.translation[3]"), 1e-3);
     assert_eq!(instance.real(force), before);
     assert_eq!(instance.real(force), before);
+    // It is information, for those who ask for it.
     let lines = instance.log();
-    assert_eq!(lines.len(), 1, "{lines:?}");
-    assert!(lines[0].starts_with("1 logStatusWarning"));
+    assert!(lines.is_empty(), "{lines:?}");
 }
 
 #[test]
