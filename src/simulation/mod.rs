@@ -104,7 +104,7 @@ impl Simulation {
                 .unwrap_or(lightest / (settings.step * settings.step)),
             report: StepReport::default(),
             control: StepControl::of(settings),
-            momentum_step: 0.0,
+            momentum_step: settings.step.min(settings.communication_step),
             calm: Vec::new(),
             ground: Vec::new(),
         };

@@ -91,10 +91,7 @@ impl Simulation {
             smooth: &self.state.smooth,
             integrator: settings.integrator,
             last: self.state.last_step,
-            step: match self.state.momentum_step {
-                0.0 => settings.step,
-                step => step,
-            },
+            step: self.state.momentum_step,
         }
     }
 
