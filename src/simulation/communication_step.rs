@@ -99,7 +99,7 @@ impl Simulation {
         let before = self.state.fork(memory);
         self.state.report = StepReport::default();
         if self.state.last_step == 0.0 {
-            self.state.momentum_step = plan.length().min(self.state.momentum_step);
+            self.state.momentum_step = plan.length().min(step);
         }
         // One too short for a mean of its own goes on with the last one.
         if h >= REMAINDER * self.state.last_step {

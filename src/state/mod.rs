@@ -105,8 +105,8 @@ pub struct State {
     pub penalty: f64,
     /// Report of the last communication step.
     pub report: StepReport,
-    /// Twice the time \[s\] by which the velocities whose momentum the impulses balance lie back: the shortest of `simulation.step`, the
-    /// scene's communication step and the first one taken. In a shorter one a change of force would count for more than it is.
+    /// Twice the time \[s\] by which the velocities whose momentum the impulses balance lie back: `simulation.step`, or the first communication
+    /// step if that is shorter; before it the scene's. In a shorter one a change of force would count for more than it is.
     pub(crate) momentum_step: f64,
     /// Length of the next internal step.
     pub(crate) control: StepControl,
