@@ -119,7 +119,15 @@ pub(crate) struct BondLoad {
     pub(crate) twisting: f64,
 }
 
+/// Share by which rounding may have grains at a bond's reach appear beyond it.
+const NEARLY: f64 = 1e-9;
+
 impl Bond {
+    /// Whether it joins at the start what has this gap \[m\], where surfaces touch up to that of `closed` \[m\].
+    pub(crate) fn joins(&self, gap: f64, closed: f64) -> bool {
+        gap <= closed.max(self.reach * (1.0 + NEARLY))
+    }
+
     /// Of a bond whose smaller radius is `radius` \[m\].
     pub(crate) fn strength(&self, radius: f64) -> BondStrength {
         let section = PI * radius * radius;

@@ -1,6 +1,5 @@
 //! Contacts that are bonded at t = 0: pairs with `bond` whose surfaces touch or are no farther apart than its `reach`.
 
-use crate::contact::cohesion::Bond;
 use crate::detection::periodic::periodic_pairs;
 use crate::scene::{Boundary, Scene};
 
@@ -32,10 +31,10 @@ pub(super) fn at_start(scene: &Scene) -> Vec<StartBond> {
     let closed = settings.closed();
     let mut found = Vec::new();
     let mut judge = |(materials, of_spheres): ([u16; 2], bool), gap: f64, radius: f64| {
-        let Some(Bond { reach, .. }) = scene.pairs.get(materials[0], materials[1]).bond else {
+        let Some(bond) = scene.pairs.get(materials[0], materials[1]).bond else {
             return;
         };
-        let joined = gap <= (closed * radius).max(reach * (1.0 + 1e-9));
+        let joined = bond.joins(gap, closed * radius);
         if joined || gap <= radius {
             found.push(StartBond {
                 materials,

@@ -186,9 +186,9 @@ impl State {
 
     /// Which spheres are asleep, `[N]`; empty where none is.
     pub(crate) fn asleep(&self) -> Vec<bool> {
-        let mut asleep = self.calm.iter().map(|count| *count >= FALLEN);
-        match asleep.any(|asleep| asleep) {
-            true => self.calm.iter().map(|count| *count >= FALLEN).collect(),
+        let asleep = |count: &u32| *count >= FALLEN;
+        match self.calm.iter().any(asleep) {
+            true => self.calm.iter().map(asleep).collect(),
             false => Vec::new(),
         }
     }

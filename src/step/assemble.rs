@@ -221,7 +221,10 @@ impl Assembly<'_> {
     }
 
     /// Its arrays, for the next step.
-    pub(super) fn into_arrays(self) -> AssemblyArrays {
+    pub(super) fn into_arrays(mut self) -> AssemblyArrays {
+        if !self.prediction.asleep.is_empty() {
+            self.problem.inverse_mass.clear();
+        }
         AssemblyArrays {
             problem: self.problem,
             candidates: self.candidates,

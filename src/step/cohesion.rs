@@ -25,8 +25,6 @@ const RESERVE: f64 = 4.0;
 const FILLED: f64 = 0.7;
 const MORE: f64 = 4.0;
 const LEAST: f64 = 1e-3;
-/// Share by which rounding may have grains at a bond's reach appear beyond it.
-const NEARLY: f64 = 1e-9;
 
 impl Prediction<'_> {
     /// What holds a candidate together in this step, where `before` did until now: at the start all that touches is attached, and
@@ -42,7 +40,7 @@ impl Prediction<'_> {
         }
         let touches = self.touches(candidate);
         if let Some(bond) = pair.bond.filter(|_| self.makes_bonds)
-            && (touches || candidate.gap <= bond.reach * (1.0 + NEARLY))
+            && bond.joins(candidate.gap, self.closed(candidate.key))
         {
             let rigid = self.scene.elasticity(candidate.key).is_none();
             return Hold::Bonded {
@@ -93,7 +91,7 @@ impl Prediction<'_> {
     }
 
     /// Attraction \[N\] of a contact that has `carried` this in the last step. A rigid bond attracts with a part of its strength that holds
-    /// what it carries: the tolerance of forces is a share of it. [`Assembly::fill`] says where that is not enough.
+    /// what it carries: the tolerance of forces is a share of it. [`Assembly::filled`] says where that is not enough.
     pub(super) fn attraction(&self, key: ContactId, hold: Hold, carried: &Carried) -> f64 {
         let (pair, particles) = (self.pair(key), &self.scene.particles);
         match hold {

@@ -260,6 +260,7 @@ impl<'a> Prediction<'a> {
                 };
             }
         }
+        // The same in every step where none sleeps: `Assembly::into_arrays` forgets those of sleepers.
         let inverse_mass = |i| match particles.clump(i).is_some() || self.is_asleep(i) {
             true => SpatialVector::ZERO,
             false => SpatialVector {
@@ -267,8 +268,10 @@ impl<'a> Prediction<'a> {
                 angular: particles.inverse_inertia(i) * integrator.mobility(),
             },
         };
-        problem.inverse_mass.clear();
-        problem.inverse_mass.extend(spheres.map(inverse_mass));
+        if problem.inverse_mass.len() != spheres.len() || !self.asleep.is_empty() {
+            problem.inverse_mass.clear();
+            problem.inverse_mass.extend(spheres.map(inverse_mass));
+        }
         problem.operators.clear();
         let operators = self.bodies.iter().map(|body| body.mobility);
         let clumps =

@@ -114,18 +114,18 @@ impl Passes {
         let how = (self.penalty, self.effort, share);
         let report = solve(assembly, solution, how, &mut workspace.solver, limit);
         self.total = self.total.then(report);
-        let spent =
-            |total: &Report, budget: Option<usize>| budget.is_some_and(|most| total.sweeps >= most);
+        let budget = self.budget;
+        let spent = |total: &Report| budget.is_some_and(|most| total.sweeps >= most);
         if !self.total.converged
             && accept
-            && !spent(&self.total, self.budget)
+            && !spent(&self.total)
             && let Some(squeezed) = soften_pinched(assembly, solution)
         {
             self.squeezed = Some(squeezed);
             let report = solve(assembly, solution, how, &mut workspace.solver, limit);
             self.total = self.total.then(report);
         }
-        let as_it_is = spent(&self.total, self.budget) || (accept && !self.total.converged);
+        let as_it_is = spent(&self.total) || (accept && !self.total.converged);
         if !self.total.converged && !as_it_is {
             return Err(failed(assembly, solution, &self.total));
         }

@@ -46,12 +46,15 @@ pub(crate) fn spread_impacts(
         let handed_on = solution.impulses[first + k].norm() > STRUCK * step * (before + load);
         joint.impact |= joint.limit.stops() && handed_on;
     }
-    for (k, (impact, past)) in assembly.impact.iter_mut().zip(&assembly.past).enumerate() {
-        if is_resolved(&assembly.elastic, k) {
+    // What a step resolves is no impact.
+    let resolved =
+        |assembly: &Assembly, k| assembly.elastic(k).is_some_and(ElasticContact::is_resolved);
+    for k in (0..assembly.impact.len()).filter(|&k| solution.loads(k)) {
+        if resolved(assembly, k) {
             continue;
         }
         let size = solution.impulses[k].norm();
-        let before = past.force(&state.contacts).norm();
+        let before = assembly.past[k].force(&state.contacts).norm();
         // Most carry what they did.
         if size <= STRUCK * step * before {
             continue;
@@ -59,7 +62,7 @@ pub(crate) fn spread_impacts(
         let bodies = assembly.problem.rows.bodies(k);
         let load = bodies.map(|body| prediction.weight(body));
         let load = load[0].max(load[1]);
-        *impact |= size > STRUCK * step * (before + load);
+        assembly.impact[k] |= size > STRUCK * step * (before + load);
     }
     for k in held(assembly, solution) {
         let (size, before) = (
@@ -69,7 +72,7 @@ pub(crate) fn spread_impacts(
         assembly.impact[k] &= (size - step * before.norm()).abs() > STEADY * size;
     }
     loop {
-        let smooth = |k: &usize| !assembly.impact[*k] && !is_resolved(&assembly.elastic, *k);
+        let smooth = |k: &usize| !assembly.impact[*k] && !resolved(assembly, *k);
         let found: Vec<usize> = held(assembly, solution)
             .into_iter()
             .filter(smooth)
@@ -120,11 +123,4 @@ fn held(assembly: &Assembly, solution: &Solution) -> Vec<usize> {
         loaded(k) && bodies.into_iter().any(|body| cancel(body, rows.radius(*k)))
     };
     (0..assembly.impact.len()).filter(of).collect()
-}
-
-/// Whether contact `k` gives way and the step resolves how: that is no impact.
-fn is_resolved(elastic: &[Option<ElasticContact>], k: usize) -> bool {
-    elastic
-        .get(k)
-        .is_some_and(|elastic| elastic.is_some_and(|elastic| elastic.is_resolved()))
 }

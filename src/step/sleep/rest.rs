@@ -24,8 +24,6 @@ const CALM: u32 = 10;
 const BALANCE: f64 = 1e-3;
 /// Surface speed of a spin that no contact feels, over that of all other motion.
 const SPIN: f64 = 10.0;
-/// Contacts that lead at least from what falls asleep to what does not stand still, less one.
-const RINGS: usize = 1;
 /// Shares of the tolerance of forces by which a body may be out of balance: to fall asleep, and, beside what is awake, to sleep on.
 const FALLING: f64 = 0.5;
 const WAKING: f64 = 1.0;
@@ -161,44 +159,35 @@ impl Solved<'_> {
         let of = |i: usize| asleep(state.calm[i]) || whole[islands[i]] || still[i];
         let sleeps: Vec<bool> = (0..still.len()).map(of).collect();
         let parts = self::islands(scene, state, |i| sleeps[i]);
-        // The strongest contact with a boundary of each.
-        let mut ground: Vec<Option<(ContactForce, f64)>> = vec![None; parts.len()];
-        for load in state.contacts.iter() {
+        let part = |load: &ContactForce, _| {
             let i = load.key.sphere as usize;
-            if matches!(load.key.partner, Partner::Boundary { .. }) && sleeps[i] {
-                let (size, known) = (load.force.norm(), &mut ground[parts[i]]);
-                if known.is_none_or(|(_, most)| size > most) {
-                    *known = Some((*load, size));
-                }
-            }
-        }
+            sleeps[i].then(|| parts[i])
+        };
+        let ground = strongest(state, parts.len(), part);
         for i in (0..sleeps.len()).filter(|&i| sleeps[i]) {
-            if let Some((load, _)) = &ground[parts[i]]
-                && let Partner::Boundary { boundary, .. } = load.key.partner
+            if let Some((load, boundary)) = &ground[parts[i]]
                 && !asleep(state.calm[i])
             {
-                self.stop(state, i, load);
-                (state.calm[i], state.ground[i]) = (FALLEN, boundary);
+                self.stop(state, i, (load, *boundary));
+                (state.calm[i], state.ground[i]) = (FALLEN, *boundary);
             }
         }
     }
 
-    /// Whether each sphere stands still, or sleeps, and all do that a few contacts lead to from it.
+    /// Whether each sphere stands still, or sleeps, and all do that it has contacts with.
     fn still_spheres(&self, state: &State) -> Vec<bool> {
         let scene = self.prediction().scene;
         let of = |i| state.calm[i] >= FALLEN || self.stands(state, i);
         let mut still: Vec<bool> = (0..state.calm.len()).map(of).collect();
-        for _ in 0..RINGS {
-            let before = still.clone();
-            for load in state.contacts.iter() {
-                if load.key.spheres().any(|i| !before[i]) {
-                    load.key.spheres().for_each(|i| still[i] = false);
-                }
+        let before = still.clone();
+        for load in state.contacts.iter() {
+            if load.key.spheres().any(|i| !before[i]) {
+                load.key.spheres().for_each(|i| still[i] = false);
             }
-            for members in scene.clumps.iter().map(|clump| clump.members.clone()) {
-                let whole = members.clone().all(|i| still[i]);
-                still[members].fill(whole);
-            }
+        }
+        for members in scene.clumps.iter().map(|clump| clump.members.clone()) {
+            let whole = members.clone().all(|i| still[i]);
+            still[members].fill(whole);
         }
         still
     }
@@ -216,23 +205,20 @@ impl Solved<'_> {
             && size(&state.smooth[i]) <= FALLING * settings.tolerance.force * pull
     }
 
-    /// Stops sphere `i`. The boundary of the contact `ground` takes its momentum, the ledger its kinetic energy. Those of a clump go with
+    /// Stops sphere `i`. The boundary of the contact takes its momentum, the ledger its kinetic energy. Those of a clump go with
     /// its first member.
-    fn stop(&self, state: &mut State, i: usize, ground: &ContactForce) {
-        let Partner::Boundary { boundary, .. } = ground.key.partner else {
-            return;
-        };
-        if let Some(carried) = self.carries(state, i) {
+    fn stop(&self, state: &mut State, i: usize, (ground, boundary): (&ContactForce, u16)) {
+        if let Some(stopped) = self.carries(state, i) {
             let boundary = usize::from(boundary);
-            let impulse = self.wrench(state, boundary, &carried.momentum, carried.centre);
+            let impulse = self.wrench(state, boundary, &stopped.momentum, stopped.centre);
             state.owed[boundary].add(&impulse, 1.0);
-            self.strike(state, ground, carried.momentum.linear);
+            self.strike(state, ground, stopped.momentum.linear);
             // From now on the boundary has what accelerates it.
-            let force = self.wrench(state, boundary, &carried.force, carried.centre);
+            let force = self.wrench(state, boundary, &stopped.force, stopped.centre);
             state.smooth_wrenches[boundary].add(&force, 1.0);
-            let force = -carried.force.linear;
+            let force = -stopped.force.linear;
             self.press_smooth(state, &ContactForce { force, ..*ground });
-            state.work.numerical_work -= carried.energy;
+            state.work.numerical_work -= stopped.energy;
         }
         state.kinematics.velocity[i] = Vec3::zeros();
         state.kinematics.spin[i] = Vec3::zeros();
@@ -251,20 +237,13 @@ impl Solved<'_> {
                 extra.add(&self.wrench(state, boundary, sum, body.centre), 1.0);
             }
         }
-        let mut strongest: Vec<Option<ContactForce>> = vec![None; state.poses.len()];
-        for load in state.contacts.iter() {
-            if let Partner::Boundary { boundary, .. } = load.key.partner {
-                let known = &mut strongest[usize::from(boundary)];
-                let size = |load: &ContactForce| load.force.norm_squared();
-                if known.is_none_or(|known| size(load) > size(&known)) {
-                    *known = Some(*load);
-                }
-            }
-        }
+        let strongest = strongest(state, extra.len(), |_, boundary| {
+            Some(usize::from(boundary))
+        });
         for (b, ([net, smooth], strongest)) in extra.iter().zip(strongest).enumerate() {
             state.wrenches[b].add(net, 1.0);
             state.smooth_wrenches[b].add(smooth, 1.0);
-            if let Some(at) = strongest {
+            if let Some((at, _)) = strongest {
                 let load = |force: Vec3| ContactForce { force, ..at };
                 self.press(state, &load(-net.force), false);
                 self.press_smooth(state, &load(-smooth.force));
@@ -283,7 +262,7 @@ impl Solved<'_> {
     }
 
     /// What the body carries that has sphere `i` as its first member.
-    fn carries(&self, state: &State, i: usize) -> Option<Carried> {
+    fn carries(&self, state: &State, i: usize) -> Option<Stopped> {
         let scene = self.prediction().scene;
         let (particles, v) = (&scene.particles, self.reported(state, i));
         let (own, smooth) = (state.kinematics.spatial_velocity(i), &state.smooth[i]);
@@ -292,7 +271,7 @@ impl Solved<'_> {
                 linear: v.linear * particles.mass[i],
                 angular: v.angular * particles.inertia(i),
             };
-            return Some(Carried {
+            return Some(Stopped {
                 centre: state.kinematics.position[i],
                 momentum: times_mass(&own),
                 force: times_mass(smooth),
@@ -310,7 +289,7 @@ impl Solved<'_> {
                 .momentum(rotation, &clump.of_member(rotation, v))
         };
         let moves = clump.of_member(rotation, &v);
-        Some(Carried {
+        Some(Stopped {
             centre,
             momentum: momentum(&own),
             force: momentum(smooth),
@@ -320,7 +299,7 @@ impl Solved<'_> {
 }
 
 /// What a body carries that falls asleep.
-struct Carried {
+struct Stopped {
     /// Its centre \[m\].
     centre: Vec3,
     /// Of the integrator's own velocity.
@@ -334,6 +313,26 @@ struct Carried {
 /// Whether spheres may fall asleep in a scene.
 fn may_rest(scene: &Scene) -> bool {
     scene.settings.rest_speed > 0.0 && scene.settings.is_steady()
+}
+
+/// The strongest contact with a boundary of each of `count` groups, and the boundary.
+fn strongest(
+    state: &State,
+    count: usize,
+    group: impl Fn(&ContactForce, u16) -> Option<usize>,
+) -> Vec<Option<(ContactForce, u16)>> {
+    let mut found: Vec<Option<(ContactForce, u16)>> = vec![None; count];
+    for load in state.contacts.iter() {
+        if let Partner::Boundary { boundary, .. } = load.key.partner
+            && let Some(group) = group(load, boundary)
+        {
+            let known = &mut found[group];
+            if known.is_none_or(|(known, _)| load.force.norm() > known.force.norm()) {
+                *known = Some((*load, boundary));
+            }
+        }
+    }
+    found
 }
 
 /// Spheres that hang together by loaded contacts, or in one clump, of those that are `in_it`: the label of each.
