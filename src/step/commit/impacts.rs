@@ -2,7 +2,6 @@
 //! would shift the half step.
 
 use crate::Vec3;
-use crate::problem::GROUND;
 use crate::spatial::SpatialVector;
 use crate::state::State;
 use crate::step::assemble::Assembly;
@@ -64,7 +63,11 @@ pub(crate) fn spread_impacts(
         let load = load[0].max(load[1]);
         assembly.impact[k] |= size > STRUCK * step * (before + load);
     }
-    for k in held(assembly, solution) {
+    let found = held(assembly, solution);
+    if found.is_empty() {
+        return;
+    }
+    for k in found {
         let (size, before) = (
             solution.impulses[k].norm(),
             assembly.past[k].force(&state.contacts),
@@ -72,11 +75,8 @@ pub(crate) fn spread_impacts(
         assembly.impact[k] &= (size - step * before.norm()).abs() > STEADY * size;
     }
     loop {
-        let smooth = |k: &usize| !assembly.impact[*k] && !resolved(assembly, *k);
-        let found: Vec<usize> = held(assembly, solution)
-            .into_iter()
-            .filter(smooth)
-            .collect();
+        let mut found = held(assembly, solution);
+        found.retain(|&k| !assembly.impact[k] && !resolved(assembly, k));
         if found.is_empty() {
             return;
         }
@@ -88,39 +88,49 @@ pub(crate) fn spread_impacts(
 fn held(assembly: &Assembly, solution: &Solution) -> Vec<usize> {
     let rows = &assembly.problem.rows;
     let loaded = |k: &usize| solution.loads(*k);
-    let impacts = (0..assembly.impact.len()).filter(|&k| assembly.impact[k]);
-    let mut struck: Vec<u32> = impacts
-        .filter(loaded)
-        .flat_map(|k| rows.bodies(k))
-        .filter(|&body| body != GROUND)
-        .collect();
-    struck.sort_unstable();
-    struck.dedup();
-    let mut sums = vec![[SpatialVector::ZERO; 2]; struck.len()];
+    let kind = |k: usize| usize::from(assembly.is_impact(k));
+    let on = |k: usize| rows.bodies(k).into_iter().map(|body| body as usize);
+    let count = solution.velocity.len();
+    let mut kinds = vec![0; count];
     for k in (0..solution.impulses.len()).filter(loaded) {
-        let (kind, impulse) = (usize::from(assembly.is_impact(k)), solution.impulses[k]);
-        for (side, body) in rows.bodies(k).into_iter().enumerate() {
-            if let Ok(rank) = struck.binary_search(&body) {
+        for body in on(k).filter(|&i| i < count) {
+            kinds[body] |= 1 << kind(k);
+        }
+    }
+    // Of one kind alone nothing cancels.
+    let mixed: Vec<usize> = (0..count).filter(|&i| kinds[i] == 0b11).collect();
+    if mixed.is_empty() {
+        return Vec::new();
+    }
+    let mut rank = vec![None; count];
+    for (at, &body) in mixed.iter().enumerate() {
+        rank[body] = Some(at);
+    }
+    let rank = |body: usize| rank.get(body).copied().flatten();
+    let mut sums = vec![[SpatialVector::ZERO; 2]; mixed.len()];
+    for k in (0..solution.impulses.len()).filter(loaded) {
+        for (side, body) in on(k).enumerate() {
+            if let Some(at) = rank(body) {
                 let grip = rows.get(k).jacobian()[side];
+                let impulse = solution.impulses[k];
                 let push = grip.momentum([impulse, -impulse][side]);
-                sums[rank][kind] = sums[rank][kind].plus(&push, 1.0);
+                let sum = &mut sums[at][kind(k)];
+                *sum = sum.plus(&push, 1.0);
             }
         }
     }
-    let prediction = assembly.prediction;
-    let cancel = |body: u32, radius: f64| {
-        let Ok(rank) = struck.binary_search(&body) else {
-            return false;
-        };
-        let [smooth, impacts] = &sums[rank];
+    // Radius \[m\] of a contact below which those of a body cancel.
+    let limit = |(&body, [smooth, impacts]): (&usize, &[SpatialVector; 2])| {
         let net = smooth.plus(impacts, 1.0);
-        let brought = prediction.step * prediction.weight(body);
-        smooth.linear.norm() > HELD * (net.linear.norm() + brought)
-            || smooth.angular.norm() > HELD * (net.angular.norm() + brought * radius)
+        let brought = assembly.prediction.step * assembly.prediction.weight(body as u32);
+        match smooth.linear.norm() > HELD * (net.linear.norm() + brought) {
+            true => f64::INFINITY,
+            false => (smooth.angular.norm() / HELD - net.angular.norm()) / brought,
+        }
     };
-    let of = |k: &usize| {
-        let bodies = rows.bodies(*k);
-        loaded(k) && bodies.into_iter().any(|body| cancel(body, rows.radius(*k)))
-    };
-    (0..assembly.impact.len()).filter(of).collect()
+    let limits: Vec<f64> = mixed.iter().zip(&sums).map(limit).collect();
+    let cancel = |body: usize, radius: f64| rank(body).is_some_and(|at| radius < limits[at]);
+    let all = (0..assembly.impact.len()).filter(loaded);
+    all.filter(|&k| on(k).any(|body| cancel(body, rows.radius(k))))
+        .collect()
 }
