@@ -77,10 +77,10 @@ impl Problem {
     /// Adds to `velocity`, `[N + M]`, the effect of `impulse` \[N s\] on A and of its opposite on B.
     #[inline]
     pub fn apply(&self, row: &Row, velocity: &mut [SpatialVector], impulse: Vec3) {
-        let [grip_a, grip_b] = row.jacobian();
-        self.apply_impulse(velocity, row.a, &grip_a.momentum(impulse));
+        let [of_a, of_b] = row.momenta(impulse);
+        self.apply_impulse(velocity, row.a, &of_a);
         if row.b != GROUND {
-            self.apply_impulse(velocity, row.b, &grip_b.momentum(-impulse));
+            self.apply_impulse(velocity, row.b, &of_b);
         }
     }
 

@@ -79,6 +79,13 @@ impl Row {
         }
     }
 
+    /// Momenta \[N s\], \[N m s\] that its impulse \[N s\] gives A and, as its opposite, B.
+    #[inline]
+    pub(crate) fn momenta(&self, impulse: Vec3) -> [SpatialVector; 2] {
+        let [a, b] = self.jacobian();
+        [a.momentum(impulse), b.momentum(-impulse)]
+    }
+
     /// The part of its bias across the normal \[m/s\].
     pub(crate) fn across(&self) -> Vec3 {
         self.bias - self.normal * self.bias.dot(&self.normal)

@@ -170,10 +170,10 @@ impl<'a> Masses<'a> {
 
     /// Adds `J^T impulse` of a row to `momentum`, `[6 (N + M)]`; held degrees of freedom do not feel it.
     pub(super) fn scatter(&self, row: &Row, impulse: Vec3, momentum: &mut [f64]) {
-        let [grip_a, grip_b] = row.jacobian();
-        self.give(row.a, &grip_a.momentum(impulse), momentum);
+        let [of_a, of_b] = row.momenta(impulse);
+        self.give(row.a, &of_a, momentum);
         if row.b != GROUND {
-            self.give(row.b, &grip_b.momentum(-impulse), momentum);
+            self.give(row.b, &of_b, momentum);
         }
     }
 

@@ -247,6 +247,21 @@ impl Rows {
         }
     }
 
+    /// Momenta \[N s\], \[N m s\] that an impulse \[N s\] of row `k` gives its bodies: [`Row::momenta`]; of the ground anything.
+    #[inline]
+    pub(crate) fn momenta(&self, k: usize, impulse: Vec3) -> [SpatialVector; 2] {
+        if let Some(row) = self.general(k) {
+            return row.momenta(impulse);
+        }
+        let turn = impulse.cross(&self.normal(k));
+        let [a, b] = self.bodies[k];
+        let radius = |body: u32| self.radius.get(body as usize).copied().unwrap_or(0.0);
+        [(a, impulse), (b, -impulse)].map(|(body, linear)| SpatialVector {
+            linear,
+            angular: turn * radius(body),
+        })
+    }
+
     /// Radius at which contacts touch each body \[m\]: zero where no contact has set it, and bodies beyond have none.
     pub(crate) fn radii(&self) -> &[f64] {
         &self.radius

@@ -80,15 +80,15 @@ impl<'a, T: Real> Bodies<'a, T> {
     /// Gives the bodies of `row` an impulse.
     #[inline]
     fn give(&mut self, problem: &Problem, row: &Row, impulse: Vec3) {
-        let [grip_a, grip_b] = row.jacobian();
+        let [of_a, of_b] = row.momenta(impulse);
         let mut push = |body: u32, momentum: &SpatialVector| {
             let (change, i) = (problem.velocity_change(body, momentum), body as usize);
             let scale = spin_scale(self.radius, i);
             self.bodies[self.place[i] as usize].add(&change, scale);
         };
-        push(row.a, &grip_a.momentum(impulse));
+        push(row.a, &of_a);
         if row.b != GROUND {
-            push(row.b, &grip_b.momentum(-impulse));
+            push(row.b, &of_b);
         }
     }
 }

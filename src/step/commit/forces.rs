@@ -162,8 +162,7 @@ impl Solved<'_> {
                     let Some(side) = bodies.iter().position(|&body| body == rank) else {
                         continue;
                     };
-                    let grip = self.assembly.problem.rows.get(k).jacobian()[side];
-                    let push = grip.momentum([p, -p][side]);
+                    let push = self.assembly.problem.rows.momenta(k, p)[side];
                     if let Some(JointConstraint { limit, .. }) = self.assembly.joint(k) {
                         let force = p.dot(&limit.direction) / self.prediction().step;
                         joint_forces[limit.slot()] = force * limit.lever;

@@ -63,74 +63,111 @@ pub(crate) fn spread_impacts(
         let load = load[0].max(load[1]);
         assembly.impact[k] |= size > STRUCK * step * (before + load);
     }
-    let found = held(assembly, solution);
-    if found.is_empty() {
-        return;
-    }
-    for k in found {
+    let mut balance = Balance::of(assembly, solution);
+    for k in balance.held(assembly, solution) {
         let (size, before) = (
             solution.impulses[k].norm(),
             assembly.past[k].force(&state.contacts),
         );
-        assembly.impact[k] &= (size - step * before.norm()).abs() > STEADY * size;
+        if (size - step * before.norm()).abs() <= STEADY * size {
+            balance.change(assembly, solution, (k, false));
+        }
     }
     loop {
-        let mut found = held(assembly, solution);
+        let mut found = balance.held(assembly, solution);
         found.retain(|&k| !assembly.impact[k] && !resolved(assembly, k));
         if found.is_empty() {
             return;
         }
-        found.iter().for_each(|&k| assembly.impact[k] = true);
+        for k in found {
+            balance.change(assembly, solution, (k, true));
+        }
     }
 }
 
-/// The loaded contacts of bodies whose smooth forces and impacts, each much more than what both together change of the motion, cancel.
-fn held(assembly: &Assembly, solution: &Solution) -> Vec<usize> {
-    let rows = &assembly.problem.rows;
-    let loaded = |k: &usize| solution.loads(*k);
-    let kind = |k: usize| usize::from(assembly.is_impact(k));
-    let on = |k: usize| rows.bodies(k).into_iter().map(|body| body as usize);
-    let count = solution.velocity.len();
-    let mut kinds = vec![0; count];
-    for k in (0..solution.impulses.len()).filter(loaded) {
-        for body in on(k).filter(|&i| i < count) {
-            kinds[body] |= 1 << kind(k);
+/// Which bodies only hold against their impacts.
+struct Balance {
+    /// Impulses \[N s\], \[N m s\] of smooth contacts and of impacts on each body, `[N + M]`.
+    sums: Vec<[SpatialVector; 2]>,
+    /// Radius \[m\] of a contact below which they cancel: each is much more than what both together change of the motion.
+    limits: Vec<f64>,
+    /// Rows of resistances by their contacts, in order.
+    resistances: Vec<(usize, usize)>,
+}
+
+impl Balance {
+    fn of(assembly: &Assembly, solution: &Solution) -> Self {
+        let rows = &assembly.problem.rows;
+        let count = solution.velocity.len();
+        let mut sums = vec![[SpatialVector::ZERO; 2]; count];
+        for k in (0..solution.impulses.len()).filter(|&k| solution.loads(k)) {
+            let kind = usize::from(assembly.is_impact(k));
+            let momenta = rows.momenta(k, solution.impulses[k]);
+            for (body, push) in rows.bodies(k).into_iter().zip(&momenta) {
+                if let Some(sums) = sums.get_mut(body as usize) {
+                    sums[kind] = sums[kind].plus(push, 1.0);
+                }
+            }
+        }
+        let limits = sums.iter().enumerate();
+        let mut resistances: Vec<_> = rows.resistances().map(|(k, of)| (of, k)).collect();
+        resistances.sort_unstable();
+        Self {
+            limits: limits.map(|(i, sums)| limit(assembly, i, sums)).collect(),
+            sums,
+            resistances,
         }
     }
-    // Of one kind alone nothing cancels.
-    let mixed: Vec<usize> = (0..count).filter(|&i| kinds[i] == 0b11).collect();
-    if mixed.is_empty() {
-        return Vec::new();
+
+    /// The loaded contacts of bodies whose smooth forces and impacts cancel.
+    fn held(&self, assembly: &Assembly, solution: &Solution) -> Vec<usize> {
+        let rows = &assembly.problem.rows;
+        let limit = |body: u32| self.limits.get(body as usize).copied().unwrap_or(0.0);
+        let cancels = |k: &usize| {
+            let [a, b] = rows.bodies(*k);
+            rows.radius(*k) < limit(a).max(limit(b)) && solution.loads(*k)
+        };
+        (0..assembly.impact.len()).filter(cancels).collect()
     }
-    let mut rank = vec![None; count];
-    for (at, &body) in mixed.iter().enumerate() {
-        rank[body] = Some(at);
-    }
-    let rank = |body: usize| rank.get(body).copied().flatten();
-    let mut sums = vec![[SpatialVector::ZERO; 2]; mixed.len()];
-    for k in (0..solution.impulses.len()).filter(loaded) {
-        for (side, body) in on(k).enumerate() {
-            if let Some(at) = rank(body) {
-                let grip = rows.get(k).jacobian()[side];
-                let impulse = solution.impulses[k];
-                let push = grip.momentum([impulse, -impulse][side]);
-                let sum = &mut sums[at][kind(k)];
-                *sum = sum.plus(&push, 1.0);
+
+    /// Counts contact `k` as an impact, or no longer.
+    fn change(
+        &mut self,
+        assembly: &mut Assembly,
+        solution: &Solution,
+        (k, impact): (usize, bool),
+    ) {
+        if assembly.impact[k] == impact {
+            return;
+        }
+        assembly.impact[k] = impact;
+        let rows = &assembly.problem.rows;
+        let first = self.resistances.partition_point(|(contact, _)| *contact < k);
+        let resistance = self.resistances.get(first);
+        let resistance = resistance.filter(|(contact, _)| *contact == k);
+        for k in [Some(k), resistance.map(|(_, row)| *row)].into_iter().flatten() {
+            let momenta = rows.momenta(k, solution.impulses[k]);
+            for (body, push) in rows.bodies(k).into_iter().zip(&momenta) {
+                if let Some([smooth, impacts]) = self.sums.get_mut(body as usize) {
+                    let sign = if impact { 1.0 } else { -1.0 };
+                    (*smooth, *impacts) = (smooth.plus(push, -sign), impacts.plus(push, sign));
+                }
+            }
+        }
+        for body in rows.bodies(k).map(|body| body as usize) {
+            if let Some(sums) = self.sums.get(body) {
+                self.limits[body] = limit(assembly, body, sums);
             }
         }
     }
-    // Radius \[m\] of a contact below which those of a body cancel.
-    let limit = |(&body, [smooth, impacts]): (&usize, &[SpatialVector; 2])| {
-        let net = smooth.plus(impacts, 1.0);
-        let brought = assembly.prediction.step * assembly.prediction.weight(body as u32);
-        match smooth.linear.norm() > HELD * (net.linear.norm() + brought) {
-            true => f64::INFINITY,
-            false => (smooth.angular.norm() / HELD - net.angular.norm()) / brought,
-        }
-    };
-    let limits: Vec<f64> = mixed.iter().zip(&sums).map(limit).collect();
-    let cancel = |body: usize, radius: f64| rank(body).is_some_and(|at| radius < limits[at]);
-    let all = (0..assembly.impact.len()).filter(loaded);
-    all.filter(|&k| on(k).any(|body| cancel(body, rows.radius(k))))
-        .collect()
+}
+
+/// [`Balance::limits`] of a body.
+fn limit(assembly: &Assembly, body: usize, [smooth, impacts]: &[SpatialVector; 2]) -> f64 {
+    let net = smooth.plus(impacts, 1.0);
+    let brought = assembly.prediction.step * assembly.prediction.weight(body as u32);
+    match smooth.linear.norm() > HELD * (net.linear.norm() + brought) {
+        true => f64::INFINITY,
+        false => (smooth.angular.norm() / HELD - net.angular.norm()) / brought,
+    }
 }

@@ -57,12 +57,10 @@ impl Sleepers {
         for (k, &impulse) in solution.impulses.iter().enumerate() {
             let bodies = rows.bodies(k);
             if impulse != Vec3::zeros() && bodies.iter().any(|&body| prediction.body_sleeps(body)) {
-                let grips = rows.get(k).jacobian();
-                let lasts = !assembly.is_impact(k);
-                for (side, sign) in [(0, 1.0), (1, -1.0)] {
-                    let force = impulse * (sign / prediction.step);
-                    let moment = grips[side].momentum(force);
-                    sums.add(bodies[side], &moment, (force.norm(), lasts));
+                let force = impulse * (1.0 / prediction.step);
+                let how = (force.norm(), !assembly.is_impact(k));
+                for (body, moment) in bodies.into_iter().zip(rows.momenta(k, force)) {
+                    sums.add(body, &moment, how);
                 }
             }
         }
