@@ -162,7 +162,9 @@ impl Kernel {
                     let at = self.contents.levers.len();
                     self.contents.levers.push(Levers::default());
                     let levers = &mut self.contents.levers[at];
-                    levers.fill(problem, block, rows, resistance, length, registers);
+                    levers.fill(problem, rows, resistance, length, registers);
+                    let shared = self.sharing.shared(problem, block, rows);
+                    levers.shared = shared.map(|at| (at, 1.0));
                     if let Some(split) = levers.split(problem, block, rows, resistance) {
                         self.contents.split.push((at, split));
                     }

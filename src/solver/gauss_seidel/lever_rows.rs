@@ -17,12 +17,11 @@ fn set(elements: &mut Symmetric<f64>, lane: usize, matrix: &Matrix3<f64>) {
 }
 
 impl Levers<f64> {
-    /// Makes empty ones those of the contacts of `block` that are `rows` of `problem`, where `resistance` gives the row of each
+    /// Makes empty ones those of the contacts that are `rows` of `problem`, where `resistance` gives the row of each
     /// one's; spins of bodies are scaled by `length` \[m\].
     pub(super) fn fill(
         &mut self,
         problem: &Problem,
-        block: &Batch<impl Real>,
         rows: &[u32],
         resistance: impl Fn(u32) -> Option<Row>,
         length: impl Fn(usize) -> f64,
@@ -52,10 +51,6 @@ impl Levers<f64> {
                 set(&mut contacts.levers.turns[side], lane, &turn);
                 set(&mut contacts.levers.masses[side], lane, &operator.linear);
                 contacts.levers.directed |= alike(&operator.linear).is_none();
-                let at = block.bodies[side][lane];
-                if block.holding(at).count() > 1 {
-                    contacts.levers.shared = Some((at, 1.0));
-                }
                 if let Some(lever) = couple {
                     contacts.resisted = true;
                     contacts.couple[side][lane] = (lever / length).powi(2);

@@ -1,6 +1,7 @@
 //! Which bodies contacts of a block may share: heavy ones on which many spheres lie.
 
-use super::lanes::LANES;
+use super::batch::Batch;
+use super::lanes::{LANES, Real};
 use crate::problem::Problem;
 
 /// Largest mobility of all parts of a shared body over that of what touches it.
@@ -52,6 +53,24 @@ impl Sharing {
                 }
             }
         }
+    }
+
+    /// The place of the body that contacts of `block`, which are `rows` of `problem`, do share.
+    pub(super) fn shared(
+        &self,
+        problem: &Problem,
+        block: &Batch<impl Real>,
+        rows: &[u32],
+    ) -> Option<u32> {
+        let lanes = rows.iter().enumerate();
+        let held = lanes.flat_map(|(lane, &k)| {
+            let bodies = problem.rows.bodies(k as usize).into_iter().enumerate();
+            bodies.map(move |(side, body)| (body, block.bodies[side][lane]))
+        });
+        let mut heavy = held.filter(|(body, _)| self.limit(*body) > 1);
+        heavy
+            .find(|(_, at)| block.holding(*at).count() > 1)
+            .map(|(_, at)| at)
     }
 
     fn of(&mut self, body: u32) -> Option<&mut Touched> {

@@ -131,21 +131,21 @@ impl Balance {
     }
 
     /// Counts contact `k` as an impact, or no longer.
-    fn change(
-        &mut self,
-        assembly: &mut Assembly,
-        solution: &Solution,
-        (k, impact): (usize, bool),
-    ) {
+    fn change(&mut self, assembly: &mut Assembly, solution: &Solution, (k, impact): (usize, bool)) {
         if assembly.impact[k] == impact {
             return;
         }
         assembly.impact[k] = impact;
         let rows = &assembly.problem.rows;
-        let first = self.resistances.partition_point(|(contact, _)| *contact < k);
+        let first = self
+            .resistances
+            .partition_point(|(contact, _)| *contact < k);
         let resistance = self.resistances.get(first);
         let resistance = resistance.filter(|(contact, _)| *contact == k);
-        for k in [Some(k), resistance.map(|(_, row)| *row)].into_iter().flatten() {
+        for k in [Some(k), resistance.map(|(_, row)| *row)]
+            .into_iter()
+            .flatten()
+        {
             let momenta = rows.momenta(k, solution.impulses[k]);
             for (body, push) in rows.bodies(k).into_iter().zip(&momenta) {
                 if let Some([smooth, impacts]) = self.sums.get_mut(body as usize) {
