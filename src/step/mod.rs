@@ -124,7 +124,12 @@ fn attempt(
         Err(failure) => return Attempt::Done(Err(failure)),
     };
     assembly.hold_on(&mut solution);
-    spread_impacts(&mut assembly, &solution, state, output.unconverged);
+    spread_impacts(
+        &mut assembly,
+        &solution,
+        (state, output.unconverged),
+        &mut workspace.balance,
+    );
     let solved = Solved {
         assembly: &assembly,
         solution: &solution,

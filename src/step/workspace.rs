@@ -1,6 +1,7 @@
 //! What is kept between steps for speed and memory and never shows in results.
 
 use super::assemble::{Assembly, AssemblyArrays};
+use super::commit::Balance;
 use super::failed::FailedSteps;
 use super::prediction::PredictionArrays;
 use super::solution::Solution;
@@ -18,6 +19,7 @@ pub struct Workspace {
     pub(super) prediction: PredictionArrays,
     pub(super) assembly: AssemblyArrays,
     pub(super) solution: Solution,
+    pub(super) balance: Balance,
     pub(super) accelerations: Vec<SpatialVector>,
     /// Steps that missed their tolerances, if someone asked for them.
     pub(crate) failed: FailedSteps,

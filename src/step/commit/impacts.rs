@@ -17,12 +17,12 @@ const HELD: f64 = 4.0;
 
 /// Counts as impacts the contacts that an impact has hit through others: their impulses are more than [`STRUCK`] times what they
 /// carried before and what loads bring in a step, or their sum on a body only holds against its impacts. Of a step that is `unconverged` all
-/// are.
+/// are. `balance` is memory.
 pub(crate) fn spread_impacts(
     assembly: &mut Assembly,
     solution: &Solution,
-    state: &State,
-    unconverged: bool,
+    (state, unconverged): (&State, bool),
+    balance: &mut Balance,
 ) {
     if unconverged {
         assembly.impact.fill(true);
@@ -63,7 +63,7 @@ pub(crate) fn spread_impacts(
         let load = load[0].max(load[1]);
         assembly.impact[k] |= size > STRUCK * step * (before + load);
     }
-    let mut balance = Balance::of(assembly, solution);
+    balance.take(assembly, solution);
     for k in balance.held(assembly, solution) {
         let (size, before) = (
             solution.impulses[k].norm(),
@@ -85,8 +85,9 @@ pub(crate) fn spread_impacts(
     }
 }
 
-/// Which bodies only hold against their impacts.
-struct Balance {
+/// Which bodies only hold against their impacts; its memory serves from step to step.
+#[derive(Debug, Default)]
+pub(crate) struct Balance {
     /// Impulses \[N s\], \[N m s\] of smooth contacts and of impacts on each body, `[N + M]`.
     sums: Vec<[SpatialVector; 2]>,
     /// Radius \[m\] of a contact below which they cancel: each is much more than what both together change of the motion.
@@ -96,27 +97,29 @@ struct Balance {
 }
 
 impl Balance {
-    fn of(assembly: &Assembly, solution: &Solution) -> Self {
+    /// Sums up the contacts of `assembly`.
+    fn take(&mut self, assembly: &Assembly, solution: &Solution) {
         let rows = &assembly.problem.rows;
-        let count = solution.velocity.len();
-        let mut sums = vec![[SpatialVector::ZERO; 2]; count];
+        self.sums.clear();
+        self.sums
+            .resize(solution.velocity.len(), [SpatialVector::ZERO; 2]);
         for k in (0..solution.impulses.len()).filter(|&k| solution.loads(k)) {
             let kind = usize::from(assembly.is_impact(k));
             let momenta = rows.momenta(k, solution.impulses[k]);
             for (body, push) in rows.bodies(k).into_iter().zip(&momenta) {
-                if let Some(sums) = sums.get_mut(body as usize) {
+                if let Some(sums) = self.sums.get_mut(body as usize) {
                     sums[kind] = sums[kind].plus(push, 1.0);
                 }
             }
         }
-        let limits = sums.iter().enumerate();
-        let mut resistances: Vec<_> = rows.resistances().map(|(k, of)| (of, k)).collect();
-        resistances.sort_unstable();
-        Self {
-            limits: limits.map(|(i, sums)| limit(assembly, i, sums)).collect(),
-            sums,
-            resistances,
-        }
+        let sums = self.sums.iter().enumerate();
+        self.limits.clear();
+        self.limits
+            .extend(sums.map(|(body, sums)| limit(assembly, body, sums)));
+        self.resistances.clear();
+        self.resistances
+            .extend(rows.resistances().map(|(row, contact)| (contact, row)));
+        self.resistances.sort_unstable();
     }
 
     /// The loaded contacts of bodies whose smooth forces and impacts cancel.

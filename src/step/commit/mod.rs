@@ -5,7 +5,7 @@ mod forces;
 mod impacts;
 mod walls;
 
-pub(super) use impacts::spread_impacts;
+pub(super) use impacts::{Balance, spread_impacts};
 
 use std::mem::swap;
 
