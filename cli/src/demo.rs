@@ -127,6 +127,9 @@ fn put(path: &Path, content: &[u8]) -> Result<(), Failure> {
 fn summary(out: &mut dyn io::Write, table: &Table, wall: f64) -> io::Result<()> {
     let values = |name: &str| table.real(name).unwrap_or_default();
     let last = |name: &str| values(name).last().copied().unwrap_or(f64::NAN);
+    // All spheres are above the outlet at the start.
+    let whole = values("sensor.content.mass").first();
+    let whole = whole.copied().unwrap_or(f64::NAN);
     let time = table.time.last().copied().unwrap_or(f64::NAN);
     let overlap = values("maxOverlap").iter().copied().fold(0.0, f64::max);
     writeln!(
@@ -138,7 +141,7 @@ fn summary(out: &mut dyn io::Write, table: &Table, wall: f64) -> io::Result<()> 
         out,
         "discharged      {:.0} kg of {:.0} kg",
         last("sensor.discharge.mass"),
-        last("mass")
+        whole
     )?;
     writeln!(
         out,

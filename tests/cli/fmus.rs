@@ -132,7 +132,7 @@ fn the_demo_runs_anywhere_and_replaces_only_its_own_output() {
     for _ in 0..2 {
         let told = done(folder, &demo);
         for part in [
-            "discharged",
+            "discharged      0 kg of 19897 kg",
             "worst overlap",
             "wall time",
             "than real time",
