@@ -95,6 +95,13 @@ fn rows_come_back_as_they_were_given() {
         assert!(close(&rows.get(k), expected), "row {k}: {:?}", rows.get(k));
         let u = rows.relative(k, velocity);
         assert!((u - expected.relative(velocity)).norm() < 1e-15, "row {k}");
+        let p = Vec3::new(0.4, -1.0, 2.0);
+        let momenta = rows.momenta(k, p).into_iter().zip(expected.momenta(p));
+        let held = momenta.zip([expected.a, expected.b]);
+        for ((found, expected), _) in held.filter(|(_, body)| *body != GROUND) {
+            let apart = found.plus(&expected, -1.0);
+            assert!(apart.dot(&apart) < 1e-29, "row {k}");
+        }
         assert_eq!(rows.compliance(k), expected.compliance_n);
         assert_eq!(rows.bodies(k), [expected.a, expected.b]);
     }

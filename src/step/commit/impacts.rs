@@ -1,7 +1,10 @@
 //! Which contacts of a solved step count as impacts: their forces are none that the next step may go on with. As smooth forces they
 //! would shift the half step.
 
+use std::iter::once;
+
 use crate::Vec3;
+use crate::problem::Rows;
 use crate::spatial::SpatialVector;
 use crate::state::State;
 use crate::step::assemble::Assembly;
@@ -104,13 +107,7 @@ impl Balance {
         self.sums
             .resize(solution.velocity.len(), [SpatialVector::ZERO; 2]);
         for k in (0..solution.impulses.len()).filter(|&k| solution.loads(k)) {
-            let kind = usize::from(assembly.is_impact(k));
-            let momenta = rows.momenta(k, solution.impulses[k]);
-            for (body, push) in rows.bodies(k).into_iter().zip(&momenta) {
-                if let Some(sums) = self.sums.get_mut(body as usize) {
-                    sums[kind] = sums[kind].plus(push, 1.0);
-                }
-            }
+            self.add(rows, (k, solution.impulses[k]), assembly.is_impact(k));
         }
         let sums = self.sums.iter().enumerate();
         self.limits.clear();
@@ -122,13 +119,23 @@ impl Balance {
         self.resistances.sort_unstable();
     }
 
+    /// Adds the impulse \[N s\] of row `k` to the smooth ones of its bodies, or to the impacts.
+    fn add(&mut self, rows: &Rows, (k, impulse): (usize, Vec3), impact: bool) {
+        for (body, push) in rows.bodies(k).into_iter().zip(&rows.momenta(k, impulse)) {
+            if let Some(sums) = self.sums.get_mut(body as usize) {
+                let sum = &mut sums[usize::from(impact)];
+                *sum = sum.plus(push, 1.0);
+            }
+        }
+    }
+
     /// The loaded contacts of bodies whose smooth forces and impacts cancel.
     fn held(&self, assembly: &Assembly, solution: &Solution) -> Vec<usize> {
         let rows = &assembly.problem.rows;
-        let limit = |body: u32| self.limits.get(body as usize).copied().unwrap_or(0.0);
+        let of = |body: u32| self.limits.get(body as usize).copied().unwrap_or(0.0);
         let cancels = |k: &usize| {
             let [a, b] = rows.bodies(*k);
-            rows.radius(*k) < limit(a).max(limit(b)) && solution.loads(*k)
+            rows.radius(*k) < of(a).max(of(b)) && solution.loads(*k)
         };
         (0..assembly.impact.len()).filter(cancels).collect()
     }
@@ -144,18 +151,11 @@ impl Balance {
             .resistances
             .partition_point(|(contact, _)| *contact < k);
         let resistance = self.resistances.get(first);
-        let resistance = resistance.filter(|(contact, _)| *contact == k);
-        for k in [Some(k), resistance.map(|(_, row)| *row)]
-            .into_iter()
-            .flatten()
-        {
-            let momenta = rows.momenta(k, solution.impulses[k]);
-            for (body, push) in rows.bodies(k).into_iter().zip(&momenta) {
-                if let Some([smooth, impacts]) = self.sums.get_mut(body as usize) {
-                    let sign = if impact { 1.0 } else { -1.0 };
-                    (*smooth, *impacts) = (smooth.plus(push, -sign), impacts.plus(push, sign));
-                }
-            }
+        let resistance = resistance.filter(|(contact, _)| *contact == k).copied();
+        for k in once(k).chain(resistance.map(|(_, row)| row)) {
+            let impulse = solution.impulses[k];
+            self.add(rows, (k, -impulse), !impact);
+            self.add(rows, (k, impulse), impact);
         }
         for body in rows.bodies(k).map(|body| body as usize) {
             if let Some(sums) = self.sums.get(body) {
@@ -172,5 +172,74 @@ fn limit(assembly: &Assembly, body: usize, [smooth, impacts]: &[SpatialVector; 2
     match smooth.linear.norm() > HELD * (net.linear.norm() + brought) {
         true => f64::INFINITY,
         false => (smooth.angular.norm() / HELD - net.angular.norm()) / brought,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::borrow::Cow;
+    use std::path::Path;
+    use std::sync::Arc;
+
+    use super::*;
+    use crate::scene::Scene;
+    use crate::simulation::Simulation;
+    use crate::step::linear_problem::linear_problem;
+    use crate::step::prediction::{PredictionArrays, predict};
+    use crate::step::{StepInput, Workspace};
+
+    /// Three spheres that touch each other and a floor, with resistance to rolling.
+    const SCENE: &str = r#"
+[simulation]
+duration = 1.0
+[[material]]
+name = "rock"
+density = 2500.0
+[pair_default]
+friction = 0.5
+rolling_friction = 0.1
+[[spheres]]
+name = "three"
+material = "rock"
+radius = 0.1
+positions = [[0.0, 0.0, 0.1], [0.2, 0.0, 0.1], [0.1, 0.0, 0.2732050808]]
+[[boundary]]
+name = "floor"
+material = "rock"
+faces = [{ plane = { point = [0.0, 0.0, 0.0], normal = [0.0, 0.0, 1.0] } }]
+"#;
+
+    #[test]
+    fn sums_that_follow_changes_are_those_made_anew() {
+        let loaded = Scene::from_toml("scene", SCENE, Path::new(""));
+        let scene = Arc::new(loaded.expect("a scene").scene);
+        let simulation = Simulation::new(scene.clone()).expect("a start");
+        let (state, mut workspace) = (simulation.state(), Workspace::default());
+        let input = StepInput {
+            dt: 1e-3,
+            poses: state.poses.clone(),
+            commands: Cow::Borrowed(&state.commands),
+        };
+        let mut prediction = predict(&scene, state, &input, PredictionArrays::default());
+        let (mut assembly, _) = linear_problem(&mut prediction, state, &mut workspace);
+        let count = assembly.problem.rows.len();
+        assert_eq!((assembly.impact.len(), count), (5, 10));
+        let impulses = (1..=count).map(|k| Vec3::new(0.1, 1.0, k as f64)).collect();
+        let solution = Solution::of(&assembly, impulses);
+        let (mut kept, mut anew) = (Balance::default(), Balance::default());
+        kept.take(&assembly, &solution);
+        for (k, impact) in [(0, true), (3, true), (4, true), (3, false), (1, true)] {
+            kept.change(&mut assembly, &solution, (k, impact));
+            anew.take(&assembly, &solution);
+            let sums = kept.sums.as_flattened().iter();
+            for (kept, anew) in sums.zip(anew.sums.as_flattened()) {
+                let apart = kept.plus(anew, -1.0);
+                assert!(apart.dot(&apart) < 1e-24, "{k}: {kept:?}, {anew:?}");
+            }
+            let limits = kept.limits.iter().zip(&anew.limits);
+            for (kept, anew) in limits.filter(|(kept, anew)| kept != anew) {
+                assert!((kept - anew).abs() < 1e-9, "{k}: {kept}, {anew}");
+            }
+        }
     }
 }
