@@ -75,6 +75,7 @@ impl PairTable {
 
     /// The pair of materials `a` and `b`, in either order.
     #[must_use]
+    #[inline]
     pub fn get(&self, a: u16, b: u16) -> Pair {
         self.pairs[usize::from(a) * self.materials + usize::from(b)]
     }

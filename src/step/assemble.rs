@@ -76,9 +76,11 @@ pub(super) fn assemble<'a>(
         broken_bonds: 0,
         moves: true,
     };
+    let coheres = prediction.scene.pairs.coheres();
     match prediction.gives_way || !prediction.clumps.is_empty() {
         true => assembly.write_whole(state, impact, impulses),
-        false => assembly.write_contacts(state, impact, impulses),
+        false if coheres => assembly.write_contacts::<false>(state, impact, impulses),
+        false => assembly.write_contacts::<true>(state, impact, impulses),
     }
     assembly.attract(&state.contacts, impulses);
     let springs = 0..prediction.targets.len();
@@ -110,8 +112,8 @@ pub(super) fn assemble<'a>(
 }
 
 impl Assembly<'_> {
-    /// Rows of the candidates.
-    fn write_contacts(
+    /// Rows of the candidates, which are rigid and of single spheres; `LOOSE` says that none coheres.
+    fn write_contacts<const LOOSE: bool>(
         &mut self,
         state: &State,
         known_impact: Option<&[bool]>,
@@ -126,7 +128,6 @@ impl Assembly<'_> {
         self.impact.resize(count, false);
         impulses.clear();
         impulses.resize(count, Vec3::zeros());
-        let coheres = prediction.scene.pairs.coheres();
         let known_impact = |k: usize| known_impact.map(|known| known[k]);
         let write = |first: usize, (mut rows, others): (RowWriter, Others)| {
             let (past, (impact, impulses)) = others;
@@ -136,14 +137,14 @@ impl Assembly<'_> {
             let is_candidate = |key| known(candidates, key);
             for (k, (past, transferred)) in past.iter_mut().zip(transferred).enumerate() {
                 let candidate = &candidates[first + k];
-                *past = match coheres {
-                    true => history::succeed(contacts, transferred, candidate.key, is_candidate),
-                    false => transferred,
+                *past = match LOOSE {
+                    true => transferred,
+                    false => history::succeed(contacts, transferred, candidate.key, is_candidate),
                 };
                 let carried = past.carried(contacts);
                 let force = carried.force;
                 let contact =
-                    prediction.contact_row(free, candidate, carried, known_impact(first + k));
+                    prediction.row_of::<LOOSE>(free, candidate, carried, known_impact(first + k));
                 rows.write(k, &contact.row, contact.is_of_spheres);
                 impact[k] = contact.impact;
                 impulses[k] = force * prediction.step;

@@ -69,6 +69,15 @@ impl Prediction<'_> {
         self.external[sphere].linear.norm_squared()
     }
 
+    /// [`Self::mover`].
+    #[inline(always)]
+    fn mover_of<const PLAIN: bool>(&self, i: usize) -> (u32, Option<Vec3>) {
+        match PLAIN {
+            true => (i as u32, None),
+            false => self.mover(i),
+        }
+    }
+
     /// Velocity of a boundary's point that is at `x` \[m\] now, over the previous step.
     fn previous_velocity(&self, boundary: usize, x: Vec3) -> Vec3 {
         let twist = &self.twists[boundary];
@@ -98,7 +107,6 @@ impl Prediction<'_> {
 
     /// The row of a candidate: an impact as `known_impact`, or as it finds. `free` are the velocities without contacts;
     /// `carried` is what the contact did in the last step.
-    #[inline(always)]
     pub(crate) fn contact_row(
         &self,
         free: &[SpatialVector],
@@ -106,8 +114,24 @@ impl Prediction<'_> {
         carried: Carried,
         known_impact: Option<bool>,
     ) -> ContactRow {
+        self.row_of::<false>(free, candidate, carried, known_impact)
+    }
+
+    /// [`Self::contact_row`] of a scene where `PLAIN` says that all contacts are rigid, loose, and of single spheres: code of what
+    /// does not occur there is not compiled.
+    #[inline(always)]
+    pub(crate) fn row_of<const PLAIN: bool>(
+        &self,
+        free: &[SpatialVector],
+        candidate: &Candidate,
+        carried: Carried,
+        known_impact: Option<bool>,
+    ) -> ContactRow {
         let n = candidate.normal;
-        let hold = self.hold(candidate, carried.hold);
+        let hold = match PLAIN {
+            true => Hold::Loose,
+            false => self.hold(candidate, carried.hold),
+        };
         let attraction = match hold {
             Hold::Loose => 0.0,
             hold => self.attraction(candidate.key, hold, &carried),
@@ -116,14 +140,16 @@ impl Prediction<'_> {
         let force = carried.force + n * attraction;
         let a = candidate.key.sphere as usize;
         let own = &self.spheres[a];
-        let (body, centre) = self.mover(a);
+        let (body, centre) = self.mover_of::<PLAIN>(a);
         let mut contact = match candidate.key.partner {
-            Partner::Sphere { index, .. } => self.sphere_kinematics(free, n, (a, own), index),
+            Partner::Sphere { index, .. } => {
+                self.sphere_kinematics::<PLAIN>(free, n, (a, own), index)
+            }
             Partner::Boundary { boundary, .. } => {
                 self.boundary_kinematics(free, candidate, force, usize::from(boundary))
             }
         };
-        if self.gives_way && !self.clumps.is_empty() {
+        if !PLAIN && self.gives_way && !self.clumps.is_empty() {
             contact.reduced_mass = self.mass_between(candidate.key, n, &contact);
         }
         let pair = self.pair(candidate.key);
@@ -141,7 +167,10 @@ impl Prediction<'_> {
             pressed: carried.force.dot(&carried.normal) + attraction,
             shear: carried.shear(n),
         };
-        let elastic = self.elastic((candidate, hold), &contact, (&before, loading));
+        let elastic = match PLAIN {
+            true => None,
+            false => self.elastic((candidate, hold), &contact, (&before, loading)),
+        };
         let excess = match elastic {
             Some(_) => candidate.gap,
             None => {
@@ -339,7 +368,7 @@ impl Prediction<'_> {
     }
 
     #[inline(always)]
-    fn sphere_kinematics(
+    fn sphere_kinematics<const PLAIN: bool>(
         &self,
         free: &[SpatialVector],
         n: Vec3,
@@ -348,7 +377,7 @@ impl Prediction<'_> {
     ) -> ContactKinematics {
         let other = &self.spheres[index as usize];
         let pull = self.pull(a).max(self.pull(index as usize));
-        let (b, centre) = self.mover(index as usize);
+        let (b, centre) = self.mover_of::<PLAIN>(index as usize);
         ContactKinematics {
             b,
             arm_b: arm(centre, n * other.radius),
