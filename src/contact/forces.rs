@@ -81,11 +81,18 @@ impl ContactForces {
     }
 
     /// Adds a contact, the last in canonical order.
+    #[inline]
     pub(crate) fn push(&mut self, load: ContactForce, beside: Beside) {
         self.loads.push(load);
-        self.torques.extend(beside.torque);
-        self.springs.extend(beside.spring);
-        self.holds.extend(beside.hold);
+        if let Some(torque) = beside.torque {
+            self.torques.push(torque);
+        }
+        if let Some(spring) = beside.spring {
+            self.springs.push(spring);
+        }
+        if let Some(hold) = beside.hold {
+            self.holds.push(hold);
+        }
     }
 
     /// Forgets all contacts, but keeps the memory.

@@ -11,6 +11,7 @@ use super::tunnelling::{passed, struck};
 use super::workspace::Workspace;
 use crate::detection::configuration::{Candidate, Configuration};
 use crate::scene::Method;
+use crate::spatial::extent::larger;
 
 /// What the true geometry says.
 pub(super) struct Verdict {
@@ -159,9 +160,9 @@ impl Gaps {
 
     fn and(self, other: Self) -> Self {
         Self {
-            opening: self.opening.max(other.opening),
-            overlap: self.overlap.max(other.overlap),
-            compression: self.compression.max(other.compression),
+            opening: larger(self.opening, other.opening),
+            overlap: larger(self.overlap, other.overlap),
+            compression: larger(self.compression, other.compression),
             off: self.off || other.off,
         }
     }

@@ -26,6 +26,20 @@ pub(super) struct Lost {
     pub(super) slip: f64,
 }
 
+impl Lost {
+    /// Of a rigid contact with the impulse `p` \[N s\], of this part along the normal `n`, where surfaces meet with `u` \[m/s\].
+    #[inline]
+    fn of(u: Vec3, n: Vec3, (p, p_n): (Vec3, f64), impact: bool) -> Self {
+        let along = u.dot(&n);
+        Self {
+            friction: -(p - n * p_n).dot(&u),
+            impact: if impact { -p_n * along } else { 0.0 },
+            impulse: p_n,
+            slip: (u - n * along).norm(),
+        }
+    }
+}
+
 /// Where the spheres and the boundaries end.
 pub(super) struct End<'p> {
     position: Vec<Vec3>,
@@ -100,7 +114,12 @@ impl Solved<'_> {
 
     /// Velocity of body `i` with which row `k` works: of an impact the mean, else that of the step.
     fn working(&self, k: usize, i: usize) -> SpatialVector {
-        match self.assembly.is_impact(k) {
+        self.working_in(self.assembly.is_impact(k), i)
+    }
+
+    #[inline]
+    fn working_in(&self, impact: bool, i: usize) -> SpatialVector {
+        match impact {
             true => self.mean(i),
             false => self.solution.velocity[i],
         }
@@ -117,8 +136,24 @@ impl Solved<'_> {
         // Work on the spheres that is accounted for.
         let mut known = 0.0;
         let rows = &self.assembly.problem.rows;
+        // Up to here all rows that are of spheres are rigid and loose: nearly all.
+        let assembly = self.assembly;
+        let plain = match assembly.elastic.is_empty() && assembly.attraction.is_empty() {
+            true => assembly.candidates.len(),
+            false => 0,
+        };
         for k in range {
             let p = &self.solution.impulses[k];
+            if k < plain && rows.general(k).is_none() {
+                if *p != Vec3::zeros() {
+                    let lost = self.lost_of_spheres(k, *p);
+                    work.friction += lost.friction;
+                    work.impact += lost.impact;
+                    known -= lost.friction;
+                    known -= lost.impact;
+                }
+                continue;
+            }
             if let (Some(elastic), Some(end)) = (self.assembly.elastic(k), end) {
                 let sprung = self.work_of_spring(k, elastic, (end, contacts));
                 work.contacts += sprung.normal + sprung.shear;
@@ -171,9 +206,15 @@ impl Solved<'_> {
     /// What the contact or the resistance of row `k` loses, but for its damper.
     pub(super) fn lost(&self, k: usize) -> Lost {
         let (rows, p) = (&self.assembly.problem.rows, self.pressing(k));
-        let impact = self.assembly.is_impact(k);
-        let (mut u, n) = (rows.relative(k, |i| self.working(k, i)), rows.normal(k));
+        let contact = self.assembly.contact_of(k);
+        let held = contact.and_then(|contact| self.assembly.elastic(contact));
         let general = rows.general(k);
+        if general.is_none() && held.is_none() && contact.is_some() {
+            return self.lost_of_spheres(k, p);
+        }
+        let impact = self.assembly.is_impact(k);
+        let working = |i| self.working_in(impact, i);
+        let (mut u, n) = (rows.relative(k, working), rows.normal(k));
         // Friction works on the slip of the step's middle.
         if let Some(row) = general.filter(|row| row.is_contact() && row.is_rigid()) {
             u += row.across();
@@ -181,26 +222,27 @@ impl Solved<'_> {
         let couple = general.is_some_and(|row| matches!(row.law, Law::Resistance { .. }));
         // A couple of resistance is friction as a whole.
         let p_n = if couple { 0.0 } else { p.dot(&n) };
-        let along = u.dot(&n);
-        let contact = self.assembly.contact_of(k);
-        let held = contact.and_then(|contact| self.assembly.elastic(contact));
+        let lost = Lost::of(u, n, (p, p_n), impact && rows.compliance(k) == 0.0);
         // The springs of a bond have all of it.
-        let bonded = held.is_some_and(|held| held.bond().is_some());
-        Lost {
-            friction: match bonded {
-                true => 0.0,
-                false => -(p - n * p_n).dot(&u),
+        match held.is_some_and(|held| held.bond().is_some()) {
+            true => Lost {
+                friction: 0.0,
+                slip: 0.0,
+                ..lost
             },
-            impact: match impact && rows.compliance(k) == 0.0 {
-                true => -p_n * along,
-                false => 0.0,
-            },
-            impulse: p_n,
-            slip: match bonded {
-                true => 0.0,
-                false => (u - n * along).norm(),
-            },
+            false => lost,
         }
+    }
+
+    /// [`Self::lost`] of contact `k`, which is rigid and of spheres, with the impulse `p` \[N s\].
+    #[inline]
+    fn lost_of_spheres(&self, k: usize, p: Vec3) -> Lost {
+        let (rows, impact) = (&self.assembly.problem.rows, self.assembly.impact[k]);
+        let (u, n) = (
+            rows.relative(k, |i| self.working_in(impact, i)),
+            rows.normal(k),
+        );
+        Lost::of(u, n, (p, p.dot(&n)), impact)
     }
 
     /// What the springs of a contact that gives way do. A contact that a step does not press any more loses what its springs still

@@ -109,12 +109,17 @@ impl Solved<'_> {
     }
 
     /// Adds a contact and what it does to a boundary.
+    #[inline]
     fn carry(&self, state: &mut State, load: ContactForce, beside: Beside, smooth: bool) {
         state.contacts.push(load, beside);
-        let Partner::Boundary { boundary, .. } = load.key.partner else {
-            return;
-        };
-        let (prediction, b) = (self.prediction(), usize::from(boundary));
+        if let Partner::Boundary { boundary, .. } = load.key.partner {
+            self.bear(state, usize::from(boundary), (&load, beside), smooth);
+        }
+    }
+
+    /// Adds what a contact does to boundary `b`.
+    fn bear(&self, state: &mut State, b: usize, (load, beside): (&ContactForce, Beside), smooth: bool) {
+        let prediction = self.prediction();
         let (scene, i) = (prediction.scene, load.key.sphere as usize);
         let (boundary, pose) = (&scene.boundaries[b], &prediction.poses[0][b]);
         let centre = boundary.copy_near(&scene.cell, pose, prediction.kinematics.position[i]);
@@ -130,7 +135,7 @@ impl Solved<'_> {
         if smooth {
             state.smooth_wrenches[b].add(&wrench, 1.0);
         }
-        self.press(state, &load, smooth);
+        self.press(state, load, smooth);
     }
 
     /// Couple \[N m\] of each contact's resistance on A, `[contacts]`; empty where there is no resistance.
