@@ -76,8 +76,8 @@ impl PairTable {
     /// The pair of materials `a` and `b`, in either order.
     #[must_use]
     #[inline]
-    pub fn get(&self, a: u16, b: u16) -> Pair {
-        self.pairs[usize::from(a) * self.materials + usize::from(b)]
+    pub fn get(&self, a: u16, b: u16) -> &Pair {
+        &self.pairs[usize::from(a) * self.materials + usize::from(b)]
     }
 
     /// The pairs of materials, each once.

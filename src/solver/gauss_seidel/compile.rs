@@ -106,8 +106,8 @@ impl Kernel {
         self.contents.rows.clear();
         self.contents.resistances.clear();
         self.extras.clear();
-        self.contents.levers.clear();
         self.contents.split.clear();
+        let mut filled = 0;
         self.turns.iter_mut().for_each(ArrayVec::clear);
         let order = std::mem::take(&mut self.order);
         self.sharing.find(problem, &order);
@@ -153,14 +153,18 @@ impl Kernel {
                 }
                 let levered = |&k: &u32| self.levered.get(k as usize) == Some(&true);
                 if rows.iter().any(levered) {
-                    open.blocks[block].levers = self.contents.levers.len() as u32;
+                    open.blocks[block].levers = filled as u32;
                     let length = |i: usize| spin_scale(&self.radius, i);
                     let of = |k: u32| problem.rows.general(self.resistance[k as usize] as usize);
                     let resistance = |k: u32| of(k).copied();
                     let block = &open.blocks[block];
                     let registers = self.exact.registers;
-                    let at = self.contents.levers.len();
-                    self.contents.levers.push(Levers::default());
+                    let at = filled;
+                    filled += 1;
+                    match self.contents.levers.get_mut(at) {
+                        Some(old) => *old = Levers::default(),
+                        None => self.contents.levers.push(Levers::default()),
+                    }
                     let levers = &mut self.contents.levers[at];
                     levers.fill(problem, rows, resistance, length, registers);
                     let shared = self.sharing.shared(problem, block, rows);
@@ -182,6 +186,7 @@ impl Kernel {
         }
         let used = open.used;
         blocks.truncate(used);
+        self.contents.levers.truncate(filled);
         self.order = order;
     }
 }

@@ -13,6 +13,8 @@ pub(super) struct Sharing {
     spheres: usize,
     /// Of those behind the spheres, `[M]`.
     others: Vec<Touched>,
+    /// Whether contacts may share one of them.
+    some: bool,
 }
 
 /// What touches a body.
@@ -28,6 +30,7 @@ impl Sharing {
     pub(super) fn find(&mut self, problem: &Problem, rows: &[u32]) {
         self.spheres = problem.inverse_mass.len();
         self.others.clear();
+        self.some = false;
         let alone = Touched {
             contacts: 0,
             ratio: f64::INFINITY,
@@ -41,6 +44,10 @@ impl Sharing {
             if let Some(own) = self.of(body) {
                 own.contacts += 1;
             }
+        }
+        self.some = self.others.iter().any(|own| own.contacts > LANES);
+        if !self.some {
+            return;
         }
         for &k in rows {
             for (side, body) in bodies(k).into_iter().enumerate() {
@@ -62,6 +69,9 @@ impl Sharing {
         block: &Batch<impl Real>,
         rows: &[u32],
     ) -> Option<u32> {
+        if !self.some {
+            return None;
+        }
         let lanes = rows.iter().enumerate();
         let held = lanes.flat_map(|(lane, &k)| {
             let bodies = problem.rows.bodies(k as usize).into_iter().enumerate();
@@ -79,7 +89,11 @@ impl Sharing {
     }
 
     /// How many contacts of a block may share this body.
+    #[inline]
     pub(super) fn limit(&self, body: u32) -> usize {
+        if !self.some {
+            return 1;
+        }
         let at = (body as usize).checked_sub(self.spheres);
         match at.and_then(|at| self.others.get(at)) {
             Some(own) if own.contacts > LANES => ((SPLIT * own.ratio) as usize).clamp(1, LANES),

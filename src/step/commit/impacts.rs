@@ -2,6 +2,7 @@
 //! would shift the half step.
 
 use std::iter::once;
+use std::mem::replace;
 
 use crate::Vec3;
 use crate::problem::Rows;
@@ -95,6 +96,8 @@ pub(crate) struct Balance {
     sums: Vec<[SpatialVector; 2]>,
     /// Radius \[m\] of a contact below which they cancel: each is much more than what both together change of the motion.
     limits: Vec<f64>,
+    /// How many of them are above zero.
+    cancelling: usize,
     /// Rows of resistances by their contacts, in order.
     resistances: Vec<(usize, usize)>,
 }
@@ -113,6 +116,7 @@ impl Balance {
         self.limits.clear();
         self.limits
             .extend(sums.map(|(body, sums)| limit(assembly, body, sums)));
+        self.cancelling = self.limits.iter().filter(|limit| **limit > 0.0).count();
         self.resistances.clear();
         self.resistances
             .extend(rows.resistances().map(|(row, contact)| (contact, row)));
@@ -131,6 +135,10 @@ impl Balance {
 
     /// The loaded contacts of bodies whose smooth forces and impacts cancel.
     fn held(&self, assembly: &Assembly, solution: &Solution) -> Vec<usize> {
+        // No contact has a radius below.
+        if self.cancelling == 0 {
+            return Vec::new();
+        }
         let rows = &assembly.problem.rows;
         let of = |body: u32| self.limits.get(body as usize).copied().unwrap_or(0.0);
         let cancels = |k: &usize| {
@@ -159,7 +167,10 @@ impl Balance {
         }
         for body in rows.bodies(k).map(|body| body as usize) {
             if let Some(sums) = self.sums.get(body) {
-                self.limits[body] = limit(assembly, body, sums);
+                let now = limit(assembly, body, sums);
+                let before = replace(&mut self.limits[body], now);
+                self.cancelling += usize::from(now > 0.0);
+                self.cancelling -= usize::from(before > 0.0);
             }
         }
     }

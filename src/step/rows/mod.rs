@@ -50,7 +50,7 @@ impl Prediction<'_> {
     }
 
     /// The properties of a contact.
-    pub(super) fn pair(&self, key: ContactId) -> Pair {
+    pub(super) fn pair(&self, key: ContactId) -> &Pair {
         let [a, b] = self.scene.touching(key);
         self.scene.pairs.get(a, b)
     }
