@@ -71,7 +71,8 @@ pub(super) fn polish(
 }
 
 /// Share of the reserve that errors of this step may use: as much as [`MOTION_SHARE`] of the mean motion of the spheres within
-/// it. Forces of what rests are as good as without reserve, whatever else moves.
+/// it, and as the contacts that give way, which have no reserve, are part of all. Forces of what rests are as good as without
+/// reserve, whatever else moves.
 pub(super) fn reserve_share(assembly: &Assembly) -> f64 {
     let prediction = assembly.prediction;
     let reserve = prediction.scene.settings.reserve();
@@ -81,7 +82,14 @@ pub(super) fn reserve_share(assembly: &Assembly) -> f64 {
     let radius = &prediction.scene.particles.radius;
     let whole = MOTION_SHARE * prediction.step / reserve;
     let share = |i: usize| (whole * prediction.velocity(i).linear.norm() / radius[i]).min(1.0);
-    (0..radius.len()).map(share).sum::<f64>() / radius.len().max(1) as f64
+    let moving = (0..radius.len()).map(share).sum::<f64>() / radius.len().max(1) as f64;
+    moving * rigid_share(assembly)
+}
+
+/// Share of the contacts that are rigid.
+fn rigid_share(assembly: &Assembly) -> f64 {
+    let compressed = (0..assembly.elastic.len()).filter(|&k| assembly.compressed(k).is_some());
+    1.0 - compressed.count() as f64 / assembly.candidates.len().max(1) as f64
 }
 
 fn params(settings: &Settings, penalty: f64, share: f64) -> Params {

@@ -127,7 +127,8 @@ impl Gaps {
         assembly.pool.pieces(all, piece, Self::and)
     }
 
-    /// Of a contact that gives way: its compression is no error, what the force misses it by is one.
+    /// Of a contact that gives way: its compression is no error, what the force misses it by is one. Where the force compresses it by less
+    /// than the tolerance, it may open as a rigid one: its force is off by no more than within the tolerance of its gap.
     fn of_spring(assembly: &Assembly, solution: &Solution, end: &Configuration, k: usize) -> Self {
         let radius = assembly.problem.rows.radius(k);
         let settings = &assembly.prediction.scene.settings;
@@ -143,11 +144,16 @@ impl Gaps {
             }
             _ => 0.0,
         };
+        let tolerance = settings.tolerance.gap;
+        let widest = match error - gap / radius < tolerance {
+            true => settings.widest(),
+            false => tolerance,
+        };
         Self {
             opening: error.max(0.0),
             overlap: (-error).max(0.0),
             compression: compression.max(0.0),
-            off: error.abs() > settings.tolerance.gap,
+            off: error < -tolerance || error > widest,
         }
     }
 
