@@ -17,6 +17,7 @@ use crate::state::State;
 pub(super) struct AssemblyArrays {
     pub(super) problem: Problem,
     pub(super) candidates: Vec<Candidate>,
+    pub(super) late: Vec<ContactId>,
     pub(super) impact: Vec<bool>,
     pub(super) past: Vec<HistoryIndex>,
     pub(super) elastic: Vec<Option<ElasticContact>>,
@@ -31,6 +32,8 @@ pub(super) struct Assembly<'a> {
     pub(super) pool: Pool,
     pub(super) problem: Problem,
     pub(super) candidates: Vec<Candidate>,
+    /// Those that joined as the solution closed them, with the gap at the end of the step.
+    pub(super) late: Vec<ContactId>,
     /// Of the candidates, whether they are impacts.
     pub(super) impact: Vec<bool>,
     /// Which contacts of the last step the candidates continue.
@@ -67,6 +70,7 @@ pub(super) fn assemble<'a>(
         pool,
         problem: arrays.problem,
         candidates: arrays.candidates,
+        late: arrays.late,
         impact: arrays.impact,
         past: arrays.past,
         elastic: arrays.elastic,
@@ -76,11 +80,14 @@ pub(super) fn assemble<'a>(
         broken_bonds: 0,
         moves: true,
     };
+    assembly.late.clear();
     let coheres = prediction.scene.pairs.coheres();
-    match prediction.gives_way || !prediction.clumps.is_empty() {
-        true => assembly.write_whole(state, impact, impulses),
-        false if coheres => assembly.write_contacts::<false>(state, impact, impulses),
-        false => assembly.write_contacts::<true>(state, impact, impulses),
+    let rigid = !prediction.gives_way && prediction.clumps.is_empty();
+    match (rigid, coheres) {
+        (true, true) => assembly.write_contacts::<false>(state, impact, impulses),
+        (true, false) => assembly.write_contacts::<true>(state, impact, impulses),
+        (false, true) => assembly.write_whole::<false>(state, impact, impulses),
+        (false, false) => assembly.write_whole::<true>(state, impact, impulses),
     }
     assembly.attract(&state.contacts, impulses);
     let springs = 0..prediction.targets.len();
@@ -144,7 +151,7 @@ impl Assembly<'_> {
                 let carried = past.carried(contacts);
                 let force = carried.force;
                 let contact =
-                    prediction.row_of::<LOOSE>(free, candidate, carried, known_impact(first + k));
+                    prediction.row_of::<LOOSE, true>(free, candidate, carried, known_impact(first + k));
                 rows.write(k, &contact.row, contact.is_of_spheres);
                 impact[k] = contact.impact;
                 impulses[k] = force * prediction.step;
@@ -166,7 +173,7 @@ impl Assembly<'_> {
     }
 
     /// Likewise where contacts give way or are of clumps: nearly all rows are kept whole, so each is made once.
-    fn write_whole(
+    fn write_whole<const LOOSE: bool>(
         &mut self,
         state: &State,
         known_impact: Option<&[bool]>,
@@ -179,7 +186,7 @@ impl Assembly<'_> {
         self.past.clear();
         let keys = self.candidates.iter().map(|candidate| candidate.key);
         self.past.extend(history::transfer(contacts, keys));
-        if prediction.scene.pairs.coheres() {
+        if !LOOSE {
             let is_candidate = |key| known(&self.candidates, key);
             for (past, candidate) in self.past.iter_mut().zip(&self.candidates) {
                 *past = history::succeed(contacts, *past, candidate.key, is_candidate);
@@ -188,7 +195,7 @@ impl Assembly<'_> {
         impulses.clear();
         for (k, (candidate, past)) in self.candidates.iter().zip(&self.past).enumerate() {
             let (carried, known) = (past.carried(contacts), known_impact.map(|known| known[k]));
-            let contact = prediction.contact_row(free, candidate, carried, known);
+            let contact = prediction.row_of::<LOOSE, false>(free, candidate, carried, known);
             rows.push(contact.row);
             impulses.push(carried.force * prediction.step);
             self.impact.push(contact.impact);
@@ -229,6 +236,7 @@ impl Assembly<'_> {
         AssemblyArrays {
             problem: self.problem,
             candidates: self.candidates,
+            late: self.late,
             impact: self.impact,
             past: self.past,
             elastic: self.elastic,
@@ -246,6 +254,15 @@ impl Assembly<'_> {
             &prediction.kinematics,
             &prediction.poses[0],
         )
+    }
+
+    /// Gap \[m\] of candidate `k` at the start of the step.
+    pub(super) fn start_gap(&self, k: usize) -> f64 {
+        let candidate = &self.candidates[k];
+        match self.late.contains(&candidate.key) {
+            true => self.start().gap(candidate),
+            false => candidate.gap,
+        }
     }
 
     /// The contact that row `k` is, or whose resistance it is.

@@ -119,7 +119,7 @@ impl Solved<'_> {
     /// Forces at t = 0 into `state`.
     pub(super) fn commit_forces(&self, state: &mut State) {
         let prediction = self.prediction();
-        self.store(state);
+        self.store(state, &self.remains());
         state.springs = self.spring_forces();
         self.smooth_acceleration(&mut state.smooth, false);
         let (external, clumps) = (&prediction.external, &prediction.clumps);

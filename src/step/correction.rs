@@ -46,12 +46,12 @@ pub(super) fn error_of(assembly: &Assembly, solution: &Solution, k: usize, gap: 
     }
 }
 
-/// Overlap \[m\] that the step may leave of the one with which contact `k` begins. The candidate of a late contact has another gap.
+/// Overlap \[m\] that the step may leave of the one with which contact `k` begins.
 pub(super) fn left_of(assembly: &Assembly, k: usize) -> f64 {
     let prediction = assembly.prediction;
     let (settings, radius) = (&prediction.scene.settings, assembly.problem.rows.radius(k));
     let start = match assembly.candidates[k].gap < 0.0 {
-        true => assembly.start().gap(&assembly.candidates[k]) - assembly.rest(k),
+        true => assembly.start_gap(k) - assembly.rest(k),
         false => 0.0,
     };
     settings.left(start, radius, prediction.step)
@@ -179,6 +179,7 @@ fn insert(
     }
     let at = assembly.candidates.partition_point(|c| c.key < found.key);
     assembly.candidates.insert(at, *found);
+    assembly.late.push(found.key);
     assembly.problem.rows.insert(at, row);
     assembly.impact.insert(at, impact);
     assembly.past.insert(at, past);

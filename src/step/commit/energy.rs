@@ -11,6 +11,7 @@ use crate::problem::Law;
 use crate::problem::law::split;
 use crate::spatial::{Pose, SpatialVector};
 use crate::state::{BodyState, EnergyLedger, State};
+use crate::step::commit::forces::Remains;
 use crate::step::rows::elastic::ElasticContact;
 use crate::step::solution::Solved;
 
@@ -44,8 +45,8 @@ impl Lost {
 pub(super) struct End<'p> {
     position: Vec<Vec3>,
     poses: &'p [Pose],
-    /// Couples \[N m\] of the contacts on A, where some resist.
-    couples: Vec<Vec3>,
+    /// What contacts then have.
+    remains: &'p Remains,
 }
 
 /// What the springs of a contact do \[J\].
@@ -98,16 +99,15 @@ impl Solved<'_> {
     }
 
     /// Where the spheres end and the boundaries with `poses`, if some contacts give way.
-    pub(super) fn end<'p>(&self, poses: &'p [Pose]) -> Option<End<'p>> {
+    pub(super) fn end<'p>(&self, poses: &'p [Pose], remains: &'p Remains) -> Option<End<'p>> {
         self.prediction().gives_way.then(|| {
             let mut position = Vec::new();
             let velocity = &self.solution.velocity;
             self.prediction().end_positions(velocity, &mut position);
-            let couples = self.couples();
             End {
                 position,
                 poses,
-                couples,
+                remains,
             }
         })
     }
@@ -255,13 +255,13 @@ impl Solved<'_> {
     ) -> SpringWork {
         let (assembly, rows) = (self.assembly, &self.assembly.problem.rows);
         let candidate = &assembly.candidates[k];
-        let couples = &end.couples;
+        let remains = end.remains;
         let end = Configuration {
             position: &end.position,
             poses: end.poses,
             ..assembly.start()
         };
-        let [start, end] = [assembly.start(), end].map(|at| at.gap(candidate));
+        let [start, end] = [assembly.start_gap(k), end.gap(candidate)];
         let past = assembly.past[k].hold(contacts);
         let now = assembly.holds.get(k).copied().unwrap_or_default();
         let [before, after] = [elastic.energy(start, past), elastic.energy(end, now)];
@@ -293,7 +293,7 @@ impl Solved<'_> {
             },
         };
         let stored = assembly.past[k].stored(contacts);
-        let left = self.spring_left(k).energy();
+        let left = remains.springs[k].energy();
         let Some(bond) = elastic.bond() else {
             return SpringWork {
                 normal,
@@ -303,7 +303,7 @@ impl Solved<'_> {
             };
         };
         let normals = [assembly.past[k].carried(contacts).normal, candidate.normal];
-        let couples = [assembly.past[k].torque(contacts), couples[k]];
+        let couples = [assembly.past[k].torque(contacts), remains.couples[k]];
         let radius = rows.radius(k);
         let [old, new] = [0, 1].map(|i| {
             let couple = couples[i] / radius;

@@ -14,9 +14,31 @@ use crate::step::rows::elastic::ElasticContact;
 use crate::step::rows::joint::JointConstraint;
 use crate::step::solution::Solved;
 
+/// What contacts have beside their forces after the step.
+pub(crate) struct Remains {
+    /// Their springs, `[contacts]`; empty where none gives way.
+    pub(super) springs: Vec<SpringState>,
+    /// Couples \[N m\] of their resistances on A, `[contacts]`; empty where there is no resistance.
+    pub(super) couples: Vec<Vec3>,
+}
+
 impl Solved<'_> {
+    pub(crate) fn remains(&self) -> Remains {
+        let springs = match self.prediction().gives_way {
+            true => self.assembly.candidates.len(),
+            false => 0,
+        };
+        Remains {
+            springs: (0..springs).map(|k| self.spring_left(k)).collect(),
+            couples: match self.prediction().scene.pairs.resists() {
+                true => self.assembly.couples(&self.solution.impulses),
+                false => Vec::new(),
+            },
+        }
+    }
+
     /// Contact forces and boundary wrenches into `state`. What sleeps keeps its forces.
-    pub(crate) fn store(&self, state: &mut State) {
+    pub(crate) fn store(&self, state: &mut State, remains: &Remains) {
         let step = self.prediction().step;
         let sleeping = self.sleeping(&state.contacts);
         let mut asleep = 0;
@@ -27,8 +49,6 @@ impl Solved<'_> {
             wall.loads.clear();
             wall.smooth.clear();
         }
-        let couples = self.couples();
-        let gives_way = self.prediction().gives_way;
         let holds = &self.assembly.holds;
         for (k, candidate) in self.assembly.candidates.iter().enumerate() {
             let key = candidate.key;
@@ -46,8 +66,8 @@ impl Solved<'_> {
                 let (normal, force) = (candidate.normal, self.solution.impulses[k] / step);
                 let load = ContactForce { key, normal, force };
                 let beside = Beside {
-                    torque: couples.get(k).copied(),
-                    spring: gives_way.then(|| self.spring_left(k)),
+                    torque: remains.couples.get(k).copied(),
+                    spring: remains.springs.get(k).copied(),
                     hold,
                 };
                 self.carry(state, load, beside, !self.assembly.impact[k]);
@@ -76,7 +96,7 @@ impl Solved<'_> {
     }
 
     /// What is left of the spring where the step breaks the bond that contact `k` has had in it.
-    pub(super) fn spring_left(&self, k: usize) -> SpringState {
+    fn spring_left(&self, k: usize) -> SpringState {
         let whole = self.spring_state(k);
         match self.assembly.elastic(k) {
             Some(elastic) if self.breaks(k) => {
@@ -136,14 +156,6 @@ impl Solved<'_> {
             state.smooth_wrenches[b].add(&wrench, 1.0);
         }
         self.press(state, load, smooth);
-    }
-
-    /// Couple \[N m\] of each contact's resistance on A, `[contacts]`; empty where there is no resistance.
-    pub(super) fn couples(&self) -> Vec<Vec3> {
-        if !self.prediction().scene.pairs.resists() {
-            return Vec::new();
-        }
-        self.assembly.couples(&self.solution.impulses)
     }
 
     pub(crate) fn spring_forces(&self) -> Vec<Vec3> {

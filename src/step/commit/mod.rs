@@ -48,11 +48,12 @@ pub(super) fn commit(
     }
     let smooth_wrenches = remainder.then(|| state.smooth_wrenches.clone());
     let smooth_loads = walls::smooth_loads(state, remainder);
-    let end = solved.end(&ends);
+    let remains = solved.remains();
+    let end = solved.end(&ends, &remains);
     solved.work(state, end.as_ref());
     solved.body_work(state, &finished, &ends);
     solved.wear(state, end.as_ref());
-    solved.store(state);
+    solved.store(state, &remains);
     solved.hand_on(state, sleepers);
     if let Some(smooth) = smooth_wrenches {
         state.smooth_wrenches = smooth;

@@ -71,8 +71,8 @@ impl Prediction<'_> {
 
     /// [`Self::mover`].
     #[inline(always)]
-    fn mover_of<const PLAIN: bool>(&self, i: usize) -> (u32, Option<Vec3>) {
-        match PLAIN {
+    fn mover_of<const RIGID: bool>(&self, i: usize) -> (u32, Option<Vec3>) {
+        match RIGID {
             true => (i as u32, None),
             false => self.mover(i),
         }
@@ -114,13 +114,13 @@ impl Prediction<'_> {
         carried: Carried,
         known_impact: Option<bool>,
     ) -> ContactRow {
-        self.row_of::<false>(free, candidate, carried, known_impact)
+        self.row_of::<false, false>(free, candidate, carried, known_impact)
     }
 
-    /// [`Self::contact_row`] of a scene where `PLAIN` says that all contacts are rigid, loose, and of single spheres: code of what
-    /// does not occur there is not compiled.
+    /// [`Self::contact_row`] of a scene where contacts are `LOOSE`, so that nothing holds them together, or `RIGID` and of single
+    /// spheres: code of what does not occur there is not compiled.
     #[inline(always)]
-    pub(crate) fn row_of<const PLAIN: bool>(
+    pub(crate) fn row_of<const LOOSE: bool, const RIGID: bool>(
         &self,
         free: &[SpatialVector],
         candidate: &Candidate,
@@ -128,7 +128,7 @@ impl Prediction<'_> {
         known_impact: Option<bool>,
     ) -> ContactRow {
         let n = candidate.normal;
-        let hold = match PLAIN {
+        let hold = match LOOSE {
             true => Hold::Loose,
             false => self.hold(candidate, carried.hold),
         };
@@ -140,16 +140,16 @@ impl Prediction<'_> {
         let force = carried.force + n * attraction;
         let a = candidate.key.sphere as usize;
         let own = &self.spheres[a];
-        let (body, centre) = self.mover_of::<PLAIN>(a);
+        let (body, centre) = self.mover_of::<RIGID>(a);
         let mut contact = match candidate.key.partner {
             Partner::Sphere { index, .. } => {
-                self.sphere_kinematics::<PLAIN>(free, n, (a, own), index)
+                self.sphere_kinematics::<RIGID>(free, n, (a, own), index)
             }
             Partner::Boundary { boundary, .. } => {
                 self.boundary_kinematics(free, candidate, force, usize::from(boundary))
             }
         };
-        if !PLAIN && self.gives_way && !self.clumps.is_empty() {
+        if !RIGID && self.gives_way && !self.clumps.is_empty() {
             contact.reduced_mass = self.mass_between(candidate.key, n, &contact);
         }
         let pair = self.pair(candidate.key);
@@ -161,16 +161,15 @@ impl Prediction<'_> {
         };
         let loading = self.loading(&contact, turning);
         let loading = loading.max(attraction / contact.lightest);
-        let before = || Before {
+        let before = (!RIGID && self.gives_way).then(|| Before {
             gap: candidate.gap,
             velocity: split(contact.before + contact.belt, n),
             pressed: carried.force.dot(&carried.normal) + attraction,
             shear: carried.shear(n),
-        };
-        let elastic = match PLAIN {
-            true => None,
-            false => self.elastic((candidate, hold), &contact, (&before, loading)),
-        };
+        });
+        let elastic = before.as_ref().and_then(|before| {
+            self.elastic::<LOOSE>((candidate, hold), &contact, (before, loading))
+        });
         let excess = match elastic {
             Some(_) => candidate.gap,
             None => {
@@ -210,7 +209,7 @@ impl Prediction<'_> {
             }
             _ => 0.0,
         };
-        let terms = acting.map(|elastic| elastic.terms(&before()));
+        let terms = acting.zip(before).map(|(elastic, before)| elastic.terms(&before));
         // A spring is not pushed out of its compression at once.
         let excess = if rigid && elastic.is_some() {
             excess.max(0.0)
@@ -306,19 +305,19 @@ impl Prediction<'_> {
 
     /// How a contact gives way, if it does. `before` is what it was, and it is to be pressed by `loading` \[m/s^2\].
     #[inline]
-    fn elastic(
+    fn elastic<const LOOSE: bool>(
         &self,
         (candidate, hold): (&Candidate, Hold),
         contact: &ContactKinematics,
-        (before, loading): (&impl Fn() -> Before, f64),
+        (before, loading): (&Before, f64),
     ) -> Option<ElasticContact> {
-        if !self.gives_way {
-            return None;
-        }
         let settings = &self.scene.settings;
         let elasticity = self.scene.elasticity(candidate.key)?;
         let spring = elasticity.spring(contact.reduced_radius);
-        let held = self.held_spring(candidate.key, hold, (spring, contact.reduced_radius));
+        let held = match LOOSE {
+            true => (spring, None),
+            false => self.held_spring(candidate.key, hold, (spring, contact.reduced_radius)),
+        };
         let [a, b] = self.scene.touching(candidate.key);
         let body = (contact.reduced_mass, self.scene.pairs.damping(a, b));
         // Where nothing acts, as much as an overlap that nobody sees.
@@ -326,7 +325,7 @@ impl Prediction<'_> {
         let load = least.max(contact.lightest * loading);
         let resolves = settings.integrator == Integrator::Moreau;
         let step = (self.step, resolves, load);
-        Some(ElasticContact::new(held, body, &before(), step))
+        Some(ElasticContact::new(held, body, before, step))
     }
 
     /// Bias \[m/s\] and compliances of a contact: its spring's, or rigid with a gap that exceeds what it carries by `excess` \[m\],
@@ -368,7 +367,7 @@ impl Prediction<'_> {
     }
 
     #[inline(always)]
-    fn sphere_kinematics<const PLAIN: bool>(
+    fn sphere_kinematics<const RIGID: bool>(
         &self,
         free: &[SpatialVector],
         n: Vec3,
@@ -377,7 +376,7 @@ impl Prediction<'_> {
     ) -> ContactKinematics {
         let other = &self.spheres[index as usize];
         let pull = self.pull(a).max(self.pull(index as usize));
-        let (b, centre) = self.mover_of::<PLAIN>(index as usize);
+        let (b, centre) = self.mover_of::<RIGID>(index as usize);
         ContactKinematics {
             b,
             arm_b: arm(centre, n * other.radius),
