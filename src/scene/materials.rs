@@ -75,8 +75,13 @@ impl PairTable {
 
     /// The pair of materials `a` and `b`, in either order.
     #[must_use]
+    pub fn get(&self, a: u16, b: u16) -> Pair {
+        *self.between(a, b)
+    }
+
+    /// [`Self::get`], where it is kept.
     #[inline]
-    pub fn get(&self, a: u16, b: u16) -> &Pair {
+    pub(crate) fn between(&self, a: u16, b: u16) -> &Pair {
         &self.pairs[usize::from(a) * self.materials + usize::from(b)]
     }
 

@@ -53,6 +53,28 @@ fn chosen_steps_hold_the_tolerance() {
     assert!(longest > shortest.map(|x| 1.5 * x), "{lengths:?}");
 }
 
+/// Grains whose compression is below the tolerance take no more sweeps than rigid ones, for the same openings are let pass; beside a
+/// reserve, which springs do not have, up to twice as many.
+#[test]
+fn stiff_heaps_take_the_sweeps_of_rigid_ones() {
+    let sweeps = |opening: f64, young: Option<f64>| {
+        let mut case = heap(5, 2e-3).tolerance(1e-4, 7e-4, 1e-1);
+        case.scene.settings.opening = opening;
+        if let Some(young) = young {
+            case = case.elastic(young, 0.25);
+        }
+        let mut simulation = Simulation::new(Arc::new(case.scene)).expect("a start");
+        let report = simulation.advance_to(0.5).expect("a step");
+        assert!(report.max_overlap <= 1e-4, "{}", report.max_overlap);
+        assert!(report.max_opening <= 1e-3, "{}", report.max_opening);
+        report.sweeps as f64
+    };
+    for (opening, most) in [(0.0, 1.0), (1e-3, 2.0)] {
+        let [rigid, stiff] = [None, Some(70e9)].map(|young| sweeps(opening, young));
+        assert!(stiff <= most * rigid, "{opening}: {stiff}, {rigid}");
+    }
+}
+
 /// The length of the next step is part of the state: a run that is put back goes the same way.
 #[test]
 fn chosen_steps_are_part_of_the_state() {

@@ -144,7 +144,7 @@ impl Solved<'_> {
         };
         for k in range {
             let p = &self.solution.impulses[k];
-            if k < plain && rows.general(k).is_none() {
+            if k < plain && rows.general(k).is_none() && assembly.driven_side(k).is_none() {
                 if *p != Vec3::zeros() {
                     let lost = self.lost_of_spheres(k, *p);
                     work.friction += lost.friction;

@@ -52,7 +52,7 @@ impl Prediction<'_> {
     /// The properties of a contact.
     pub(super) fn pair(&self, key: ContactId) -> &Pair {
         let [a, b] = self.scene.touching(key);
-        self.scene.pairs.get(a, b)
+        self.scene.pairs.between(a, b)
     }
 
     /// The resistance to rolling and twisting of a contact and what holds it, if it has one: `row` is the contact's row, `rank` its place,
