@@ -149,9 +149,8 @@ impl Assembly<'_> {
                     false => history::succeed(contacts, transferred, candidate.key, is_candidate),
                 };
                 let carried = past.carried(contacts);
-                let force = carried.force;
-                let contact =
-                    prediction.row_of::<LOOSE, true>(free, candidate, carried, known_impact(first + k));
+                let (force, known) = (carried.force, known_impact(first + k));
+                let contact = prediction.row_of::<LOOSE, true>(free, candidate, carried, known);
                 rows.write(k, &contact.row, contact.is_of_spheres);
                 impact[k] = contact.impact;
                 impulses[k] = force * prediction.step;

@@ -23,6 +23,7 @@ pub(crate) struct Remains {
 }
 
 impl Solved<'_> {
+    /// What contacts have after the step.
     pub(crate) fn remains(&self) -> Remains {
         let springs = match self.prediction().gives_way {
             true => self.assembly.candidates.len(),
@@ -138,7 +139,13 @@ impl Solved<'_> {
     }
 
     /// Adds what a contact does to boundary `b`.
-    fn bear(&self, state: &mut State, b: usize, (load, beside): (&ContactForce, Beside), smooth: bool) {
+    fn bear(
+        &self,
+        state: &mut State,
+        b: usize,
+        (load, beside): (&ContactForce, Beside),
+        smooth: bool,
+    ) {
         let prediction = self.prediction();
         let (scene, i) = (prediction.scene, load.key.sphere as usize);
         let (boundary, pose) = (&scene.boundaries[b], &prediction.poses[0][b]);

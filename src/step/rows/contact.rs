@@ -209,7 +209,9 @@ impl Prediction<'_> {
             }
             _ => 0.0,
         };
-        let terms = acting.zip(before).map(|(elastic, before)| elastic.terms(&before));
+        let terms = acting
+            .zip(before)
+            .map(|(elastic, before)| elastic.terms(&before));
         // A spring is not pushed out of its compression at once.
         let excess = if rigid && elastic.is_some() {
             excess.max(0.0)
