@@ -74,16 +74,24 @@ pub(crate) fn run(arguments: &Demo, interrupt: &Interrupt) -> Result<(), Failure
         instance_name: Some(RESULTS.to_owned()),
         ..Options::default()
     };
-    let driven = drive(&System::of(&fmu), &options, interrupt, |_| Ok(()));
-    if let Some(table) = &driven.table {
+    // An FMU that lacks what the summary tells ends here, at its first row.
+    let told = |table: &Table| Told::of(|name| table.real(name));
+    let driven = drive(&System::of(&fmu), &options, interrupt, |table| {
+        told(table).map(drop)
+    });
+    // Without a row nothing ran that could be told of or shown.
+    if let Some(table) = &driven.table
+        && let Some(&time) = table.time.last()
+    {
         let mut text = Vec::new();
         table.write_csv(&mut text).map_err(Failure::run)?;
         put(&folder.join("outputs.csv"), &text)?;
-        print(|out| summary(out, table, driven.wall))?;
+        let (summary, steps) = (told(table)?, table.time.len() - 1);
+        print(|out| summary.write(out, time, steps, driven.wall))?;
         let place = arguments.output.join(RESULTS);
         let shown = arguments.output.join(page::NAME);
-        let told = page::end_with(&place, &[], &shown)?;
-        print(|out| writeln!(out, "{told}"))?;
+        let end = page::end_with(&place, &[], &shown)?;
+        print(|out| writeln!(out, "{end}"))?;
         print(|out| out.write_all(how_to_look(&shown, &place).as_bytes()))?;
         if arguments.view {
             page::open(&shown)?;
@@ -124,30 +132,55 @@ fn put(path: &Path, content: &[u8]) -> Result<(), Failure> {
 }
 
 /// What happened, from the outputs of the FMU.
-fn summary(out: &mut dyn io::Write, table: &Table, wall: f64) -> io::Result<()> {
-    let values = |name: &str| table.real(name).unwrap_or_default();
-    let last = |name: &str| values(name).last().copied().unwrap_or(f64::NAN);
-    // All spheres are above the outlet at the start.
-    let whole = values("sensor.content.mass").first();
-    let whole = whole.copied().unwrap_or(f64::NAN);
-    let time = table.time.last().copied().unwrap_or(f64::NAN);
-    let overlap = values("maxOverlap").iter().copied().fold(0.0, f64::max);
-    writeln!(
-        out,
-        "simulated       {time} s in {} communication steps",
-        table.time.len().saturating_sub(1)
-    )?;
-    writeln!(
-        out,
-        "discharged      {:.0} kg of {:.0} kg",
-        last("sensor.discharge.mass"),
-        whole
-    )?;
-    writeln!(
-        out,
-        "worst overlap   {overlap:.2e} of the radius, over all steps"
-    )?;
-    writeln!(out, "wall time       {}", wall_time(wall, time))
+#[derive(Debug)]
+struct Told {
+    /// Mass \[kg\] through the outlet.
+    discharged: f64,
+    /// Mass \[kg\] of all spheres.
+    whole: f64,
+    /// Largest overlap over radius.
+    overlap: f64,
+}
+
+impl Told {
+    /// From the values of each output over time, at least one.
+    ///
+    /// # Errors
+    /// An output that the FMU lacks.
+    fn of<'t>(output: impl Fn(&str) -> Option<&'t [f64]>) -> Result<Self, Failure> {
+        let value = |name: &str, of: fn(&[f64]) -> Option<f64>| {
+            output(name).and_then(of).ok_or_else(|| {
+                Failure::Run(miette!(
+                    "funnel.fmu: found no output `{name}`, expected it for the summary; report it to the makers of sphere-dda"
+                ))
+            })
+        };
+        Ok(Self {
+            discharged: value("sensor.discharge.mass", |list| list.last().copied())?,
+            // All spheres are above the outlet at the start.
+            whole: value("sensor.content.mass", |list| list.first().copied())?,
+            overlap: value("maxOverlap", |list| list.iter().copied().reduce(f64::max))?,
+        })
+    }
+
+    /// Of a run to `time` \[s\] in `steps` communication steps, which took the wall time `wall` \[s\].
+    fn write(&self, out: &mut dyn io::Write, time: f64, steps: usize, wall: f64) -> io::Result<()> {
+        let Self {
+            discharged,
+            whole,
+            overlap,
+        } = self;
+        writeln!(
+            out,
+            "simulated       {time} s in {steps} communication steps"
+        )?;
+        writeln!(out, "discharged      {discharged:.0} kg of {whole:.0} kg")?;
+        writeln!(
+            out,
+            "worst overlap   {overlap:.2e} of the radius, over all steps"
+        )?;
+        writeln!(out, "wall time       {}", wall_time(wall, time))
+    }
 }
 
 fn how_to_look(page: &Path, results: &Path) -> String {
@@ -158,4 +191,38 @@ fn how_to_look(page: &Path, results: &Path) -> String {
          \x20               or open {place}/spheres.pvd in ParaView\n\
          \x20               or python -c \"import meshio; print(meshio.read('{place}/spheres_000000.vtu'))\"\n"
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Failure, Told};
+
+    /// The summary said `NaN kg of NaN kg` and an overlap of 0 for outputs that the FMU did not have.
+    #[test]
+    fn an_output_that_the_fmu_lacks_is_named() {
+        let outputs: [(&str, &[f64]); 3] = [
+            ("sensor.discharge.mass", &[0.0, 2.0, 7.0]),
+            ("sensor.content.mass", &[9.0, 7.0, 2.0]),
+            ("maxOverlap", &[0.0, 1e-3, 1e-4]),
+        ];
+        let all_but = |lacking: &str| {
+            Told::of(|name| {
+                let mut left = outputs.iter().filter(|(known, _)| *known != lacking);
+                left.find(|(known, _)| *known == name)
+                    .map(|(_, list)| *list)
+            })
+        };
+        let told = all_but("").unwrap();
+        assert_eq!(
+            (told.discharged, told.whole, told.overlap),
+            (7.0, 9.0, 1e-3)
+        );
+        for (name, _) in outputs {
+            let Err(Failure::Run(report)) = all_but(name) else {
+                panic!("{name} is not missed");
+            };
+            let expected = format!("found no output `{name}`, expected it");
+            assert!(report.to_string().contains(&expected), "{report}");
+        }
+    }
 }

@@ -109,6 +109,7 @@ pub fn crossings(
 mod tests {
     use super::*;
     use proptest::prelude::*;
+    use robust::{Coord, orient2d};
 
     const DOWN: Gate = Gate {
         point: Vec3::new(0.0, 0.0, 1.0),
@@ -186,12 +187,15 @@ mod tests {
     }
 
     /// A rectangle cut into tiles along lines that need not be straight: each quadrilateral cell along a random
-    /// diagonal into two triangles, the whole laid into space by `place`.
+    /// diagonal into two triangles, the whole laid into space by `place`. Of a cell that is not convex, one diagonal
+    /// lies outside: its triangles would overlap, so the cell is cut along the other.
     fn tiles(
         nodes: &[[[f64; 2]; 4]; 4],
         diagonal: &[bool],
         place: impl Fn([f64; 2]) -> Vec3,
     ) -> Vec<[Vec3; 3]> {
+        let at = |[x, y]: [f64; 2]| Coord { x, y };
+        let turns = |[a, b, c]: [[f64; 2]; 3]| orient2d(at(a), at(b), at(c)) > 0.0;
         let mut tiles = Vec::new();
         for (i, j) in (0..3).flat_map(|i| (0..3).map(move |j| (i, j))) {
             let [a, b, c, d] = [
@@ -199,15 +203,60 @@ mod tests {
                 nodes[i + 1][j],
                 nodes[i + 1][j + 1],
                 nodes[i][j + 1],
-            ]
-            .map(&place);
-            tiles.extend(if diagonal[3 * i + j] {
-                [[a, b, c], [a, c, d]]
-            } else {
-                [[a, b, d], [b, c, d]]
-            });
+            ];
+            let mut cuts = [[[a, b, d], [b, c, d]], [[a, b, c], [a, c, d]]];
+            if diagonal[3 * i + j] {
+                cuts.reverse();
+            }
+            let cut = cuts.into_iter().find(|cut| cut.iter().copied().all(turns));
+            let cut = cut.expect("a cell whose edges do not cross has a diagonal inside");
+            tiles.extend(cut.map(|tile| tile.map(&place)));
         }
         tiles
+    }
+
+    /// Nodes of 3 x 3 unit cells, the inner ones moved by `shift`.
+    fn nodes(shift: [[f64; 2]; 4]) -> [[[f64; 2]; 4]; 4] {
+        let mut nodes = [[[0.0; 2]; 4]; 4];
+        for (i, row) in nodes.iter_mut().enumerate() {
+            for (j, node) in row.iter_mut().enumerate() {
+                *node = [i as f64, j as f64];
+            }
+        }
+        for (k, by) in shift.iter().enumerate() {
+            let node = &mut nodes[1 + k / 2][1 + k % 2];
+            *node = [node[0] + by[0], node[1] + by[1]];
+        }
+        nodes
+    }
+
+    /// A path through such a corner counted twice: the tiles of the test overlapped there, the sums were right.
+    #[test]
+    fn a_path_through_the_inner_corner_of_a_cell_that_is_not_convex_counts_once() {
+        let nodes = nodes([
+            [-0.21589804557143985, 0.2947794327934827],
+            [0.28056448018179725, -0.2972888529415158],
+            [0.0, 0.0],
+            [-0.2202023164221808, 0.13662880217315565],
+        ]);
+        let place = |p: [f64; 2]| Vec3::new(p[0], p[1], 0.0);
+        let corner = place(nodes[1][2]);
+        let (low, high) = (corner - Vec3::z(), corner + Vec3::z());
+        for middle in [false, true] {
+            let mut diagonal = [false; 9];
+            diagonal[4] = middle;
+            let tiles = tiles(&nodes, &diagonal, place);
+            let through = |from, to| -> f64 {
+                let gate = |tile| Gate {
+                    point: Vec3::zeros(),
+                    normal: Vec3::z(),
+                    outline: tile,
+                };
+                let each = tiles.iter().map(|tile| one(from, to, 1.0, gate(tile)));
+                each.sum()
+            };
+            assert_eq!([through(low, high), through(high, low)], [1.0, -1.0]);
+        }
     }
 
     proptest! {
@@ -231,16 +280,7 @@ mod tests {
             pick in 0usize..4,
             upwards in any::<bool>(),
         ) {
-            let mut nodes = [[[0.0; 2]; 4]; 4];
-            for (i, row) in nodes.iter_mut().enumerate() {
-                for (j, node) in row.iter_mut().enumerate() {
-                    *node = [i as f64, j as f64];
-                }
-            }
-            for (k, by) in shift.iter().enumerate() {
-                let node = &mut nodes[1 + k / 2][1 + k % 2];
-                *node = [node[0] + by[0], node[1] + by[1]];
-            }
+            let nodes = nodes(shift);
             let place = |p: [f64; 2]| Vec3::new(p[0], p[1], slope[0] * p[0] + slope[1] * p[1]);
             let normal = Vec3::new(-slope[0], -slope[1], 1.0).normalize();
             // A free path; one through an inner node; one through the middle of an edge; one above an edge from end to end.

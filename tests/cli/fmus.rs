@@ -166,6 +166,23 @@ fn the_demo_runs_anywhere_and_replaces_only_its_own_output() {
     assert_eq!(fs::read_dir(&mine).unwrap().count(), 1);
 }
 
+/// It said `NaN kg of NaN kg`, and that the page has no results instead of what the FMU said.
+#[test]
+fn a_demo_that_fails_at_its_start_says_why() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let demo = ["demo", "--stop", "0.01"];
+    done(folder, &demo);
+    let results = folder.join("demo-output/results");
+    fs::remove_dir_all(&results).unwrap();
+    fs::write(&results, "mine").unwrap();
+    let refused = said(folder, &demo);
+    assert_eq!(refused.code, Some(1), "{}", refused.error);
+    let expected = "found status Error, expected OK; the FMU says";
+    assert!(refused.error.contains(expected), "{}", refused.error);
+    assert!(!refused.out.contains("NaN"), "{}", refused.out);
+}
+
 /// The FMU's steps are the library's: the same bytes after each of them.
 fn same_bytes(scene: &Path, steps: u32) {
     let folder = tempfile::tempdir().unwrap();
