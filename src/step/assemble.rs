@@ -32,7 +32,7 @@ pub(super) struct Assembly<'a> {
     pub(super) pool: Pool,
     pub(super) problem: Problem,
     pub(super) candidates: Vec<Candidate>,
-    /// Those that joined as the solution closed them, with the gap at the end of the step.
+    /// Those that joined as the solution closed them, with the gap at the end of the step, ascending.
     pub(super) late: Vec<ContactId>,
     /// Of the candidates, whether they are impacts.
     pub(super) impact: Vec<bool>,
@@ -258,9 +258,9 @@ impl Assembly<'_> {
     /// Gap \[m\] of candidate `k` at the start of the step.
     pub(super) fn start_gap(&self, k: usize) -> f64 {
         let candidate = &self.candidates[k];
-        match self.late.contains(&candidate.key) {
-            true => self.start().gap(candidate),
-            false => candidate.gap,
+        match self.late.binary_search(&candidate.key) {
+            Ok(_) => self.start().gap(candidate),
+            Err(_) => candidate.gap,
         }
     }
 

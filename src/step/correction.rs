@@ -179,7 +179,8 @@ fn insert(
     }
     let at = assembly.candidates.partition_point(|c| c.key < found.key);
     assembly.candidates.insert(at, *found);
-    assembly.late.push(found.key);
+    let late = assembly.late.partition_point(|key| *key < found.key);
+    assembly.late.insert(late, found.key);
     assembly.problem.rows.insert(at, row);
     assembly.impact.insert(at, impact);
     assembly.past.insert(at, past);
