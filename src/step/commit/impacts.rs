@@ -235,22 +235,31 @@ faces = [{ plane = { point = [0.0, 0.0, 0.0], normal = [0.0, 0.0, 1.0] } }]
         let (mut assembly, _) = linear_problem(&mut prediction, state, &mut workspace);
         let count = assembly.problem.rows.len();
         assert_eq!((assembly.impact.len(), count), (5, 10));
-        let impulses = (1..=count).map(|k| Vec3::new(0.1, 1.0, k as f64)).collect();
+        let mut impulses: Vec<_> = (1..=count).map(|k| Vec3::new(0.1, 1.0, k as f64)).collect();
+        // One of the two an impact, the first sphere only holds against it.
+        (impulses[0], impulses[1]) = (Vec3::z() * 1e4, Vec3::z() * -1e4);
         let solution = Solution::of(&assembly, impulses);
         let (mut kept, mut anew) = (Balance::default(), Balance::default());
         kept.take(&assembly, &solution);
+        let mut most = 0;
         for (k, impact) in [(0, true), (3, true), (4, true), (3, false), (1, true)] {
             kept.change(&mut assembly, &solution, (k, impact));
             anew.take(&assembly, &solution);
+            let above = anew.limits.iter().filter(|limit| **limit > 0.0).count();
+            assert_eq!(kept.cancelling, above, "{k}");
+            let held = anew.held(&assembly, &solution);
+            assert_eq!(kept.held(&assembly, &solution), held, "{k}");
+            most = most.max(held.len());
             let sums = kept.sums.as_flattened().iter();
             for (kept, anew) in sums.zip(anew.sums.as_flattened()) {
                 let apart = kept.plus(anew, -1.0);
-                assert!(apart.dot(&apart) < 1e-24, "{k}: {kept:?}, {anew:?}");
+                assert!(apart.dot(&apart) < 1e-16, "{k}: {kept:?}, {anew:?}");
             }
             let limits = kept.limits.iter().zip(&anew.limits);
             for (kept, anew) in limits.filter(|(kept, anew)| kept != anew) {
                 assert!((kept - anew).abs() < 1e-9, "{k}: {kept}, {anew}");
             }
         }
+        assert!(most > 0);
     }
 }
