@@ -76,9 +76,15 @@ pub(crate) fn run(arguments: &Demo, interrupt: &Interrupt) -> Result<(), Failure
     };
     // An FMU that lacks what the summary tells ends here, at its first row.
     let told = |table: &Table| Told::of(|name| table.real(name));
-    let driven = drive(&System::of(&fmu), &options, interrupt, |table| {
-        told(table).map(drop)
-    });
+    let driven = drive(
+        &System::of(&fmu),
+        &options,
+        interrupt,
+        |table| match table.time.len() {
+            1 => told(table).map(drop),
+            _ => Ok(()),
+        },
+    );
     // Without a row nothing ran that could be told of or shown.
     if let Some(table) = &driven.table
         && let Some(&time) = table.time.last()

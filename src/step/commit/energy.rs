@@ -39,6 +39,15 @@ impl Lost {
             slip: (u - n * along).norm(),
         }
     }
+
+    /// Adds it to `work`, and takes it from the work on the spheres that is `known` \[J\].
+    #[inline]
+    fn book(&self, work: &mut EnergyLedger, known: &mut f64) {
+        work.friction += self.friction;
+        *known -= self.friction;
+        work.impact += self.impact;
+        *known -= self.impact;
+    }
 }
 
 /// Where the spheres and the boundaries end.
@@ -112,13 +121,9 @@ impl Solved<'_> {
         })
     }
 
-    /// Velocity of body `i` with which row `k` works: of an impact the mean, else that of the step.
-    fn working(&self, k: usize, i: usize) -> SpatialVector {
-        self.working_in(self.assembly.is_impact(k), i)
-    }
-
+    /// Velocity of body `i` with which a row works: of an `impact` the mean, else that of the step.
     #[inline]
-    fn working_in(&self, impact: bool, i: usize) -> SpatialVector {
+    fn working(&self, impact: bool, i: usize) -> SpatialVector {
         match impact {
             true => self.mean(i),
             false => self.solution.velocity[i],
@@ -146,11 +151,7 @@ impl Solved<'_> {
             let p = &self.solution.impulses[k];
             if k < plain && rows.general(k).is_none() && assembly.driven_side(k).is_none() {
                 if *p != Vec3::zeros() {
-                    let lost = self.lost_of_spheres(k, *p);
-                    work.friction += lost.friction;
-                    work.impact += lost.impact;
-                    known -= lost.friction;
-                    known -= lost.impact;
+                    self.lost_of_spheres(k, *p).book(&mut work, &mut known);
                 }
                 continue;
             }
@@ -179,15 +180,12 @@ impl Solved<'_> {
             let held = self.assembly.elastic(contact);
             // Necks and bonds have their attraction in their energy.
             if held.is_none_or(|held| held.neck().is_none() && held.bond().is_none()) {
-                let attracted = self.work_of_attraction(k, |i| self.working(k, i));
+                let attracted =
+                    self.work_of_attraction(k, |i| self.working(self.assembly.is_impact(k), i));
                 work.contacts += attracted;
                 known += attracted;
             }
-            let lost = self.lost(k);
-            work.friction += lost.friction;
-            known -= lost.friction;
-            work.impact += lost.impact;
-            known -= lost.impact;
+            self.lost(k).book(&mut work, &mut known);
             // Of a prescribed motion, and of a belt also where its boundary is driven.
             if let Some(row) = general {
                 let boundary = -p.dot(&row.prescribed_velocity);
@@ -196,7 +194,7 @@ impl Solved<'_> {
             }
             if let Some(driven) = self.assembly.driven_side(k) {
                 let [_, grip] = rows.get(k).jacobian();
-                known += p.dot(&grip.velocity(&self.working(k, driven)));
+                known += p.dot(&grip.velocity(&self.working(self.assembly.is_impact(k), driven)));
             }
         }
         work.numerical_work -= known;
@@ -213,7 +211,7 @@ impl Solved<'_> {
             return self.lost_of_spheres(k, p);
         }
         let impact = self.assembly.is_impact(k);
-        let working = |i| self.working_in(impact, i);
+        let working = |i| self.working(impact, i);
         let (mut u, n) = (rows.relative(k, working), rows.normal(k));
         // Friction works on the slip of the step's middle.
         if let Some(row) = general.filter(|row| row.is_contact() && row.is_rigid()) {
@@ -239,7 +237,7 @@ impl Solved<'_> {
     fn lost_of_spheres(&self, k: usize, p: Vec3) -> Lost {
         let (rows, impact) = (&self.assembly.problem.rows, self.assembly.impact[k]);
         let (u, n) = (
-            rows.relative(k, |i| self.working_in(impact, i)),
+            rows.relative(k, |i| self.working(impact, i)),
             rows.normal(k),
         );
         Lost::of(u, n, (p, p.dot(&n)), impact)
@@ -341,7 +339,7 @@ impl Solved<'_> {
             }
             let row = self.assembly.problem.rows.get(k);
             if let Some(joint) = joint {
-                let done = p.dot(&row.relative(|i| self.working(k, i)));
+                let done = p.dot(&row.relative(|i| self.working(self.assembly.is_impact(k), i)));
                 work.numerical_work -= done;
                 match joint.limit.stops() {
                     true => work.impact -= done,
@@ -349,7 +347,8 @@ impl Solved<'_> {
                 }
             } else if let Some(driven) = driven {
                 let [_, grip] = row.jacobian();
-                work.numerical_work += p.dot(&grip.velocity(&self.working(k, driven)));
+                work.numerical_work +=
+                    p.dot(&grip.velocity(&self.working(self.assembly.is_impact(k), driven)));
             }
         }
         let bodies = self
