@@ -187,22 +187,27 @@ impl NearBoundaries {
                 }
             }
             let (sphere, boundary) = (i as u32, b as u16);
-            let centre = now.seen_by(boundary, sphere);
+            let there = (now.seen_by(boundary, sphere), radius);
             let geometry = &now.boundaries[b].geometry;
             let first = self.facets.len();
-            let mut ball = geometry.facets_near(centre, radius + far, &mut self.facets);
-            let around = Vicinity::new(ball, &self.facets[first..]);
-            let gap = geometry.least_gap(&around, (centre, radius), far, closest_points);
-            if gap > skin {
-                let gap = gap.min(far);
+            let mut look = |distance: f64| {
                 self.facets.truncate(first);
-                known = known.min(gap);
+                let ball = geometry.facets_near(there.0, radius + distance, &mut self.facets);
+                let around = Vicinity::new(ball, &self.facets[first..]);
+                (
+                    ball,
+                    geometry.least_gap(&around, there, distance, closest_points),
+                )
+            };
+            let (ball, gap) = look(skin);
+            if gap > skin {
+                let gap = if far > skin { look(far).1 } else { gap };
+                self.facets.truncate(first);
+                known = known.min(gap.min(far).max(skin));
                 continue;
             }
             if geometry.has_facets() {
                 known = known.min(skin);
-                ball =
-                    geometry.facets_among(centre, radius + skin, (ball, first), &mut self.facets);
             }
             self.near.push(NearBoundary {
                 sphere,

@@ -12,18 +12,18 @@ use rstar::{AABB, Envelope, RTree};
 
 use super::closest_point::{ClosestPoint, keep_distinct};
 use super::error::GeometryError;
+use super::faces::Faces;
 use super::facets::Facets;
 use super::features::{Feature, Repair, Topology};
 use super::topology;
 use super::triangle::{on_segment, on_triangle};
 use super::vicinity::{Ball, Vicinity, cube};
 use crate::Vec3;
-use crate::sorting::counting_sort;
 
 /// Most facets that are looked through one by one; among more the tree is faster.
 const MOST_FACETS: usize = 128;
-/// Likewise for the facets of one face.
-const MOST_IN_FACE: usize = 8;
+/// Likewise of the facets of one face, those beside a point.
+const MOST_IN_FACE: usize = 32;
 
 /// A mesh ready for queries.
 #[derive(Debug, Clone)]
@@ -35,9 +35,7 @@ pub(super) struct Mesh {
     sheets: Vec<TriangleBounds>,
     /// How far features of a triangle lie from its plane at most \[m\].
     bulge: f64,
-    /// The triangles by face, those of one face in ascending order; where each face's end.
-    by_face: Vec<u32>,
-    ends: Vec<u32>,
+    faces: Faces,
 }
 
 /// Where a triangle may be: its bounding box, as in the tree, and the plane `normal . x = offset` of its face.
@@ -102,19 +100,15 @@ impl Mesh {
                 ends.flatten().map(|x| sheet.height(x))
             });
         let bulge = bulges.fold(0.0, f64::max);
-        let (mut ends, mut by_face) = (Vec::new(), Vec::new());
-        let face = |t: u32| topology.parts[t as usize][0];
-        let faces = topology.parts.iter().map(|parts| parts[0] as usize + 1);
-        let key = (|&t: &u32| face(t), faces.max().unwrap_or(0));
-        counting_sort(triangles, key, &mut ends, &mut by_face);
+        let face: Vec<u32> = topology.parts.iter().map(|parts| parts[0]).collect();
+        let bounds: Vec<_> = sheets.iter().map(|sheet| sheet.bounds).collect();
         Ok(Self {
             slack: (1e-3 * topology.tolerance).max(16.0 * f64::EPSILON * largest),
             tree: RTree::bulk_load(leaves.collect()),
             topology,
             sheets,
             bulge,
-            by_face,
-            ends,
+            faces: Faces::new(&face, &bounds),
         })
     }
 
@@ -183,31 +177,6 @@ impl Mesh {
             return Ball::default();
         }
         Ball::around(centre, range)
-    }
-
-    /// What [`Self::facets_near`] appends for a smaller `range`, in place of what it has appended from `first` on for `ball`.
-    pub(super) fn facets_among(
-        &self,
-        centre: Vec3,
-        range: f64,
-        (ball, first): (Ball, usize),
-        out: &mut Vec<u32>,
-    ) -> Ball {
-        let smaller = self.widened(range);
-        if !ball.contains(centre, smaller) {
-            out.truncate(first);
-            return self.facets_near(centre, range, out);
-        }
-        let mut kept = first;
-        for k in first..out.len() {
-            let t = out[k];
-            if !self.sheets[t as usize].is_beyond(centre, smaller, self.bulge) {
-                out[kept] = t;
-                kept += 1;
-            }
-        }
-        out.truncate(kept);
-        Ball::around(centre, smaller)
     }
 
     /// A range in which all facets lie that a place at most `range` \[m\] away may be on, and those around that place.
@@ -408,14 +377,14 @@ impl Mesh {
     }
 
     fn face_contains(&self, feature: u32, foot: Vec3) -> bool {
-        let around = (foot, self.topology.tolerance);
-        let cube = cube(foot, self.topology.tolerance);
+        let tolerance = self.topology.tolerance;
+        let cube = cube(foot, tolerance);
         let contains = |t: u32| self.closest_in(t, foot).0.is_some();
-        let facets = self.facets_of(feature);
+        let facets = self.faces.beside(feature, foot, tolerance);
         if facets.len() <= MOST_IN_FACE {
             return facets.iter().any(|&t| self.meets(t, &cube) && contains(t));
         }
-        self.near(around, None, |t| {
+        self.near((foot, tolerance), None, |t| {
             if self.topology.parts[t as usize][0] == feature && contains(t) {
                 ControlFlow::Break(())
             } else {
@@ -423,13 +392,6 @@ impl Mesh {
             }
         })
         .is_break()
-    }
-
-    /// The triangles of a face.
-    fn facets_of(&self, face: u32) -> &[u32] {
-        let face = face as usize;
-        let first = face.checked_sub(1).map_or(0, |before| self.ends[before]);
-        &self.by_face[first as usize..self.ends[face] as usize]
     }
 
     /// Whether the bounding box of triangle `t` meets `cube`.

@@ -11,6 +11,7 @@
 mod ball_fit;
 mod closest_point;
 mod error;
+mod faces;
 mod facets;
 mod features;
 mod mesh;
@@ -189,20 +190,6 @@ impl Geometry {
     /// Whether some of it is made of facets.
     pub(crate) fn has_facets(&self) -> bool {
         self.mesh.is_some()
-    }
-
-    /// What [`Self::facets_near`] appends for a smaller `range`, in place of what it has appended from `first` on for `ball`.
-    pub(crate) fn facets_among(
-        &self,
-        centre: Vec3,
-        range: f64,
-        (ball, first): (Ball, usize),
-        out: &mut Vec<u32>,
-    ) -> Ball {
-        match &self.mesh {
-            Some(mesh) => mesh.facets_among(centre, range, (ball, first), out),
-            None => Ball::default(),
-        }
     }
 
     fn touches_by(

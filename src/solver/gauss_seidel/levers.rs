@@ -66,11 +66,14 @@ impl Levers<f64> {
             levers.bounds.as_flattened_mut(),
             share,
         );
-        write(
-            self.masses.as_flattened(),
-            levers.masses.as_flattened_mut(),
-            share,
-        );
+        // Of most blocks nobody asks for them.
+        if self.directed {
+            write(
+                self.masses.as_flattened(),
+                levers.masses.as_flattened_mut(),
+                share,
+            );
+        }
         levers.directed = self.directed;
         levers.shared = self.shared.map(|(at, share)| (at, T::of(share)));
     }

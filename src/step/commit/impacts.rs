@@ -139,7 +139,9 @@ impl Balance {
         let of = |body: u32| self.limits.get(body as usize).copied().unwrap_or(0.0);
         let cancels = |k: &usize| {
             let [a, b] = rows.bodies(*k);
-            rows.radius(*k) < of(a).max(of(b)) && solution.loads(*k)
+            let limit = of(a).max(of(b));
+            // Of most contacts the bodies tell, without their rows.
+            limit > 0.0 && rows.radius(*k) < limit && solution.loads(*k)
         };
         (0..assembly.impact.len()).filter(cancels).collect()
     }
