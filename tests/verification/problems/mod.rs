@@ -39,6 +39,10 @@ const EXPECTED: [(&str, &str, &str); 6] = [
     ("hopper_12", "direct", HOVERS),
 ];
 
+/// Solved or not by how wide the registers of the processor are, as which direct factors round: Newton gets through with AVX-512
+/// and ends at 1.7 times the tolerance of the force with AVX2.
+const BY_REGISTERS: (&str, &str) = ("hopper_12", "newton");
+
 /// A problem with the impulses from which its step would have started.
 type Captured = (Problem, Impulses);
 
@@ -106,7 +110,9 @@ fn every_solver_on_every_problem() {
             assert_eq!(report.converged, within, "{name}, {solver}: {report:?}");
             assert!(solver != "auto" || within, "{name}: {found:?}");
             let expected = EXPECTED.iter().find(|e| (e.0, e.1) == (name, solver));
+            let either = (name, solver) == BY_REGISTERS;
             let verdict = match (within, expected) {
+                (false, None) if either => HOVERS,
                 (true, None) => "solved",
                 (false, Some((_, _, why))) => why,
                 (true, Some(_)) => "SOLVED, take it off the list",
@@ -118,7 +124,7 @@ fn every_solver_on_every_problem() {
                 report.sweeps, report.factorizations, found.gap, found.slip, found.force,
             )
             .expect("a text");
-            if within == expected.is_some() {
+            if within == expected.is_some() && !either {
                 failures.push(format!("{name}, {solver}: solved is {within}, {report:?}"));
             }
             // Direct factors round as the registers of the machine do; sweeps do not.
