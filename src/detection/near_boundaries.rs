@@ -199,14 +199,18 @@ impl NearBoundaries {
                     geometry.least_gap(&around, there, distance, closest_points),
                 )
             };
-            let (ball, gap) = look(skin);
+            // Few facets are within the skin; what has none is looked at once.
+            let has_facets = geometry.has_facets();
+            let nearest = if has_facets { skin } else { far };
+            let (ball, gap) = look(nearest);
             if gap > skin {
-                let gap = if far > skin { look(far).1 } else { gap };
+                let gap = if nearest < far { look(far).1 } else { gap };
                 self.facets.truncate(first);
+                // Bounds below the gaps of farther facets may be less than what is known already.
                 known = known.min(gap.min(far).max(skin));
                 continue;
             }
-            if geometry.has_facets() {
+            if has_facets {
                 known = known.min(skin);
             }
             self.near.push(NearBoundary {

@@ -90,7 +90,7 @@ impl Mesh {
             }
         });
         let sheets: Vec<_> = sheets.collect();
-        let leaves = sheets.iter().zip(triangles.clone());
+        let leaves = sheets.iter().zip(triangles);
         let leaves = leaves.map(|(sheet, t)| GeomWithData::new(Rectangle::from(sheet.bounds), t));
         let bulges = sheets
             .iter()

@@ -35,7 +35,7 @@ pub(super) struct Levers<T> {
     pub(super) turns: [Symmetric<T>; 2],
     /// Bounds of the contacts, and of their resistances, zeros where there is none.
     pub(super) bounds: [Bounds<T>; 2],
-    /// `M_A` and `M_B` \[1/kg\].
+    /// `M_A` and `M_B` \[1/kg\]; in sweeps where they are `directed` alone.
     pub(super) masses: [Symmetric<T>; 2],
     /// Whether some `M` is no number, so that the bodies' own inverse masses do not do.
     pub(super) directed: bool,
@@ -66,7 +66,6 @@ impl Levers<f64> {
             levers.bounds.as_flattened_mut(),
             share,
         );
-        // Of most blocks nobody asks for them.
         if self.directed {
             write(
                 self.masses.as_flattened(),

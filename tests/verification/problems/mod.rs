@@ -40,7 +40,7 @@ const EXPECTED: [(&str, &str, &str); 6] = [
 ];
 
 /// Solved or not by how wide the registers of the processor are, as which direct factors round: Newton gets through with AVX-512
-/// and ends at 1.7 times the tolerance of the force with AVX2.
+/// and ends at 1.7 times the tolerance of the force with AVX2. It may end at twice the tolerance at most.
 const BY_REGISTERS: (&str, &str) = ("hopper_12", "newton");
 
 /// A problem with the impulses from which its step would have started.
@@ -110,9 +110,10 @@ fn every_solver_on_every_problem() {
             assert_eq!(report.converged, within, "{name}, {solver}: {report:?}");
             assert!(solver != "auto" || within, "{name}: {found:?}");
             let expected = EXPECTED.iter().find(|e| (e.0, e.1) == (name, solver));
-            let either = (name, solver) == BY_REGISTERS;
+            let near = found.force <= 2.0 * params.tolerance.force;
+            let either = (name, solver) == BY_REGISTERS && near;
             let verdict = match (within, expected) {
-                (false, None) if either => HOVERS,
+                (false, None) if either => "by registers",
                 (true, None) => "solved",
                 (false, Some((_, _, why))) => why,
                 (true, Some(_)) => "SOLVED, take it off the list",
