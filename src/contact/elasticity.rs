@@ -159,7 +159,7 @@ mod tests {
             attraction: 7.0,
         };
         for spring in springs() {
-            let bonded = spring.with(None, Some(bond));
+            let bonded = spring.clone().held((None, false), Some(bond));
             for d in [-1e-4, -1e-6, 0.0, 2e-7, 1e-5] {
                 let beside = bonded.force(d) - spring.force(d.max(0.0));
                 assert!((beside - 7.0 - 2e4 * (d + 3e-6)).abs() < 1e-9);

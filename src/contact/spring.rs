@@ -9,17 +9,26 @@ use super::neck::Neck;
 const STEPS: usize = 60;
 
 /// The spring of one contact.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub(crate) struct ContactSpring {
     /// `k` \[N/m\] or `K` \[N/m^1.5\].
     pub(super) normal: f64,
     /// Shear stiffness \[N/m\], or over the root of the overlap.
     pub(super) shear: f64,
     pub(super) hertz: bool,
-    /// What it follows in place of Hertz's law while it adheres.
-    pub(super) neck: Option<Neck>,
+    /// What holds it, on the heap: most have nothing.
+    held: Option<Box<Held>>,
+}
+
+/// What holds the surfaces of a contact together.
+#[derive(Debug, Clone, PartialEq)]
+struct Held {
+    /// The curve that takes the place of Hertz's law while it adheres.
+    curve: Option<Neck>,
+    /// Whether it does.
+    adheres: bool,
     /// What acts beside it.
-    pub(super) bond: Option<BondSpring>,
+    bond: Option<BondSpring>,
 }
 
 /// The springs of a bond, which pull and press alike.
@@ -59,8 +68,7 @@ impl ContactSpring {
             normal,
             shear,
             hertz: false,
-            neck: None,
-            bond: None,
+            held: None,
         }
     }
 
@@ -71,29 +79,46 @@ impl ContactSpring {
             normal: 4.0 / 3.0 * young * root,
             shear: 8.0 * shear * root,
             hertz: true,
-            neck: None,
-            bond: None,
+            held: None,
         }
     }
 
-    /// This with a neck or a bond.
-    pub(crate) fn with(self, neck: Option<Neck>, bond: Option<BondSpring>) -> Self {
-        Self { neck, bond, ..self }
+    /// This with the curve that it follows once it adheres, whether it `adheres`, and its bond.
+    pub(crate) fn held(
+        self,
+        (curve, adheres): (Option<Neck>, bool),
+        bond: Option<BondSpring>,
+    ) -> Self {
+        let held = (curve.is_some() || bond.is_some()).then(|| Held {
+            curve,
+            adheres,
+            bond,
+        });
+        Self {
+            held: held.map(Box::new),
+            ..self
+        }
     }
 
-    /// Its neck.
+    /// The curve that it follows once it adheres.
+    pub(crate) fn curve(&self) -> Option<&Neck> {
+        self.held.as_ref()?.curve.as_ref()
+    }
+
+    /// Its neck: that curve, while it adheres.
     pub(crate) fn neck(&self) -> Option<&Neck> {
-        self.neck.as_ref()
+        self.curve()
+            .filter(|_| self.held.as_ref().is_some_and(|held| held.adheres))
     }
 
     /// Its bond.
     pub(crate) fn bond(&self) -> Option<&BondSpring> {
-        self.bond.as_ref()
+        self.held.as_ref()?.bond.as_ref()
     }
 
     /// Overlap \[m\] from which on it acts.
     pub(crate) fn least(&self) -> f64 {
-        match (&self.neck, &self.bond) {
+        match (self.neck(), self.bond()) {
             (_, Some(_)) => f64::NEG_INFINITY,
             (Some(neck), None) => neck.fold(),
             (None, None) => 0.0,
@@ -102,7 +127,7 @@ impl ContactSpring {
 
     /// Normal force \[N\] at an overlap \[m\] not before [`Self::least`].
     pub(crate) fn force(&self, overlap: f64) -> f64 {
-        match (&self.neck, &self.bond) {
+        match (self.neck(), self.bond()) {
             (_, Some(bond)) => {
                 self.own_force(overlap.max(0.0)) + bond.force(overlap) + bond.attraction
             }
@@ -113,7 +138,7 @@ impl ContactSpring {
 
     /// Its derivative by the overlap \[N/m\].
     pub(crate) fn slope(&self, overlap: f64) -> f64 {
-        match (&self.neck, &self.bond) {
+        match (self.neck(), self.bond()) {
             (_, Some(bond)) => match overlap > 0.0 {
                 true => self.own_slope(overlap) + bond.normal,
                 false => bond.normal,
@@ -125,7 +150,7 @@ impl ContactSpring {
 
     /// Overlap \[m\] at which the tangent at `overlap` has no force.
     pub(crate) fn intercept(&self, overlap: f64) -> f64 {
-        match (self.neck.is_some() || self.bond.is_some(), self.hertz) {
+        match (self.neck().is_some() || self.bond().is_some(), self.hertz) {
             (true, _) => overlap - self.force(overlap) / self.slope(overlap),
             (false, true) => overlap / 3.0,
             (false, false) => 0.0,
@@ -134,12 +159,12 @@ impl ContactSpring {
 
     /// Shear stiffness \[N/m\] at an overlap.
     pub(crate) fn shear(&self, overlap: f64) -> f64 {
-        self.own_shear(overlap) + self.bond.map_or(0.0, |bond| bond.shear)
+        self.own_shear(overlap) + self.bond().map_or(0.0, |bond| bond.shear)
     }
 
     /// Likewise without that of a bond.
     pub(crate) fn own_shear(&self, overlap: f64) -> f64 {
-        match self.bond.is_some() && overlap <= 0.0 {
+        match self.bond().is_some() && overlap <= 0.0 {
             true => 0.0,
             false => self.shear * self.root(overlap),
         }
@@ -147,7 +172,7 @@ impl ContactSpring {
 
     /// Energy \[J\] of the force that presses, by which [`Self::reach`] tells how far it will be pressed.
     pub(crate) fn energy(&self, overlap: f64) -> f64 {
-        match (&self.neck, &self.bond) {
+        match (self.neck(), self.bond()) {
             (_, Some(bond)) => self.own_energy(overlap.max(0.0)) + bond.energy(overlap),
             (Some(neck), None) => neck.pressed(overlap),
             (None, None) => self.own_energy(overlap),
@@ -162,7 +187,7 @@ impl ContactSpring {
 
     /// Overlap \[m\] at a normal force \[N\] >= 0.
     pub(crate) fn overlap(&self, force: f64) -> f64 {
-        match (&self.neck, &self.bond) {
+        match (self.neck(), self.bond()) {
             (_, Some(bond)) => self.overlap_beside(bond, force),
             (Some(neck), None) => neck.overlap(force),
             (None, None) => self.own_overlap(force),
@@ -171,12 +196,12 @@ impl ContactSpring {
 
     /// Overlap \[m\] at which an energy \[J\] is stored; with a bond, an upper bound.
     pub(crate) fn reach(&self, energy: f64) -> f64 {
-        let own = match (&self.neck, self.hertz) {
+        let own = match (self.neck(), self.hertz) {
             (Some(neck), _) => neck.reach(energy),
             (None, true) => libm::pow(2.5 * energy / self.normal, 0.4),
             (None, false) => (2.0 * energy / self.normal).sqrt(),
         };
-        match &self.bond {
+        match self.bond() {
             Some(bond) => own.min((2.0 * energy / bond.normal).sqrt() - bond.rest),
             None => own,
         }
@@ -185,11 +210,11 @@ impl ContactSpring {
     /// Coefficient \[N s/m\] of the damper along the normal of damping ratio `z` at an overlap, for the reduced mass `m` \[kg\].
     pub(crate) fn damping(&self, ratio: f64, mass: f64, overlap: f64) -> f64 {
         let share = if self.hertz { 1.25 } else { 1.0 };
-        let own = match self.bond.is_some() && overlap <= 0.0 {
+        let own = match self.bond().is_some() && overlap <= 0.0 {
             true => 0.0,
             false => share * self.normal * self.root(overlap),
         };
-        let bond = self.bond.map_or(0.0, |bond| bond.normal);
+        let bond = self.bond().map_or(0.0, |bond| bond.normal);
         2.0 * ratio * (mass * (own + bond)).sqrt()
     }
 
@@ -232,7 +257,7 @@ impl ContactSpring {
 
     /// Contact radius over the root of the reduced radius.
     fn root(&self, overlap: f64) -> f64 {
-        match &self.neck {
+        match self.neck() {
             Some(neck) => neck.root(overlap),
             None => self.own_root(overlap),
         }

@@ -12,7 +12,6 @@ use crate::contact::ContactId;
 use crate::contact::cohesion::{BondLoad, Cohesion, Hold};
 use crate::contact::forces::ContactForces;
 use crate::contact::history::Carried;
-use crate::contact::neck::Neck;
 use crate::contact::spring::ContactSpring;
 use crate::detection::configuration::{Candidate, Configuration};
 use crate::problem::Law;
@@ -56,19 +55,19 @@ impl Prediction<'_> {
         }
     }
 
-    /// `spring` of a contact of this reduced radius \[m\] with its neck or bond, and the curve that it follows once it adheres.
+    /// `spring` of a contact of this reduced radius \[m\] with what holds it.
     pub(super) fn held_spring(
         &self,
         key: ContactId,
         hold: Hold,
         (spring, reduced_radius): (ContactSpring, f64),
-    ) -> (ContactSpring, Option<Neck>) {
+    ) -> ContactSpring {
         let pair = self.pair(key);
         if pair.cohesion.is_none() && pair.bond.is_none() {
-            return (spring, None);
+            return spring;
         }
         let Some(elasticity) = self.scene.elasticity(key) else {
-            return (spring, None);
+            return spring;
         };
         let neck = |cohesion: Cohesion| cohesion.neck(&elasticity, reduced_radius);
         let curve = pair.cohesion.and_then(neck);
@@ -81,8 +80,7 @@ impl Prediction<'_> {
             let beam = (particles.smaller_radius(key), self.centres(key) + rest);
             bond.spring(&elasticity, beam, rest)
         });
-        let neck = curve.filter(|_| hold == Hold::Attached);
-        (spring.with(neck, bond), curve)
+        spring.held((curve, hold == Hold::Attached), bond)
     }
 
     /// Distance \[m\] of the centres of a contact that touches, or of the centre from a boundary.

@@ -19,6 +19,8 @@ pub struct Rows {
     compact: Vec<SphereContact>,
     /// Rows that are no plain contact of spheres, by [`SphereContact::general`].
     general: Vec<Row>,
+    /// Whether these are contacts all the same whose arms are radii of their bodies.
+    radial: Vec<bool>,
     /// Radius at which contacts touch each body \[m\]; zero as long as no contact has set it.
     radius: Vec<f64>,
 }
@@ -185,8 +187,13 @@ impl Rows {
         Some(&self.general[general])
     }
 
-    /// Whether all are rigid contacts of spheres on each other or on ground at rest.
+    /// Whether all are contacts whose arms are radii of their bodies.
     pub(crate) fn are_of_spheres(&self) -> bool {
+        self.radial.iter().all(|&radial| radial)
+    }
+
+    /// Whether all are rigid besides, and on each other or on ground at rest.
+    pub(crate) fn are_plain(&self) -> bool {
         self.general.is_empty()
     }
 
@@ -204,19 +211,11 @@ impl Rows {
         })
     }
 
-    /// Whether row `k` is a contact whose arms are radii of its bodies, be they known or not.
+    /// Whether row `k` is a contact whose arms are radii of its bodies.
     #[inline]
     pub(crate) fn is_of_spheres(&self, k: usize) -> bool {
-        let Some(row) = self.general(k) else {
-            return true;
-        };
-        let touches = |body: u32, arm: Vec3| {
-            let radius = self.radius.get(body as usize).copied().unwrap_or(0.0);
-            radial(arm, row.normal, radius)
-        };
-        row.is_contact()
-            && touches(row.a, -row.arm_a)
-            && (row.b == GROUND || touches(row.b, row.arm_b))
+        let general = self.compact[k].general();
+        general.is_none_or(|general| self.radial[general])
     }
 
     /// Compliance along the normal of row `k` \[m/(s N s)\].
@@ -276,14 +275,17 @@ impl Rows {
         self.bodies.clear();
         self.compact.clear();
         self.general.clear();
+        self.radial.clear();
         self.radius.clear();
         self.radius.extend_from_slice(radii);
     }
 
     /// Adds a row.
+    #[inline]
     pub fn push(&mut self, row: Row) {
-        let at = self.len();
-        self.insert(at, row);
+        let general = self.place(&row);
+        self.bodies.push([row.a, row.b]);
+        self.compact.push(SphereContact::of(&row, general));
     }
 
     /// Adds `count` rows to be written; then [`Self::settle`] is due.
@@ -327,6 +329,7 @@ impl Rows {
         self.bodies[k] = [row.a, row.b];
         let general = match self.compact[k].general() {
             Some(general) => {
+                self.radial[general] = row.is_contact() && self.touches_spheres(&row);
                 self.general[general] = row;
                 general + 1
             }
@@ -374,12 +377,14 @@ impl Rows {
     }
 
     /// One more than where `row` is kept whole; zero if it need not be.
+    #[inline]
     fn place(&mut self, row: &Row) -> usize {
         let spheres = row.is_contact() && self.touches_spheres(row);
         if spheres && row.is_rigid() && is_still(row) {
             return 0;
         }
         self.general.push(*row);
+        self.radial.push(spheres);
         self.general.len()
     }
 

@@ -105,7 +105,6 @@ impl Kernel {
         let (parts, spheres) = (self.layout.parts(), problem.inverse_mass.len());
         self.contents.rows.clear();
         self.contents.resistances.clear();
-        self.extras.clear();
         self.contents.split.clear();
         let mut filled = 0;
         self.turns.iter_mut().for_each(ArrayVec::clear);
@@ -115,7 +114,6 @@ impl Kernel {
             used: 0,
             blocks,
             rows: &mut self.contents.rows,
-            extras: &mut self.extras,
             held: &mut self.held,
             sharing: &self.sharing,
         };
@@ -140,7 +138,7 @@ impl Kernel {
                 first: bodies.start as u32,
                 still: (part(low).end - 1 - bodies.start) as u32,
             };
-            open.take(&problem.rows, rows, &self.place, range);
+            open.take(problem.rows.all_bodies(), rows, &self.place, range);
             let blocks = first..open.used;
             let first = self.contents.resistances.len();
             for block in blocks.clone() {
@@ -189,6 +187,33 @@ impl Kernel {
         self.contents.levers.truncate(filled);
         self.order = order;
     }
+
+    /// Lets contacts of `blocks` have moving ground and springs.
+    pub(super) fn add_extras<T: Real>(&mut self, rows: &Rows, blocks: &mut [Batch<T>]) {
+        self.extras.clear();
+        for (block, own) in blocks.iter_mut().zip(&self.contents.rows) {
+            block.extra = PLAIN;
+            if rows.are_plain() {
+                continue;
+            }
+            for (lane, &k) in own[..block.count as usize].iter().enumerate() {
+                let Some(row) = rows.general(k as usize) else {
+                    continue;
+                };
+                if block.extra == PLAIN {
+                    block.extra = self.extras.len() as u32;
+                    self.extras.push(Extra::default());
+                }
+                let extra = &mut self.extras[block.extra as usize];
+                let velocity = row.prescribed_velocity + row.across();
+                for (lanes, x) in extra.velocity.iter_mut().zip(&velocity) {
+                    lanes[lane] = *x;
+                }
+                extra.compliance[0][lane] = row.compliance_n;
+                extra.compliance[1][lane] = row.compliance_t;
+            }
+        }
+    }
 }
 
 /// Blocks that fill.
@@ -197,7 +222,6 @@ struct Open<'a, T> {
     used: usize,
     blocks: &'a mut Vec<Batch<T>>,
     rows: &'a mut Vec<Sixteen<u32>>,
-    extras: &'a mut Vec<Extra<f64>>,
     held: &'a mut [u16],
     sharing: &'a Sharing,
 }
@@ -213,12 +237,12 @@ struct Filling {
 impl<T: Real> Open<'_, T> {
     /// Blocks of rows `order`: a contact joins the first open block that does not have its bodies yet; when there is none the
     /// oldest is closed.
-    fn take(&mut self, rows: &Rows, order: &[u32], place: &[u32], range: Bodies) {
+    fn take(&mut self, who: &[[u32; 2]], order: &[u32], place: &[u32], range: Bodies) {
         let mut open: [Option<Filling>; OPEN] = [None; OPEN];
         let mut oldest = 0;
         for &k in order {
             let place = |body: u32| place.get(body as usize).map(|at| at - range.first);
-            let who = rows.bodies(k as usize);
+            let who = who[k as usize];
             let bodies = who.map(|body| place(body).unwrap_or(range.still));
             let held = bodies.map(|at| self.held[at as usize]);
             let mut at = (!(held[0] | held[1])).trailing_zeros() as usize;
@@ -246,9 +270,6 @@ impl<T: Real> Open<'_, T> {
             self.held[range.still as usize] = 0;
             let lane = self.blocks[block].join(bodies);
             self.rows[block][lane] = k;
-            if let Some(row) = rows.general(k as usize) {
-                self.add_extra(block, lane, row);
-            }
             if lane + 1 == LANES {
                 self.close(open[at].take(), at);
             }
@@ -267,7 +288,7 @@ impl<T: Real> Open<'_, T> {
         }
         self.rows.push(Sixteen::default());
         let block = &mut self.blocks[at];
-        (block.count, block.extra, block.levers) = (0, PLAIN, PLAIN);
+        (block.count, block.levers) = (0, PLAIN);
         block.bodies = [[range.still; LANES]; 2];
         at
     }
@@ -280,22 +301,6 @@ impl<T: Real> Open<'_, T> {
         for &body in self.blocks[block].bodies.as_flattened() {
             self.held[body as usize] &= !(1 << at);
         }
-    }
-
-    /// Lets a contact of a block have moving ground and springs.
-    fn add_extra(&mut self, block: usize, lane: usize, row: &Row) {
-        let extra = &mut self.blocks[block].extra;
-        if *extra == PLAIN {
-            *extra = self.extras.len() as u32;
-            self.extras.push(Extra::default());
-        }
-        let extra = &mut self.extras[*extra as usize];
-        let velocity = row.prescribed_velocity + row.across();
-        for (lanes, x) in extra.velocity.iter_mut().zip(&velocity) {
-            lanes[lane] = *x;
-        }
-        extra.compliance[0][lane] = row.compliance_n;
-        extra.compliance[1][lane] = row.compliance_t;
     }
 }
 

@@ -269,13 +269,12 @@ impl Solved<'_> {
             let before = speed(&|i| self.prediction().velocity(i));
             [before, speed(&|i| self.solution.velocity[i])]
         };
+        let along = || speeds().map(|u| u.dot(&rows.normal(k)));
         let pressed = self.pressing(k) != Vec3::zeros();
         let damped = match (elastic.neck(), elastic.bond()) {
             // It has been pulled down its curve before it parts, wherever the step ends.
             (Some(neck), _) if now != Hold::Attached => neck.parted(),
-            (Some(_), _) if pressed || !elastic.is_resolved() => {
-                elastic.damped(speeds().map(|u| u.dot(&rows.normal(k))))
-            }
+            (Some(_), _) if pressed || !elastic.is_resolved() => elastic.damped(along),
             // Its damper has all but what the attraction works.
             (Some(_), _) => {
                 let u = speed(&|i| self.solution.velocity[i]);
@@ -287,7 +286,7 @@ impl Solved<'_> {
                 (false, _) if now == Hold::Attached && elastic.fold().is_some() => 0.0,
                 (false, _) => normal,
                 (true, true) => 0.0,
-                (true, false) => elastic.damped(speeds().map(|u| u.dot(&rows.normal(k)))),
+                (true, false) => elastic.damped(along),
             },
         };
         let stored = assembly.past[k].stored(contacts);

@@ -180,7 +180,10 @@ impl Prediction<'_> {
             }
         };
         let impact = known_impact.unwrap_or_else(|| {
-            if elastic.is_some_and(|elastic| elastic.is_never_impact(candidate.gap)) {
+            if elastic
+                .as_ref()
+                .is_some_and(|elastic| elastic.is_never_impact(candidate.gap))
+            {
                 return false;
             }
             let freely = || n.dot(&(free[a].linear - contact.partner));
@@ -197,7 +200,7 @@ impl Prediction<'_> {
         let rebound = (impact && pair.restitution > 0.0).then_some(pair.restitution * approach);
         // The impact of a contact that the step does not resolve is rigid.
         let rigid = impact && self.scene.settings.integrator == Integrator::Moreau;
-        let acting = elastic.filter(|_| !rigid);
+        let acting = elastic.as_ref().filter(|_| !rigid);
         // As the motion before the step goes on, two spheres that touch part by more than their linear gap. A little
         // is no matter: what rests is not to follow its own noise.
         let parting = 0.5 * self.step * self.step * turning;
@@ -316,10 +319,6 @@ impl Prediction<'_> {
         let settings = &self.scene.settings;
         let elasticity = self.scene.elasticity(candidate.key)?;
         let spring = elasticity.spring(contact.reduced_radius);
-        let held = match LOOSE {
-            true => (spring, None),
-            false => self.held_spring(candidate.key, hold, (spring, contact.reduced_radius)),
-        };
         let [a, b] = self.scene.touching(candidate.key);
         let body = (contact.reduced_mass, self.scene.pairs.damping(a, b));
         // Where nothing acts, as much as an overlap that nobody sees.
@@ -327,7 +326,11 @@ impl Prediction<'_> {
         let load = least.max(contact.lightest * loading);
         let resolves = settings.integrator == Integrator::Moreau;
         let step = (self.step, resolves, load);
-        Some(ElasticContact::new(held, body, before, step))
+        let spring = match LOOSE {
+            true => spring,
+            false => self.held_spring(candidate.key, hold, (spring, contact.reduced_radius)),
+        };
+        Some(ElasticContact::new(spring, body, before, step))
     }
 
     /// Bias \[m/s\] and compliances of a contact: its spring's, or rigid with a gap that exceeds what it carries by `excess` \[m\],

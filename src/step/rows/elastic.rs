@@ -44,11 +44,9 @@ const LITTLE: f64 = 1e-3;
 const ACROSS: f64 = 2.0 / 7.0;
 
 /// A contact that gives way, in a step.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub(crate) struct ElasticContact {
     spring: ContactSpring,
-    /// The curve that it follows while it adheres.
-    curve: Option<Neck>,
     dt: f64,
     /// Overlap \[m\] at the start of the step, or where the row has its tangent.
     overlap: f64,
@@ -104,7 +102,7 @@ impl ElasticContact {
     /// Of a pair of the reduced mass `mass` \[kg\] and the given damping ratio; a normal force \[N\] of the size of `load` is to be
     /// expected. `resolves`: whether the integrator takes springs where they are.
     pub(super) fn new(
-        (spring, curve): (ContactSpring, Option<Neck>),
+        spring: ContactSpring,
         (mass, ratio): (f64, f64),
         before: &Before,
         (dt, resolves, load): (f64, bool, f64),
@@ -151,7 +149,6 @@ impl ElasticContact {
         }
         Self {
             spring,
-            curve,
             dt,
             overlap,
             shear,
@@ -180,7 +177,7 @@ impl ElasticContact {
     /// Energy \[J\] stored along the normal at a gap \[m\] where `hold` holds it.
     pub(crate) fn energy(&self, gap: f64, hold: Hold) -> f64 {
         let own = || self.spring.own_energy((-gap).max(0.0));
-        match (hold, &self.curve, self.spring.bond()) {
+        match (hold, self.spring.curve(), self.spring.bond()) {
             (Hold::Attached, Some(neck), _) => neck.stored(-gap),
             (Hold::Bonded { .. }, _, Some(bond)) => own() + bond.energy(-gap),
             _ => own(),
@@ -199,7 +196,7 @@ impl ElasticContact {
 
     /// Overlap \[m\] down to which it adheres.
     pub(crate) fn fold(&self) -> Option<f64> {
-        self.curve.as_ref().map(Neck::fold)
+        self.spring.curve().map(Neck::fold)
     }
 
     /// Attraction \[N\] of a neck at a gap \[m\]: its pull-off force, but for what `p_n` lacks of it in a step that does not resolve it.
@@ -288,9 +285,9 @@ impl ElasticContact {
     }
 
     /// Energy \[J\] that its dampers take in a step that begins and ends with these relative velocities along the normal \[m/s\].
-    pub(crate) fn damped(&self, [before, after]: [f64; 2]) -> f64 {
+    pub(crate) fn damped(&self, speeds: impl FnOnce() -> [f64; 2]) -> f64 {
         let taken = |resolved: &Resolved| {
-            let [early, late] = resolved.damping[0];
+            let ([early, late], [before, after]) = (resolved.damping[0], speeds());
             self.dt * (early * before + late * after) * after
         };
         self.resolved.as_ref().map_or(0.0, taken)

@@ -58,7 +58,7 @@ pub struct Kernel {
     pub(super) counts: Vec<u32>,
     /// For each body of the group that fills, by its place in it, the filling blocks that hold it, as bits.
     pub(super) held: Vec<u16>,
-    /// Bodies of the rows that were shared out last, `[C]`; empty where blocks have more than plain contacts, or not all rows.
+    /// Bodies of the rows that were shared out last, `[C]`; empty where blocks have more than contacts of spheres, or not all rows.
     shared_out: Vec<[u32; 2]>,
     pub(super) tolerance: Tolerance,
 }
@@ -123,8 +123,20 @@ impl Kernel {
         let single = tolerance.gap.min(tolerance.slip) >= length && tolerance.force >= force;
         let known = single == self.single && self.holds(problem);
         self.single = single;
-        if !known {
-            self.divide(problem);
+        match single {
+            true => {
+                let mut blocks = take(&mut self.quick.blocks);
+                self.make_blocks(problem, known, &mut blocks);
+                self.quick.blocks = blocks;
+                // Few problems need double precision: what the last such one left is not kept for the next.
+                (self.exact.blocks, self.exact.before) = (Vec::new(), Vec::new());
+                self.exact.resistances = Vec::new();
+            }
+            false => {
+                let mut blocks = take(&mut self.exact.blocks);
+                self.make_blocks(problem, known, &mut blocks);
+                self.exact.blocks = blocks;
+            }
         }
         let group = &self.group;
         self.others.take(problem, impulses, |k| group[k] == NONE);
@@ -150,7 +162,7 @@ impl Kernel {
         self.reload(problem);
     }
 
-    /// Whether the rows of `problem` are plain contacts of spheres, of the bodies that those in the blocks have.
+    /// Whether the rows of `problem` are contacts of spheres, of the bodies that those in the blocks have.
     fn holds(&self, problem: &Problem) -> bool {
         let (rows, spheres) = (&problem.rows, problem.inverse_mass.len());
         let parts = self.layout.parts();
@@ -162,8 +174,16 @@ impl Kernel {
             && self.radius[..spheres].iter().all(|radius| *radius > 0.0)
     }
 
+    /// Makes `blocks` those of `problem`; they are `known` to have its rows.
+    fn make_blocks<T: Real>(&mut self, problem: &Problem, known: bool, blocks: &mut Vec<Batch<T>>) {
+        if !known {
+            self.divide(problem, blocks);
+        }
+        self.add_extras(&problem.rows, blocks);
+    }
+
     /// Puts the bodies in their places, and the rows into blocks.
-    fn divide(&mut self, problem: &Problem) {
+    fn divide<T: Real>(&mut self, problem: &Problem, blocks: &mut Vec<Batch<T>>) {
         let spheres = problem.inverse_mass.len();
         let (layout, parts) = (&self.layout, self.layout.parts());
         refill(&mut self.held, problem.free.len() + parts, 0);
@@ -173,21 +193,7 @@ impl Kernel {
             (place + part) as u32
         }));
         self.sort(problem);
-        match self.single {
-            true => {
-                let mut blocks = take(&mut self.quick.blocks);
-                self.share_out(problem, &mut blocks);
-                self.quick.blocks = blocks;
-                // Few problems need double precision: what the last such one left is not kept for the next.
-                (self.exact.blocks, self.exact.before) = (Vec::new(), Vec::new());
-                self.exact.resistances = Vec::new();
-            }
-            false => {
-                let mut blocks = take(&mut self.exact.blocks);
-                self.share_out(problem, &mut blocks);
-                self.exact.blocks = blocks;
-            }
-        }
+        self.share_out(problem, blocks);
         self.shared_out.clear();
         if problem.rows.are_of_spheres() && self.order.len() == problem.rows.len() {
             self.shared_out.extend_from_slice(problem.rows.all_bodies());
