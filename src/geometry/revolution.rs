@@ -293,7 +293,8 @@ impl Revolution {
     ) -> bool {
         let opposite = Vec2::new(-centre.x, centre.y);
         let far = (on_piece(a, b, opposite).0 - opposite).norm();
-        closest.x > centre.x && far - radius <= reach.max(RING * radius)
+        // Of a piece square to the axis the two are the same but for rounding.
+        closest.x > centre.x + self.slack() && far - radius <= reach.max(RING * radius)
     }
 
     fn push_sectors(

@@ -119,6 +119,21 @@ proptest! {
         }
     }
 
+    /// Near its axis too, where the far side is as near: its foot is no nearer to the axis than the centre but by rounding.
+    #[test]
+    fn a_sphere_over_a_disc_touches_it_once(
+        turn in prop::array::uniform3(-3.0..3.0f64),
+        shift in prop::array::uniform3(-100.0..100.0f64),
+        (x, y) in (-0.3..0.3f64, -0.3..0.3f64),
+    ) {
+        let (rotation, shift) = (UnitQuaternion::from_scaled_axis(Vec3::from(turn)), Vec3::from(shift));
+        let disc = Revolution::disc(shift, rotation * Vec3::z(), 0.0, 0.7).unwrap();
+        let disc = Geometry::new(vec![disc.into()]).unwrap();
+        let touching = closest_points(&disc, rotation * v(x, y, 0.2) + shift, 0.3, 0.1);
+        prop_assert_eq!(touching.len(), 1);
+        prop_assert!((touching[0].gap + 0.1).abs() < 1e-10);
+    }
+
     #[test]
     fn turning_everything_changes_nothing(
         c in point(),
