@@ -4,7 +4,7 @@
 //! translational   sum m |v|^2 / 2           v, w: reported velocity at `time`
 //! rotational      sum I |w|^2 / 2           I = 2/5 m R^2
 //! gravity         - sum m g . c             zero at the origin of the scene
-//! centrifugal     - sum m |W x (c - p)|^2 / 2
+//! centrifugal     - sum m |W x (c - p)|^2 / 2 - W . J W / 2      the latter of clumps only
 //! springs         sum P_c |x - t|^2 / 2     x: constrained point, t: its target; k (q - q_0)^2 / 2 of a joint
 //! loads           - sum f . x               x: point of the load
 //! P               sum m v_h                 v_h, w_h: half-step velocity
@@ -149,7 +149,7 @@ impl Totals {
             }
             energy.rotational += 0.5 * inertia * velocity.angular.norm_squared();
             energy.gravity -= own * state.gravity.dot(&centre);
-            if let Some(frame) = frame {
+            if let Some(frame) = frame.filter(|_| single) {
                 energy.centrifugal += own * frame.potential(centre);
             }
             let velocity = state.velocities.half_step(i);
@@ -176,6 +176,11 @@ impl Totals {
             let [translational, rotational] = clump.shape.kinetic_energy(rotation, &reported);
             energy.translational += translational;
             energy.rotational += rotational;
+            if let Some(frame) = frame {
+                let inertia = clump.shape.inertia(rotation, |moment| moment);
+                energy.centrifugal += clump.shape.mass * frame.potential(centre);
+                energy.centrifugal += frame.potential_of_turning(&inertia);
+            }
             let half = clump.shape.momentum(rotation, &half);
             momentum.angular += centre.cross(&half.linear) + half.angular;
         }

@@ -212,15 +212,10 @@ fn fit(
     Some((fitted, solid))
 }
 
-/// Refuses what has no meaning with clumps, or is not there yet. Returns whether they fit into the cell.
+/// Refuses clumps that meet their copies in a periodic cell. Returns whether they fit into it.
 pub(super) fn judge(document: &mut Document<'_>, scene: &Scene) -> bool {
     if scene.clumps.is_empty() {
         return true;
-    }
-    if scene.settings.rotating_frame.is_some() {
-        let message = "found a rotating frame in a scene with clumps, on which its inertial forces do not act";
-        let help = "give the scene as seen from the world, with boundaries that turn";
-        document.error("simulation.rotating_frame", message, help);
     }
     let reaches = scene.clumps.iter().map(|clump| clump.shape.reach());
     let largest = 2.0 * reaches.fold(0.0, f64::max);

@@ -97,7 +97,7 @@ pub(super) fn judge(
     for (boundary, element) in scene.boundaries.iter().zip(elements) {
         if scene.settings.rotating_frame.is_some() && matches!(boundary.motion, Motion::Driven(_)) {
             let message = format!(
-                "boundary `{}` is moved by force in a rotating frame, whose inertial forces act on spheres only",
+                "boundary `{}` is moved by force in a rotating frame, whose inertial forces act on grains only",
                 boundary.name
             );
             let help = "give the scene as seen from the world, or prescribe the motion";

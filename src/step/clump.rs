@@ -11,6 +11,7 @@ use crate::integrator::Integrator;
 use crate::scene::Scene;
 use crate::scene::clump::Clump;
 use crate::scene::particles::Kinematics;
+use crate::scene::rotating_frame::gyroscopic;
 use crate::spatial::{SpatialOperator, SpatialVector, turned};
 use crate::state::State;
 
@@ -28,9 +29,9 @@ pub(super) struct ClumpPrediction<'a> {
     pub(super) free: SpatialVector,
     /// `W`.
     pub(super) mobility: SpatialOperator,
-    /// Gravity \[N\].
-    pub(super) weight: Vec3,
-    /// Force \[N\] and torque about the centre \[N m\] of gravity and loads.
+    /// Force \[N\] and torque about the centre \[N m\] of gravity and of the frame.
+    pub(super) field: SpatialVector,
+    /// Likewise with those of loads.
     pub(super) external: SpatialVector,
     /// Acceleration by `external`, and of its spin also by its rotation.
     pub(super) acceleration: SpatialVector,
@@ -40,16 +41,26 @@ pub(super) struct ClumpPrediction<'a> {
     pub(super) mass: SpatialOperator,
 }
 
+/// What acts on clumps beside the scene's loads.
+#[derive(Clone, Copy)]
+pub(super) struct Acting<'a> {
+    /// Gravity \[m/s^2\].
+    pub(super) gravity: Vec3,
+    /// Forces applied to spheres \[N\], `[N]` or none.
+    pub(super) applied: &'a [Vec3],
+    /// The state before a step that is to be made; `None` for the forces of the moment.
+    pub(super) before: Option<&'a State>,
+}
+
 impl<'a> ClumpPrediction<'a> {
-    /// All clumps of a step of `dt` \[s\] from `kinematics`, whose velocities match it, `[C]`; where there are `loads`, under gravity
-    /// \[m/s^2\], the scene's loads and the forces applied to spheres \[N\].
+    /// All clumps of a step of `dt` \[s\] from `kinematics`, whose velocities match it, `[C]`; free of any load where nothing is `acting`.
     pub(super) fn all(
         scene: &'a Scene,
         kinematics: &Kinematics,
-        loads: Option<(Vec3, &[Vec3])>,
+        acting: Option<Acting>,
         dt: f64,
     ) -> Vec<Self> {
-        let of = |clump| Self::of(scene, clump, kinematics, loads, dt);
+        let of = |clump| Self::of(scene, clump, kinematics, acting, dt);
         scene.clumps.iter().map(of).collect()
     }
 
@@ -57,26 +68,25 @@ impl<'a> ClumpPrediction<'a> {
         scene: &Scene,
         clump: &'a Clump,
         kinematics: &Kinematics,
-        loads: Option<(Vec3, &[Vec3])>,
+        acting: Option<Acting>,
         dt: f64,
     ) -> Self {
         let (integrator, shape) = (scene.settings.integrator, &clump.shape);
         let (centre, rotation) = clump.place(kinematics);
         let first = clump.members.start;
         let velocity = clump.of_member(rotation, &kinematics.spatial_velocity(first));
-        let mut external = SpatialVector::ZERO;
-        let mut weight = Vec3::zeros();
-        if let Some((gravity, applied)) = loads.filter(|_| kinematics.present[first]) {
-            weight = gravity * shape.mass;
-            external.linear = weight;
+        let [mut external, mut field] = [SpatialVector::ZERO; 2];
+        if let Some(acting) = acting.filter(|_| kinematics.present[first]) {
             let point_loads = scene
                 .loads
                 .iter()
                 .map(|load| (load.sphere, load.arm, load.force));
-            let applied = clump
-                .members
-                .clone()
-                .zip(applied.get(clump.members.clone()).unwrap_or_default());
+            let applied = clump.members.clone().zip(
+                acting
+                    .applied
+                    .get(clump.members.clone())
+                    .unwrap_or_default(),
+            );
             let applied = applied.map(|(i, force)| (i, Vec3::zeros(), *force));
             let own = |(i, _, _): &(usize, Vec3, Vec3)| clump.members.contains(i);
             for (i, own, force) in point_loads.filter(own).chain(applied) {
@@ -84,6 +94,12 @@ impl<'a> ClumpPrediction<'a> {
                 external.linear += force;
                 external.angular += arm.cross(&force);
             }
+            field.linear = acting.gravity * shape.mass;
+            let motion = (centre, rotation, velocity);
+            let others = field.plus(&external, 1.0);
+            let inertial = clump.inertial(scene, motion, others, (acting.before, dt));
+            field = field.plus(&inertial, 1.0);
+            external = external.plus(&field, 1.0);
         }
         let operator = |rotation, f: fn(f64) -> f64| SpatialOperator {
             linear: Matrix3::identity() * f(shape.mass),
@@ -113,7 +129,7 @@ impl<'a> ClumpPrediction<'a> {
                 angular: inverse.angular * integrator.mobility(),
             },
             acceleration: shape.response(rotation, &external.plus(&gyroscopic, 1.0)),
-            weight,
+            field,
             external,
             momentum,
             mass: operator(middle, |inertia| inertia),
@@ -152,17 +168,66 @@ impl<'a> ClumpPrediction<'a> {
     }
 }
 
+impl Clump {
+    /// Force \[N\] and torque about the centre \[N m\] of the scene's rotating frame on a clump at this centre \[m\] and rotation, with
+    /// this velocity, on which `others` act besides contacts: in the step of `dt` \[s\] after the state `before`, as for
+    /// [spheres](super::external), or at the moment.
+    fn inertial(
+        &self,
+        scene: &Scene,
+        (centre, rotation, velocity): (Vec3, UnitQuaternion<f64>, SpatialVector),
+        others: SpatialVector,
+        (before, dt): (Option<&State>, f64),
+    ) -> SpatialVector {
+        let Some(frame) = scene.settings.rotating_frame else {
+            return SpatialVector::ZERO;
+        };
+        let (shape, first) = (&self.shape, self.members.start);
+        let contacts = before.map_or(SpatialVector::ZERO, |state| {
+            let contacts = state.smooth[first].plus(&state.external[first], -1.0);
+            shape.momentum(rotation, &self.of_member(rotation, &contacts))
+        });
+        let (dt, ahead) = match (before, scene.settings.integrator) {
+            (None, _) => (0.0, 0.0),
+            (Some(_), Integrator::Moreau) => (dt, 0.0),
+            (Some(_), Integrator::Shi) => (dt, 0.5 * dt),
+        };
+        let inertia = shape.inertia(turned(&rotation, &velocity.angular, ahead), |moment| moment);
+        let centrifugal = SpatialVector {
+            linear: frame.centrifugal(centre + velocity.linear * ahead) * shape.mass,
+            angular: frame.centrifugal_torque(&inertia),
+        };
+        let others = others.plus(&contacts, 1.0).plus(&centrifugal, 1.0);
+        let rate = frame.angular_velocity * 2.0;
+        let pull = others.linear / shape.mass;
+        let gyroscopic = SpatialVector {
+            linear: gyroscopic(rate, velocity.linear, pull, Vec3::repeat(1.0), dt) * shape.mass,
+            angular: frame.gyroscopic_torque(
+                &inertia,
+                shape.momentum(rotation, &velocity).angular,
+                others.angular,
+                dt,
+            ),
+        };
+        centrifugal.plus(&gyroscopic, 1.0)
+    }
+}
+
 /// Puts clump `c`, which touches nothing, into motion with the velocity that it has at `state.time`, as
 /// [`release`](super::external::release) does a sphere.
 pub(crate) fn release_clump(scene: &Scene, state: &mut State, c: usize) {
     let clump = &scene.clumps[c];
-    let loads = Some((
-        state.gravity_at(scene, state.time),
-        &state.applied_forces[..],
-    ));
-    let alone = ClumpPrediction::of(scene, clump, &state.kinematics, loads, scene.settings.step);
+    let acting = Some(Acting {
+        gravity: state.gravity_at(scene, state.time),
+        applied: &state.applied_forces,
+        before: None,
+    });
+    let alone = ClumpPrediction::of(scene, clump, &state.kinematics, acting, scene.settings.step);
     let own = clump.shape.response(alone.rotation, &alone.external);
     clump.share(alone.rotation, &own, &mut state.smooth);
+    if !state.external.is_empty() {
+        clump.share(alone.rotation, &own, &mut state.external);
+    }
     if scene.settings.integrator == Integrator::Moreau {
         let before = alone.velocity.plus(&own, -0.5 * state.last_step);
         clump.put(

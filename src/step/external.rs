@@ -80,6 +80,14 @@ pub(super) fn keep(
     if scene.settings.rotating_frame.is_some() {
         state.external.clear();
         state.external.extend_from_slice(external);
+        for ClumpPrediction {
+            clump, external, ..
+        } in clumps
+        {
+            let (_, rotation) = clump.place(&state.kinematics);
+            let own = clump.shape.response(rotation, external);
+            clump.share(rotation, &own, &mut state.external);
+        }
     }
     let forces = external.iter().zip(&scene.particles.mass).enumerate();
     let single = forces.filter(|(i, _)| scene.particles.clump(*i).is_none());

@@ -119,7 +119,8 @@ impl Solved<'_> {
             };
             let new = kinetic(rotation, &after, &smooth[first]);
             let old = kinetic(clump.rotation, &clump.velocity, &state.smooth[first]);
-            state.work.numerical_work += new - old - step * clump.weight.dot(&v1.linear);
+            let power = clump.field.linear.dot(&v1.linear) + clump.field.angular.dot(&v1.angular);
+            state.work.numerical_work += new - old - step * power;
             let place = (centre, rotation);
             clump.clump.put(place, &after, &mut state.kinematics);
         }

@@ -2,7 +2,7 @@
 
 use super::StepInput;
 use super::boundary_motion::BoundaryMotion;
-use super::clump::ClumpPrediction;
+use super::clump::{Acting, ClumpPrediction};
 use super::driven::BodyPrediction;
 use super::external::{self, mean_acceleration};
 use super::sphere_motion::SphereMotion;
@@ -122,7 +122,11 @@ pub(super) fn predict<'a>(
         clumps: ClumpPrediction::all(
             scene,
             &kinematics,
-            Some((gravity, &state.applied_forces)),
+            Some(Acting {
+                gravity,
+                applied: &state.applied_forces,
+                before: Some(state),
+            }),
             dt,
         ),
         kinematics,
@@ -184,7 +188,11 @@ impl<'a> Prediction<'a> {
             clumps: ClumpPrediction::all(
                 scene,
                 &state.kinematics,
-                Some((gravity, &state.applied_forces)),
+                Some(Acting {
+                    gravity,
+                    applied: &state.applied_forces,
+                    before: None,
+                }),
                 dt,
             ),
             kinematics: state.kinematics.clone(),

@@ -99,18 +99,6 @@ fn each_bad_clump_is_refused_with_place_and_reason() {
             "{path}: {error}"
         );
     }
-    let turning = scene("", "", "").replacen(
-        "step = 1e-3",
-        "step = 1e-3\nrotating_frame = { axis = [0, 0, 1], speed = 1.0, point = [0, 0, 0] }",
-        1,
-    );
-    let error = load(&turning, folder.path())
-        .expect_err("a frame that turns")
-        .plain();
-    assert!(
-        error.contains("rotating frame in a scene with clumps"),
-        "{error}"
-    );
 }
 
 /// Symptom: radii of a CSV had no effect on clumps. As `radius` of their group they are those of spheres of the same volume.
