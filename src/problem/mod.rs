@@ -118,14 +118,11 @@ impl Problem {
     pub fn delassus(&self, row: &Row) -> (f64, f64) {
         match self.sphere_delassus(row) {
             Some(closed) => closed,
-            None => self.split_delassus(row, [1.0; 2]),
+            None => {
+                let [of_a, of_b] = self.mobilities(row);
+                bounding_scale(&(of_a + of_b), row.normal)
+            }
         }
-    }
-
-    /// [`Self::delassus`] where the row has one part in so many of the mass of A and of B.
-    pub(crate) fn split_delassus(&self, row: &Row, parts: [f64; 2]) -> (f64, f64) {
-        let [of_a, of_b] = self.mobilities(row);
-        bounding_scale(&(of_a * parts[0] + of_b * parts[1]), row.normal)
     }
 
     /// [`Self::delassus`] of a contact whose bodies have the same mobility in all directions and arms along the normal:
@@ -150,13 +147,35 @@ impl Problem {
     }
 
     /// `d(velocity) / d(impulse)` of bodies A and B as a row holds them, 3x3 each \[1/kg\].
-    pub(crate) fn mobilities(&self, row: &Row) -> [Matrix3<f64>; 2] {
+    fn mobilities(&self, row: &Row) -> [Matrix3<f64>; 2] {
         let [grip_a, grip_b] = row.jacobian();
         let of_b = match row.b {
             GROUND => Matrix3::zeros(),
             b => self.compliance(b, grip_b),
         };
         [self.compliance(row.a, grip_a), of_b]
+    }
+
+    /// The traces of [`Self::mobilities`].
+    pub(crate) fn mobility_traces(&self, row: &Row) -> [f64; 2] {
+        // `tr(-[r] W [r]) = r^2 tr(W) - r . W r`.
+        let of_turning = |w: &Matrix3<f64>, grip: JacobianBlock| match grip {
+            JacobianBlock::Point(r) => r.norm_squared() * w.trace() - r.dot(&(w * r)),
+            JacobianBlock::Couple(lever) => w.trace() * (lever * lever),
+        };
+        let one = |body: u32, grip: JacobianBlock| {
+            let i = body as usize;
+            match self.inverse_mass.get(i) {
+                _ if body == GROUND => 0.0,
+                Some(w) => w.linear.sum() + of_turning(&Matrix3::from_diagonal(&w.angular), grip),
+                None => {
+                    let w = &self.operators[i - self.inverse_mass.len()];
+                    w.linear.trace() + of_turning(&w.angular, grip)
+                }
+            }
+        };
+        let [grip_a, grip_b] = row.jacobian();
+        [one(row.a, grip_a), one(row.b, grip_b)]
     }
 
     /// `d(velocity) / d(impulse)` of one body as a row holds it, 3x3 \[1/kg\].
@@ -168,6 +187,65 @@ impl Problem {
                 w.linear - cross * w.angular * cross
             }
             JacobianBlock::Couple(lever) => w.angular * (lever * lever),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Of a contact of a sphere with a body behind the spheres, and of a couple between them.
+    #[test]
+    fn traces_are_those_of_the_matrices() {
+        let turned = |moments: [f64; 3]| {
+            let axes = nalgebra::Rotation3::from_scaled_axis(Vec3::new(0.4, -1.1, 0.7));
+            axes * Matrix3::from_diagonal(&Vec3::from(moments)) * axes.inverse()
+        };
+        let problem = Problem {
+            step: 1e-3,
+            inverse_mass: vec![SpatialVector {
+                linear: Vec3::new(1.0, 0.0, 2.0),
+                angular: Vec3::new(3.0, 5.0, 0.0),
+            }],
+            operators: vec![SpatialOperator {
+                linear: turned([0.3, 0.5, 0.2]),
+                angular: turned([2.0, 7.0, 4.0]),
+            }],
+            ..Problem::default()
+        };
+        let contact = Row {
+            a: 0,
+            b: 1,
+            normal: Vec3::z(),
+            arm_a: Vec3::new(0.1, -0.2, 0.3),
+            arm_b: Vec3::new(-0.5, 0.4, 0.9),
+            prescribed_velocity: Vec3::zeros(),
+            bias: Vec3::zeros(),
+            compliance_n: 0.0,
+            compliance_t: 0.0,
+            law: Law::Contact { mu: 0.3 },
+            radius: 0.1,
+            impulse_scale: 1.0,
+        };
+        let couple = Row {
+            law: Law::Resistance {
+                contact: 0,
+                rolling: 0.1,
+                twisting: 0.1,
+            },
+            ..contact
+        };
+        let grounded = Row {
+            b: GROUND,
+            ..contact
+        };
+        for row in [contact, couple, grounded] {
+            let traces = problem.mobility_traces(&row);
+            let matrices = problem.mobilities(&row).map(|matrix| matrix.trace());
+            for (found, expected) in traces.into_iter().zip(matrices) {
+                assert!((found - expected).abs() < 1e-14 * expected.max(1.0));
+            }
         }
     }
 }

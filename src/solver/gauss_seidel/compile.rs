@@ -164,10 +164,10 @@ impl Kernel {
                         None => self.contents.levers.push(Levers::default()),
                     }
                     let levers = &mut self.contents.levers[at];
-                    levers.fill(problem, rows, resistance, length, registers);
+                    let directions = levers.fill(problem, rows, resistance, length, registers);
                     let shared = self.sharing.shared(problem, block, rows);
                     levers.shared = shared.map(|at| (at, 1.0));
-                    if let Some(split) = levers.split(problem, block, rows, resistance) {
+                    if let Some(split) = levers.split(block, &directions, registers) {
                         self.contents.split.push((at, split));
                     }
                 }

@@ -16,9 +16,18 @@ fn set(elements: &mut Symmetric<f64>, lane: usize, matrix: &Matrix3<f64>) {
     }
 }
 
+/// What the bounds of contacts depend on beside their levers.
+#[derive(Default)]
+pub(super) struct Directions {
+    normal: Vector<f64>,
+    /// Whether some have resistances, and squares of the levers of their couples over the lengths of bodies A and B.
+    resisted: bool,
+    couple: [Sixteen<f64>; 2],
+}
+
 impl Levers<f64> {
     /// Makes empty ones those of the contacts that are `rows` of `problem`, where `resistance` gives the row of each
-    /// one's; spins of bodies are scaled by `length` \[m\].
+    /// one's; spins of bodies are scaled by `length` \[m\]. Returns what their bounds also depend on.
     pub(super) fn fill(
         &mut self,
         problem: &Problem,
@@ -26,16 +35,11 @@ impl Levers<f64> {
         resistance: impl Fn(u32) -> Option<Row>,
         length: impl Fn(usize) -> f64,
         registers: Registers,
-    ) {
-        let mut contacts = Operators {
-            levers: self,
-            normal: Vector::default(),
-            resisted: false,
-            couple: Default::default(),
-        };
+    ) -> Directions {
+        let mut directions = Directions::default();
         for (lane, &k) in rows.iter().enumerate() {
             let row = problem.rows.get(k as usize);
-            for (lanes, x) in contacts.normal.iter_mut().zip(&row.normal) {
+            for (lanes, x) in directions.normal.iter_mut().zip(&row.normal) {
                 lanes[lane] = *x;
             }
             let couple = resistance(k).map(|row| row.radius);
@@ -44,29 +48,34 @@ impl Levers<f64> {
                     continue;
                 }
                 let (operator, length) = (problem.operator(*body), length(*body as usize));
-                for (lanes, x) in contacts.levers.arms[side].iter_mut().zip(arm) {
+                for (lanes, x) in self.arms[side].iter_mut().zip(arm) {
                     lanes[lane] = x / length;
                 }
                 let turn = operator.angular * (length * length);
-                set(&mut contacts.levers.turns[side], lane, &turn);
-                set(&mut contacts.levers.masses[side], lane, &operator.linear);
-                contacts.levers.directed |= alike(&operator.linear).is_none();
+                set(&mut self.turns[side], lane, &turn);
+                set(&mut self.masses[side], lane, &operator.linear);
+                self.directed |= alike(&operator.linear).is_none();
                 if let Some(lever) = couple {
-                    contacts.resisted = true;
-                    contacts.couple[side][lane] = (lever / length).powi(2);
+                    directions.resisted = true;
+                    directions.couple[side][lane] = (lever / length).powi(2);
                 }
             }
         }
-        f64::with(registers, contacts);
+        self.find_bounds(&directions, registers);
+        directions
     }
 
-    /// With parts in place of a body that contacts of `block` share, if there is one; else as for [`Self::fill`].
+    fn find_bounds(&mut self, directions: &Directions, registers: Registers) {
+        let levers = self;
+        f64::with(registers, Operators { levers, directions });
+    }
+
+    /// With parts in place of a body that contacts of `block` share, if there is one; `directions` are those of [`Self::fill`].
     pub(super) fn split(
         &self,
-        problem: &Problem,
         block: &Batch<impl Real>,
-        rows: &[u32],
-        resistance: impl Fn(u32) -> Option<Row>,
+        directions: &Directions,
+        registers: Registers,
     ) -> Option<Self> {
         let (at, _) = self.shared?;
         let count = block.holding(at).count() as f64;
@@ -79,18 +88,8 @@ impl Levers<f64> {
             for elements in [&mut split.turns[side], &mut split.masses[side]] {
                 elements.iter_mut().for_each(|lanes| lanes[lane] *= count);
             }
-            let mut parts = [1.0; 2];
-            parts[side] = count;
-            let own = [
-                Some(problem.rows.get(rows[lane] as usize)),
-                resistance(rows[lane]),
-            ];
-            for (bounds, row) in split.bounds.iter_mut().zip(own) {
-                if let Some(row) = row {
-                    (bounds[0][lane], bounds[1][lane]) = problem.split_delassus(&row, parts);
-                }
-            }
         }
+        split.find_bounds(directions, registers);
         Some(split)
     }
 }
@@ -98,10 +97,7 @@ impl Levers<f64> {
 /// Contacts whose [`Levers::bounds`] are to be found from all else of their levers.
 struct Operators<'a> {
     levers: &'a mut Levers<f64>,
-    normal: Vector<f64>,
-    /// Whether some have resistances, and squares of the levers of their couples over the lengths of bodies A and B.
-    resisted: bool,
-    couple: [Sixteen<f64>; 2],
+    directions: &'a Directions,
 }
 
 impl Task for Operators<'_> {
@@ -110,13 +106,13 @@ impl Task for Operators<'_> {
 
     #[inline(always)]
     fn with<L: Lanes<f64>>(self, l: L) {
-        let (levers, zero) = (self.levers, l.splat(0.0));
+        let (levers, directions, zero) = (self.levers, self.directions, l.splat(0.0));
         let mut constants = [zero; CONSTANTS.len()];
         for (own, constant) in constants.iter_mut().zip(CONSTANTS) {
             *own = l.splat(constant);
         }
         for pass in 0..L::PASSES {
-            let n = vector(l, &self.normal, pass);
+            let n = vector(l, &directions.normal, pass);
             let mut operator = [zero; 6];
             for side in 0..2 {
                 // Of a unit impulse along each axis: the couple at the body, and the turn that it makes.
@@ -138,10 +134,10 @@ impl Task for Operators<'_> {
             let found = bounds(operator, n, constants);
             l.store(found.0, &mut levers.bounds[0][0], pass);
             l.store(found.1, &mut levers.bounds[0][1], pass);
-            if self.resisted {
+            if directions.resisted {
                 let mut operator = [zero; 6];
                 for side in 0..2 {
-                    let share = l.load(&self.couple[side], pass);
+                    let share = l.load(&directions.couple[side], pass);
                     for (own, turn) in operator.iter_mut().zip(&levers.turns[side]) {
                         *own = own.plus(l.load(turn, pass), share);
                     }

@@ -54,8 +54,8 @@ impl Sharing {
                 if let Some(own) = self.of(body)
                     && own.contacts > LANES
                 {
-                    let mobilities = problem.mobilities(&problem.rows.get(k as usize));
-                    let [mobility, other] = [side, 1 - side].map(|side| mobilities[side].trace());
+                    let traces = problem.mobility_traces(&problem.rows.get(k as usize));
+                    let [mobility, other] = [side, 1 - side].map(|side| traces[side]);
                     own.ratio = own.ratio.min(other / mobility);
                 }
             }
