@@ -159,18 +159,18 @@ impl Problem {
     /// The traces of [`Self::mobilities`].
     pub(crate) fn mobility_traces(&self, row: &Row) -> [f64; 2] {
         // `tr(-[r] W [r]) = r^2 tr(W) - r . W r`.
-        let of_turning = |w: &Matrix3<f64>, grip: JacobianBlock| match grip {
-            JacobianBlock::Point(r) => r.norm_squared() * w.trace() - r.dot(&(w * r)),
+        let trace = |linear: f64, w: &Matrix3<f64>, grip: JacobianBlock| match grip {
+            JacobianBlock::Point(r) => linear + r.norm_squared() * w.trace() - r.dot(&(w * r)),
             JacobianBlock::Couple(lever) => w.trace() * (lever * lever),
         };
         let one = |body: u32, grip: JacobianBlock| {
             let i = body as usize;
             match self.inverse_mass.get(i) {
                 _ if body == GROUND => 0.0,
-                Some(w) => w.linear.sum() + of_turning(&Matrix3::from_diagonal(&w.angular), grip),
+                Some(w) => trace(w.linear.sum(), &Matrix3::from_diagonal(&w.angular), grip),
                 None => {
                     let w = &self.operators[i - self.inverse_mass.len()];
-                    w.linear.trace() + of_turning(&w.angular, grip)
+                    trace(w.linear.trace(), &w.angular, grip)
                 }
             }
         };

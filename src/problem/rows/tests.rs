@@ -107,6 +107,26 @@ fn rows_come_back_as_they_were_given() {
     }
 }
 
+/// Rows whose arms are radii, whatever else they have, as they are given and as they are changed.
+#[test]
+fn arms_that_are_radii_are_known() {
+    let mut rows: Rows = all().into_iter().collect();
+    let radial =
+        |rows: &Rows| -> Vec<bool> { (0..rows.len()).map(|k| rows.is_of_spheres(k)).collect() };
+    let mut expected = [
+        true, true, false, false, true, true, true, true, false, true,
+    ];
+    assert_eq!(radial(&rows), expected);
+    assert!(!rows.are_of_spheres() && !rows.are_plain());
+    rows.update(2, |row| row.arm_b = row.normal * 0.2);
+    rows.update(4, |row| row.arm_a = Vec3::y());
+    (expected[2], expected[4]) = (true, false);
+    assert_eq!(radial(&rows), expected);
+    let soft = |k: usize| rows.get(k);
+    let rows: Rows = [0, 1, 5, 6].map(soft).into_iter().collect();
+    assert!(rows.are_of_spheres() && !rows.are_plain());
+}
+
 #[test]
 fn changes_reach_rows_of_either_kind() {
     let mut given = all();
