@@ -89,7 +89,7 @@ impl ContactSpring {
         (curve, adheres): (Option<Neck>, bool),
         bond: Option<BondSpring>,
     ) -> Self {
-        let held = (curve.is_some() || bond.is_some()).then(|| Held {
+        let held = (curve.is_some() || bond.is_some()).then_some(Held {
             curve,
             adheres,
             bond,
