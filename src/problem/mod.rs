@@ -158,20 +158,17 @@ impl Problem {
 
     /// The traces of [`Self::mobilities`].
     pub(crate) fn mobility_traces(&self, row: &Row) -> [f64; 2] {
-        // `tr(-[r] W [r]) = r^2 tr(W) - r . W r`.
-        let trace = |linear: f64, w: &Matrix3<f64>, grip: JacobianBlock| match grip {
-            JacobianBlock::Point(r) => linear + r.norm_squared() * w.trace() - r.dot(&(w * r)),
-            JacobianBlock::Couple(lever) => w.trace() * (lever * lever),
-        };
         let one = |body: u32, grip: JacobianBlock| {
-            let i = body as usize;
-            match self.inverse_mass.get(i) {
-                _ if body == GROUND => 0.0,
-                Some(w) => trace(w.linear.sum(), &Matrix3::from_diagonal(&w.angular), grip),
-                None => {
-                    let w = &self.operators[i - self.inverse_mass.len()];
-                    trace(w.linear.trace(), &w.angular, grip)
+            if body == GROUND {
+                return 0.0;
+            }
+            let SpatialOperator { linear, angular } = self.operator(body);
+            match grip {
+                // `tr(-[r] W [r]) = r^2 tr(W) - r . W r`.
+                JacobianBlock::Point(r) => {
+                    linear.trace() + r.norm_squared() * angular.trace() - r.dot(&(angular * r))
                 }
+                JacobianBlock::Couple(lever) => angular.trace() * (lever * lever),
             }
         };
         let [grip_a, grip_b] = row.jacobian();

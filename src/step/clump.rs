@@ -187,11 +187,8 @@ impl Clump {
             let contacts = state.smooth[first].plus(&state.external[first], -1.0);
             shape.momentum(rotation, &self.of_member(rotation, &contacts))
         });
-        let (dt, ahead) = match (before, scene.settings.integrator) {
-            (None, _) => (0.0, 0.0),
-            (Some(_), Integrator::Moreau) => (dt, 0.0),
-            (Some(_), Integrator::Shi) => (dt, 0.5 * dt),
-        };
+        let dt = before.map_or(0.0, |_| dt);
+        let ahead = scene.settings.integrator.middle(0.0, dt);
         let inertia = shape.inertia(turned(&rotation, &velocity.angular, ahead), |moment| moment);
         let centrifugal = SpatialVector {
             linear: frame.centrifugal(centre + velocity.linear * ahead) * shape.mass,

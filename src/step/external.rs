@@ -25,10 +25,7 @@ pub(super) fn acceleration(
     };
     let rate = frame.angular_velocity;
     // Where the velocity is that of the start, the middle of the step lies half a step on.
-    let ahead = match scene.settings.integrator {
-        Integrator::Moreau => 0.0,
-        Integrator::Shi => 0.5 * dt,
-    };
+    let ahead = scene.settings.integrator.middle(0.0, dt);
     for (i, external) in external.iter_mut().enumerate() {
         if !kinematics.present[i] {
             continue;
