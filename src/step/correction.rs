@@ -87,9 +87,7 @@ impl Correction {
             None => self.late.clone(),
             Some(_) => self.late.iter().map(|found| follow(&end, found)).collect(),
         };
-        for k in (0..self.yields.len()).filter(|&k| self.yields[k]) {
-            relinearise(assembly, solution, &end, k);
-        }
+        relinearise(assembly, solution, &end, &self.yields);
         for &(k, share) in &self.rebounds {
             let carried = assembly.past[k].carried(&state.contacts);
             let (free, found) = (&assembly.problem.free, &assembly.candidates[k]);
@@ -112,41 +110,68 @@ impl Correction {
     }
 }
 
-/// Lets the gap of contact `k` be the true one at `end`, where the solution leads, and its spring have its tangent there.
-fn relinearise(assembly: &mut Assembly, solution: &Solution, end: &Configuration, k: usize) {
+/// Lets the gaps of the contacts that yield be the true ones at `end`, where the solution leads, and their springs have their tangents
+/// there.
+fn relinearise(assembly: &mut Assembly, solution: &Solution, end: &Configuration, yields: &[bool]) {
+    let step = assembly.prediction.step;
+    let linear = |assembly: &Assembly, k: usize| {
+        let rows = &assembly.problem.rows;
+        let velocity = rows.relative(k, |i| solution.velocity[i]);
+        step * rows.normal(k).dot(&velocity)
+    };
+    let mut shifts = vec![0.0; yields.len()];
+    let (all, pool) = (&*assembly, &assembly.pool);
+    let shift = |first, shifts: &mut [f64]| {
+        for (k, shift) in (first..).zip(shifts) {
+            if yields[k] && all.compressed(k).is_none() {
+                let wanted = bias_of(all, solution, end, (k, linear(all, k)));
+                *shift = wanted - all.problem.rows.bias(k);
+            }
+        }
+    };
+    pool.pieces(&mut shifts[..], shift, |(), ()| ());
+    for k in (0..yields.len()).filter(|&k| yields[k]) {
+        if assembly.compressed(k).is_none() {
+            assembly.problem.rows.shift(k, shifts[k]);
+            continue;
+        }
+        let (linear, gap) = (linear(assembly, k), end.gap(&assembly.candidates[k]));
+        let force = solution.impulses[k].dot(&assembly.problem.rows.normal(k)) / step;
+        if let Some(elastic) = &mut assembly.elastic[k] {
+            elastic.follow(force, gap);
+            let [bias, compliance] = elastic.along(gap - linear);
+            assembly.weaken(k, gap);
+            let rows = &mut assembly.problem.rows;
+            rows.shift(k, bias - rows.bias(k));
+            rows.set_compliance(k, compliance);
+        }
+    }
+}
+
+/// Bias \[m/s\] of contact `k`, which is not compressed, by its true gap at `end`; the problem parts its bodies by `linear` \[m\].
+fn bias_of(
+    assembly: &Assembly,
+    solution: &Solution,
+    end: &Configuration,
+    (k, linear): (usize, f64),
+) -> f64 {
     let (step, settings) = (
         assembly.prediction.step,
         &assembly.prediction.scene.settings,
     );
     let rows = &assembly.problem.rows;
-    let n = rows.normal(k);
-    let linear = step * n.dot(&rows.relative(k, |i| solution.velocity[i]));
-    if assembly.compressed(k).is_some()
-        && let Some(elastic) = &mut assembly.elastic[k]
-    {
-        let gap = end.gap(&assembly.candidates[k]);
-        elastic.follow(solution.impulses[k].dot(&n) / step, gap);
-        let [bias, compliance] = elastic.along(gap - linear);
-        assembly.weaken(k, gap);
-        let rows = &mut assembly.problem.rows;
-        rows.shift(k, bias - rows.bias(k));
-        rows.set_compliance(k, compliance);
-        return;
-    }
     let gap = true_gap(assembly, solution, end, k);
     let compression = match rows.compliance(k) {
         0.0 => 0.0,
-        c => solution.impulses[k].dot(&n) * c * step,
+        c => solution.impulses[k].dot(&rows.normal(k)) * c * step,
     };
     let start = assembly.candidates[k].gap - assembly.rest(k);
     let carried = settings.carried(start, rows.radius(k), step) - left_of(assembly, k);
     let wanted = (gap - carried - compression - linear) / step;
-    let now = rows.bias(k);
-    let wanted = match assembly.impact[k] {
-        true => wanted.min(now),
+    match assembly.impact[k] {
+        true => wanted.min(rows.bias(k)),
         false => wanted,
-    };
-    assembly.problem.rows.shift(k, wanted - now);
+    }
 }
 
 /// Adds a contact that the solution closes. Returns whether it is an impact, as `known_impact` or as it is found.

@@ -1,7 +1,5 @@
 //! Forces of a solved step: of contacts, on boundaries and driven bodies, and the smooth part that the next step continues.
 
-use std::iter::repeat;
-
 use crate::Vec3;
 use crate::contact::cohesion::Hold;
 use crate::contact::forces::{Beside, ContactForces, SpringState};
@@ -218,21 +216,18 @@ impl Solved<'_> {
     pub(crate) fn smooth_acceleration(&self, acceleration: &mut Vec<SpatialVector>, moves: bool) {
         let mobility = self.prediction().scene.settings.integrator.mobility();
         let rate = 1.0 / (mobility * self.prediction().step);
-        // Driven bodies keep their own account.
-        let external = self
-            .prediction()
-            .external
-            .iter()
-            .chain(repeat(&SpatialVector::ZERO));
-        let changes = self
-            .solution
-            .velocity
-            .iter()
-            .zip(&self.assembly.problem.free)
-            .zip(external);
-        acceleration.clear();
-        acceleration
-            .extend(changes.map(|((v, free), external)| external.plus(&v.plus(free, -1.0), rate)));
+        let (velocity, free) = (&self.solution.velocity, &self.assembly.problem.free);
+        let external = &self.prediction().external;
+        let of_bodies = |first: usize, acceleration: &mut [SpatialVector]| {
+            for (i, own) in (first..).zip(acceleration) {
+                // Driven bodies keep their own account.
+                let external = external.get(i).unwrap_or(&SpatialVector::ZERO);
+                *own = external.plus(&velocity[i].plus(&free[i], -1.0), rate);
+            }
+        };
+        acceleration.resize(velocity.len(), SpatialVector::ZERO);
+        let pool = &self.assembly.pool;
+        pool.pieces(&mut acceleration[..], of_bodies, |(), ()| ());
         for (k, impulse) in self.solution.impulses.iter().enumerate() {
             if *impulse != Vec3::zeros() && self.assembly.is_impact(k) {
                 let row = self.assembly.problem.rows.get(k);

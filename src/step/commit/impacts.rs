@@ -2,9 +2,12 @@
 //! would shift the half step.
 
 use std::iter::once;
+use std::mem::take;
+use std::ops::Range;
 
 use crate::Vec3;
 use crate::problem::Rows;
+use crate::sorting::first_places;
 use crate::spatial::SpatialVector;
 use crate::state::State;
 use crate::step::assemble::Assembly;
@@ -51,21 +54,26 @@ pub(crate) fn spread_impacts(
     // What a step resolves is no impact.
     let resolved =
         |assembly: &Assembly, k| assembly.elastic(k).is_some_and(ElasticContact::is_resolved);
-    for k in (0..assembly.impact.len()).filter(|&k| solution.loads(k)) {
-        if resolved(assembly, k) {
-            continue;
+    let mut impact = take(&mut assembly.impact);
+    let hit = |first, impact: &mut [bool]| {
+        for (k, impact) in (first..).zip(impact) {
+            if !solution.loads(k) || resolved(assembly, k) {
+                continue;
+            }
+            let size = solution.impulses[k].norm();
+            let before = assembly.past[k].force(&state.contacts).norm();
+            // Most carry what they did.
+            if size <= STRUCK * step * before {
+                continue;
+            }
+            let bodies = assembly.problem.rows.bodies(k);
+            let load = bodies.map(|body| prediction.weight(body));
+            let load = load[0].max(load[1]);
+            *impact |= size > STRUCK * step * (before + load);
         }
-        let size = solution.impulses[k].norm();
-        let before = assembly.past[k].force(&state.contacts).norm();
-        // Most carry what they did.
-        if size <= STRUCK * step * before {
-            continue;
-        }
-        let bodies = assembly.problem.rows.bodies(k);
-        let load = bodies.map(|body| prediction.weight(body));
-        let load = load[0].max(load[1]);
-        assembly.impact[k] |= size > STRUCK * step * (before + load);
-    }
+    };
+    assembly.pool.pieces(&mut impact[..], hit, |(), ()| ());
+    assembly.impact = impact;
     balance.take(assembly, solution);
     for k in balance.held(assembly, solution) {
         let (size, before) = (
@@ -76,15 +84,16 @@ pub(crate) fn spread_impacts(
             balance.change(assembly, solution, (k, false));
         }
     }
+    let mut found = balance.held(assembly, solution);
     loop {
-        let mut found = balance.held(assembly, solution);
         found.retain(|&k| !assembly.impact[k] && !resolved(assembly, k));
         if found.is_empty() {
             return;
         }
-        for k in found {
+        for &k in &found {
             balance.change(assembly, solution, (k, true));
         }
+        found = balance.held_beside(assembly, solution, &found);
     }
 }
 
@@ -97,6 +106,52 @@ pub(crate) struct Balance {
     limits: Vec<f64>,
     /// Rows of resistances by their contacts, in order.
     resistances: Vec<(usize, usize)>,
+    contacts: ContactsOfBodies,
+}
+
+/// The contacts of each body: made when asked for first.
+#[derive(Debug, Default)]
+struct ContactsOfBodies {
+    known: bool,
+    /// Where those of each body end in `contacts`, `[N + M]`.
+    ends: Vec<u32>,
+    /// The contacts by body.
+    contacts: Vec<u32>,
+}
+
+impl ContactsOfBodies {
+    /// Looks at the first `count` of the rows, of `bodies` bodies.
+    fn find(&mut self, rows: &Rows, (count, bodies): (usize, usize)) {
+        if self.known {
+            return;
+        }
+        self.known = true;
+        let own = |k: &[u32; 2]| k.map(|body| (body as usize) < bodies).into_iter().zip(*k);
+        let rows = &rows.all_bodies()[..count];
+        let held = || rows.iter().flat_map(own);
+        let keys = held().filter(|(held, _)| *held).map(|(_, body)| body);
+        first_places(keys, bodies, &mut self.ends);
+        let all = self.ends.last().map_or(0, |&all| all as usize);
+        self.contacts.resize(all, 0);
+        for (side, (held, body)) in held().enumerate() {
+            if held {
+                // Where a body's contacts begin moves on to where they end.
+                let next = &mut self.ends[body as usize];
+                self.contacts[*next as usize] = (side / 2) as u32;
+                *next += 1;
+            }
+        }
+    }
+
+    /// Those of `body`, ascending; none of the ground.
+    fn of(&self, body: u32) -> &[u32] {
+        let body = body as usize;
+        let Some(&end) = self.ends.get(body).filter(|_| body + 1 < self.ends.len()) else {
+            return &[];
+        };
+        let start = body.checked_sub(1).map_or(0, |before| self.ends[before]);
+        &self.contacts[start as usize..end as usize]
+    }
 }
 
 impl Balance {
@@ -109,14 +164,21 @@ impl Balance {
         for k in (0..solution.impulses.len()).filter(|&k| solution.loads(k)) {
             self.add(rows, (k, solution.impulses[k]), assembly.is_impact(k));
         }
-        let sums = self.sums.iter().enumerate();
-        self.limits.clear();
-        self.limits
-            .extend(sums.map(|(body, sums)| limit(assembly, body, sums)));
+        self.limits.resize(self.sums.len(), 0.0);
+        let sums = &self.sums;
+        let find = |first, limits: &mut [f64]| {
+            for (body, found) in (first..).zip(limits) {
+                *found = limit(assembly, body, &sums[body]);
+            }
+        };
+        assembly
+            .pool
+            .pieces(&mut self.limits[..], find, |(), ()| ());
         self.resistances.clear();
         self.resistances
             .extend(rows.resistances().map(|(row, contact)| (contact, row)));
         self.resistances.sort_unstable();
+        self.contacts.known = false;
     }
 
     /// Adds the impulse \[N s\] of row `k` to the smooth ones of its bodies, or to the impacts.
@@ -135,15 +197,44 @@ impl Balance {
         if self.limits.iter().all(|limit| *limit <= 0.0) {
             return Vec::new();
         }
+        let cancels = |k: &usize| self.cancels(assembly, solution, *k);
+        let all = 0..assembly.impact.len();
+        let piece = |_, range: Range<usize>| range.filter(cancels).collect();
+        assembly.pool.pieces(all, piece, |mut a: Vec<usize>, b| {
+            a.extend(b);
+            a
+        })
+    }
+
+    /// Likewise of the bodies of contacts that are `changed` alone: the others are as they were.
+    fn held_beside(
+        &mut self,
+        assembly: &Assembly,
+        solution: &Solution,
+        changed: &[usize],
+    ) -> Vec<usize> {
+        let rows = &assembly.problem.rows;
+        let all = (assembly.impact.len(), self.sums.len());
+        self.contacts.find(rows, all);
+        let bodies = changed.iter().flat_map(|&k| rows.bodies(k));
+        let beside = bodies.flat_map(|body| self.contacts.of(body));
+        let beside = beside.map(|&k| k as usize);
+        let mut found: Vec<usize> = beside
+            .filter(|&k| self.cancels(assembly, solution, k))
+            .collect();
+        found.sort_unstable();
+        found.dedup();
+        found
+    }
+
+    /// Whether contact `k` is loaded and of a body on which they cancel.
+    fn cancels(&self, assembly: &Assembly, solution: &Solution, k: usize) -> bool {
         let rows = &assembly.problem.rows;
         let of = |body: u32| self.limits.get(body as usize).copied().unwrap_or(0.0);
-        let cancels = |k: &usize| {
-            let [a, b] = rows.bodies(*k);
-            let limit = of(a).max(of(b));
-            // Of most contacts the bodies tell, without their rows.
-            limit > 0.0 && rows.radius(*k) < limit && solution.loads(*k)
-        };
-        (0..assembly.impact.len()).filter(cancels).collect()
+        let [a, b] = rows.bodies(k);
+        let limit = of(a).max(of(b));
+        // Of most contacts the bodies tell, without their rows.
+        limit > 0.0 && rows.radius(k) < limit && solution.loads(k)
     }
 
     /// Counts contact `k` as an impact, or no longer.
@@ -188,6 +279,7 @@ mod tests {
     use std::sync::Arc;
 
     use super::*;
+    use crate::problem::GROUND;
     use crate::scene::Scene;
     use crate::simulation::Simulation;
     use crate::step::linear_problem::linear_problem;
@@ -242,6 +334,11 @@ faces = [{ plane = { point = [0.0, 0.0, 0.0], normal = [0.0, 0.0, 1.0] } }]
             anew.take(&assembly, &solution);
             let held = anew.held(&assembly, &solution);
             assert_eq!(kept.held(&assembly, &solution), held, "{k}");
+            let [a, b] = assembly.problem.rows.bodies(k);
+            let of = |k: &usize| assembly.problem.rows.bodies(*k).into_iter();
+            let mut own = held.clone();
+            own.retain(|k| of(k).any(|body| body != GROUND && [a, b].contains(&body)));
+            assert_eq!(kept.held_beside(&assembly, &solution, &[k]), own, "{k}");
             most = most.max(held.len());
             let sums = kept.sums.as_flattened().iter();
             for (kept, anew) in sums.zip(anew.sums.as_flattened()) {
