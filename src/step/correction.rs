@@ -114,17 +114,12 @@ impl Correction {
 /// there.
 fn relinearise(assembly: &mut Assembly, solution: &Solution, end: &Configuration, yields: &[bool]) {
     let step = assembly.prediction.step;
-    let linear = |assembly: &Assembly, k: usize| {
-        let rows = &assembly.problem.rows;
-        let velocity = rows.relative(k, |i| solution.velocity[i]);
-        step * rows.normal(k).dot(&velocity)
-    };
     let mut shifts = vec![0.0; yields.len()];
     let (all, pool) = (&*assembly, &assembly.pool);
     let shift = |first, shifts: &mut [f64]| {
         for (k, shift) in (first..).zip(shifts) {
             if yields[k] && all.compressed(k).is_none() {
-                let wanted = bias_of(all, solution, end, (k, linear(all, k)));
+                let wanted = bias_of(all, solution, end, k);
                 *shift = wanted - all.problem.rows.bias(k);
             }
         }
@@ -135,7 +130,8 @@ fn relinearise(assembly: &mut Assembly, solution: &Solution, end: &Configuration
             assembly.problem.rows.shift(k, shifts[k]);
             continue;
         }
-        let (linear, gap) = (linear(assembly, k), end.gap(&assembly.candidates[k]));
+        let gap = end.gap(&assembly.candidates[k]);
+        let linear = linear_change(assembly, solution, k);
         let force = solution.impulses[k].dot(&assembly.problem.rows.normal(k)) / step;
         if let Some(elastic) = &mut assembly.elastic[k] {
             elastic.follow(force, gap);
@@ -148,13 +144,15 @@ fn relinearise(assembly: &mut Assembly, solution: &Solution, end: &Configuration
     }
 }
 
-/// Bias \[m/s\] of contact `k`, which is not compressed, by its true gap at `end`; the problem parts its bodies by `linear` \[m\].
-fn bias_of(
-    assembly: &Assembly,
-    solution: &Solution,
-    end: &Configuration,
-    (k, linear): (usize, f64),
-) -> f64 {
+/// What the solution adds to the gap of contact `k` in the problem \[m\].
+fn linear_change(assembly: &Assembly, solution: &Solution, k: usize) -> f64 {
+    let rows = &assembly.problem.rows;
+    let velocity = rows.relative(k, |i| solution.velocity[i]);
+    assembly.prediction.step * rows.normal(k).dot(&velocity)
+}
+
+/// Bias \[m/s\] of contact `k`, which is not compressed, by its true gap at `end`.
+fn bias_of(assembly: &Assembly, solution: &Solution, end: &Configuration, k: usize) -> f64 {
     let (step, settings) = (
         assembly.prediction.step,
         &assembly.prediction.scene.settings,
@@ -167,6 +165,7 @@ fn bias_of(
     };
     let start = assembly.candidates[k].gap - assembly.rest(k);
     let carried = settings.carried(start, rows.radius(k), step) - left_of(assembly, k);
+    let linear = linear_change(assembly, solution, k);
     let wanted = (gap - carried - compression - linear) / step;
     match assembly.impact[k] {
         true => wanted.min(rows.bias(k)),

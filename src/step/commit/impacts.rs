@@ -7,7 +7,7 @@ use std::ops::Range;
 
 use crate::Vec3;
 use crate::problem::Rows;
-use crate::sorting::first_places;
+use crate::sorting::counting_sort;
 use crate::spatial::SpatialVector;
 use crate::state::State;
 use crate::step::assemble::Assembly;
@@ -112,45 +112,35 @@ pub(crate) struct Balance {
 /// The contacts of each body: made when asked for first.
 #[derive(Debug, Default)]
 struct ContactsOfBodies {
-    known: bool,
-    /// Where those of each body end in `contacts`, `[N + M]`.
+    /// Where those of each body end in `sides`, `[N + M]`; empty until they are asked for.
     ends: Vec<u32>,
-    /// The contacts by body.
-    contacts: Vec<u32>,
+    /// By body: twice the contact, and one more where the body is its second.
+    sides: Vec<u32>,
 }
 
 impl ContactsOfBodies {
-    /// Looks at the first `count` of the rows, of `bodies` bodies.
+    fn forget(&mut self) {
+        self.ends.clear();
+    }
+
+    /// Looks at the first `count` of the rows, of `bodies` bodies, unless it has.
     fn find(&mut self, rows: &Rows, (count, bodies): (usize, usize)) {
-        if self.known {
+        if !self.ends.is_empty() {
             return;
         }
-        self.known = true;
-        let own = |k: &[u32; 2]| k.map(|body| (body as usize) < bodies).into_iter().zip(*k);
-        let rows = &rows.all_bodies()[..count];
-        let held = || rows.iter().flat_map(own);
-        let keys = held().filter(|(held, _)| *held).map(|(_, body)| body);
-        first_places(keys, bodies, &mut self.ends);
-        let all = self.ends.last().map_or(0, |&all| all as usize);
-        self.contacts.resize(all, 0);
-        for (side, (held, body)) in held().enumerate() {
-            if held {
-                // Where a body's contacts begin moves on to where they end.
-                let next = &mut self.ends[body as usize];
-                self.contacts[*next as usize] = (side / 2) as u32;
-                *next += 1;
-            }
-        }
+        let held = rows.all_bodies()[..count].as_flattened();
+        let body = |side: &u32| held[*side as usize];
+        let sides = (0..held.len() as u32).filter(|side| (body(side) as usize) < bodies);
+        counting_sort(sides, (body, bodies), &mut self.ends, &mut self.sides);
     }
 
     /// Those of `body`, ascending; none of the ground.
-    fn of(&self, body: u32) -> &[u32] {
+    fn of(&self, body: u32) -> impl Iterator<Item = usize> {
         let body = body as usize;
-        let Some(&end) = self.ends.get(body).filter(|_| body + 1 < self.ends.len()) else {
-            return &[];
-        };
-        let start = body.checked_sub(1).map_or(0, |before| self.ends[before]);
-        &self.contacts[start as usize..end as usize]
+        let start = body.checked_sub(1).and_then(|before| self.ends.get(before));
+        let ends = [start, self.ends.get(body)].map(|end| end.map_or(0, |&end| end as usize));
+        let own = self.sides.get(ends[0]..ends[1]).unwrap_or_default();
+        own.iter().map(|side| *side as usize / 2)
     }
 }
 
@@ -178,7 +168,7 @@ impl Balance {
         self.resistances
             .extend(rows.resistances().map(|(row, contact)| (contact, row)));
         self.resistances.sort_unstable();
-        self.contacts.known = false;
+        self.contacts.forget();
     }
 
     /// Adds the impulse \[N s\] of row `k` to the smooth ones of its bodies, or to the impacts.
@@ -218,7 +208,6 @@ impl Balance {
         self.contacts.find(rows, all);
         let bodies = changed.iter().flat_map(|&k| rows.bodies(k));
         let beside = bodies.flat_map(|body| self.contacts.of(body));
-        let beside = beside.map(|&k| k as usize);
         let mut found: Vec<usize> = beside
             .filter(|&k| self.cancels(assembly, solution, k))
             .collect();
