@@ -296,9 +296,9 @@ material = "rock"
 faces = [{ plane = { point = [0.0, 0.0, 0.0], normal = [0.0, 0.0, 1.0] } }]
 "#;
 
-    #[test]
-    fn sums_that_follow_changes_are_those_made_anew() {
-        let loaded = Scene::from_toml("scene", SCENE, Path::new(""));
+    /// Lets `check` have the problem that the scene of `text` starts with.
+    fn at_start(text: &str, check: impl FnOnce(&mut Assembly)) {
+        let loaded = Scene::from_toml("scene", text, Path::new(""));
         let scene = Arc::new(loaded.expect("a scene").scene);
         let simulation = Simulation::new(scene.clone()).expect("a start");
         let (state, mut workspace) = (simulation.state(), Workspace::default());
@@ -309,36 +309,66 @@ faces = [{ plane = { point = [0.0, 0.0, 0.0], normal = [0.0, 0.0, 1.0] } }]
         };
         let mut prediction = predict(&scene, state, &input, PredictionArrays::default());
         let (mut assembly, _) = linear_problem(&mut prediction, state, &mut workspace);
-        let count = assembly.problem.rows.len();
-        assert_eq!((assembly.impact.len(), count), (5, 10));
-        let mut impulses: Vec<_> = (1..=count).map(|k| Vec3::new(0.1, 1.0, k as f64)).collect();
-        // One of the two an impact, the first sphere only holds against it.
-        (impulses[0], impulses[1]) = (Vec3::z() * 1e4, Vec3::z() * -1e4);
-        let solution = Solution::of(&assembly, impulses);
-        let (mut kept, mut anew) = (Balance::default(), Balance::default());
-        kept.take(&assembly, &solution);
-        let mut most = 0;
-        for (k, impact) in [(0, true), (3, true), (4, true), (3, false), (1, true)] {
-            kept.change(&mut assembly, &solution, (k, impact));
-            anew.take(&assembly, &solution);
-            let held = anew.held(&assembly, &solution);
-            assert_eq!(kept.held(&assembly, &solution), held, "{k}");
-            let [a, b] = assembly.problem.rows.bodies(k);
-            let of = |k: &usize| assembly.problem.rows.bodies(*k).into_iter();
-            let mut own = held.clone();
-            own.retain(|k| of(k).any(|body| body != GROUND && [a, b].contains(&body)));
-            assert_eq!(kept.held_beside(&assembly, &solution, &[k]), own, "{k}");
-            most = most.max(held.len());
-            let sums = kept.sums.as_flattened().iter();
-            for (kept, anew) in sums.zip(anew.sums.as_flattened()) {
-                let apart = kept.plus(anew, -1.0);
-                assert!(apart.dot(&apart) < 1e-16, "{k}: {kept:?}, {anew:?}");
+        check(&mut assembly);
+    }
+
+    #[test]
+    fn sums_that_follow_changes_are_those_made_anew() {
+        at_start(SCENE, |assembly| {
+            let count = assembly.problem.rows.len();
+            assert_eq!((assembly.impact.len(), count), (5, 10));
+            let mut impulses: Vec<_> = (1..=count).map(|k| Vec3::new(0.1, 1.0, k as f64)).collect();
+            // One of the two an impact, the first sphere only holds against it.
+            (impulses[0], impulses[1]) = (Vec3::z() * 1e4, Vec3::z() * -1e4);
+            let solution = Solution::of(assembly, impulses);
+            let (mut kept, mut anew) = (Balance::default(), Balance::default());
+            kept.take(assembly, &solution);
+            let mut most = 0;
+            for (k, impact) in [(0, true), (3, true), (4, true), (3, false), (1, true)] {
+                kept.change(assembly, &solution, (k, impact));
+                anew.take(assembly, &solution);
+                let held = anew.held(assembly, &solution);
+                assert_eq!(kept.held(assembly, &solution), held, "{k}");
+                let [a, b] = assembly.problem.rows.bodies(k);
+                let of = |k: &usize| assembly.problem.rows.bodies(*k).into_iter();
+                let mut own = held.clone();
+                own.retain(|k| of(k).any(|body| body != GROUND && [a, b].contains(&body)));
+                assert_eq!(kept.held_beside(assembly, &solution, &[k]), own, "{k}");
+                most = most.max(held.len());
+                let sums = kept.sums.as_flattened().iter();
+                for (kept, anew) in sums.zip(anew.sums.as_flattened()) {
+                    let apart = kept.plus(anew, -1.0);
+                    assert!(apart.dot(&apart) < 1e-16, "{k}: {kept:?}, {anew:?}");
+                }
+                let limits = kept.limits.iter().zip(&anew.limits);
+                for (kept, anew) in limits.filter(|(kept, anew)| kept != anew) {
+                    assert!((kept - anew).abs() < 1e-9, "{k}: {kept}, {anew}");
+                }
             }
-            let limits = kept.limits.iter().zip(&anew.limits);
-            for (kept, anew) in limits.filter(|(kept, anew)| kept != anew) {
-                assert!((kept - anew).abs() < 1e-9, "{k}: {kept}, {anew}");
+            assert!(most > 0);
+        });
+    }
+
+    /// More than one thread takes at a time.
+    #[test]
+    fn each_body_has_its_own_limit() {
+        let places: Vec<String> = (0..600)
+            .map(|i| format!("[{:.1}, 0.0, 0.1]", 0.3 * f64::from(i)))
+            .collect();
+        let three = "[[0.0, 0.0, 0.1], [0.2, 0.0, 0.1], [0.1, 0.0, 0.2732050808]]";
+        let text = SCENE.replace(three, &format!("[{}]", places.join(", ")));
+        at_start(&text, |assembly| {
+            let count = assembly.problem.rows.len();
+            assert_eq!((assembly.impact.len(), count), (600, 1200));
+            let impulses = (1..=count).map(|k| Vec3::new(0.1 * k as f64, 1.0, k as f64));
+            let solution = Solution::of(assembly, impulses.collect());
+            let mut balance = Balance::default();
+            balance.take(assembly, &solution);
+            assert_eq!(balance.limits.len(), 600);
+            for (body, found) in balance.limits.iter().enumerate() {
+                assert_eq!(*found, limit(assembly, body, &balance.sums[body]), "{body}");
             }
-        }
-        assert!(most > 0);
+            assert!(balance.limits.windows(2).all(|pair| pair[0] != pair[1]));
+        });
     }
 }
