@@ -1,6 +1,6 @@
 """The command and the exported FMUs that the tests drive.
 
-`tests/run` names the release command in SPHERE_DDA; without it, that of target/release. It exports the examples once per session.
+`tests/run` names the release command in SPHERE_DDA; without it, that of target/release. It exports the examples once per session, of which each worker of pytest-xdist has one.
 """
 
 import os
