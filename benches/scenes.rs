@@ -3,7 +3,8 @@
 //! `cargo bench --bench scenes [-- ROW...]` prints one line per row, by default the rows of the bed: CPU time of this
 //! thread, steps, sweeps, factorizations and the worst overlap over every internal step; for the bed also what must depend on
 //! none of these: force on the floor over weight, mean height of the highest twentieth, kinetic energy. The row `features` is
-//! the bed at `standard` as it is, then with one more thing each.
+//! the bed at `standard` as it is, then with one more thing each; sums of several beds, in turns, for sweeps of one bed change by a
+//! tenth with the last bit of its gravity. Its rows end with the CPU time over that of plain ones.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -17,6 +18,8 @@ use sphere_dda::state::StepReport;
 const BED: [(f64, f64); 4] = [(1e-4, 5e-4), (1e-5, 2.5e-4), (1e-6, 1e-4), (1e-6, 5e-5)];
 /// Rows that run as their scene says.
 const EXAMPLES: [&str; 3] = ["funnel", "slopes", "feeder"];
+/// Beds of each feature.
+const BEDS: usize = 7;
 
 /// What is added to the bed, or put in the place of a line of it.
 const FEATURES: [(&str, &str, &str); 9] = [
@@ -81,19 +84,50 @@ fn main() {
                 slip: gap,
                 force: 0.1,
             };
-            rest(&run(&name, scene));
+            let tolerances = (gap, step);
+            let (cost, simulation) = run(scene);
+            println!("{}", row(&name, tolerances, &cost));
+            rest(&simulation);
         }
     }
-    for (name, line, text) in FEATURES {
-        if wanted.iter().any(|a| a == "features") {
-            run(name, bed_with(line, text));
-        }
+    if wanted.iter().any(|a| a == "features") {
+        features();
     }
     for name in EXAMPLES {
         if wanted.iter().any(|a| a == name) {
-            run(name, load(name));
+            let scene = load(name);
+            let tolerances = (scene.settings.tolerance.gap, scene.settings.step);
+            println!("{}", row(name, tolerances, &run(scene).0));
         }
     }
+}
+
+/// Beds with one more thing each, all of one gravity before the next.
+fn features() {
+    let mut costs: [Cost; FEATURES.len()] = Default::default();
+    let mut tolerances = (0.0, 0.0);
+    for bed in 0..BEDS {
+        for (cost, (_, line, text)) in costs.iter_mut().zip(FEATURES) {
+            let mut scene = bed_with(line, text);
+            scene.settings.gravity *= 1.0 + 1e-9 * bed as f64;
+            tolerances = (scene.settings.tolerance.gap, scene.settings.step);
+            let own = run(scene).0;
+            cost.cpu += own.cpu;
+            cost.steps.add(&own.steps);
+        }
+    }
+    for ((name, ..), cost) in FEATURES.iter().zip(&costs) {
+        let over = cost.cpu / costs[0].cpu;
+        println!("{}  {over:.2}", row(name, tolerances, cost));
+    }
+}
+
+/// What runs cost.
+#[derive(Default)]
+struct Cost {
+    /// \[s\]
+    cpu: f64,
+    steps: StepReport,
 }
 
 fn load(name: &str) -> Scene {
@@ -122,31 +156,33 @@ fn bed_with(line: &str, text: &str) -> Scene {
     loaded.expect("a good scene").scene
 }
 
-/// Runs the scene to its end and prints its row.
-fn run(name: &str, scene: Scene) -> Simulation {
+/// Runs the scene to its end.
+fn run(scene: Scene) -> (Cost, Simulation) {
     let settings = scene.settings.clone();
     let mut simulation = Simulation::new(Arc::new(scene)).expect("a start");
-    let mut total = StepReport::default();
+    let mut steps = StepReport::default();
     let points = (settings.duration / settings.communication_step).round() as usize;
     let start = cpu();
     for k in 1..=points {
         let end = settings.duration * k as f64 / points as f64;
-        total.add(&simulation.advance_to(end).expect("a step"));
+        steps.add(&simulation.advance_to(end).expect("a step"));
     }
-    println!(
-        "{name:8}  {:.0e}  {:.1e}  {:6.2}  {:6}  {:4}  {:6}  {:6.1}  {:7}  {:.1e}  {:.1e}",
-        settings.tolerance.gap,
-        settings.step,
-        cpu() - start,
-        total.internal_steps,
-        total.cuts,
-        total.sweeps,
-        total.sweeps as f64 / total.internal_steps as f64,
-        total.factorizations,
-        total.max_overlap,
-        total.force_residual,
-    );
-    simulation
+    let cpu = cpu() - start;
+    (Cost { cpu, steps }, simulation)
+}
+
+/// The row of runs with a tolerance \[-\] and a longest step \[s\].
+fn row(name: &str, (gap, step): (f64, f64), Cost { cpu, steps }: &Cost) -> String {
+    format!(
+        "{name:8}  {gap:.0e}  {step:.1e}  {cpu:6.2}  {:6}  {:4}  {:6}  {:6.1}  {:7}  {:.1e}  {:.1e}",
+        steps.internal_steps,
+        steps.cuts,
+        steps.sweeps,
+        steps.sweeps as f64 / steps.internal_steps as f64,
+        steps.factorizations,
+        steps.max_overlap,
+        steps.force_residual,
+    )
 }
 
 /// What the bed is like at the end.

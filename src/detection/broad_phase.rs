@@ -11,7 +11,7 @@
 //! it the pairs within reach, in canonical order.
 
 use super::configuration::Configuration;
-use super::grid::{pairs_of, sphere_pairs};
+use super::grid::{FEW, pairs_of, sphere_pairs};
 use super::near_boundaries::NearBoundaries;
 use super::periodic::periodic_pairs;
 use crate::Vec3;
@@ -22,6 +22,8 @@ use crate::spatial::cell::Image;
 const ROOM: f64 = 0.25;
 /// A skin of so many times what is wanted costs too many pairs.
 const LOOSE: f64 = 4.0;
+/// A sphere with a longer skin over its radius is fast: it leaves its skin within fewer than [`STEPS`] steps.
+const FAST: f64 = ROOM * STEPS / (STEPS - 1.0);
 /// If more than one of so many spheres leave their skins, the list is built anew.
 const SHARE: usize = 3;
 
@@ -101,13 +103,19 @@ impl NeighborList {
             !serves || (!reach.is_empty() && skin > LOOSE * wanted)
         };
         let spheres = 0..now.position.len();
-        match spheres.clone().any(|i| is_stale(i, 1.0)) {
-            true => spheres
-                .filter(|&i| is_stale(i, SOON))
-                .map(|i| i as u32)
-                .collect(),
-            false => Vec::new(),
+        let left: Vec<u32> = spheres
+            .clone()
+            .filter(|&i| is_stale(i, 1.0))
+            .map(|i| i as u32)
+            .take(FEW + 1)
+            .collect();
+        // A few fast ones go alone, step after step.
+        let is_fast = |&i: &u32| self.skin[i as usize] > FAST * now.particles.radius[i as usize];
+        if left.len() <= FEW && left.iter().all(is_fast) {
+            return left;
         }
+        let soon = spheres.filter(|&i| is_stale(i, SOON));
+        soon.map(|i| i as u32).collect()
     }
 
     /// What sphere `i` may come towards others \[m\].
@@ -248,6 +256,50 @@ mod tests {
             pairs.iter().filter(of_others).copied().collect::<Vec<_>>()
         };
         assert_eq!(others(&moving), others(&resting));
+    }
+
+    /// Where a few fast spheres leave their skins the others keep theirs; where others do, those join them that would soon follow.
+    #[test]
+    fn a_few_fast_ones_go_alone() {
+        let count = 100;
+        let particles = Particles {
+            radius: vec![0.48; count],
+            ..Particles::default()
+        };
+        let (present, cell) = (vec![true; count], Cell::default());
+        let start: Vec<Vec3> = (0..count).map(|k| Vec3::x() * k as f64).collect();
+        let skin = 0.5 * SKIN * 0.48;
+        // The first are fast, some of the others leave their skins, and every second of those has gone most of its way.
+        let renewed = |fast: usize, slow: usize| {
+            let mut reach = vec![DetectionDistance::default(); count];
+            let mut end = start.clone();
+            for (k, x) in end.iter_mut().enumerate() {
+                let (pairs, path) = match k {
+                    k if k < fast => (0.5, 0.7),
+                    k if k < fast + slow => (0.0, 1.5 * skin),
+                    k => (0.0, 0.7 * skin * (k % 2) as f64),
+                };
+                reach[k].pairs = pairs;
+                reach[k].boundaries = pairs;
+                *x += Vec3::y() * path;
+            }
+            let mut list = NeighborList::default();
+            for (position, reach) in [(&start, &reach[..]), (&end, &[])] {
+                let now = Configuration {
+                    particles: &particles,
+                    position,
+                    present: &present,
+                    boundaries: &[],
+                    poses: &[],
+                    cell: &cell,
+                };
+                list.ensure(&now, reach, 0.0);
+            }
+            let moved = |k: &usize| list.anchor[*k] != start[*k];
+            (0..count).filter(moved).count()
+        };
+        assert_eq!([0, 1, FEW].map(|fast| renewed(fast, 0)), [0, 1, FEW]);
+        assert!(renewed(FEW + 1, 0) > count / 2 && renewed(1, 1) > count / 2);
     }
 
     proptest! {

@@ -22,7 +22,7 @@ const FEWEST: usize = 1024;
 /// Edge of a cell over the largest diameter, so that rounding cannot put near spheres two cells apart.
 const MARGIN: f64 = 1.0 + 1e-5;
 /// So many spheres look at all others sooner than a grid is made.
-const FEW: usize = 4;
+pub(super) const FEW: usize = 4;
 
 /// All pairs `i < j` of present spheres whose distance is below the sum of their `size` \[m\], `[N]`, ascending.
 pub(crate) fn sphere_pairs(position: &[Vec3], present: &[bool], size: &[f64]) -> Vec<(u32, u32)> {

@@ -20,6 +20,7 @@ use crate::Vec3;
 use crate::contact::{ContactId, Partner};
 use crate::detection::configuration::{Candidate, Configuration};
 use crate::detection::detection_distance::DetectionDistance;
+use crate::detection::near_boundaries::NearBoundary;
 use crate::detection::sweep::{least_distance, meets};
 use crate::spatial::Pose;
 use crate::spatial::cell::{HERE, Image};
@@ -28,6 +29,8 @@ use crate::spatial::cell::{HERE, Image};
 pub(super) const SMALL_MOTION: f64 = 0.5;
 /// How deep a path may go into another body before it counts as passing, over the smaller radius \[-\].
 const DEPTH: f64 = 0.1;
+/// Rounding of motions over a radius, generously.
+const ROUNDING: f64 = 1e-9;
 
 /// The first pair, in canonical order, that passes through another or is held apart without need.
 pub(super) fn passed(
@@ -73,62 +76,69 @@ pub(super) fn passed(
         });
     }
     let small = pairs.max(largest.boundaries + carried) <= SMALL_MOTION * smallest;
-    if !small {
-        workspace.neighbors.ensure(start, &reach, carried);
-    }
-    workspace.reach = reach;
     if small {
+        workspace.reach = reach;
         return None;
     }
-    let [position, unhindered] = [&solution.velocity, free].map(|velocity| {
-        let mut position = Vec::new();
-        prediction.end_positions(velocity, &mut position);
-        position
+    workspace.neighbors.ensure(start, &reach, carried);
+    let mut unhindered = Vec::new();
+    prediction.end_positions(free, &mut unhindered);
+    let ends = [(&solution.position, ends), (&unhindered, &freely[..])];
+    let [end, free] = ends.map(|(position, poses)| Configuration {
+        position,
+        poses,
+        ..*start
     });
-    let [end, free] =
-        [(&position, ends), (&unhindered, &freely[..])].map(|(position, poses)| Configuration {
-            position,
-            poses,
-            ..*start
-        });
     let radius = &start.particles.radius;
     let apart = |i: u32, index: u32, image: Image| {
         let paths = [&end, &free].map(|to| [start, to].map(|at| at.between(i, index, image)));
         (i, Partner::Sphere { index, image }, paths)
     };
     let list = &workspace.neighbors;
-    // Most pairs hardly move against each other.
+    // Most pairs hardly move against each other, most spheres hardly at all.
     let far = |&&(i, j): &&(u32, u32)| {
         let [a, b] = [i, j].map(|k| k as usize);
-        let limit = SMALL_MOTION * radius[a].min(radius[b]) * (1.0 - 1e-9);
+        let limit = SMALL_MOTION * radius[a].min(radius[b]) * (1.0 - ROUNDING);
+        if reach[a].pairs + reach[b].pairs < limit {
+            return false;
+        }
         let motion = velocities.map(|v| (v[a].linear - v[b].linear).norm_squared() * step * step);
         motion[0].max(motion[1]) > limit * limit
+    };
+    let far_from_boundaries = |near: &&NearBoundary| {
+        let i = near.sphere as usize;
+        let limit = SMALL_MOTION * radius[i] * (1.0 - ROUNDING);
+        reach[i].boundaries + carried >= limit
     };
     let here = list.pairs.iter().filter(far);
     let here = here.map(|&(i, j)| apart(i, j, HERE));
     let images = list.images.iter().map(|&(i, j, image)| apart(i, j, image));
-    let boundaries = list.boundaries.iter().map(|near| {
+    let boundaries = list.boundaries.iter().filter(far_from_boundaries);
+    let boundaries = boundaries.map(|near| {
         let (i, boundary) = (near.sphere, near.boundary);
         let paths = [&end, &free].map(|to| start.path_in_frame(to, i, boundary));
         let feature = 0;
         (i, Partner::Boundary { boundary, feature }, paths)
     });
-    here.chain(images)
-        .chain(boundaries)
-        .find_map(|(sphere, partner, [path, free_path])| {
-            let scale = start.scale(ContactId { sphere, partner });
-            let motion = [path, free_path].map(|[a, b]| (b - a).norm() / scale);
-            let far = motion.map(|m| m > SMALL_MOTION);
-            let failed = (far[0] && through(start, sphere, partner, path, radius, scale))
-                || (far[1]
-                    && carries(assembly, solution, sphere, partner)
-                    && !met(start, sphere, partner, free_path, radius));
-            let contact = ContactId { sphere, partner };
-            failed.then_some(Tunnelling {
-                contact,
-                motion: motion[0].max(motion[1]),
-            })
-        })
+    let found =
+        here.chain(images)
+            .chain(boundaries)
+            .find_map(|(sphere, partner, [path, free_path])| {
+                let scale = start.scale(ContactId { sphere, partner });
+                let motion = [path, free_path].map(|[a, b]| (b - a).norm() / scale);
+                let far = motion.map(|m| m > SMALL_MOTION);
+                let failed = (far[0] && through(start, sphere, partner, path, radius, scale))
+                    || (far[1]
+                        && carries(assembly, solution, sphere, partner)
+                        && !met(start, sphere, partner, free_path, radius));
+                let contact = ContactId { sphere, partner };
+                failed.then_some(Tunnelling {
+                    contact,
+                    motion: motion[0].max(motion[1]),
+                })
+            });
+    workspace.reach = reach;
+    found
 }
 
 /// The first pair of `closed` that is no candidate and has moved far.
