@@ -274,13 +274,17 @@ mod tests {
             let mut reach = vec![DetectionDistance::default(); count];
             let mut end = start.clone();
             for (k, x) in end.iter_mut().enumerate() {
-                let (pairs, path) = match k {
-                    k if k < fast => (0.5, 0.7),
-                    k if k < fast + slow => (0.0, 1.5 * skin),
-                    k => (0.0, 0.7 * skin * (k % 2) as f64),
+                let path = if k < fast {
+                    reach[k] = DetectionDistance {
+                        pairs: 0.5,
+                        boundaries: 0.5,
+                    };
+                    0.7
+                } else if k < fast + slow {
+                    1.5 * skin
+                } else {
+                    0.7 * skin * (k % 2) as f64
                 };
-                reach[k].pairs = pairs;
-                reach[k].boundaries = pairs;
                 *x += Vec3::y() * path;
             }
             let mut list = NeighborList::default();

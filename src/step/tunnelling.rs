@@ -105,7 +105,7 @@ pub(super) fn passed(
         let motion = velocities.map(|v| (v[a].linear - v[b].linear).norm_squared() * step * step);
         motion[0].max(motion[1]) > limit * limit
     };
-    let far_from_boundaries = |near: &&NearBoundary| {
+    let may_go_far = |near: &&NearBoundary| {
         let i = near.sphere as usize;
         let limit = SMALL_MOTION * radius[i] * (1.0 - ROUNDING);
         reach[i].boundaries + carried >= limit
@@ -113,7 +113,7 @@ pub(super) fn passed(
     let here = list.pairs.iter().filter(far);
     let here = here.map(|&(i, j)| apart(i, j, HERE));
     let images = list.images.iter().map(|&(i, j, image)| apart(i, j, image));
-    let boundaries = list.boundaries.iter().filter(far_from_boundaries);
+    let boundaries = list.boundaries.iter().filter(may_go_far);
     let boundaries = boundaries.map(|near| {
         let (i, boundary) = (near.sphere, near.boundary);
         let paths = [&end, &free].map(|to| start.path_in_frame(to, i, boundary));

@@ -1,6 +1,7 @@
 """The command and the exported FMUs that the tests drive.
 
-`tests/run` names the release command in SPHERE_DDA; without it, that of target/release. It exports the examples once per session, of which each worker of pytest-xdist has one.
+`tests/run` names the release command in SPHERE_DDA; without it, that of target/release. It exports the
+examples once per session; each worker of pytest-xdist has a session of its own.
 """
 
 import os
