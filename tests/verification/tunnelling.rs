@@ -202,6 +202,33 @@ fn a_bullet_beside_a_sheet_flies_on() {
     }
 }
 
+/// Likewise where the sheet flies and the sphere rests.
+#[test]
+fn a_sheet_that_flies_past_a_sphere_leaves_it() {
+    for (x, meets) in [(2.0 + 1.5 * RADIUS, false), (2.0 + 0.5 * RADIUS, true)] {
+        for phase in 0..8 {
+            let z = RADIUS * (2.0 + 5.0 * f64::from(phase) / 8.0);
+            let up = Motion::Constant(Twist {
+                linear: Vec3::z() * FAST,
+                angular: Vec3::zeros(),
+            });
+            let mut run = Case::new(DT, 0.0, 1.0)
+                .without_gravity()
+                .moving(vec![sheet(0.0).into()], up)
+                .sphere(RADIUS, at(x, 0.0, z), Vec3::zeros())
+                .start();
+            run.steps(5);
+            let changed = run.velocity(0).norm() / FAST > 1e-9;
+            assert_eq!(
+                changed,
+                meets,
+                "at {x}, phase {phase}: {:?}",
+                run.velocity(0)
+            );
+        }
+    }
+}
+
 /// Where a step may not be cut, the error names the pair and the step that would do.
 #[test]
 fn what_would_pass_is_named() {
