@@ -1,5 +1,7 @@
 //! Third stage of a step: the rows of its problem, who they are, and the impulses that the solve starts from.
 
+use std::collections::LinkedList;
+
 use super::prediction::Prediction;
 use super::rows::elastic::ElasticContact;
 use super::rows::joint::JointConstraint;
@@ -8,8 +10,8 @@ use crate::contact::cohesion::Hold;
 use crate::contact::history::{self, HistoryIndex};
 use crate::contact::{ContactId, Partner};
 use crate::detection::configuration::{Candidate, Configuration};
-use crate::parallel::Pool;
-use crate::problem::{Law, Problem, RowWriter};
+use crate::parallel::{Pieces, Pool};
+use crate::problem::{Law, Problem, Row, RowWriter};
 use crate::state::State;
 
 /// Arrays of an [`Assembly`], kept for their memory alone.
@@ -140,7 +142,7 @@ impl Assembly<'_> {
             let (past, (impact, impulses)) = others;
             let keys = candidates[first..].iter().map(|candidate| candidate.key);
             let transferred = history::transfer(contacts, keys);
-            let mut general = false;
+            let (mut whole, count) = (Vec::new(), rows.count());
             let is_candidate = |key| known(candidates, key);
             for (k, (past, transferred)) in past.iter_mut().zip(transferred).enumerate() {
                 let candidate = &candidates[first + k];
@@ -154,20 +156,27 @@ impl Assembly<'_> {
                 rows.write(k, &contact.row, contact.is_of_spheres);
                 impact[k] = contact.impact;
                 impulses[k] = force * prediction.step;
-                general |= !contact.is_of_spheres;
+                if !contact.is_of_spheres {
+                    if whole.is_empty() {
+                        whole.reserve(count - k);
+                    }
+                    whole.push(contact.row);
+                }
             }
-            general
+            match whole.is_empty() {
+                true => LinkedList::new(),
+                false => LinkedList::from([whole]),
+            }
         };
         let others = (&mut self.impact[..], &mut impulses[..]);
         let all = (rows.extend_plain(count), (&mut self.past[..], others));
-        if self.pool.pieces(all, write, |a, b| a | b) {
-            let past = &self.past;
-            rows.settle(|k| {
-                let (carried, known) = (past[k].carried(contacts), known_impact(k));
-                prediction
-                    .contact_row(free, &candidates[k], carried, known)
-                    .row
-            });
+        let join = |mut all: LinkedList<Vec<Row>>, mut more| {
+            all.append(&mut more);
+            all
+        };
+        let whole = self.pool.pieces(all, write, join);
+        if !whole.is_empty() {
+            rows.settle(whole.into_iter().flatten());
         }
     }
 

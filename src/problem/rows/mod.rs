@@ -299,12 +299,13 @@ impl Rows {
         }
     }
 
-    /// Keeps whole, as `row` gives them, the rows that were written as such.
-    pub(crate) fn settle(&mut self, row: impl Fn(usize) -> Row) {
+    /// Takes the rows that were written as no plain ones, in order.
+    pub(crate) fn settle(&mut self, mut whole: impl Iterator<Item = Row>) {
         for k in 0..self.len() {
-            if self.compact[k].0[GENERAL] == DUE {
-                let row = row(k);
-                self.compact[k] = SphereContact::of(&row, self.place(&row));
+            if self.compact[k].0[GENERAL] == DUE
+                && let Some(row) = whole.next()
+            {
+                self.compact[k].0[GENERAL] = self.place(&row) as f64;
             }
         }
     }

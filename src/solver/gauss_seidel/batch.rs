@@ -55,6 +55,8 @@ pub(super) struct Group {
     pub(super) blocks: Range<usize>,
     pub(super) resistances: Range<usize>,
     pub(super) bodies: Range<usize>,
+    /// Whether some of the blocks have levers.
+    pub(super) levered: bool,
 }
 
 /// How a sweep goes.

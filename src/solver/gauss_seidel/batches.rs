@@ -113,10 +113,11 @@ impl<T: Precision> Batches<T> {
                 .into_iter()
                 .zip(resistances)
                 .zip(bodies.into_iter().zip(before))
+                .zip(turn)
                 .map(|task| (task, Progress::NONE))
                 .collect();
             pool.each(size(turn), &mut tasks, |(task, found)| {
-                let ((blocks, resistances), (bodies, before)) = task;
+                let (((blocks, resistances), (bodies, before)), group) = task;
                 if let Some(before) = before {
                     move_on(bodies, before);
                 }
@@ -128,6 +129,7 @@ impl<T: Precision> Batches<T> {
                         bodies,
                         extras,
                         levers,
+                        levered: group.levered,
                         latest,
                         pace,
                     },

@@ -4,12 +4,13 @@ use arrayvec::ArrayVec;
 
 use super::batch::{Batch, Extra, Group, PLAIN};
 use super::general_rows::spin_scale;
-use super::kernel::{ATTACHED, Kernel, NONE, refill};
+use super::kernel::{Kernel, refill};
+use super::kinds::{Kind, Kinds};
 use super::lanes::{LANES, Real, Sixteen};
 use super::levers::Levers;
 use super::resistance::Source;
 use super::sharing::Sharing;
-use crate::problem::{GROUND, Problem, Row, Rows};
+use crate::problem::{GROUND, Problem, Rows};
 use crate::sorting::counting_sort;
 
 /// Blocks that fill at the same time: a contact joins one that does not have its bodies yet.
@@ -26,90 +27,58 @@ struct Bodies {
 }
 
 impl Kernel {
-    /// Puts the rows of sphere contacts in the order of the blocks: by group, within it by the place of A.
+    /// Puts the contacts of blocks in their order: by group, within it by the place of A. `ends` then has where each group's end.
     pub(super) fn sort(&mut self, problem: &Problem) {
-        let rows = &problem.rows;
-        let parts = self.layout.parts();
-        if parts == 1 && rows.are_of_spheres() && self.radius.iter().all(|r| *r > 0.0) {
-            refill(&mut self.resistance, rows.len(), NONE);
-            refill(&mut self.group, rows.len(), 0);
-            self.levered.clear();
+        let (rows, kinds) = (&problem.rows, &self.kinds);
+        let (parts, spheres) = (self.layout.parts(), problem.inverse_mass.len());
+        let all = 0..rows.len() as u32;
+        if parts == 1 && kinds.are_plain() {
+            refill(&mut self.ends, 2, all.end);
             self.order.clear();
-            self.order.extend(0..rows.len() as u32);
+            self.order.extend(all);
             return;
         }
-        let moves_alike = |body: u32| self.radius[body as usize] > 0.0;
-        let spheres = problem.inverse_mass.len();
-        let part = |body: u32| Some(self.layout.seat(body as usize, spheres)?.1);
-        refill(&mut self.resistance, rows.len(), NONE);
-        for (k, contact) in rows.resistances() {
-            self.resistance[contact] = k as u32;
+        let contacts = all.filter(|&k| kinds.of(k).is_contact());
+        if parts == 1 {
+            // Blocks of plain contacts are swept faster without others among them.
+            let group = |&k: &u32| u32::from(kinds.of(k) == Kind::Levered);
+            counting_sort(contacts, (group, 2), &mut self.ends, &mut self.order);
+            return;
         }
-        let resistance = &self.resistance;
-        let group_of = |k: usize, levered: &mut bool| {
+        let part = |body: u32| Some(self.layout.seat(body as usize, spheres)?.1);
+        let group_of = |k: usize| {
             let [a, b] = rows.bodies(k);
-            let alike = moves_alike(a) && (b == GROUND || moves_alike(b));
-            let is_contact = rows.general(k).is_none_or(Row::is_contact);
-            *levered = is_contact && !(alike && rows.is_of_spheres(k));
-            let resistance = resistance[k];
-            let rigid = resistance == NONE || rows.get(resistance as usize).is_rigid_resistance();
-            if !is_contact || !rigid {
-                return NONE;
-            } else if parts == 1 {
-                // Blocks of plain contacts are swept faster without others among them.
-                return u32::from(*levered);
-            }
             match (part(a), part(if b == GROUND { a } else { b })) {
                 (Some(a), Some(b)) => group_between(a, b, parts) as u32,
                 _ => last_group(parts) as u32,
             }
         };
-        self.levered.resize(rows.len(), false);
-        self.group.resize(rows.len(), NONE);
-        let all = (&mut self.group[..], &mut self.levered[..]);
-        let work = |first, (groups, levered): (&mut [u32], &mut [bool])| {
-            for (k, (group, levered)) in (first..).zip(groups.iter_mut().zip(levered)) {
-                *group = group_of(k, levered);
+        self.group.resize(rows.len(), 0);
+        let work = |first, groups: &mut [u32]| {
+            for (k, group) in (first..).zip(groups) {
+                *group = group_of(k);
             }
         };
-        self.pool.pieces(all, work, |(), ()| ());
-        for (contact, &k) in self.resistance.iter().enumerate() {
-            if k != NONE && self.group[contact] != NONE {
-                self.group[k as usize] = ATTACHED;
-            }
-        }
-        self.order.clear();
-        let ours = |k: &u32| self.group[*k as usize] < ATTACHED;
-        let all = 0..rows.len() as u32;
-        if parts == 1 {
-            for group in 0..2 {
-                let own = |k: &u32| self.group[*k as usize] == group;
-                self.order.extend(all.clone().filter(own));
-            }
-            return;
-        }
+        self.pool.pieces(&mut self.group[..], work, |(), ()| ());
         let place = |k: &u32| self.place[rows.bodies(*k as usize)[0] as usize];
-        counting_sort(
-            all.filter(ours),
-            (place, self.held.len()),
-            &mut self.counts,
-            &mut self.by_place,
-        );
+        let count = self.held.len();
+        counting_sort(contacts, (place, count), &mut self.ends, &mut self.by_place);
         let group = |k: &u32| self.group[*k as usize];
-        let rows = self.by_place.iter().copied();
-        counting_sort(rows, (group, 2 * parts), &mut self.counts, &mut self.order);
+        let contacts = self.by_place.iter().copied();
+        counting_sort(
+            contacts,
+            (group, 2 * parts),
+            &mut self.ends,
+            &mut self.order,
+        );
     }
 
     /// Which rows each of the `blocks` of all groups has.
     pub(super) fn share_out<T: Real>(&mut self, problem: &Problem, blocks: &mut Vec<Batch<T>>) {
         let (parts, spheres) = (self.layout.parts(), problem.inverse_mass.len());
         self.contents.rows.clear();
-        self.contents.resistances.clear();
-        self.contents.split.clear();
-        let mut filled = 0;
+        let (mut resisted, mut levered) = (0, 0);
         self.turns.iter_mut().for_each(ArrayVec::clear);
-        let order = std::mem::take(&mut self.order);
-        self.sharing.find(problem, &order);
         let mut open = Open {
             used: 0,
             blocks,
@@ -117,8 +86,8 @@ impl Kernel {
             held: &mut self.held,
             sharing: &self.sharing,
         };
-        let mut rest = &order[..];
-        for group in 0..2 * parts {
+        let mut start = 0;
+        for (group, &end) in self.ends[..2 * parts].iter().enumerate() {
             let (turn, low) = turn_of(group, parts);
             let part = |k: usize| {
                 let range = self.layout.part(k, spheres);
@@ -129,63 +98,70 @@ impl Kernel {
                 1 | 2 => part(low).start..part(low + 1).end,
                 _ => 0..problem.free.len() + parts,
             };
-            let own = |k: &&u32| self.group[**k as usize] as usize == group;
-            let count = rest.iter().take_while(own).count();
-            let (rows, others) = rest.split_at(count);
-            rest = others;
-            let first = open.used;
+            let rows = &self.order[start..end as usize];
+            start = end as usize;
+            let (first, first_resisted, first_levered) = (open.used, resisted, levered);
             let range = Bodies {
                 first: bodies.start as u32,
                 still: (part(low).end - 1 - bodies.start) as u32,
             };
             open.take(problem.rows.all_bodies(), rows, &self.place, range);
             let blocks = first..open.used;
-            let first = self.contents.resistances.len();
-            for block in blocks.clone() {
-                let rows = &open.rows[block][..open.blocks[block].count as usize];
-                open.blocks[block].resisted =
-                    rows.iter().any(|&k| self.resistance[k as usize] != NONE);
-                if open.blocks[block].resisted {
-                    let source = resistances(&problem.rows, rows, &self.resistance, &self.radius);
-                    self.contents.resistances.push(source);
-                }
-                let levered = |&k: &u32| self.levered.get(k as usize) == Some(&true);
-                if rows.iter().any(levered) {
-                    open.blocks[block].levers = filled as u32;
-                    let length = |i: usize| spin_scale(&self.radius, i);
-                    let of = |k: u32| problem.rows.general(self.resistance[k as usize] as usize);
-                    let resistance = |k: u32| of(k).copied();
-                    let block = &open.blocks[block];
-                    let registers = self.exact.registers;
-                    let at = filled;
-                    filled += 1;
-                    match self.contents.levers.get_mut(at) {
-                        Some(old) => *old = Levers::default(),
-                        None => self.contents.levers.push(Levers::default()),
-                    }
-                    let levers = &mut self.contents.levers[at];
-                    let directions = levers.fill(problem, rows, resistance, length, registers);
-                    let shared = self.sharing.shared(problem, block, rows);
-                    levers.shared = shared.map(|at| (at, 1.0));
-                    if let Some(split) = levers.split(block, &directions, registers) {
-                        self.contents.split.push((at, split));
+            if !self.kinds.are_plain() {
+                for k in blocks.clone() {
+                    let block = &mut open.blocks[k];
+                    let mut rows = open.rows[k][..block.count as usize].iter();
+                    block.resisted = (rows.clone()).any(|&k| self.kinds.resistance(k).is_some());
+                    resisted += usize::from(block.resisted);
+                    if rows.any(|&k| self.kinds.of(k) == Kind::Levered) {
+                        block.levers = levered as u32;
+                        levered += 1;
                     }
                 }
             }
-            let resistances = first..self.contents.resistances.len();
             // Interiors stay in any case: momentum moves their bodies.
             if turn == 0 || !blocks.is_empty() {
                 self.turns[turn].push(Group {
                     blocks,
-                    resistances,
+                    resistances: first_resisted..resisted,
                     bodies,
+                    levered: levered > first_levered,
                 });
             }
         }
         let used = open.used;
         blocks.truncate(used);
-        self.contents.levers.truncate(filled);
-        self.order = order;
+        let contents = &mut self.contents;
+        contents.resistances.resize_with(resisted, Source::default);
+        contents.levers.resize_with(levered, Levers::default);
+    }
+
+    /// Resistances and levers of `blocks`.
+    pub(super) fn equip<T: Real>(&mut self, problem: &Problem, blocks: &[Batch<T>]) {
+        let (kinds, registers) = (&self.kinds, self.exact.registers);
+        let length = |i: usize| spin_scale(&self.radius, i);
+        let lever = |k: u32| Some(problem.rows.radius(kinds.resistance(k)? as usize));
+        let contents = &mut self.contents;
+        contents.split.clear();
+        let mut sources = contents.resistances.iter_mut();
+        for (block, rows) in blocks.iter().zip(&contents.rows) {
+            let rows = &rows[..block.count as usize];
+            if block.resisted
+                && let Some(source) = sources.next()
+            {
+                *source = resistances(&problem.rows, rows, kinds, length);
+            }
+            let at = block.levers as usize;
+            if let Some(levers) = contents.levers.get_mut(at) {
+                *levers = Levers::default();
+                let directions = levers.fill(problem, rows, lever, length, registers);
+                let shared = self.sharing.shared(problem, block, rows);
+                levers.shared = shared.map(|body| (body, 1.0));
+                if let Some(split) = levers.split(block, &directions, registers) {
+                    contents.split.push((at, split));
+                }
+            }
+        }
     }
 
     /// Lets contacts of `blocks` have moving ground and springs.
@@ -288,7 +264,7 @@ impl<T: Real> Open<'_, T> {
         }
         self.rows.push(Sixteen::default());
         let block = &mut self.blocks[at];
-        (block.count, block.levers) = (0, PLAIN);
+        (block.count, block.levers, block.resisted) = (0, PLAIN, false);
         block.bodies = [[range.still; LANES]; 2];
         at
     }
@@ -304,15 +280,17 @@ impl<T: Real> Open<'_, T> {
     }
 }
 
-/// Resistances of the contacts that are rows `own`, where `resistance` says which row each has, and spins are scaled by `radius`.
-fn resistances(rows: &Rows, own: &[u32], resistance: &[u32], radius: &[f64]) -> Source {
+/// Resistances of the contacts that are rows `own`, where spins of bodies are scaled by `length`.
+fn resistances(rows: &Rows, own: &[u32], kinds: &Kinds, length: impl Fn(usize) -> f64) -> Source {
     let mut source = Source::default();
     for (lane, &k) in own.iter().enumerate() {
-        let k = resistance[k as usize];
+        let Some(k) = kinds.resistance(k) else {
+            continue;
+        };
         if let Some(row) = rows.general(k as usize) {
             let scales = [row.a, row.b].map(|body| match body {
                 GROUND => f64::INFINITY,
-                body => spin_scale(radius, body as usize),
+                body => length(body as usize),
             });
             source.set(lane, (k, row), scales);
         }

@@ -18,7 +18,7 @@ impl<T: Real> Batch<T> {
         latest: usize,
     ) {
         let impulse = self.exact(latest, source.unit);
-        let mut shared = Shared::of(levers, bodies);
+        let mut shared = Shared::of(self, levers, bodies);
         for pass in self.passes::<L, f64>() {
             let p = vector(l, &impulse, pass);
             if let Some(levers) = levers {

@@ -94,16 +94,16 @@ impl<'a, T: Real> Bodies<'a, T> {
 }
 
 impl GeneralRows {
-    /// Takes the rows of `problem` that `belongs` says, with their `impulses`, `[C]` \[N s\].
+    /// Takes these `rows` of `problem` with their `impulses`, `[C]` \[N s\].
     pub(super) fn take(
         &mut self,
         problem: &Problem,
         impulses: &[Vec3],
-        belongs: impl Fn(usize) -> bool,
+        rows: impl Iterator<Item = u32>,
     ) {
         self.0.clear();
-        for (k, &impulse) in impulses.iter().enumerate().filter(|(k, _)| belongs(*k)) {
-            let row = problem.rows.get(k);
+        for at in rows {
+            let (row, impulse) = (problem.rows.get(at as usize), impulses[at as usize]);
             let contact = match row.law {
                 Law::Resistance { contact, .. } => {
                     self.0.binary_search_by_key(&contact, |own| own.at).ok()
@@ -111,7 +111,7 @@ impl GeneralRows {
                 _ => None,
             };
             self.0.push(GeneralRow {
-                at: k as u32,
+                at,
                 contact,
                 scale: Scale::of_row(problem, &row),
                 row,

@@ -5,7 +5,7 @@ use super::dispatch::{Precision, Task};
 use super::lanes::{Lanes, Pack, Real, Sixteen};
 use super::levers::{Levers, Symmetric, alike, symmetric};
 use super::local::{dot, vector};
-use crate::problem::{CONSTANTS, ELEMENTS, GROUND, Problem, Row, bounds};
+use crate::problem::{CONSTANTS, ELEMENTS, GROUND, Problem, bounds};
 use crate::solver::params::Registers;
 use nalgebra::Matrix3;
 
@@ -26,13 +26,13 @@ pub(super) struct Directions {
 }
 
 impl Levers<f64> {
-    /// Makes empty ones those of the contacts that are `rows` of `problem`, where `resistance` gives the row of each
-    /// one's; spins of bodies are scaled by `length` \[m\]. Returns what their bounds also depend on.
+    /// Makes empty ones those of the contacts that are `rows` of `problem`, where `lever` is that of the couple of each
+    /// one's resistance \[m\]; spins of bodies are scaled by `length` \[m\]. Returns what their bounds also depend on.
     pub(super) fn fill(
         &mut self,
         problem: &Problem,
         rows: &[u32],
-        resistance: impl Fn(u32) -> Option<Row>,
+        lever: impl Fn(u32) -> Option<f64>,
         length: impl Fn(usize) -> f64,
         registers: Registers,
     ) -> Directions {
@@ -42,7 +42,7 @@ impl Levers<f64> {
             for (lanes, x) in directions.normal.iter_mut().zip(&row.normal) {
                 lanes[lane] = *x;
             }
-            let couple = resistance(k).map(|row| row.radius);
+            let couple = lever(k);
             for (side, (body, arm)) in [(row.a, row.arm_a), (row.b, row.arm_b)].iter().enumerate() {
                 if *body == GROUND {
                     continue;

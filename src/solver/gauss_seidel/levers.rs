@@ -218,25 +218,38 @@ pub(super) struct Shared<T> {
     at: u32,
     share: T,
     before: Body<T>,
-    /// What the contacts add to it.
-    change: [T; 8],
+    /// One for each contact that has it as its body A, and as B; else zero.
+    holds: [Sixteen<T>; 2],
+    /// What each contact adds to its velocity and spin.
+    change: [Sixteen<T>; 6],
 }
 
+/// Components of a [`Body`] that change.
+const MOVING: [usize; 6] = [0, 1, 2, 4, 5, 6];
+
 impl<T: Real> Shared<T> {
-    /// That of the contacts of `levers`, if they share one.
+    /// That of the contacts of `block`, if they share one.
     #[inline(always)]
-    pub(super) fn of(levers: Option<&Levers<T>>, bodies: &[Body<T>]) -> Option<Self> {
+    pub(super) fn of(
+        block: &Batch<impl Real>,
+        levers: Option<&Levers<T>>,
+        bodies: &[Body<T>],
+    ) -> Option<Self> {
         let (at, share) = levers?.shared?;
+        let held = |x: u32| T::of(f64::from(u8::from(x == at)));
         Some(Self {
             at,
             share,
             before: bodies[at as usize],
-            change: [T::default(); 8],
+            holds: [
+                changed(&block.bodies[0], held),
+                changed(&block.bodies[1], held),
+            ],
+            change: [Sixteen::default(); 6],
         })
     }
 
-    /// Puts the bodies `ab` of contacts of `block` back, but this one, whose changes are kept: lane after lane, so that registers of
-    /// every width sum in the same order.
+    /// Puts the bodies `ab` of contacts of `block` back, but this one, whose changes are kept.
     #[inline(always)]
     pub(super) fn put<L: Lanes<T>>(
         &mut self,
@@ -246,36 +259,30 @@ impl<T: Real> Shared<T> {
         ab: Columns<L::Pack>,
         bodies: &mut [Body<T>],
     ) {
-        let mut moved = [[Sixteen::<T>::default(); 8]; 2];
-        for (lanes, columns) in moved.iter_mut().zip(ab) {
-            for (lanes, column) in lanes.iter_mut().zip(columns) {
-                l.store(column, lanes, pass);
-            }
-        }
-        let first = pass * L::WIDTH;
-        for lane in first..(first + L::WIDTH).min(LANES) {
-            for (_, x) in block
-                .bodies
-                .iter()
-                .zip(&moved)
-                .filter(|(at, _)| at[lane] == self.at)
-            {
-                for (change, (x, before)) in self.change.iter_mut().zip(x.iter().zip(self.before.0))
-                {
-                    *change += x[lane] - before;
-                }
-            }
+        let [of_a, of_b] = &self.holds;
+        let (of_a, of_b) = (l.load(of_a, pass), l.load(of_b, pass));
+        for (k, change) in MOVING.into_iter().zip(&mut self.change) {
+            let before = l.splat(self.before.0[k]);
+            let a = of_a * (ab[0][k] - before);
+            l.store(a.plus(of_b, ab[1][k] - before), change, pass);
         }
         block.put_columns(l, pass, ab, bodies);
         bodies[self.at as usize] = self.before;
     }
 
-    /// Gives it its share of all changes.
+    /// Gives it its share of all changes: summed by halves, so that registers of every width sum in the same order.
     #[inline(always)]
     pub(super) fn finish(self, bodies: &mut [Body<T>]) {
         let Body(x) = &mut bodies[self.at as usize];
-        for (x, change) in x.iter_mut().zip(self.change) {
-            *x += self.share * change;
+        for (k, mut change) in MOVING.into_iter().zip(self.change) {
+            let mut half = LANES / 2;
+            while half > 0 {
+                for lane in 0..half {
+                    change[lane] += change[lane + half];
+                }
+                half /= 2;
+            }
+            x[k] += self.share * change[0];
         }
     }
 }

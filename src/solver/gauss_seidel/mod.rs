@@ -21,6 +21,7 @@ mod dispatch;
 mod exact;
 mod general_rows;
 mod kernel;
+mod kinds;
 mod lanes;
 mod lever_rows;
 mod levers;

@@ -256,7 +256,7 @@ impl Source {
         impulse: &Vector<f64>,
         bodies: &mut [Body<f64>],
     ) {
-        let mut shared = Shared::of(levers, bodies);
+        let mut shared = Shared::of(contacts, levers, bodies);
         for pass in contacts.passes::<L, f64>() {
             let mut ab = contacts.columns(l, pass, bodies);
             let held = self.numbers.held(l, pass);

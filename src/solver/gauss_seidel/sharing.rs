@@ -8,13 +8,11 @@ use crate::problem::Problem;
 const SPLIT: f64 = 0.25;
 
 /// How many contacts of a block may share each body.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(super) struct Sharing {
     spheres: usize,
-    /// Of those behind the spheres, `[M]`.
-    others: Vec<Touched>,
-    /// Whether contacts may share one of them.
-    some: bool,
+    /// Of those behind the spheres, `[M]`; empty where each is one.
+    limits: Vec<usize>,
 }
 
 /// What touches a body.
@@ -25,41 +23,52 @@ struct Touched {
     ratio: f64,
 }
 
+impl Touched {
+    /// How many contacts of a block may share the body.
+    fn limit(&self) -> usize {
+        match self.contacts > LANES {
+            true => ((SPLIT * self.ratio) as usize).clamp(1, LANES),
+            false => 1,
+        }
+    }
+}
+
 impl Sharing {
-    /// Looks at the contacts that are `rows` of `problem`.
-    pub(super) fn find(&mut self, problem: &Problem, rows: &[u32]) {
+    /// Looks at the contacts that are `rows` of `problem`: all that touch bodies behind the spheres.
+    pub(super) fn find(&mut self, problem: &Problem, rows: impl Iterator<Item = u32> + Clone) {
         self.spheres = problem.inverse_mass.len();
-        self.others.clear();
-        self.some = false;
-        let alone = Touched {
+        self.limits.clear();
+        if problem.operators.is_empty() {
+            return;
+        }
+        let none = Touched {
             contacts: 0,
             ratio: f64::INFINITY,
         };
-        self.others.resize(problem.operators.len(), alone);
-        if self.others.is_empty() {
-            return;
-        }
+        let mut touched = vec![none; problem.operators.len()];
+        let place = |body: u32| {
+            let at = (body as usize).checked_sub(self.spheres)?;
+            (at < problem.operators.len()).then_some(at)
+        };
         let bodies = |k: u32| problem.rows.bodies(k as usize);
-        for body in rows.iter().flat_map(|&k| bodies(k)) {
-            if let Some(own) = self.of(body) {
-                own.contacts += 1;
-            }
+        for at in rows.clone().flat_map(bodies).filter_map(place) {
+            touched[at].contacts += 1;
         }
-        self.some = self.others.iter().any(|own| own.contacts > LANES);
-        if !self.some {
+        if touched.iter().all(|own| own.contacts <= LANES) {
             return;
         }
-        for &k in rows {
-            for (side, body) in bodies(k).into_iter().enumerate() {
-                if let Some(own) = self.of(body)
-                    && own.contacts > LANES
+        for k in rows {
+            for (side, at) in bodies(k).map(place).into_iter().enumerate() {
+                if let Some(at) = at
+                    && touched[at].contacts > LANES
                 {
                     let traces = problem.mobility_traces(&problem.rows.get(k as usize));
-                    let [mobility, other] = [side, 1 - side].map(|side| traces[side]);
-                    own.ratio = own.ratio.min(other / mobility);
+                    let ratio = traces[1 - side] / traces[side];
+                    touched[at].ratio = touched[at].ratio.min(ratio);
                 }
             }
         }
+        self.limits.extend(touched.iter().map(Touched::limit));
     }
 
     /// The place of the body that contacts of `block`, which are `rows` of `problem`, do share.
@@ -69,7 +78,7 @@ impl Sharing {
         block: &Batch<impl Real>,
         rows: &[u32],
     ) -> Option<u32> {
-        if !self.some {
+        if self.limits.is_empty() {
             return None;
         }
         let lanes = rows.iter().enumerate();
@@ -83,21 +92,11 @@ impl Sharing {
             .map(|(_, at)| at)
     }
 
-    fn of(&mut self, body: u32) -> Option<&mut Touched> {
-        let at = (body as usize).checked_sub(self.spheres)?;
-        self.others.get_mut(at)
-    }
-
     /// How many contacts of a block may share this body.
     #[inline]
     pub(super) fn limit(&self, body: u32) -> usize {
-        if !self.some {
-            return 1;
-        }
         let at = (body as usize).checked_sub(self.spheres);
-        match at.and_then(|at| self.others.get(at)) {
-            Some(own) if own.contacts > LANES => ((SPLIT * own.ratio) as usize).clamp(1, LANES),
-            _ => 1,
-        }
+        let own = at.and_then(|at| self.limits.get(at));
+        own.copied().unwrap_or(1)
     }
 }

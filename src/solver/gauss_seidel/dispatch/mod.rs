@@ -16,7 +16,9 @@ pub(super) struct Sweep<'a, T> {
     pub(super) resistances: &'a mut [Resistances<T>],
     pub(super) bodies: &'a mut [Body<T>],
     pub(super) extras: &'a [Extra<T>],
+    /// Of all groups; whether some of these blocks have such.
     pub(super) levers: &'a [Levers<T>],
+    pub(super) levered: bool,
     /// Which of the blocks' impulses are the last.
     pub(super) latest: usize,
     pub(super) pace: SweepParams,
@@ -139,10 +141,10 @@ impl<T: Real> Task for Sweep<'_, T> {
     #[inline(always)]
     fn with<L: Lanes<T>>(self, l: L) -> Progress {
         // Apart: in one loop plain blocks take longer.
-        match (self.resistances.is_empty(), self.levers.is_empty()) {
-            (true, true) => self.over_blocks::<L, false, false>(l),
-            (false, true) => self.over_blocks::<L, true, false>(l),
-            (_, false) => self.over_blocks::<L, true, true>(l),
+        match (self.levered, self.resistances.is_empty()) {
+            (false, true) => self.over_blocks::<L, false, false>(l),
+            (false, false) => self.over_blocks::<L, true, false>(l),
+            (true, _) => self.over_blocks::<L, true, true>(l),
         }
     }
 }
@@ -167,7 +169,7 @@ impl<T: Real> Sweep<'_, T> {
                 true => block.levers(self.levers),
                 false => None,
             };
-            let mut shared = Shared::of(levers, self.bodies);
+            let mut shared = Shared::of(block, levers, self.bodies);
             for pass in block.passes::<L, T>() {
                 let bodies = &mut *self.bodies;
                 let (within, a, c) = match (levers, resisted.as_deref_mut()) {

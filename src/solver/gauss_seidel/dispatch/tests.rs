@@ -79,6 +79,7 @@ impl<T> Case<T> {
             blocks,
             resistances,
             bodies: 0..self.bodies.len(),
+            levered: !self.levers.is_empty(),
         }
     }
 
@@ -89,6 +90,7 @@ impl<T> Case<T> {
             bodies: &mut self.bodies,
             extras: &self.extras,
             levers: &self.levers,
+            levered: !self.levers.is_empty(),
             latest,
             pace,
         }

@@ -9,6 +9,7 @@ use super::batch::{Batch, Extra, Progress, SweepParams};
 use super::batches::{BODIES, Batches, Colours, split};
 use super::dispatch::Exact;
 use super::general_rows::{Bodies, GeneralRows, spin_scale};
+use super::kinds::Kinds;
 use super::lanes::{Body, Real, Sixteen};
 use super::levers::{Levers, alike};
 use super::local::Source;
@@ -46,20 +47,16 @@ pub struct Kernel {
     /// Length by which each body's spin is scaled \[m\], `[N + M]`: its radius; zero where no contact gives it.
     pub(super) radius: Vec<f64>,
     pub(super) others: GeneralRows,
-    /// Row of each contact's resistance, `[C]`; [`NONE`] where it has none.
-    pub(super) resistance: Vec<u32>,
-    /// Which rows are contacts, but no plain ones, `[C]`; empty where there is none.
-    pub(super) levered: Vec<bool>,
+    pub(super) kinds: Kinds,
     pub(super) sharing: Sharing,
-    /// Rows of the blocks by group, and which group each is of.
+    /// Contacts of the blocks by group, where each group ends, and of what group each row is.
     pub(super) order: Vec<u32>,
+    pub(super) ends: Vec<u32>,
     pub(super) group: Vec<u32>,
     pub(super) by_place: Vec<u32>,
-    pub(super) counts: Vec<u32>,
     /// For each body of the group that fills, by its place in it, the filling blocks that hold it, as bits.
     pub(super) held: Vec<u16>,
-    /// Bodies of the rows that were shared out last, `[C]`; empty where blocks have more than contacts of spheres, or not all rows.
-    shared_out: Vec<[u32; 2]>,
+    shared_out: SharedOut,
     pub(super) tolerance: Tolerance,
 }
 
@@ -73,6 +70,15 @@ pub(super) struct Contents {
     pub(super) levers: Vec<Levers<f64>>,
     /// Those that sweeps have instead, and where: those of bodies that contacts share.
     pub(super) split: Vec<(usize, Levers<f64>)>,
+}
+
+/// What the share-out of rows among the blocks depends on beside the layout.
+#[derive(Debug, Default)]
+struct SharedOut {
+    /// Bodies of the rows, `[C]`; empty where there were none, or another layout.
+    bodies: Vec<[u32; 2]>,
+    kinds: Kinds,
+    sharing: Sharing,
 }
 
 impl Contents {
@@ -119,6 +125,8 @@ impl Kernel {
             }));
         self.radius.resize(problem.free.len(), NO_SPHERE);
         self.layout.fit(spheres);
+        self.kinds.find(problem, &self.radius, &self.pool);
+        self.sharing.find(problem, self.kinds.levered());
         let [length, force] = SINGLE;
         let single = tolerance.gap.min(tolerance.slip) >= length && tolerance.force >= force;
         let known = single == self.single && self.holds(problem);
@@ -138,8 +146,8 @@ impl Kernel {
                 self.exact.blocks = blocks;
             }
         }
-        let group = &self.group;
-        self.others.take(problem, impulses, |k| group[k] == NONE);
+        let kinds = &self.kinds;
+        self.others.take(problem, impulses, kinds.single());
         let others = problem.operators.iter().map(|w| w.linear.diagonal().max());
         let masses = problem.inverse_mass.iter().map(|w| w.linear.max());
         let masses = masses.chain(others);
@@ -162,16 +170,16 @@ impl Kernel {
         self.reload(problem);
     }
 
-    /// Whether the rows of `problem` are contacts of spheres, of the bodies that those in the blocks have.
+    /// Whether the rows of `problem` would be shared out as those in the blocks were.
     fn holds(&self, problem: &Problem) -> bool {
         let (rows, spheres) = (&problem.rows, problem.inverse_mass.len());
-        let parts = self.layout.parts();
+        let (parts, shared_out) = (self.layout.parts(), &self.shared_out);
         let interiors = self.turns[0].last().map(|group| group.bodies.end);
-        !self.shared_out.is_empty()
-            && rows.are_of_spheres()
-            && self.shared_out == rows.all_bodies()
+        !shared_out.bodies.is_empty()
+            && shared_out.bodies == rows.all_bodies()
+            && shared_out.kinds == self.kinds
+            && shared_out.sharing == self.sharing
             && (interiors, self.place.len()) == (Some(spheres + parts), problem.free.len())
-            && self.radius[..spheres].iter().all(|radius| *radius > 0.0)
     }
 
     /// Makes `blocks` those of `problem`; they are `known` to have its rows.
@@ -179,6 +187,7 @@ impl Kernel {
         if !known {
             self.divide(problem, blocks);
         }
+        self.equip(problem, blocks);
         self.add_extras(&problem.rows, blocks);
     }
 
@@ -194,10 +203,12 @@ impl Kernel {
         }));
         self.sort(problem);
         self.share_out(problem, blocks);
-        self.shared_out.clear();
-        if problem.rows.are_of_spheres() && self.order.len() == problem.rows.len() {
-            self.shared_out.extend_from_slice(problem.rows.all_bodies());
-        }
+        let shared_out = &mut self.shared_out;
+        shared_out.bodies.clear();
+        let bodies = problem.rows.all_bodies();
+        shared_out.bodies.extend_from_slice(bodies);
+        shared_out.kinds.clone_from(&self.kinds);
+        shared_out.sharing.clone_from(&self.sharing);
     }
 
     /// Says where the spheres are, `[N]` \[m\], whose largest diameter is `diameter` \[m\]; and of each body behind them, `[M]`, a sphere
@@ -209,7 +220,7 @@ impl Kernel {
         members: impl Iterator<Item = Option<usize>>,
     ) {
         if self.layout.arrange(centres, diameter, members) {
-            self.shared_out.clear();
+            self.shared_out.bodies.clear();
         }
     }
 
@@ -387,10 +398,8 @@ impl Kernel {
 
 /// Radius of a body that does not move alike in all directions.
 const NO_SPHERE: f64 = -1.0;
-/// Group of a row that no block has.
+/// No row.
 pub(super) const NONE: u32 = u32::MAX;
-/// Group of a resistance, which goes with its contact: above those of all blocks.
-pub(super) const ATTACHED: u32 = NONE - 1;
 
 /// `items` as so many copies of `value`.
 pub(super) fn refill<T: Clone>(items: &mut Vec<T>, count: usize, value: T) {

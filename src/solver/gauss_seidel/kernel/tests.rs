@@ -184,9 +184,8 @@ fn blocks_do_what_rows_do_one_after_the_other() {
     );
     let blocks = kernel.exact.blocks.iter().zip(&kernel.contents.rows);
     let rows = blocks.flat_map(|(block, rows)| &rows[..block.count as usize]);
-    let with_resistance = |&k: &u32| [k, kernel.resistance[k as usize]];
-    let mut order: Vec<u32> = rows.flat_map(with_resistance).collect();
-    order.retain(|&k| k != NONE);
+    let with_resistance = |&k: &u32| [Some(k), kernel.kinds.resistance(k)];
+    let mut order: Vec<u32> = rows.flat_map(with_resistance).flatten().collect();
     assert!(order.len() > problem.rows.len() / 2 + 8);
     order.extend(kernel.others.places());
     let mut sorted = order.clone();
@@ -275,11 +274,8 @@ fn a_shared_body_is_the_mean_of_its_parts() {
             let mut change = SpatialVector::ZERO;
             for &k in rows {
                 velocity[plate as usize] = whole;
-                for k in [k, kernel.resistance[k as usize]] {
-                    let row = match k {
-                        NONE => continue,
-                        k => split.rows.get(k as usize),
-                    };
+                for k in [Some(k), kernel.kinds.resistance(k)].into_iter().flatten() {
+                    let row = split.rows.get(k as usize);
                     let load = row.load(&split.rows, &expected);
                     let p = &mut expected[k as usize];
                     let scale = Scale::of_row(&split, &row);

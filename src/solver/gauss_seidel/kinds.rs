@@ -1,0 +1,107 @@
+//! What each row is to the blocks.
+
+use super::kernel::{NONE, refill};
+use crate::parallel::Pool;
+use crate::problem::{GROUND, Law, Problem, Row};
+
+/// What a row is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Kind {
+    /// A contact of spheres that move alike in all directions.
+    Plain,
+    /// Any other contact: it has [levers](super::levers).
+    Levered,
+    /// The resistance of this contact, in whose block it is.
+    Resistance(u32),
+    /// In no block.
+    Single,
+}
+
+impl Kind {
+    /// Whether it is a contact of a block.
+    pub(super) fn is_contact(self) -> bool {
+        matches!(self, Self::Plain | Self::Levered)
+    }
+}
+
+/// Kinds of the rows of a problem.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub(super) struct Kinds {
+    /// `[C]`; empty where all are plain.
+    kinds: Vec<Kind>,
+    /// Row of each contact's resistance, `[C]`, or [`NONE`]; empty where no contact of a block has one.
+    resistance: Vec<u32>,
+}
+
+impl Kinds {
+    /// Takes those of `problem`, whose bodies are spheres where their `radius` is positive, `[N + M]`.
+    pub(super) fn find(&mut self, problem: &Problem, radius: &[f64], pool: &Pool) {
+        let rows = &problem.rows;
+        self.kinds.clear();
+        self.resistance.clear();
+        if rows.are_of_spheres() && radius.iter().all(|radius| *radius > 0.0) {
+            return;
+        }
+        let is_sphere = |body: u32| body == GROUND || radius[body as usize] > 0.0;
+        let kind_of = |k: usize| match rows.general(k).map(|row| row.law) {
+            Some(Law::Resistance { contact, .. }) => Kind::Resistance(contact),
+            Some(Law::Bilateral) => Kind::Single,
+            _ if rows.is_of_spheres(k) && rows.bodies(k).into_iter().all(is_sphere) => Kind::Plain,
+            _ => Kind::Levered,
+        };
+        self.kinds.resize(rows.len(), Kind::Plain);
+        let work = |first, kinds: &mut [Kind]| {
+            for (k, kind) in (first..).zip(kinds) {
+                *kind = kind_of(k);
+            }
+        };
+        pool.pieces(&mut self.kinds[..], work, |(), ()| ());
+        for k in 0..rows.len() {
+            let Kind::Resistance(contact) = self.kinds[k] else {
+                continue;
+            };
+            if self.resistance.is_empty() {
+                refill(&mut self.resistance, rows.len(), NONE);
+            }
+            let contact = contact as usize;
+            if rows.general(k).is_some_and(Row::is_rigid_resistance) {
+                self.resistance[contact] = k as u32;
+            } else {
+                (self.kinds[k], self.kinds[contact]) = (Kind::Single, Kind::Single);
+            }
+        }
+    }
+
+    /// Whether all are plain.
+    pub(super) fn are_plain(&self) -> bool {
+        self.kinds.is_empty()
+    }
+
+    /// That of row `k`.
+    #[inline]
+    pub(super) fn of(&self, k: u32) -> Kind {
+        self.kinds.get(k as usize).map_or(Kind::Plain, |kind| *kind)
+    }
+
+    /// Rows that have levers.
+    pub(super) fn levered(&self) -> impl Iterator<Item = u32> + Clone {
+        self.those(Kind::Levered)
+    }
+
+    fn those(&self, kind: Kind) -> impl Iterator<Item = u32> + Clone {
+        let kinds = (0..).zip(&self.kinds);
+        kinds.filter(move |(_, own)| **own == kind).map(|(k, _)| k)
+    }
+
+    /// Rows that are in no block.
+    pub(super) fn single(&self) -> impl Iterator<Item = u32> {
+        self.those(Kind::Single)
+    }
+
+    /// Row of the resistance that the contact of a block has which is row `k`.
+    #[inline]
+    pub(super) fn resistance(&self, k: u32) -> Option<u32> {
+        let own = *self.resistance.get(k as usize)?;
+        (own != NONE).then_some(own)
+    }
+}
