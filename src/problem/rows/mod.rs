@@ -19,8 +19,8 @@ pub struct Rows {
     compact: Vec<SphereContact>,
     /// Rows that are no plain contact of spheres, by [`SphereContact::general`].
     general: Vec<Row>,
-    /// Whether these are contacts all the same whose arms are radii of their bodies.
-    radial: Vec<bool>,
+    /// Whether these are contacts all the same whose arms are radii of bodies A and B.
+    radial: Vec<[bool; 2]>,
     /// Radius at which contacts touch each body \[m\]; zero as long as no contact has set it.
     radius: Vec<f64>,
 }
@@ -189,7 +189,7 @@ impl Rows {
 
     /// Whether all are contacts whose arms are radii of their bodies.
     pub(crate) fn are_of_spheres(&self) -> bool {
-        self.radial.iter().all(|&radial| radial)
+        self.radial.iter().all(|radial| radial[1])
     }
 
     /// Whether all are rigid besides, and on each other or on ground at rest.
@@ -214,8 +214,23 @@ impl Rows {
     /// Whether row `k` is a contact whose arms are radii of its bodies.
     #[inline]
     pub(crate) fn is_of_spheres(&self, k: usize) -> bool {
+        self.is_radial(k)[1]
+    }
+
+    /// Whether row `k` is a contact whose arm is the radius of its body A, and of B too.
+    #[inline]
+    pub(crate) fn is_radial(&self, k: usize) -> [bool; 2] {
         let general = self.compact[k].general();
-        general.is_none_or(|general| self.radial[general])
+        general.map_or([true; 2], |general| self.radial[general])
+    }
+
+    /// Arm \[m\] of row `k` from its body B, which is not the ground.
+    #[inline]
+    pub(crate) fn arm_b(&self, k: usize) -> Vec3 {
+        match self.general(k) {
+            Some(row) => row.arm_b,
+            None => self.normal(k) * self.radius[self.bodies[k][1] as usize],
+        }
     }
 
     /// Compliance along the normal of row `k` \[m/(s N s)\].
@@ -330,7 +345,7 @@ impl Rows {
         self.bodies[k] = [row.a, row.b];
         let general = match self.compact[k].general() {
             Some(general) => {
-                self.radial[general] = row.is_contact() && self.touches_spheres(&row);
+                self.radial[general] = self.radial(&row);
                 self.general[general] = row;
                 general + 1
             }
@@ -380,19 +395,21 @@ impl Rows {
     /// One more than where `row` is kept whole; zero if it need not be.
     #[inline]
     fn place(&mut self, row: &Row) -> usize {
-        let spheres = row.is_contact() && self.touches_spheres(row);
-        if spheres && row.is_rigid() && is_still(row) {
+        let radial = self.radial(row);
+        if radial[1] && row.is_rigid() && is_still(row) {
             return 0;
         }
         self.general.push(*row);
-        self.radial.push(spheres);
+        self.radial.push(radial);
         self.general.len()
     }
 
-    /// Whether a row's arms are radii of its bodies along the normal; the first contact of a body is where it gets its radius.
-    fn touches_spheres(&mut self, row: &Row) -> bool {
-        self.is_radius(row.a, -row.arm_a, row.normal)
-            && (row.b == GROUND || self.is_radius(row.b, row.arm_b, row.normal))
+    /// Whether a row is a contact whose arm is the radius of its body A along the normal, and of B too; the first contact of a body
+    /// is where it gets its radius.
+    fn radial(&mut self, row: &Row) -> [bool; 2] {
+        let a = row.is_contact() && self.is_radius(row.a, -row.arm_a, row.normal);
+        let b = a && (row.b == GROUND || self.is_radius(row.b, row.arm_b, row.normal));
+        [a, b]
     }
 
     /// Whether a contact touches `body` at its radius along the normal.

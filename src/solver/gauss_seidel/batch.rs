@@ -8,7 +8,7 @@ use crate::solver::Tolerance;
 /// A vector of each of sixteen contacts, by components.
 pub(super) type Vector<T> = [Sixteen<T>; 3];
 
-/// [`Batch::extra`] where all contacts are plain, and [`Batch::levers`].
+/// [`Batch::extra`] where all contacts are plain, likewise [`Batch::levers`] and [`Batch::heavy`].
 pub(super) const PLAIN: u32 = u32::MAX;
 
 /// What contacts of a block have beyond plain ones.
@@ -45,6 +45,8 @@ pub(super) struct Batch<T> {
     pub(super) extra: u32,
     /// Which of [`Batches::levers`](super::batches::Batches::levers) these contacts have; [`PLAIN`] where all are of spheres.
     pub(super) levers: u32,
+    /// Which of [`Batches::heavy`](super::batches::Batches::heavy) these contacts have; [`PLAIN`] where they are on no heavy body.
+    pub(super) heavy: u32,
     /// Whether some of these contacts have resistances, which are the next ones of the group.
     pub(super) resisted: bool,
 }
@@ -55,8 +57,18 @@ pub(super) struct Group {
     pub(super) blocks: Range<usize>,
     pub(super) resistances: Range<usize>,
     pub(super) bodies: Range<usize>,
-    /// Whether some of the blocks have levers.
-    pub(super) levered: bool,
+    pub(super) form: Form,
+}
+
+/// What contacts the blocks of a group have.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Form {
+    /// Of spheres, some with resistances.
+    Spheres,
+    /// Likewise; some have levers.
+    Levered,
+    /// Of spheres on heavy bodies.
+    Heavy,
 }
 
 /// How a sweep goes.

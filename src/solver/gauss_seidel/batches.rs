@@ -8,6 +8,7 @@ use arrayvec::ArrayVec;
 
 use super::batch::{Batch, Extra, Group, Progress, SweepParams};
 use super::dispatch::{Drift, Exact, Fill, Judge, Precision, Push, Sweep};
+use super::heavy::Heavy;
 use super::lanes::{Body, Real};
 use super::levers::Levers;
 use super::partition::PARTS;
@@ -18,7 +19,7 @@ use crate::solver::params::Registers;
 use crate::solver::residual::Residual;
 
 /// Groups in turns: those of a turn share no body, and their blocks and bodies ascend.
-pub(super) type Colours = [ArrayVec<Group, PARTS>; 4];
+pub(super) type Colours = [ArrayVec<Group, PARTS>; 5];
 
 /// Bodies that take as long to move on as a block to sweep.
 pub(super) const BODIES: usize = 50;
@@ -36,6 +37,8 @@ pub(super) struct Batches<T> {
     pub(super) extras: Vec<Extra<T>>,
     /// Of the blocks that have contacts of bodies that are no spheres.
     pub(super) levers: Vec<Levers<T>>,
+    /// Of the blocks whose contacts are on heavy bodies.
+    pub(super) heavy: Vec<Heavy<T>>,
     pub(super) bodies: Vec<Body<T>>,
     /// Bodies before the last sweep.
     pub(super) before: Vec<Body<T>>,
@@ -103,7 +106,8 @@ impl<T: Precision> Batches<T> {
             let of_group = turn.iter().map(|g| g.resistances.clone());
             let resistances = split(&mut self.resistances, of_group);
             let bodies = split(&mut self.bodies, turn.iter().map(|g| g.bodies.clone()));
-            let (extras, levers, latest) = (&self.extras[..], &self.levers[..], self.latest);
+            let (extras, latest) = (&self.extras[..], self.latest);
+            let (levers, heavy) = (&self.levers[..], &self.heavy[..]);
             // The first turn is that of the parts.
             let before = take(&mut before)
                 .into_iter()
@@ -129,7 +133,8 @@ impl<T: Precision> Batches<T> {
                         bodies,
                         extras,
                         levers,
-                        levered: group.levered,
+                        heavy,
+                        form: group.form,
                         latest,
                         pace,
                     },

@@ -2,8 +2,9 @@
 
 use arrayvec::ArrayVec;
 
-use super::batch::{Batch, Extra, Group, PLAIN};
+use super::batch::{Batch, Extra, Form, Group, PLAIN};
 use super::general_rows::spin_scale;
+use super::heavy::Heavy;
 use super::kernel::{Kernel, refill};
 use super::kinds::{Kind, Kinds};
 use super::lanes::{LANES, Real, Sixteen};
@@ -16,8 +17,9 @@ use crate::sorting::counting_sort;
 /// Blocks that fill at the same time: a contact joins one that does not have its bodies yet.
 const OPEN: usize = 16;
 
-/// Turn of the last group.
+/// Turn of the last group of parts, and that of contacts on heavy bodies.
 const LAST: usize = 3;
+const ON_HEAVY: usize = 4;
 
 /// Bodies of a group: the first, and one that never moves, counted from the first.
 #[derive(Debug, Clone, Copy)]
@@ -27,7 +29,8 @@ struct Bodies {
 }
 
 impl Kernel {
-    /// Puts the contacts of blocks in their order: by group, within it by the place of A. `ends` then has where each group's end.
+    /// Puts the contacts of blocks in their order: by group, then by heavy body; within it by the place of A. `ends` then has where
+    /// those of each group and body end.
     pub(super) fn sort(&mut self, problem: &Problem) {
         let (rows, kinds) = (&problem.rows, &self.kinds);
         let (parts, spheres) = (self.layout.parts(), problem.inverse_mass.len());
@@ -39,14 +42,21 @@ impl Kernel {
             return;
         }
         let contacts = all.filter(|&k| kinds.of(k).is_contact());
+        let count = 2 * parts + problem.operators.len();
         if parts == 1 {
             // Blocks of plain contacts are swept faster without others among them.
-            let group = |&k: &u32| u32::from(kinds.of(k) == Kind::Levered);
-            counting_sort(contacts, (group, 2), &mut self.ends, &mut self.order);
+            let group = |&k: &u32| match kinds.of(k) {
+                Kind::Heavy(body) => body - spheres as u32 + 2,
+                kind => u32::from(kind == Kind::Levered),
+            };
+            counting_sort(contacts, (group, count), &mut self.ends, &mut self.order);
             return;
         }
         let part = |body: u32| Some(self.layout.seat(body as usize, spheres)?.1);
         let group_of = |k: usize| {
+            if let Kind::Heavy(body) = kinds.of(k as u32) {
+                return (2 * parts + body as usize - spheres) as u32;
+            }
             let [a, b] = rows.bodies(k);
             match (part(a), part(if b == GROUND { a } else { b })) {
                 (Some(a), Some(b)) => group_between(a, b, parts) as u32,
@@ -61,16 +71,11 @@ impl Kernel {
         };
         self.pool.pieces(&mut self.group[..], work, |(), ()| ());
         let place = |k: &u32| self.place[rows.bodies(*k as usize)[0] as usize];
-        let count = self.held.len();
-        counting_sort(contacts, (place, count), &mut self.ends, &mut self.by_place);
+        let places = (place, self.held.len());
+        counting_sort(contacts, places, &mut self.ends, &mut self.by_place);
         let group = |k: &u32| self.group[*k as usize];
         let contacts = self.by_place.iter().copied();
-        counting_sort(
-            contacts,
-            (group, 2 * parts),
-            &mut self.ends,
-            &mut self.order,
-        );
+        counting_sort(contacts, (group, count), &mut self.ends, &mut self.order);
     }
 
     /// Which rows each of the `blocks` of all groups has.
@@ -125,15 +130,42 @@ impl Kernel {
                     blocks,
                     resistances: first_resisted..resisted,
                     bodies,
-                    levered: levered > first_levered,
+                    form: match levered > first_levered {
+                        true => Form::Levered,
+                        false => Form::Spheres,
+                    },
                 });
             }
+        }
+        let (first, bodies) = (open.used, 0..problem.free.len() + parts);
+        let range = Bodies {
+            first: 0,
+            still: self.layout.part(0, spheres).end as u32,
+        };
+        for &end in &self.ends[2 * parts..] {
+            let rows = &self.order[start..end as usize];
+            start = end as usize;
+            open.take(problem.rows.all_bodies(), rows, &self.place, range);
+        }
+        let on_heavy = first..open.used;
+        for (at, k) in on_heavy.clone().enumerate() {
+            open.blocks[k].heavy = at as u32;
+        }
+        let heavy = on_heavy.len();
+        if !on_heavy.is_empty() {
+            self.turns[ON_HEAVY].push(Group {
+                blocks: on_heavy,
+                resistances: resisted..resisted,
+                bodies,
+                form: Form::Heavy,
+            });
         }
         let used = open.used;
         blocks.truncate(used);
         let contents = &mut self.contents;
         contents.resistances.resize_with(resisted, Source::default);
         contents.levers.resize_with(levered, Levers::default);
+        contents.heavy.resize_with(heavy, Heavy::default);
     }
 
     /// Resistances and levers of `blocks`.
@@ -143,6 +175,7 @@ impl Kernel {
         let lever = |k: u32| Some(problem.rows.radius(kinds.resistance(k)? as usize));
         let contents = &mut self.contents;
         contents.split.clear();
+        contents.heavy_parts.clear();
         let mut sources = contents.resistances.iter_mut();
         for (block, rows) in blocks.iter().zip(&contents.rows) {
             let rows = &rows[..block.count as usize];
@@ -150,6 +183,10 @@ impl Kernel {
                 && let Some(source) = sources.next()
             {
                 *source = resistances(&problem.rows, rows, kinds, length);
+            }
+            if let Some(heavy) = contents.heavy.get_mut(block.heavy as usize) {
+                let parts = heavy.fill((problem, rows), &self.place, length, registers);
+                contents.heavy_parts.push(parts);
             }
             let at = block.levers as usize;
             if let Some(levers) = contents.levers.get_mut(at) {
@@ -264,7 +301,8 @@ impl<T: Real> Open<'_, T> {
         }
         self.rows.push(Sixteen::default());
         let block = &mut self.blocks[at];
-        (block.count, block.levers, block.resisted) = (0, PLAIN, false);
+        (block.count, block.resisted) = (0, false);
+        (block.levers, block.heavy) = (PLAIN, PLAIN);
         block.bodies = [[range.still; LANES]; 2];
         at
     }

@@ -1,6 +1,7 @@
 //! Blocks in double precision, whatever theirs is: their impulses on bodies, and what their contacts are off by.
 
 use super::batch::{Batch, BatchResidual, Extra};
+use super::heavy::{Given, Heavy};
 use super::lanes::{Body, Lanes, Pack, Real, Sixteen};
 use super::levers::{Levers, Shared};
 use super::local::{Contacts, Source, dot, edge, vector};
@@ -13,12 +14,12 @@ impl<T: Real> Batch<T> {
         &self,
         l: L,
         (source, rows): (&Source, &Sixteen<u32>),
-        levers: Option<&Levers<f64>>,
+        (levers, heavy): (Option<&Levers<f64>>, Option<&Heavy<f64>>),
         bodies: &mut [Body<f64>],
         latest: usize,
     ) {
         let impulse = self.exact(latest, source.unit);
-        let mut shared = Shared::of(self, levers, bodies);
+        let (mut shared, mut given) = (Shared::of(self, levers, bodies), Given::none());
         for pass in self.passes::<L, f64>() {
             let p = vector(l, &impulse, pass);
             if let Some(levers) = levers {
@@ -28,11 +29,20 @@ impl<T: Real> Batch<T> {
                 continue;
             }
             let n = source.contacts(l, rows, pass).n;
+            if let Some(heavy) = heavy {
+                let a = l.columns(l.fetch(bodies, &self.bodies[0], pass));
+                let moved = (&mut *bodies, &mut given);
+                heavy.give(l, pass, (self, a), (n, p), moved);
+                continue;
+            }
             let ab = self.fetch(l, pass, bodies);
             self.give(l, pass, (n, p), ab, bodies);
         }
         if let Some(shared) = shared {
             shared.finish(bodies);
+        }
+        if let Some(heavy) = heavy {
+            given.finish(heavy, bodies);
         }
     }
 
@@ -42,7 +52,7 @@ impl<T: Real> Batch<T> {
         &self,
         l: L,
         (source, rows): (&Source, &Sixteen<u32>),
-        levers: Option<&Levers<f64>>,
+        how: (Option<&Levers<f64>>, Option<&Heavy<f64>>),
         (bodies, extras): (&[Body<f64>], &[Extra<f64>]),
         latest: usize,
     ) -> BatchResidual {
@@ -55,12 +65,16 @@ impl<T: Real> Batch<T> {
             let Contacts {
                 n, bias, friction, ..
             } = contacts;
-            let mut seen = match levers {
-                None => {
+            let mut seen = match how {
+                (None, None) => {
                     let between = l.between(self.fetch(l, pass, bodies));
                     self.see(l, pass, between, (n, bias), extras)
                 }
-                Some(levers) => {
+                (_, Some(heavy)) => {
+                    let a = l.columns(l.fetch(bodies, &self.bodies[0], pass));
+                    heavy.see(l, pass, (self, &a), (n, bias), (bodies, extras))
+                }
+                (Some(levers), None) => {
                     let (drift, ab) = (self.drift(l, pass, extras), self.columns(l, pass, bodies));
                     levers.see(l, pass, &ab, (n, bias), drift)
                 }

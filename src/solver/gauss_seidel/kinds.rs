@@ -1,6 +1,8 @@
 //! What each row is to the blocks.
 
 use super::kernel::{NONE, refill};
+use super::lanes::LANES;
+use super::sharing::Sharing;
 use crate::parallel::Pool;
 use crate::problem::{GROUND, Law, Problem, Row};
 
@@ -9,6 +11,8 @@ use crate::problem::{GROUND, Law, Problem, Row};
 pub(super) enum Kind {
     /// A contact of spheres that move alike in all directions.
     Plain,
+    /// A contact of such a sphere, without resistance, on this body, which is [heavy](super::heavy).
+    Heavy(u32),
     /// Any other contact: it has [levers](super::levers).
     Levered,
     /// The resistance of this contact, in whose block it is.
@@ -20,7 +24,7 @@ pub(super) enum Kind {
 impl Kind {
     /// Whether it is a contact of a block.
     pub(super) fn is_contact(self) -> bool {
-        matches!(self, Self::Plain | Self::Levered)
+        matches!(self, Self::Plain | Self::Heavy(_) | Self::Levered)
     }
 }
 
@@ -34,8 +38,35 @@ pub(super) struct Kinds {
 }
 
 impl Kinds {
-    /// Takes those of `problem`, whose bodies are spheres where their `radius` is positive, `[N + M]`.
-    pub(super) fn find(&mut self, problem: &Problem, radius: &[f64], pool: &Pool) {
+    /// Takes those of `problem`, whose bodies are spheres where their `radius` is positive, `[N + M]`, and what bodies contacts
+    /// may share.
+    pub(super) fn find(
+        &mut self,
+        problem: &Problem,
+        radius: &[f64],
+        sharing: &mut Sharing,
+        pool: &Pool,
+    ) {
+        self.find_all_but_heavy(problem, radius, pool);
+        sharing.find(problem, self.those(Kind::Levered));
+        if !sharing.any() {
+            return;
+        }
+        for (k, kind) in self.kinds.iter_mut().enumerate() {
+            let [a, b] = problem.rows.bodies(k);
+            let resisted = || self.resistance.get(k).is_some_and(|own| *own != NONE);
+            if *kind == Kind::Levered
+                && radius[a as usize] > 0.0
+                && sharing.limit(b) == LANES
+                && problem.rows.is_radial(k)[0]
+                && !resisted()
+            {
+                *kind = Kind::Heavy(b);
+            }
+        }
+    }
+
+    fn find_all_but_heavy(&mut self, problem: &Problem, radius: &[f64], pool: &Pool) {
         let rows = &problem.rows;
         self.kinds.clear();
         self.resistance.clear();
@@ -81,11 +112,6 @@ impl Kinds {
     #[inline]
     pub(super) fn of(&self, k: u32) -> Kind {
         self.kinds.get(k as usize).map_or(Kind::Plain, |kind| *kind)
-    }
-
-    /// Rows that have levers.
-    pub(super) fn levered(&self) -> impl Iterator<Item = u32> + Clone {
-        self.those(Kind::Levered)
     }
 
     fn those(&self, kind: Kind) -> impl Iterator<Item = u32> + Clone {

@@ -50,6 +50,19 @@ pub(super) fn changed<A: Copy, B: Copy + Default>(
     found
 }
 
+/// The sum, by halves, so that registers of every width add in the same order.
+#[inline(always)]
+pub(super) fn sum_by_halves<T: Real>(mut x: Sixteen<T>) -> T {
+    let mut half = LANES / 2;
+    while half > 0 {
+        for lane in 0..half {
+            x[lane] += x[lane + half];
+        }
+        half /= 2;
+    }
+    x[0]
+}
+
 /// Single or double precision.
 pub(super) trait Real:
     Copy

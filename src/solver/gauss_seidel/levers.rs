@@ -16,7 +16,8 @@
 //! the impulses gives it.
 
 use super::batch::{Batch, PLAIN, Vector};
-use super::lanes::{Body, Columns, LANES, Lanes, Pack, Real, Sixteen, changed};
+use super::heavy::Heavy;
+use super::lanes::{Body, Columns, Lanes, Pack, Real, Sixteen, changed, sum_by_halves};
 use super::local::{Seen, cross, dot, each, vector};
 use nalgebra::Matrix3;
 
@@ -191,6 +192,15 @@ impl<T: Real> Batch<T> {
         }
     }
 
+    /// Its own of `all`, if its contacts are on a heavy body.
+    #[inline(always)]
+    pub(super) fn heavy<'a, R>(&self, all: &'a [Heavy<R>]) -> Option<&'a Heavy<R>> {
+        match self.heavy {
+            PLAIN => None,
+            heavy => Some(&all[heavy as usize]),
+        }
+    }
+
     /// Sides and lanes that hold the body at `at`, which is not the one that never moves.
     pub(super) fn holding(&self, at: u32) -> impl Iterator<Item = (usize, usize)> {
         let lanes = (0..self.count as usize).flat_map(|lane| [(0, lane), (1, lane)]);
@@ -270,19 +280,12 @@ impl<T: Real> Shared<T> {
         bodies[self.at as usize] = self.before;
     }
 
-    /// Gives it its share of all changes: summed by halves, so that registers of every width sum in the same order.
+    /// Gives it its share of all changes.
     #[inline(always)]
     pub(super) fn finish(self, bodies: &mut [Body<T>]) {
         let Body(x) = &mut bodies[self.at as usize];
-        for (k, mut change) in MOVING.into_iter().zip(self.change) {
-            let mut half = LANES / 2;
-            while half > 0 {
-                for lane in 0..half {
-                    change[lane] += change[lane + half];
-                }
-                half /= 2;
-            }
-            x[k] += self.share * change[0];
+        for (k, change) in MOVING.into_iter().zip(self.change) {
+            x[k] += self.share * sum_by_halves(change);
         }
     }
 }

@@ -78,7 +78,7 @@ impl Sharing {
         block: &Batch<impl Real>,
         rows: &[u32],
     ) -> Option<u32> {
-        if self.limits.is_empty() {
+        if !self.any() {
             return None;
         }
         let lanes = rows.iter().enumerate();
@@ -90,6 +90,11 @@ impl Sharing {
         heavy
             .find(|(_, at)| block.holding(*at).count() > 1)
             .map(|(_, at)| at)
+    }
+
+    /// Whether they may share any.
+    pub(super) fn any(&self) -> bool {
+        !self.limits.is_empty()
     }
 
     /// How many contacts of a block may share this body.

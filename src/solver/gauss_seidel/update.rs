@@ -1,6 +1,7 @@
-//! One pass of a sweep over a block: plain contacts, those with resistances, and those of bodies that are no spheres.
+//! One pass of a sweep over a block: plain contacts, those with resistances, those of bodies that are no spheres, and those on heavy bodies.
 
 use super::batch::{Batch, Extra};
+use super::heavy::{Given, Heavy};
 use super::lanes::{Body, Columns, Lanes, Pack, Real, between, pushed};
 use super::levers::{Levers, Shared};
 use super::local::{Constants, Update, cross, dot, vector};
@@ -72,6 +73,26 @@ impl<T: Real> Batch<T> {
         };
         self.put(l, pass, ab, (bodies, shared));
         found
+    }
+
+    /// [`Batch::update`] of contacts on a heavy body, which gets what is `given` later.
+    #[inline(always)]
+    pub(super) fn update_on_heavy<L: Lanes<T>>(
+        &mut self,
+        l: L,
+        pass: usize,
+        (bodies, given): (&mut [Body<T>], &mut Given<T>),
+        (heavy, extras): (&Heavy<T>, &[Extra<T>]),
+        latest: usize,
+        pace: &Constants<L::Pack>,
+    ) -> (u16, L::Pack, L::Pack) {
+        let a = l.columns(l.fetch(bodies, &self.bodies[0], pass));
+        let own = (vector(l, &self.normal, pass), l.load(&self.bias, pass));
+        let seen = heavy.see(l, pass, (&*self, &a), own, (bodies, extras));
+        let own = self.solve_seen(l, pass, seen, extras, latest, pace);
+        let moved = (bodies, given);
+        heavy.give(l, pass, (&*self, a), (own.n, own.change.d), moved);
+        (own.settled, own.change.along, own.squared)
     }
 
     /// Solves the resistances of contacts that have been solved to `own`: what [`Batch::update`] says, of both together.

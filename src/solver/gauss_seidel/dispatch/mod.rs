@@ -1,6 +1,7 @@
 //! Sweeps, pushes and judgements with the widest registers that the processor has, or those that are asked for.
 
-use super::batch::{Batch, Extra, Group, Progress, SweepParams, Vector};
+use super::batch::{Batch, Extra, Form, Group, Progress, SweepParams, Vector};
+use super::heavy::{Given, Heavy};
 use super::lanes::{Body, FUSES, Lanes, Plain, Real, Sixteen};
 use super::levers::{Levers, Shared};
 use super::local::{Constants, Source};
@@ -16,9 +17,10 @@ pub(super) struct Sweep<'a, T> {
     pub(super) resistances: &'a mut [Resistances<T>],
     pub(super) bodies: &'a mut [Body<T>],
     pub(super) extras: &'a [Extra<T>],
-    /// Of all groups; whether some of these blocks have such.
+    /// Of all groups.
     pub(super) levers: &'a [Levers<T>],
-    pub(super) levered: bool,
+    pub(super) heavy: &'a [Heavy<T>],
+    pub(super) form: Form,
     /// Which of the blocks' impulses are the last.
     pub(super) latest: usize,
     pub(super) pace: SweepParams,
@@ -34,6 +36,8 @@ pub(super) struct Exact<'a> {
     pub(super) resistances: &'a [resistance::Source],
     /// By [`Batch::levers`].
     pub(super) levers: &'a [Levers<f64>],
+    /// By [`Batch::heavy`].
+    pub(super) heavy: &'a [Heavy<f64>],
 }
 
 impl Exact<'_> {
@@ -141,18 +145,22 @@ impl<T: Real> Task for Sweep<'_, T> {
     #[inline(always)]
     fn with<L: Lanes<T>>(self, l: L) -> Progress {
         // Apart: in one loop plain blocks take longer.
-        match (self.levered, self.resistances.is_empty()) {
-            (false, true) => self.over_blocks::<L, false, false>(l),
-            (false, false) => self.over_blocks::<L, true, false>(l),
-            (true, _) => self.over_blocks::<L, true, true>(l),
+        match (self.form, self.resistances.is_empty()) {
+            (Form::Spheres, true) => self.over_blocks::<L, false, false, false>(l),
+            (Form::Spheres, false) => self.over_blocks::<L, true, false, false>(l),
+            (Form::Levered, _) => self.over_blocks::<L, true, true, false>(l),
+            (Form::Heavy, _) => self.over_blocks::<L, false, false, true>(l),
         }
     }
 }
 
 impl<T: Real> Sweep<'_, T> {
-    /// Over all blocks, of which some may have resistances, and some levers.
+    /// Over all blocks, of which some may have resistances, and some levers, or all are on heavy bodies.
     #[inline(always)]
-    fn over_blocks<L: Lanes<T>, const RESISTED: bool, const LEVERED: bool>(self, l: L) -> Progress {
+    fn over_blocks<L: Lanes<T>, const RESISTED: bool, const LEVERED: bool, const HEAVY: bool>(
+        self,
+        l: L,
+    ) -> Progress {
         let pace = Constants::of(l, &self.pace);
         let mut settled = L::ALL;
         // Lane by lane, so that every width sums in the same order.
@@ -170,9 +178,17 @@ impl<T: Real> Sweep<'_, T> {
                 false => None,
             };
             let mut shared = Shared::of(block, levers, self.bodies);
+            let mut heavy = match HEAVY {
+                true => Some((&self.heavy[block.heavy as usize], Given::none())),
+                false => None,
+            };
             for pass in block.passes::<L, T>() {
                 let bodies = &mut *self.bodies;
                 let (within, a, c) = match (levers, resisted.as_deref_mut()) {
+                    _ if let Some((heavy, given)) = &mut heavy => {
+                        let moved = (bodies, given);
+                        block.update_on_heavy(l, pass, moved, (*heavy, extras), latest, &pace)
+                    }
                     (None, None) => block.update(l, pass, bodies, extras, latest, &pace),
                     (None, Some(own)) => {
                         block.update_resisted(l, pass, (bodies, own), extras, latest, &pace)
@@ -188,6 +204,9 @@ impl<T: Real> Sweep<'_, T> {
             }
             if let Some(shared) = shared {
                 shared.finish(self.bodies);
+            }
+            if let Some((heavy, given)) = heavy {
+                given.finish(heavy, self.bodies);
             }
         }
         let sum = |x: Sixteen<T>| x.iter().map(|x| x.exact()).sum();
@@ -257,11 +276,13 @@ impl<T: Real> Task for Push<'_, T> {
             rows,
             resistances,
             levers,
+            heavy,
         } = self.exact;
         let mut resisted = resistances.iter().zip(self.blocks.1);
         for (block, rows) in self.blocks.0.iter().zip(rows) {
-            let levers = block.levers(levers);
-            block.push(l, (&source, rows), levers, self.bodies, self.latest);
+            let (levers, heavy) = (block.levers(levers), block.heavy(heavy));
+            let how = (levers, heavy);
+            block.push(l, (&source, rows), how, self.bodies, self.latest);
             if block.resisted
                 && let Some((own, held)) = resisted.next()
             {
@@ -283,13 +304,15 @@ impl<T: Real> Task for Judge<'_, T> {
             rows,
             resistances,
             levers,
+            heavy,
         } = self.exact;
         let mut residual = Residual::default();
         let mut resisted = resistances.iter().zip(self.blocks.1);
         for (block, rows) in self.blocks.0.iter().zip(rows) {
             let moving = (self.bodies, self.extras);
-            let levers = block.levers(levers);
-            let found = block.judge(l, (&source, rows), levers, moving, self.latest);
+            let (levers, heavy) = (block.levers(levers), block.heavy(heavy));
+            let how = (levers, heavy);
+            let found = block.judge(l, (&source, rows), how, moving, self.latest);
             let [gaps, slips, forces, margins] = found;
             for (lane, &row) in rows[..block.count as usize].iter().enumerate() {
                 let values = [gaps[lane], slips[lane], forces[lane]];

@@ -9,9 +9,10 @@ use super::batch::{Batch, Extra, Progress, SweepParams};
 use super::batches::{BODIES, Batches, Colours, split};
 use super::dispatch::Exact;
 use super::general_rows::{Bodies, GeneralRows, spin_scale};
+use super::heavy::Heavy;
 use super::kinds::Kinds;
 use super::lanes::{Body, Real, Sixteen};
-use super::levers::{Levers, alike};
+use super::levers::{Bounds, Levers, alike};
 use super::local::Source;
 use super::partition::{PARTS, Partition};
 use super::resistance;
@@ -70,6 +71,9 @@ pub(super) struct Contents {
     pub(super) levers: Vec<Levers<f64>>,
     /// Those that sweeps have instead, and where: those of bodies that contacts share.
     pub(super) split: Vec<(usize, Levers<f64>)>,
+    /// Of those blocks whose contacts are on heavy bodies, and the bounds that sweeps have instead of theirs.
+    pub(super) heavy: Vec<Heavy<f64>>,
+    pub(super) heavy_parts: Vec<Bounds<f64>>,
 }
 
 /// What the share-out of rows among the blocks depends on beside the layout.
@@ -82,8 +86,13 @@ struct SharedOut {
 }
 
 impl Contents {
-    /// Levers for sweeps, of inverse masses times `share`.
-    fn swept<T: Real>(&self, share: f64, levers: &mut Vec<Levers<T>>) {
+    /// Levers and heavy bodies for sweeps, of inverse masses times `share`.
+    fn swept<T: Real>(&self, share: f64, batches: &mut Batches<T>) {
+        let (levers, heavy) = (&mut batches.levers, &mut batches.heavy);
+        heavy.resize_with(self.heavy.len(), Heavy::default);
+        for ((own, parts), swept) in self.heavy.iter().zip(&self.heavy_parts).zip(heavy) {
+            own.write(parts, share, swept);
+        }
         levers.resize_with(self.levers.len(), Levers::default);
         for (own, swept) in self.levers.iter().zip(&mut *levers) {
             own.write(share, swept);
@@ -104,6 +113,7 @@ impl Contents {
             rows: &self.rows,
             resistances: &self.resistances,
             levers: &self.levers,
+            heavy: &self.heavy,
         }
     }
 }
@@ -125,8 +135,8 @@ impl Kernel {
             }));
         self.radius.resize(problem.free.len(), NO_SPHERE);
         self.layout.fit(spheres);
-        self.kinds.find(problem, &self.radius, &self.pool);
-        self.sharing.find(problem, self.kinds.levered());
+        self.kinds
+            .find(problem, &self.radius, &mut self.sharing, &self.pool);
         let [length, force] = SINGLE;
         let single = tolerance.gap.min(tolerance.slip) >= length && tolerance.force >= force;
         let known = single == self.single && self.holds(problem);
@@ -160,11 +170,11 @@ impl Kernel {
         match self.single {
             true => {
                 self.quick.fill(exact, impulses, turns, pool);
-                self.contents.swept(1.0 / self.unit, &mut self.quick.levers);
+                self.contents.swept(1.0 / self.unit, &mut self.quick);
             }
             false => {
                 self.exact.fill(exact, impulses, turns, pool);
-                self.contents.swept(1.0, &mut self.exact.levers);
+                self.contents.swept(1.0, &mut self.exact);
             }
         }
         self.reload(problem);
@@ -247,6 +257,7 @@ impl Kernel {
             count: block.count,
             extra: block.extra,
             levers: block.levers,
+            heavy: block.heavy,
             resisted: block.resisted,
             ..Batch::default()
         };
@@ -257,7 +268,7 @@ impl Kernel {
         (self.single, self.unit) = (false, 1.0);
         let exact = self.contents.exact(problem, self.unit);
         self.exact.fill(exact, impulses, &self.turns, &self.pool);
-        self.contents.swept(1.0, &mut self.exact.levers);
+        self.contents.swept(1.0, &mut self.exact);
         self.start_exact();
     }
 
