@@ -162,13 +162,22 @@ impl Problem {
             if body == GROUND {
                 return 0.0;
             }
-            let SpatialOperator { linear, angular } = self.operator(body);
+            let body = body as usize;
+            let (linear, angular, along): (f64, f64, &dyn Fn(&Vec3) -> f64) =
+                match self.inverse_mass.get(body) {
+                    Some(w) => (w.linear.sum(), w.angular.sum(), &|r| {
+                        r.dot(&w.angular.component_mul(r))
+                    }),
+                    None => {
+                        let w = &self.operators[body - self.inverse_mass.len()];
+                        let (linear, angular) = (w.linear.trace(), w.angular.trace());
+                        (linear, angular, &|r| r.dot(&(w.angular * r)))
+                    }
+                };
             match grip {
                 // `tr(-[r] W [r]) = r^2 tr(W) - r . W r`.
-                JacobianBlock::Point(r) => {
-                    linear.trace() + r.norm_squared() * angular.trace() - r.dot(&(angular * r))
-                }
-                JacobianBlock::Couple(lever) => angular.trace() * (lever * lever),
+                JacobianBlock::Point(r) => linear + r.norm_squared() * angular - along(&r),
+                JacobianBlock::Couple(lever) => angular * (lever * lever),
             }
         };
         let [grip_a, grip_b] = row.jacobian();

@@ -215,10 +215,7 @@ impl Assembly<'_> {
 
     /// Adds the resistance of contact `k`, if it has one, with its last couple.
     pub(super) fn resist(&mut self, state: &State, k: usize, impulses: &mut Vec<Vec3>) {
-        let (row, torque) = (
-            self.problem.rows.get(k),
-            self.past[k].torque(&state.contacts),
-        );
+        let torque = self.past[k].torque(&state.contacts);
         let candidate = &self.candidates[k];
         let hold = self.past[k].hold(&state.contacts);
         let hold = self.prediction.hold(candidate, hold);
@@ -228,7 +225,8 @@ impl Assembly<'_> {
             Some(_) => self.past[k].turned_torque(&state.contacts, candidate.normal),
             None => torque,
         };
-        if let Some(mut resistance) = self.prediction.resistance(contact, &row, k, torque) {
+        let of = |row: &Row| self.prediction.resistance(contact, row, k, torque);
+        if let Some(mut resistance) = self.problem.rows.with(k, of) {
             self.prediction.spring_couple(bond, torque, &mut resistance);
             let lever = resistance.radius;
             self.problem.rows.push(resistance);

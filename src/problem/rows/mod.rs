@@ -35,9 +35,10 @@ pub(crate) const BIAS: usize = 3;
 pub(crate) const FRICTION: usize = 4;
 pub(crate) const RADIUS: usize = 5;
 pub(crate) const SCALE: usize = 6;
+/// Whose bits are one more than where the row is kept whole; zero if it need not be.
 const GENERAL: usize = 7;
 /// Of a row that has to be kept whole and is not yet.
-const DUE: f64 = -1.0;
+const DUE: usize = usize::MAX;
 
 /// Rows to be written, by pieces where there are threads.
 pub(crate) struct RowWriter<'a> {
@@ -53,7 +54,7 @@ impl RowWriter<'_> {
         self.bodies[k] = [row.a, row.b];
         self.compact[k] = SphereContact::of(row, 0);
         if !plain {
-            self.compact[k].0[GENERAL] = DUE;
+            self.compact[k].set_general(DUE);
         }
     }
 }
@@ -83,7 +84,14 @@ impl SphereContact {
         };
         let bias = row.bias.dot(&n);
         let (radius, scale) = (row.radius, row.impulse_scale);
-        Self([n.x, n.y, n.z, bias, mu, radius, scale, general as f64])
+        let mut contact = Self([n.x, n.y, n.z, bias, mu, radius, scale, 0.0]);
+        contact.set_general(general);
+        contact
+    }
+
+    #[inline]
+    fn set_general(&mut self, general: usize) {
+        self.0[GENERAL] = f64::from_bits(general as u64);
     }
 
     #[inline]
@@ -95,7 +103,7 @@ impl SphereContact {
     /// Which row is kept whole for it, if one is.
     #[inline]
     fn general(&self) -> Option<usize> {
-        (self.0[GENERAL] as usize).checked_sub(1)
+        (self.0[GENERAL].to_bits() as usize).checked_sub(1)
     }
 }
 
@@ -142,6 +150,15 @@ impl Rows {
             law: Law::Contact { mu },
             radius,
             impulse_scale,
+        }
+    }
+
+    /// What `look` finds at row `k`, which is not copied if it is kept whole.
+    #[inline]
+    pub(crate) fn with<R>(&self, k: usize, look: impl FnOnce(&Row) -> R) -> R {
+        match self.general(k) {
+            Some(row) => look(row),
+            None => look(&self.get(k)),
         }
     }
 
@@ -317,10 +334,11 @@ impl Rows {
     /// Takes the rows that were written as no plain ones, in order.
     pub(crate) fn settle(&mut self, mut whole: impl Iterator<Item = Row>) {
         for k in 0..self.len() {
-            if self.compact[k].0[GENERAL] == DUE
+            if self.compact[k].general() == DUE.checked_sub(1)
                 && let Some(row) = whole.next()
             {
-                self.compact[k].0[GENERAL] = self.place(&row) as f64;
+                let general = self.place(&row);
+                self.compact[k].set_general(general);
             }
         }
     }

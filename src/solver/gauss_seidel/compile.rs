@@ -5,7 +5,7 @@ use arrayvec::ArrayVec;
 use super::batch::{Batch, Extra, Form, Group, PLAIN};
 use super::general_rows::spin_scale;
 use super::heavy::Heavy;
-use super::kernel::{Kernel, refill};
+use super::kernel::{Kernel, NONE, refill};
 use super::kinds::{Kind, Kinds};
 use super::lanes::{LANES, Real, Sixteen};
 use super::levers::Levers;
@@ -41,41 +41,40 @@ impl Kernel {
             self.order.extend(all);
             return;
         }
-        let contacts = all.filter(|&k| kinds.of(k).is_contact());
-        let count = 2 * parts + problem.operators.len();
-        if parts == 1 {
-            // Blocks of plain contacts are swept faster without others among them.
-            let group = |&k: &u32| match kinds.of(k) {
-                Kind::Heavy(body) => body - spheres as u32 + 2,
-                kind => u32::from(kind == Kind::Levered),
-            };
-            counting_sort(contacts, (group, count), &mut self.ends, &mut self.order);
-            return;
-        }
         let part = |body: u32| Some(self.layout.seat(body as usize, spheres)?.1);
         let group_of = |k: usize| {
-            if let Kind::Heavy(body) = kinds.of(k as u32) {
-                return (2 * parts + body as usize - spheres) as u32;
-            }
             let [a, b] = rows.bodies(k);
-            match (part(a), part(if b == GROUND { a } else { b })) {
-                (Some(a), Some(b)) => group_between(a, b, parts) as u32,
-                _ => last_group(parts) as u32,
-            }
+            let other = if b == GROUND { a } else { b };
+            let group = match kinds.of(k as u32) {
+                Kind::Resistance(_) | Kind::Single => return NONE,
+                Kind::Heavy(body) => 2 * parts + body as usize - spheres,
+                // Blocks of plain contacts are swept faster without others among them.
+                Kind::Plain if parts == 1 => 0,
+                Kind::Plain | Kind::Levered => match (part(a), part(other)) {
+                    (Some(a), Some(b)) if parts > 1 => group_between(a, b, parts),
+                    _ => last_group(parts),
+                },
+            };
+            group as u32
         };
-        self.group.resize(rows.len(), 0);
+        self.group.resize(rows.len(), NONE);
         let work = |first, groups: &mut [u32]| {
             for (k, group) in (first..).zip(groups) {
                 *group = group_of(k);
             }
         };
         self.pool.pieces(&mut self.group[..], work, |(), ()| ());
+        let contacts = all.filter(|&k| self.group[k as usize] != NONE);
+        let group = |k: &u32| self.group[*k as usize];
+        let groups = (group, 2 * parts + problem.operators.len());
+        let (ends, order) = (&mut self.ends, &mut self.order);
+        if parts == 1 {
+            return counting_sort(contacts, groups, ends, order);
+        }
         let place = |k: &u32| self.place[rows.bodies(*k as usize)[0] as usize];
         let places = (place, self.held.len());
-        counting_sort(contacts, places, &mut self.ends, &mut self.by_place);
-        let group = |k: &u32| self.group[*k as usize];
-        let contacts = self.by_place.iter().copied();
-        counting_sort(contacts, (group, count), &mut self.ends, &mut self.order);
+        counting_sort(contacts, places, ends, &mut self.by_place);
+        counting_sort(self.by_place.iter().copied(), groups, ends, order);
     }
 
     /// Which rows each of the `blocks` of all groups has.

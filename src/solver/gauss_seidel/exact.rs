@@ -19,7 +19,8 @@ impl<T: Real> Batch<T> {
         latest: usize,
     ) {
         let impulse = self.exact(latest, source.unit);
-        let (mut shared, mut given) = (Shared::of(self, levers, bodies), Given::none());
+        let mut shared = Shared::of(self, levers, bodies);
+        let mut on_heavy = heavy.map(|heavy| (heavy, Given::none()));
         for pass in self.passes::<L, f64>() {
             let p = vector(l, &impulse, pass);
             if let Some(levers) = levers {
@@ -29,9 +30,9 @@ impl<T: Real> Batch<T> {
                 continue;
             }
             let n = source.contacts(l, rows, pass).n;
-            if let Some(heavy) = heavy {
+            if let Some((heavy, given)) = &mut on_heavy {
                 let a = l.columns(l.fetch(bodies, &self.bodies[0], pass));
-                let moved = (&mut *bodies, &mut given);
+                let moved = (&mut *bodies, given);
                 heavy.give(l, pass, (self, a), (n, p), moved);
                 continue;
             }
@@ -41,7 +42,7 @@ impl<T: Real> Batch<T> {
         if let Some(shared) = shared {
             shared.finish(bodies);
         }
-        if let Some(heavy) = heavy {
+        if let Some((heavy, given)) = on_heavy {
             given.finish(heavy, bodies);
         }
     }

@@ -21,13 +21,6 @@ pub(super) enum Kind {
     Single,
 }
 
-impl Kind {
-    /// Whether it is a contact of a block.
-    pub(super) fn is_contact(self) -> bool {
-        matches!(self, Self::Plain | Self::Heavy(_) | Self::Levered)
-    }
-}
-
 /// Kinds of the rows of a problem.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(super) struct Kinds {

@@ -62,7 +62,8 @@ impl Sharing {
                 if let Some(at) = at
                     && touched[at].contacts > LANES
                 {
-                    let traces = problem.mobility_traces(&problem.rows.get(k as usize));
+                    let rows = &problem.rows;
+                    let traces = rows.with(k as usize, |row| problem.mobility_traces(row));
                     let ratio = traces[1 - side] / traces[side];
                     touched[at].ratio = touched[at].ratio.min(ratio);
                 }

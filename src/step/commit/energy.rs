@@ -7,8 +7,8 @@ use crate::contact::cohesion::Hold;
 use crate::contact::forces::ContactForces;
 use crate::detection::configuration::Configuration;
 use crate::integrator::Integrator;
-use crate::problem::Law;
 use crate::problem::law::split;
+use crate::problem::{Law, Row};
 use crate::spatial::{Pose, SpatialVector};
 use crate::state::{BodyState, EnergyLedger, State};
 use crate::step::commit::forces::Remains;
@@ -193,7 +193,7 @@ impl Solved<'_> {
                 known += boundary;
             }
             if let Some(driven) = self.assembly.driven_side(k) {
-                let [_, grip] = rows.get(k).jacobian();
+                let [_, grip] = rows.with(k, Row::jacobian);
                 known += p.dot(&grip.velocity(&self.working(self.assembly.is_impact(k), driven)));
             }
         }
@@ -336,18 +336,17 @@ impl Solved<'_> {
             if joint.is_none() && driven.is_none() {
                 continue;
             }
-            let row = self.assembly.problem.rows.get(k);
+            let (rows, impact) = (&self.assembly.problem.rows, self.assembly.is_impact(k));
             if let Some(joint) = joint {
-                let done = p.dot(&row.relative(|i| self.working(self.assembly.is_impact(k), i)));
+                let done = p.dot(&rows.relative(k, |i| self.working(impact, i)));
                 work.numerical_work -= done;
                 match joint.limit.stops() {
                     true => work.impact -= done,
                     false => work.springs += done,
                 }
             } else if let Some(driven) = driven {
-                let [_, grip] = row.jacobian();
-                work.numerical_work +=
-                    p.dot(&grip.velocity(&self.working(self.assembly.is_impact(k), driven)));
+                let [_, grip] = rows.with(k, Row::jacobian);
+                work.numerical_work += p.dot(&grip.velocity(&self.working(impact, driven)));
             }
         }
         let bodies = self

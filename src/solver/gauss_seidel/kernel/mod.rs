@@ -409,7 +409,7 @@ impl Kernel {
 
 /// Radius of a body that does not move alike in all directions.
 const NO_SPHERE: f64 = -1.0;
-/// No row.
+/// No row, and no group.
 pub(super) const NONE: u32 = u32::MAX;
 
 /// `items` as so many copies of `value`.
