@@ -47,14 +47,26 @@ impl Pose {
         if self.is_none() {
             return x_0;
         }
-        point_of_action + self.translation + self.rotation * (x_0 - point_of_action)
+        let from_reference = x_0 - point_of_action;
+        point_of_action
+            + self.translation
+            + match self.turns() {
+                true => self.rotation * from_reference,
+                false => from_reference,
+            }
     }
 
     /// Whether nothing is displaced: most boundaries stay where they are.
     #[inline]
     fn is_none(&self) -> bool {
+        !self.turns() && self.translation == Vec3::zeros()
+    }
+
+    /// Whether it is turned: many boundaries move without.
+    #[inline]
+    fn turns(&self) -> bool {
         let q = self.rotation.as_ref();
-        q.w == 1.0 && q.i == 0.0 && q.j == 0.0 && q.k == 0.0 && self.translation == Vec3::zeros()
+        q.w != 1.0 || q.i != 0.0 || q.j != 0.0 || q.k != 0.0
     }
 
     /// Which point of the scene is at `x` now: `a + Q^T (x - a - s)` \[m\].
@@ -63,10 +75,12 @@ impl Pose {
         if self.is_none() {
             return x;
         }
+        let from_reference = x - point_of_action - self.translation;
         point_of_action
-            + self
-                .rotation
-                .inverse_transform_vector(&(x - point_of_action - self.translation))
+            + match self.turns() {
+                true => self.rotation.inverse_transform_vector(&from_reference),
+                false => from_reference,
+            }
     }
 
     /// What the move to `to` does to points of a boundary whose reference point is `point_of_action`; `None` where it does not move.

@@ -13,13 +13,10 @@
 //!
 //! [levers]: super::levers
 
-use super::batch::{Batch, Extra, Vector};
-use super::dispatch::{Precision, Task};
+use super::batch::{Batch, Extra, PLAIN, Vector};
 use super::lanes::{Body, Lanes, Pack, Real, Sixteen, changed, sum_by_halves};
 use super::levers::Bounds;
-use super::local::{Seen, cross, dot, each, vector};
-use crate::problem::{CONSTANTS, ELEMENTS, GROUND, Problem, bounds};
-use crate::solver::params::Registers;
+use super::local::{Seen, cross, each, vector};
 
 /// A body and the contacts of a block that are on it.
 #[derive(Debug, Clone, Copy, Default)]
@@ -30,7 +27,7 @@ pub(super) struct Heavy<T> {
     pub(super) arms: Vector<T>,
     /// Of the contacts' operators, of which each has all of the body, or a part of it.
     pub(super) bounds: Bounds<T>,
-    /// [`ELEMENTS`] of `M_B` and `K_B` \[1/kg\].
+    /// [`ELEMENTS`](crate::problem::ELEMENTS) of `M_B` and `K_B` \[1/kg\].
     pub(super) mass: [T; 6],
     pub(super) turn: [T; 6],
 }
@@ -39,50 +36,6 @@ pub(super) struct Heavy<T> {
 pub(super) struct Given<T>([Sixteen<T>; 6]);
 
 impl Heavy<f64> {
-    /// Takes the contacts that are `rows` of `problem`, all of one body; bodies are at `place`, spins of bodies are scaled by `length` \[m\].
-    /// Returns their bounds where each has a part of the body.
-    pub(super) fn fill(
-        &mut self,
-        (problem, rows): (&Problem, &[u32]),
-        place: &[u32],
-        length: impl Fn(usize) -> f64,
-        registers: Registers,
-    ) -> Bounds<f64> {
-        let mut spheres = Spheres::default();
-        *self = Self::default();
-        for (lane, &k) in rows.iter().enumerate() {
-            let [a, b] = problem.rows.bodies(k as usize);
-            debug_assert!(b != GROUND);
-            let (sphere, scale) = (&problem.inverse_mass[a as usize], length(a as usize));
-            spheres.mass[lane] = sphere.linear.x;
-            spheres.turn[lane] = sphere.angular.x * scale * scale;
-            spheres.held[lane] = 1.0;
-            let (normal, arm) = (
-                problem.rows.normal(k as usize),
-                problem.rows.arm_b(k as usize),
-            );
-            let scale = length(b as usize);
-            for axis in 0..3 {
-                spheres.normal[axis][lane] = normal[axis];
-                self.arms[axis][lane] = arm[axis] / scale;
-            }
-            if lane == 0 {
-                let operator = problem.operator(b);
-                self.at = place[b as usize];
-                self.mass = ELEMENTS.map(|at| operator.linear[at]);
-                self.turn = ELEMENTS.map(|at| operator.angular[at] * (scale * scale));
-            }
-        }
-        let find = FindBounds {
-            heavy: self,
-            spheres: &spheres,
-            shares: [1.0, rows.len() as f64],
-        };
-        let [whole, parts] = f64::with(registers, find);
-        self.bounds = whole;
-        parts
-    }
-
     /// Leaves in `heavy` what this is in another precision, with these bounds and inverse masses times `share`.
     pub(super) fn write<T: Real>(&self, bounds: &Bounds<f64>, share: f64, heavy: &mut Heavy<T>) {
         let scaled = |x: f64| T::of(x * share);
@@ -96,82 +49,15 @@ impl Heavy<f64> {
     }
 }
 
-/// The spheres of the contacts of a block; zeros where there is none.
-#[derive(Default)]
-struct Spheres {
-    normal: Vector<f64>,
-    mass: Sixteen<f64>,
-    turn: Sixteen<f64>,
-    /// One where there is a contact.
-    held: Sixteen<f64>,
-}
-
-/// Contacts whose bounds are to be found where each has `shares` times the mobility of the body.
-struct FindBounds<'a> {
-    heavy: &'a Heavy<f64>,
-    spheres: &'a Spheres,
-    shares: [f64; 2],
-}
-
-impl Task for FindBounds<'_> {
-    type Real = f64;
-    type Output = [Bounds<f64>; 2];
-
+impl<T: Real> Batch<T> {
+    /// Its own of `all`, if its contacts are on a heavy body.
     #[inline(always)]
-    fn with<L: Lanes<f64>>(self, l: L) -> [Bounds<f64>; 2] {
-        let (heavy, spheres, zero) = (self.heavy, self.spheres, l.splat(0.0));
-        let mut constants = [zero; CONSTANTS.len()];
-        for (own, constant) in constants.iter_mut().zip(CONSTANTS) {
-            *own = l.splat(constant);
+    pub(super) fn heavy<'a, R>(&self, all: &'a [Heavy<R>]) -> Option<&'a Heavy<R>> {
+        match self.heavy {
+            PLAIN => None,
+            heavy => Some(&all[heavy as usize]),
         }
-        let mut found = [Bounds::default(); 2];
-        for pass in 0..L::PASSES {
-            let n = vector(l, &spheres.normal, pass);
-            let held = l.load(&spheres.held, pass);
-            let (mass, turn) = (l.load(&spheres.mass, pass), l.load(&spheres.turn, pass));
-            // Of a unit impulse along each axis: the couple at the body, and the turn that it makes.
-            let [x, y, z] = vector(l, &heavy.arms, pass);
-            let couples = [
-                [zero, z, zero - y],
-                [zero - z, zero, x],
-                [y, zero - x, zero],
-            ];
-            let mut turns = couples;
-            for couple in &mut turns {
-                *couple = times(l, &heavy.turn, *couple);
-            }
-            let (mut of_a, mut of_b) = ([zero; 6], [zero; 6]);
-            for (k, (i, j)) in ELEMENTS.into_iter().enumerate() {
-                of_b[k] = held * (l.splat(heavy.mass[k]) + dot(couples[i], turns[j]));
-                of_a[k] = zero - turn * (n[i] * n[j]);
-                if i == j {
-                    of_a[k] = of_a[k] + mass + turn;
-                }
-            }
-            for (share, found) in self.shares.into_iter().zip(&mut found) {
-                let share = l.splat(share);
-                let mut operator = of_a;
-                for k in 0..6 {
-                    operator[k] = operator[k].plus(share, of_b[k]);
-                }
-                let (w_n, w_t) = bounds(operator, n, constants);
-                l.store(w_n, &mut found[0], pass);
-                l.store(w_t, &mut found[1], pass);
-            }
-        }
-        found
     }
-}
-
-/// What the symmetric matrix of these elements makes of each `x`.
-#[inline(always)]
-fn times<T: Real, L: Lanes<T>>(l: L, elements: &[T; 6], x: [L::Pack; 3]) -> [L::Pack; 3] {
-    let [xx, yy, zz, yz, zx, xy] = elements.map(|x| l.splat(x));
-    [
-        dot([xx, xy, zx], x),
-        dot([xy, yy, yz], x),
-        dot([zx, yz, zz], x),
-    ]
 }
 
 impl<T: Real> Heavy<T> {

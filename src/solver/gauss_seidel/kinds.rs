@@ -1,10 +1,12 @@
 //! What each row is to the blocks.
 
-use super::kernel::{NONE, refill};
 use super::lanes::LANES;
 use super::sharing::Sharing;
 use crate::parallel::Pool;
 use crate::problem::{GROUND, Law, Problem, Row};
+
+/// No row, and no group.
+pub(super) const NONE: u32 = u32::MAX;
 
 /// What a row is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -85,7 +87,7 @@ impl Kinds {
                 continue;
             };
             if self.resistance.is_empty() {
-                refill(&mut self.resistance, rows.len(), NONE);
+                self.resistance.resize(rows.len(), NONE);
             }
             let contact = contact as usize;
             if rows.general(k).is_some_and(Row::is_rigid_resistance) {

@@ -16,7 +16,6 @@
 //! the impulses gives it.
 
 use super::batch::{Batch, PLAIN, Vector};
-use super::heavy::Heavy;
 use super::lanes::{Body, Columns, Lanes, Pack, Real, Sixteen, changed, sum_by_halves};
 use super::local::{Seen, cross, dot, each, vector};
 use nalgebra::Matrix3;
@@ -189,15 +188,6 @@ impl<T: Real> Batch<T> {
         match self.levers {
             PLAIN => None,
             levers => Some(&all[levers as usize]),
-        }
-    }
-
-    /// Its own of `all`, if its contacts are on a heavy body.
-    #[inline(always)]
-    pub(super) fn heavy<'a, R>(&self, all: &'a [Heavy<R>]) -> Option<&'a Heavy<R>> {
-        match self.heavy {
-            PLAIN => None,
-            heavy => Some(&all[heavy as usize]),
         }
     }
 

@@ -3,7 +3,7 @@
 //! Contact by contact: the contact's own law is solved in closed form with all other multipliers held, and the velocities of
 //! its two bodies follow at once (for a sphere contact the local operator is diagonal, so normal and tangent do not couple).
 //! Contacts of spheres go sixteen at a time (`local`), each with its resistance to rolling (`resistance`), those of clumps
-//! likewise (`levers`, from rows by `lever_rows`), those with driven bodies that are heavy too (`heavy`), in single precision first where the tolerances allow; what it finds is judged in
+//! likewise (`levers`, from rows by `lever_rows`), those with driven bodies that are heavy too (`heavy`, by `heavy_rows`), in single precision first where the tolerances allow; what it finds is judged in
 //! double. Every other row goes by the operations of
 //! [`Row`](crate::problem::Row) (`general_rows`). The order is fixed by the rows and, in large scenes, by where the bodies are
 //! (`partition`): parts of the scene can be swept side by side. From the
@@ -21,6 +21,7 @@ mod dispatch;
 mod exact;
 mod general_rows;
 mod heavy;
+mod heavy_rows;
 mod kernel;
 mod kinds;
 mod lanes;

@@ -51,8 +51,12 @@ impl Sharing {
             (at < problem.operators.len()).then_some(at)
         };
         let bodies = |k: u32| problem.rows.bodies(k as usize);
-        for at in rows.clone().flat_map(bodies).filter_map(place) {
-            touched[at].contacts += 1;
+        for k in rows.clone() {
+            for body in bodies(k) {
+                if let Some(at) = place(body) {
+                    touched[at].contacts += 1;
+                }
+            }
         }
         if touched.iter().all(|own| own.contacts <= LANES) {
             return;

@@ -331,12 +331,18 @@ impl Solved<'_> {
         let integrator = scene.settings.integrator;
         let spheres = self.prediction().kinematics.len();
         let work = &mut state.work;
-        for (k, p) in self.solution.impulses.iter().enumerate() {
+        let rows = &self.assembly.problem.rows;
+        let all = self.solution.impulses.iter().zip(rows.all_bodies());
+        for (k, (p, &[_, b])) in all.enumerate() {
+            // Contacts with one have it as their body B, stops and springs of joints as A, on the ground.
+            if (b as usize) < spheres {
+                continue;
+            }
             let (joint, driven) = (self.assembly.joint(k), self.assembly.driven_side(k));
             if joint.is_none() && driven.is_none() {
                 continue;
             }
-            let (rows, impact) = (&self.assembly.problem.rows, self.assembly.is_impact(k));
+            let impact = self.assembly.is_impact(k);
             if let Some(joint) = joint {
                 let done = p.dot(&rows.relative(k, |i| self.working(impact, i)));
                 work.numerical_work -= done;

@@ -151,7 +151,7 @@ fn every_solver_on_every_problem() {
     plate: 177 rows, 180 sweeps
     light_plate: 154 rows, 54 sweeps
     pressed: 68 rows, 2197 sweeps
-    servo: 1611 rows, 385 sweeps
+    servo: 1611 rows, 392 sweeps
     smooth_pile_soft_penalty: 42 rows, 5000 sweeps
     hopper_12: 208 rows, 5000 sweeps
     hopper_16: 207 rows, 845 sweeps

@@ -409,8 +409,6 @@ impl Kernel {
 
 /// Radius of a body that does not move alike in all directions.
 const NO_SPHERE: f64 = -1.0;
-/// No row, and no group.
-pub(super) const NONE: u32 = u32::MAX;
 
 /// `items` as so many copies of `value`.
 pub(super) fn refill<T: Clone>(items: &mut Vec<T>, count: usize, value: T) {

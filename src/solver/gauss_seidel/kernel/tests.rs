@@ -151,6 +151,16 @@ fn resistance(contact: usize, row: Row, turning: Vec3) -> Row {
     }
 }
 
+/// A sweep without momentum.
+fn plain_sweep() -> SweepParams {
+    SweepParams {
+        momentum: 0.0,
+        damping: 1.0,
+        strictness: 1.0,
+        tolerance: Tolerance::default(),
+    }
+}
+
 /// The oracle is the row's own operations, one row after the other in the order of the blocks.
 #[test]
 fn blocks_do_what_rows_do_one_after_the_other() {
@@ -260,13 +270,7 @@ fn a_shared_body_is_the_mean_of_its_parts() {
     kernel.compile(&problem, &Tolerance::default(), &found);
     let (mut velocity, mut shared, mut on_heavy) = (problem.velocities(&found), 0, 0);
     for sweep in 0..3 {
-        let pace = SweepParams {
-            momentum: 0.0,
-            damping: 1.0,
-            strictness: 1.0,
-            tolerance: Tolerance::default(),
-        };
-        kernel.sweep(&problem, pace);
+        kernel.sweep(&problem, plain_sweep());
         kernel.store(&problem, &mut found);
         for (block, rows) in kernel.exact.blocks.iter().zip(&kernel.contents.rows) {
             let rows = &rows[..block.count as usize];
@@ -340,12 +344,7 @@ fn a_kernel_that_goes_on_is_a_new_one() {
             };
         }
     });
-    let pace = SweepParams {
-        momentum: 0.0,
-        damping: 1.0,
-        strictness: 1.0,
-        tolerance: Tolerance::default(),
-    };
+    let pace = plain_sweep();
     let solved = |kernel: &mut Kernel, problem: &Problem| {
         let mut impulses = vec![Vec3::zeros(); problem.rows.len()];
         kernel.compile(problem, &Tolerance::default(), &impulses);
@@ -423,12 +422,7 @@ fn resistances_are_judged_as_by_the_common_residual() {
     }
     let mut kernel = Kernel::default();
     kernel.compile(&problem, &Tolerance::default(), &impulses);
-    let pace = SweepParams {
-        momentum: 0.0,
-        damping: 1.0,
-        strictness: 1.0,
-        tolerance: Tolerance::default(),
-    };
+    let pace = plain_sweep();
     for _ in 0..40 {
         kernel.sweep(&problem, pace);
         let judged = kernel.judge(&problem);
