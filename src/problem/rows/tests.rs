@@ -107,6 +107,27 @@ fn rows_come_back_as_they_were_given() {
     }
 }
 
+/// Rows that are written side by side, of which those that are no plain ones follow later.
+#[test]
+fn rows_written_first_and_kept_whole_later_are_those_that_are_pushed() {
+    let given = all();
+    let pushed: Rows = given.iter().copied().collect();
+    let mut rows = Rows::default();
+    rows.restart(&[0.0, 0.3, 0.0, 0.2]);
+    let mut writer = rows.extend_plain(given.len());
+    // What is written as no plain one may be one all the same.
+    let plain = |k: usize| k == 0 || k == 9;
+    for (k, row) in given.iter().enumerate() {
+        writer.write(k, row, plain(k));
+    }
+    let whole = given.iter().enumerate().filter(|(k, _)| !plain(*k));
+    rows.settle(whole.map(|(_, row)| *row));
+    assert_eq!(rows, pushed);
+    for (k, row) in given.iter().enumerate() {
+        assert!(rows.with(k, |found| close(found, row)), "row {k}");
+    }
+}
+
 /// Rows whose arms are radii, whatever else they have, as they are given and as they are changed.
 #[test]
 fn arms_that_are_radii_are_known() {
