@@ -163,21 +163,15 @@ impl Problem {
                 return 0.0;
             }
             let body = body as usize;
-            let (linear, angular, along): (f64, f64, &dyn Fn(&Vec3) -> f64) =
-                match self.inverse_mass.get(body) {
-                    Some(w) => (w.linear.sum(), w.angular.sum(), &|r| {
-                        r.dot(&w.angular.component_mul(r))
-                    }),
-                    None => {
-                        let w = &self.operators[body - self.inverse_mass.len()];
-                        let (linear, angular) = (w.linear.trace(), w.angular.trace());
-                        (linear, angular, &|r| r.dot(&(w.angular * r)))
-                    }
-                };
-            match grip {
-                // `tr(-[r] W [r]) = r^2 tr(W) - r . W r`.
-                JacobianBlock::Point(r) => linear + r.norm_squared() * angular - along(&r),
-                JacobianBlock::Couple(lever) => angular * (lever * lever),
+            match self.inverse_mass.get(body) {
+                Some(w) => trace_of(grip, w.linear.sum(), w.angular.sum(), |r| {
+                    r.dot(&w.angular.component_mul(&r))
+                }),
+                None => {
+                    let w = &self.operators[body - self.inverse_mass.len()];
+                    let (linear, angular) = (w.linear.trace(), w.angular.trace());
+                    trace_of(grip, linear, angular, |r| r.dot(&(w.angular * r)))
+                }
             }
         };
         let [grip_a, grip_b] = row.jacobian();
@@ -194,6 +188,16 @@ impl Problem {
             }
             JacobianBlock::Couple(lever) => w.angular * (lever * lever),
         }
+    }
+}
+
+/// Trace of what a body of these traces of its operators moves by where it is held, `along` being `r . W r`.
+#[inline]
+fn trace_of(grip: JacobianBlock, linear: f64, angular: f64, along: impl Fn(Vec3) -> f64) -> f64 {
+    match grip {
+        // `tr(-[r] W [r]) = r^2 tr(W) - r . W r`.
+        JacobianBlock::Point(r) => linear + r.norm_squared() * angular - along(r),
+        JacobianBlock::Couple(lever) => angular * (lever * lever),
     }
 }
 

@@ -61,6 +61,7 @@ impl Kinds {
         }
     }
 
+    /// Likewise, as if no body were heavy.
     fn find_all_but_heavy(&mut self, problem: &Problem, radius: &[f64], pool: &Pool) {
         let rows = &problem.rows;
         self.kinds.clear();
@@ -109,6 +110,7 @@ impl Kinds {
         self.kinds.get(k as usize).map_or(Kind::Plain, |kind| *kind)
     }
 
+    /// Rows of this kind.
     fn those(&self, kind: Kind) -> impl Iterator<Item = u32> + Clone {
         let kinds = (0..).zip(&self.kinds);
         kinds.filter(move |(_, own)| **own == kind).map(|(k, _)| k)
