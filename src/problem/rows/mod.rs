@@ -100,6 +100,11 @@ impl SphereContact {
         Vec3::new(x, y, z)
     }
 
+    #[inline]
+    fn is_due(&self) -> bool {
+        self.0[GENERAL].to_bits() == DUE as u64
+    }
+
     /// Which row is kept whole for it, if one is.
     #[inline]
     fn general(&self) -> Option<usize> {
@@ -334,7 +339,7 @@ impl Rows {
     /// Takes the rows that were written as no plain ones, in order.
     pub(crate) fn settle(&mut self, mut whole: impl Iterator<Item = Row>) {
         for k in 0..self.len() {
-            if self.compact[k].general() == DUE.checked_sub(1)
+            if self.compact[k].is_due()
                 && let Some(row) = whole.next()
             {
                 let general = self.place(&row);

@@ -31,7 +31,7 @@ impl<T: Real> Batch<T> {
             }
             let n = source.contacts(l, rows, pass).n;
             if let Some((heavy, given)) = &mut on_heavy {
-                let a = l.columns(l.fetch(bodies, &self.bodies[0], pass));
+                let a = self.spheres(l, pass, bodies);
                 let moved = (&mut *bodies, given);
                 heavy.give(l, pass, (self, a), (n, p), moved);
                 continue;
@@ -72,7 +72,7 @@ impl<T: Real> Batch<T> {
                     self.see(l, pass, between, (n, bias), extras)
                 }
                 (_, Some(heavy)) => {
-                    let a = l.columns(l.fetch(bodies, &self.bodies[0], pass));
+                    let a = self.spheres(l, pass, bodies);
                     heavy.see(l, pass, (self, &a), (n, bias), (bodies, extras))
                 }
                 (Some(levers), None) => {

@@ -58,6 +58,17 @@ impl<T: Real> Batch<T> {
             heavy => Some(&all[heavy as usize]),
         }
     }
+
+    /// Spheres of a pass, by components: bodies A of contacts on a heavy body.
+    #[inline(always)]
+    pub(super) fn spheres<L: Lanes<R>, R: Real>(
+        &self,
+        l: L,
+        pass: usize,
+        bodies: &[Body<R>],
+    ) -> [L::Pack; 8] {
+        l.columns(l.fetch(bodies, &self.bodies[0], pass))
+    }
 }
 
 impl<T: Real> Heavy<T> {

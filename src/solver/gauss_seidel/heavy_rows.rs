@@ -4,9 +4,10 @@ use super::batch::Vector;
 use super::dispatch::{Precision, Task};
 use super::heavy::Heavy;
 use super::lanes::{Lanes, Pack, Sixteen};
+use super::lever_rows::{by_turning, constants};
 use super::levers::Bounds;
-use super::local::{dot, vector};
-use crate::problem::{CONSTANTS, ELEMENTS, Problem, bounds};
+use super::local::vector;
+use crate::problem::{ELEMENTS, Problem, bounds};
 use crate::solver::params::Registers;
 
 impl Heavy<f64> {
@@ -78,29 +79,19 @@ impl Task for FindBounds<'_> {
     #[inline(always)]
     fn with<L: Lanes<f64>>(self, l: L) -> [Bounds<f64>; 2] {
         let (heavy, spheres, zero) = (self.heavy, self.spheres, l.splat(0.0));
-        let mut constants = [zero; CONSTANTS.len()];
-        for (own, constant) in constants.iter_mut().zip(CONSTANTS) {
-            *own = l.splat(constant);
+        let (constants, mut body_turn) = (constants(l), [zero; 6]);
+        for (own, element) in body_turn.iter_mut().zip(heavy.turn) {
+            *own = l.splat(element);
         }
         let mut found = [Bounds::default(); 2];
         for pass in 0..L::PASSES {
             let n = vector(l, &spheres.normal, pass);
             let held = l.load(&spheres.held, pass);
             let (mass, turn) = (l.load(&spheres.mass, pass), l.load(&spheres.turn, pass));
-            // Of a unit impulse along each axis: the couple at the body, and the turn that it makes.
-            let [x, y, z] = vector(l, &heavy.arms, pass);
-            let couples = [
-                [zero, z, zero - y],
-                [zero - z, zero, x],
-                [y, zero - x, zero],
-            ];
-            let mut turns = couples;
-            for couple in &mut turns {
-                *couple = times(l, &heavy.turn, *couple);
-            }
+            let by_turning = by_turning(vector(l, &heavy.arms, pass), body_turn, zero);
             let (mut of_a, mut of_b) = ([zero; 6], [zero; 6]);
             for (k, (i, j)) in ELEMENTS.into_iter().enumerate() {
-                of_b[k] = held * (l.splat(heavy.mass[k]) + dot(couples[i], turns[j]));
+                of_b[k] = held * (l.splat(heavy.mass[k]) + by_turning[k]);
                 of_a[k] = zero - turn * (n[i] * n[j]);
                 if i == j {
                     of_a[k] = of_a[k] + mass + turn;
@@ -119,15 +110,4 @@ impl Task for FindBounds<'_> {
         }
         found
     }
-}
-
-/// What the symmetric matrix of these elements makes of each `x`.
-#[inline(always)]
-fn times<L: Lanes<f64>>(l: L, elements: &[f64; 6], x: [L::Pack; 3]) -> [L::Pack; 3] {
-    let [xx, yy, zz, yz, zx, xy] = elements.map(|x| l.splat(x));
-    [
-        dot([xx, xy, zx], x),
-        dot([xy, yy, yz], x),
-        dot([zx, yz, zz], x),
-    ]
 }

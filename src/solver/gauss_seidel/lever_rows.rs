@@ -3,7 +3,7 @@
 use super::batch::{Batch, Vector};
 use super::dispatch::{Precision, Task};
 use super::lanes::{Lanes, Pack, Real, Sixteen};
-use super::levers::{Levers, Symmetric, alike, symmetric};
+use super::levers::{Levers, Symmetric, alike, loaded, product};
 use super::local::{dot, vector};
 use crate::problem::{CONSTANTS, ELEMENTS, GROUND, Problem, bounds};
 use crate::solver::params::Registers;
@@ -94,6 +94,36 @@ impl Levers<f64> {
     }
 }
 
+/// [`CONSTANTS`] in lanes.
+#[inline(always)]
+pub(super) fn constants<L: Lanes<f64>>(l: L) -> [L::Pack; CONSTANTS.len()] {
+    let mut constants = [l.splat(0.0); CONSTANTS.len()];
+    for (own, constant) in constants.iter_mut().zip(CONSTANTS) {
+        *own = l.splat(constant);
+    }
+    constants
+}
+
+/// Elements of what impulses at `arm` move there by turning a body of the operator `turn`: `-[arm] K [arm]`.
+#[inline(always)]
+pub(super) fn by_turning<P: Pack>([x, y, z]: [P; 3], turn: [P; 6], zero: P) -> [P; 6] {
+    // Of a unit impulse along each axis: the couple at the body, and the turn that it makes.
+    let couples = [
+        [zero, z, zero - y],
+        [zero - z, zero, x],
+        [y, zero - x, zero],
+    ];
+    let mut turns = couples;
+    for couple in &mut turns {
+        *couple = product(turn, *couple);
+    }
+    let mut found = [zero; 6];
+    for (found, (i, j)) in found.iter_mut().zip(ELEMENTS) {
+        *found = dot(couples[i], turns[j]);
+    }
+    found
+}
+
 /// Contacts whose [`Levers::bounds`] are to be found from all else of their levers.
 struct Operators<'a> {
     levers: &'a mut Levers<f64>,
@@ -107,28 +137,16 @@ impl Task for Operators<'_> {
     #[inline(always)]
     fn with<L: Lanes<f64>>(self, l: L) {
         let (levers, directions, zero) = (self.levers, self.directions, l.splat(0.0));
-        let mut constants = [zero; CONSTANTS.len()];
-        for (own, constant) in constants.iter_mut().zip(CONSTANTS) {
-            *own = l.splat(constant);
-        }
+        let constants = constants(l);
         for pass in 0..L::PASSES {
             let n = vector(l, &directions.normal, pass);
             let mut operator = [zero; 6];
             for side in 0..2 {
-                // Of a unit impulse along each axis: the couple at the body, and the turn that it makes.
-                let [x, y, z] = vector(l, &levers.arms[side], pass);
-                let couples = [
-                    [zero, z, zero - y],
-                    [zero - z, zero, x],
-                    [y, zero - x, zero],
-                ];
-                let mut turns = couples;
-                for couple in &mut turns {
-                    *couple = symmetric(l, pass, &levers.turns[side], *couple);
-                }
-                for (k, (i, j)) in ELEMENTS.into_iter().enumerate() {
+                let arm = vector(l, &levers.arms[side], pass);
+                let by_turning = by_turning(arm, loaded(l, pass, &levers.turns[side]), zero);
+                for k in 0..6 {
                     let mass = l.load(&levers.masses[side][k], pass);
-                    operator[k] = operator[k] + mass + dot(couples[i], turns[j]);
+                    operator[k] = operator[k] + mass + by_turning[k];
                 }
             }
             let found = bounds(operator, n, constants);

@@ -172,12 +172,30 @@ pub(super) fn symmetric<T, L: Lanes<T>>(
     elements: &Symmetric<T>,
     x: [L::Pack; 3],
 ) -> [L::Pack; 3] {
+    product(loaded(l, pass, elements), x)
+}
+
+/// The elements of a pass.
+#[inline(always)]
+pub(super) fn loaded<T, L: Lanes<T>>(l: L, pass: usize, elements: &Symmetric<T>) -> [L::Pack; 6] {
     let [xx, yy, zz, yz, zx, xy] = elements;
-    let (yz, zx, xy) = (l.load(yz, pass), l.load(zx, pass), l.load(xy, pass));
     [
-        dot([l.load(xx, pass), xy, zx], x),
-        dot([xy, l.load(yy, pass), yz], x),
-        dot([zx, yz, l.load(zz, pass)], x),
+        l.load(xx, pass),
+        l.load(yy, pass),
+        l.load(zz, pass),
+        l.load(yz, pass),
+        l.load(zx, pass),
+        l.load(xy, pass),
+    ]
+}
+
+/// [`symmetric`] of elements in packs.
+#[inline(always)]
+pub(super) fn product<P: Pack>([xx, yy, zz, yz, zx, xy]: [P; 6], x: [P; 3]) -> [P; 3] {
+    [
+        dot([xx, xy, zx], x),
+        dot([xy, yy, yz], x),
+        dot([zx, yz, zz], x),
     ]
 }
 

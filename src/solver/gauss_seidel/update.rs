@@ -86,7 +86,7 @@ impl<T: Real> Batch<T> {
         latest: usize,
         pace: &Constants<L::Pack>,
     ) -> (u16, L::Pack, L::Pack) {
-        let a = l.columns(l.fetch(bodies, &self.bodies[0], pass));
+        let a = self.spheres(l, pass, bodies);
         let own = (vector(l, &self.normal, pass), l.load(&self.bias, pass));
         let seen = heavy.see(l, pass, (&*self, &a), own, (bodies, extras));
         let own = self.solve_seen(l, pass, seen, extras, latest, pace);
