@@ -188,6 +188,14 @@ mod tests {
             prop_assert!(near(pose.apply(a, a), a + pose.translation, 1e-15));
         }
 
+        /// A turn so small that its cosine rounds to one moves points all the same.
+        #[test]
+        fn a_tiny_turn_is_a_turn(turn in vector(1e-9), a in vector(1.0), x in vector(1.0)) {
+            let (pose, moved) = (Pose::from_rotation_vector(Vec3::zeros(), turn), turn.cross(&(x - a)));
+            prop_assert!(near(pose.apply(a, x), x + moved, 1e-15));
+            prop_assert!(near(pose.inverse_apply(a, x), x - moved, 1e-15));
+        }
+
         /// The twist between two poses leads to the end, and its velocity field is the derivative of the path:
         /// v = s' + w x (x - a - s).
         #[test]

@@ -48,4 +48,5 @@ mod solvers;
 mod springs;
 mod support;
 mod tunnelling;
+mod turntable;
 mod walls;
