@@ -4,6 +4,7 @@
 //! threads. A sleeping worker takes a tenth of a millisecond to wake, longer than a sweep: what is cut many times runs
 //! [`Pool::within`] workers that stay awake.
 
+use std::collections::LinkedList;
 use std::fmt;
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -121,6 +122,26 @@ impl Pool {
         share(self.shares(), 0, items, &work, &join)
     }
 
+    /// Appends to `found` what `work` finds in pieces of `0..count`, in their order.
+    pub(crate) fn gather<T: Send>(
+        &self,
+        count: usize,
+        work: impl Fn(Range<usize>, &mut Vec<T>) + Sync,
+        found: &mut Vec<T>,
+    ) {
+        if !self.shares() || count <= PIECE {
+            return work(0..count, found);
+        }
+        let here = |_, range| {
+            let mut own = Vec::new();
+            work(range, &mut own);
+            LinkedList::from([own])
+        };
+        let all = self.pieces(0..count, here, chained);
+        found.reserve(all.iter().map(Vec::len).sum());
+        found.extend(all.into_iter().flatten());
+    }
+
     /// Whether there are others to share with, and they are at hand.
     fn shares(&self) -> bool {
         self.0.count > 1 && rayon::current_thread_index().is_some()
@@ -203,6 +224,15 @@ impl<A: Pieces, B: Pieces> Pieces for (A, B) {
     }
 }
 
+/// One list after the other: to join what pieces find.
+pub(crate) fn chained<T>(
+    mut all: LinkedList<Vec<T>>,
+    mut more: LinkedList<Vec<T>>,
+) -> LinkedList<Vec<T>> {
+    all.append(&mut more);
+    all
+}
+
 /// [`Pool::pieces`], halved until a piece is left.
 fn share<P: Pieces, R: Send>(
     shared: bool,
@@ -237,6 +267,24 @@ mod tests {
         let panic = std::panic::AssertUnwindSafe(|| pool.within(|| panic!("as it should")));
         assert!(std::panic::catch_unwind(panic).is_err());
         assert_eq!(pool.within(|| 7), 7);
+    }
+
+    #[test]
+    fn what_pieces_find_is_gathered_in_their_order() {
+        let count = 5 * PIECE + 7;
+        let odd = |range: Range<usize>, found: &mut Vec<usize>| {
+            found.extend(range.filter(|k| k % 2 == 1))
+        };
+        for threads in [1, 2, 3] {
+            let pool = Pool::new(threads);
+            let mut found = vec![0];
+            pool.within(|| pool.gather(count, odd, &mut found));
+            assert!(
+                found
+                    .into_iter()
+                    .eq([0].into_iter().chain((1..count).step_by(2)))
+            );
+        }
     }
 
     #[test]

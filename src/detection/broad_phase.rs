@@ -10,12 +10,15 @@
 //! theirs: one fast sphere costs the others nothing. What is in the list never shows in results: the narrow phase takes from
 //! it the pairs within reach, in canonical order.
 
+use std::ops::Range;
+
 use super::configuration::Configuration;
 use super::grid::{FEW, pairs_of, sphere_pairs};
-use super::near_boundaries::NearBoundaries;
+use super::near_boundaries::{NearBoundaries, NearBoundary};
 use super::periodic::periodic_pairs;
 use crate::Vec3;
 use crate::detection::detection_distance::{DetectionDistance, SKIN, SOON, STEPS};
+use crate::parallel::Pool;
 use crate::spatial::cell::Image;
 
 /// Most that a skin is longer than the reach, over the radius: fast spheres look around more often rather than farther.
@@ -44,13 +47,15 @@ pub struct NeighborList {
     pub images: Vec<(u32, u32, Image)>,
     /// Spheres near boundaries, ascending.
     pub boundaries: NearBoundaries,
+    /// What finds pairs and contacts.
+    pub(crate) pool: Pool,
 }
 
 impl NeighborList {
     /// Makes sure that every pair is listed whose gap in `now` is at most what its spheres `reach`, `[N]` or none, and for a
     /// boundary `carried` \[m\] more.
     pub fn ensure(&mut self, now: &Configuration, reach: &[DetectionDistance], carried: f64) {
-        self.boundaries.ensure(now, reach, carried);
+        self.boundaries.ensure(now, reach, carried, &self.pool);
         let stale = self.stale(now, reach);
         if stale.is_empty() {
             return;
@@ -62,6 +67,15 @@ impl NeighborList {
         }
     }
 
+    /// Pairs without images and near boundaries of these spheres, of a pair the first.
+    pub(super) fn of(&self, spheres: Range<usize>) -> (&[(u32, u32)], &[NearBoundary]) {
+        let near = self.boundaries.all();
+        let ends = [spheres.start, spheres.end];
+        let pairs = ends.map(|end| self.pairs.partition_point(|&(i, _)| (i as usize) < end));
+        let walls = ends.map(|end| near.partition_point(|near| (near.sphere as usize) < end));
+        (&self.pairs[pairs[0]..pairs[1]], &near[walls[0]..walls[1]])
+    }
+
     /// Spheres whose pairs have to be found anew.
     fn stale(&mut self, now: &Configuration, reach: &[DetectionDistance]) -> Vec<u32> {
         if self.present.len() != now.present.len() {
@@ -70,6 +84,7 @@ impl NeighborList {
                 anchor: vec![Vec3::zeros(); now.present.len()],
                 present: vec![false; now.present.len()],
                 boundaries: std::mem::take(&mut self.boundaries),
+                pool: self.pool.clone(),
                 ..Self::default()
             };
         }
@@ -102,20 +117,22 @@ impl NeighborList {
             let serves = room > 0.0 && path.norm_squared() < room * room;
             !serves || (!reach.is_empty() && skin > LOOSE * wanted)
         };
-        let spheres = 0..now.position.len();
-        let left: Vec<u32> = spheres
-            .clone()
-            .filter(|&i| is_stale(i, 1.0))
-            .map(|i| i as u32)
-            .take(FEW + 1)
-            .collect();
+        let all_stale = |share: f64| {
+            let mut stale = Vec::new();
+            let here = |spheres: Range<usize>, stale: &mut Vec<u32>| {
+                let here = spheres.filter(|&i| is_stale(i, share));
+                stale.extend(here.map(|i| i as u32));
+            };
+            self.pool.gather(now.position.len(), here, &mut stale);
+            stale
+        };
+        let left = all_stale(1.0);
         // A few fast ones go alone, step after step.
         let is_fast = |&i: &u32| self.skin[i as usize] > FAST * now.particles.radius[i as usize];
         if left.len() <= FEW && left.iter().all(is_fast) {
             return left;
         }
-        let soon = spheres.filter(|&i| is_stale(i, SOON));
-        soon.map(|i| i as u32).collect()
+        all_stale(SOON)
     }
 
     /// What sphere `i` may come towards others \[m\].
@@ -152,9 +169,9 @@ impl NeighborList {
         // The old lists give their memory back before there are new ones.
         (self.pairs, self.images) = (Vec::new(), Vec::new());
         if now.cell.is_open() {
-            self.pairs = sphere_pairs(now.position, now.present, &sizes);
+            self.pairs = sphere_pairs(now.position, now.present, &sizes, &self.pool);
         } else {
-            self.images = periodic_pairs(now.cell, now.position, now.present, &sizes);
+            self.images = periodic_pairs(now.cell, now.position, now.present, &sizes, &self.pool);
         }
         if !now.particles.clump.is_empty() {
             let apart = |i, j| !now.particles.are_one(i, j);
@@ -175,7 +192,13 @@ impl NeighborList {
         }
         self.pairs
             .retain(|&(i, j)| kept[i as usize] && kept[j as usize]);
-        let mut found = pairs_of(stale, &self.anchor, &self.present, &self.sizes(now));
+        let mut found = pairs_of(
+            stale,
+            &self.anchor,
+            &self.present,
+            &self.sizes(now),
+            &self.pool,
+        );
         if !now.particles.clump.is_empty() {
             found.retain(|&(i, j)| !now.particles.are_one(i, j));
         }

@@ -1,7 +1,10 @@
 //! How far a sphere may come in a step.
 
+use std::ops::Range;
+
 use crate::Vec3;
-use crate::spatial::extent::{around, larger};
+use crate::parallel::Pool;
+use crate::spatial::extent::{around, joined, larger};
 
 /// Skin of a pair, and of a sphere to boundaries, over the smallest radius when nothing moves.
 pub(super) const SKIN: f64 = 0.1;
@@ -20,25 +23,30 @@ pub struct DetectionDistance {
 }
 
 impl DetectionDistance {
-    /// Of every sphere that has one of two `velocities` \[m/s\] for a `step` \[s\], `[N]`, and `more(i)` \[m\]; what all have in
-    /// common is the middle of all velocities.
+    /// Into `reach`, `[N]`, that of every sphere that has one of two `velocities(i)` \[m/s\] for a `step` \[s\], and `more(i)` \[m\];
+    /// what all have in common is the middle of all velocities.
     pub(crate) fn of(
-        velocities: impl Iterator<Item = [Vec3; 2]> + Clone,
+        velocities: impl Fn(usize) -> [Vec3; 2] + Sync,
         step: f64,
-        more: impl Fn(usize) -> f64,
-        reach: &mut Vec<Self>,
+        more: impl Fn(usize) -> f64 + Sync,
+        (reach, pool): (&mut [Self], &Pool),
     ) {
-        let (low, high) = around(velocities.clone().flatten());
+        let extent = |_, spheres: Range<usize>| around(spheres.flat_map(&velocities));
+        let (low, high) = pool.pieces(0..reach.len(), extent, joined);
         let common = (low + high) * 0.5;
         let length = |velocities: [Vec3; 2]| {
             let squared = velocities.map(|v| v.norm_squared());
             step * larger(squared[0], squared[1]).sqrt()
         };
-        reach.clear();
-        reach.extend(velocities.enumerate().map(|(i, velocities)| Self {
-            pairs: length(velocities.map(|v| v - common)) + more(i),
-            boundaries: length(velocities) + more(i),
-        }));
+        let write = |first: usize, reach: &mut [Self]| {
+            for (i, own) in (first..).zip(reach) {
+                *own = Self {
+                    pairs: length(velocities(i).map(|v| v - common)) + more(i),
+                    boundaries: length(velocities(i)) + more(i),
+                };
+            }
+        };
+        pool.pieces(reach, write, |(), ()| ());
     }
 
     /// The largest of each.

@@ -10,7 +10,10 @@
 //! `a`, `b` are the counts along the axes where the box around the spheres has few cells. In a larger one, where most are empty,
 //! they scatter the rows over as many cells as there are spheres: then far spheres share a cell, which costs tests alone.
 
+use std::ops::Range;
+
 use crate::Vec3;
+use crate::parallel::Pool;
 use crate::sorting::{counting_sort, first_places};
 use crate::spatial::extent::{around, larger};
 
@@ -25,8 +28,13 @@ const MARGIN: f64 = 1.0 + 1e-5;
 pub(super) const FEW: usize = 4;
 
 /// All pairs `i < j` of present spheres whose distance is below the sum of their `size` \[m\], `[N]`, ascending.
-pub(crate) fn sphere_pairs(position: &[Vec3], present: &[bool], size: &[f64]) -> Vec<(u32, u32)> {
-    pairs_up_to(usize::MAX, position, present, size)
+pub(crate) fn sphere_pairs(
+    position: &[Vec3],
+    present: &[bool],
+    size: &[f64],
+    pool: &Pool,
+) -> Vec<(u32, u32)> {
+    pairs_up_to(usize::MAX, position, present, size, pool)
 }
 
 /// As [`sphere_pairs`]; the search ends where there are more than `most` pairs.
@@ -35,14 +43,17 @@ pub(crate) fn pairs_up_to(
     position: &[Vec3],
     present: &[bool],
     size: &[f64],
+    pool: &Pool,
 ) -> Vec<(u32, u32)> {
     let grids = Grids::new(position, present, size);
-    let mut search = Search::default();
+    let mut pairs = Vec::new();
     for (k, grid) in grids.0.iter().enumerate() {
-        grid.pairs(&grids.0[k + 1..], most, &mut search);
+        let coarser = &grids.0[k + 1..];
+        let of_cells = |cells, pairs: &mut Vec<_>| grid.pairs(cells, coarser, most, pairs);
+        pool.gather(grid.cells(), of_cells, &mut pairs);
     }
     drop(grids);
-    ascending(&search.pairs, position.len())
+    ascending(&pairs, position.len())
 }
 
 /// The pairs of [`sphere_pairs`] that have one of `chosen` in them.
@@ -51,26 +62,34 @@ pub(super) fn pairs_of(
     position: &[Vec3],
     present: &[bool],
     size: &[f64],
+    pool: &Pool,
 ) -> Vec<(u32, u32)> {
     let chosen = chosen.iter().filter(|&&i| present[i as usize]);
     let chosen = chosen.map(|&i| Member::new(i, position, size));
-    let mut search = Search::default();
-    if chosen.clone().count() <= FEW {
+    let chosen: Vec<Member> = chosen.collect();
+    let mut pairs = Vec::new();
+    if chosen.len() <= FEW {
         let present = (0..).zip(present).filter(|(_, present)| **present);
         let others = present.map(|(j, _)| Member::new(j, position, size));
+        let mut search = Search::default();
         search.others.extend(others);
-        chosen.for_each(|own| search.test(&own, 0));
+        chosen
+            .iter()
+            .for_each(|own| search.test(own, 0, &mut pairs));
     } else {
         let grids = Grids::new(position, present, size);
-        for own in chosen {
-            search.others.clear();
-            for grid in &grids.0 {
-                grid.around(&own, &mut search.others);
+        let around = |range: Range<usize>, pairs: &mut Vec<_>| {
+            let mut search = Search::default();
+            for own in &chosen[range] {
+                search.others.clear();
+                for grid in &grids.0 {
+                    grid.around(own, &mut search.others);
+                }
+                search.test(own, 0, pairs);
             }
-            search.test(&own, 0);
-        }
+        };
+        pool.gather(chosen.len(), around, &mut pairs);
     }
-    let mut pairs = search.pairs;
     pairs.sort_unstable();
     pairs.dedup();
     pairs
@@ -95,17 +114,16 @@ impl Member {
     }
 }
 
-/// What a sphere is tested against, and the pairs found.
+/// What a sphere is tested against.
 #[derive(Default)]
 struct Search {
     others: Vec<Member>,
     near: Vec<u32>,
-    pairs: Vec<(u32, u32)>,
 }
 
 impl Search {
     /// Adds the pairs of `own` with those of the others from `first` on that are near.
-    fn test(&mut self, own: &Member, first: usize) {
+    fn test(&mut self, own: &Member, first: usize, pairs: &mut Vec<(u32, u32)>) {
         let others = &self.others[first..];
         if self.near.len() < others.len() {
             self.near.resize(others.len(), 0);
@@ -119,8 +137,8 @@ impl Search {
             count += usize::from(squared < reach * reach);
         }
         let i = own.index;
-        let pairs = self.near[..count].iter().filter(|&&j| j != i);
-        self.pairs.extend(pairs.map(|&j| (i.min(j), i.max(j))));
+        let near = self.near[..count].iter().filter(|&&j| j != i);
+        pairs.extend(near.map(|&j| (i.min(j), i.max(j))));
     }
 }
 
@@ -151,7 +169,7 @@ impl Grids {
 struct Grid {
     low: Vec3,
     /// One over the edge of a cell \[1/m\]: two spheres that are near each other are in neighbouring ones.
-    cells: f64,
+    per_length: f64,
     /// Cells along each axis, with an empty layer on either side; none where cells are scattered.
     count: Option<[i32; 3]>,
     /// Between the numbers of cells beside each other along y and z.
@@ -170,7 +188,7 @@ impl Grid {
         let largest = level.iter().map(|own| own.size).fold(0.0, f64::max);
         let mut grid = Self {
             low,
-            cells: 1.0 / (2.0 * largest * MARGIN),
+            per_length: 1.0 / (2.0 * largest * MARGIN),
             count: None,
             stride: [0; 2],
             mask: u32::MAX,
@@ -211,7 +229,7 @@ impl Grid {
 
     /// The cell of `x` along each axis, at least 0; those of the level's own spheres are above.
     fn place(&self, x: Vec3) -> [i32; 3] {
-        let cell = |k: usize| (x[k] - self.low[k]) * self.cells + 1.0;
+        let cell = |k: usize| (x[k] - self.low[k]) * self.per_length + 1.0;
         std::array::from_fn(|k| larger(cell(k), 0.0) as i32)
     }
 
@@ -236,13 +254,26 @@ impl Grid {
         }
     }
 
-    /// Pairs within the level, and with the `coarser` ones.
-    fn pairs(&self, coarser: &[Self], most: usize, search: &mut Search) {
+    /// How many cells.
+    fn cells(&self) -> usize {
+        self.first.len() - 1
+    }
+
+    /// Adds pairs of the members of `cells` within the level, and with the `coarser` ones.
+    fn pairs(
+        &self,
+        cells: Range<usize>,
+        coarser: &[Self],
+        most: usize,
+        pairs: &mut Vec<(u32, u32)>,
+    ) {
+        let mut search = Search::default();
         let [row, layer] = self.stride;
         // Rows of three cells ahead of the own one, as offsets of their first.
         let rows = [row, layer.wrapping_sub(row), layer, layer.wrapping_add(row)];
         let rows = rows.map(|middle| middle.wrapping_sub(1));
-        for (key, ends) in (0_u32..).zip(self.first.windows(2)) {
+        let ends = self.first[cells.start..=cells.end].windows(2);
+        for (key, ends) in (cells.start as u32..).zip(ends) {
             let members = &self.members[ends[0] as usize..ends[1] as usize];
             if members.is_empty() {
                 continue;
@@ -254,13 +285,13 @@ impl Grid {
             }
             let all = search.others.len();
             for (rank, own) in members.iter().enumerate() {
-                if search.pairs.len() > most {
+                if pairs.len() > most {
                     return;
                 }
                 for coarser in coarser {
                     coarser.around(own, &mut search.others);
                 }
-                search.test(own, rank + 1);
+                search.test(own, rank + 1, pairs);
                 search.others.truncate(all);
             }
         }
@@ -314,7 +345,7 @@ mod tests {
     fn levels_may_be_as_far_apart_as_numbers_go() {
         let position = [0.0, 1e-3, 1e300].map(|x| Vec3::new(x, 0.0, 0.0));
         assert_eq!(
-            sphere_pairs(&position, &[true; 3], &[1e-3, 1e-3, 1.0]),
+            sphere_pairs(&position, &[true; 3], &[1e-3, 1e-3, 1.0], &Pool::default()),
             [(0, 1)]
         );
     }
@@ -337,13 +368,13 @@ mod tests {
                     }
                 }
             }
-            prop_assert_eq!(&sphere_pairs(&position, &present, &size), &expected);
+            prop_assert_eq!(&sphere_pairs(&position, &present, &size, &Pool::default()), &expected);
             // Of some of the spheres, few or many.
             for every in [3, 20] {
                 let chosen: Vec<u32> = (0..position.len() as u32).step_by(every).collect();
                 let own = |(i, j): &(u32, u32)| chosen.contains(i) || chosen.contains(j);
                 let theirs: Vec<(u32, u32)> = expected.iter().copied().filter(own).collect();
-                prop_assert_eq!(pairs_of(&chosen, &position, &present, &size), theirs);
+                prop_assert_eq!(pairs_of(&chosen, &position, &present, &size, &Pool::default()), theirs);
             }
         }
 
@@ -365,7 +396,7 @@ mod tests {
                 }
             }
             let present = vec![true; position.len()];
-            prop_assert_eq!(sphere_pairs(&position, &present, &size), expected);
+            prop_assert_eq!(sphere_pairs(&position, &present, &size, &Pool::default()), expected);
         }
     }
 }

@@ -6,7 +6,6 @@ use super::broad_phase::NeighborList;
 use super::near_boundaries::NearBoundary;
 use crate::detection::configuration::{Candidate, Configuration};
 use crate::geometry::ClosestPoint;
-use crate::parallel::Pool;
 use crate::spatial::cell::HERE;
 use crate::spatial::extent::larger;
 
@@ -15,34 +14,38 @@ impl Configuration<'_> {
     pub fn candidates(
         &self,
         list: &NeighborList,
-        reach_pair: impl Fn(u32, u32) -> f64,
-        reach_wall: impl Fn(u32, u16) -> f64,
+        reach_pair: impl Fn(u32, u32) -> f64 + Sync,
+        reach_wall: impl Fn(u32, u16) -> f64 + Sync,
         found: &mut Vec<Candidate>,
     ) {
         found.clear();
         // Both lists ascend in the sphere, and a sphere's partners are spheres before boundaries: taken in turns they
         // are in canonical order but for the features of one boundary.
-        let mut boundaries = list.boundaries.iter().peekable();
-        let mut closest_points = Vec::new();
-        let mut wall = |near: &NearBoundary, found: &mut Vec<Candidate>| {
-            let reach = reach_wall(near.sphere, near.boundary);
-            self.touching(list, near, reach, &mut closest_points, found);
-        };
-        for &(i, j) in &list.pairs {
-            while let Some(earlier) = boundaries.next_if(|near| near.sphere < i) {
-                wall(earlier, found);
-            }
-            let reach = reach_pair(i, j);
-            if self.within(i, j, reach) {
-                let pair = self.pair(i, j, HERE);
-                if pair.gap <= reach {
-                    found.push(pair);
+        let of_spheres = |spheres: Range<usize>, found: &mut Vec<Candidate>| {
+            let (pairs, boundaries) = list.of(spheres);
+            let mut boundaries = boundaries.iter().peekable();
+            let mut closest_points = Vec::new();
+            let mut wall = |near: &NearBoundary, found: &mut Vec<Candidate>| {
+                let reach = reach_wall(near.sphere, near.boundary);
+                self.touching(list, near, reach, &mut closest_points, found);
+            };
+            for &(i, j) in pairs {
+                while let Some(earlier) = boundaries.next_if(|near| near.sphere < i) {
+                    wall(earlier, found);
+                }
+                let reach = reach_pair(i, j);
+                if self.within(i, j, reach) {
+                    let pair = self.pair(i, j, HERE);
+                    if pair.gap <= reach {
+                        found.push(pair);
+                    }
                 }
             }
-        }
-        for rest in boundaries {
-            wall(rest, found);
-        }
+            for rest in boundaries {
+                wall(rest, found);
+            }
+        };
+        list.pool.gather(self.position.len(), of_spheres, found);
         for &(i, j, image) in &list.images {
             let pair = self.pair(i, j, image);
             if pair.gap <= reach_pair(i, j) {
@@ -60,37 +63,29 @@ impl Configuration<'_> {
         &self,
         list: &NeighborList,
         limit: f64,
-        pool: &Pool,
         deep: &mut Vec<Candidate>,
     ) -> f64 {
         deep.clear();
-        let here = |_, range: Range<usize>| self.deep(&list.pairs[range], limit);
-        let (mut largest, found) = pool.pieces(0..list.pairs.len(), here, |mut a, b| {
+        let join = |mut a: (f64, Vec<Candidate>), b: (f64, Vec<Candidate>)| {
             a.1.extend(b.1);
             (a.0.max(b.0), a.1)
-        });
-        deep.extend(found);
-        let mut include = |gap: f64, scale: f64| {
-            let overlap = -gap / scale;
-            largest = largest.max(overlap);
-            overlap > limit
         };
+        let pairs = |_, range: Range<usize>| self.deep(&list.pairs[range], limit);
+        let (mut largest, found) = list.pool.pieces(0..list.pairs.len(), pairs, join);
+        deep.extend(found);
         for &(i, j, image) in &list.images {
             let pair = self.pair(i, j, image);
-            if include(pair.gap, self.scale(pair.key)) {
+            let overlap = -pair.gap / self.scale(pair.key);
+            largest = largest.max(overlap);
+            if overlap > limit {
                 deep.push(pair);
             }
         }
-        let (mut closest_points, mut found) = (Vec::new(), Vec::new());
-        for near in list.boundaries.iter() {
-            self.touching(list, near, 0.0, &mut closest_points, &mut found);
-            for point in found.drain(..) {
-                if include(point.gap, self.particles.radius[near.sphere as usize]) {
-                    deep.push(point);
-                }
-            }
-        }
-        largest
+        let near = list.boundaries.all();
+        let walls = |_, range: Range<usize>| self.deep_at_boundaries(list, &near[range], limit);
+        let (at_boundaries, found) = list.pool.pieces(0..near.len(), walls, join);
+        deep.extend(found);
+        largest.max(at_boundaries)
     }
 
     /// Of `pairs` without images, what [`Self::overlaps`] finds.
@@ -103,6 +98,29 @@ impl Configuration<'_> {
                 largest = larger(overlap, largest);
                 if overlap > limit {
                     deep.push(self.pair(i, j, HERE));
+                }
+            }
+        }
+        (largest, deep)
+    }
+
+    /// Likewise of spheres near boundaries.
+    fn deep_at_boundaries(
+        &self,
+        list: &NeighborList,
+        near: &[NearBoundary],
+        limit: f64,
+    ) -> (f64, Vec<Candidate>) {
+        let (mut closest_points, mut found) = (Vec::new(), Vec::new());
+        let (mut largest, mut deep) = (0.0_f64, Vec::new());
+        for near in near {
+            self.touching(list, near, 0.0, &mut closest_points, &mut found);
+            let scale = self.particles.radius[near.sphere as usize];
+            for point in found.drain(..) {
+                let overlap = -point.gap / scale;
+                largest = largest.max(overlap);
+                if overlap > limit {
+                    deep.push(point);
                 }
             }
         }

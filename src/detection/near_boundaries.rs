@@ -3,10 +3,13 @@
 //! Where a sphere was when its boundaries were looked for is its anchor. As with pairs, it looks for them anew when it has left the
 //! distance within which they are known; far from all boundaries that is its radius.
 
+use std::ops::Range;
+
 use super::configuration::Configuration;
 use super::detection_distance::{DetectionDistance, SKIN, SOON, STEPS};
 use crate::Vec3;
 use crate::geometry::{Ball, ClosestPoint, Vicinity};
+use crate::parallel::Pool;
 use crate::spatial::Pose;
 use crate::spatial::extent::{around, corners, larger};
 
@@ -51,8 +54,8 @@ pub struct NearBoundaries {
 
 impl NearBoundaries {
     /// All of them, ascending.
-    pub(crate) fn iter(&self) -> std::slice::Iter<'_, NearBoundary> {
-        self.near.iter()
+    pub(crate) fn all(&self) -> &[NearBoundary] {
+        &self.near
     }
 
     /// The facets of its boundary around a sphere.
@@ -77,6 +80,7 @@ impl NearBoundaries {
         now: &Configuration,
         reach: &[DetectionDistance],
         carried: f64,
+        pool: &Pool,
     ) {
         if self.known.len() != now.position.len() || self.poses.len() != now.poses.len() {
             *self = Self {
@@ -117,7 +121,8 @@ impl NearBoundaries {
                 .filter(is_loose)
         };
         let spheres = 0..now.position.len();
-        if loose().next().is_none() && !spheres.clone().any(|i| is_stale(i, 1.0)) {
+        let some = |_, mut spheres: Range<usize>| spheres.any(|i| is_stale(i, 1.0));
+        if loose().next().is_none() && !pool.pieces(spheres.clone(), some, |a, b| a || b) {
             return;
         }
         let mut stale: Vec<bool> = spheres.clone().map(|i| is_stale(i, SOON)).collect();

@@ -2,6 +2,7 @@
 
 use super::grid::pairs_up_to;
 use crate::Vec3;
+use crate::parallel::Pool;
 use crate::spatial::cell::{Cell, HERE, Image};
 
 /// All pairs `i < j` of present spheres and the image `k` of `j` (copy `x_j + k L`) whose distance is below the sum
@@ -12,8 +13,9 @@ pub(crate) fn periodic_pairs(
     position: &[Vec3],
     present: &[bool],
     size: &[f64],
+    pool: &Pool,
 ) -> Vec<(u32, u32, Image)> {
-    periodic_pairs_up_to(usize::MAX, cell, position, present, size)
+    periodic_pairs_up_to(usize::MAX, cell, position, present, size, pool)
 }
 
 /// As [`periodic_pairs`]; the search ends where there are more than `most` pairs.
@@ -23,6 +25,7 @@ pub(crate) fn periodic_pairs_up_to(
     position: &[Vec3],
     present: &[bool],
     size: &[f64],
+    pool: &Pool,
 ) -> Vec<(u32, u32, Image)> {
     let largest = size.iter().copied().fold(0.0, f64::max);
     let face = |side: usize| Vec3::from_fn(|k, _| cell.faces(k).map_or(0.0, |faces| faces[side]));
@@ -48,7 +51,7 @@ pub(crate) fn periodic_pairs_up_to(
 
     let home: Vec<Image> = position.iter().map(|&x| cell.image(x)).collect();
     let mut pairs = Vec::new();
-    for (i, j) in pairs_up_to(most, &place, &there, &size_of) {
+    for (i, j) in pairs_up_to(most, &place, &there, &size_of, pool) {
         let (j, rim) = match (j as usize).checked_sub(position.len()) {
             Some(copy) => owner[copy],
             None => (j, HERE),
@@ -104,7 +107,7 @@ mod tests {
                 }
             }
             expected.sort_unstable();
-            prop_assert_eq!(periodic_pairs(&cell, &position, &present, &size), expected);
+            prop_assert_eq!(periodic_pairs(&cell, &position, &present, &size, &Pool::default()), expected);
         }
     }
 }

@@ -1,6 +1,7 @@
 //! Contacts that are bonded at t = 0: pairs with `bond` whose surfaces touch or are no farther apart than its `reach`.
 
 use crate::detection::periodic::periodic_pairs;
+use crate::parallel::Pool;
 use crate::scene::{Boundary, Scene};
 
 /// What may be bonded at t = 0.
@@ -46,7 +47,13 @@ pub(super) fn at_start(scene: &Scene) -> Vec<StartBond> {
     };
     let radius = &particles.radius;
     let size: Vec<f64> = radius.iter().map(|r| r + 0.5 * r.max(reach)).collect();
-    for (i, j, image) in periodic_pairs(&scene.cell, &initial.position, &initial.present, &size) {
+    for (i, j, image) in periodic_pairs(
+        &scene.cell,
+        &initial.position,
+        &initial.present,
+        &size,
+        &Pool::default(),
+    ) {
         if particles.are_one(i, j) {
             continue;
         }

@@ -8,6 +8,7 @@ use super::decode::Entry;
 use super::document::Document;
 use super::file;
 use crate::detection::periodic::periodic_pairs_up_to;
+use crate::parallel::Pool;
 use crate::scene::{Boundary, Scene};
 use crate::spatial::Pose;
 
@@ -47,7 +48,14 @@ impl Overlaps {
         let mut found = Self::default();
         let most = MOST[0].max(MOST[1] * radius.len());
         let is_present = &scene.initial.present;
-        let pairs = periodic_pairs_up_to(most, &scene.cell, position, is_present, radius);
+        let pairs = periodic_pairs_up_to(
+            most,
+            &scene.cell,
+            position,
+            is_present,
+            radius,
+            &Pool::default(),
+        );
         found.more = pairs.len() > most;
         for (i, j, image) in pairs {
             if scene.particles.are_one(i, j) {

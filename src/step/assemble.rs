@@ -10,7 +10,7 @@ use crate::contact::cohesion::Hold;
 use crate::contact::history::{self, HistoryIndex};
 use crate::contact::{ContactId, Partner};
 use crate::detection::configuration::{Candidate, Configuration};
-use crate::parallel::{Pieces, Pool};
+use crate::parallel::{Pieces, Pool, chained};
 use crate::problem::{Law, Problem, Row, RowWriter};
 use crate::state::State;
 
@@ -170,11 +170,7 @@ impl Assembly<'_> {
         };
         let others = (&mut self.impact[..], &mut impulses[..]);
         let all = (rows.extend_plain(count), (&mut self.past[..], others));
-        let join = |mut all: LinkedList<Vec<Row>>, mut more| {
-            all.append(&mut more);
-            all
-        };
-        let whole = self.pool.pieces(all, write, join);
+        let whole = self.pool.pieces(all, write, chained);
         if !whole.is_empty() {
             rows.settle(whole.into_iter().flatten());
         }

@@ -24,13 +24,14 @@ pub(super) fn detect(
     let (scene, step) = (prediction.scene, prediction.step);
     let [start, end] = &prediction.poses;
     let configuration = Configuration::of(scene, &prediction.kinematics, start);
-    let both = prediction.kinematics.velocity.iter().zip(free);
-    let both = both.map(|(now, free)| [*now, free.linear]);
+    let both = |i: usize| [prediction.kinematics.velocity[i], free[i].linear];
     let radii = &scene.particles.radius;
     let mut reach = take(&mut workspace.reach);
+    reach.resize(radii.len(), DetectionDistance::default());
     let largest = scene.particles.largest_radius();
     let held = scene.holding_distance(largest);
-    DetectionDistance::of(both, step, |i| NEAR * radii[i] + held, &mut reach);
+    let (more, pool) = (|i| NEAR * radii[i] + held, &workspace.neighbors.pool);
+    DetectionDistance::of(both, step, more, (&mut reach, pool));
     if let Some(edge) = scene.cell.smallest_edge() {
         // Copies beyond the next ones are met by no step that is not cut anyway.
         for own in &mut reach {

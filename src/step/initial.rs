@@ -10,7 +10,6 @@ use super::solve::{polish, solve};
 use super::workspace::Workspace;
 use super::{Effort, StepFailure};
 use crate::detection::configuration::Configuration;
-use crate::parallel::Pool;
 use crate::scene::{Method, Scene};
 use crate::solver::Report;
 use crate::state::State;
@@ -46,8 +45,7 @@ pub(super) fn overlaps(scene: &Scene, state: &mut State, workspace: &mut Workspa
     let neighbors = &mut workspace.neighbors;
     neighbors.ensure(&configuration, &[], 0.0);
     let mut overlapping = Vec::new();
-    let pool = Pool::default();
-    state.initial_overlap = configuration.overlaps(neighbors, 0.0, &pool, &mut overlapping);
+    state.initial_overlap = configuration.overlaps(neighbors, 0.0, &mut overlapping);
     let settings = &scene.settings;
     settings.method == Method::Alm && state.initial_overlap > settings.tolerance.gap
 }

@@ -77,6 +77,7 @@ pub fn step(
 ) -> Result<StepOutput, StepFailure> {
     let (threads, registers) = (scene.settings.threads, scene.settings.registers);
     let pool = workspace.solver.kernel.pool(threads, registers);
+    workspace.neighbors.pool = pool.clone();
     let mut step = || stages(scene, state, workspace, input, effort);
     match scene.particles.len() {
         0..SMALL => step(),

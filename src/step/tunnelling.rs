@@ -44,14 +44,10 @@ pub(super) fn passed(
     let spheres = prediction.kinematics.len();
     let free = &assembly.problem.free;
     let velocities = [&solution.velocity[..spheres], &free[..spheres]];
-    let both = velocities[0].iter().zip(velocities[1]);
+    let both = |i: usize| velocities.map(|of| of[i].linear);
     let mut reach = take(&mut workspace.reach);
-    DetectionDistance::of(
-        both.map(|(own, free)| [own.linear, free.linear]),
-        step,
-        |_| 0.0,
-        &mut reach,
-    );
+    reach.resize(spheres, DetectionDistance::default());
+    DetectionDistance::of(both, step, |_| 0.0, (&mut reach, &assembly.pool));
     let smallest = start.particles.smallest_radius();
     let freely = &prediction.poses[1];
     let carried =
@@ -113,7 +109,7 @@ pub(super) fn passed(
     let here = list.pairs.iter().filter(far);
     let here = here.map(|&(i, j)| apart(i, j, HERE));
     let images = list.images.iter().map(|&(i, j, image)| apart(i, j, image));
-    let boundaries = list.boundaries.iter().filter(may_go_far);
+    let boundaries = list.boundaries.all().iter().filter(may_go_far);
     let boundaries = boundaries.map(|near| {
         let (i, boundary) = (near.sphere, near.boundary);
         let paths = [&end, &free].map(|to| start.path_in_frame(to, i, boundary));

@@ -50,7 +50,7 @@ pub(super) fn verify(
     let neighbors = &mut workspace.neighbors;
     neighbors.ensure(&end, &[], 0.0);
     let limit = settings.tolerance.gap;
-    let mut max_overlap = end.overlaps(neighbors, limit, &assembly.pool, &mut overlapping);
+    let mut max_overlap = end.overlaps(neighbors, limit, &mut overlapping);
     // Springs that sleep are compressed.
     overlapping.retain(|found| !prediction.sleeps(found.key));
     // The penalty method lets bodies overlap as they like.

@@ -15,6 +15,7 @@ use super::free_space::FreeSpace;
 use crate::Vec3;
 use crate::detection::grid::sphere_pairs;
 use crate::geometry::ClosestPoint;
+use crate::parallel::Pool;
 
 /// Places tried before a sphere takes the least bad one.
 const TRIES: usize = 30;
@@ -160,7 +161,7 @@ impl Bed {
     fn pairs(&self, skin: f64) -> Vec<(u32, u32)> {
         let all = vec![true; self.centre.len()];
         let sizes: Vec<f64> = self.radius.iter().map(|r| r + 0.5 * skin).collect();
-        sphere_pairs(&self.centre, &all, &sizes)
+        sphere_pairs(&self.centre, &all, &sizes, &Pool::default())
     }
 
     /// Moves overlapping pairs apart, one after the other; returns how many overlapped.
