@@ -57,3 +57,25 @@ impl DetectionDistance {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The last of many has another velocity than all others: what they have in common is the middle.
+    #[test]
+    fn the_common_motion_is_that_of_all_pieces() {
+        let mut reach = vec![DetectionDistance::default(); 2000];
+        let velocities = |i: usize| match i {
+            1999 => [Vec3::x(); 2],
+            _ => [Vec3::x() * 2.0, Vec3::x() * 3.0],
+        };
+        DetectionDistance::of(velocities, 0.1, |_| 1.0, (&mut reach, &Pool::default()));
+        let expected = DetectionDistance {
+            pairs: 1.1,
+            boundaries: 1.3,
+        };
+        assert_eq!(reach[0], expected);
+        assert_eq!(DetectionDistance::largest(&reach), expected);
+    }
+}

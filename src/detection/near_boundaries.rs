@@ -355,6 +355,61 @@ mod tests {
         prop::collection::vec(vector, count)
     }
 
+    /// Balls that touch each other along the axes and three planes, in more than one piece.
+    #[test]
+    fn contacts_are_the_same_on_any_number_of_threads() {
+        const SIDE: usize = 12;
+        let count = SIDE.pow(3);
+        let particles = Particles {
+            radius: vec![0.5; count],
+            ..Particles::default()
+        };
+        let axes = [Vec3::x(), Vec3::y(), Vec3::z()];
+        let plane = |axis: Vec3| HalfSpace::new(axis * -0.5, axis).expect("a plane");
+        let planes = axes.map(|axis| boundary(vec![plane(axis).into()]));
+        let (present, poses, cell) = (vec![true; count], [Pose::default(); 3], Cell::default());
+        let at =
+            |k: usize| Vec3::from([k % SIDE, k / SIDE % SIDE, k / SIDE / SIDE].map(|k| k as f64));
+        let lattice: Vec<Vec3> = (0..count).map(at).collect();
+        let closer: Vec<Vec3> = lattice
+            .iter()
+            .map(|x| x * 0.99 - Vec3::repeat(0.01))
+            .collect();
+        // The last one comes to the first plane, far from the others.
+        let mut apart = lattice.clone();
+        apart[count - 1] = Vec3::new(0.0, 20.0, 20.0);
+        let reach = vec![DetectionDistance::default(); count];
+        let (pairs, walls) = (3 * SIDE * SIDE * (SIDE - 1), 3 * SIDE * SIDE);
+        for threads in [1, 2, 3] {
+            let pool = Pool::new(threads);
+            let mut list = NeighborList::default();
+            list.pool = pool.clone();
+            let mut look = |position: &[Vec3]| {
+                let now = Configuration {
+                    particles: &particles,
+                    position,
+                    present: &present,
+                    boundaries: &planes,
+                    poses: &poses,
+                    cell: &cell,
+                };
+                let (mut found, mut deep) = (Vec::new(), Vec::new());
+                list.ensure(&now, &reach, 0.0);
+                now.candidates(&list, |_, _| 1e-9, |_, _| 1e-9, &mut found);
+                let largest = now.overlaps(&list, 1e-9, &mut deep);
+                assert!(found.windows(2).all(|two| two[0].key < two[1].key));
+                (found.len(), deep.len(), largest)
+            };
+            pool.within(|| {
+                assert_eq!(look(&lattice), (pairs + walls, 0, 0.0));
+                let (found, deep, largest) = look(&closer);
+                assert_eq!((found, deep), (pairs + walls, pairs + walls));
+                assert!((largest - 0.02).abs() < 1e-12);
+                assert_eq!(look(&apart), (pairs - 3 + walls + 1, 0, 0.0));
+            });
+        }
+    }
+
     proptest! {
         #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(100) })]
 
