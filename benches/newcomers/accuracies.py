@@ -31,7 +31,7 @@ is that of the resultant in the last table against the run at `{REFERENCE}`. Of 
 steady at the end it is the difference of the means over the last {"third" if SHARE == 1 / 3 else SHARE} of the run over the
 reference's mean. Of the others it is the root mean square of the difference of the running means
 (window: {WINDOW:.0%} of the run) over that of the reference; scenes of many impacts are chaotic, so
-that a part of it is no error of the solver.
+that a part of it is no error of the solver. *commit*: of the project, when the row was measured.
 """
 FMU = """\
 Communication steps of the FMU, its inputs driven by fmpy. *export*: CPU time, with settling
@@ -55,6 +55,8 @@ def main() -> int:
         with tempfile.TemporaryDirectory(prefix="newcomers-") as folder:
             rows = _measured(name, arguments, Path(folder))
         for accuracy, row in rows.items():
+            for part in row.values():
+                part["commit"] = record["machine"]["commit"]
             record["scenes"].setdefault(name, {}).setdefault(accuracy, {}).update(row)
             failed += sum("failed" in part for part in row.values())
             print(f"{name:15} {accuracy:10} {_told(row)}", flush=True)
@@ -131,10 +133,10 @@ def _page(record: dict[str, dict]) -> Iterator[str]:
     yield f"<!-- Written by benches/newcomers/run. -->\n\n# Scenes of newcomers\n\n{INTRODUCTION}"
     yield f"Last: {m['date']}, commit {m['commit']}, {m['processor']}, {m['cores']} cores,\n`{m['command']}`."
     yield "\n## Runs\n"
-    head = ["scene", "accuracy", "CPU s", "x real time", "overlap", "unconverged", "force error"]
+    head = ["scene", "accuracy", "CPU s", "x real time", "overlap", "unconverged", "force error", "commit"]
     yield from _table(head, [[name, accuracy, *_run(row["run"])] for name, accuracy, row in rows if "run" in row])
     yield f"\n## As FMUs\n\n{FMU}"
-    head = ["scene", "accuracy", "export CPU s", "steps", "CPU s", "x real time", "discards"]
+    head = ["scene", "accuracy", "export CPU s", "steps", "CPU s", "x real time", "discards", "commit"]
     yield from _table(head, [[name, accuracy, *_fmu(row["fmu"])] for name, accuracy, row in rows if "fmu" in row])
     reasons = [(name, accuracy, what, part["failed"]) for name, accuracy, row in rows for what, part in row.items() if "failed" in part]
     if reasons:
@@ -157,15 +159,15 @@ def _pace(part: Record) -> str:
 
 def _run(part: Record) -> list[str]:
     if "failed" in part:
-        return ["failed", "", "", "", ""]
+        return ["failed", "", "", "", "", part["commit"]]
     error = "" if part["error"] is None else f"{part['error']:.1%}"
-    return [f"{part['cpu']:.3g}", _pace(part), f"{part['overlap']:.1e}", str(part["unconverged"]), error]
+    return [f"{part['cpu']:.3g}", _pace(part), f"{part['overlap']:.1e}", str(part["unconverged"]), error, part["commit"]]
 
 
 def _fmu(part: Record) -> list[str]:
     if "failed" in part:
-        return ["failed", "", "", "", ""]
-    return [f"{part['export']:.3g}", str(part["steps"]), f"{part['cpu']:.3g}", _pace(part), str(part["discards"])]
+        return ["failed", "", "", "", "", part["commit"]]
+    return [f"{part['export']:.3g}", str(part["steps"]), f"{part['cpu']:.3g}", _pace(part), str(part["discards"]), part["commit"]]
 
 
 if __name__ == "__main__":
