@@ -64,6 +64,9 @@ impl Simulation {
         let kinematics = &mut state.kinematics;
         let mut taken = false;
         for i in 0..kinematics.len() {
+            if !kinematics.present[i] {
+                continue;
+            }
             let region = &scene.sinks[sink].region;
             let (whole, centre) = match scene.particles.clump(i).map(|c| &scene.clumps[c]) {
                 None => (i..i + 1, kinematics.position[i]),
@@ -74,7 +77,7 @@ impl Simulation {
                 Some(_) => continue,
             };
             let inside = region.contains_copy(&scene.cell, centre);
-            if !(kinematics.present[i] && inside) || whole.clone().any(held) {
+            if !inside || whole.clone().any(held) {
                 continue;
             }
             taken = true;

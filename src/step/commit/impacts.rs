@@ -253,6 +253,9 @@ impl Balance {
 
 /// [`Balance::limits`] of a body.
 fn limit(assembly: &Assembly, body: usize, [smooth, impacts]: &[SpatialVector; 2]) -> f64 {
+    if *smooth == SpatialVector::ZERO {
+        return 0.0;
+    }
     let net = smooth.plus(impacts, 1.0);
     let brought = assembly.prediction.step * assembly.prediction.weight(body as u32);
     match smooth.linear.norm() > HELD * (net.linear.norm() + brought) {
