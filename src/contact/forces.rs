@@ -117,6 +117,13 @@ impl ContactForces {
         self.loads.retain(|load| kept(&load.key));
     }
 
+    /// [`ContactId::renumber`] of all.
+    pub(crate) fn renumber(&mut self, number: &[u32]) {
+        for load in &mut self.loads {
+            load.key.renumber(number);
+        }
+    }
+
     /// Lets `change` change force and couple of each contact.
     pub(crate) fn change(&mut self, mut change: impl FnMut(&mut Vec3, Option<&mut Vec3>)) {
         let mut torques = self.torques.iter_mut();

@@ -23,6 +23,14 @@ pub struct ContactId {
 }
 
 impl ContactId {
+    /// Gives the spheres the numbers that stand in the places of theirs; their order is the same.
+    pub(crate) fn renumber(&mut self, number: &[u32]) {
+        self.sphere = number[self.sphere as usize];
+        if let Partner::Sphere { index, .. } = &mut self.partner {
+            *index = number[*index as usize];
+        }
+    }
+
     /// The spheres that touch.
     pub(crate) fn spheres(&self) -> impl Iterator<Item = usize> + use<> {
         let other = match self.partner {

@@ -67,6 +67,14 @@ impl NeighborList {
         }
     }
 
+    /// Forgets all spheres.
+    pub(crate) fn forget(&mut self) {
+        *self = Self {
+            pool: self.pool.clone(),
+            ..Self::default()
+        };
+    }
+
     /// Pairs without images and near boundaries of these spheres, of a pair the first.
     pub(super) fn of(&self, spheres: Range<usize>) -> (&[(u32, u32)], &[NearBoundary]) {
         let near = self.boundaries.all();

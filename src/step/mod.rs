@@ -2,7 +2,7 @@
 //!
 //! | stage | file | output |
 //! |---|---|---|
-//! | predict | `prediction` | motion without contacts: `Prediction` |
+//! | predict | `prediction`, `present` | motion without contacts: `Prediction` |
 //! | detect | `detect`, `sleep` | candidates within reach of the step; what wakes |
 //! | assemble | `assemble`, `rows` | the [`Problem`], who its rows are, a warm start: `Assembly` |
 //! | solve | `solve`, [`crate::solver`] | impulses and velocities: `Solution` |
@@ -29,6 +29,7 @@ mod linear_problem;
 mod members;
 mod output;
 mod prediction;
+mod present;
 mod rebounds;
 mod replicas;
 mod resolve;
@@ -77,7 +78,27 @@ pub fn step(
 ) -> Result<StepOutput, StepFailure> {
     let (threads, registers) = (scene.settings.threads, scene.settings.registers);
     let pool = workspace.solver.kernel.pool(threads, registers);
-    workspace.neighbors.pool = pool.clone();
+    workspace.neighbors.pool = pool;
+    let mut present = take(&mut workspace.present);
+    let output = match present.apart(scene, state, &mut workspace.neighbors) {
+        Some(apart) => apart.step(state, |scene, state| {
+            on_threads(scene, state, workspace, input, effort)
+        }),
+        None => on_threads(scene, state, workspace, input, effort),
+    };
+    workspace.present = present;
+    output
+}
+
+/// The stages, by all threads if there is enough to do.
+fn on_threads(
+    scene: &Scene,
+    state: &mut State,
+    workspace: &mut Workspace,
+    input: &StepInput,
+    effort: Effort,
+) -> Result<StepOutput, StepFailure> {
+    let pool = workspace.neighbors.pool.clone();
     let mut step = || stages(scene, state, workspace, input, effort);
     match scene.particles.len() {
         0..SMALL => step(),

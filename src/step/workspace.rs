@@ -4,6 +4,7 @@ use super::assemble::{Assembly, AssemblyArrays};
 use super::commit::Balance;
 use super::failed::FailedSteps;
 use super::prediction::PredictionArrays;
+use super::present::Present;
 use super::solution::Solution;
 use crate::detection::broad_phase::NeighborList;
 use crate::detection::detection_distance::DetectionDistance;
@@ -14,6 +15,7 @@ use crate::spatial::SpatialVector;
 #[derive(Debug, Default)]
 pub struct Workspace {
     pub(super) neighbors: NeighborList,
+    pub(super) present: Present,
     pub(super) solver: SolverWorkspace,
     pub(super) reach: Vec<DetectionDistance>,
     pub(super) prediction: PredictionArrays,

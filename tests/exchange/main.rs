@@ -1,6 +1,7 @@
 //! Sources, sinks and settling: mass that comes and goes is counted exactly, and a settled scene starts in equilibrium.
 //! Start files keep that start.
 
+mod capacity;
 mod settling;
 mod sources;
 mod start_file;

@@ -213,7 +213,7 @@ pub struct Source {
     pub size: Option<Size>,
     /// Where spheres appear, wholly inside, wherever there is room.
     pub region: Region,
-    /// Most spheres of this source that can be in the scene at a time. Each costs time in every step, also while it waits.
+    /// Most spheres of this source that can be in the scene at a time. Those that wait take next to no time.
     #[schemars(extend("minimum" = 1))]
     pub capacity: u32,
     /// Spheres per second \[1/s\].

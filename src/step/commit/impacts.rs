@@ -253,7 +253,7 @@ impl Balance {
 
 /// [`Balance::limits`] of a body.
 fn limit(assembly: &Assembly, body: usize, [smooth, impacts]: &[SpatialVector; 2]) -> f64 {
-    if *smooth == SpatialVector::ZERO {
+    if [*smooth, *impacts] == [SpatialVector::ZERO; 2] {
         return 0.0;
     }
     let net = smooth.plus(impacts, 1.0);
