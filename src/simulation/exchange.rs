@@ -86,6 +86,9 @@ impl Simulation {
                 kinematics.velocity[i] = Vec3::zeros();
                 kinematics.spin[i] = Vec3::zeros();
                 state.smooth[i] = SpatialVector::ZERO;
+                if let Some(calm) = state.calm.get_mut(i) {
+                    *calm = 0;
+                }
                 if let Some(external) = state.external.get_mut(i) {
                     *external = SpatialVector::ZERO;
                 }
