@@ -42,6 +42,7 @@ impl Simulation {
         }
         self.state.wake();
         self.replay = None;
+        self.workspace.forget_scene();
         self.scene = scene;
     }
 }

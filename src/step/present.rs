@@ -56,9 +56,6 @@ impl Present {
             }
         }
         let alone = self.alone.as_deref_mut().filter(|_| apart)?;
-        if alone.0.settings != scene.settings {
-            alone.0.settings.clone_from(&scene.settings);
-        }
         Some(Apart {
             number: &self.number,
             rank: &self.rank,

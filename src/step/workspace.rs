@@ -28,6 +28,12 @@ pub struct Workspace {
 }
 
 impl Workspace {
+    /// Forgets what it has of the scene, which is another one from now on.
+    pub(crate) fn forget_scene(&mut self) {
+        self.present = Present::default();
+        self.neighbors.forget();
+    }
+
     /// Takes the arrays of a step that is done.
     pub(super) fn keep(&mut self, assembly: Assembly, solution: Solution) {
         self.assembly = assembly.into_arrays();
