@@ -123,7 +123,7 @@ impl Pool {
     }
 
     /// Appends to `found` what `work` finds in pieces of `0..count`, in their order.
-    pub(crate) fn gather<T: Send>(
+    pub(crate) fn collect<T: Send>(
         &self,
         count: usize,
         work: impl Fn(Range<usize>, &mut Vec<T>) + Sync,
@@ -278,7 +278,7 @@ mod tests {
         for threads in [1, 2, 3] {
             let pool = Pool::new(threads);
             let mut found = vec![0];
-            pool.within(|| pool.gather(count, odd, &mut found));
+            pool.within(|| pool.collect(count, odd, &mut found));
             assert!(
                 found
                     .into_iter()

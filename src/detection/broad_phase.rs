@@ -131,7 +131,7 @@ impl NeighborList {
                 let here = spheres.filter(|&i| is_stale(i, share));
                 stale.extend(here.map(|i| i as u32));
             };
-            self.pool.gather(now.position.len(), here, &mut stale);
+            self.pool.collect(now.position.len(), here, &mut stale);
             stale
         };
         let left = all_stale(1.0);

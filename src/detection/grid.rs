@@ -50,7 +50,7 @@ pub(crate) fn pairs_up_to(
     for (k, grid) in grids.0.iter().enumerate() {
         let coarser = &grids.0[k + 1..];
         let of_cells = |cells, pairs: &mut Vec<_>| grid.pairs(cells, coarser, most, pairs);
-        pool.gather(grid.cells(), of_cells, &mut pairs);
+        pool.collect(grid.cells(), of_cells, &mut pairs);
     }
     drop(grids);
     ascending(&pairs, position.len())
@@ -88,7 +88,7 @@ pub(super) fn pairs_of(
                 search.test(own, 0, pairs);
             }
         };
-        pool.gather(chosen.len(), around, &mut pairs);
+        pool.collect(chosen.len(), around, &mut pairs);
     }
     pairs.sort_unstable();
     pairs.dedup();

@@ -45,7 +45,7 @@ impl Configuration<'_> {
                 wall(rest, found);
             }
         };
-        list.pool.gather(self.position.len(), of_spheres, found);
+        list.pool.collect(self.position.len(), of_spheres, found);
         for &(i, j, image) in &list.images {
             let pair = self.pair(i, j, image);
             if pair.gap <= reach_pair(i, j) {

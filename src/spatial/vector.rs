@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use crate::Vec3;
 
 /// A body's linear and angular parts: velocity \[m/s\], \[rad/s\], a sphere's inverse inertia, momentum, force and torque.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct SpatialVector {
     /// Linear part.
     pub linear: Vec3,

@@ -78,32 +78,22 @@ pub fn step(
 ) -> Result<StepOutput, StepFailure> {
     let (threads, registers) = (scene.settings.threads, scene.settings.registers);
     let pool = workspace.solver.kernel.pool(threads, registers);
-    workspace.neighbors.pool = pool;
+    workspace.neighbors.pool = pool.clone();
     let mut present = take(&mut workspace.present);
-    let output = match present.apart(scene, state, &mut workspace.neighbors) {
-        Some(apart) => apart.step(state, |scene, state| {
-            on_threads(scene, state, workspace, input, effort)
-        }),
-        None => on_threads(scene, state, workspace, input, effort),
+    let apart = present.apart(scene, state, &mut workspace.neighbors);
+    let mut on_threads = |scene: &Scene, state: &mut State| {
+        let mut step = || stages(scene, state, workspace, input, effort);
+        match scene.particles.len() {
+            0..SMALL => step(),
+            _ => pool.within(step),
+        }
+    };
+    let output = match apart {
+        Some(apart) => apart.step(state, on_threads),
+        None => on_threads(scene, state),
     };
     workspace.present = present;
     output
-}
-
-/// The stages, by all threads if there is enough to do.
-fn on_threads(
-    scene: &Scene,
-    state: &mut State,
-    workspace: &mut Workspace,
-    input: &StepInput,
-    effort: Effort,
-) -> Result<StepOutput, StepFailure> {
-    let pool = workspace.neighbors.pool.clone();
-    let mut step = || stages(scene, state, workspace, input, effort);
-    match scene.particles.len() {
-        0..SMALL => step(),
-        _ => pool.within(step),
-    }
 }
 
 /// The stages in order, from detection on again where the solution moves what sleeps.

@@ -96,10 +96,8 @@ pub(super) fn predict<'a>(
     kinematics.velocity.reserve_exact(now.len());
     kinematics.spin.reserve_exact(now.len());
     for (i, smooth) in state.smooth.iter().enumerate() {
-        let mut v = now.spatial_velocity(i);
-        if now.present[i] {
-            v = integrator.shift_half_step(&v, smooth, state.last_step, dt);
-        }
+        let v = now.spatial_velocity(i);
+        let v = integrator.shift_half_step(&v, smooth, state.last_step, dt);
         kinematics.velocity.push(v.linear);
         kinematics.spin.push(v.angular);
     }

@@ -10,7 +10,6 @@ use super::{StepFailure, StepOutput};
 use crate::detection::broad_phase::NeighborList;
 use crate::scene::Scene;
 use crate::scene::clump::Clump;
-use crate::spatial::SpatialVector;
 use crate::state::State;
 
 /// The present ones step alone where at least one of so many spheres is absent: to copy them takes less than the absent ones then.
@@ -187,22 +186,15 @@ impl State {
     /// Gives what a step has changed to the spheres of these numbers in `all`.
     fn scatter(&self, all: &mut Self, number: &[u32]) {
         let (from, to) = (&self.kinematics, &mut all.kinematics);
-        let count = to.position.len();
-        scatter(number, &from.position, &mut to.position);
-        scatter(number, &from.orientation, &mut to.orientation);
-        scatter(number, &from.velocity, &mut to.velocity);
-        scatter(number, &from.spin, &mut to.spin);
-        scatter(number, &self.smooth, &mut all.smooth);
-        fit(
-            &self.external,
-            &mut all.external,
-            (count, SpatialVector::ZERO),
-        );
-        scatter(number, &self.external, &mut all.external);
-        fit(&self.calm, &mut all.calm, (count, 0));
-        scatter(number, &self.calm, &mut all.calm);
-        fit(&self.ground, &mut all.ground, (count, 0));
-        scatter(number, &self.ground, &mut all.ground);
+        let places = (number, to.len());
+        scatter(places, &from.position, &mut to.position);
+        scatter(places, &from.orientation, &mut to.orientation);
+        scatter(places, &from.velocity, &mut to.velocity);
+        scatter(places, &from.spin, &mut to.spin);
+        scatter(places, &self.smooth, &mut all.smooth);
+        scatter(places, &self.external, &mut all.external);
+        scatter(places, &self.calm, &mut all.calm);
+        scatter(places, &self.ground, &mut all.ground);
     }
 }
 
@@ -214,17 +206,156 @@ fn gather<T: Copy>(number: &[u32], from: &[T], to: &mut Vec<T>) {
     }
 }
 
-/// The entries of `from` into those of `to` of this `number`.
-fn scatter<T: Copy>(number: &[u32], from: &[T], to: &mut [T]) {
+/// The entries of `from` into those of this `number` of `to`, which then has `count`; none where there are none.
+fn scatter<T: Copy + Default>((number, count): (&[u32], usize), from: &[T], to: &mut Vec<T>) {
+    if from.is_empty() {
+        return to.clear();
+    }
+    to.resize(count, T::default());
     for (&i, own) in number.iter().zip(from) {
         to[i as usize] = *own;
     }
 }
 
-/// Makes `all` as long as there are spheres where the step has entries for some, and empty where it has none.
-fn fit<T: Copy>(some: &[T], all: &mut Vec<T>, (count, empty): (usize, T)) {
-    match some.is_empty() {
-        true => all.clear(),
-        false => all.resize(count, empty),
+#[cfg(test)]
+mod tests {
+    use std::borrow::Cow;
+    use std::path::Path;
+    use std::sync::Arc;
+
+    use super::*;
+    use crate::simulation::Simulation;
+    use crate::spatial::SpatialVector;
+    use crate::step::{Effort, StepInput, Workspace, stages, step};
+
+    /// Rods lie on a floor; one ball has left, the next one hangs on a spring.
+    const SCENE: &str = r#"
+[simulation]
+duration = 1.0
+step = 2e-3
+tolerance = { gap = 1e-9, slip = 1e-9, force = 1e-9, opening = 0 }
+[[material]]
+name = "stone"
+density = 2500.0
+[pair_default]
+friction = 0.4
+[[clump]]
+name = "rod"
+members = [{ position = [0, 0, 0], radius = 1 }, { position = [1.2, 0, 0], radius = 1 }]
+[[spheres]]
+name = "balls"
+material = "stone"
+radius = 0.02
+positions = [[0, 0, -3.0], [0, 0, 1.0]]
+[[spring]]
+sphere = "balls[1]"
+stiffness = 1000.0
+target = [0, 0, 1.0]
+[[source]]
+name = "rods"
+material = "stone"
+clump = "rod"
+radius = 0.015
+capacity = 40
+rate = 100
+stop = 0.1
+seed = 3
+region = { box = { min = [-0.1, -0.1, 0.02], max = [0.1, 0.1, 0.1] } }
+[[boundary]]
+name = "floor"
+material = "stone"
+faces = [{ rectangle = { corner = [-1, -1, 0], u = [2, 0, 0], v = [0, 2, 0] } }]
+[[sink]]
+name = "drain"
+region = { beyond = { point = [0, 0, -1], normal = [0, 0, -1] } }
+"#;
+
+    const FRAME: &str = "rotating_frame = { axis = [0, 0, 1], speed = 0.2 }";
+
+    /// That scene, and more of its simulation.
+    fn at(time: f64, more: &str) -> Simulation {
+        let text = SCENE.replace("[simulation]", &format!("[simulation]\n{more}"));
+        let loaded = Scene::from_toml("scene", &text, Path::new(""));
+        let loaded = loaded.unwrap_or_else(|error| panic!("{}", error.plain()));
+        let mut simulation = Simulation::new(Arc::new(loaded.scene)).expect("a start");
+        simulation.advance_to(time).expect("steps");
+        simulation
+    }
+
+    /// A step of the present ones alone is that of all. Returns the state before it and after.
+    fn same_as_among_all(simulation: &Simulation) -> [State; 2] {
+        let (scene, start) = (simulation.scene(), simulation.state());
+        let input = StepInput {
+            dt: 1e-3,
+            poses: start.poses.clone(),
+            commands: Cow::Borrowed(&start.commands),
+        };
+        let effort = Effort::default();
+        let [mut alone, mut all] = [(); 2].map(|()| (start.clone(), Workspace::default()));
+        step(scene, &mut alone.0, &mut alone.1, &input, effort).expect("a step");
+        stages(scene, &mut all.0, &mut all.1, &input, effort).expect("a step");
+        assert_eq!(alone.1.present.number.len(), 1 + 2 * 10);
+        let (alone, all) = (alone.0, all.0);
+        let near = |a: &[SpatialVector], b: &[SpatialVector], tolerance: f64| {
+            assert_eq!(a.len(), b.len());
+            for (i, (a, b)) in a.iter().zip(b).enumerate() {
+                let apart = a.plus(b, -1.0);
+                let size = apart.linear.norm() + apart.angular.norm();
+                assert!(size < tolerance, "{i}: {a:?}, {b:?}");
+            }
+        };
+        let moving = |state: &State| -> Vec<SpatialVector> {
+            let spheres = 0..state.kinematics.len();
+            let velocity = |i| state.kinematics.spatial_velocity(i);
+            spheres.map(velocity).collect()
+        };
+        near(&moving(&alone), &moving(&all), 1e-6);
+        near(&alone.smooth, &all.smooth, 1e-3);
+        near(&alone.external, &all.external, 1e-9);
+        assert!(moving(&all) != moving(start));
+        let places = alone
+            .kinematics
+            .position
+            .iter()
+            .zip(&all.kinematics.position);
+        assert!(places.into_iter().all(|(a, b)| (a - b).norm() < 1e-9));
+        assert_eq!((&alone.calm, &alone.ground), (&all.calm, &all.ground));
+        let keys = |state: &State| -> Vec<_> { state.contacts.iter().map(|c| c.key).collect() };
+        assert_eq!(keys(&alone), keys(&all));
+        assert!(keys(&all).len() > 10);
+        [start.clone(), all]
+    }
+
+    #[test]
+    fn the_present_ones_do_as_they_do_among_all() {
+        let [_, after] = same_as_among_all(&at(0.4, FRAME));
+        assert!(!after.external.is_empty());
+        let [before, after] = same_as_among_all(&at(0.4, "rest_speed = 0.2"));
+        assert!(after.calm.iter().any(|&steps| steps > 1) && after.calm != before.calm);
+    }
+
+    /// Lists of neighbours number the spheres that are present: they end with others.
+    #[test]
+    fn others_have_neighbours_of_their_own() {
+        let simulation = at(0.4, "");
+        let mut state = State::clone(simulation.state());
+        let mut present = Present::default();
+        let mut neighbors = NeighborList::default();
+        let count = |neighbors: &NeighborList| neighbors.pairs.len();
+        let mut look = |state: &State, neighbors: &mut NeighborList| {
+            neighbors.pairs = vec![(0, 1)];
+            let apart = present.apart(simulation.scene(), state, neighbors);
+            assert!(apart.is_some());
+        };
+        look(&state, &mut neighbors);
+        assert_eq!(count(&neighbors), 0);
+        look(&state, &mut neighbors);
+        assert_eq!(count(&neighbors), 1);
+        // The last rod comes in the place of the first.
+        let spheres = state.kinematics.len();
+        state.kinematics.present[2..4].fill(false);
+        state.kinematics.present[spheres - 2..].fill(true);
+        look(&state, &mut neighbors);
+        assert_eq!(count(&neighbors), 0);
     }
 }

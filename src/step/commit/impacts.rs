@@ -253,9 +253,6 @@ impl Balance {
 
 /// [`Balance::limits`] of a body.
 fn limit(assembly: &Assembly, body: usize, [smooth, impacts]: &[SpatialVector; 2]) -> f64 {
-    if [*smooth, *impacts] == [SpatialVector::ZERO; 2] {
-        return 0.0;
-    }
     let net = smooth.plus(impacts, 1.0);
     let brought = assembly.prediction.step * assembly.prediction.weight(body as u32);
     match smooth.linear.norm() > HELD * (net.linear.norm() + brought) {

@@ -101,7 +101,7 @@ impl Solved<'_> {
             let velocities = velocities.0.iter_mut().zip(velocities.1);
             let mut numerical_work = 0.0;
             for (i, (place, motion)) in (first..).zip(places.zip(velocities)) {
-                if !start.present[i] || particles.clump(i).is_some() {
+                if particles.clump(i).is_some() {
                     continue;
                 }
                 let ((position, orientation), (velocity, spin)) = (place, motion);
