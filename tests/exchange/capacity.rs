@@ -14,7 +14,6 @@ fn rain([rods, balls]: [usize; 2]) -> Simulation {
 [simulation]
 duration = 1.0
 step = 2e-3
-rest_speed = 0.02
 rotating_frame = {{ axis = [0, 0, 1], speed = 0.5 }}
 [[material]]
 name = "stone"
