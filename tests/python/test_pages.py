@@ -56,8 +56,12 @@ def test_a_scale_reads_the_mass(command, tmp_path):
 
 def test_bounded_sweeps_and_their_force_error(command, tmp_path):
     said = run_page("docs/howto/real-time.md", command, tmp_path)
-    rows = {int(row[0]): row[1:] for row in numbers(r"(\d+) sweeps: load ([\d.]+) % off, overlap ([\d.e+-]+) ", said)}
-    assert rows[80][0] < 5.0 < rows[5][0] and rows[80][1] < rows[20][1] < rows[5][1]
+    pattern = r"(\d+) sweeps: load ([\d.]+) % off, fills differ by ([\d.]+) %, overlap ([\d.e+-]+) "
+    rows = {int(row[0]): row[1:] for row in numbers(pattern, said)}
+    # Two means of eight fills differ by less than two of their deviations (4 standard errors) unless the bound matters.
+    (_, scatter, overlap), loose = rows[0], rows[5]
+    assert rows[80][0] < 2 * scatter < 12.0 < loose[0]
+    assert overlap < 1e-3 < loose[2] < 0.2
 
 
 def test_friction_from_an_angle(command, tmp_path):
