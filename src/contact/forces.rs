@@ -8,6 +8,7 @@ use serde::{Deserialize, Serialize};
 use super::cohesion::Hold;
 use super::{ContactForce, ContactId};
 use crate::Vec3;
+use crate::spatial::Wrench;
 
 /// Loads in canonical order, `[C]`, as which this reads, and what goes with them.
 #[derive(Debug, PartialEq, Default, Serialize, Deserialize)]
@@ -57,6 +58,24 @@ pub(crate) struct Beside {
     pub(crate) spring: Option<SpringState>,
     /// What holds it together.
     pub(crate) hold: Option<Hold>,
+}
+
+impl Beside {
+    /// What a contact of a sphere at `x` \[m\] with a radius \[m\] does to its boundary, about `pivot` \[m\]. `x` is the copy that is near.
+    pub(crate) fn on_boundary(
+        &self,
+        load: &ContactForce,
+        (x, radius): (Vec3, f64),
+        pivot: Vec3,
+    ) -> Wrench {
+        // A bond over a gap holds the boundary at its own end.
+        let apart = self.hold.map_or(0.0, |hold| hold.rest().max(0.0));
+        let point = x + load.normal * -(radius + apart);
+        Wrench {
+            force: -load.force,
+            torque: -(point - pivot).cross(&load.force) - self.torque.unwrap_or_default(),
+        }
+    }
 }
 
 impl ContactForces {
@@ -117,11 +136,43 @@ impl ContactForces {
         self.loads.retain(|load| kept(&load.key));
     }
 
-    /// [`ContactId::renumber`] of all.
-    pub(crate) fn renumber(&mut self, number: &[u32]) {
-        for load in &mut self.loads {
-            load.key.renumber(number);
+    /// Into `to` the contacts whose bodies all have a place in `rank`, by these numbers; other spheres have [`u32::MAX`] there.
+    pub(crate) fn gather(&self, rank: &[u32], to: &mut Self) {
+        to.clear();
+        for (k, load) in self.iter().enumerate() {
+            if load.key.spheres().all(|i| rank[i] != u32::MAX) {
+                let mut load = *load;
+                load.key.renumber(rank);
+                to.push(load, self.beside(k));
+            }
         }
+    }
+
+    /// Puts `from`, whose spheres are those of `number`, in the places of what [`Self::gather`] took. `spare` is memory.
+    pub(crate) fn scatter(
+        &mut self,
+        (number, rank): (&[u32], &[u32]),
+        from: &Self,
+        spare: &mut Self,
+    ) {
+        spare.clear();
+        let numbered = |(k, load): (usize, &ContactForce)| {
+            let mut load = *load;
+            load.key.renumber(number);
+            (load, from.beside(k))
+        };
+        let mut next = from.iter().enumerate().map(numbered).peekable();
+        for (k, load) in self.loads.iter().enumerate() {
+            if load.key.spheres().all(|i| rank[i] != u32::MAX) {
+                continue;
+            }
+            while let Some((own, beside)) = next.next_if(|(own, _)| own.key < load.key) {
+                spare.push(own, beside);
+            }
+            spare.push(*load, self.beside(k));
+        }
+        next.for_each(|(own, beside)| spare.push(own, beside));
+        std::mem::swap(self, spare);
     }
 
     /// Lets `change` change force and couple of each contact.
@@ -208,5 +259,40 @@ mod tests {
         assert_eq!(carried.torque(0), Vec3::zeros());
         assert!(carried.fits());
         assert_eq!(size_of::<ContactForce>(), 72);
+    }
+
+    #[test]
+    fn contacts_of_some_come_back_among_all() {
+        let load = |sphere, other, force| ContactForce {
+            key: ContactId {
+                sphere,
+                partner: Partner::sphere(other),
+            },
+            normal: Vec3::z(),
+            force: Vec3::z() * force,
+        };
+        let beside = |force| Beside {
+            torque: Some(Vec3::x() * force),
+            ..Beside::default()
+        };
+        let of = |loads: &[(u32, u32, f64)]| {
+            let mut all = ContactForces::default();
+            for &(a, b, force) in loads {
+                all.push(load(a, b, force), beside(force));
+            }
+            all
+        };
+        // Spheres 1, 3 and 4 of 5.
+        let (number, rank) = ([1, 3, 4], [u32::MAX, 0, u32::MAX, 1, 2]);
+        let mut all = of(&[(0, 1, 1.0), (1, 3, 2.0), (2, 3, 3.0), (3, 4, 4.0)]);
+        let mut some = ContactForces::default();
+        all.gather(&rank, &mut some);
+        assert_eq!(some, of(&[(0, 1, 2.0), (1, 2, 4.0)]));
+        let after = of(&[(0, 2, 5.0), (1, 2, 6.0)]);
+        all.scatter((&number, &rank), &after, &mut some);
+        assert_eq!(
+            all,
+            of(&[(0, 1, 1.0), (1, 4, 5.0), (2, 3, 3.0), (3, 4, 6.0)])
+        );
     }
 }

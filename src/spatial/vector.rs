@@ -40,6 +40,14 @@ impl SpatialVector {
         self.linear + self.angular.cross(&arm)
     }
 
+    /// Force and torque that act at `arm` \[m\] from a pivot, about the pivot.
+    pub(crate) fn about(&self, arm: Vec3) -> Wrench {
+        Wrench {
+            force: self.linear,
+            torque: arm.cross(&self.linear) + self.angular,
+        }
+    }
+
     /// `self + scale * other`.
     pub(crate) fn plus(&self, other: &Self, scale: f64) -> Self {
         Self {

@@ -2,7 +2,7 @@
 //!
 //! | stage | file | output |
 //! |---|---|---|
-//! | predict | `prediction`, `present` | motion without contacts: `Prediction` |
+//! | predict | `prediction`, `apart` | who takes part; motion without contacts: `Prediction` |
 //! | detect | `detect`, `sleep` | candidates within reach of the step; what wakes |
 //! | assemble | `assemble`, `rows` | the [`Problem`], who its rows are, a warm start: `Assembly` |
 //! | solve | `solve`, [`crate::solver`] | impulses and velocities: `Solution` |
@@ -11,6 +11,7 @@
 //!
 //! `initial` does likewise at t = 0; `replicas` runs the same stages with replicas of the state, for derivatives.
 
+mod apart;
 mod assemble;
 mod at_rest;
 mod boundary_motion;
@@ -29,7 +30,6 @@ mod linear_problem;
 mod members;
 mod output;
 mod prediction;
-mod present;
 mod rebounds;
 mod replicas;
 mod resolve;
@@ -58,6 +58,7 @@ use crate::problem::{Impulses, Problem};
 use crate::scene::Scene;
 use crate::solver::gauss_seidel::SMALL;
 use crate::state::State;
+use apart::Depth;
 use commit::{commit, spread_impacts};
 use linear_problem::linear_problem;
 use prediction::{Prediction, PredictionArrays, predict};
@@ -79,36 +80,51 @@ pub fn step(
     let (threads, registers) = (scene.settings.threads, scene.settings.registers);
     let pool = workspace.solver.kernel.pool(threads, registers);
     workspace.neighbors.pool = pool.clone();
-    let mut present = take(&mut workspace.present);
-    let apart = present.apart(scene, state, &mut workspace.neighbors);
-    let mut on_threads = |scene: &Scene, state: &mut State| {
+    let run = |workspace: &mut Workspace, scene: &Scene, state: &mut State| {
         let mut step = || stages(scene, state, workspace, input, effort);
         match scene.particles.len() {
             0..SMALL => step(),
             _ => pool.within(step),
         }
     };
-    let output = match apart {
-        Some(apart) => apart.step(state, on_threads),
-        None => on_threads(scene, state),
+    let mut participants = take(&mut workspace.participants);
+    let mut depth = Depth::FIRST;
+    let output = loop {
+        let neighbors = &mut workspace.neighbors;
+        let Some(apart) = participants.apart(scene, (state, input), neighbors, depth) else {
+            break run(workspace, scene, state);
+        };
+        let output = apart.step(state, |scene, state, outside| {
+            workspace.prediction.outside = outside;
+            run(workspace, scene, state)
+        });
+        participants.outside = take(&mut workspace.prediction.outside);
+        if output != Ok(None) {
+            break output;
+        }
+        depth = depth.more();
     };
-    workspace.present = present;
-    output
+    workspace.participants = participants;
+    // A step of all leaves none out that it would move.
+    output.map(Option::unwrap_or_default)
 }
 
-/// The stages in order, from detection on again where the solution moves what sleeps.
+/// The stages in order, from detection on again where the solution moves what sleeps; `None` where it would move what is left out.
 fn stages(
     scene: &Scene,
     state: &mut State,
     workspace: &mut Workspace,
     input: &StepInput,
     effort: Effort,
-) -> Result<StepOutput, StepFailure> {
+) -> Result<Option<StepOutput>, StepFailure> {
     let mut prediction = predict(scene, state, input, take(&mut workspace.prediction));
     let output = undisturbed(&mut prediction, state, |prediction, state| {
         attempt(prediction, state, workspace, effort)
     })?;
-    if output.solver.penalty > 0.0 && output.solver.penalty.is_finite() {
+    if let Some(output) = &output
+        && output.solver.penalty > 0.0
+        && output.solver.penalty.is_finite()
+    {
         state.penalty = output.solver.penalty;
     }
     workspace.prediction = prediction.into_arrays();
@@ -124,6 +140,10 @@ fn attempt(
 ) -> Attempt {
     let (mut assembly, mut solution) = linear_problem(prediction, state, workspace);
     let resolved = resolve(&mut assembly, &mut solution, (state, effort), workspace);
+    if Attempt::leads_out(&assembly, resolved.is_ok().then_some(&solution)) {
+        workspace.keep(assembly, solution);
+        return Attempt::Outgrown;
+    }
     if let Some(disturbed) = Attempt::failed_beside_sleepers(&assembly, &resolved) {
         workspace.keep(assembly, solution);
         return disturbed;

@@ -1,6 +1,7 @@
 //! First stage of a step: everything that it knows before contacts, from the state and the input.
 
 use super::StepInput;
+use super::apart::Outside;
 use super::boundary_motion::BoundaryMotion;
 use super::clump::{Acting, ClumpPrediction};
 use super::driven::BodyPrediction;
@@ -22,6 +23,7 @@ pub(super) struct PredictionArrays {
     pub(super) kinematics: Kinematics,
     pub(super) external: Vec<SpatialVector>,
     pub(super) spheres: Vec<SphereMotion>,
+    pub(super) outside: Outside,
 }
 
 /// What a step's problem is made from: places and velocities at its start, loads, where boundaries go.
@@ -65,6 +67,8 @@ pub(super) struct Prediction<'a> {
     /// Whether the run starts: what touches is attached. Whether it also makes bonds: it has no contacts yet.
     pub(super) starts: bool,
     pub(super) makes_bonds: bool,
+    /// What is left out though it is there.
+    pub(super) outside: Outside,
 }
 
 /// Predicts the step that `input` asks for from `state`, in the memory of `arrays`.
@@ -86,6 +90,7 @@ pub(super) fn predict<'a>(
         mut kinematics,
         mut external,
         spheres,
+        outside,
     } = arrays;
     let now = &state.kinematics;
     kinematics.present.clone_from(&now.present);
@@ -136,6 +141,7 @@ pub(super) fn predict<'a>(
         bodies,
         twists: state.twists.clone(),
         surfaces: surfaces(scene, state, &input.commands),
+        outside,
     };
     prediction.accelerate_members();
     prediction
@@ -202,6 +208,7 @@ impl<'a> Prediction<'a> {
             bodies,
             twists: state.twists.clone(),
             surfaces: surfaces(scene, state, &state.commands),
+            outside: Outside::default(),
         };
         prediction.accelerate_members();
         prediction
@@ -235,6 +242,7 @@ impl<'a> Prediction<'a> {
             bodies: Vec::new(),
             twists: vec![Twist::default(); boundaries],
             surfaces: vec![Vec3::zeros(); boundaries],
+            outside: Outside::default(),
         }
     }
 
@@ -298,6 +306,7 @@ impl<'a> Prediction<'a> {
             kinematics: self.kinematics,
             external: self.external,
             spheres: self.spheres,
+            outside: self.outside,
         }
     }
 

@@ -61,6 +61,8 @@ pub fn step_with_replicas(
             effort,
         )
     })?;
+    // Here all take part.
+    let output = output.unwrap_or_default();
     for replica in replicas.iter_mut().flatten() {
         replica.state.calm.clone_from(&state.calm);
         replica.state.ground.clone_from(&state.ground);

@@ -1,10 +1,10 @@
 //! What is kept between steps for speed and memory and never shows in results.
 
+use super::apart::Participants;
 use super::assemble::{Assembly, AssemblyArrays};
 use super::commit::Balance;
 use super::failed::FailedSteps;
 use super::prediction::PredictionArrays;
-use super::present::Present;
 use super::solution::Solution;
 use crate::detection::broad_phase::NeighborList;
 use crate::detection::detection_distance::DetectionDistance;
@@ -15,7 +15,7 @@ use crate::spatial::SpatialVector;
 #[derive(Debug, Default)]
 pub struct Workspace {
     pub(super) neighbors: NeighborList,
-    pub(super) present: Present,
+    pub(super) participants: Participants,
     pub(super) solver: SolverWorkspace,
     pub(super) reach: Vec<DetectionDistance>,
     pub(super) prediction: PredictionArrays,
@@ -30,7 +30,7 @@ pub struct Workspace {
 impl Workspace {
     /// Forgets what it has of the scene, which is another one from now on.
     pub(crate) fn forget_scene(&mut self) {
-        self.present = Present::default();
+        self.participants = Participants::default();
         self.neighbors.forget();
     }
 

@@ -42,7 +42,9 @@ impl Solved<'_> {
         let sleeping = self.sleeping(&state.contacts);
         let mut asleep = 0;
         state.contacts.clear();
-        state.wrenches = vec![Wrench::default(); state.poses.len()];
+        let outside = &self.prediction().outside;
+        state.wrenches.clone_from(&outside.wrenches);
+        state.wrenches.resize(state.poses.len(), Wrench::default());
         state.smooth_wrenches.clone_from(&state.wrenches);
         for wall in &mut state.walls.list {
             wall.loads.clear();
@@ -148,14 +150,9 @@ impl Solved<'_> {
         let (scene, i) = (prediction.scene, load.key.sphere as usize);
         let (boundary, pose) = (&scene.boundaries[b], &prediction.poses[0][b]);
         let centre = boundary.copy_near(&scene.cell, pose, prediction.kinematics.position[i]);
-        // A bond over a gap holds the boundary at its own end.
-        let apart = beside.hold.map_or(0.0, |hold| hold.rest().max(0.0));
-        let point = centre + load.normal * -(scene.particles.radius[i] + apart);
+        let sphere = (centre, scene.particles.radius[i]);
         let pivot = boundary.point_of_action + pose.translation;
-        let wrench = Wrench {
-            force: -load.force,
-            torque: -(point - pivot).cross(&load.force) - beside.torque.unwrap_or_default(),
-        };
+        let wrench = beside.on_boundary(load, sphere, pivot);
         state.wrenches[b].add(&wrench, 1.0);
         if smooth {
             state.smooth_wrenches[b].add(&wrench, 1.0);

@@ -72,6 +72,7 @@ pub(super) fn commit(
     state.poses = ends;
     let (external, clumps) = (&prediction.external, &prediction.clumps);
     external::keep(prediction.scene, state, external, clumps);
+    state.body_force += prediction.outside.body_force;
     solved.gravity_work(state);
     solved.rest(state, sleepers);
     state.last_step = dt;

@@ -163,13 +163,21 @@ impl Solved<'_> {
             let i = load.key.sphere as usize;
             sleeps[i].then(|| parts[i])
         };
-        let ground = strongest(state, parts.len(), part);
+        let mut ground: Vec<Option<Ground>> = strongest(state, parts.len(), part);
+        // A part may lie on what takes no part in the step.
+        for i in (0..sleeps.len()).filter(|&i| asleep(state.calm[i])) {
+            let boundary = state.ground[i];
+            ground[parts[i]].get_or_insert(Ground {
+                boundary,
+                load: None,
+            });
+        }
         for i in (0..sleeps.len()).filter(|&i| sleeps[i]) {
-            if let Some((load, boundary)) = &ground[parts[i]]
+            if let Some(ground) = &ground[parts[i]]
                 && !asleep(state.calm[i])
             {
-                self.stop(state, i, (load, *boundary));
-                (state.calm[i], state.ground[i]) = (FALLEN, *boundary);
+                self.stop(state, i, ground);
+                (state.calm[i], state.ground[i]) = (FALLEN, ground.boundary);
             }
         }
     }
@@ -205,19 +213,21 @@ impl Solved<'_> {
             && size(&state.smooth[i]) <= FALLING * settings.tolerance.force * pull
     }
 
-    /// Stops sphere `i`. The boundary of the contact takes its momentum, the ledger its kinetic energy. Those of a clump go with
+    /// Stops sphere `i`. The boundary on the `ground` takes its momentum, the ledger its kinetic energy. Those of a clump go with
     /// its first member.
-    fn stop(&self, state: &mut State, i: usize, (ground, boundary): (&ContactForce, u16)) {
+    fn stop(&self, state: &mut State, i: usize, ground: &Ground) {
         if let Some(stopped) = self.carries(state, i) {
-            let boundary = usize::from(boundary);
+            let boundary = usize::from(ground.boundary);
             let impulse = self.wrench(state, boundary, &stopped.momentum, stopped.centre);
             state.owed[boundary].add(&impulse, 1.0);
-            self.strike(state, ground, stopped.momentum.linear);
             // From now on the boundary has what accelerates it.
             let force = self.wrench(state, boundary, &stopped.force, stopped.centre);
             state.smooth_wrenches[boundary].add(&force, 1.0);
-            let force = -stopped.force.linear;
-            self.press_smooth(state, &ContactForce { force, ..*ground });
+            if let Some(load) = &ground.load {
+                self.strike(state, load, stopped.momentum.linear);
+                let force = -stopped.force.linear;
+                self.press_smooth(state, &ContactForce { force, ..*load });
+            }
             state.work.numerical_work -= stopped.energy;
         }
         state.kinematics.velocity[i] = Vec3::zeros();
@@ -243,7 +253,7 @@ impl Solved<'_> {
         for (b, ([net, smooth], strongest)) in extra.iter().zip(strongest).enumerate() {
             state.wrenches[b].add(net, 1.0);
             state.smooth_wrenches[b].add(smooth, 1.0);
-            if let Some((at, _)) = strongest {
+            if let Some(at) = strongest.and_then(|ground| ground.load) {
                 let load = |force: Vec3| ContactForce { force, ..at };
                 self.press(state, &load(-net.force), false);
                 self.press_smooth(state, &load(-smooth.force));
@@ -255,10 +265,7 @@ impl Solved<'_> {
     fn wrench(&self, state: &State, boundary: usize, on: &SpatialVector, centre: Vec3) -> Wrench {
         let reference = self.prediction().scene.boundaries[boundary].point_of_action;
         let pivot = reference + state.poses[boundary].translation;
-        Wrench {
-            force: on.linear,
-            torque: (centre - pivot).cross(&on.linear) + on.angular,
-        }
+        on.about(centre - pivot)
     }
 
     /// What the body carries that has sphere `i` as its first member.
@@ -315,20 +322,28 @@ fn may_rest(scene: &Scene) -> bool {
     scene.settings.rest_speed > 0.0 && scene.settings.is_steady()
 }
 
-/// The strongest contact with a boundary of each of `count` groups, and the boundary.
+/// What spheres sleep on.
+struct Ground {
+    boundary: u16,
+    /// The strongest contact with it, if that takes part in the step.
+    load: Option<ContactForce>,
+}
+
+/// The boundary of the strongest contact of each of `count` groups.
 fn strongest(
     state: &State,
     count: usize,
     group: impl Fn(&ContactForce, u16) -> Option<usize>,
-) -> Vec<Option<(ContactForce, u16)>> {
-    let mut found: Vec<Option<(ContactForce, u16)>> = vec![None; count];
+) -> Vec<Option<Ground>> {
+    let mut found: Vec<Option<Ground>> = (0..count).map(|_| None).collect();
     for load in state.contacts.iter() {
         if let Partner::Boundary { boundary, .. } = load.key.partner
             && let Some(group) = group(load, boundary)
         {
-            let known = &mut found[group];
-            if known.is_none_or(|(known, _)| load.force.norm() > known.force.norm()) {
-                *known = Some((*load, boundary));
+            let known = found[group].as_ref().and_then(|ground| ground.load);
+            if known.is_none_or(|known| load.force.norm() > known.force.norm()) {
+                let load = Some(*load);
+                found[group] = Some(Ground { boundary, load });
             }
         }
     }

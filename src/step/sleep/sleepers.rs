@@ -5,10 +5,11 @@ use crate::contact::{ContactForce, Partner};
 use crate::solver::Report;
 use crate::spatial::SpatialVector;
 use crate::state::State;
+use crate::step::apart::swept;
 use crate::step::assemble::Assembly;
 use crate::step::output::{StepFailure, StepOutput};
 use crate::step::prediction::Prediction;
-use crate::step::solution::Solved;
+use crate::step::solution::{Solution, Solved};
 
 /// Out of balance by so many times what the tolerance of forces allows for, a body wakes within the step, and not after it.
 const DISTURBED: f64 = 10.0;
@@ -49,7 +50,7 @@ impl Sleepers {
             None => prediction.scene.particles.clump(*body as usize).is_none(),
         };
         let found = all
-            .filter(|&body| prediction.body_sleeps(body))
+            .filter(|&body| prediction.body_sleeps(body) && !prediction.is_obstacle(body))
             .filter(single);
         let found: Vec<u32> = found.collect();
         let rows = &assembly.problem.rows;
@@ -100,9 +101,48 @@ pub(crate) enum Attempt {
     Done(Result<StepOutput, StepFailure>),
     /// The spheres, which sleep, would move; what the solver has done.
     Disturbed(Vec<usize>, Report),
+    /// Something would reach what takes no part.
+    Outgrown,
 }
 
 impl Attempt {
+    /// Whether what is awake may touch something that takes no part, at the start, or on its way by a `solution`.
+    pub(crate) fn leads_out(assembly: &Assembly, solution: Option<&Solution>) -> bool {
+        let prediction = assembly.prediction;
+        let outside = &prediction.outside;
+        if outside.is_empty() {
+            return false;
+        }
+        let particles = &prediction.scene.particles;
+        let spheres = 0..particles.len() as u32;
+        let single = spheres.filter(|&i| particles.clump(i as usize).is_none());
+        let clumps = (0..prediction.clumps.len()).map(|c| prediction.clump_body(c) as u32);
+        let mut awake = single
+            .chain(clumps)
+            .filter(|&body| !prediction.body_sleeps(body));
+        let strays = |body: u32| {
+            let (sphere, from, _) = prediction.place_of(body);
+            let after = |velocity: &SpatialVector| from + velocity.linear * prediction.step;
+            let to = solution.map_or(from, |solution| after(&solution.velocity[body as usize]));
+            let free = after(&prediction.velocity(body as usize));
+            !outside.admits(sphere, [from, to], free)
+        };
+        let ends = solution.map(|solution| prediction.end_poses(&solution.velocity));
+        let mut driven = prediction.bodies.iter().map(|body| body.boundary);
+        let leaves = |b: usize| {
+            let (boundary, start) = (&prediction.scene.boundaries[b], &prediction.poses[0][b]);
+            let taken = start.advanced(&prediction.twists[b], prediction.step);
+            let end = ends.as_ref().map_or(&taken, |ends| &ends[b]);
+            let [found, taken] = [end, &taken].map(|end| swept(boundary, start, end));
+            !(found.zip(taken)).is_some_and(|(found, taken)| outside.admits_boundary(found, taken))
+        };
+        awake.any(strays)
+            || beside(assembly)
+                .into_iter()
+                .any(|body| prediction.is_obstacle(body))
+            || driven.any(leaves)
+    }
+
     /// That of a problem which is not solved while bodies sleep beside those of its rows; `None` if it is, or none sleeps.
     pub(crate) fn failed_beside_sleepers(
         assembly: &Assembly,
@@ -120,20 +160,23 @@ impl Attempt {
     }
 }
 
-/// Attempts a step until it moves nothing that sleeps. What would move wakes, with what is about it, more each time.
+/// Attempts a step until it moves nothing that sleeps. What would move wakes, with what is about it, more each time. `None` where it
+/// would move what takes no part.
 pub(crate) fn undisturbed(
     prediction: &mut Prediction,
     state: &mut State,
     mut attempt: impl FnMut(&mut Prediction, &mut State) -> Attempt,
-) -> Result<StepOutput, StepFailure> {
+) -> Result<Option<StepOutput>, StepFailure> {
     let (mut rings, mut spent) = (1, Report::default());
     loop {
         match attempt(prediction, state) {
+            Attempt::Outgrown => return Ok(None),
             Attempt::Done(output) => {
-                return output.map(|output| StepOutput {
+                let all = |output: StepOutput| StepOutput {
                     solver: spent.then(output.solver),
                     ..output
-                });
+                };
+                return output.map(|output| Some(all(output)));
             }
             Attempt::Disturbed(spheres, report) => {
                 spent = spent.then(report);
@@ -259,6 +302,11 @@ impl Prediction<'_> {
             Some(clump) => self.is_asleep(clump.clump.members.start),
             None => self.is_asleep(body as usize),
         }
+    }
+
+    /// Whether a body is an obstacle alone: its own contacts may lead out of the step.
+    fn is_obstacle(&self, body: u32) -> bool {
+        !self.outside.is_empty() && self.outside.is_obstacle(self.place_of(body).0)
     }
 
     /// External force \[N\] and torque \[N m\] on a sphere or clump.
