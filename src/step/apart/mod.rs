@@ -11,7 +11,6 @@
 //! | `outside` | what those do that sleep outside, and how far the step may reach |
 
 mod outside;
-#[cfg(test)]
 mod tests;
 mod zone;
 

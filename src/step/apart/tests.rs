@@ -1,5 +1,7 @@
 //! A step without those that take no part is that of all.
 
+#![cfg(test)]
+
 use std::borrow::Cow;
 use std::path::Path;
 use std::sync::Arc;
@@ -62,12 +64,17 @@ fn input(state: &State, dt: f64) -> StepInput<'static> {
     }
 }
 
+/// The simulation of a scene.
+fn start(text: &str) -> Simulation {
+    let loaded = Scene::from_toml("scene", text, Path::new(""));
+    let loaded = loaded.unwrap_or_else(|error| panic!("{}", error.plain()));
+    Simulation::new(Arc::new(loaded.scene)).expect("a start")
+}
+
 /// That scene, and more of its simulation.
 fn at(time: f64, more: &str) -> Simulation {
     let text = SCENE.replace("[simulation]", &format!("[simulation]\n{more}"));
-    let loaded = Scene::from_toml("scene", &text, Path::new(""));
-    let loaded = loaded.unwrap_or_else(|error| panic!("{}", error.plain()));
-    let mut simulation = Simulation::new(Arc::new(loaded.scene)).expect("a start");
+    let mut simulation = start(&text);
     simulation.advance_to(time).expect("steps");
     simulation
 }
@@ -147,18 +154,8 @@ fn others_have_neighbours_of_their_own() {
     assert_eq!(count(&neighbors), 0);
 }
 
-/// A ridge of balls: two rows on the floor and one in the groove between them. One more ball lies above its middle.
-fn ridge() -> Scene {
-    let (count, radius, apart) = (80, 0.01, 0.0206);
-    let x = |k: f64| apart * (k - 0.5 * f64::from(count));
-    let rows = (0..count).map(f64::from).flat_map(|k| {
-        [
-            [x(k), -0.5 * apart, radius],
-            [x(k), 0.5 * apart, radius],
-            [x(k + 0.5), 0.0, radius + 0.01371],
-        ]
-    });
-    let positions: Vec<[f64; 3]> = rows.take(3 * count as usize - 1).collect();
+/// Balls at these places \[m\] on a floor, which may fall asleep.
+fn balls(positions: &[[f64; 3]]) -> Simulation {
     let text = format!(
         r#"
 [simulation]
@@ -172,31 +169,38 @@ density = 2500.0
 [pair_default]
 friction = 0.5
 [[spheres]]
-name = "bed"
+name = "balls"
 material = "stone"
-radius = {radius}
+radius = 0.01
 positions = {positions:?}
-[[spheres]]
-name = "ball"
-material = "stone"
-radius = {radius}
-positions = [[0.003, 0.001, 1.0]]
 [[boundary]]
 name = "floor"
 material = "stone"
 faces = [{{ plane = {{ point = [0, 0, 0], normal = [0, 0, 1] }} }}]
 "#
     );
-    let loaded = Scene::from_toml("ridge", &text, Path::new(""));
-    loaded
-        .unwrap_or_else(|error| panic!("{}", error.plain()))
-        .scene
+    start(&text)
+}
+
+/// A ridge of balls: two rows on the floor and one in the groove between them. The last ball is above its middle.
+fn ridge() -> Vec<[f64; 3]> {
+    let (count, radius, apart) = (80, 0.01, 0.0206);
+    let x = |k: f64| apart * (k - 0.5 * f64::from(count));
+    let rows = (0..count).map(f64::from).flat_map(|k| {
+        [
+            [x(k), -0.5 * apart, radius],
+            [x(k), 0.5 * apart, radius],
+            [x(k + 0.5), 0.0, radius + 0.01371],
+        ]
+    });
+    let rows = rows.take(3 * count as usize - 1);
+    rows.chain([[0.003, 0.001, 1.0]]).collect()
 }
 
 /// A ball that falls on a ridge, hits and comes to rest does as among all.
 #[test]
 fn what_sleeps_far_away_takes_no_part() {
-    let mut simulation = Simulation::new(Arc::new(ridge())).expect("a start");
+    let mut simulation = balls(&ridge());
     simulation.advance_to(0.2).expect("steps");
     let mut state = State::clone(simulation.state());
     let scene = simulation.scene();
@@ -265,4 +269,28 @@ fn same(scene: &Scene, one: &State, other: &State) {
     let loads =
         |state: &State| -> Vec<_> { state.contacts.iter().map(|load| load.force).collect() };
     near("load", (&loads(one), &loads(other)), 1e-3 * weight);
+}
+
+/// One that lies on what takes no part falls asleep on the boundary of that.
+#[test]
+fn the_top_of_a_tower_sleeps_on_the_floor() {
+    let place = |k: i32| [0.0, 0.0, 0.01 * f64::from(2 * k + 1)];
+    let places: Vec<_> = (0..20).map(place).collect();
+    let mut simulation = balls(&places);
+    simulation.advance_to(0.05).expect("steps");
+    let mut state = State::clone(simulation.state());
+    assert_eq!(state.calm, [ASLEEP; 20]);
+    state.calm[19] = 0;
+    let mut workspace = Workspace::default();
+    let mut steps = 0;
+    while state.calm[19] != ASLEEP {
+        let input = input(&state, 1e-3);
+        let scene = simulation.scene();
+        step(scene, &mut state, &mut workspace, &input, Effort::default()).expect("a step");
+        let number = &workspace.participants.number;
+        assert!((2..10).contains(&number.len()) && number[0] > 0);
+        state.time += 1e-3;
+        steps += 1;
+        assert!(steps < 15);
+    }
 }
