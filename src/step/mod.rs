@@ -56,11 +56,13 @@ use std::mem::take;
 
 use crate::problem::{Impulses, Problem};
 use crate::scene::Scene;
+use crate::solver::Report;
 use crate::solver::gauss_seidel::SMALL;
 use crate::state::State;
 use apart::Depth;
 use commit::{commit, spread_impacts};
 use linear_problem::linear_problem;
+use output::Taken;
 use prediction::{Prediction, PredictionArrays, predict};
 use resolve::resolve;
 use sleep::{Attempt, Sleepers, undisturbed};
@@ -88,47 +90,53 @@ pub fn step(
         }
     };
     let mut participants = take(&mut workspace.participants);
-    let mut depth = Depth::FIRST;
+    let (mut depth, mut spent) = (Depth::FIRST, Report::default());
     let output = loop {
         let neighbors = &mut workspace.neighbors;
-        let Some(apart) = participants.apart(scene, (state, input), neighbors, depth) else {
-            break run(workspace, scene, state);
+        let taken = match participants.apart(scene, (state, input), neighbors, depth) {
+            Some(apart) => apart.step(state, |scene, state, outside| {
+                workspace.prediction.outside = outside;
+                run(workspace, scene, state)
+            }),
+            None => run(workspace, scene, state),
         };
-        let output = apart.step(state, |scene, state, outside| {
-            workspace.prediction.outside = outside;
-            run(workspace, scene, state)
-        });
         participants.outside = take(&mut workspace.prediction.outside);
-        if output != Ok(None) {
-            break output;
+        match taken {
+            Ok(Taken::Outgrown(report)) => {
+                spent = spent.then(report);
+                depth = depth.more();
+            }
+            Ok(Taken::Done(output)) => {
+                let solver = spent.then(output.solver);
+                break Ok(StepOutput { solver, ..output });
+            }
+            Err(failure) => break Err(failure),
         }
-        depth = depth.more();
     };
     workspace.participants = participants;
-    // A step of all leaves none out that it would move.
-    output.map(Option::unwrap_or_default)
+    output
 }
 
-/// The stages in order, from detection on again where the solution moves what sleeps; `None` where it would move what is left out.
+/// The stages in order, from detection on again where the solution moves what sleeps.
 fn stages(
     scene: &Scene,
     state: &mut State,
     workspace: &mut Workspace,
     input: &StepInput,
     effort: Effort,
-) -> Result<Option<StepOutput>, StepFailure> {
+) -> Result<Taken, StepFailure> {
     let mut prediction = predict(scene, state, input, take(&mut workspace.prediction));
-    let output = undisturbed(&mut prediction, state, |prediction, state| {
+    let taken = undisturbed(&mut prediction, state, |prediction, state| {
         attempt(prediction, state, workspace, effort)
     })?;
-    if let Some(output) = &output
+    if let Taken::Done(output) = &taken
         && output.solver.penalty > 0.0
         && output.solver.penalty.is_finite()
     {
         state.penalty = output.solver.penalty;
     }
     workspace.prediction = prediction.into_arrays();
-    Ok(output)
+    Ok(taken)
 }
 
 /// Stages from detection on.
@@ -140,9 +148,9 @@ fn attempt(
 ) -> Attempt {
     let (mut assembly, mut solution) = linear_problem(prediction, state, workspace);
     let resolved = resolve(&mut assembly, &mut solution, (state, effort), workspace);
-    if Attempt::leads_out(&assembly, resolved.is_ok().then_some(&solution)) {
+    if let Some(outgrown) = Attempt::leads_out(&assembly, &solution, &resolved) {
         workspace.keep(assembly, solution);
-        return Attempt::Outgrown;
+        return outgrown;
     }
     if let Some(disturbed) = Attempt::failed_beside_sleepers(&assembly, &resolved) {
         workspace.keep(assembly, solution);

@@ -40,6 +40,15 @@ impl StepOutput {
     }
 }
 
+/// How a step ends that does not fail.
+#[derive(Debug, PartialEq)]
+pub(crate) enum Taken {
+    /// With the next state.
+    Done(StepOutput),
+    /// Without, for something would reach what takes no part; what the solver has done.
+    Outgrown(Report),
+}
+
 /// Why an internal step failed; the caller may cut it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StepFailure {

@@ -11,6 +11,7 @@ use super::commit::{commit, spread_impacts};
 use super::failure::singular;
 use super::initial::{effort, overlaps, solve_forces};
 use super::linear_problem::linear_problem;
+use super::output::Taken;
 use super::prediction::{Prediction, PredictionArrays, predict};
 use super::resolve::{Pass, Passes};
 use super::sleep::{Attempt, Sleepers, undisturbed};
@@ -53,16 +54,20 @@ pub fn step_with_replicas(
             .map(|replica| of(replica.state, &replica.input))
     });
     let mut beside: Vec<[Prediction; 2]> = beside.collect();
-    let output = undisturbed(&mut prediction, state, |prediction, state| {
-        attempt(
-            (prediction, &mut beside),
-            (state, &mut *replicas),
-            workspace,
-            effort,
-        )
-    })?;
-    // Here all take part.
-    let output = output.unwrap_or_default();
+    let output = loop {
+        // All take part: none can be reached that does not.
+        let taken = undisturbed(&mut prediction, state, |prediction, state| {
+            attempt(
+                (prediction, &mut beside),
+                (state, &mut *replicas),
+                workspace,
+                effort,
+            )
+        })?;
+        if let Taken::Done(output) = taken {
+            break output;
+        }
+    };
     for replica in replicas.iter_mut().flatten() {
         replica.state.calm.clone_from(&state.calm);
         replica.state.ground.clone_from(&state.ground);

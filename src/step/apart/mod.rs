@@ -17,7 +17,7 @@ mod zone;
 use std::mem::swap;
 
 use super::input::StepInput;
-use super::output::{StepFailure, StepOutput};
+use super::output::{StepFailure, Taken};
 use crate::Vec3;
 use crate::contact::forces::ContactForces;
 use crate::detection::broad_phase::NeighborList;
@@ -264,12 +264,12 @@ pub(super) struct Apart<'a> {
 }
 
 impl Apart<'_> {
-    /// Lets `step` take them from `state`, which gets what it leaves unless it fails, or leaves nothing because others would take part.
+    /// Lets `step` take them from `state`, which gets what it leaves unless it fails or others would take part.
     pub(super) fn step(
         self,
         state: &mut State,
-        step: impl FnOnce(&Scene, &mut State, Outside) -> Result<Option<StepOutput>, StepFailure>,
-    ) -> Result<Option<StepOutput>, StepFailure> {
+        step: impl FnOnce(&Scene, &mut State, Outside) -> Result<Taken, StepFailure>,
+    ) -> Result<Taken, StepFailure> {
         let Self {
             number,
             rank,
@@ -282,8 +282,8 @@ impl Apart<'_> {
         let mut result = step(scene, alone, outside);
         swap_all_but_spheres(state, alone);
         let squeezed = match &mut result {
-            Ok(None) => return result,
-            Ok(Some(output)) => {
+            Ok(Taken::Outgrown(_)) => return result,
+            Ok(Taken::Done(output)) => {
                 alone.scatter(state, (number, rank), contacts);
                 &mut output.squeezed
             }

@@ -7,7 +7,7 @@ use crate::spatial::SpatialVector;
 use crate::state::State;
 use crate::step::apart::swept;
 use crate::step::assemble::Assembly;
-use crate::step::output::{StepFailure, StepOutput};
+use crate::step::output::{StepFailure, StepOutput, Taken};
 use crate::step::prediction::Prediction;
 use crate::step::solution::{Solution, Solved};
 
@@ -101,18 +101,27 @@ pub(crate) enum Attempt {
     Done(Result<StepOutput, StepFailure>),
     /// The spheres, which sleep, would move; what the solver has done.
     Disturbed(Vec<usize>, Report),
-    /// Something would reach what takes no part.
-    Outgrown,
+    /// Something would reach what takes no part; what the solver has done.
+    Outgrown(Report),
 }
 
 impl Attempt {
-    /// Whether what is awake may touch something that takes no part, at the start, or on its way by a `solution`.
-    pub(crate) fn leads_out(assembly: &Assembly, solution: Option<&Solution>) -> bool {
+    /// That of a step in which what is awake may touch something that takes no part, at the start or on its way by the solution;
+    /// `None` if it may not.
+    pub(crate) fn leads_out(
+        assembly: &Assembly,
+        solution: &Solution,
+        resolved: &Result<StepOutput, StepFailure>,
+    ) -> Option<Self> {
         let prediction = assembly.prediction;
         let outside = &prediction.outside;
         if outside.is_empty() {
-            return false;
+            return None;
         }
+        let (solution, report) = match resolved {
+            Ok(output) => (Some(solution), output.solver),
+            Err(_) => (None, Report::default()),
+        };
         let particles = &prediction.scene.particles;
         let spheres = 0..particles.len() as u32;
         let single = spheres.filter(|&i| particles.clump(i as usize).is_none());
@@ -136,11 +145,11 @@ impl Attempt {
             let [found, taken] = [end, &taken].map(|end| swept(boundary, start, end));
             !(found.zip(taken)).is_some_and(|(found, taken)| outside.admits_boundary(found, taken))
         };
-        awake.any(strays)
-            || beside(assembly)
-                .into_iter()
-                .any(|body| prediction.is_obstacle(body))
-            || driven.any(leaves)
+        let mut touched = beside(assembly).into_iter();
+        let leads_out = awake.any(strays)
+            || touched.any(|body| prediction.is_obstacle(body))
+            || driven.any(leaves);
+        leads_out.then_some(Self::Outgrown(report))
     }
 
     /// That of a problem which is not solved while bodies sleep beside those of its rows; `None` if it is, or none sleeps.
@@ -160,23 +169,22 @@ impl Attempt {
     }
 }
 
-/// Attempts a step until it moves nothing that sleeps. What would move wakes, with what is about it, more each time. `None` where it
-/// would move what takes no part.
+/// Attempts a step until it moves nothing that sleeps. What would move wakes, with what is about it, more each time.
 pub(crate) fn undisturbed(
     prediction: &mut Prediction,
     state: &mut State,
     mut attempt: impl FnMut(&mut Prediction, &mut State) -> Attempt,
-) -> Result<Option<StepOutput>, StepFailure> {
+) -> Result<Taken, StepFailure> {
     let (mut rings, mut spent) = (1, Report::default());
     loop {
         match attempt(prediction, state) {
-            Attempt::Outgrown => return Ok(None),
+            Attempt::Outgrown(report) => return Ok(Taken::Outgrown(spent.then(report))),
             Attempt::Done(output) => {
                 let all = |output: StepOutput| StepOutput {
                     solver: spent.then(output.solver),
                     ..output
                 };
-                return output.map(|output| Some(all(output)));
+                return output.map(|output| Taken::Done(all(output)));
             }
             Attempt::Disturbed(spheres, report) => {
                 spent = spent.then(report);
