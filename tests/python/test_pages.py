@@ -58,8 +58,8 @@ def test_bounded_sweeps_and_their_force_error(command, tmp_path):
     said = run_page("docs/howto/real-time.md", command, tmp_path)
     pattern = r"(\d+) sweeps: load ([\d.]+) % off, fills differ by ([\d.]+) %, overlap ([\d.e+-]+) "
     rows = {int(row[0]): row[1:] for row in numbers(pattern, said)}
-    # How far few sweeps are off depends on the packing (6 and 27 % were seen); two means of eight fills that differ by 3 to 5 %
-    # differ by less than this unless the bound matters.
+    # How far few sweeps are off depends on the packing (6 and 27 % were seen). Two means of eight fills,
+    # which scatter by 3 to 5 %, differ by less than this unless the bound matters.
     assert rows[80][0] < 10.0
     # Impacts meet the bound first: overlaps show it in every packing.
     assert rows[0][2] < 1e-3 and 1e-2 < rows[5][2] < 0.5
