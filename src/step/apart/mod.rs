@@ -85,6 +85,10 @@ impl Participants {
             Some(depth) => self.make_rings(scene, (state, input), depth),
             None => false,
         };
+        let all = scene.sources.is_empty() && scene.sinks.is_empty();
+        if all && !rests && self.number.is_empty() {
+            return None;
+        }
         let present = &state.kinematics.present;
         if !rests {
             let ring = present
@@ -242,7 +246,7 @@ fn held(scene: &Scene) -> impl Iterator<Item = usize> {
 /// Box around a boundary on its way between two poses \[m\]; `None` if it has none.
 pub(super) fn swept(boundary: &Boundary, from: &Pose, to: &Pose) -> Option<(Vec3, Vec3)> {
     let (own, pivot) = (boundary.geometry.bounds()?, boundary.point_of_action);
-    let at = |pose: &Pose| moved(own, |x| pose.apply(pivot, x));
+    let at = |pose: &Pose| moved(own, |x| boundary.from_frame(pose, x));
     let (low, high) = joined(at(from), at(to));
     // Between them points are beside their chords, by less than this.
     let half = 0.5 * (to.rotation * from.rotation.inverse()).angle();
