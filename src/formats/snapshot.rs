@@ -24,7 +24,7 @@ use crate::scene::particles::Kinematics;
 
 const MAGIC: &[u8; 8] = b"SPHDDA\0\n";
 /// Counts up with every change of `State`.
-pub(crate) const VERSION: u32 = 20;
+pub(crate) const VERSION: u32 = 21;
 /// The first version that holds the spheres as they are read here.
 const SPHERES_SINCE: u32 = 2;
 const HASH: usize = 64;

@@ -277,11 +277,7 @@ impl Simulation {
                 parts.map_err(|error| self.explain_part(error, failure.pinched))
             }
             Remedy::Accept => {
-                let effort = Effort {
-                    sweeps: None,
-                    accept: true,
-                    pass: true,
-                };
+                let effort = StepControl::last_effort(&failure);
                 self.try_step(scene, paths, (target, dt), effort, totals)?
                     .map_err(|failure| self.explain(failure, dt, cuts))
             }

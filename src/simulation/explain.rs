@@ -22,7 +22,10 @@ impl Squeezed {
 fn boundaries(scene: &Scene, squeezed: Squeezed) -> String {
     let name = |b: u16| scene.boundaries.get(usize::from(b)).map_or("", |b| &b.name);
     let [a, b] = squeezed.boundaries.map(name);
-    format!("`{a}` and `{b}`")
+    match squeezed.by_others {
+        true => format!("`{a}` and `{b}` (with other spheres)"),
+        false => format!("`{a}` and `{b}`"),
+    }
 }
 
 impl Simulation {

@@ -32,6 +32,8 @@ const PATIENCE: usize = 1000;
 const RECOVERY: u32 = 4;
 /// How often a step that does not converge is cut before its best iterate is taken.
 const CUTS: u32 = 3;
+/// As often where a chain of spheres seems to be squeezed: in a shorter step it may find its way out.
+const JAM_CUTS: u32 = 2;
 /// Steps after such a one in which another is taken without being cut.
 const ACCEPTING: u32 = 20;
 /// How often a step of bounded sweeps is cut at most: its work is bounded too.
@@ -93,13 +95,23 @@ impl StepControl {
         }
     }
 
+    /// The effort of a step that failed like this and is taken as it is. What is squeezed is not solved as long as it is rigid.
+    pub(super) fn last_effort(failure: &StepFailure) -> Effort {
+        Effort {
+            sweeps: failure.pinched.map(|_| PATIENCE),
+            accept: true,
+            pass: true,
+        }
+    }
+
     /// How often a step that failed like this may be cut, and the shortest step \[s\] that is: what has no solution has none in
     /// ever shorter steps either.
     fn limits(settings: &Settings, failure: &StepFailure) -> (u32, f64) {
         let converged = failure.residual <= failure.tolerance;
         let most = match (settings.sweeps, settings.strict, failure.passed) {
             (Some(_), ..) => BOUNDED_CUTS,
-            (None, false, None) if failure.pinched.is_some() => 0,
+            (None, false, None) if failure.pinched.is_some_and(|one| !one.by_others) => 0,
+            (None, false, None) if failure.pinched.is_some() => JAM_CUTS,
             (None, false, None) => CUTS,
             (None, false, Some(_)) if !converged => CUTS,
             _ => u32::MAX,

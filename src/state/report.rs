@@ -2,13 +2,15 @@
 
 use serde::{Deserialize, Serialize};
 
-/// A sphere that rigid boundaries press from two sides, which has no answer but to give way.
+/// A sphere that rigid boundaries press from two sides, itself or by spheres between, which has no answer but to give way.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Squeezed {
     /// Its number.
     pub sphere: usize,
     /// Numbers of the boundaries.
     pub boundaries: [u16; 2],
+    /// Whether other spheres are between it and one of them.
+    pub by_others: bool,
 }
 
 /// What one communication step cost and reached.

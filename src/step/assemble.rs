@@ -1,6 +1,7 @@
 //! Third stage of a step: the rows of its problem, who they are, and the impulses that the solve starts from.
 
 use std::collections::LinkedList;
+use std::ops::Range;
 
 use super::prediction::Prediction;
 use super::rows::elastic::ElasticContact;
@@ -346,7 +347,7 @@ impl Assembly<'_> {
     }
 
     /// The candidates of this sphere, whose partners come after it.
-    pub(super) fn contacts_of(&self, sphere: u32) -> impl Iterator<Item = usize> {
+    pub(super) fn contacts_of(&self, sphere: u32) -> Range<usize> {
         let own = |c: &Candidate| c.key.sphere;
         let from = self.candidates.partition_point(|c| own(c) < sphere);
         let count = self.candidates[from..].partition_point(|c| own(c) == sphere);

@@ -3,11 +3,9 @@
 use super::StepFailure;
 use super::assemble::Assembly;
 use super::solution::Solution;
-use crate::Vec3;
-use crate::contact::Partner;
+use super::squeeze::{jam, pinch};
 use crate::linalg::LinearError;
 use crate::solver::Report;
-use crate::state::Squeezed;
 
 /// A solve that missed its tolerances.
 pub(super) fn failed(assembly: &Assembly, solution: &Solution, report: &Report) -> StepFailure {
@@ -27,7 +25,9 @@ pub(super) fn failed(assembly: &Assembly, solution: &Solution, report: &Report) 
         residual: value,
         tolerance,
         contact: assembly.contact_of(row).map(|k| assembly.candidates[k].key),
-        pinched: rows.find_map(|&row| pinch(assembly, solution, row)),
+        pinched: rows
+            .find_map(|&row| pinch(assembly, solution, row))
+            .or_else(|| jam(assembly, solution)),
         passed: None,
         broken: report.broken.map(Box::new),
     }
@@ -72,63 +72,4 @@ pub(super) fn failed_to_converge(
         passed: None,
         broken: None,
     }
-}
-
-/// Largest cosine between normals of boundaries that squeeze.
-const OPPOSITE: f64 = -0.5;
-/// Share of the tolerated overlap by which boundaries that squeeze approach each other in the step.
-const APPROACH: f64 = 0.1;
-/// Overlaps in units of the tolerated one that only squeezing leaves, where boundaries have stopped.
-const LEFT: f64 = 10.0;
-
-/// Whether two rigid boundaries on opposite sides squeeze the sphere of contact `row`, which carries load from both: they
-/// approach each other at its contacts, or have. A sphere that lies wedged between boundaries at rest has a solution.
-pub(super) fn pinch(assembly: &Assembly, solution: &Solution, row: usize) -> Option<Squeezed> {
-    let prediction = assembly.prediction;
-    let sphere = assembly.candidates.get(row)?.key.sphere;
-    let i = sphere as usize;
-    let radius = prediction.scene.particles.radius[i];
-    let overlap = prediction.scene.settings.tolerance.gap * radius;
-    let sides: Vec<Side> = assembly
-        .contacts_of(sphere)
-        // What gives way is solved as rigid in an impact, and rigid as what gives way where it was softened.
-        .filter(|&k| assembly.elastic(k).is_none() && assembly.problem.rows.compliance(k) == 0.0)
-        .filter(|&k| solution.loads(k))
-        .filter_map(|k| {
-            let candidate = &assembly.candidates[k];
-            let Partner::Boundary { boundary, .. } = candidate.key.partner else {
-                return None;
-            };
-            // A driven body gives way.
-            let rigid = prediction.body(usize::from(boundary)).is_none();
-            let point = prediction.kinematics.position[i] - candidate.normal * radius;
-            let motion = prediction.motions[usize::from(boundary)].at(point);
-            rigid.then_some(Side {
-                boundary,
-                normal: candidate.normal,
-                gap: candidate.gap,
-                travel: motion.dot(&candidate.normal) * prediction.step,
-            })
-        })
-        .collect();
-    sides.iter().enumerate().find_map(|(k, a)| {
-        let opposite = sides[k + 1..].iter().find(|b| {
-            a.normal.dot(&b.normal) < OPPOSITE
-                && (a.travel + b.travel > APPROACH * overlap || a.gap + b.gap < -LEFT * overlap)
-        })?;
-        Some(Squeezed {
-            sphere: i,
-            boundaries: [a.boundary, opposite.boundary],
-        })
-    })
-}
-
-/// A boundary that presses on a sphere.
-struct Side {
-    boundary: u16,
-    /// Into the sphere.
-    normal: Vec3,
-    gap: f64,
-    /// Of the boundary along the normal within the step \[m\].
-    travel: f64,
 }

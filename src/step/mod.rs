@@ -38,6 +38,7 @@ mod sleep;
 mod solution;
 mod solve;
 mod sphere_motion;
+mod squeeze;
 mod tunnelling;
 mod verify;
 mod workspace;

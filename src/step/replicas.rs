@@ -115,7 +115,7 @@ fn attempt(
     };
     let sleepers = Sleepers::of(&solved, state);
     let ends = sleepers.ends(output);
-    if matches!(ends, Attempt::Disturbed(..)) {
+    if matches!(ends, Attempt::Disturbed { .. }) {
         return ends;
     }
     for (pair, replicas) in pairs.iter_mut().zip(&mut *replicas) {

@@ -2,10 +2,11 @@
 
 use super::assemble::Assembly;
 use super::correction::Correction;
-use super::failure::{failed, failed_to_converge, pinch};
+use super::failure::{failed, failed_to_converge};
 use super::rebounds::Rebounds;
 use super::solution::Solution;
 use super::solve::{reserve_share, solve};
+use super::squeeze::soften;
 use super::verify::verify;
 use super::workspace::Workspace;
 use super::{Effort, StepFailure, StepOutput};
@@ -17,8 +18,10 @@ use crate::state::{Squeezed, State};
 const PASSES: usize = 30;
 /// Passes whose errors may use the reserve: one that such a solution spoils gets a better one.
 const LOOSE_PASSES: usize = 2;
-/// Weights that press a squeezed sphere into a boundary by its radius: a thousand by a hundredth of it.
-const WEIGHTS: f64 = 1e5;
+/// How often what is squeezed gives way in a pass.
+const SOFTENINGS: usize = 4;
+/// Times the sweeps of a step that can be cut that one may take in which something gives way.
+const GIVING_WAY: usize = 4;
 
 /// Solves until the true geometry agrees: gaps are re-linearised, late contacts join.
 ///
@@ -80,10 +83,7 @@ impl Passes {
             total: Report::default(),
             budget: settings.sweeps.filter(|_| assembly.moves),
             sweep_limit: effort.sweeps.filter(|_| assembly.moves),
-            squeezed: effort
-                .accept
-                .then(|| soften_pinched(assembly, solution))
-                .flatten(),
+            squeezed: effort.accept.then(|| soften(assembly, solution)).flatten(),
             rebounds: Rebounds::default(),
         }
     }
@@ -112,16 +112,22 @@ impl Passes {
             false => 0.0,
         };
         let how = (self.penalty, self.effort, share);
+        let start = accept.then(|| solution.impulses.clone());
         let report = solve(assembly, solution, how, &mut workspace.solver, limit);
         self.total = self.total.then(report);
         let budget = self.budget;
         let spent = |total: &Report| budget.is_some_and(|most| total.sweeps >= most);
-        if !self.total.converged
-            && accept
-            && !spent(&self.total)
-            && let Some(squeezed) = soften_pinched(assembly, solution)
-        {
+        for start in start.iter().cycle().take(SOFTENINGS) {
+            if self.total.converged || spent(&self.total) {
+                break;
+            }
+            let Some(squeezed) = soften(assembly, solution) else {
+                break;
+            };
             self.squeezed = Some(squeezed);
+            // Forces have grown without bound: those from before lead back sooner.
+            solution.impulses.clone_from(start);
+            let limit = limit.map(|sweeps| GIVING_WAY * sweeps);
             let report = solve(assembly, solution, how, &mut workspace.solver, limit);
             self.total = self.total.then(report);
         }
@@ -165,28 +171,4 @@ impl Passes {
             })),
         }
     }
-}
-
-/// Lets the contacts with boundaries of spheres that two rigid ones squeeze give way, so that there is an answer: `k` such
-/// that [`WEIGHTS`] weights press a sphere in by a radius. Returns one that did not before.
-fn soften_pinched(assembly: &mut Assembly, solution: &Solution) -> Option<Squeezed> {
-    let mut squeezed: Vec<Squeezed> = (0..assembly.candidates.len())
-        .filter_map(|row| pinch(assembly, solution, row))
-        .collect();
-    squeezed.dedup_by_key(|one| one.sphere);
-    let prediction = assembly.prediction;
-    let particles = &prediction.scene.particles;
-    for k in 0..assembly.candidates.len() {
-        let sphere = assembly.candidates[k].key.sphere;
-        let rigid = assembly.is_with_boundary(k) && assembly.elastic(k).is_none();
-        let i = sphere as usize;
-        if rigid && squeezed.iter().any(|one| one.sphere == i) {
-            let weight = particles.mass[i] * prediction.gravity_size.max(1.0);
-            let stiffness = WEIGHTS * weight / particles.radius[i];
-            let compliance = 1.0 / (stiffness * prediction.step * prediction.step);
-            let rows = &mut assembly.problem.rows;
-            rows.update(k, |row| row.compliance_n = compliance);
-        }
-    }
-    squeezed.first().copied()
 }

@@ -118,7 +118,9 @@ impl Gaps {
             Self {
                 opening,
                 off: opening > widest
-                    || gap < -tolerance && gap < -tolerance - left_of(assembly, k) / radius,
+                    || gap < -tolerance
+                        && gap < -tolerance - left_of(assembly, k) / radius
+                        && assembly.problem.rows.compliance(k) == 0.0,
                 ..Self::NONE
             }
         };
@@ -199,10 +201,14 @@ fn correction(
     let mut off = gaps.off;
     let mut late = Vec::new();
     let resolves = |k: usize| assembly.elastic(k).is_some() && assembly.compressed(k).is_none();
+    // What overlapped at the start may be undone by later steps.
+    let is_left = |k: usize, gap: f64| {
+        gap >= -tolerance * assembly.problem.rows.radius(k) - left_of(assembly, k)
+    };
     for found in overlapping {
         let known = |candidate: &Candidate| candidate.key;
         match assembly.candidates.binary_search_by_key(&found.key, known) {
-            Ok(k) => off |= !solution.loads(k) && !resolves(k),
+            Ok(k) => off |= !solution.loads(k) && !resolves(k) && !is_left(k, found.gap),
             Err(_) => late.push(*found),
         }
     }
@@ -211,9 +217,7 @@ fn correction(
     }
     // A rebound yields only to an overlap; a spring that the step resolves is as it is.
     let yields = |k: usize| {
-        let radius = assembly.problem.rows.radius(k);
-        let overlaps =
-            || true_gap(assembly, solution, end, k) < -tolerance * radius - left_of(assembly, k);
+        let overlaps = || !is_left(k, true_gap(assembly, solution, end, k));
         assembly.compressed(k).is_some()
             || assembly.elastic(k).is_none() && (!assembly.impact[k] || overlaps())
     };

@@ -13,6 +13,8 @@ use crate::step::solution::{Solution, Solved};
 
 /// Out of balance by so many times what the tolerance of forces allows for, a body wakes within the step, and not after it.
 const DISTURBED: f64 = 10.0;
+/// Rings of spheres that wake about those beside which a step has failed.
+const FAILED_RINGS: usize = 8;
 
 /// The bodies that sleep, as a solution leaves them.
 pub(crate) struct Sleepers {
@@ -83,7 +85,11 @@ impl Sleepers {
         let off = self.beyond(DISTURBED);
         match off.is_empty() {
             true => Attempt::Done(Ok(output)),
-            false => Attempt::Disturbed(off, output.solver),
+            false => Attempt::Disturbed {
+                spheres: off,
+                rings: 1,
+                report: output.solver,
+            },
         }
     }
 
@@ -99,8 +105,14 @@ impl Sleepers {
 pub(crate) enum Attempt {
     /// With the next state, or without.
     Done(Result<StepOutput, StepFailure>),
-    /// The spheres, which sleep, would move; what the solver has done.
-    Disturbed(Vec<usize>, Report),
+    /// Spheres, which sleep, would move, or keep others from a solution.
+    Disturbed {
+        spheres: Vec<usize>,
+        /// At least so many rings of spheres about them wake with them.
+        rings: usize,
+        /// What the solver has done.
+        report: Report,
+    },
     /// Something would reach what takes no part; what the solver has done.
     Outgrown(Report),
 }
@@ -158,14 +170,18 @@ impl Attempt {
         resolved: &Result<StepOutput, StepFailure>,
     ) -> Option<Self> {
         let report = match resolved {
-            Ok(output) if !output.unconverged => return None,
+            Ok(output) if !output.unconverged || output.squeezed.is_some() => return None,
             Ok(output) => output.solver,
             Err(_) => Report::default(),
         };
         let found = beside(assembly);
         let first = |&body: &u32| assembly.prediction.place_of(body).0;
         let spheres: Vec<usize> = found.iter().map(first).collect();
-        (!spheres.is_empty()).then_some(Self::Disturbed(spheres, report))
+        (!spheres.is_empty()).then_some(Self::Disturbed {
+            spheres,
+            rings: FAILED_RINGS,
+            report,
+        })
     }
 }
 
@@ -175,7 +191,7 @@ pub(crate) fn undisturbed(
     state: &mut State,
     mut attempt: impl FnMut(&mut Prediction, &mut State) -> Attempt,
 ) -> Result<Taken, StepFailure> {
-    let (mut rings, mut spent) = (1, Report::default());
+    let (mut next, mut spent) = (1, Report::default());
     loop {
         match attempt(prediction, state) {
             Attempt::Outgrown(report) => return Ok(Taken::Outgrown(spent.then(report))),
@@ -186,10 +202,15 @@ pub(crate) fn undisturbed(
                 };
                 return output.map(|output| Taken::Done(all(output)));
             }
-            Attempt::Disturbed(spheres, report) => {
+            Attempt::Disturbed {
+                spheres,
+                rings,
+                report,
+            } => {
                 spent = spent.then(report);
+                let rings = rings.max(next);
                 prediction.wake_around(&spheres, rings, state);
-                rings *= 2;
+                next = 2 * rings;
             }
         }
     }
