@@ -3,7 +3,7 @@
 use super::StepFailure;
 use super::assemble::Assembly;
 use super::solution::Solution;
-use super::squeeze::{jam, pinch};
+use super::squeeze::squeezed;
 use crate::linalg::LinearError;
 use crate::solver::Report;
 
@@ -19,15 +19,12 @@ pub(super) fn failed(assembly: &Assembly, solution: &Solution, report: &Report) 
     let excess = |(_, value, limit, _): &(_, f64, f64, _)| value / limit;
     let worst = kinds.iter().max_by(|a, b| excess(a).total_cmp(&excess(b)));
     let (what, value, tolerance, row) = worst.copied().unwrap_or(kinds[0]);
-    let mut rows = residual.worst.iter();
     StepFailure {
         what,
         residual: value,
         tolerance,
         contact: assembly.contact_of(row).map(|k| assembly.candidates[k].key),
-        pinched: rows
-            .find_map(|&row| pinch(assembly, solution, row))
-            .or_else(|| jam(assembly, solution)),
+        pinched: squeezed(assembly, solution, residual.worst.into_iter()),
         passed: None,
         broken: report.broken.map(Box::new),
     }
@@ -53,7 +50,6 @@ pub(super) fn failed_to_converge(
     solution: &Solution,
     (overlap, opening): (f64, f64),
 ) -> StepFailure {
-    let mut rows = 0..assembly.candidates.len();
     let settings = &assembly.prediction.scene.settings;
     let (gap, widest) = (settings.tolerance.gap, settings.widest());
     let (what, residual, tolerance) = if overlap > gap {
@@ -68,7 +64,7 @@ pub(super) fn failed_to_converge(
         residual,
         tolerance,
         contact: None,
-        pinched: rows.find_map(|row| pinch(assembly, solution, row)),
+        pinched: squeezed(assembly, solution, 0..assembly.candidates.len()),
         passed: None,
         broken: None,
     }

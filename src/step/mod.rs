@@ -5,7 +5,7 @@
 //! | predict | `prediction`, `apart` | who takes part; motion without contacts: `Prediction` |
 //! | detect | `detect`, `sleep` | candidates within reach of the step; what wakes |
 //! | assemble | `assemble`, `rows` | the [`Problem`], who its rows are, a warm start: `Assembly` |
-//! | solve | `solve`, [`crate::solver`] | impulses and velocities: `Solution` |
+//! | solve | `solve`, `squeeze`, [`crate::solver`] | impulses and velocities: `Solution`; what has no rigid answer gives way |
 //! | verify | `verify`, `tunnelling`, `rebounds` | true gaps at the end, energy of impacts: accepted, failed, or a `Correction` of the problem |
 //! | commit | `commit`, `sleep` | motion, forces and energy of the next [`State`], which nothing has touched before; what falls asleep |
 //!

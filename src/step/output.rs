@@ -60,7 +60,7 @@ pub struct StepFailure {
     pub tolerance: f64,
     /// The worst contact, if there is one.
     pub contact: Option<crate::contact::ContactId>,
-    /// A sphere that two rigid boundaries press from opposite sides, and the boundaries.
+    /// A sphere that two rigid boundaries squeeze, and the boundaries.
     pub pinched: Option<Squeezed>,
     /// Two bodies that would pass through each other within the step.
     pub passed: Option<Tunnelling>,

@@ -33,9 +33,19 @@ struct Side {
     travel: f64,
 }
 
+/// A sphere that is squeezed: that of one of `rows`, or one of a chain.
+pub(super) fn squeezed(
+    assembly: &Assembly,
+    solution: &Solution,
+    mut rows: impl Iterator<Item = usize>,
+) -> Option<Squeezed> {
+    let pinched = rows.find_map(|row| pinch(assembly, solution, row));
+    pinched.or_else(|| jam(assembly, solution))
+}
+
 /// Whether two rigid boundaries on opposite sides squeeze the sphere of contact `row`, which carries load from both: they
 /// approach each other at its contacts, or have. A sphere that lies wedged between boundaries at rest has a solution.
-pub(super) fn pinch(assembly: &Assembly, solution: &Solution, row: usize) -> Option<Squeezed> {
+fn pinch(assembly: &Assembly, solution: &Solution, row: usize) -> Option<Squeezed> {
     let prediction = assembly.prediction;
     let sphere = assembly.candidates.get(row)?.key.sphere;
     let i = sphere as usize;
@@ -98,7 +108,7 @@ fn motion(assembly: &Assembly, k: usize) -> Vec3 {
 
 /// Spheres that are squeezed with others between: some contact with a boundary is jammed, or was, and from it a chain of contacts that
 /// carry much leads to another boundary.
-pub(super) fn jam(assembly: &Assembly, solution: &Solution) -> Option<Squeezed> {
+fn jam(assembly: &Assembly, solution: &Solution) -> Option<Squeezed> {
     let mut jammed = jammed(assembly, solution).into_iter();
     jammed.find_map(|k| chain(assembly, solution, k))
 }

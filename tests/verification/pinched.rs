@@ -1,4 +1,4 @@
-//! A sphere squeezed between boundaries whose motion is prescribed has no rigid solution.
+//! Spheres squeezed between boundaries whose motion is prescribed, one or a chain of them, have no rigid solution.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -143,6 +143,74 @@ fn a_gate_that_squeezes_by_its_edge_is_named() {
         "`floor`",
         "`gate`",
         "`stiffness`",
+    ] {
+        assert!(error.contains(part), "{error}");
+    }
+}
+
+/// Two spheres between floor and lid, their centres on a line 15 degrees off the vertical: the lines of force are half of that off all
+/// normals, within the cone of friction, so that the chain neither rolls nor slides.
+fn jam() -> Case {
+    let tilt = 15.0_f64.to_radians();
+    let mut case = Case::new(1e-2, 0.6, 0.0)
+        .floor()
+        .plane(Vec3::z() * (2.0 * RADIUS * (1.0 + tilt.cos())), -Vec3::z())
+        .sphere(RADIUS, Vec3::z() * RADIUS, Vec3::zeros())
+        .sphere(
+            RADIUS,
+            Vec3::z() * RADIUS + Vec3::new(tilt.sin(), 0.0, tilt.cos()) * (2.0 * RADIUS),
+            Vec3::zeros(),
+        );
+    case.scene.boundaries[1].motion = Motion::Constant(Twist {
+        linear: Vec3::new(0.0, 0.0, -SPEED),
+        angular: Vec3::zeros(),
+    });
+    case
+}
+
+/// Both ends of the chain give way: the lid goes down by `v t`, half of it at each, and carries `k v t/2 - m g` with
+/// `k = 1e5 m g/R`; the floor two weights more. Known once, the jam costs few sweeps.
+#[test]
+fn a_jammed_chain_gives_way_at_its_ends() {
+    let mut run = jam().settings(|s| s.strict = false).start();
+    let mut sweeps = 0;
+    for k in 1..=50 {
+        let report = run.simulation.advance(1e-2).expect("it gives way");
+        let found = report.squeezed.expect("squeezed");
+        assert!(found.by_others && found.boundaries.contains(&0) && found.boundaries.contains(&1));
+        assert!(report.unconverged_steps > 0);
+        if k > 10 {
+            sweeps += report.sweeps;
+        }
+    }
+    let advice = run.simulation.report().squeezed.expect("squeezed");
+    let advice = advice.advice(run.simulation.scene());
+    assert!(advice.contains("(with other spheres)"), "{advice}");
+    assert!(sweeps < 40 * 300, "{sweeps} sweeps");
+    let weight = run.mass(0) * G;
+    let pressed = 1e5 * weight / RADIUS * (0.5 * SPEED * run.simulation.time()) - weight;
+    close(run.force_on_boundary(1).z, pressed, 0.01, 0.0);
+    close(
+        -run.force_on_boundary(0).z,
+        pressed + 2.0 * weight,
+        0.01,
+        0.0,
+    );
+    let sideways = pressed * 7.5_f64.to_radians().tan();
+    close(run.force_on_boundary(1).x.abs(), sideways, 0.02, 0.0);
+}
+
+/// With `strict = true` the run ends, and names the boundaries.
+#[test]
+fn a_jammed_chain_is_named() {
+    let mut simulation = Simulation::new(Arc::new(jam().scene)).expect("it starts");
+    let ran = (0..10).try_for_each(|_| simulation.advance(1e-2).map(drop));
+    let error = ran.expect_err("the lid went through").to_string();
+    for part in [
+        "is squeezed between",
+        "`wall0`",
+        "`wall1`",
+        "(with other spheres)",
     ] {
         assert!(error.contains(part), "{error}");
     }
