@@ -20,6 +20,8 @@ const LEFT: f64 = 10.0;
 const JAMMED: f64 = 100.0;
 /// Share of the load at its end that all contacts of a chain carry.
 const SHARE: f64 = 0.1;
+/// Most contacts with boundaries from which chains are looked for, those with the largest loads.
+const HEAVIEST: usize = 16;
 /// Weights that press a squeezed sphere into a boundary by its radius: a thousand by a hundredth of it.
 const WEIGHTS: f64 = 1e5;
 
@@ -109,8 +111,11 @@ fn motion(assembly: &Assembly, k: usize) -> Vec3 {
 /// Spheres that are squeezed with others between: some contact with a boundary is jammed, or was, and from it a chain of contacts that
 /// carry much leads to another boundary.
 fn jam(assembly: &Assembly, solution: &Solution) -> Option<Squeezed> {
-    let mut jammed = jammed(assembly, solution).into_iter();
-    jammed.find_map(|k| chain(assembly, solution, k))
+    let mut jammed = jammed(assembly, solution);
+    let load = |k: &usize| solution.impulses[*k].norm();
+    jammed.sort_by(|a, b| load(b).total_cmp(&load(a)));
+    let mut heaviest = jammed.into_iter().take(HEAVIEST);
+    heaviest.find_map(|k| chain(assembly, solution, k))
 }
 
 /// The contacts with boundaries that are jammed, or were, of those that do not give way yet.
@@ -127,21 +132,25 @@ fn jammed(assembly: &Assembly, solution: &Solution) -> Vec<usize> {
 
 /// The chain from contact `first` with a boundary to another boundary, if they squeeze it: one moves, or has left an overlap.
 fn chain(assembly: &Assembly, solution: &Solution, first: usize) -> Option<Squeezed> {
-    let particles = &assembly.prediction.scene.particles;
-    let least = SHARE * solution.impulses[first].norm();
-    let all = 0..assembly.candidates.len();
-    let carries = |&k: &usize| k != first && solution.impulses[k].norm() >= least;
-    let mut others: Vec<usize> = all.filter(carries).collect();
     let start = rigid_boundary(assembly, first)?;
     let closes = |k| was_squeezed(assembly, k) || motion(assembly, k) != Vec3::zeros();
-    let body = |i: usize| match particles.clump(i) {
-        Some(clump) => Err(clump),
-        None => Ok(i),
+    let least = SHARE * solution.impulses[first].norm();
+    let all = 0..assembly.candidates.len();
+    let carries = |&k: &usize| solution.impulses[k].norm() >= least;
+    let bodies = |k: usize| {
+        let spheres = assembly.candidates[k].key.spheres();
+        spheres.map(|i| assembly.prediction.mover(i).0)
     };
+    let sides = all
+        .filter(carries)
+        .flat_map(|k| bodies(k).map(move |body| (body, k)));
+    let mut sides: Vec<(u32, usize)> = sides.collect();
+    sides.sort_unstable();
+    let mut known = vec![false; assembly.candidates.len()];
+    known[first] = true;
     let mut chain = vec![first];
     let mut reached = 0;
     while let Some(&from) = chain.get(reached) {
-        let key = assembly.candidates[from].key;
         let end = rigid_boundary(assembly, from).filter(|&boundary| boundary != start);
         if let Some(end) = end.filter(|_| closes(first) || closes(from)) {
             return Some(Squeezed {
@@ -150,13 +159,16 @@ fn chain(assembly: &Assembly, solution: &Solution, first: usize) -> Option<Squee
                 by_others: true,
             });
         }
-        let touches = |&k: &usize| {
-            let mut own = assembly.candidates[k].key.spheres();
-            own.any(|i| key.spheres().any(|j| body(i) == body(j)))
-        };
-        let (found, rest): (Vec<usize>, _) = others.into_iter().partition(touches);
-        others = rest;
-        chain.extend(found);
+        for body in bodies(from) {
+            let begin = sides.partition_point(|side| side.0 < body);
+            let own = sides[begin..].iter().take_while(|side| side.0 == body);
+            for &(_, k) in own {
+                if !known[k] {
+                    known[k] = true;
+                    chain.push(k);
+                }
+            }
+        }
         reached += 1;
     }
     None

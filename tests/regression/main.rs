@@ -8,6 +8,7 @@ mod compliance;
 mod far_away;
 mod impacts;
 mod invariance;
+mod jammed;
 mod ring;
 mod rolling_hollow;
 mod sleeping;
