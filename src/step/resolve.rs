@@ -20,7 +20,7 @@ const PASSES: usize = 30;
 const LOOSE_PASSES: usize = 2;
 /// How often what is squeezed gives way in a pass.
 const SOFTENINGS: usize = 4;
-/// Times the sweeps of a step that can be cut that one may take in which something gives way.
+/// A solve in which something gives way may take so many times the sweeps of one that can be cut.
 const GIVING_WAY: usize = 4;
 
 /// Solves until the true geometry agrees: gaps are re-linearised, late contacts join.
@@ -127,7 +127,8 @@ impl Passes {
             self.squeezed = Some(squeezed);
             // Forces have grown without bound: those from before lead back sooner.
             solution.impulses.clone_from(start);
-            let limit = limit.map(|sweeps| GIVING_WAY * sweeps);
+            let limit = self.budget.map(|budget| budget - self.total.sweeps);
+            let limit = limit.or(self.sweep_limit.map(|sweeps| GIVING_WAY * sweeps));
             let report = solve(assembly, solution, how, &mut workspace.solver, limit);
             self.total = self.total.then(report);
         }

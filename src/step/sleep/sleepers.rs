@@ -105,7 +105,7 @@ impl Sleepers {
 pub(crate) enum Attempt {
     /// With the next state, or without.
     Done(Result<StepOutput, StepFailure>),
-    /// Spheres, which sleep, would move, or keep others from a solution.
+    /// Spheres that sleep would move, or keep others from a solution.
     Disturbed {
         spheres: Vec<usize>,
         /// At least so many rings of spheres about them wake with them.
