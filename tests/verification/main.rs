@@ -31,6 +31,7 @@ mod invariance;
 mod jams;
 mod joints;
 mod ledger;
+mod light;
 mod pace;
 mod paper_examples;
 mod periodic;

@@ -5,7 +5,8 @@
 //! Contacts of spheres go sixteen at a time (`local`), each with its resistance to rolling (`resistance`), those of clumps
 //! likewise (`levers`, from rows by `lever_rows`), those with driven bodies that are heavy too (`heavy`, by `heavy_rows`), in single precision first where the tolerances allow; what it finds is judged in
 //! double. Every other row goes by the operations of
-//! [`Row`](crate::problem::Row) (`general_rows`). The order is fixed by the rows and, in large scenes, by where the bodies are
+//! [`Row`](crate::problem::Row) (`general_rows`). Light spheres between heavy ones are solved with all their contacts at once
+//! between sweeps (`light`). The order is fixed by the rows and, in large scenes, by where the bodies are
 //! (`partition`): parts of the scene can be swept side by side. From the
 //! fourth sweep on Nesterov's momentum moves impulses and velocities together; it starts anew where the corrections point back
 //! or grow: with friction the latter is what counts (a tenth of the sweeps). Robust with friction.
@@ -27,6 +28,7 @@ mod kinds;
 mod lanes;
 mod lever_rows;
 mod levers;
+mod light;
 mod local;
 mod partition;
 #[cfg(target_arch = "x86_64")]
@@ -54,6 +56,8 @@ const SINGLE_SWEEPS: usize = 400;
 const BROKEN: usize = 2;
 /// The first sweep with momentum: the first ones remove what is local.
 const MOMENTUM_FROM: usize = 4;
+/// The first sweep after which light spheres are no longer solved as a whole: what is left by then is not theirs, or they cycle.
+const LIGHT_BEFORE: usize = 200;
 /// Growth of the squared corrections from sweep to sweep at which momentum starts anew: a little is no sign of going astray.
 const GROWTH: f64 = 1.1;
 
@@ -92,6 +96,9 @@ pub fn solve(
             momentum = Momentum::default();
         }
         last = progress.change;
+        if (MOMENTUM_FROM..LIGHT_BEFORE).contains(&report.sweeps) && !progress.settled {
+            kernel.solve_light_spheres();
+        }
         let exhausted = kernel.is_single() && report.sweeps >= SINGLE_SWEEPS;
         if (progress.settled && report.sweeps >= params.min_sweeps) || exhausted {
             let residual = kernel.judge(problem);

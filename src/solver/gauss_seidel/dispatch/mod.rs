@@ -162,7 +162,7 @@ impl<T: Real> Sweep<'_, T> {
         l: L,
     ) -> Progress {
         let pace = Constants::of(l, &self.pace);
-        let mut settled = L::ALL;
+        let mut all_settled = true;
         // Lane by lane, so that every width sums in the same order.
         let mut along = Sixteen::<T>::default();
         let mut change = Sixteen::<T>::default();
@@ -182,6 +182,7 @@ impl<T: Real> Sweep<'_, T> {
                 true => Some((&self.heavy[block.heavy as usize], Given::none())),
                 false => None,
             };
+            let mut unsettled = 0;
             for pass in block.passes::<L, T>() {
                 let bodies = &mut *self.bodies;
                 let (within, a, c) = match (levers, resisted.as_deref_mut()) {
@@ -198,10 +199,12 @@ impl<T: Real> Sweep<'_, T> {
                         block.update_levered(l, pass, moved, has, latest, &pace)
                     }
                 };
-                settled &= within;
+                unsettled |= (L::ALL & !within) << (pass * L::WIDTH);
                 l.store(l.load(&along, pass) + a, &mut along, pass);
                 l.store(l.load(&change, pass) + c, &mut change, pass);
             }
+            block.unsettled = unsettled;
+            all_settled &= unsettled == 0;
             if let Some(shared) = shared {
                 shared.finish(self.bodies);
             }
@@ -211,7 +214,7 @@ impl<T: Real> Sweep<'_, T> {
         }
         let sum = |x: Sixteen<T>| x.iter().map(|x| x.exact()).sum();
         Progress {
-            settled: settled == L::ALL,
+            settled: all_settled,
             along: sum(along),
             change: sum(change),
         }

@@ -13,6 +13,7 @@ use super::heavy::Heavy;
 use super::kinds::Kinds;
 use super::lanes::{Body, Real, Sixteen};
 use super::levers::{Bounds, Levers, alike};
+use super::light::LightSpheres;
 use super::local::Source;
 use super::partition::{PARTS, Partition};
 use super::resistance;
@@ -48,6 +49,7 @@ pub struct Kernel {
     /// Length by which each body's spin is scaled \[m\], `[N + M]`: its radius; zero where no contact gives it.
     pub(super) radius: Vec<f64>,
     pub(super) others: GeneralRows,
+    light: LightSpheres,
     pub(super) kinds: Kinds,
     pub(super) sharing: Sharing,
     /// Contacts of the blocks by group, where each group ends, and of what group each row is.
@@ -178,6 +180,7 @@ impl Kernel {
             }
         }
         self.reload(problem);
+        self.light.forget();
     }
 
     /// Whether the rows of `problem` would be shared out as those in the blocks were.
@@ -394,6 +397,14 @@ impl Kernel {
             along: others.along * unit,
             change: others.change * unit,
         })
+    }
+
+    /// Solves light spheres between heavy ones with all their contacts, where the last sweep found one not settled.
+    pub(super) fn solve_light_spheres(&mut self) {
+        match self.single {
+            true => self.light.solve(&mut self.quick, &self.turns),
+            false => self.light.solve(&mut self.exact, &self.turns),
+        }
     }
 
     /// Writes the impulses of all rows \[N s\], `[C]`: those that were judged last.
