@@ -25,7 +25,7 @@ use super::lanes::{Body, LANES, Real};
 use crate::Vec3;
 
 /// How many times its mass what presses a light sphere must have.
-const RATIO: f64 = 4.0;
+const RATIO: f64 = 30.0;
 /// Least mobility of what presses, over that of the light sphere.
 const FLOOR: f64 = 0.02;
 /// Iterations of Newton's method.
@@ -139,7 +139,7 @@ impl LightSpheres {
         }
         self.counts.clear();
         self.counts.resize(batches.bodies.len(), [0; 3]);
-        for (_, [a, b]) in contacts(batches, turns) {
+        each_contact(batches, turns, |_, [a, b]| {
             for (own, other) in [(a, b), (b, a)] {
                 let [all, pressing, moving] = &mut self.counts[own as usize];
                 *all += 1;
@@ -147,7 +147,7 @@ impl LightSpheres {
                 *pressing += u32::from(presses);
                 *moving += u32::from(presses && mobility(other) > 0.0);
             }
-        }
+        });
         self.next.clear();
         let mut end = 0;
         for (body, &[all, pressing, moving]) in (0..).zip(&self.counts) {
@@ -162,7 +162,10 @@ impl LightSpheres {
         }
         self.contacts.clear();
         self.contacts.resize(end as usize, Held::default());
-        for ((block, lane), [a, b]) in contacts(batches, turns) {
+        if end == 0 {
+            return;
+        }
+        each_contact(batches, turns, |[block, lane], [a, b]| {
             for (own, other, is_a) in [(a, b, true), (b, a, false)] {
                 let next = &mut self.next[own as usize];
                 if *next != NONE {
@@ -175,31 +178,30 @@ impl LightSpheres {
                     *next += 1;
                 }
             }
-        }
+        });
     }
 }
 
-/// Contacts of the blocks by block and lane, and the places of their bodies; none of those that have levers or are on heavy bodies.
-fn contacts<'a, T: Real>(
-    batches: &'a Batches<T>,
-    turns: &'a Colours,
-) -> impl Iterator<Item = ((u32, u32), [u32; 2])> + 'a {
+/// Tells `see` the block, lane and places of the bodies of every contact; none of those that have levers or are on heavy bodies.
+fn each_contact<T: Real>(
+    batches: &Batches<T>,
+    turns: &Colours,
+    mut see: impl FnMut([u32; 2], [u32; 2]),
+) {
     let groups = turns.iter().flatten();
-    let groups = groups.filter(|group| group.form != Form::Heavy);
-    groups.flat_map(move |group| {
+    for group in groups.filter(|group| group.form != Form::Heavy) {
         let first = group.bodies.start as u32;
-        let blocks = group
-            .blocks
-            .clone()
-            .zip(&batches.blocks[group.blocks.clone()]);
-        let plain = blocks.filter(|(_, block)| block.levers == PLAIN);
-        plain.flat_map(move |(k, block)| {
-            (0..block.count).map(move |lane| {
-                let bodies = block.bodies.map(|of| of[lane as usize] + first);
-                ((k as u32, lane), bodies)
-            })
-        })
-    })
+        for k in group.blocks.clone() {
+            let block = &batches.blocks[k];
+            if block.levers != PLAIN {
+                continue;
+            }
+            let [a, b] = &block.bodies;
+            for lane in 0..block.count as usize {
+                see([k as u32, lane as u32], [a[lane] + first, b[lane] + first]);
+            }
+        }
+    }
 }
 
 fn exact<T: Real>(body: &Body<T>) -> Body<f64> {
