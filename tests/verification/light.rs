@@ -33,8 +33,7 @@ fn a_light_sphere_hands_on_what_a_heavy_one_brings() {
     assert_eq!(report.factorizations, 0);
 }
 
-/// Where large spheres fell onto small ones: 1400, so that several threads share them.
-/// Their positions, and the sweeps.
+/// Positions of 1400 spheres, large ones that fell onto small ones, which several threads share; and the sweeps.
 fn dropped(threads: usize, registers: Registers) -> (Vec<Vec3>, u64) {
     let mut case = Case::new(1e-3, 0.4, 0.0)
         .settings(|s| (s.threads, s.registers) = (threads, registers))

@@ -20,9 +20,11 @@ use nalgebra::{Matrix3, SMatrix, SVector};
 
 use super::batch::{Extra, Form, PLAIN};
 use super::batches::{Batches, Colours};
-use super::kinds::NONE;
 use super::lanes::{Body, LANES, Real};
 use crate::Vec3;
+use crate::problem::Law;
+use crate::problem::law::split;
+use crate::sorting::counting_sort;
 
 /// How many times its mass what presses a light sphere must have.
 const RATIO: f64 = 30.0;
@@ -43,13 +45,15 @@ pub(super) struct LightSpheres {
     /// Whether they are those of the problem at hand.
     known: bool,
     spheres: Vec<LightSphere>,
+    /// Their contacts, by sphere; before they were sorted; and where those of each body end.
     contacts: Vec<Held>,
-    /// Those that are not settled.
+    found: Vec<Held>,
+    ends: Vec<u32>,
+    /// How many of them may be unsettled, and those that are.
+    few: usize,
     unsettled: Vec<LightSphere>,
-    /// For each body: how many contacts it has, how many of them press it, and how many of these are of bodies that move.
-    counts: Vec<[u32; 3]>,
-    /// Where the next contact of each body goes; [`NONE`] if it is not light.
-    next: Vec<u32>,
+    /// How many contacts press each body, and how many of these are of bodies that move.
+    pressing: Vec<[u32; 2]>,
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -65,10 +69,11 @@ struct LightSphere {
 struct Held {
     block: u32,
     lane: u32,
-    /// Place of the other body.
+    /// Places of the light sphere and of the other body.
+    own: u32,
     other: u32,
-    /// Whether the light sphere is A.
-    is_a: bool,
+    /// 1 where the light sphere is A, -1 where it is B.
+    sign: f64,
 }
 
 /// What a light sphere's contacts are while it is solved.
@@ -77,7 +82,7 @@ struct Contact {
     /// Impulse, and what the law should make zero at it.
     p: Vec3,
     d: Vec3,
-    friction: f64,
+    law: Law,
     /// `g` along the normal and across it.
     g: [f64; 2],
     sign: f64,
@@ -95,6 +100,9 @@ impl LightSpheres {
             self.find(batches, turns);
             self.known = true;
         }
+        if self.spheres.is_empty() {
+            return;
+        }
         let blocks = &batches.blocks;
         let is_unsettled =
             |held: &Held| blocks[held.block as usize].unsettled >> held.lane & 1 == 1;
@@ -108,18 +116,17 @@ impl LightSpheres {
             .iter()
             .filter(|sphere| own(sphere).iter().any(is_unsettled));
         self.unsettled.extend(unsettled);
-        let rows: usize = blocks.iter().map(|block| block.count as usize).sum();
-        if self.unsettled.len() > FEW + rows / ROWS_EACH {
+        if self.unsettled.len() > self.few {
             return;
         }
         for sphere in &self.unsettled {
-            let (body, held) = (sphere.body, own(sphere));
-            let Body([_, _, _, m, _, _, _, k]) = exact(&batches.bodies[body as usize]);
-            let contacts = held.iter().map(|held| Contact::of(batches, held, body));
+            let held = own(sphere);
+            let Body([_, _, _, m, _, _, _, k]) = exact(&batches.bodies[sphere.body as usize]);
+            let contacts = held.iter().map(|held| Contact::of(batches, held));
             let contacts: ArrayVec<Contact, LANES> = contacts.collect();
             if let Some(impulses) = solved([m, k], &contacts) {
                 for (held, p) in held.iter().zip(impulses) {
-                    give(batches, held, body, p);
+                    give(batches, held, p);
                 }
             }
         }
@@ -137,48 +144,49 @@ impl LightSpheres {
         if RATIO * least > most {
             return;
         }
-        self.counts.clear();
-        self.counts.resize(batches.bodies.len(), [0; 3]);
+        let bodies = batches.bodies.len();
+        self.pressing.clear();
+        self.pressing.resize(bodies, [0; 2]);
         each_contact(batches, turns, |_, [a, b]| {
             for (own, other) in [(a, b), (b, a)] {
-                let [all, pressing, moving] = &mut self.counts[own as usize];
-                *all += 1;
                 let presses = mobility(own) > 0.0 && RATIO * mobility(other) <= mobility(own);
-                *pressing += u32::from(presses);
+                let [all, moving] = &mut self.pressing[own as usize];
+                *all += u32::from(presses);
                 *moving += u32::from(presses && mobility(other) > 0.0);
             }
         });
-        self.next.clear();
-        let mut end = 0;
-        for (body, &[all, pressing, moving]) in (0..).zip(&self.counts) {
-            let light = pressing >= 2 && moving >= 1 && all as usize <= LANES;
-            self.next.push(if light { end } else { NONE });
-            if light {
-                let start = end;
-                end += all;
-                let contacts = [start, end];
-                self.spheres.push(LightSphere { body, contacts });
-            }
-        }
-        self.contacts.clear();
-        self.contacts.resize(end as usize, Held::default());
-        if end == 0 {
-            return;
-        }
+        let rows: usize = batches
+            .blocks
+            .iter()
+            .map(|block| block.count as usize)
+            .sum();
+        self.few = FEW + rows / ROWS_EACH;
+        self.found.clear();
         each_contact(batches, turns, |[block, lane], [a, b]| {
-            for (own, other, is_a) in [(a, b, true), (b, a, false)] {
-                let next = &mut self.next[own as usize];
-                if *next != NONE {
-                    self.contacts[*next as usize] = Held {
+            for (own, other, sign) in [(a, b, 1.0), (b, a, -1.0)] {
+                let [all, moving] = self.pressing[own as usize];
+                if all >= 2 && moving >= 1 {
+                    self.found.push(Held {
                         block,
                         lane,
+                        own,
                         other,
-                        is_a,
-                    };
-                    *next += 1;
+                        sign,
+                    });
                 }
             }
         });
+        let found = self.found.iter().copied();
+        let by_sphere = (|held: &Held| held.own, bodies);
+        counting_sort(found, by_sphere, &mut self.ends, &mut self.contacts);
+        let mut start = 0;
+        for (body, &end) in (0..).zip(&self.ends[..bodies]) {
+            if (1..=LANES as u32).contains(&(end - start)) {
+                let contacts = [start, end];
+                self.spheres.push(LightSphere { body, contacts });
+            }
+            start = end;
+        }
     }
 }
 
@@ -209,7 +217,7 @@ fn exact<T: Real>(body: &Body<T>) -> Body<f64> {
 }
 
 impl Contact {
-    fn of<T: Real>(batches: &Batches<T>, held: &Held, body: u32) -> Self {
+    fn of<T: Real>(batches: &Batches<T>, held: &Held) -> Self {
         let block = &batches.blocks[held.block as usize];
         let lane = held.lane as usize;
         let vector = |x: &[[T; LANES]; 3]| Vec3::from_fn(|k, _| x[k][lane].exact());
@@ -217,12 +225,11 @@ impl Contact {
             vector(&block.normal),
             vector(&block.impulse[batches.latest]),
         );
-        let own = exact(&batches.bodies[body as usize]).0;
+        let own = exact(&batches.bodies[held.own as usize]).0;
         let other = exact(&batches.bodies[held.other as usize]).0;
-        let sign = if held.is_a { 1.0 } else { -1.0 };
         let v = |x: &[f64; 8]| Vec3::new(x[0], x[1], x[2]);
         let s = |x: &[f64; 8]| Vec3::new(x[4], x[5], x[6]);
-        let u = (v(&own) - v(&other)) * sign - (s(&own) + s(&other)).cross(&n);
+        let u = (v(&own) - v(&other)) * held.sign - (s(&own) + s(&other)).cross(&n);
         let extra: Option<&Extra<T>> = batches.extras.get(block.extra as usize);
         let (drift, [c_n, c_t]) = match extra {
             None => (Vec3::zeros(), [0.0; 2]),
@@ -231,18 +238,20 @@ impl Contact {
                 extra.compliance.map(|c| c[lane].exact()),
             ),
         };
-        let p_n = n * p.dot(&n);
+        let (p_n, p_t) = split(p, n);
         let ([m, k], [own_m, own_k]) = ([other[3], other[7]], [own[3], own[7]]);
         Self {
             n,
             p,
-            d: u + drift + n * block.bias[lane].exact() + p_n * c_n + (p - p_n) * c_t,
-            friction: block.friction[lane].exact(),
+            d: u + drift + n * (block.bias[lane].exact() + p_n * c_n) + p_t * c_t,
+            law: Law::Contact {
+                mu: block.friction[lane].exact(),
+            },
             g: [
                 (m + c_n).max(FLOOR * own_m),
                 (m + k + c_t).max(FLOOR * (own_m + own_k)),
             ],
-            sign,
+            sign: held.sign,
         }
     }
 
@@ -250,22 +259,16 @@ impl Contact {
     fn impulse(&self, v: Vec3, s: Vec3) -> (Vec3, Matrix3<f64>) {
         let (n, [g_n, g_t]) = (self.n, self.g);
         let d = self.d + v * self.sign + n.cross(&s);
-        let (p_n, d_n) = (self.p.dot(&n), d.dot(&n));
+        let ((p_n, p_t), (d_n, d_t)) = (split(self.p, n), split(d, n));
         let normal = p_n - d_n / g_n;
         if normal <= 0.0 {
             return (Vec3::zeros(), Matrix3::zeros());
         }
-        let tangential = self.p - n * p_n - (d - n * d_n) / g_t;
-        let (size, most) = (tangential.norm(), self.friction * normal);
-        let along = n * n.transpose();
-        let across = Matrix3::identity() - along;
-        if size <= most {
-            return (n * normal + tangential, along / g_n + across / g_t);
-        }
-        let slip = tangential / size;
-        let pushed = (n + slip * self.friction) * n.transpose() / g_n;
-        let turned = (across - slip * slip.transpose()) * (most / size / g_t);
-        (n * normal + slip * most, pushed + turned)
+        let plane = Matrix3::identity() - n * n.transpose();
+        let held = self.law.bounds(normal).across(p_t - d_t / g_t, &plane);
+        let [_, growth] = self.law.growth();
+        let by_normal = (n + held.outward * growth) * n.transpose() / g_n;
+        (n * normal + held.value, by_normal + held.tangent / g_t)
     }
 }
 
@@ -332,8 +335,8 @@ fn residual(
     (r, whole)
 }
 
-/// Makes `p` the impulse of a contact of the light sphere `body`.
-fn give<T: Real>(batches: &mut Batches<T>, held: &Held, body: u32, p: Vec3) {
+/// Makes `p` the impulse of a contact of a light sphere.
+fn give<T: Real>(batches: &mut Batches<T>, held: &Held, p: Vec3) {
     let (latest, lane) = (batches.latest, held.lane as usize);
     let block = &mut batches.blocks[held.block as usize];
     let mut change = Vec3::zeros();
@@ -344,8 +347,7 @@ fn give<T: Real>(batches: &mut Batches<T>, held: &Held, body: u32, p: Vec3) {
     }
     let n = Vec3::from_fn(|axis, _| block.normal[axis][lane].exact());
     let turn = n.cross(&change);
-    let sign = if held.is_a { 1.0 } else { -1.0 };
-    for (body, sign) in [(body, sign), (held.other, -sign)] {
+    for (body, sign) in [(held.own, held.sign), (held.other, -held.sign)] {
         let Body(x) = &mut batches.bodies[body as usize];
         let (m, k) = (x[3].exact(), x[7].exact());
         for axis in 0..3 {
@@ -359,13 +361,15 @@ fn give<T: Real>(batches: &mut Batches<T>, held: &Held, body: u32, p: Vec3) {
 mod tests {
     use super::*;
 
+    const FRICTION: f64 = 0.4;
+
     /// A light sphere between three heavy bodies and the ground: contacts that stick, slip and are open.
     fn contacts() -> Vec<Contact> {
         let contact = |n: [f64; 3], p: [f64; 3], d: [f64; 3], g: [f64; 2], sign: f64| Contact {
             n: Vec3::from(n).normalize(),
             p: p.into(),
             d: d.into(),
-            friction: 0.4,
+            law: Law::Contact { mu: FRICTION },
             g,
             sign,
         };
@@ -410,7 +414,7 @@ mod tests {
         let state = |(p, contact): (&Vec3, &Contact)| {
             let normal = p.dot(&contact.n);
             let across = (p - contact.n * normal).norm();
-            match (normal > 0.0, across < 0.999 * contact.friction * normal) {
+            match (normal > 0.0, across < 0.999 * FRICTION * normal) {
                 (false, _) => "open",
                 (true, true) => "sticks",
                 (true, false) => "slips",
