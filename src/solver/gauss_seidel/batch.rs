@@ -49,8 +49,6 @@ pub(super) struct Batch<T> {
     pub(super) heavy: u32,
     /// Whether some of these contacts have resistances, which are the next ones of the group.
     pub(super) resisted: bool,
-    /// Which contacts the last sweep found off by more than the tolerances, as bits.
-    pub(super) unsettled: u16,
 }
 
 /// Blocks that are swept together, their resistances, and the bodies they move.

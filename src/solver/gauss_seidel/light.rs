@@ -103,9 +103,8 @@ impl LightSpheres {
         if self.spheres.is_empty() {
             return;
         }
-        let blocks = &batches.blocks;
-        let is_unsettled =
-            |held: &Held| blocks[held.block as usize].unsettled >> held.lane & 1 == 1;
+        let unsettled = &batches.unsettled;
+        let is_unsettled = |held: &Held| unsettled[held.block as usize] >> held.lane & 1 == 1;
         let own = |sphere: &LightSphere| {
             let [start, end] = sphere.contacts.map(|at| at as usize);
             &self.contacts[start..end]

@@ -14,6 +14,8 @@ use crate::solver::residual::Residual;
 #[derive(Debug)]
 pub(super) struct Sweep<'a, T> {
     pub(super) blocks: &'a mut [Batch<T>],
+    /// By block.
+    pub(super) unsettled: &'a mut [u16],
     pub(super) resistances: &'a mut [Resistances<T>],
     pub(super) bodies: &'a mut [Body<T>],
     pub(super) extras: &'a [Extra<T>],
@@ -168,7 +170,7 @@ impl<T: Real> Sweep<'_, T> {
         let mut change = Sixteen::<T>::default();
         let (extras, latest) = (self.extras, self.latest);
         let mut resistances = self.resistances.iter_mut();
-        for block in self.blocks {
+        for (block, unsettled) in self.blocks.iter_mut().zip(self.unsettled) {
             let mut resisted = match RESISTED && block.resisted {
                 true => resistances.next(),
                 false => None,
@@ -182,7 +184,7 @@ impl<T: Real> Sweep<'_, T> {
                 true => Some((&self.heavy[block.heavy as usize], Given::none())),
                 false => None,
             };
-            let mut unsettled = 0;
+            let mut off = 0;
             for pass in block.passes::<L, T>() {
                 let bodies = &mut *self.bodies;
                 let (within, a, c) = match (levers, resisted.as_deref_mut()) {
@@ -199,12 +201,12 @@ impl<T: Real> Sweep<'_, T> {
                         block.update_levered(l, pass, moved, has, latest, &pace)
                     }
                 };
-                unsettled |= (L::ALL & !within) << (pass * L::WIDTH);
+                off |= (L::ALL & !within) << (pass * L::WIDTH);
                 l.store(l.load(&along, pass) + a, &mut along, pass);
                 l.store(l.load(&change, pass) + c, &mut change, pass);
             }
-            block.unsettled = unsettled;
-            all_settled &= unsettled == 0;
+            *unsettled = off;
+            all_settled &= off == 0;
             if let Some(shared) = shared {
                 shared.finish(self.bodies);
             }

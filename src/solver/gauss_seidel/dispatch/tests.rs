@@ -48,6 +48,7 @@ struct Case<T> {
     numbers: Vec<SphereContact>,
     rows: Vec<Sixteen<u32>>,
     blocks: Vec<Batch<T>>,
+    unsettled: Vec<u16>,
     resistances: Vec<Resistances<T>>,
     sources: Vec<resistance::Source>,
     bodies: Vec<Body<T>>,
@@ -90,12 +91,14 @@ impl<T> Case<T> {
     fn sweep(&mut self, form: Form, latest: usize, pace: SweepParams) -> Sweep<'_, T> {
         let on_heavy = self.blocks.len() - self.heavy.len();
         let (others, own) = self.blocks.split_at_mut(on_heavy);
-        let (blocks, resistances) = match form {
-            Form::Heavy => (own, &mut [][..]),
-            _ => (others, &mut self.resistances[..]),
+        let (of_others, of_own) = self.unsettled.split_at_mut(on_heavy);
+        let ((blocks, unsettled), resistances) = match form {
+            Form::Heavy => ((own, of_own), &mut [][..]),
+            _ => ((others, of_others), &mut self.resistances[..]),
         };
         Sweep {
             blocks,
+            unsettled,
             resistances,
             bodies: &mut self.bodies,
             extras: &self.extras,
@@ -212,6 +215,7 @@ fn case<T: Real>(numbers: &[f64]) -> Case<T> {
         numbers,
         rows: rows.to_vec(),
         blocks: vec![full, part, levered, on_heavy],
+        unsettled: vec![0; 4],
         resistances: vec![resistances; 2],
         sources: vec![own; 2],
         bodies,
@@ -371,6 +375,7 @@ fn lattice<T: Real>(side: usize) -> Case<T> {
     Case {
         numbers: Vec::new(),
         rows: Vec::new(),
+        unsettled: vec![0; blocks.len()],
         blocks,
         resistances: Vec::new(),
         sources: Vec::new(),
