@@ -39,6 +39,8 @@ pub(super) struct Assembly<'a> {
     pub(super) late: Vec<ContactId>,
     /// Of the candidates, whether they are impacts.
     pub(super) impact: Vec<bool>,
+    /// Bodies that boundaries wedge, ascending: they do not rebound from them.
+    pub(super) wedged: Vec<u32>,
     /// Which contacts of the last step the candidates continue.
     pub(super) past: Vec<HistoryIndex>,
     /// How they give way; empty where none does.
@@ -75,6 +77,7 @@ pub(super) fn assemble<'a>(
         candidates: arrays.candidates,
         late: arrays.late,
         impact: arrays.impact,
+        wedged: Vec::new(),
         past: arrays.past,
         elastic: arrays.elastic,
         joints: arrays.joints,
@@ -92,6 +95,7 @@ pub(super) fn assemble<'a>(
         (false, true) => assembly.write_whole::<false>(state, impact, impulses),
         (false, false) => assembly.write_whole::<true>(state, impact, impulses),
     }
+    assembly.hold_wedged();
     assembly.attract(&state.contacts, impulses);
     let springs = 0..prediction.targets.len();
     let forces = state.springs.iter().take(springs.len());

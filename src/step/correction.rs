@@ -198,7 +198,10 @@ fn insert(
         let contact = prediction.contact_row(free, &start, past_load, Some(impact));
         (row, elastic) = (contact.row, contact.elastic);
     } else {
-        let wanted = (found.gap - carried - linear) / step;
+        // It may be the next feature of a boundary that the sphere is in already.
+        let start = assembly.start().gap(found);
+        let left = prediction.scene.settings.left(start, row.radius, step);
+        let wanted = (found.gap - carried + left - linear) / step;
         row.bias += row.normal * (wanted - row.bias.dot(&row.normal));
     }
     let at = assembly.candidates.partition_point(|c| c.key < found.key);

@@ -10,8 +10,11 @@
 //! ```
 //!
 //! is not positive. At `theta = 0` it never is. As long as the same contacts stick, slip and part, `D` is a square function.
+//!
+//! Nor does a body rebound that a boundary wedges: where the line between two of its contacts lies in both cones of friction, they
+//! hold each other with any force, and it can part from neither. With Newton's law there would be no solution.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use petgraph::unionfind::UnionFind;
 
@@ -20,6 +23,7 @@ use super::correction::Correction;
 use super::solution::Solution;
 use crate::Vec3;
 use crate::integrator::Integrator;
+use crate::problem::law::split;
 use crate::problem::{GROUND, Law};
 use crate::scene::Method;
 
@@ -55,11 +59,7 @@ struct Work {
 impl Rebounds {
     /// Smaller rebounds where the solution makes energy, or larger ones where too much of them was taken away.
     pub(super) fn limit(&mut self, assembly: &Assembly, solution: &Solution) -> Option<Correction> {
-        let settings = &assembly.prediction.scene.settings;
-        if settings.integrator != Integrator::Moreau || settings.method == Method::Penalty {
-            return None;
-        }
-        if !assembly.prediction.scene.pairs.rebounds() {
+        if !assembly.has_rebounds() {
             return None;
         }
         let impacts = 0..assembly.candidates.len();
@@ -81,7 +81,7 @@ impl Rebounds {
         }
         let mut changed = false;
         for (island, work) in works.iter().enumerate().filter(|(_, work)| work.rebounds) {
-            let bound = settings.tolerance.force * work.scale;
+            let bound = assembly.prediction.scene.settings.tolerance.force * work.scale;
             changed |= match self.0.get_mut(&island) {
                 Some(search) => search.next(work, bound),
                 None if work.gain > bound => {
@@ -181,8 +181,71 @@ fn work(assembly: &Assembly, solution: &Solution, k: usize, p: Vec3) -> [f64; 2]
 }
 
 impl Assembly<'_> {
+    /// Whether impacts of the scene rebound by Newton's law.
+    fn has_rebounds(&self) -> bool {
+        let scene = self.prediction.scene;
+        let settings = &scene.settings;
+        settings.integrator == Integrator::Moreau
+            && settings.method != Method::Penalty
+            && scene.pairs.rebounds()
+    }
+
     /// Whether contact `k` is an impact that rebounds.
     fn rebounds(&self, k: usize) -> bool {
-        self.impact[k] && self.prediction.pair(self.candidates[k].key).restitution > 0.0
+        self.impact[k]
+            && self.prediction.pair(self.candidates[k].key).restitution > 0.0
+            && !self.is_wedged(k)
+    }
+
+    fn is_wedged(&self, k: usize) -> bool {
+        let [a, b] = self.problem.rows.bodies(k);
+        b == GROUND && self.wedged.binary_search(&a).is_ok()
+    }
+
+    /// Lets what boundaries wedge not rebound from them.
+    pub(super) fn hold_wedged(&mut self) {
+        self.wedged.clear();
+        if !self.has_rebounds() {
+            return;
+        }
+        let rows = &self.problem.rows;
+        let body = |k: usize| rows.bodies(k)[0];
+        let all = 0..self.candidates.len();
+        let on_ground = all.filter(|&k| rows.bodies(k)[1] == GROUND);
+        let rebounding = on_ground.clone().filter(|&k| self.rebounds(k));
+        let rebounding: BTreeSet<u32> = rebounding.map(body).collect();
+        if rebounding.is_empty() {
+            return;
+        }
+        let contacts = on_ground.filter(|&k| rebounding.contains(&body(k)));
+        let mut contacts: Vec<usize> = contacts.collect();
+        contacts.sort_by_key(|&k| body(k));
+        let by_body = contacts.chunk_by(|&k, &l| body(k) == body(l));
+        let wedged = by_body.filter(|contacts| self.is_wedge(contacts));
+        let wedged: Vec<usize> = wedged.flatten().copied().collect();
+        self.wedged = wedged.iter().map(|&k| body(k)).collect();
+        for k in wedged {
+            let rebound = self.problem.rows.bias(k).min(0.0);
+            if self.impact[k] {
+                self.problem.rows.shift(k, -rebound);
+            }
+        }
+    }
+
+    /// Whether the line between two of these contacts of a body with boundaries lies in the cones of friction of both.
+    fn is_wedge(&self, contacts: &[usize]) -> bool {
+        let rows = &self.problem.rows;
+        let in_cone = |k: usize, line: Vec3| {
+            let friction = self.prediction.pair(self.candidates[k].key).friction;
+            let (along, across) = split(line, rows.normal(k));
+            across.norm() <= friction * along
+        };
+        let point = |k: usize| rows.with(k, |row| row.arm_a);
+        contacts.iter().enumerate().any(|(at, &k)| {
+            contacts[at + 1..].iter().any(|&l| {
+                let line = point(l) - point(k);
+                in_cone(k, line) && in_cone(l, -line)
+            })
+        })
     }
 }

@@ -46,7 +46,7 @@ pub(super) fn squeezed(
 }
 
 /// Whether two rigid boundaries on opposite sides squeeze the sphere of contact `row`, which carries load from both: they
-/// approach each other at its contacts, or have. A sphere that lies wedged between boundaries at rest has a solution.
+/// approach each other at its contacts, or have. A sphere that lies wedged between boundaries at rest, or faces of one, has a solution.
 fn pinch(assembly: &Assembly, solution: &Solution, row: usize) -> Option<Squeezed> {
     let prediction = assembly.prediction;
     let sphere = assembly.candidates.get(row)?.key.sphere;
@@ -70,7 +70,8 @@ fn pinch(assembly: &Assembly, solution: &Solution, row: usize) -> Option<Squeeze
     sides.iter().enumerate().find_map(|(k, a)| {
         let opposite = sides[k + 1..].iter().find(|b| {
             a.normal.dot(&b.normal) < OPPOSITE
-                && (a.travel + b.travel > APPROACH * overlap || a.gap + b.gap < -LEFT * overlap)
+                && (a.boundary != b.boundary && a.travel + b.travel > APPROACH * overlap
+                    || a.gap + b.gap < -LEFT * overlap)
         })?;
         Some(Squeezed {
             sphere: i,
@@ -217,13 +218,16 @@ fn soften_pinched(assembly: &mut Assembly, solution: &Solution) -> Option<Squeez
     squeezed.first().copied()
 }
 
+/// `F = k (overlap + step v)` at the speed `v` of pressing in, where overlaps come out at `overlap/step`: `step` is the longest, so that
+/// steps of any length have the same force.
 fn give_way(assembly: &mut Assembly, k: usize) {
     let prediction = assembly.prediction;
     let particles = &prediction.scene.particles;
     let i = assembly.candidates[k].key.sphere as usize;
     let weight = particles.mass[i] * prediction.gravity_size.max(1.0);
     let stiffness = WEIGHTS * weight / particles.radius[i];
-    let compliance = 1.0 / (stiffness * prediction.step * prediction.step);
+    let longest = prediction.scene.settings.step;
+    let compliance = 1.0 / (stiffness * prediction.step * longest);
     let rows = &mut assembly.problem.rows;
     rows.update(k, |row| row.compliance_n = compliance);
 }

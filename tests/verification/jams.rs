@@ -1,9 +1,11 @@
 //! Grains that boundaries jam, and steps that do not meet their tolerances: they make no energy.
 
 use sphere_dda::Vec3;
+use sphere_dda::scene::Motion;
+use sphere_dda::spatial::Twist;
 
 use crate::scenes::{scene, start};
-use crate::support::Run;
+use crate::support::{Case, Run, grid};
 
 const ROCK: &str = r#"
 [[material]]
@@ -90,6 +92,36 @@ faces = [{ rectangle = { corner = [-0.5, 0.02, 0.6], u = [1.0, 0.0, 0.0], v = [0
 motion = { MOTION }
 "#;
     text.replace("MOTION", motion)
+}
+
+/// A lid with ridges of triangles slides over a ball and presses it into the floor, in steps far shorter than the longest. Where the ball
+/// meets another triangle it is pushed out no faster than in a longest step, by `overlap/step`.
+#[test]
+fn a_mesh_that_slides_over_a_squeezed_ball_does_not_shoot_it() {
+    let (radius, step, h) = (0.1, 1e-2, 1e-4);
+    let ridges = grid(80, 4, |i, j| {
+        let [x, y] = [0.025 * f64::from(i) - 1.0, 0.1 * f64::from(j) - 0.2];
+        // Its triangles look down.
+        Vec3::new(-x, y, 2.0 * radius + 1e-4 + 2e-4 * f64::from(i % 2))
+    });
+    let motion = Motion::Constant(Twist {
+        linear: Vec3::new(0.7, 0.0, -0.1),
+        angular: Vec3::zeros(),
+    });
+    let mut run = Case::new(step, 0.6, 0.3)
+        .settings(|s| s.strict = false)
+        .floor()
+        .moving(vec![ridges.into()], motion)
+        .sphere(radius, Vec3::z() * radius, Vec3::zeros())
+        .start();
+    for _ in 0..2000 {
+        let report = run.simulation.advance(h).expect("it gives way");
+        let pressed = 0.1 * run.simulation.time();
+        assert!(report.max_overlap * radius <= pressed, "{report:?}");
+        let speed = run.velocity(0).norm();
+        assert!(speed < 0.7 + 0.1 + pressed / step, "{speed} m/s");
+    }
+    assert!(run.force_on_boundary(1).z > 0.0, "it is not squeezed");
 }
 
 /// A gate falls on a pile with resistance to rolling: some of its contacts are impacts while others hold, with forces a million times

@@ -51,3 +51,4 @@ mod support;
 mod tunnelling;
 mod turntable;
 mod walls;
+mod wedge;
