@@ -12,7 +12,7 @@
 //! is not positive. At `theta = 0` it never is. As long as the same contacts stick, slip and part, `D` is a square function.
 //!
 //! Nor does a body rebound that a boundary wedges: where the line between two of its contacts lies in both cones of friction, they
-//! hold each other with any force, and it can part from neither. With Newton's law there would be no solution.
+//! hold each other with any force. If it cannot part from one as far as the other's gap lets it, Newton's law has no solution.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -204,7 +204,6 @@ impl Assembly<'_> {
 
     /// Lets what boundaries wedge not rebound from them.
     pub(super) fn hold_wedged(&mut self) {
-        self.wedged.clear();
         if !self.has_rebounds() {
             return;
         }
@@ -232,7 +231,8 @@ impl Assembly<'_> {
         }
     }
 
-    /// Whether the line between two of these contacts of a body with boundaries lies in the cones of friction of both.
+    /// Whether the line between two of these contacts of a body with boundaries lies in the cones of friction of both, and they demand
+    /// more than there is between them.
     fn is_wedge(&self, contacts: &[usize]) -> bool {
         let rows = &self.problem.rows;
         let in_cone = |k: usize, line: Vec3| {
@@ -241,10 +241,16 @@ impl Assembly<'_> {
             across.norm() <= friction * along
         };
         let point = |k: usize| rows.with(k, |row| row.arm_a);
+        // The speed at which the body may approach; negative where it must part.
+        let room = |k: usize| {
+            rows.with(k, |row| {
+                (row.bias + row.prescribed_velocity).dot(&row.normal)
+            })
+        };
         contacts.iter().enumerate().any(|(at, &k)| {
             contacts[at + 1..].iter().any(|&l| {
                 let line = point(l) - point(k);
-                in_cone(k, line) && in_cone(l, -line)
+                room(k) + room(l) < 0.0 && in_cone(k, line) && in_cone(l, -line)
             })
         })
     }

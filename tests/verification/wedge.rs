@@ -80,6 +80,28 @@ fn a_tilted_rod_is_not_locked() {
     assert!(run.spin(0).norm() > 0.1, "{}", run.spin(0));
 }
 
+/// A ball between two walls that it does not touch at once rebounds from one after the other.
+#[test]
+fn a_slot_wider_than_the_ball_lets_it_rebound() {
+    let slack = 2.0 * RESTITUTION * SPEED * STEP;
+    let walls = [Vec3::x(), -Vec3::x()].map(|n| {
+        let point = -n * (RADIUS + 0.5 * slack);
+        HalfSpace::new(point, n).expect("a plane").into()
+    });
+    let mut run = Case::new(STEP, 0.3, RESTITUTION)
+        .without_gravity()
+        .wall(walls.to_vec())
+        .sphere(RADIUS, Vec3::zeros(), Vec3::x() * SPEED)
+        .start();
+    for share in [-RESTITUTION, RESTITUTION * RESTITUTION] {
+        let before = run.velocity(0).x;
+        while run.velocity(0).x == before {
+            run.step();
+        }
+        close(run.velocity(0).x, share * SPEED, 1e-9, 0.0);
+    }
+}
+
 /// What it has locked the groove carries.
 #[test]
 fn what_is_locked_stays() {
