@@ -241,16 +241,10 @@ impl Assembly<'_> {
             across.norm() <= friction * along
         };
         let point = |k: usize| rows.with(k, |row| row.arm_a);
-        // The speed at which the body may approach; negative where it must part.
-        let room = |k: usize| {
-            rows.with(k, |row| {
-                (row.bias + row.prescribed_velocity).dot(&row.normal)
-            })
-        };
         contacts.iter().enumerate().any(|(at, &k)| {
             contacts[at + 1..].iter().any(|&l| {
                 let line = point(l) - point(k);
-                room(k) + room(l) < 0.0 && in_cone(k, line) && in_cone(l, -line)
+                rows.bias(k) + rows.bias(l) < 0.0 && in_cone(k, line) && in_cone(l, -line)
             })
         })
     }

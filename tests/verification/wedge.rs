@@ -54,7 +54,8 @@ fn falls(friction: f64, tilt: Option<f64>, velocity: Vec3) -> Run {
 #[test]
 fn a_groove_lets_rebound_what_friction_does_not_lock() {
     for tilt in [None, Some(0.0)] {
-        for velocity in [Vec3::zeros(), Vec3::new(0.2, 0.0, 0.3)] {
+        let up = Vec3::new(0.2, 0.0, 0.3);
+        for velocity in [Vec3::zeros(), up, -up] {
             for (friction, share) in [(0.2, RESTITUTION), (0.3, 0.0)] {
                 let mut run = falls(friction, tilt, velocity);
                 run.step();
