@@ -49,13 +49,16 @@ impl Solved<'_> {
         for i in sleepers.beyond(WAKING) {
             state.calm[i] = 0;
         }
-        let mut calm = self.calm_spheres(state);
+        let reported: Vec<_> = (0..state.calm.len())
+            .map(|i| self.reported(state, i))
+            .collect();
+        let mut calm = self.calm_spheres(state, &reported);
         for spring in &scene.springs {
             calm[spring.sphere] = false;
         }
         let slow = scene.settings.rest_speed;
         for load in state.contacts.iter() {
-            if self.slip(state, load) > slow || !self.is_on_ground(load.key) {
+            if self.slip(&reported, load) > slow || !self.is_on_ground(load.key) {
                 load.key.spheres().for_each(|i| calm[i] = false);
             }
         }
@@ -85,12 +88,12 @@ impl Solved<'_> {
         }
     }
 
-    /// Whether each sphere is slow.
-    fn calm_spheres(&self, state: &State) -> Vec<bool> {
+    /// Whether each sphere is slow at its `reported` velocity, `[N]`.
+    fn calm_spheres(&self, state: &State, reported: &[SpatialVector]) -> Vec<bool> {
         let scene = self.prediction().scene;
         let (slow, radius) = (scene.settings.rest_speed, &scene.particles.radius);
         let calm = |i: usize| {
-            let v = self.reported(state, i);
+            let v = &reported[i];
             state.kinematics.present[i]
                 && v.linear.norm() <= slow
                 && v.angular.norm() * radius[i] <= SPIN * slow
@@ -120,11 +123,11 @@ impl Solved<'_> {
         integrator.reported(&velocity, &state.smooth[i], self.prediction().step)
     }
 
-    /// Speed of the surfaces of a contact against each other, on a boundary at rest \[m/s\].
-    fn slip(&self, state: &State, load: &ContactForce) -> f64 {
+    /// Speed of the surfaces of a contact against each other, on a boundary at rest \[m/s\], at the `reported` velocities, `[N]`.
+    fn slip(&self, reported: &[SpatialVector], load: &ContactForce) -> f64 {
         let radius = &self.prediction().scene.particles.radius;
         let one = |i: usize| {
-            let v = self.reported(state, i);
+            let v = &reported[i];
             (v.linear, v.angular * radius[i])
         };
         let (own, spin) = one(load.key.sphere as usize);
