@@ -55,15 +55,17 @@ impl NeighborList {
     /// Makes sure that every pair is listed whose gap in `now` is at most what its spheres `reach`, `[N]` or none, and for a
     /// boundary `carried` \[m\] more.
     pub fn ensure(&mut self, now: &Configuration, reach: &[DetectionDistance], carried: f64) {
-        self.boundaries.ensure(now, reach, carried, &self.pool);
-        let stale = self.stale(now, reach);
+        let smallest = now.particles.smallest_radius();
+        self.boundaries
+            .ensure(now, reach, (carried, smallest), &self.pool);
+        let stale = self.stale(now, reach, smallest);
         if stale.is_empty() {
             return;
         }
         if stale.len() * SHARE > now.position.len() || !now.cell.is_open() {
-            self.build(now, reach);
+            self.build(now, reach, smallest);
         } else {
-            self.renew(now, reach, &stale);
+            self.renew(now, reach, (&stale, smallest));
         }
     }
 
@@ -84,8 +86,13 @@ impl NeighborList {
         (&self.pairs[pairs[0]..pairs[1]], &near[walls[0]..walls[1]])
     }
 
-    /// Spheres whose pairs have to be found anew.
-    fn stale(&mut self, now: &Configuration, reach: &[DetectionDistance]) -> Vec<u32> {
+    /// Spheres whose pairs have to be found anew; the `smallest` radius is known \[m\].
+    fn stale(
+        &mut self,
+        now: &Configuration,
+        reach: &[DetectionDistance],
+        smallest: f64,
+    ) -> Vec<u32> {
         if self.present.len() != now.present.len() {
             *self = Self {
                 skin: vec![0.0; now.present.len()],
@@ -111,7 +118,6 @@ impl NeighborList {
             }
             self.common = sum / f64::max(count, 1.0);
         }
-        let smallest = now.particles.smallest_radius();
         let is_stale = |i: usize, share: f64| {
             if !now.present[i] || !self.present[i] {
                 return now.present[i] != self.present[i];
@@ -135,9 +141,9 @@ impl NeighborList {
             stale
         };
         let left = all_stale(1.0);
-        // A few fast ones go alone, step after step.
+        // A few fast ones go alone, step after step; at the end of a step all that left do, for the next one asks for more.
         let is_fast = |&i: &u32| self.skin[i as usize] > FAST * now.particles.radius[i as usize];
-        if left.len() <= FEW && left.iter().all(is_fast) {
+        if reach.is_empty() || (left.len() <= FEW && left.iter().all(is_fast)) {
             return left;
         }
         all_stale(SOON)
@@ -165,8 +171,7 @@ impl NeighborList {
     }
 
     /// Finds all pairs.
-    fn build(&mut self, now: &Configuration, reach: &[DetectionDistance]) {
-        let smallest = now.particles.smallest_radius();
+    fn build(&mut self, now: &Configuration, reach: &[DetectionDistance], smallest: f64) {
         for i in 0..self.skin.len() {
             self.skin[i] = self.wanted(i, reach, (now.particles.radius[i], smallest));
         }
@@ -189,8 +194,12 @@ impl NeighborList {
     }
 
     /// Finds the pairs of the spheres that are `stale`, ascending.
-    fn renew(&mut self, now: &Configuration, reach: &[DetectionDistance], stale: &[u32]) {
-        let smallest = now.particles.smallest_radius();
+    fn renew(
+        &mut self,
+        now: &Configuration,
+        reach: &[DetectionDistance],
+        (stale, smallest): (&[u32], f64),
+    ) {
         let mut kept = vec![true; self.skin.len()];
         for i in stale.iter().map(|&i| i as usize) {
             self.skin[i] = self.wanted(i, reach, (now.particles.radius[i], smallest));
@@ -289,7 +298,8 @@ mod tests {
         assert_eq!(others(&moving), others(&resting));
     }
 
-    /// Where a few fast spheres leave their skins the others keep theirs; where others do, those join them that would soon follow.
+    /// Where a few fast spheres leave their skins the others keep theirs; where others do, those join them that would soon follow, but
+    /// for the end of a step.
     #[test]
     fn a_few_fast_ones_go_alone() {
         let count = 100;
@@ -301,7 +311,7 @@ mod tests {
         let start: Vec<Vec3> = (0..count).map(|k| Vec3::x() * k as f64).collect();
         let skin = 0.5 * SKIN * 0.48;
         // The first are fast, some of the others leave their skins, and every second of those has gone most of its way.
-        let renewed = |fast: usize, slow: usize| {
+        let renewed = |fast: usize, slow: usize, ends: bool| {
             let mut reach = vec![DetectionDistance::default(); count];
             let mut end = start.clone();
             for (k, x) in end.iter_mut().enumerate() {
@@ -319,7 +329,8 @@ mod tests {
                 *x += Vec3::y() * path;
             }
             let mut list = NeighborList::default();
-            for (position, reach) in [(&start, &reach[..]), (&end, &[])] {
+            let then = if ends { &[] } else { &reach[..] };
+            for (position, reach) in [(&start, &reach[..]), (&end, then)] {
                 let now = Configuration {
                     particles: &particles,
                     position,
@@ -333,8 +344,13 @@ mod tests {
             let moved = |k: &usize| list.anchor[*k] != start[*k];
             (0..count).filter(moved).count()
         };
-        assert_eq!([0, 1, FEW].map(|fast| renewed(fast, 0)), [0, 1, FEW]);
-        assert!(renewed(FEW + 1, 0) > count / 2 && renewed(1, 1) > count / 2);
+        assert_eq!([0, 1, FEW].map(|fast| renewed(fast, 0, false)), [0, 1, FEW]);
+        let joined = [(FEW + 1, 0), (1, 1)].map(|(fast, slow)| renewed(fast, slow, false));
+        assert!(joined.iter().all(|&joined| joined > count / 2));
+        assert_eq!(
+            [(FEW + 1, 0), (1, 1)].map(|(fast, slow)| renewed(fast, slow, true)),
+            [FEW + 1, 2]
+        );
     }
 
     proptest! {

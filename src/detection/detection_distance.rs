@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use crate::Vec3;
 use crate::parallel::Pool;
-use crate::spatial::extent::{around, joined, larger};
+use crate::spatial::extent::larger;
 
 /// Skin of a pair, and of a sphere to boundaries, over the smallest radius when nothing moves.
 pub(super) const SKIN: f64 = 0.1;
@@ -24,16 +24,16 @@ pub struct DetectionDistance {
 
 impl DetectionDistance {
     /// Into `reach`, `[N]`, that of every sphere that has one of two `velocities(i)` \[m/s\] for a `step` \[s\], and `more(i)` \[m\];
-    /// what all have in common is the middle of all velocities.
+    /// what all have in common is the mean of all velocities.
     pub(crate) fn of(
         velocities: impl Fn(usize) -> [Vec3; 2] + Sync,
         step: f64,
         more: impl Fn(usize) -> f64 + Sync,
         (reach, pool): (&mut [Self], &Pool),
     ) {
-        let extent = |_, spheres: Range<usize>| around(spheres.flat_map(&velocities));
-        let (low, high) = pool.pieces(0..reach.len(), extent, joined);
-        let common = (low + high) * 0.5;
+        let sum = |_, spheres: Range<usize>| spheres.flat_map(&velocities).sum::<Vec3>();
+        let sum = pool.pieces(0..reach.len(), sum, |a, b| a + b);
+        let common = sum / f64::max(2.0 * reach.len() as f64, 1.0);
         let length = |velocities: [Vec3; 2]| {
             let squared = velocities.map(|v| v.norm_squared());
             step * larger(squared[0], squared[1]).sqrt()
@@ -62,12 +62,12 @@ impl DetectionDistance {
 mod tests {
     use super::*;
 
-    /// The last of many has another velocity than all others: what they have in common is the middle.
+    /// The second half of many has another velocity than the first: what they have in common is the mean, whatever each piece has.
     #[test]
     fn the_common_motion_is_that_of_all_pieces() {
-        let mut reach = vec![DetectionDistance::default(); 2000];
+        let mut reach = vec![DetectionDistance::default(); 2048];
         let velocities = |i: usize| match i {
-            1999 => [Vec3::x(); 2],
+            1024.. => [Vec3::x() * 1.5; 2],
             _ => [Vec3::x() * 2.0, Vec3::x() * 3.0],
         };
         DetectionDistance::of(velocities, 0.1, |_| 1.0, (&mut reach, &Pool::default()));

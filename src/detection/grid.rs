@@ -24,6 +24,8 @@ const CELLS: usize = 4;
 const FEWEST: usize = 1024;
 /// Edge of a cell over the largest diameter, so that rounding cannot put near spheres two cells apart.
 const MARGIN: f64 = 1.0 + 1e-5;
+/// How often the cells around chosen spheres may be doubled in length sooner than they are scattered.
+const DOUBLINGS: u32 = 4;
 /// So many spheres look at all others sooner than a grid is made.
 pub(super) const FEW: usize = 4;
 
@@ -45,7 +47,7 @@ pub(crate) fn pairs_up_to(
     size: &[f64],
     pool: &Pool,
 ) -> Vec<(u32, u32)> {
-    let grids = Grids::new(position, present, size);
+    let grids = Grids::new(members(position, present, size), 0);
     let mut pairs = Vec::new();
     for (k, grid) in grids.0.iter().enumerate() {
         let coarser = &grids.0[k + 1..];
@@ -68,27 +70,28 @@ pub(super) fn pairs_of(
     let chosen = chosen.map(|&i| Member::new(i, position, size));
     let chosen: Vec<Member> = chosen.collect();
     let mut pairs = Vec::new();
+    let all = members(position, present, size);
     if chosen.len() <= FEW {
-        let present = (0..).zip(present).filter(|(_, present)| **present);
-        let others = present.map(|(j, _)| Member::new(j, position, size));
         let mut search = Search::default();
-        search.others.extend(others);
+        search.others.extend(all);
         chosen
             .iter()
             .for_each(|own| search.test(own, 0, &mut pairs));
     } else {
-        let grids = Grids::new(position, present, size);
-        let around = |range: Range<usize>, pairs: &mut Vec<_>| {
+        // All others look around for the chosen ones: no grid of all is made.
+        let grids = Grids::new(chosen.into_iter(), DOUBLINGS);
+        let around = |spheres: Range<usize>, pairs: &mut Vec<_>| {
             let mut search = Search::default();
-            for own in &chosen[range] {
+            for j in spheres.filter(|&j| present[j]) {
+                let own = Member::new(j as u32, position, size);
                 search.others.clear();
                 for grid in &grids.0 {
-                    grid.around(own, &mut search.others);
+                    grid.around(&own, &mut search.others);
                 }
-                search.test(own, 0, pairs);
+                search.test(&own, 0, pairs);
             }
         };
-        pool.collect(chosen.len(), around, &mut pairs);
+        pool.collect(position.len(), around, &mut pairs);
     }
     pairs.sort_unstable();
     pairs.dedup();
@@ -112,6 +115,16 @@ impl Member {
             index,
         }
     }
+}
+
+/// All that are present.
+fn members<'a>(
+    position: &'a [Vec3],
+    present: &'a [bool],
+    size: &'a [f64],
+) -> impl Iterator<Item = Member> + Clone + 'a {
+    let spheres = (0..).zip(present).filter(|(_, present)| **present);
+    spheres.map(|(i, _)| Member::new(i, position, size))
 }
 
 /// What a sphere is tested against.
@@ -146,22 +159,22 @@ impl Search {
 struct Grids(Vec<Grid>);
 
 impl Grids {
-    fn new(position: &[Vec3], present: &[bool], size: &[f64]) -> Self {
-        let spheres = || (0..position.len()).filter(|&i| present[i]);
-        let smallest = spheres().map(|i| size[i]).fold(f64::INFINITY, f64::min);
+    fn new(members: impl Iterator<Item = Member> + Clone, doublings: u32) -> Self {
+        let sizes = members.clone().map(|own| own.size);
+        let smallest = sizes.fold(f64::INFINITY, f64::min);
         // The exponent of a number is its logarithm, rounded down.
-        let level = |i: usize| ((size[i] / smallest).to_bits() >> 52) as usize;
-        let one = (1.0_f64.to_bits() >> 52) as usize;
+        let exponent = |x: f64| (x.to_bits() >> 52) as usize;
         let mut levels: Vec<Vec<Member>> = Vec::new();
-        for i in spheres() {
-            let level = level(i).saturating_sub(one).min(LEVELS);
+        for own in members {
+            let level = exponent(own.size / smallest).saturating_sub(exponent(1.0));
+            let level = level.min(LEVELS);
             if level >= levels.len() {
                 levels.resize_with(level + 1, Vec::new);
             }
-            levels[level].push(Member::new(i as u32, position, size));
+            levels[level].push(own);
         }
         let levels = levels.into_iter().filter(|level| !level.is_empty());
-        Self(levels.map(Grid::new).collect())
+        Self(levels.map(|level| Grid::new(level, doublings)).collect())
     }
 }
 
@@ -183,7 +196,8 @@ struct Grid {
 }
 
 impl Grid {
-    fn new(level: Vec<Member>) -> Self {
+    /// Of the spheres of a `level`, with cells that may grow by so many `doublings` where they are many.
+    fn new(level: Vec<Member>, doublings: u32) -> Self {
         let (low, high) = around(level.iter().map(|own| own.position));
         let largest = level.iter().map(|own| own.size).fold(0.0, f64::max);
         let mut grid = Self {
@@ -196,20 +210,29 @@ impl Grid {
             members: Vec::new(),
             largest,
         };
-        let most = CELLS * level.len() + FEWEST;
-        let count = grid.place(high).map(|last| last.saturating_add(2));
-        let product = count.iter().map(|&n| f64::from(n)).product::<f64>();
-        let cells = if product <= most as f64 {
-            grid.count = Some(count);
-            grid.stride = [count[0] as u32, (count[0] * count[1]) as u32];
-            product as usize
-        } else {
-            // Multiples of these fractions are far from whole numbers and from each other: rows of cells that are searched
-            // together have no cell in common.
-            let cells = (2 * level.len()).next_power_of_two().max(FEWEST);
-            grid.mask = cells as u32 - 1;
-            grid.stride = [0.618, 0.2764].map(|share| (share * cells as f64) as u32 | 1);
-            cells
+        let most = (CELLS * level.len() + FEWEST) as f64;
+        let finest = grid.per_length;
+        let mut box_of = |doubled: u32| {
+            grid.per_length = finest / f64::from(1 << doubled);
+            let count = grid.place(high).map(|last| last.saturating_add(2));
+            let cells = count.iter().map(|&n| f64::from(n)).product::<f64>();
+            (cells <= most).then_some((count, cells as usize))
+        };
+        let cells = match (0..=doublings).find_map(&mut box_of) {
+            Some((count, cells)) => {
+                grid.count = Some(count);
+                grid.stride = [count[0] as u32, (count[0] * count[1]) as u32];
+                cells
+            }
+            None => {
+                let cells = (2 * level.len()).next_power_of_two().max(FEWEST);
+                grid.per_length = finest;
+                grid.mask = cells as u32 - 1;
+                // Multiples of these fractions are far from whole numbers and from each other: rows of cells that are searched
+                // together have no cell in common.
+                grid.stride = [0.618, 0.2764].map(|share| (share * cells as f64) as u32 | 1);
+                cells
+            }
         };
         let place = |own: &Member| grid.key(grid.place(own.position));
         let keys: Vec<u32> = level.iter().map(place).collect();
@@ -350,11 +373,23 @@ mod tests {
         );
     }
 
+    /// One of `every` so many spheres.
+    fn chosen(every: usize, position: &[Vec3]) -> Vec<u32> {
+        (0..position.len() as u32).step_by(every).collect()
+    }
+
+    /// Those of `pairs` that have one of them.
+    fn theirs(every: usize, pairs: &[(u32, u32)]) -> Vec<(u32, u32)> {
+        let is_chosen = |i: u32| (i as usize).is_multiple_of(every);
+        let own = pairs.iter().filter(|(i, j)| is_chosen(*i) || is_chosen(*j));
+        own.copied().collect()
+    }
+
     proptest! {
         /// Sizes over three decades: several levels.
         #[test]
         fn the_grid_finds_what_all_pairs_find(
-            spheres in prop::collection::vec((prop::array::uniform3(-3.0..3.0f64), -5.0..1.0f64), 0..80),
+            spheres in prop::collection::vec((prop::array::uniform3(-3.0..3.0f64), -5.0..1.0f64), 0..200),
         ) {
             let position: Vec<Vec3> = spheres.iter().map(|(p, _)| Vec3::from(*p)).collect();
             let size: Vec<f64> = spheres.iter().map(|(_, s)| s.exp()).collect();
@@ -370,11 +405,8 @@ mod tests {
             }
             prop_assert_eq!(&sphere_pairs(&position, &present, &size, &Pool::default()), &expected);
             // Of some of the spheres, few or many.
-            for every in [3, 20] {
-                let chosen: Vec<u32> = (0..position.len() as u32).step_by(every).collect();
-                let own = |(i, j): &(u32, u32)| chosen.contains(i) || chosen.contains(j);
-                let theirs: Vec<(u32, u32)> = expected.iter().copied().filter(own).collect();
-                prop_assert_eq!(pairs_of(&chosen, &position, &present, &size, &Pool::default()), theirs);
+            for every in [3, 12, 30] {
+                prop_assert_eq!(pairs_of(&chosen(every, &position), &position, &present, &size, &Pool::default()), theirs(every, &expected));
             }
         }
 
@@ -396,7 +428,10 @@ mod tests {
                 }
             }
             let present = vec![true; position.len()];
-            prop_assert_eq!(sphere_pairs(&position, &present, &size, &Pool::default()), expected);
+            prop_assert_eq!(&sphere_pairs(&position, &present, &size, &Pool::default()), &expected);
+            for every in [3, 12, 30] {
+                prop_assert_eq!(pairs_of(&chosen(every, &position), &position, &present, &size, &Pool::default()), theirs(every, &expected));
+            }
         }
     }
 }

@@ -74,12 +74,12 @@ impl NearBoundaries {
     }
 
     /// Makes sure that all are known that have a gap of at most what their sphere may `reach`, `[N]` or none, and `carried` \[m\]
-    /// more in `now`.
+    /// more in `now`, whose `smallest` radius is known \[m\].
     pub(super) fn ensure(
         &mut self,
         now: &Configuration,
         reach: &[DetectionDistance],
-        carried: f64,
+        (carried, smallest): (f64, f64),
         pool: &Pool,
     ) {
         if self.known.len() != now.position.len() || self.poses.len() != now.poses.len() {
@@ -93,7 +93,6 @@ impl NearBoundaries {
             };
         }
         self.carry(now);
-        let smallest = now.particles.smallest_radius();
         let wanted = |i: usize, moved: f64| match reach.get(i) {
             Some(own) => (STEPS * (own.boundaries + carried)).max(SKIN * smallest),
             // Nothing is said about its motion: as far as it has moved.
