@@ -56,7 +56,7 @@ pub fn solve(
     }
     let velocity = &mut workspace.velocity;
     match last {
-        Last::Sweeps => workspace.kernel.velocities_into(velocity),
+        Last::Sweeps => workspace.kernel.velocities_into(problem, velocity),
         Last::Factor => problem.velocities_into(impulses, velocity),
     }
     report

@@ -71,7 +71,7 @@ impl Kernel {
         if parts == 1 {
             return counting_sort(contacts, groups, ends, order);
         }
-        let place = |k: &u32| self.place[rows.bodies(*k as usize)[0] as usize];
+        let place = |k: &u32| self.seats.places()[rows.bodies(*k as usize)[0] as usize];
         let places = (place, self.held.len());
         counting_sort(contacts, places, ends, &mut self.by_place);
         counting_sort(self.by_place.iter().copied(), groups, ends, order);
@@ -79,7 +79,7 @@ impl Kernel {
 
     /// Which rows each of the `blocks` of all groups has.
     pub(super) fn share_out<T: Real>(&mut self, problem: &Problem, blocks: &mut Vec<Batch<T>>) {
-        let (parts, spheres) = (self.layout.parts(), problem.inverse_mass.len());
+        let parts = self.layout.parts();
         self.contents.rows.clear();
         let (mut resisted, mut levered) = (0, 0);
         self.turns.iter_mut().for_each(ArrayVec::clear);
@@ -93,23 +93,20 @@ impl Kernel {
         let mut start = 0;
         for (group, &end) in self.ends[..2 * parts].iter().enumerate() {
             let (turn, low) = turn_of(group, parts);
-            let part = |k: usize| {
-                let range = self.layout.part(k, spheres);
-                range.start + k..range.end + k + 1
-            };
+            let part = |k: usize| self.seats.part(k);
             let bodies = match turn {
                 0 => part(low),
                 1 | 2 => part(low).start..part(low + 1).end,
-                _ => 0..problem.free.len() + parts,
+                _ => 0..self.seats.count(),
             };
             let rows = &self.order[start..end as usize];
             start = end as usize;
             let (first, first_resisted, first_levered) = (open.used, resisted, levered);
             let range = Bodies {
                 first: bodies.start as u32,
-                still: (part(low).end - 1 - bodies.start) as u32,
+                still: (self.seats.still(low) - bodies.start) as u32,
             };
-            open.take(problem.rows.all_bodies(), rows, &self.place, range);
+            open.take(problem.rows.all_bodies(), rows, self.seats.places(), range);
             let blocks = first..open.used;
             if !self.kinds.are_plain() {
                 for k in blocks.clone() {
@@ -136,15 +133,15 @@ impl Kernel {
                 });
             }
         }
-        let (first, bodies) = (open.used, 0..problem.free.len() + parts);
+        let (first, bodies) = (open.used, 0..self.seats.count());
         let range = Bodies {
             first: 0,
-            still: self.layout.part(0, spheres).end as u32,
+            still: self.seats.still(0) as u32,
         };
         for &end in &self.ends[2 * parts..] {
             let rows = &self.order[start..end as usize];
             start = end as usize;
-            open.take(problem.rows.all_bodies(), rows, &self.place, range);
+            open.take(problem.rows.all_bodies(), rows, self.seats.places(), range);
         }
         let on_heavy = first..open.used;
         for (at, k) in on_heavy.clone().enumerate() {
@@ -184,7 +181,7 @@ impl Kernel {
                 *source = resistances(&problem.rows, rows, kinds, length);
             }
             if let Some(heavy) = contents.heavy.get_mut(block.heavy as usize) {
-                let parts = heavy.fill((problem, rows), &self.place, length, registers);
+                let parts = heavy.fill((problem, rows), self.seats.places(), length, registers);
                 contents.heavy_parts.push(parts);
             }
             let at = block.levers as usize;

@@ -34,6 +34,7 @@ mod partition;
 #[cfg(target_arch = "x86_64")]
 mod registers;
 mod resistance;
+mod seats;
 mod sharing;
 mod update;
 

@@ -1,7 +1,7 @@
 //! A problem compiled for sweeps: contacts of spheres in blocks, every other row as it is.
 
-use std::iter::repeat;
 use std::mem::take;
+use std::ops::Range;
 
 use arrayvec::ArrayVec;
 
@@ -17,6 +17,7 @@ use super::light::LightSpheres;
 use super::local::Source;
 use super::partition::{PARTS, Partition};
 use super::resistance;
+use super::seats::Seats;
 use super::sharing::Sharing;
 use crate::Vec3;
 use crate::parallel::Pool;
@@ -39,14 +40,15 @@ pub struct Kernel {
     pub(super) single: bool,
     pub(super) exact: Batches<f64>,
     pub(super) quick: Batches<f32>,
-    /// Factor on the impulses of `quick`: the largest inverse mass.
+    /// Factor on the impulses of `quick`: about the largest inverse mass.
     pub(super) unit: f64,
     pub(super) pool: Pool,
     pub(super) layout: Partition,
     pub(super) turns: Colours,
-    /// Where each body is, `[N + M]`. Each part ends with a body that never moves; behind them all are those that are in no part.
-    pub(super) place: Vec<u32>,
-    /// Length by which each body's spin is scaled \[m\], `[N + M]`: its radius; zero where no contact gives it.
+    /// Where the bodies are that rows touch.
+    pub(super) seats: Seats,
+    /// Length by which each body's spin is scaled \[m\], `[N + M]`: its radius; zero where no contact gives it. Only of those that
+    /// have a place.
     pub(super) radius: Vec<f64>,
     pub(super) others: GeneralRows,
     light: LightSpheres,
@@ -85,6 +87,8 @@ struct SharedOut {
     bodies: Vec<[u32; 2]>,
     kinds: Kinds,
     sharing: Sharing,
+    /// How many spheres, parts and bodies there were.
+    counts: [usize; 3],
 }
 
 impl Contents {
@@ -125,23 +129,24 @@ impl Kernel {
     pub(super) fn compile(&mut self, problem: &Problem, tolerance: &Tolerance, impulses: &[Vec3]) {
         let spheres = problem.inverse_mass.len();
         self.tolerance = *tolerance;
-        let same = |v: &Vec3| v.x == v.y && v.y == v.z;
-        let radii = problem.rows.radii().iter().copied().chain(repeat(0.0));
-        self.radius.clear();
-        self.radius
-            .extend(problem.inverse_mass.iter().zip(radii).map(|(w, radius)| {
-                match same(&w.linear) && same(&w.angular) {
-                    true => radius,
-                    false => NO_SPHERE,
-                }
-            }));
-        self.radius.resize(problem.free.len(), NO_SPHERE);
         self.layout.fit(spheres);
+        let seated = self.is_seated(problem);
+        if !seated {
+            self.seats.assign(&self.layout, problem);
+        }
+        let same = |v: &Vec3| v.x == v.y && v.y == v.z;
+        self.radius.resize(problem.free.len(), NO_SPHERE);
+        for i in self.seats.bodies() {
+            self.radius[i] = match problem.inverse_mass.get(i) {
+                Some(w) if same(&w.linear) && same(&w.angular) => problem.rows.radii()[i],
+                _ => NO_SPHERE,
+            };
+        }
         self.kinds
             .find(problem, &self.radius, &mut self.sharing, &self.pool);
         let [length, force] = SINGLE;
         let single = tolerance.gap.min(tolerance.slip) >= length && tolerance.force >= force;
-        let known = single == self.single && self.holds(problem);
+        let known = single == self.single && seated && self.holds_alike();
         self.single = single;
         match single {
             true => {
@@ -161,10 +166,12 @@ impl Kernel {
         let kinds = &self.kinds;
         self.others.take(problem, impulses, kinds.single());
         let others = problem.operators.iter().map(|w| w.linear.diagonal().max());
-        let masses = problem.inverse_mass.iter().map(|w| w.linear.max());
-        let masses = masses.chain(others);
+        let spheres = self.seats.bodies();
+        let masses = spheres.filter_map(|i| Some(problem.inverse_mass.get(i)?.linear.max()));
+        let largest = masses.chain(others).fold(f64::MIN_POSITIVE, f64::max);
         self.unit = match self.single {
-            true => masses.fold(f64::MIN_POSITIVE, f64::max),
+            // Without its mantissa: powers of two leave all bits as they are, whichever spheres have a place.
+            true => f64::from_bits(largest.to_bits() & f64::INFINITY.to_bits()),
             false => 1.0,
         };
         let exact = self.contents.exact(problem, self.unit);
@@ -183,16 +190,23 @@ impl Kernel {
         self.light.forget();
     }
 
-    /// Whether the rows of `problem` would be shared out as those in the blocks were.
-    fn holds(&self, problem: &Problem) -> bool {
-        let (rows, spheres) = (&problem.rows, problem.inverse_mass.len());
-        let (parts, shared_out) = (self.layout.parts(), &self.shared_out);
-        let interiors = self.turns[0].last().map(|group| group.bodies.end);
+    /// Whether bodies have the places that they would get for `problem`.
+    fn is_seated(&self, problem: &Problem) -> bool {
+        let (bodies, shared_out) = (problem.rows.all_bodies(), &self.shared_out);
         !shared_out.bodies.is_empty()
-            && shared_out.bodies == rows.all_bodies()
-            && shared_out.kinds == self.kinds
-            && shared_out.sharing == self.sharing
-            && (interiors, self.place.len()) == (Some(spheres + parts), problem.free.len())
+            && shared_out.bodies == bodies
+            && shared_out.counts == self.counts(problem)
+    }
+
+    /// How many spheres, parts and bodies there are.
+    fn counts(&self, problem: &Problem) -> [usize; 3] {
+        let spheres = problem.inverse_mass.len();
+        [spheres, self.layout.parts(), problem.free.len()]
+    }
+
+    /// Whether rows of the same bodies would be shared out as those in the blocks were.
+    fn holds_alike(&self) -> bool {
+        self.shared_out.kinds == self.kinds && self.shared_out.sharing == self.sharing
     }
 
     /// Makes `blocks` those of `problem`; they are `known` to have its rows.
@@ -204,24 +218,19 @@ impl Kernel {
         self.add_extras(&problem.rows, blocks);
     }
 
-    /// Puts the bodies in their places, and the rows into blocks.
+    /// Puts the rows into blocks.
     fn divide<T: Real>(&mut self, problem: &Problem, blocks: &mut Vec<Batch<T>>) {
-        let spheres = problem.inverse_mass.len();
-        let (layout, parts) = (&self.layout, self.layout.parts());
-        refill(&mut self.held, problem.free.len() + parts, 0);
-        self.place.clear();
-        self.place.extend((0..problem.free.len()).map(|i| {
-            let (place, part) = layout.seat(i, spheres).unwrap_or((i, parts));
-            (place + part) as u32
-        }));
+        refill(&mut self.held, self.seats.count(), 0);
         self.sort(problem);
         self.share_out(problem, blocks);
+        let counts = self.counts(problem);
         let shared_out = &mut self.shared_out;
         shared_out.bodies.clear();
         let bodies = problem.rows.all_bodies();
         shared_out.bodies.extend_from_slice(bodies);
         shared_out.kinds.clone_from(&self.kinds);
         shared_out.sharing.clone_from(&self.sharing);
+        shared_out.counts = counts;
     }
 
     /// Says where the spheres are, `[N]` \[m\], whose largest diameter is `diameter` \[m\]; and of each body behind them, `[M]`, a sphere
@@ -292,7 +301,7 @@ impl Kernel {
             false => self.exact.push(exact, turns, pool, &mut bodies),
         }
         self.exact.bodies = bodies;
-        let mut bodies = Bodies::of(&mut self.exact.bodies, &self.place, &self.radius);
+        let mut bodies = Bodies::of(&mut self.exact.bodies, self.seats.places(), &self.radius);
         self.others.push(problem, &mut bodies);
         match self.single {
             true => self
@@ -304,9 +313,8 @@ impl Kernel {
 
     /// Places all bodies as they move without impulses.
     fn free(&self, problem: &Problem, bodies: &mut Vec<Body<f64>>) {
-        let (layout, spheres) = (&self.layout, problem.inverse_mass.len());
-        let parts = self.turns[0].len();
-        bodies.resize(problem.free.len() + parts, Body::default());
+        let (seats, spheres) = (&self.seats, problem.inverse_mass.len());
+        bodies.resize(seats.count(), Body::default());
         let body = |i: usize| {
             let (v, scale) = (&problem.free[i], spin_scale(&self.radius, i));
             // Of others each contact says how they turn, and how they move if not alike in all directions.
@@ -320,41 +328,39 @@ impl Kernel {
             let (v, s) = (v.linear, v.angular * scale);
             Body([v.x, v.y, v.z, m, s.x, s.y, s.z, k])
         };
-        let (bodies, others) = bodies.split_at_mut(spheres + parts);
+        let behind = seats.behind();
+        let place = |places: Range<usize>, own: &mut [Body<f64>]| {
+            for (own, who) in own.iter_mut().zip(seats.at(places)) {
+                *own = who.map_or_else(Body::default, body);
+            }
+        };
+        let (parts, others) = bodies.split_at_mut(behind.start);
+        place(behind, others);
         let ranges = self.turns[0].iter().map(|group| group.bodies.clone());
-        let mut own: ArrayVec<_, PARTS> = split(bodies, ranges).into_iter().enumerate().collect();
-        self.pool.each(spheres / BODIES, &mut own, |(part, own)| {
-            let places = layout.part(*part, spheres);
-            // The last never moves.
-            own[places.len()] = Body::default();
-            for (own, place) in own.iter_mut().zip(places) {
-                *own = body(layout.sphere(place));
-            }
-        });
-        drop(own);
-        for (i, other) in (spheres..).zip(others) {
-            match layout.seat(i, spheres) {
-                None => *other = body(i),
-                Some((place, part)) => bodies[place + part] = body(i),
-            }
-        }
+        let mut own: ArrayVec<_, PARTS> = split(parts, ranges.clone())
+            .into_iter()
+            .zip(ranges)
+            .collect();
+        self.pool
+            .each(seats.count() / BODIES, &mut own, |(own, places)| {
+                place(places.clone(), own)
+            });
     }
 
     /// Writes the velocities of all bodies \[m/s\], \[rad/s\], `[N + M]`: those of the impulses that were judged last.
-    pub(crate) fn velocities_into(&self, velocities: &mut Vec<SpatialVector>) {
-        velocities.resize(self.place.len(), SpatialVector::ZERO);
+    pub(crate) fn velocities_into(&self, problem: &Problem, velocities: &mut Vec<SpatialVector>) {
+        velocities.resize(problem.free.len(), SpatialVector::ZERO);
+        let bodies = &self.exact.bodies[..];
+        let of = |i: usize| match self.seats.of(i) {
+            Some(place) => bodies[place].velocity(spin_scale(&self.radius, i)),
+            None => problem.free[i],
+        };
         let read = |first, velocities: &mut [SpatialVector]| {
             for (i, velocity) in (first..).zip(velocities) {
-                *velocity = self.velocity_of(i, self.place[i]);
+                *velocity = of(i);
             }
         };
         self.pool.pieces(&mut velocities[..], read, |(), ()| ());
-    }
-
-    /// Velocity of body `i` at place `at`.
-    #[inline]
-    fn velocity_of(&self, i: usize, at: u32) -> SpatialVector {
-        self.exact.bodies[at as usize].velocity(spin_scale(&self.radius, i))
     }
 
     /// The residual of the impulses, with velocities taken anew from them, always in double precision.
@@ -367,7 +373,7 @@ impl Kernel {
             true => self.quick.judge(exact, moving, turns, pool),
             false => self.exact.judge(exact, moving, turns, pool),
         };
-        let bodies = Bodies::of(&mut self.exact.bodies, &self.place, &self.radius);
+        let bodies = Bodies::of(&mut self.exact.bodies, self.seats.places(), &self.radius);
         self.others.judge(problem, &bodies, &mut residual);
         residual
     }
@@ -379,7 +385,7 @@ impl Kernel {
             true => self.quick.sweep(turns, pool, pace),
             false => self.exact.sweep(turns, pool, pace),
         };
-        let (place, radius, others) = (&self.place, &self.radius, &mut self.others);
+        let (place, radius, others) = (self.seats.places(), &self.radius, &mut self.others);
         let others = match self.single {
             true => {
                 let mut bodies = Bodies::of(&mut self.quick.bodies, place, radius);

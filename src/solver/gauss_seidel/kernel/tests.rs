@@ -452,7 +452,7 @@ fn momentum_moves_impulses_and_velocities_together() {
     kernel.store(&problem, &mut impulses);
     let velocity = problem.velocities(&impulses);
     for (i, v) in velocity.iter().enumerate() {
-        let body = &kernel.exact.bodies[kernel.place[i] as usize].0;
+        let body = &kernel.exact.bodies[kernel.seats.places()[i] as usize].0;
         let (linear, spin) = (v.linear, v.angular * spin_scale(&kernel.radius, i));
         for k in 0..3 {
             assert!((body[k] - linear[k]).abs() < 1e-12);
@@ -461,7 +461,7 @@ fn momentum_moves_impulses_and_velocities_together() {
     }
     kernel.judge(&problem);
     let mut judged = Vec::new();
-    kernel.velocities_into(&mut judged);
+    kernel.velocities_into(&problem, &mut judged);
     assert_eq!(judged.len(), velocity.len());
     for (found, expected) in judged.iter().zip(&velocity) {
         assert!((found.linear - expected.linear).norm() < 1e-12);
