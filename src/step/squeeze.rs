@@ -131,7 +131,8 @@ fn jammed(assembly: &Assembly, solution: &Solution) -> Vec<usize> {
     .collect()
 }
 
-/// The chain from contact `first` with a boundary to another boundary, if they squeeze it: one moves, or has left an overlap.
+/// The chain from contact `first` with a boundary to another boundary, if they squeeze it: one moves, or has left an overlap. One body
+/// between both is such a chain where the step is too short for [`pinch`].
 fn chain(assembly: &Assembly, solution: &Solution, first: usize) -> Option<Squeezed> {
     let start = rigid_boundary(assembly, first)?;
     let closes = |k| was_squeezed(assembly, k) || motion(assembly, k) != Vec3::zeros();
@@ -154,10 +155,16 @@ fn chain(assembly: &Assembly, solution: &Solution, first: usize) -> Option<Squee
     while let Some(&from) = chain.get(reached) {
         let end = rigid_boundary(assembly, from).filter(|&boundary| boundary != start);
         if let Some(end) = end.filter(|_| closes(first) || closes(from)) {
+            let [sphere, other] = [first, from].map(|k| assembly.candidates[k].key.sphere as usize);
+            let by_others =
+                assembly.prediction.mover(sphere).0 != assembly.prediction.mover(other).0;
             return Some(Squeezed {
-                sphere: assembly.candidates[first].key.sphere as usize,
-                boundaries: [start, end],
-                by_others: true,
+                sphere,
+                boundaries: match by_others {
+                    true => [start, end],
+                    false => [start.min(end), start.max(end)],
+                },
+                by_others,
             });
         }
         for body in bodies(from) {

@@ -105,24 +105,29 @@ fn a_sphere_that_gives_way_is_named() {
     assert!(advice.contains("`wall0` and `wall1`"), "{advice}");
 }
 
-/// Steps of a scene's defaults are cut until lid and floor hardly approach each other in one: the squeeze is still what is told.
+/// Steps of a scene's defaults are cut until lid and floor hardly approach each other in one: the squeeze is still what is told, and
+/// that there are no others, at any speed.
 #[test]
 fn a_press_is_named_however_short_the_last_step() {
-    let text = "[simulation]\nduration = 1.0\nstrict = true\n[[material]]\nname = 'glass'\ndensity = 2500.0\n\
-                [[spheres]]\nname = 'ball'\nmaterial = 'glass'\nradius = 0.05\npositions = [[0.0, 0.0, 0.05]]\n\
-                [[boundary]]\nname = 'floor'\nmaterial = 'glass'\nfaces = [{ plane = { point = [0, 0, 0], normal = [0, 0, 1] } }]\n\
-                [[boundary]]\nname = 'lid'\nmaterial = 'glass'\nmotion = { constant = { velocity = [0, 0, -0.1] } }\n\
-                faces = [{ plane = { point = [0, 0, 0.12], normal = [0, 0, -1] } }]\n";
-    let loaded = Scene::from_toml("press", text, Path::new(".")).expect("a good scene");
-    let mut simulation = Simulation::new(Arc::new(loaded.scene)).expect("it starts");
-    let ran = (0..40).try_for_each(|_| simulation.advance(1e-2).map(drop));
-    let error = ran
-        .expect_err("the lid went through the sphere")
-        .to_string();
-    assert!(
-        error.contains("sphere 0 is squeezed between `floor` and `lid`"),
-        "{error}"
-    );
+    for speed in [0.1, 0.03, 0.07, 0.13, 0.17, 0.23, 0.29, 0.37] {
+        let text = format!(
+            "[simulation]\nduration = 1.0\nstrict = true\n[[material]]\nname = 'glass'\ndensity = 2500.0\n\
+             [[spheres]]\nname = 'ball'\nmaterial = 'glass'\nradius = 0.05\npositions = [[0.0, 0.0, 0.05]]\n\
+             [[boundary]]\nname = 'floor'\nmaterial = 'glass'\nfaces = [{{ plane = {{ point = [0, 0, 0], normal = [0, 0, 1] }} }}]\n\
+             [[boundary]]\nname = 'lid'\nmaterial = 'glass'\nmotion = {{ constant = {{ velocity = [0, 0, -{speed}] }} }}\n\
+             faces = [{{ plane = {{ point = [0, 0, 0.12], normal = [0, 0, -1] }} }}]\n"
+        );
+        let loaded = Scene::from_toml("press", &text, Path::new(".")).expect("a good scene");
+        let mut simulation = Simulation::new(Arc::new(loaded.scene)).expect("it starts");
+        let ran = (0..100).try_for_each(|_| simulation.advance(1e-2).map(drop));
+        let error = ran
+            .expect_err("the lid went through the sphere")
+            .to_string();
+        assert!(
+            error.contains("sphere 0 is squeezed between `floor` and `lid`;"),
+            "{speed} m/s: {error}"
+        );
+    }
 }
 
 /// Fault: a gate whose edge comes down on a sphere beside its top ended with "reduce simulation.step to 3e-17 s", naming neither
