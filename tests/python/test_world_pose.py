@@ -375,17 +375,21 @@ def test_untuned_scenes_move_as_by_the_other_input(command, tmp_path, name):
         exported(command, tmp_path, NATURAL + text.replace("INPUT", f"input = {how}"), 3, f"{name}{k}")
         for k, how in enumerate((kind, '"world_pose"'))
     ]
-    apart = []
-    with Unit(paths[0]) as one, Unit(paths[1]) as other:
+    def turn(unit, translation, rotation):
+        if kind == '"pose"':
+            unit.set("boundary.part.translation", *translation)
+            unit.set("boundary.part.rotation", *rotation)
+        else:
+            unit.set("boundary.part.angle", float(rotation @ Y))
+
+    apart, rounding = [], []
+    with Unit(paths[0]) as one, Unit(paths[1]) as other, Unit(paths[0]) as rounded:
         for k in range(500):
             translation, rotation = law((k + 1) * h)
-            if kind == '"pose"':
-                one.set("boundary.part.translation", *translation)
-                one.set("boundary.part.rotation", *rotation)
-            else:
-                one.set("boundary.part.angle", float(rotation @ Y))
+            turn(one, translation, rotation)
+            turn(rounded, translation, rotation * (1 + 1e-15))
             give(other, reference + translation, wxyz(Rotation.from_rotvec(rotation)), "part")
-            for unit in (one, other):
+            for unit in (one, other, rounded):
                 unit.fmi.doStep(currentCommunicationPoint=k * h, communicationStepSize=h)
             poses.append(max(
                 np.abs(one.get("boundary.part.position") - other.get("boundary.part.position")).max(),
@@ -393,11 +397,13 @@ def test_untuned_scenes_move_as_by_the_other_input(command, tmp_path, name):
                  * Rotation.from_quat(other.get("boundary.part.orientation"), scalar_first=True)).magnitude(),
             ))
             apart.append(np.abs(spheres(one) - spheres(other)).max())
+            rounding.append(np.abs(spheres(one) - spheres(rounded)).max())
         energies = [unit.get("boundaryWork") for unit in (one, other)]
         overlaps = [unit.get("maxOverlap") for unit in (one, other)]
     assert max(poses) < 1e-12
-    # Grains that knock together carry rounding on, as that of a rotation vector changed in its last digit; 0.8 s show none.
-    assert max(apart[:200]) < 1e-9
+    # Grains that knock together carry rounding on: they are apart by no more than where the rotation vector changes in its last digits.
+    assert np.all(apart < 1e-9 + 10 * np.maximum.accumulate(rounding))
+    assert max(apart[:50]) < 1e-9, "0.2 s of rounding are not seen"
     assert max(overlaps) < 2e-4
     assert energies[0] > 0.01, "nothing is moved"
     assert abs(energies[0] - energies[1]) < 0.05 * energies[0]
