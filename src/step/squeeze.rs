@@ -155,15 +155,14 @@ fn chain(assembly: &Assembly, solution: &Solution, first: usize) -> Option<Squee
     while let Some(&from) = chain.get(reached) {
         let end = rigid_boundary(assembly, from).filter(|&boundary| boundary != start);
         if let Some(end) = end.filter(|_| closes(first) || closes(from)) {
-            let [sphere, other] = [first, from].map(|k| assembly.candidates[k].key.sphere as usize);
-            let by_others =
-                assembly.prediction.mover(sphere).0 != assembly.prediction.mover(other).0;
+            let by_others = !bodies(first).eq(bodies(from));
+            let mut boundaries = [start, end];
+            if !by_others {
+                boundaries.sort_unstable();
+            }
             return Some(Squeezed {
-                sphere,
-                boundaries: match by_others {
-                    true => [start, end],
-                    false => [start.min(end), start.max(end)],
-                },
+                sphere: assembly.candidates[first].key.sphere as usize,
+                boundaries,
                 by_others,
             });
         }

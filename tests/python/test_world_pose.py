@@ -375,6 +375,7 @@ def test_untuned_scenes_move_as_by_the_other_input(command, tmp_path, name):
         exported(command, tmp_path, NATURAL + text.replace("INPUT", f"input = {how}"), 3, f"{name}{k}")
         for k, how in enumerate((kind, '"world_pose"'))
     ]
+
     def turn(unit, translation, rotation):
         if kind == '"pose"':
             unit.set("boundary.part.translation", *translation)
