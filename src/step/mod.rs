@@ -153,7 +153,8 @@ fn attempt(
         workspace.keep(assembly, solution);
         return outgrown;
     }
-    if let Some(disturbed) = Attempt::failed_beside_sleepers(&assembly, &resolved) {
+    if let Some(disturbed) = Attempt::failed_beside_sleepers(&assembly, &resolved, (state, effort))
+    {
         workspace.keep(assembly, solution);
         return disturbed;
     }

@@ -68,6 +68,19 @@ pub struct StepFailure {
     pub broken: Option<Box<LinearError>>,
 }
 
+impl StepFailure {
+    /// The spheres at which the step failed, as far as is known.
+    pub(super) fn spheres(&self) -> Vec<usize> {
+        let passed = self.passed.map(|passed| passed.contact);
+        let contacts = self.contact.into_iter().chain(passed);
+        let squeezed = self.pinched.map(|squeezed| squeezed.sphere);
+        contacts
+            .flat_map(|contact| contact.spheres())
+            .chain(squeezed)
+            .collect()
+    }
+}
+
 /// Two bodies that move so far against each other in a step that the gaps at its ends do not decide what happens between.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Tunnelling {

@@ -95,7 +95,8 @@ fn attempt(
     let mut pairs = pairs(&assembly, beside, states);
     let how = (&*state, effort);
     let resolved = resolve(&mut assembly, &mut solution, how, workspace, &mut pairs);
-    if let Some(disturbed) = Attempt::failed_beside_sleepers(&assembly, &resolved) {
+    if let Some(disturbed) = Attempt::failed_beside_sleepers(&assembly, &resolved, (state, effort))
+    {
         return disturbed;
     }
     let output = match resolved {

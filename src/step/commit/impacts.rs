@@ -207,7 +207,10 @@ impl Balance {
         let all = (assembly.impact.len(), self.sums.len());
         self.contacts.find(rows, all);
         let bodies = changed.iter().flat_map(|&k| rows.bodies(k));
-        let beside = bodies.flat_map(|body| self.contacts.of(body));
+        let mut bodies: Vec<u32> = bodies.collect();
+        bodies.sort_unstable();
+        bodies.dedup();
+        let beside = bodies.iter().flat_map(|&body| self.contacts.of(body));
         let mut found: Vec<usize> = beside
             .filter(|&k| self.cancels(assembly, solution, k))
             .collect();

@@ -80,9 +80,20 @@ impl Prediction<'_> {
         !stirred.is_empty()
     }
 
-    /// Wakes the `spheres` and what loaded contacts of `state` lead to from them, by `rings` of contacts.
+    /// Wakes the `spheres` and what is [`Self::around`] them.
     pub(super) fn wake_around(&mut self, spheres: &[usize], rings: usize, state: &State) {
-        let mut reached = vec![false; self.asleep.len()];
+        if self.asleep.is_empty() {
+            return;
+        }
+        let reached = self.around(spheres, rings, state);
+        for (asleep, reached) in self.asleep.iter_mut().zip(reached) {
+            *asleep &= !reached;
+        }
+    }
+
+    /// Whether each sphere is one of the `spheres`, or loaded contacts of `state` lead to it from them by `rings` of contacts, `[N]`.
+    fn around(&self, spheres: &[usize], rings: usize, state: &State) -> Vec<bool> {
+        let mut reached = vec![false; self.kinematics.len()];
         spheres.iter().for_each(|&i| reached[i] = true);
         for _ in 0..rings {
             let before = reached.clone();
@@ -92,9 +103,7 @@ impl Prediction<'_> {
                 }
             }
         }
-        for (asleep, reached) in self.asleep.iter_mut().zip(reached) {
-            *asleep &= !reached;
-        }
+        reached
     }
 
     /// Members of clumps of which some are awake.

@@ -7,6 +7,7 @@ use crate::spatial::SpatialVector;
 use crate::state::State;
 use crate::step::apart::swept;
 use crate::step::assemble::Assembly;
+use crate::step::input::Effort;
 use crate::step::output::{StepFailure, StepOutput, Taken};
 use crate::step::prediction::Prediction;
 use crate::step::solution::{Solution, Solved};
@@ -164,20 +165,29 @@ impl Attempt {
         leads_out.then_some(Self::Outgrown(report))
     }
 
-    /// That of a problem which is not solved while bodies sleep beside those of its rows; `None` if it is, or none sleeps.
+    /// That of a problem which is not solved while bodies sleep beside those of its rows; `None` if it is, or none sleeps. Where the step
+    /// can be cut by `effort`, only those near what fails count: shorter steps help against all else.
     pub(crate) fn failed_beside_sleepers(
         assembly: &Assembly,
         resolved: &Result<StepOutput, StepFailure>,
+        (state, effort): (&State, Effort),
     ) -> Option<Self> {
-        let report = match resolved {
+        let (report, failing) = match resolved {
             Ok(output) if !output.unconverged || output.squeezed.is_some() => return None,
-            Ok(output) => output.solver,
-            Err(_) => Report::default(),
+            Ok(output) => (output.solver, Vec::new()),
+            Err(failure) => (Report::default(), failure.spheres()),
         };
-        let found = beside(assembly);
-        let first = |&body: &u32| assembly.prediction.place_of(body).0;
-        let spheres: Vec<usize> = found.iter().map(first).collect();
-        (!spheres.is_empty()).then_some(Self::Disturbed {
+        let prediction = assembly.prediction;
+        let beside = beside(assembly);
+        let mut beside = beside.iter().map(|&body| prediction.place_of(body).0);
+        let spheres = match effort.sweeps.is_some() && !failing.is_empty() {
+            true => {
+                let near = prediction.around(&failing, FAILED_RINGS, state);
+                beside.any(|i| near[i]).then_some(failing)
+            }
+            false => Some(beside.collect()).filter(|all: &Vec<_>| !all.is_empty()),
+        };
+        spheres.map(|spheres| Self::Disturbed {
             spheres,
             rings: FAILED_RINGS,
             report,
@@ -378,5 +388,96 @@ impl Prediction<'_> {
             self.kinematics.position[i],
             self.scene.particles.radius[i],
         )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::borrow::Cow;
+    use std::path::Path;
+    use std::sync::Arc;
+
+    use super::*;
+    use crate::contact::ContactId;
+    use crate::scene::Scene;
+    use crate::simulation::Simulation;
+    use crate::step::linear_problem::linear_problem;
+    use crate::step::prediction::{PredictionArrays, predict};
+    use crate::step::{StepInput, Workspace};
+
+    /// Three balls on each other and one apart; gravity alone acts.
+    const SCENE: &str = r#"
+[simulation]
+duration = 1.0
+rest_speed = 0.001
+[[material]]
+name = "rock"
+density = 2500.0
+[pair_default]
+friction = 0.5
+[[spheres]]
+name = "balls"
+material = "rock"
+radius = 0.1
+positions = [[0.0, 0.0, 0.1], [0.0, 0.0, 0.3], [0.0, 0.0, 0.5], [9.0, 0.0, 0.1]]
+[[boundary]]
+name = "floor"
+material = "rock"
+faces = [{ plane = { point = [0.0, 0.0, 0.0], normal = [0.0, 0.0, 1.0] } }]
+"#;
+
+    /// A failure at the ball apart wakes no pile on which another one is awake, unless the step can be cut no more; one at the pile does.
+    #[test]
+    fn a_step_that_fails_wakes_what_is_near_alone() {
+        let loaded = Scene::from_toml("scene", SCENE, Path::new(""));
+        let scene = Arc::new(loaded.expect("a scene").scene);
+        let mut simulation = Simulation::new(scene.clone()).expect("a start");
+        simulation.advance_to(0.5).expect("steps");
+        let mut state = State::clone(simulation.state());
+        assert_eq!(state.asleep(), [true; 4]);
+        state.calm[2] = 0;
+        state.calm[3] = 0;
+        let input = StepInput {
+            dt: 1e-3,
+            poses: state.poses.clone(),
+            commands: Cow::Owned(state.commands.clone()),
+        };
+        let mut workspace = Workspace::default();
+        let mut prediction = predict(&scene, &state, &input, PredictionArrays::default());
+        let (assembly, _) = linear_problem(&mut prediction, &state, &mut workspace);
+        let woken = |sphere: Option<u32>, sweeps| {
+            let boundary = Partner::Boundary {
+                boundary: 0,
+                feature: 0,
+            };
+            let failure = StepFailure {
+                what: "gap",
+                residual: 1.0,
+                tolerance: 0.1,
+                contact: sphere.map(|sphere| ContactId {
+                    sphere,
+                    partner: boundary,
+                }),
+                pinched: None,
+                passed: None,
+                broken: None,
+            };
+            let effort = Effort {
+                sweeps,
+                ..Effort::default()
+            };
+            let found =
+                Attempt::failed_beside_sleepers(&assembly, &Err(failure), (&state, effort))?;
+            let Attempt::Disturbed { spheres, rings, .. } = found else {
+                panic!("not that they wake");
+            };
+            let near = assembly.prediction.around(&spheres, rings, &state);
+            Some(near)
+        };
+        let pile = Some(vec![true, true, true, false]);
+        assert_eq!(woken(Some(3), Some(10)), None);
+        assert_eq!(woken(Some(2), Some(10)), pile);
+        assert_eq!(woken(Some(3), None), pile);
+        assert_eq!(woken(None, Some(10)), pile);
     }
 }
