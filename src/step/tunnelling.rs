@@ -137,11 +137,11 @@ pub(super) fn passed(
     found
 }
 
-/// The first pair of `closed` that is no candidate and has moved far.
+/// The first pair of `late` ones, which are no candidates, that has moved far.
 pub(super) fn struck(
     assembly: &Assembly,
     end: &Configuration,
-    closed: &[Candidate],
+    late: &[Candidate],
 ) -> Option<Tunnelling> {
     let start = &assembly.start();
     // By whatever feature.
@@ -149,7 +149,7 @@ pub(super) fn struck(
         let mut contacts = assembly.contacts_between(key.sphere, key.partner);
         contacts.next().is_some()
     };
-    closed.iter().find_map(|found| {
+    late.iter().find_map(|found| {
         let contact = found.key;
         let [from, to] = match contact.partner {
             Partner::Sphere { index, image } => {

@@ -56,16 +56,20 @@ pub(super) fn verify(
     // The penalty method lets bodies overlap as they like.
     let alm = settings.method == Method::Alm;
     let swept = alm && assembly.moves && !pass;
+    let closed = match alm {
+        true => Closed::of(assembly, &overlapping),
+        false => Closed::default(),
+    };
     let late_contact = match swept {
-        true => struck(assembly, &end, &overlapping),
+        true => struck(assembly, &end, &closed.late),
         false => None,
     };
     let gaps = Gaps::of(assembly, solution, &end);
     if alm && prediction.gives_way {
-        max_overlap = rigid_overlap(assembly, &end, &overlapping).max(gaps.overlap);
+        max_overlap = closed.rigid_overlap(assembly, &end).max(gaps.overlap);
     }
     let correction = match late_contact.is_none() && alm && !as_it_is {
-        true => correction(assembly, solution, &end, (&gaps, &overlapping)),
+        true => correction(assembly, solution, &end, (&gaps, closed)),
         false => None,
     };
     (solution.position, solution.overlapping) = (position, overlapping);
@@ -176,18 +180,45 @@ impl Gaps {
     }
 }
 
-/// Largest overlap over radius of the pairs that do not give way.
-fn rigid_overlap(assembly: &Assembly, end: &Configuration, overlapping: &[Candidate]) -> f64 {
-    let gives_way = |found: &Candidate| {
-        let known = assembly
-            .candidates
-            .binary_search_by_key(&found.key, |c| c.key);
-        known.is_ok_and(|k| assembly.elastic(k).is_some())
-    };
-    let rigid = overlapping.iter().filter(|found| !gives_way(found));
-    rigid
-        .map(|found| -found.gap / end.scale(found.key))
-        .fold(0.0, f64::max)
+/// Pairs that overlap at the end of a step by more than the tolerance.
+#[derive(Default)]
+struct Closed {
+    /// Those that are candidates, with their gaps \[m\].
+    known: Vec<(usize, f64)>,
+    /// The others.
+    late: Vec<Candidate>,
+}
+
+impl Closed {
+    /// Tells those `found` apart. They ascend but for a few places, so that the next one is near.
+    fn of(assembly: &Assembly, found: &[Candidate]) -> Self {
+        let (all, mut closed) = (&assembly.candidates, Self::default());
+        let mut at = 0;
+        for found in found {
+            if all[..at].last().is_some_and(|last| last.key > found.key) {
+                at = all.partition_point(|candidate| candidate.key < found.key);
+            }
+            let before = |candidate: &&Candidate| candidate.key < found.key;
+            at += all[at..].iter().take_while(before).count();
+            match all.get(at).is_some_and(|known| known.key == found.key) {
+                true => closed.known.push((at, found.gap)),
+                false => closed.late.push(*found),
+            }
+        }
+        closed
+    }
+
+    /// Largest overlap over radius of those that do not give way.
+    fn rigid_overlap(&self, assembly: &Assembly, end: &Configuration) -> f64 {
+        let rigid = self.known.iter();
+        let rigid = rigid.filter(|(k, _)| assembly.elastic(*k).is_none());
+        let rigid = rigid.map(|&(k, gap)| (assembly.candidates[k].key, gap));
+        let late = self.late.iter().map(|found| (found.key, found.gap));
+        rigid
+            .chain(late)
+            .map(|(key, gap)| -gap / end.scale(key))
+            .fold(0.0, f64::max)
+    }
 }
 
 /// Contacts whose linear gaps are off, and those that closed without being candidates; `None` without any.
@@ -195,23 +226,16 @@ fn correction(
     assembly: &Assembly,
     solution: &Solution,
     end: &Configuration,
-    (gaps, overlapping): (&Gaps, &[Candidate]),
+    (gaps, Closed { known, late }): (&Gaps, Closed),
 ) -> Option<Correction> {
     let tolerance = assembly.prediction.scene.settings.tolerance.gap;
-    let mut off = gaps.off;
-    let mut late = Vec::new();
     let resolves = |k: usize| assembly.elastic(k).is_some() && assembly.compressed(k).is_none();
     // What overlapped at the start may be undone by later steps.
     let is_left = |k: usize, gap: f64| {
         gap >= -tolerance * assembly.problem.rows.radius(k) - left_of(assembly, k)
     };
-    for found in overlapping {
-        let known = |candidate: &Candidate| candidate.key;
-        match assembly.candidates.binary_search_by_key(&found.key, known) {
-            Ok(k) => off |= !solution.loads(k) && !resolves(k) && !is_left(k, found.gap),
-            Err(_) => late.push(*found),
-        }
-    }
+    let hidden = |&(k, gap): &(usize, f64)| !solution.loads(k) && !resolves(k) && !is_left(k, gap);
+    let off = gaps.off || known.iter().any(hidden);
     if !off && late.is_empty() {
         return None;
     }
