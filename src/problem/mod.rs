@@ -112,6 +112,19 @@ impl Problem {
         }
     }
 
+    /// What `look` finds at the operator of body `body` on momentum, which is not copied if it is kept whole.
+    #[inline]
+    pub(crate) fn with_operator<R>(
+        &self,
+        body: u32,
+        look: impl FnOnce(&SpatialOperator) -> R,
+    ) -> R {
+        match (body as usize).checked_sub(self.inverse_mass.len()) {
+            Some(own) => look(&self.operators[own]),
+            None => look(&self.operator(body)),
+        }
+    }
+
     /// Scale of a row's Delassus operator \[1/kg\]: `(w_n, w_t)` such that the operator is at most
     /// `w_n n n^T + w_t (1 - n n^T)`. Exact for free spheres, where normal and tangent do not couple: `w_t = 3.5 w_n`.
     #[must_use]

@@ -9,10 +9,10 @@ use crate::problem::{CONSTANTS, ELEMENTS, GROUND, Problem, bounds};
 use crate::solver::params::Registers;
 use nalgebra::Matrix3;
 
-/// Elements of `matrix` into lane `lane`.
-fn set(elements: &mut Symmetric<f64>, lane: usize, matrix: &Matrix3<f64>) {
+/// Elements of `matrix` times `share` into lane `lane`.
+fn set(elements: &mut Symmetric<f64>, lane: usize, matrix: &Matrix3<f64>, share: f64) {
     for (lanes, element) in elements.iter_mut().zip(ELEMENTS) {
-        lanes[lane] = matrix[element];
+        lanes[lane] = matrix[element] * share;
     }
 }
 
@@ -38,23 +38,31 @@ impl Levers<f64> {
     ) -> Directions {
         let mut directions = Directions::default();
         for (lane, &k) in rows.iter().enumerate() {
-            let row = problem.rows.get(k as usize);
-            for (lanes, x) in directions.normal.iter_mut().zip(&row.normal) {
+            let couple = lever(k);
+            let (normal, bodies) = problem.rows.with(k as usize, |row| {
+                (row.normal, [(row.a, row.arm_a), (row.b, row.arm_b)])
+            });
+            for (lanes, x) in directions.normal.iter_mut().zip(&normal) {
                 lanes[lane] = *x;
             }
-            let couple = lever(k);
-            for (side, (body, arm)) in [(row.a, row.arm_a), (row.b, row.arm_b)].iter().enumerate() {
-                if *body == GROUND {
+            for (side, (body, arm)) in bodies.into_iter().enumerate() {
+                if body == GROUND {
                     continue;
                 }
-                let (operator, length) = (problem.operator(*body), length(*body as usize));
-                for (lanes, x) in self.arms[side].iter_mut().zip(arm) {
+                let length = length(body as usize);
+                for (lanes, x) in self.arms[side].iter_mut().zip(&arm) {
                     lanes[lane] = x / length;
                 }
-                let turn = operator.angular * (length * length);
-                set(&mut self.turns[side], lane, &turn);
-                set(&mut self.masses[side], lane, &operator.linear);
-                self.directed |= alike(&operator.linear).is_none();
+                problem.with_operator(body, |operator| {
+                    set(
+                        &mut self.turns[side],
+                        lane,
+                        &operator.angular,
+                        length * length,
+                    );
+                    set(&mut self.masses[side], lane, &operator.linear, 1.0);
+                    self.directed |= alike(&operator.linear).is_none();
+                });
                 if let Some(lever) = couple {
                     directions.resisted = true;
                     directions.couple[side][lane] = (lever / length).powi(2);
