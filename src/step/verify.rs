@@ -57,7 +57,7 @@ pub(super) fn verify(
     let alm = settings.method == Method::Alm;
     let swept = alm && assembly.moves && !pass;
     let closed = match alm {
-        true => Closed::of(assembly, &overlapping),
+        true => Closed::of(&assembly.candidates, &overlapping),
         false => Closed::default(),
     };
     let late_contact = match swept {
@@ -190,12 +190,11 @@ struct Closed {
 }
 
 impl Closed {
-    /// Tells those `found` apart. They ascend but for a few places, so that the next one is near.
-    fn of(assembly: &Assembly, found: &[Candidate]) -> Self {
-        let (all, mut closed) = (&assembly.candidates, Self::default());
-        let mut at = 0;
+    /// Tells those `found` apart by `all` candidates. They ascend but for a few places, so that the next one is near.
+    fn of(all: &[Candidate], found: &[Candidate]) -> Self {
+        let (mut closed, mut at) = (Self::default(), 0);
         for found in found {
-            if all[..at].last().is_some_and(|last| last.key > found.key) {
+            if all[..at].last().is_some_and(|last| last.key >= found.key) {
                 at = all.partition_point(|candidate| candidate.key < found.key);
             }
             let before = |candidate: &&Candidate| candidate.key < found.key;
@@ -250,4 +249,42 @@ fn correction(
         late,
         ..Correction::default()
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::Vec3;
+    use crate::contact::{ContactId, Partner};
+
+    proptest! {
+        /// In any order, those that are candidates are told from the others.
+        #[test]
+        fn what_overlaps_is_found_among_the_candidates(
+            known in prop::collection::btree_set(0..40_u32, 0..30),
+            found in prop::collection::vec(0..40_u32, 0..30),
+        ) {
+            let candidate = |key: u32| Candidate {
+                key: ContactId {
+                    sphere: key / 8,
+                    partner: Partner::sphere(key % 8),
+                },
+                gap: -f64::from(key),
+                normal: Vec3::z(),
+                curvature: 0.0,
+            };
+            let all: Vec<_> = known.iter().map(|&key| candidate(key)).collect();
+            let overlapping: Vec<_> = found.iter().map(|&key| candidate(key)).collect();
+            let closed = Closed::of(&all, &overlapping);
+            let at = |key: &u32| known.iter().position(|known| known == key);
+            let expected = found.iter().filter_map(|key| Some((at(key)?, -f64::from(*key))));
+            prop_assert_eq!(closed.known, expected.collect::<Vec<_>>());
+            let others = found.iter().filter(|key| at(key).is_none());
+            let others = others.map(|&key| candidate(key).key);
+            let late = closed.late.iter().map(|late| late.key);
+            prop_assert_eq!(late.collect::<Vec<_>>(), others.collect::<Vec<_>>());
+        }
+    }
 }
