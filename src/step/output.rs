@@ -69,15 +69,11 @@ pub struct StepFailure {
 }
 
 impl StepFailure {
-    /// The spheres at which the step failed, as far as is known.
+    /// The spheres of contacts at which the step failed, as far as is known.
     pub(super) fn spheres(&self) -> Vec<usize> {
         let passed = self.passed.map(|passed| passed.contact);
         let contacts = self.contact.into_iter().chain(passed);
-        let squeezed = self.pinched.map(|squeezed| squeezed.sphere);
-        contacts
-            .flat_map(|contact| contact.spheres())
-            .chain(squeezed)
-            .collect()
+        contacts.flat_map(|contact| contact.spheres()).collect()
     }
 }
 

@@ -166,7 +166,8 @@ impl Attempt {
     }
 
     /// That of a problem which is not solved while bodies sleep beside those of its rows; `None` if it is, or none sleeps. Where the step
-    /// can be cut by `effort`, only those near what fails count: shorter steps help against all else.
+    /// can be cut by `effort`, only those near what fails count: shorter steps help against all else. What seems to be squeezed may be so
+    /// by bodies that sleep.
     pub(crate) fn failed_beside_sleepers(
         assembly: &Assembly,
         resolved: &Result<StepOutput, StepFailure>,
@@ -175,17 +176,20 @@ impl Attempt {
         let (report, failing) = match resolved {
             Ok(output) if !output.unconverged || output.squeezed.is_some() => return None,
             Ok(output) => (output.solver, Vec::new()),
+            Err(failure) if effort.sweeps.is_none() || failure.pinched.is_some() => {
+                (Report::default(), Vec::new())
+            }
             Err(failure) => (Report::default(), failure.spheres()),
         };
         let prediction = assembly.prediction;
         let beside = beside(assembly);
         let mut beside = beside.iter().map(|&body| prediction.place_of(body).0);
-        let spheres = match effort.sweeps.is_some() && !failing.is_empty() {
-            true => {
+        let spheres = match failing.is_empty() {
+            true => Some(beside.collect()).filter(|all: &Vec<_>| !all.is_empty()),
+            false => {
                 let near = prediction.around(&failing, FAILED_RINGS, state);
                 beside.any(|i| near[i]).then_some(failing)
             }
-            false => Some(beside.collect()).filter(|all: &Vec<_>| !all.is_empty()),
         };
         spheres.map(|spheres| Self::Disturbed {
             spheres,
@@ -401,6 +405,7 @@ mod tests {
     use crate::contact::ContactId;
     use crate::scene::Scene;
     use crate::simulation::Simulation;
+    use crate::state::Squeezed;
     use crate::step::linear_problem::linear_problem;
     use crate::step::prediction::{PredictionArrays, predict};
     use crate::step::{StepInput, Workspace};
@@ -426,7 +431,8 @@ material = "rock"
 faces = [{ plane = { point = [0.0, 0.0, 0.0], normal = [0.0, 0.0, 1.0] } }]
 "#;
 
-    /// A failure at the ball apart wakes no pile on which another one is awake, unless the step can be cut no more; one at the pile does.
+    /// A failure at the ball apart wakes no pile on which another one is awake, unless the step can be cut no more or the ball is squeezed;
+    /// one at the pile does.
     #[test]
     fn a_step_that_fails_wakes_what_is_near_alone() {
         let loaded = Scene::from_toml("scene", SCENE, Path::new(""));
@@ -445,7 +451,12 @@ faces = [{ plane = { point = [0.0, 0.0, 0.0], normal = [0.0, 0.0, 1.0] } }]
         let mut workspace = Workspace::default();
         let mut prediction = predict(&scene, &state, &input, PredictionArrays::default());
         let (assembly, _) = linear_problem(&mut prediction, &state, &mut workspace);
-        let woken = |sphere: Option<u32>, sweeps| {
+        let squeezed = Squeezed {
+            sphere: 3,
+            boundaries: [0, 0],
+            by_others: true,
+        };
+        let woken_by = |sphere: Option<u32>, pinched, sweeps| {
             let boundary = Partner::Boundary {
                 boundary: 0,
                 feature: 0,
@@ -458,7 +469,7 @@ faces = [{ plane = { point = [0.0, 0.0, 0.0], normal = [0.0, 0.0, 1.0] } }]
                     sphere,
                     partner: boundary,
                 }),
-                pinched: None,
+                pinched,
                 passed: None,
                 broken: None,
             };
@@ -474,7 +485,9 @@ faces = [{ plane = { point = [0.0, 0.0, 0.0], normal = [0.0, 0.0, 1.0] } }]
             let near = assembly.prediction.around(&spheres, rings, &state);
             Some(near)
         };
+        let woken = |sphere, sweeps| woken_by(sphere, None, sweeps);
         let pile = Some(vec![true, true, true, false]);
+        assert_eq!(woken_by(Some(3), Some(squeezed), Some(10)), pile);
         assert_eq!(woken(Some(3), Some(10)), None);
         assert_eq!(woken(Some(2), Some(10)), pile);
         assert_eq!(woken(Some(3), None), pile);
