@@ -23,7 +23,7 @@ const BEDS: usize = 7;
 const ROUNDS: usize = 3;
 
 /// What is added to the bed, or put in the place of a line of it.
-const FEATURES: [(&str, &str, &str); 9] = [
+const FEATURES: [(&str, &str, &str); 10] = [
     ("plain", "", ""),
     (
         "rolling",
@@ -44,6 +44,11 @@ const FEATURES: [(&str, &str, &str); 9] = [
         "elastic",
         "name = \"box\"",
         "name = \"box\"\nstiffness = 1e5",
+    ),
+    (
+        "grains",
+        "name = \"glass\"",
+        "name = \"glass\"\nyoung = 5e6",
     ),
     (
         "penalty",
