@@ -5,6 +5,7 @@
 
 mod adhesion;
 mod adhesion_scenes;
+mod any_scene;
 mod applied_forces;
 mod axes;
 mod belts;
