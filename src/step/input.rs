@@ -26,3 +26,15 @@ pub struct StepInput<'a> {
     /// Commands within it, `[B]`: loads, surface velocities and pressures.
     pub commands: Cow<'a, [Command]>,
 }
+
+#[cfg(test)]
+impl StepInput<'static> {
+    /// A step of `dt` \[s\] from `state` in which nothing moves that is prescribed.
+    pub(crate) fn still(state: &crate::state::State, dt: f64) -> Self {
+        Self {
+            dt,
+            poses: state.poses.clone(),
+            commands: Cow::Owned(state.commands.clone()),
+        }
+    }
+}

@@ -2,7 +2,6 @@
 
 #![cfg(test)]
 
-use std::borrow::Cow;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -55,15 +54,6 @@ region = { beyond = { point = [0, 0, -1], normal = [0, 0, -1] } }
 
 const FRAME: &str = "rotating_frame = { axis = [0, 0, 1], speed = 0.2 }";
 
-/// A step of `dt` \[s\] in which nothing moves that is prescribed.
-fn input(state: &State, dt: f64) -> StepInput<'static> {
-    StepInput {
-        dt,
-        poses: state.poses.clone(),
-        commands: Cow::Owned(state.commands.clone()),
-    }
-}
-
 /// The simulation of a scene.
 fn start(text: &str) -> Simulation {
     let loaded = Scene::from_toml("scene", text, Path::new(""));
@@ -82,7 +72,7 @@ fn at(time: f64, more: &str) -> Simulation {
 /// A step of the present ones alone is that of all. Returns the state before it and after.
 fn same_as_among_all(simulation: &Simulation) -> [State; 2] {
     let (scene, start) = (simulation.scene(), simulation.state());
-    let input = input(start, 1e-3);
+    let input = StepInput::still(start, 1e-3);
     let effort = Effort::default();
     let [mut alone, mut all] = [(); 2].map(|()| (start.clone(), Workspace::default()));
     step(scene, &mut alone.0, &mut alone.1, &input, effort).expect("a step");
@@ -138,7 +128,7 @@ fn others_have_neighbours_of_their_own() {
     let count = |neighbors: &NeighborList| neighbors.pairs.len();
     let mut look = |state: &State, neighbors: &mut NeighborList| {
         neighbors.pairs = vec![(0, 1)];
-        let input = input(state, 1e-3);
+        let input = StepInput::still(state, 1e-3);
         let apart = participants.apart(scene, (state, &input), neighbors, Depth::FIRST);
         assert!(apart.is_some());
     };
@@ -218,7 +208,7 @@ fn what_sleeps_far_away_takes_no_part() {
     let mut workspace = Workspace::default();
     let (mut fewest, mut left_out) = (spheres, 0);
     for _ in 0..150 {
-        let input = input(&state, 1e-3);
+        let input = StepInput::still(&state, 1e-3);
         let mut among_all = (state.clone(), Workspace::default());
         stages(scene, &mut among_all.0, &mut among_all.1, &input, effort).expect("a step");
         step(scene, &mut state, &mut workspace, &input, effort).expect("a step");
@@ -284,7 +274,7 @@ fn the_top_of_a_tower_sleeps_on_the_floor() {
     let mut workspace = Workspace::default();
     let mut steps = 0;
     while state.calm[19] != ASLEEP {
-        let input = input(&state, 1e-3);
+        let input = StepInput::still(&state, 1e-3);
         let scene = simulation.scene();
         step(scene, &mut state, &mut workspace, &input, Effort::default()).expect("a step");
         let number = &workspace.participants.number;

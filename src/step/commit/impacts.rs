@@ -266,7 +266,6 @@ fn limit(assembly: &Assembly, body: usize, [smooth, impacts]: &[SpatialVector; 2
 
 #[cfg(test)]
 mod tests {
-    use std::borrow::Cow;
     use std::path::Path;
     use std::sync::Arc;
 
@@ -305,11 +304,7 @@ faces = [{ plane = { point = [0.0, 0.0, 0.0], normal = [0.0, 0.0, 1.0] } }]
         let scene = Arc::new(loaded.expect("a scene").scene);
         let simulation = Simulation::new(scene.clone()).expect("a start");
         let (state, mut workspace) = (simulation.state(), Workspace::default());
-        let input = StepInput {
-            dt: 1e-3,
-            poses: state.poses.clone(),
-            commands: Cow::Borrowed(&state.commands),
-        };
+        let input = StepInput::still(state, 1e-3);
         let mut prediction = predict(&scene, state, &input, PredictionArrays::default());
         let (mut assembly, _) = linear_problem(&mut prediction, state, &mut workspace);
         check(&mut assembly);

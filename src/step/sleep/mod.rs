@@ -82,9 +82,6 @@ impl Prediction<'_> {
 
     /// Wakes the `spheres` and what is [`Self::around`] them.
     pub(super) fn wake_around(&mut self, spheres: &[usize], rings: usize, state: &State) {
-        if self.asleep.is_empty() {
-            return;
-        }
         let reached = self.around(spheres, rings, state);
         for (asleep, reached) in self.asleep.iter_mut().zip(reached) {
             *asleep &= !reached;

@@ -397,7 +397,6 @@ impl Prediction<'_> {
 
 #[cfg(test)]
 mod tests {
-    use std::borrow::Cow;
     use std::path::Path;
     use std::sync::Arc;
 
@@ -443,11 +442,7 @@ faces = [{ plane = { point = [0.0, 0.0, 0.0], normal = [0.0, 0.0, 1.0] } }]
         assert_eq!(state.asleep(), [true; 4]);
         state.calm[2] = 0;
         state.calm[3] = 0;
-        let input = StepInput {
-            dt: 1e-3,
-            poses: state.poses.clone(),
-            commands: Cow::Owned(state.commands.clone()),
-        };
+        let input = StepInput::still(&state, 1e-3);
         let mut workspace = Workspace::default();
         let mut prediction = predict(&scene, &state, &input, PredictionArrays::default());
         let (assembly, _) = linear_problem(&mut prediction, &state, &mut workspace);
