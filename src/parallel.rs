@@ -122,6 +122,16 @@ impl Pool {
         share(self.shares(), 0, items, &work, &join)
     }
 
+    /// Lets each of `items` be the value of its index, side by side where it may.
+    pub(crate) fn fill<T: Send>(&self, items: &mut [T], value: impl Fn(usize) -> T + Sync) {
+        let work = |first, items: &mut [T]| {
+            for (k, item) in (first..).zip(items) {
+                *item = value(k);
+            }
+        };
+        self.pieces(items, work, |(), ()| ());
+    }
+
     /// Appends to `found` what `work` finds in pieces of `0..count`, in their order.
     pub(crate) fn collect<T: Send>(
         &self,

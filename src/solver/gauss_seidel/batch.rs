@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::lanes::{LANES, Real, Sixteen};
+use super::lanes::{Real, Sixteen};
 use crate::solver::Tolerance;
 
 /// A vector of each of sixteen contacts, by components.
@@ -117,16 +117,6 @@ impl Progress {
 }
 
 impl<T: Real> Batch<T> {
-    /// Adds a contact of two bodies; its lane.
-    pub(super) fn join(&mut self, bodies: [u32; 2]) -> usize {
-        let lane = self.count as usize % LANES;
-        self.count += 1;
-        for (lanes, body) in self.bodies.iter_mut().zip(bodies) {
-            lanes[lane] = body;
-        }
-        lane
-    }
-
     /// Zeros in lane `first` and all beyond, but for the impulses.
     pub(super) fn clear_from(&mut self, first: usize) {
         let numbers = [&mut self.bias, &mut self.friction];

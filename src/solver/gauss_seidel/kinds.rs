@@ -77,12 +77,7 @@ impl Kinds {
             _ => Kind::Levered,
         };
         self.kinds.resize(rows.len(), Kind::Plain);
-        let work = |first, kinds: &mut [Kind]| {
-            for (k, kind) in (first..).zip(kinds) {
-                *kind = kind_of(k);
-            }
-        };
-        pool.pieces(&mut self.kinds[..], work, |(), ()| ());
+        pool.fill(&mut self.kinds[..], kind_of);
         for k in 0..rows.len() {
             let Kind::Resistance(contact) = self.kinds[k] else {
                 continue;

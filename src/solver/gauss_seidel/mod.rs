@@ -17,8 +17,8 @@ mod avx2;
 mod avx512;
 mod batch;
 mod batches;
-mod compile;
 mod dispatch;
+mod equip;
 mod exact;
 mod general_rows;
 mod heavy;
@@ -35,6 +35,7 @@ mod partition;
 mod registers;
 mod resistance;
 mod seats;
+mod share_out;
 mod sharing;
 mod update;
 

@@ -97,11 +97,6 @@ impl Seats {
         (place != NOWHERE).then_some(place as usize)
     }
 
-    /// All that have a place.
-    pub(super) fn bodies(&self) -> impl Iterator<Item = usize> {
-        self.at(0..self.count()).flatten()
-    }
-
     /// The bodies at `places`; `None` for those that never move.
     pub(super) fn at(&self, places: Range<usize>) -> impl Iterator<Item = Option<usize>> {
         let bodies = self.body[places].iter();

@@ -156,14 +156,8 @@ impl Balance {
         }
         self.limits.resize(self.sums.len(), 0.0);
         let sums = &self.sums;
-        let find = |first, limits: &mut [f64]| {
-            for (body, found) in (first..).zip(limits) {
-                *found = limit(assembly, body, &sums[body]);
-            }
-        };
-        assembly
-            .pool
-            .pieces(&mut self.limits[..], find, |(), ()| ());
+        let of = |body: usize| limit(assembly, body, &sums[body]);
+        assembly.pool.fill(&mut self.limits[..], of);
         self.resistances.clear();
         self.resistances
             .extend(rows.resistances().map(|(row, contact)| (contact, row)));

@@ -18,6 +18,7 @@ use super::local::Source;
 use super::partition::{PARTS, Partition};
 use super::resistance;
 use super::seats::Seats;
+use super::share_out::Grouped;
 use super::sharing::Sharing;
 use crate::Vec3;
 use crate::parallel::Pool;
@@ -47,20 +48,13 @@ pub struct Kernel {
     pub(super) turns: Colours,
     /// Where the bodies are that rows touch.
     pub(super) seats: Seats,
-    /// Length by which each body's spin is scaled \[m\], `[N + M]`: its radius; zero where no contact gives it. Only of those that
-    /// have a place.
+    /// Length by which each body's spin is scaled \[m\], `[N + M]`: its radius; zero where no contact gives it.
     pub(super) radius: Vec<f64>,
     pub(super) others: GeneralRows,
     light: LightSpheres,
     pub(super) kinds: Kinds,
     pub(super) sharing: Sharing,
-    /// Contacts of the blocks by group, where each group ends, and of what group each row is.
-    pub(super) order: Vec<u32>,
-    pub(super) ends: Vec<u32>,
-    pub(super) group: Vec<u32>,
-    pub(super) by_place: Vec<u32>,
-    /// For each body of the group that fills, by its place in it, the filling blocks that hold it, as bits.
-    pub(super) held: Vec<u16>,
+    pub(super) grouped: Grouped,
     shared_out: SharedOut,
     pub(super) tolerance: Tolerance,
 }
@@ -136,12 +130,11 @@ impl Kernel {
         }
         let same = |v: &Vec3| v.x == v.y && v.y == v.z;
         self.radius.resize(problem.free.len(), NO_SPHERE);
-        for i in self.seats.bodies() {
-            self.radius[i] = match problem.inverse_mass.get(i) {
-                Some(w) if same(&w.linear) && same(&w.angular) => problem.rows.radii()[i],
-                _ => NO_SPHERE,
-            };
-        }
+        let radius = |i: usize| match problem.inverse_mass.get(i) {
+            Some(w) if same(&w.linear) && same(&w.angular) => problem.rows.radii()[i],
+            _ => NO_SPHERE,
+        };
+        self.pool.fill(&mut self.radius[..], radius);
         self.kinds
             .find(problem, &self.radius, &mut self.sharing, &self.pool);
         let [length, force] = SINGLE;
@@ -165,13 +158,9 @@ impl Kernel {
         }
         let kinds = &self.kinds;
         self.others.take(problem, impulses, kinds.single());
-        let others = problem.operators.iter().map(|w| w.linear.diagonal().max());
-        let spheres = self.seats.bodies();
-        let masses = spheres.filter_map(|i| Some(problem.inverse_mass.get(i)?.linear.max()));
-        let largest = masses.chain(others).fold(f64::MIN_POSITIVE, f64::max);
         self.unit = match self.single {
             // Without its mantissa: powers of two leave all bits as they are, whichever spheres have a place.
-            true => f64::from_bits(largest.to_bits() & f64::INFINITY.to_bits()),
+            true => f64::from_bits(self.lightest(problem).to_bits() & f64::INFINITY.to_bits()),
             false => 1.0,
         };
         let exact = self.contents.exact(problem, self.unit);
@@ -188,6 +177,18 @@ impl Kernel {
         }
         self.reload(problem);
         self.light.forget();
+    }
+
+    /// The largest inverse mass of a body that has a place.
+    fn lightest(&self, problem: &Problem) -> f64 {
+        let others = problem.operators.iter().map(|w| w.linear.diagonal().max());
+        let others = others.fold(f64::MIN_POSITIVE, f64::max);
+        let of_bodies = |_, places: Range<usize>| {
+            let spheres = self.seats.at(places).flatten();
+            let masses = spheres.filter_map(|i| Some(problem.inverse_mass.get(i)?.linear.max()));
+            masses.fold(others, f64::max)
+        };
+        self.pool.pieces(0..self.seats.count(), of_bodies, f64::max)
     }
 
     /// Whether bodies have the places that they would get for `problem`.
@@ -220,8 +221,6 @@ impl Kernel {
 
     /// Puts the rows into blocks.
     fn divide<T: Real>(&mut self, problem: &Problem, blocks: &mut Vec<Batch<T>>) {
-        refill(&mut self.held, self.seats.count(), 0);
-        self.sort(problem);
         self.share_out(problem, blocks);
         let counts = self.counts(problem);
         let shared_out = &mut self.shared_out;
@@ -355,12 +354,7 @@ impl Kernel {
             Some(place) => bodies[place].velocity(spin_scale(&self.radius, i)),
             None => problem.free[i],
         };
-        let read = |first, velocities: &mut [SpatialVector]| {
-            for (i, velocity) in (first..).zip(velocities) {
-                *velocity = of(i);
-            }
-        };
-        self.pool.pieces(&mut velocities[..], read, |(), ()| ());
+        self.pool.fill(&mut velocities[..], of);
     }
 
     /// The residual of the impulses, with velocities taken anew from them, always in double precision.
