@@ -11,7 +11,6 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, OnceLock};
 use std::thread::{Builder, JoinHandle};
 
-use rayon::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
 /// Blocks of contacts from which handing out, which takes as long as a dozen of them, costs less than it gains.
@@ -108,7 +107,7 @@ impl Pool {
         if !self.shares() || items.len() < 2 || size < WORTH {
             return items.iter_mut().for_each(work);
         }
-        items.par_iter_mut().with_max_len(1).for_each(work);
+        each_of(items, &work);
     }
 
     /// Does `work` with pieces of `items`, each with the index of its first, side by side where it may, and joins what it finds:
@@ -172,6 +171,40 @@ fn awake<R: Send>(work: impl FnOnce() -> R + Send) -> R {
         let _end = SetOnDrop(&done);
         work()
     })
+}
+
+/// Does `work` with each of `items`, side by side.
+fn each_of<T: Send>(items: &mut [T], work: &(impl Fn(&mut T) + Sync)) {
+    match items {
+        [] => {}
+        [item] => work(item),
+        _ => {
+            let (low, high) = items.split_at_mut(items.len() / 2);
+            join_awake(|| each_of(low, work), || each_of(high, work));
+        }
+    }
+}
+
+/// Does both, side by side where another thread is free. While another does `high` this one stays awake: one that sleeps takes long to
+/// wake.
+fn join_awake<A: Send, B: Send>(
+    low: impl FnOnce() -> A + Send,
+    high: impl FnOnce() -> B + Send,
+) -> (A, B) {
+    let (begun, done) = (AtomicBool::new(false), AtomicBool::new(false));
+    let low = || {
+        let found = low();
+        if begun.load(Ordering::Acquire) {
+            look_for_work(&done);
+        }
+        found
+    };
+    let high = || {
+        begun.store(true, Ordering::Release);
+        let _end = SetOnDrop(&done);
+        high()
+    };
+    rayon::join(low, high)
 }
 
 /// Does what others share until all is `done`.
@@ -260,7 +293,7 @@ fn share<P: Pieces, R: Send>(
     let low = || share(shared, first, low, work, join);
     let high = || share(shared, first + half, high, work, join);
     let (low, high) = match shared {
-        true => rayon::join(low, high),
+        true => join_awake(low, high),
         false => (low(), high()),
     };
     join(low, high)
