@@ -11,6 +11,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, OnceLock};
 use std::thread::{Builder, JoinHandle};
 
+use rayon::slice::ParallelSliceMut;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
 /// Blocks of contacts from which handing out, which takes as long as a dozen of them, costs less than it gains.
@@ -129,6 +130,14 @@ impl Pool {
             }
         };
         self.pieces(items, work, |(), ()| ());
+    }
+
+    /// Sorts `items`, of which equal ones are the same, side by side where it may.
+    pub(crate) fn sort<T: Ord + Send>(&self, items: &mut [T]) {
+        match self.shares() && items.len() > PIECE {
+            true => items.par_sort_unstable(),
+            false => items.sort_unstable(),
+        }
     }
 
     /// Appends to `found` what `work` finds in pieces of `0..count`, in their order.

@@ -105,17 +105,22 @@ impl NeighborList {
         }
         if !reach.is_empty() {
             // Pairs by the smaller reaches: all move alike, or most stand still.
-            let of = |of: fn(&DetectionDistance) -> f64| reach.iter().map(of).sum::<f64>();
+            let of = |of: fn(&DetectionDistance) -> f64| {
+                let sum = |_, spheres: Range<usize>| reach[spheres].iter().map(of).sum::<f64>();
+                self.pool.pieces(0..reach.len(), sum, |a, b| a + b)
+            };
             self.alike = of(|own| own.pairs) < of(|own| own.boundaries);
         }
         if self.alike {
-            let both = self.present.iter().zip(now.present).map(|(a, b)| *a && *b);
-            let paths = now.position.iter().zip(&self.anchor).map(|(x, a)| x - a);
-            let (mut sum, mut count) = (Vec3::zeros(), 0.0);
-            for (path, _) in paths.zip(both).filter(|(_, both)| *both) {
-                sum += path;
-                count += 1.0;
-            }
+            let paths = |_, spheres: Range<usize>| {
+                let both = spheres.filter(|&i| self.present[i] && now.present[i]);
+                both.fold((Vec3::zeros(), 0.0), |(sum, count), i| {
+                    (sum + (now.position[i] - self.anchor[i]), count + 1.0)
+                })
+            };
+            let join = |(a, few), (b, more)| (a + b, few + more);
+            let all = 0..now.position.len();
+            let (sum, count) = self.pool.pieces(all, paths, join);
             self.common = sum / f64::max(count, 1.0);
         }
         let is_stale = |i: usize, share: f64| {

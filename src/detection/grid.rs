@@ -93,7 +93,7 @@ pub(super) fn pairs_of(
         };
         pool.collect(position.len(), around, &mut pairs);
     }
-    pairs.sort_unstable();
+    pool.sort(&mut pairs);
     pairs.dedup();
     pairs
 }

@@ -124,7 +124,8 @@ impl NearBoundaries {
         if loose().next().is_none() && !pool.pieces(spheres.clone(), some, |a, b| a || b) {
             return;
         }
-        let mut stale: Vec<bool> = spheres.clone().map(|i| is_stale(i, SOON)).collect();
+        let mut stale = vec![false; spheres.len()];
+        pool.fill(&mut stale[..], |i| is_stale(i, SOON));
         loose().for_each(|near| stale[near.sphere as usize] = true);
         let stale: Vec<usize> = spheres.filter(|&i| stale[i]).collect();
         let (near, facets) = (

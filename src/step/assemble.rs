@@ -11,7 +11,7 @@ use crate::contact::cohesion::Hold;
 use crate::contact::history::{self, HistoryIndex};
 use crate::contact::{ContactId, Partner};
 use crate::detection::configuration::{Candidate, Configuration};
-use crate::parallel::{Pieces, Pool, chained};
+use crate::parallel::{Pieces, chained};
 use crate::problem::{Law, Problem, Row, RowWriter};
 use crate::state::State;
 
@@ -32,7 +32,6 @@ pub(super) struct AssemblyArrays {
 /// The problem of a step and who its rows are: candidates, then constrained points, stops and springs of joints, resistances.
 pub(super) struct Assembly<'a> {
     pub(super) prediction: &'a Prediction<'a>,
-    pub(super) pool: Pool,
     pub(super) problem: Problem,
     pub(super) candidates: Vec<Candidate>,
     /// Those that joined as the solution closed them, with the gap at the end of the step, ascending.
@@ -60,19 +59,17 @@ pub(super) struct Assembly<'a> {
 /// Of pieces of the contacts: their past, whether they are impacts, and their impulses.
 type Others<'a> = (&'a mut [HistoryIndex], (&'a mut [bool], &'a mut [Vec3]));
 
-/// Writes rows and warm-start impulses for the candidates in `arrays`, whose problem has bodies and no rows yet. Candidates
+/// Writes rows and warm-start impulses for the candidates in `arrays`, whose problem has bodies and any rows. Candidates
 /// are impacts as they are found, or as in `impact`. Forces of the last step are those of `state`.
 pub(super) fn assemble<'a>(
     prediction: &'a Prediction<'a>,
     arrays: AssemblyArrays,
-    pool: Pool,
     state: &State,
     impact: Option<&[bool]>,
     impulses: &mut Vec<Vec3>,
 ) -> Assembly<'a> {
     let mut assembly = Assembly {
         prediction,
-        pool,
         problem: arrays.problem,
         candidates: arrays.candidates,
         late: arrays.late,
@@ -137,10 +134,10 @@ impl Assembly<'_> {
         let candidates = &self.candidates[..];
         let Problem { free, rows, .. } = &mut self.problem;
         let count = candidates.len();
+        let rewritten = rows.rewrite(&prediction.scene.particles.radius, count);
         self.elastic.clear();
         self.past.resize(count, HistoryIndex::NONE);
         self.impact.resize(count, false);
-        impulses.clear();
         impulses.resize(count, Vec3::zeros());
         let known_impact = |k: usize| known_impact.map(|known| known[k]);
         let write = |first: usize, (mut rows, others): (RowWriter, Others)| {
@@ -174,8 +171,8 @@ impl Assembly<'_> {
             }
         };
         let others = (&mut self.impact[..], &mut impulses[..]);
-        let all = (rows.extend_plain(count), (&mut self.past[..], others));
-        let whole = self.pool.pieces(all, write, chained);
+        let all = (rewritten, (&mut self.past[..], others));
+        let whole = prediction.pool.pieces(all, write, chained);
         if !whole.is_empty() {
             rows.settle(whole.into_iter().flatten());
         }
@@ -190,6 +187,7 @@ impl Assembly<'_> {
     ) {
         let (prediction, contacts) = (self.prediction, &state.contacts);
         let Problem { free, rows, .. } = &mut self.problem;
+        rows.restart(&prediction.scene.particles.radius);
         self.impact.clear();
         self.elastic.clear();
         self.past.clear();

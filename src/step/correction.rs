@@ -1,11 +1,16 @@
 //! What the true geometry corrects in the problem of a step.
 
+use std::mem::take;
+
 use super::assemble::{Assembly, follow};
+use super::rows::contact::ContactRow;
 use super::solution::Solution;
 use crate::Vec3;
 use crate::contact::cohesion::Hold;
 use crate::contact::history;
 use crate::detection::configuration::{Candidate, Configuration};
+use crate::problem::Row;
+use crate::sorting::insert_all;
 use crate::state::State;
 
 /// What is corrected in a problem: gaps as the true geometry has them, normals and arms keep the start of the step, as in SHAKE;
@@ -68,7 +73,7 @@ impl Correction {
         impact: Option<&[bool]>,
     ) -> Vec<bool> {
         let prediction = assembly.prediction;
-        let mut position = Vec::new();
+        let mut position = take(&mut solution.position);
         prediction.end_positions(&solution.velocity, &mut position);
         let poses = prediction.end_poses(&solution.velocity);
         let end = Configuration {
@@ -88,6 +93,7 @@ impl Correction {
             Some(_) => self.late.iter().map(|found| follow(&end, found)).collect(),
         };
         relinearise(assembly, solution, &end, &self.yields);
+        solution.position = position;
         for &(k, share) in &self.rebounds {
             let carried = assembly.past[k].carried(&state.contacts);
             let (free, found) = (&assembly.problem.free, &assembly.candidates[k]);
@@ -96,17 +102,7 @@ impl Correction {
             let wanted = share * newton.bias.dot(&newton.normal);
             assembly.problem.rows.shift(k, wanted - now);
         }
-        let late = late.iter().enumerate();
-        late.map(|(k, found)| {
-            insert(
-                assembly,
-                solution,
-                state,
-                found,
-                impact.map(|known| known[k]),
-            )
-        })
-        .collect()
+        insert(assembly, solution, state, (&late, impact))
     }
 }
 
@@ -115,7 +111,7 @@ impl Correction {
 fn relinearise(assembly: &mut Assembly, solution: &Solution, end: &Configuration, yields: &[bool]) {
     let step = assembly.prediction.step;
     let mut shifts = vec![0.0; yields.len()];
-    let (all, pool) = (&*assembly, &assembly.pool);
+    let (all, pool) = (&*assembly, &assembly.prediction.pool);
     let shift = |first, shifts: &mut [f64]| {
         for (k, shift) in (first..).zip(shifts) {
             if yields[k] && all.compressed(k).is_none() {
@@ -173,20 +169,70 @@ fn bias_of(assembly: &Assembly, solution: &Solution, end: &Configuration, k: usi
     }
 }
 
-/// Adds a contact that the solution closes. Returns whether it is an impact, as `known_impact` or as it is found.
+/// Adds contacts that the solution closes. Returns which are impacts: as in `known_impact` or as they are found.
 fn insert(
     assembly: &mut Assembly,
     solution: &mut Solution,
     state: &State,
-    found: &Candidate,
-    known_impact: Option<bool>,
-) -> bool {
+    (found, known_impact): (&[Candidate], Option<&[bool]>),
+) -> Vec<bool> {
     let prediction = assembly.prediction;
-    let past = history::find(&state.contacts, found.key);
-    let past_load = past.carried(&state.contacts);
-    let contact = prediction.contact_row(&assembly.problem.free, found, past_load, known_impact);
-    let (mut row, impact, mut elastic) = (contact.row, contact.impact, contact.elastic);
-    let step = prediction.step;
+    let mut order: Vec<usize> = (0..found.len()).collect();
+    order.sort_unstable_by_key(|&k| found[k].key);
+    let sorted = || order.iter().map(|&k| &found[k]);
+    let known = |k: usize| known_impact.map(|known| known[k]);
+    let contacts = order
+        .iter()
+        .map(|&k| late_contact((assembly, solution), state, &found[k], known(k)));
+    let contacts: Vec<ContactRow> = contacts.collect();
+    let all = &assembly.candidates;
+    let places = sorted().map(|found| all.partition_point(|c| c.key < found.key));
+    let places: Vec<usize> = places.collect();
+    insert_all(
+        &mut assembly.candidates,
+        &places,
+        sorted().copied().collect(),
+    );
+    let keys = sorted().map(|found| found.key);
+    assembly.late.extend(keys.clone());
+    assembly.late.sort_unstable();
+    let rows: Vec<Row> = contacts.iter().map(|contact| contact.row).collect();
+    assembly.problem.rows.insert_all(&places, &rows);
+    let impact = contacts.iter().map(|contact| contact.impact).collect();
+    insert_all(&mut assembly.impact, &places, impact);
+    let past = keys
+        .map(|key| history::find(&state.contacts, key))
+        .collect();
+    insert_all(&mut assembly.past, &places, past);
+    let count = found.len();
+    insert_all(&mut solution.impulses, &places, vec![Vec3::zeros(); count]);
+    if !assembly.holds.is_empty() {
+        insert_all(&mut assembly.holds, &places, vec![Hold::Loose; count]);
+        insert_all(&mut assembly.attraction, &places, vec![0.0; count]);
+    }
+    if prediction.gives_way {
+        let elastic = contacts.into_iter().map(|contact| contact.elastic);
+        insert_all(&mut assembly.elastic, &places, elastic.collect());
+    }
+    let mut impacts = vec![false; count];
+    for (rank, (&k, place)) in order.iter().zip(places).enumerate() {
+        impacts[k] = assembly.impact[place + rank];
+        assembly.resist(state, place + rank, &mut solution.impulses);
+    }
+    impacts
+}
+
+/// A contact that the solution closes: an impact if it is `known` to be one, or as it is found.
+fn late_contact(
+    (assembly, solution): (&Assembly, &Solution),
+    state: &State,
+    found: &Candidate,
+    known: Option<bool>,
+) -> ContactRow {
+    let (prediction, free) = (assembly.prediction, &assembly.problem.free);
+    let past_load = history::find(&state.contacts, found.key).carried(&state.contacts);
+    let mut contact = prediction.contact_row(free, found, past_load, known);
+    let (row, step) = (&mut contact.row, prediction.step);
     let linear = step * found.normal.dot(&row.relative_velocity(&solution.velocity));
     let carried = 2.0 * prediction.scene.settings.reserve() * row.radius;
     if row.compliance_n > 0.0 {
@@ -194,35 +240,12 @@ fn insert(
             gap: found.gap - linear,
             ..*found
         };
-        let free = &assembly.problem.free;
-        let contact = prediction.contact_row(free, &start, past_load, Some(impact));
-        (row, elastic) = (contact.row, contact.elastic);
-    } else {
-        // It may be the next feature of a boundary that the sphere is in already.
-        let start = assembly.start().gap(found);
-        let left = prediction.scene.settings.left(start, row.radius, step);
-        let wanted = (found.gap - carried + left - linear) / step;
-        row.bias += row.normal * (wanted - row.bias.dot(&row.normal));
+        return prediction.contact_row(free, &start, past_load, Some(contact.impact));
     }
-    let at = assembly.candidates.partition_point(|c| c.key < found.key);
-    assembly.candidates.insert(at, *found);
-    let late = assembly.late.partition_point(|key| *key < found.key);
-    assembly.late.insert(late, found.key);
-    assembly.problem.rows.insert(at, row);
-    assembly.impact.insert(at, impact);
-    assembly.past.insert(at, past);
-    if prediction.gives_way {
-        assembly.elastic.insert(at, elastic);
-    }
-    if !assembly.holds.is_empty() {
-        assembly.holds.insert(at, Hold::Loose);
-        assembly.attraction.insert(at, 0.0);
-    }
-    solution.impulses.insert(at, Vec3::zeros());
-    assembly
-        .problem
-        .rows
-        .bind(|contact| *contact += u32::from(*contact as usize >= at));
-    assembly.resist(state, at, &mut solution.impulses);
-    impact
+    // It may be the next feature of a boundary that the sphere is in already.
+    let start = assembly.start().gap(found);
+    let left = prediction.scene.settings.left(start, row.radius, step);
+    let wanted = (found.gap - carried + left - linear) / step;
+    row.bias += row.normal * (wanted - row.bias.dot(&row.normal));
+    contact
 }

@@ -2,6 +2,7 @@
 
 use crate::Vec3;
 use crate::integrator::Integrator;
+use crate::parallel::Pool;
 use crate::problem::JacobianBlock;
 use crate::scene::Scene;
 use crate::scene::particles::Kinematics;
@@ -17,9 +18,9 @@ pub(super) fn acceleration(
     state: &State,
     kinematics: &Kinematics,
     (gravity, dt): (Vec3, f64),
-    external: &mut Vec<SpatialVector>,
+    (external, pool): (&mut Vec<SpatialVector>, &Pool),
 ) {
-    external_acceleration(scene, state, kinematics, gravity, external);
+    external_acceleration(scene, state, kinematics, gravity, (external, pool));
     let Some(frame) = scene.settings.rotating_frame else {
         return;
     };
@@ -44,7 +45,8 @@ pub(super) fn acceleration(
 /// External acceleration at the moment of `state`, `[N]`.
 pub(super) fn at_start(scene: &Scene, state: &State, gravity: Vec3) -> Vec<SpatialVector> {
     let (mut external, kinematics) = (Vec::new(), &state.kinematics);
-    external_acceleration(scene, state, kinematics, gravity, &mut external);
+    let memory = (&mut external, &Pool::default());
+    external_acceleration(scene, state, kinematics, gravity, memory);
     for (i, external) in external.iter_mut().enumerate() {
         if kinematics.present[i] {
             *external = external.plus(&inertial(scene, kinematics, i), 1.0);
@@ -138,22 +140,22 @@ pub fn mean_acceleration(
 }
 
 /// Into `external` the acceleration of every sphere by gravity, point loads and applied forces, `[N]`; zero where locked or absent.
-pub fn external_acceleration(
+pub(crate) fn external_acceleration(
     scene: &Scene,
     state: &State,
     kinematics: &Kinematics,
     gravity: Vec3,
-    external: &mut Vec<SpatialVector>,
+    (external, pool): (&mut Vec<SpatialVector>, &Pool),
 ) {
     let particles = &scene.particles;
-    external.clear();
-    external.extend((0..particles.len()).map(|i| match kinematics.present[i] {
+    external.resize(particles.len(), SpatialVector::ZERO);
+    pool.fill(&mut external[..], |i| match kinematics.present[i] {
         true => SpatialVector {
             linear: particles.free(i)[0].component_mul(&gravity),
             angular: Vec3::zeros(),
         },
         false => SpatialVector::ZERO,
-    }));
+    });
     for load in &scene.loads {
         let i = load.sphere;
         let w = SpatialVector {

@@ -17,7 +17,7 @@ pub(super) fn linear_problem<'a>(
 ) -> (Assembly<'a>, Solution) {
     let settings = &prediction.scene.settings;
     let kernel = &mut workspace.solver.kernel;
-    let pool = kernel.pool(settings.threads, settings.registers);
+    prediction.pool = kernel.pool(settings.threads, settings.registers);
     let mut arrays = take(&mut workspace.assembly);
     let mut solution = take(&mut workspace.solution);
     loop {
@@ -34,6 +34,6 @@ pub(super) fn linear_problem<'a>(
         candidates.retain(|candidate| !prediction.sleeps(candidate.key));
     }
     let impulses = &mut solution.impulses;
-    let assembly = assemble(prediction, arrays, pool, state, None, impulses);
+    let assembly = assemble(prediction, arrays, state, None, impulses);
     (assembly, solution)
 }

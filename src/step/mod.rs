@@ -126,7 +126,8 @@ fn stages(
     input: &StepInput,
     effort: Effort,
 ) -> Result<Taken, StepFailure> {
-    let mut prediction = predict(scene, state, input, take(&mut workspace.prediction));
+    let arrays = take(&mut workspace.prediction);
+    let mut prediction = predict(scene, state, input, (arrays, &workspace.neighbors.pool));
     let taken = undisturbed(&mut prediction, state, |prediction, state| {
         attempt(prediction, state, workspace, effort)
     })?;
@@ -189,8 +190,9 @@ fn attempt(
 /// reach, gaps not yet re-linearised.
 #[must_use]
 pub fn problem(scene: &Scene, state: &State, input: &StepInput) -> (Problem, Impulses) {
-    let mut prediction = predict(scene, state, input, PredictionArrays::default());
     let mut workspace = Workspace::default();
+    let memory = (PredictionArrays::default(), &workspace.neighbors.pool);
+    let mut prediction = predict(scene, state, input, memory);
     let (assembly, solution) = linear_problem(&mut prediction, state, &mut workspace);
     (assembly.problem, solution.impulses)
 }

@@ -8,6 +8,7 @@ use super::driven::BodyPrediction;
 use super::external::{self, mean_acceleration};
 use super::sphere_motion::SphereMotion;
 use crate::Vec3;
+use crate::parallel::Pool;
 use crate::problem::Problem;
 use crate::scene::particles::Kinematics;
 use crate::scene::{Boundary, Command, Method, Scene};
@@ -30,6 +31,8 @@ pub(super) struct PredictionArrays {
 #[derive(Debug)]
 pub(super) struct Prediction<'a> {
     pub(super) scene: &'a Scene,
+    /// What shares the work of the step.
+    pub(super) pool: Pool,
     /// Time step \[s\].
     pub(super) step: f64,
     /// Places at the start, velocities that match `step`.
@@ -71,12 +74,12 @@ pub(super) struct Prediction<'a> {
     pub(super) outside: Outside,
 }
 
-/// Predicts the step that `input` asks for from `state`, in the memory of `arrays`.
+/// Predicts the step that `input` asks for from `state`, in the memory of `arrays`; `pool` shares the work.
 pub(super) fn predict<'a>(
     scene: &'a Scene,
     state: &State,
     input: &StepInput,
-    arrays: PredictionArrays,
+    (arrays, pool): (PredictionArrays, &Pool),
 ) -> Prediction<'a> {
     let dt = input.dt;
     let bodies = BodyPrediction::all(scene, state, &input.commands, dt);
@@ -96,23 +99,27 @@ pub(super) fn predict<'a>(
     kinematics.present.clone_from(&now.present);
     kinematics.position.clone_from(&now.position);
     kinematics.orientation.clone_from(&now.orientation);
-    kinematics.velocity.clear();
-    kinematics.spin.clear();
-    kinematics.velocity.reserve_exact(now.len());
-    kinematics.spin.reserve_exact(now.len());
-    for (i, smooth) in state.smooth.iter().enumerate() {
-        let v = now.spatial_velocity(i);
-        let v = integrator.shift_half_step(&v, smooth, state.last_step, dt);
-        kinematics.velocity.push(v.linear);
-        kinematics.spin.push(v.angular);
-    }
+    kinematics.velocity.resize(now.len(), Vec3::zeros());
+    kinematics.spin.resize(now.len(), Vec3::zeros());
+    let shifted = |first: usize, (velocities, spins): (&mut [Vec3], &mut [Vec3])| {
+        let bodies = (first..).zip(velocities.iter_mut().zip(spins));
+        for (i, (velocity, spin)) in bodies {
+            let (v, smooth) = (now.spatial_velocity(i), &state.smooth[i]);
+            let v = integrator.shift_half_step(&v, smooth, state.last_step, dt);
+            (*velocity, *spin) = (v.linear, v.angular);
+        }
+    };
+    let velocities = (&mut kinematics.velocity[..], &mut kinematics.spin[..]);
+    pool.pieces(velocities, shifted, |(), ()| ());
     let end_time = state.time + dt;
     let springs = scene.springs.iter();
     let target = springs.map(|s| s.target + s.motion.pose_at(end_time).translation);
     let gravity = state.gravity_at(scene, integrator.middle(state.time, dt));
-    external::acceleration(scene, state, &kinematics, (gravity, dt), &mut external);
+    let memory = (&mut external, pool);
+    external::acceleration(scene, state, &kinematics, (gravity, dt), memory);
     let mut prediction = Prediction {
         scene,
+        pool: pool.clone(),
         step: dt,
         gravity,
         gravity_size: gravity.norm(),
@@ -121,7 +128,7 @@ pub(super) fn predict<'a>(
         gives_way: gives_way(scene),
         starts: false,
         makes_bonds: false,
-        spheres: SphereMotion::all(scene, &kinematics, spheres),
+        spheres: SphereMotion::all(scene, &kinematics, (spheres, pool)),
         external,
         asleep: state.asleep(),
         clumps: ClumpPrediction::all(
@@ -180,6 +187,7 @@ impl<'a> Prediction<'a> {
         let bodies = BodyPrediction::all(scene, state, &state.commands, dt);
         let mut prediction = Self {
             scene,
+            pool: Pool::default(),
             step: dt,
             gravity,
             gravity_size: gravity.norm(),
@@ -188,7 +196,7 @@ impl<'a> Prediction<'a> {
             gives_way: gives_way(scene),
             starts: scene.pairs.coheres(),
             makes_bonds: state.contacts.is_empty(),
-            spheres: SphereMotion::all(scene, &state.kinematics, Vec::new()),
+            spheres: SphereMotion::all(scene, &state.kinematics, (Vec::new(), &Pool::default())),
             external,
             asleep: Vec::new(),
             clumps: ClumpPrediction::all(
@@ -222,6 +230,7 @@ impl<'a> Prediction<'a> {
         let external = vec![SpatialVector::ZERO; kinematics.len()];
         Self {
             scene,
+            pool: Pool::default(),
             step: scene.settings.step,
             gravity: Vec3::zeros(),
             gravity_size: 0.0,
@@ -230,7 +239,7 @@ impl<'a> Prediction<'a> {
             gives_way: gives_way(scene),
             starts: false,
             makes_bonds: false,
-            spheres: SphereMotion::all(scene, &kinematics, Vec::new()),
+            spheres: SphereMotion::all(scene, &kinematics, (Vec::new(), &Pool::default())),
             external,
             asleep: Vec::new(),
             clumps: ClumpPrediction::all(scene, &kinematics, None, scene.settings.step),
@@ -246,20 +255,19 @@ impl<'a> Prediction<'a> {
         }
     }
 
-    /// Makes `problem` one of these bodies without rows: velocities without contacts, inverse masses.
+    /// Makes `problem` one of these bodies: velocities without contacts, inverse masses. Its rows are of another one.
     pub(super) fn bodies(&self, problem: &mut Problem) {
         let particles = &self.scene.particles;
         let integrator = self.scene.settings.integrator;
         let spheres = 0..self.kinematics.len();
         problem.step = self.step;
-        problem.rows.restart(&particles.radius);
         let velocity = |i| self.kinematics.spatial_velocity(i);
         let free = |i| match self.is_asleep(i) {
             true => SpatialVector::ZERO,
             false => integrator.free(&velocity(i), &self.external[i], self.step),
         };
-        problem.free.clear();
-        problem.free.extend(spheres.clone().map(free));
+        problem.free.resize(spheres.len(), SpatialVector::ZERO);
+        self.pool.fill(&mut problem.free[..], free);
         problem
             .free
             .extend(self.bodies.iter().map(|body| body.free));
@@ -350,8 +358,9 @@ impl<'a> Prediction<'a> {
 
     /// Into `position` where the `velocity` of the bodies leads the spheres \[m\], `[N]`.
     pub(super) fn end_positions(&self, velocity: &[SpatialVector], position: &mut Vec<Vec3>) {
-        let start = self.kinematics.position.iter().zip(velocity);
-        position.clear();
-        position.extend(start.map(|(x, v)| x + v.linear * self.step));
+        let start = &self.kinematics.position;
+        position.resize(start.len(), Vec3::zeros());
+        let end = |i: usize| start[i] + velocity[i].linear * self.step;
+        self.pool.fill(&mut position[..], end);
     }
 }

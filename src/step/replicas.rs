@@ -46,7 +46,14 @@ pub fn step_with_replicas(
     (input, effort): (&StepInput, Effort),
     replicas: &mut [[Replica<'_>; 2]],
 ) -> Result<StepOutput, StepFailure> {
-    let of = |state: &State, input| predict(scene, state, input, PredictionArrays::default());
+    let of = |state: &State, input| {
+        predict(
+            scene,
+            state,
+            input,
+            (PredictionArrays::default(), &Pool::default()),
+        )
+    };
     let mut prediction = of(state, input);
     let beside = replicas.iter();
     let beside = beside.map(|pair| {
@@ -234,9 +241,9 @@ impl<'a> Side<'a> {
         let candidates = of.candidates.iter();
         arrays.candidates = candidates.map(|c| follow(&start, c)).collect();
         let mut solution = Solution::default();
-        let (impact, pool) = (Some(&of.impact[..]), Pool::default());
+        let impact = Some(&of.impact[..]);
         let impulses = &mut solution.impulses;
-        let assembly = assemble(prediction, arrays, pool, state, impact, impulses);
+        let assembly = assemble(prediction, arrays, state, impact, impulses);
         Self { assembly, solution }
     }
 

@@ -1,11 +1,12 @@
 //! A sphere as its contacts see it before the step.
 
 use crate::Vec3;
+use crate::parallel::Pool;
 use crate::scene::Scene;
 use crate::scene::particles::Kinematics;
 
 /// A sphere as its contacts see it before the step.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Default)]
 #[repr(C, align(64))]
 pub(super) struct SphereMotion {
     /// Velocity \[m/s\].
@@ -20,20 +21,19 @@ pub(super) struct SphereMotion {
 
 impl SphereMotion {
     /// All spheres, `[N]`, in the given memory.
-    pub(super) fn all(scene: &Scene, kinematics: &Kinematics, mut memory: Vec<Self>) -> Vec<Self> {
-        let sizes = scene.particles.radius.iter().zip(&scene.particles.mass);
-        let velocities = kinematics.velocity.iter().zip(&kinematics.spin);
-        memory.clear();
-        memory.extend(
-            sizes
-                .zip(velocities)
-                .map(|((&radius, &mass), (velocity, spin))| Self {
-                    velocity: *velocity,
-                    rolling: spin * radius,
-                    radius,
-                    mass,
-                }),
-        );
+    pub(super) fn all(
+        scene: &Scene,
+        kinematics: &Kinematics,
+        (mut memory, pool): (Vec<Self>, &Pool),
+    ) -> Vec<Self> {
+        let particles = &scene.particles;
+        memory.resize(kinematics.len(), Self::default());
+        pool.fill(&mut memory[..], |i| Self {
+            velocity: kinematics.velocity[i],
+            rolling: kinematics.spin[i] * particles.radius[i],
+            radius: particles.radius[i],
+            mass: particles.mass[i],
+        });
         for clump in &scene.clumps {
             for member in &mut memory[clump.members.clone()] {
                 member.mass = clump.shape.mass;

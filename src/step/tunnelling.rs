@@ -47,7 +47,7 @@ pub(super) fn passed(
     let both = |i: usize| velocities.map(|of| of[i].linear);
     let mut reach = take(&mut workspace.reach);
     reach.resize(spheres, DetectionDistance::default());
-    DetectionDistance::of(both, step, |_| 0.0, (&mut reach, &assembly.pool));
+    DetectionDistance::of(both, step, |_| 0.0, (&mut reach, &assembly.prediction.pool));
     let smallest = start.particles.smallest_radius();
     let freely = &prediction.poses[1];
     let carried =

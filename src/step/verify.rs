@@ -130,7 +130,7 @@ impl Gaps {
         };
         let all = 0..assembly.candidates.len();
         let piece = |_, range: Range<usize>| range.map(of).fold(Self::NONE, Self::and);
-        assembly.pool.pieces(all, piece, Self::and)
+        assembly.prediction.pool.pieces(all, piece, Self::and)
     }
 
     /// Of a contact that gives way: its compression is no error, what the force misses it by is one. Where the force compresses it by less
@@ -244,8 +244,10 @@ fn correction(
         assembly.compressed(k).is_some()
             || assembly.elastic(k).is_none() && (!assembly.impact[k] || overlaps())
     };
+    let mut all = vec![false; assembly.candidates.len()];
+    assembly.prediction.pool.fill(&mut all[..], yields);
     Some(Correction {
-        yields: (0..assembly.candidates.len()).map(yields).collect(),
+        yields: all,
         late,
         ..Correction::default()
     })

@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 use super::{GROUND, Law, Row};
 use crate::Vec3;
 use crate::parallel::Pieces;
+use crate::sorting::insert_all;
 use crate::spatial::SpatialVector;
 
 /// Relative rounding within which a contact's arm is its sphere's radius along the normal.
@@ -309,12 +310,21 @@ impl Rows {
 
     /// Forgets all rows; spheres of the given radii \[m\], `[N]`, are the next ones' bodies.
     pub(crate) fn restart(&mut self, radii: &[f64]) {
-        self.bodies.clear();
-        self.compact.clear();
+        self.rewrite(radii, 0);
+    }
+
+    /// Likewise; `count` rows are to be written, then [`Self::settle`] is due.
+    pub(crate) fn rewrite(&mut self, radii: &[f64], count: usize) -> RowWriter<'_> {
         self.general.clear();
         self.radial.clear();
         self.radius.clear();
         self.radius.extend_from_slice(radii);
+        self.bodies.resize(count, [GROUND; 2]);
+        self.compact.resize(count, SphereContact([0.0; 8]));
+        RowWriter {
+            bodies: &mut self.bodies,
+            compact: &mut self.compact,
+        }
     }
 
     /// Adds a row.
@@ -323,17 +333,6 @@ impl Rows {
         let general = self.place(&row);
         self.bodies.push([row.a, row.b]);
         self.compact.push(SphereContact::of(&row, general));
-    }
-
-    /// Adds `count` rows to be written; then [`Self::settle`] is due.
-    pub(crate) fn extend_plain(&mut self, count: usize) -> RowWriter<'_> {
-        let first = self.len();
-        self.bodies.resize(first + count, [GROUND; 2]);
-        self.compact.resize(first + count, SphereContact([0.0; 8]));
-        RowWriter {
-            bodies: &mut self.bodies[first..],
-            compact: &mut self.compact[first..],
-        }
     }
 
     /// Takes the rows that were written as no plain ones, in order.
@@ -348,14 +347,23 @@ impl Rows {
         }
     }
 
-    /// Adds a row in place `k`.
+    /// Adds `new` contacts, each before the row that is at its place in `places`, which ascend.
     ///
     /// # Panics
-    /// If there are fewer.
-    pub(crate) fn insert(&mut self, k: usize, row: Row) {
-        let general = self.place(&row);
-        self.bodies.insert(k, [row.a, row.b]);
-        self.compact.insert(k, SphereContact::of(&row, general));
+    /// If there are fewer rows.
+    pub(crate) fn insert_all(&mut self, places: &[usize], new: &[Row]) {
+        let bodies = new.iter().map(|row| [row.a, row.b]).collect();
+        let compact = new
+            .iter()
+            .map(|row| SphereContact::of(row, self.place(row)));
+        let compact = compact.collect();
+        insert_all(&mut self.bodies, places, bodies);
+        insert_all(&mut self.compact, places, compact);
+        let shifted = |contact: u32| {
+            let before = places.partition_point(|place| *place <= contact as usize);
+            contact + before as u32
+        };
+        self.bind(|contact| *contact = shifted(*contact));
     }
 
     /// Changes row `k`.

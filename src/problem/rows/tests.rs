@@ -113,8 +113,7 @@ fn rows_written_first_and_kept_whole_later_are_those_that_are_pushed() {
     let given = all();
     let pushed: Rows = given.iter().copied().collect();
     let mut rows = Rows::default();
-    rows.restart(&[0.0, 0.3, 0.0, 0.2]);
-    let mut writer = rows.extend_plain(given.len());
+    let mut writer = rows.rewrite(&[0.0, 0.3, 0.0, 0.2], given.len());
     // What is written as no plain one may be one all the same.
     let plain = |k: usize| k == 0 || k == 9;
     for (k, row) in given.iter().enumerate() {
@@ -152,7 +151,7 @@ fn arms_that_are_radii_are_known() {
 fn changes_reach_rows_of_either_kind() {
     let mut given = all();
     let mut rows: Rows = given.iter().copied().collect();
-    rows.insert(1, given[4]);
+    rows.insert_all(&[1], &[given[4]]);
     given.insert(1, given[4]);
     for (k, row) in given.iter_mut().enumerate() {
         rows.shift(k, 0.7);

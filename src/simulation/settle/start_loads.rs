@@ -1,5 +1,6 @@
 //! What loads a scene: the scales of rest and balance.
 
+use crate::parallel::Pool;
 use crate::scene::Scene;
 use crate::simulation::Simulation;
 use crate::step::driven::BodyPrediction;
@@ -26,7 +27,8 @@ impl StartLoads {
         let (scene, state) = (&simulation.scene, &simulation.state);
         let mut external = Vec::new();
         let gravity = simulation.gravity();
-        external_acceleration(scene, state, &state.kinematics, gravity, &mut external);
+        let memory = (&mut external, &Pool::default());
+        external_acceleration(scene, state, &state.kinematics, gravity, memory);
         let present = |i: &usize| state.kinematics.present[*i];
         let (mut force, mut mass) = (0.0, 0.0);
         for i in (0..external.len()).filter(present) {

@@ -4,9 +4,12 @@
 //! side, then every second border, then the others. What lies in which part depends on the positions alone, so that results
 //! are the same for any number of threads.
 
+use std::ops::Range;
+
 use crate::Vec3;
+use crate::parallel::Pool;
 use crate::sorting::first_places;
-use crate::spatial::extent::around;
+use crate::spatial::extent::{around, joined};
 
 /// Below this many spheres there is one part, in the order of the scene: a sweep is too short to share.
 pub(crate) const SMALL: usize = 2 * PART;
@@ -61,15 +64,15 @@ impl Partition {
     /// a sphere that does not move by itself, or behind all parts. Returns whether that is another order than before.
     pub(crate) fn arrange(
         &mut self,
-        centres: &[Vec3],
-        edge: f64,
+        (centres, edge): (&[Vec3], f64),
         seats: impl Iterator<Item = Option<usize>>,
+        pool: &Pool,
     ) -> bool {
         std::mem::swap(&mut self.now, &mut self.before);
         self.forget();
         let n = centres.len();
         if n >= SMALL {
-            self.lay_out(centres, edge);
+            self.lay_out(centres, edge, pool);
             let seat = |sphere: Option<usize>| sphere.map_or(NO_SEAT, |i| i as u32);
             self.now.seats.extend(seats.map(seat));
         }
@@ -77,9 +80,10 @@ impl Partition {
     }
 
     /// Puts the spheres into places and parts.
-    fn lay_out(&mut self, centres: &[Vec3], edge: f64) {
+    fn lay_out(&mut self, centres: &[Vec3], edge: f64, pool: &Pool) {
         let n = centres.len();
-        let (low, high) = around(centres.iter().copied());
+        let piece = |_, range: Range<usize>| around(centres[range].iter().copied());
+        let (low, high) = pool.pieces(0..n, piece, joined);
         let size = high - low;
         let edge = edge.max(size.max() / CELLS);
         let axes = {
@@ -98,12 +102,11 @@ impl Partition {
             along.min(counts[k] - 1)
         };
         let layer = counts[1] * counts[2];
-        self.cell.clear();
-        self.cell.extend(
-            centres.iter().map(|x| {
-                ((index(x, 0) * counts[1] + index(x, 1)) * counts[2] + index(x, 2)) as u32
-            }),
-        );
+        self.cell.resize(n, 0);
+        pool.fill(&mut self.cell[..], |i| {
+            let [x, y, z] = [0, 1, 2].map(|k| index(&centres[i], k));
+            ((x * counts[1] + y) * counts[2] + z) as u32
+        });
         let cells = counts[0] * layer;
         first_places(self.cell.iter().copied(), cells, &mut self.first);
         // Parts end where a layer does, as near to equal shares as can be: of a power of two, so that threads have equal shares too.
@@ -192,9 +195,9 @@ mod tests {
                 Vec3::new(z + 0.1 * (i % 7) as f64, y, 1.5 * x)
             })
             .collect();
-        let mut layout = Partition::default();
+        let (mut layout, pool) = (Partition::default(), Pool::default());
         let seats = [None, Some(77)];
-        assert!(layout.arrange(&centres, 1.0, seats.into_iter()));
+        assert!(layout.arrange((&centres, 1.0), seats.into_iter(), &pool));
         let n = centres.len();
         let mut seen = vec![false; n];
         for i in 0..n {
@@ -217,11 +220,11 @@ mod tests {
                 assert!((x - y).norm() > 1.6 || parts[0].abs_diff(parts[1]) <= 1);
             }
         }
-        assert!(!layout.arrange(&centres, 1.0, seats.into_iter()));
-        assert!(layout.arrange(&centres, 1.0, [None, Some(78)].into_iter()));
+        assert!(!layout.arrange((&centres, 1.0), seats.into_iter(), &pool));
+        assert!(layout.arrange((&centres, 1.0), [None, Some(78)].into_iter(), &pool));
         let swapped: Vec<Vec3> = centres.iter().rev().copied().collect();
-        assert!(layout.arrange(&swapped, 1.0, seats.into_iter()));
-        assert!(layout.arrange(&centres[..100], 1.0, seats.into_iter()));
+        assert!(layout.arrange((&swapped, 1.0), seats.into_iter(), &pool));
+        assert!(layout.arrange((&centres[..100], 1.0), seats.into_iter(), &pool));
         assert_eq!(layout.seat(101, 100), None);
         assert_eq!((layout.parts(), layout.place(7)), (1, (7, 0)));
         assert_eq!(layout.sphere(7), 7);

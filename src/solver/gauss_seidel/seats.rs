@@ -108,6 +108,7 @@ impl Seats {
 mod tests {
     use super::*;
     use crate::Vec3;
+    use crate::parallel::Pool;
     use crate::problem::{GROUND, Law, Row};
     use crate::solver::Tolerance;
     use crate::solver::bodies::probe_row;
@@ -123,7 +124,7 @@ mod tests {
         let centres: Vec<Vec3> = (0..n).map(|i| Vec3::x() * i as f64).collect();
         let mut layout = Partition::default();
         let seats = [None, Some(n - 1), Some(5)];
-        layout.arrange(&centres, 1.0, seats.into_iter());
+        layout.arrange((&centres, 1.0), seats.into_iter(), &Pool::default());
         assert_eq!(layout.parts(), 2);
         let of_unit = SpatialVector {
             linear: Vec3::repeat(1.0),

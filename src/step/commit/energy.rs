@@ -84,7 +84,7 @@ impl Solved<'_> {
     pub(super) fn work(&self, state: &mut State, end: Option<&End>) {
         let all = 0..self.solution.impulses.len();
         let of = |_, rows| self.work_of(rows, end, &state.contacts);
-        state.work = state.work + self.assembly.pool.pieces(all, of, |a, b| a + b);
+        state.work = state.work + self.prediction().pool.pieces(all, of, |a, b| a + b);
         let loads: f64 = self
             .load_work(&state.applied_forces)
             .map(|(_, work)| work)

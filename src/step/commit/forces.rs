@@ -223,7 +223,7 @@ impl Solved<'_> {
             }
         };
         acceleration.resize(velocity.len(), SpatialVector::ZERO);
-        let pool = &self.assembly.pool;
+        let pool = &self.prediction().pool;
         pool.pieces(&mut acceleration[..], of_bodies, |(), ()| ());
         for (k, impulse) in self.solution.impulses.iter().enumerate() {
             if *impulse != Vec3::zeros() && self.assembly.is_impact(k) {

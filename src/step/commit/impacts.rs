@@ -72,7 +72,10 @@ pub(crate) fn spread_impacts(
             *impact |= size > STRUCK * step * (before + load);
         }
     };
-    assembly.pool.pieces(&mut impact[..], hit, |(), ()| ());
+    assembly
+        .prediction
+        .pool
+        .pieces(&mut impact[..], hit, |(), ()| ());
     assembly.impact = impact;
     balance.take(assembly, solution);
     for k in balance.held(assembly, solution) {
@@ -157,7 +160,7 @@ impl Balance {
         self.limits.resize(self.sums.len(), 0.0);
         let sums = &self.sums;
         let of = |body: usize| limit(assembly, body, &sums[body]);
-        assembly.pool.fill(&mut self.limits[..], of);
+        assembly.prediction.pool.fill(&mut self.limits[..], of);
         self.resistances.clear();
         self.resistances
             .extend(rows.resistances().map(|(row, contact)| (contact, row)));
@@ -184,10 +187,13 @@ impl Balance {
         let cancels = |k: &usize| self.cancels(assembly, solution, *k);
         let all = 0..assembly.impact.len();
         let piece = |_, range: Range<usize>| range.filter(cancels).collect();
-        assembly.pool.pieces(all, piece, |mut a: Vec<usize>, b| {
-            a.extend(b);
-            a
-        })
+        assembly
+            .prediction
+            .pool
+            .pieces(all, piece, |mut a: Vec<usize>, b| {
+                a.extend(b);
+                a
+            })
     }
 
     /// Likewise of the bodies of contacts that are `changed` alone: the others are as they were.
@@ -264,6 +270,7 @@ mod tests {
     use std::sync::Arc;
 
     use super::*;
+    use crate::parallel::Pool;
     use crate::problem::GROUND;
     use crate::scene::Scene;
     use crate::simulation::Simulation;
@@ -299,7 +306,12 @@ faces = [{ plane = { point = [0.0, 0.0, 0.0], normal = [0.0, 0.0, 1.0] } }]
         let simulation = Simulation::new(scene.clone()).expect("a start");
         let (state, mut workspace) = (simulation.state(), Workspace::default());
         let input = StepInput::still(state, 1e-3);
-        let mut prediction = predict(&scene, state, &input, PredictionArrays::default());
+        let mut prediction = predict(
+            &scene,
+            state,
+            &input,
+            (PredictionArrays::default(), &Pool::default()),
+        );
         let (mut assembly, _) = linear_problem(&mut prediction, state, &mut workspace);
         check(&mut assembly);
     }

@@ -121,7 +121,10 @@ impl Solved<'_> {
             numerical_work
         };
         let spheres = (places, velocities);
-        let numerical_work = self.assembly.pool.pieces(spheres, advance, |a, b| a + b);
+        let numerical_work = self
+            .prediction()
+            .pool
+            .pieces(spheres, advance, |a, b| a + b);
         state.work.numerical_work += numerical_work;
     }
 }

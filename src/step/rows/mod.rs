@@ -16,7 +16,7 @@
 //! impact: `n.u1 >= -e n.u^-`. Every other candidate carries `n.u1 >= -g/dt`. With `e = 0` an impact keeps the
 //! gap constraint: it lands on the surface instead of stopping above it. Contacts that give way are in `elastic`.
 
-mod contact;
+pub(super) mod contact;
 pub(super) mod elastic;
 pub(super) mod joint;
 

@@ -402,6 +402,7 @@ mod tests {
 
     use super::*;
     use crate::contact::ContactId;
+    use crate::parallel::Pool;
     use crate::scene::Scene;
     use crate::simulation::Simulation;
     use crate::state::Squeezed;
@@ -444,7 +445,12 @@ faces = [{ plane = { point = [0.0, 0.0, 0.0], normal = [0.0, 0.0, 1.0] } }]
         state.calm[3] = 0;
         let input = StepInput::still(&state, 1e-3);
         let mut workspace = Workspace::default();
-        let mut prediction = predict(&scene, &state, &input, PredictionArrays::default());
+        let mut prediction = predict(
+            &scene,
+            &state,
+            &input,
+            (PredictionArrays::default(), &Pool::default()),
+        );
         let (assembly, _) = linear_problem(&mut prediction, &state, &mut workspace);
         let squeezed = Squeezed {
             sphere: 3,

@@ -240,7 +240,10 @@ impl Kernel {
         diameter: f64,
         members: impl Iterator<Item = Option<usize>>,
     ) {
-        if self.layout.arrange(centres, diameter, members) {
+        if self
+            .layout
+            .arrange((centres, diameter), members, &self.pool)
+        {
             self.shared_out.bodies.clear();
         }
     }
