@@ -359,11 +359,8 @@ impl Rows {
         let compact = compact.collect();
         insert_all(&mut self.bodies, places, bodies);
         insert_all(&mut self.compact, places, compact);
-        let shifted = |contact: u32| {
-            let before = places.partition_point(|place| *place <= contact as usize);
-            contact + before as u32
-        };
-        self.bind(|contact| *contact = shifted(*contact));
+        let before = |contact| places.partition_point(|place| *place <= contact as usize);
+        self.bind(|contact| *contact += before(*contact) as u32);
     }
 
     /// Changes row `k`.
