@@ -60,6 +60,18 @@ pub(super) struct Group {
     pub(super) form: Form,
 }
 
+/// The contacts of blocks by group; its memory serves from problem to problem.
+#[derive(Debug, Default)]
+pub(super) struct Grouped {
+    /// Of what group each row is, `[C]`, or [`NONE`](super::kinds::NONE).
+    pub(super) group: Vec<u32>,
+    /// The contacts in order, and where those of each group end.
+    pub(super) order: Vec<u32>,
+    pub(super) ends: Vec<u32>,
+    /// Where each of `order` is among the lanes of its group's blocks.
+    pub(super) slots: Vec<u32>,
+}
+
 /// What contacts the blocks of a group have.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Form {

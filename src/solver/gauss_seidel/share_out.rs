@@ -9,7 +9,7 @@ use std::ops::Range;
 
 use arrayvec::ArrayVec;
 
-use super::batch::{Batch, Form, Group, PLAIN};
+use super::batch::{Batch, Form, Group, Grouped, PLAIN};
 use super::heavy::Heavy;
 use super::kernel::{Kernel, refill};
 use super::kinds::{Kind, Kinds, NONE};
@@ -26,18 +26,6 @@ const OPEN: usize = 16;
 /// Turn of the last group of parts, and that of contacts on heavy bodies.
 const LAST: usize = 3;
 const ON_HEAVY: usize = 4;
-
-/// The contacts of blocks by group; its memory serves from problem to problem.
-#[derive(Debug, Default)]
-pub(super) struct Grouped {
-    /// Of what group each row is, `[C]`, or [`NONE`].
-    group: Vec<u32>,
-    /// The contacts in order, and where those of each group end.
-    order: Vec<u32>,
-    ends: Vec<u32>,
-    /// Where each of `order` is among the lanes of its group's blocks.
-    slots: Vec<u32>,
-}
 
 /// Places of the bodies of a group, and of one that never moves.
 struct Bodies {

@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use arrayvec::ArrayVec;
 
-use super::batch::{Batch, Extra, Progress, SweepParams};
+use super::batch::{Batch, Extra, Grouped, Progress, SweepParams};
 use super::batches::{BODIES, Batches, Colours, split};
 use super::dispatch::Exact;
 use super::general_rows::{Bodies, GeneralRows, spin_scale};
@@ -18,7 +18,6 @@ use super::local::Source;
 use super::partition::{PARTS, Partition};
 use super::resistance;
 use super::seats::Seats;
-use super::share_out::Grouped;
 use super::sharing::Sharing;
 use crate::Vec3;
 use crate::parallel::Pool;
