@@ -292,16 +292,15 @@ impl Rows {
         }
         let turn = impulse.cross(&self.normal(k));
         let [a, b] = self.bodies[k];
-        let radius = |body: u32| self.radius.get(body as usize).copied().unwrap_or(0.0);
         [(a, impulse), (b, -impulse)].map(|(body, linear)| SpatialVector {
             linear,
-            angular: turn * radius(body),
+            angular: turn * self.radius_of(body as usize),
         })
     }
 
-    /// Radius at which contacts touch each body \[m\]: zero where no contact has set it, and bodies beyond have none.
-    pub(crate) fn radii(&self) -> &[f64] {
-        &self.radius
+    /// Radius at which contacts touch `body` \[m\]: zero where no contact has set it.
+    pub(crate) fn radius_of(&self, body: usize) -> f64 {
+        self.radius.get(body).copied().unwrap_or(0.0)
     }
 
     pub(crate) fn compact(&self) -> &[SphereContact] {

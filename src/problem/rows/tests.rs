@@ -170,3 +170,21 @@ fn changes_reach_rows_of_either_kind() {
     }
     assert_eq!(rows.len(), 9);
 }
+
+/// A contact that joins shifts those at its place and behind it, and what their resistances are bound to.
+#[test]
+fn resistances_follow_their_contacts() {
+    let plain = all()[0];
+    let of = |contact| Row {
+        law: Law::Resistance {
+            contact,
+            rolling: 0.1,
+            twisting: 0.1,
+        },
+        ..plain
+    };
+    let mut rows: Rows = [plain, plain, of(0), of(1)].into_iter().collect();
+    rows.insert_all(&[1, 1], &[plain; 2]);
+    let found: Vec<_> = rows.resistances().collect();
+    assert_eq!(found, [(4, 0), (5, 3)]);
+}

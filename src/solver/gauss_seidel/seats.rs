@@ -183,4 +183,30 @@ mod tests {
         assert!((0..n + 3).all(|i| velocity[i].linear == moves(i).linear));
         assert!((0..n + 3).all(|i| seats.of(i).is_some() || velocity[i] == moves(i)));
     }
+
+    /// Rows know nothing of spheres behind those that they touch, not even their radius.
+    #[test]
+    fn spheres_behind_all_that_rows_touch_move_freely() {
+        let free = |i: u32| SpatialVector {
+            linear: Vec3::y() * f64::from(i),
+            angular: Vec3::z(),
+        };
+        let of_unit = SpatialVector {
+            linear: Vec3::repeat(1.0),
+            angular: Vec3::repeat(2.5),
+        };
+        let problem = Problem {
+            step: 1e-3,
+            free: (0..3).map(free).collect(),
+            inverse_mass: vec![of_unit; 3],
+            operators: Vec::new(),
+            rows: [probe_row(Law::Contact { mu: 0.1 })].into_iter().collect(),
+        };
+        let mut kernel = Kernel::default();
+        kernel.compile(&problem, &Tolerance::default(), &[Vec3::zeros()]);
+        kernel.judge(&problem);
+        let mut velocity = Vec::new();
+        kernel.velocities_into(&problem, &mut velocity);
+        assert_eq!(velocity[1..], problem.free[1..]);
+    }
 }

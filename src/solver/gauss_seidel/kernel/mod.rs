@@ -130,7 +130,7 @@ impl Kernel {
         let same = |v: &Vec3| v.x == v.y && v.y == v.z;
         self.radius.resize(problem.free.len(), NO_SPHERE);
         let radius = |i: usize| match problem.inverse_mass.get(i) {
-            Some(w) if same(&w.linear) && same(&w.angular) => problem.rows.radii()[i],
+            Some(w) if same(&w.linear) && same(&w.angular) => problem.rows.radius_of(i),
             _ => NO_SPHERE,
         };
         self.pool.fill(&mut self.radius[..], radius);
