@@ -38,15 +38,10 @@ impl DetectionDistance {
             let squared = velocities.map(|v| v.norm_squared());
             step * larger(squared[0], squared[1]).sqrt()
         };
-        let write = |first: usize, reach: &mut [Self]| {
-            for (i, own) in (first..).zip(reach) {
-                *own = Self {
-                    pairs: length(velocities(i).map(|v| v - common)) + more(i),
-                    boundaries: length(velocities(i)) + more(i),
-                };
-            }
-        };
-        pool.pieces(reach, write, |(), ()| ());
+        pool.fill(reach, |i| Self {
+            pairs: length(velocities(i).map(|v| v - common)) + more(i),
+            boundaries: length(velocities(i)) + more(i),
+        });
     }
 
     /// The largest of each.

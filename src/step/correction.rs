@@ -112,15 +112,11 @@ fn relinearise(assembly: &mut Assembly, solution: &Solution, end: &Configuration
     let step = assembly.prediction.step;
     let mut shifts = vec![0.0; yields.len()];
     let (all, pool) = (&*assembly, &assembly.prediction.pool);
-    let shift = |first, shifts: &mut [f64]| {
-        for (k, shift) in (first..).zip(shifts) {
-            if yields[k] && all.compressed(k).is_none() {
-                let wanted = bias_of(all, solution, end, k);
-                *shift = wanted - all.problem.rows.bias(k);
-            }
-        }
+    let shift = |k: usize| match yields[k] && all.compressed(k).is_none() {
+        true => bias_of(all, solution, end, k) - all.problem.rows.bias(k),
+        false => 0.0,
     };
-    pool.pieces(&mut shifts[..], shift, |(), ()| ());
+    pool.fill(&mut shifts[..], shift);
     for k in (0..yields.len()).filter(|&k| yields[k]) {
         if assembly.compressed(k).is_none() {
             assembly.problem.rows.shift(k, shifts[k]);

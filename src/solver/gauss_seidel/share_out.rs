@@ -11,7 +11,7 @@ use arrayvec::ArrayVec;
 
 use super::batch::{Batch, Form, Group, Grouped, PLAIN};
 use super::heavy::Heavy;
-use super::kernel::{Kernel, refill};
+use super::kernel::Kernel;
 use super::kinds::{Kind, Kinds, NONE};
 use super::lanes::{LANES, Real, Sixteen};
 use super::levers::Levers;
@@ -27,10 +27,10 @@ const OPEN: usize = 16;
 const LAST: usize = 3;
 const ON_HEAVY: usize = 4;
 
-/// Places of the bodies of a group, and of one that never moves.
+/// Places of the bodies of a group, and of one that never moves, counted from the first.
 struct Bodies {
     range: Range<usize>,
-    still: usize,
+    still: u32,
 }
 
 impl Kernel {
@@ -89,7 +89,8 @@ impl Kernel {
             group, order, ends, ..
         } = &mut self.grouped;
         if parts == 1 && kinds.are_plain() {
-            refill(ends, 2, all.end);
+            ends.clear();
+            ends.extend([all.end; 2]);
             order.clear();
             order.extend(all);
             return;
@@ -126,14 +127,13 @@ impl Kernel {
     fn bodies_of(&self, group: usize) -> Bodies {
         let (turn, low) = turn_of(group, self.layout.parts());
         let part = |k: usize| self.seats.part(k);
-        Bodies {
-            range: match turn {
-                0 => part(low),
-                1 | 2 => part(low).start..part(low + 1).end,
-                _ => 0..self.seats.count(),
-            },
-            still: self.seats.still(low),
-        }
+        let range = match turn {
+            0 => part(low),
+            1 | 2 => part(low).start..part(low + 1).end,
+            _ => 0..self.seats.count(),
+        };
+        let still = (self.seats.still(low) - range.start) as u32;
+        Bodies { range, still }
     }
 
     /// Puts the groups, of so many blocks each, into turns, and numbers what some of the blocks have.
@@ -212,8 +212,8 @@ impl Bodies {
     #[inline]
     fn of(&self, who: [u32; 2], places: &[u32]) -> [u32; 2] {
         let first = self.range.start as u32;
-        let still = self.still as u32 - first;
-        who.map(|body| places.get(body as usize).map_or(still, |at| at - first))
+        let place = |body: u32| places.get(body as usize).map(|at| at - first);
+        who.map(|body| place(body).unwrap_or(self.still))
     }
 }
 
@@ -238,7 +238,6 @@ impl Share<'_> {
         }
         // For each body, the filling blocks that hold it, as bits.
         let mut held = vec![0_u16; self.bodies.range.len()];
-        let still = self.bodies.still - self.bodies.range.start;
         let mut open: [Option<Filling>; OPEN] = [None; OPEN];
         let mut oldest = 0;
         for (k, slot) in self.rows.iter().zip(&mut *self.slots) {
@@ -271,7 +270,7 @@ impl Share<'_> {
                 }
             }
             // Any number of contacts may join the one that never moves.
-            held[still] = 0;
+            held[self.bodies.still as usize] = 0;
             *slot = (filling.block * LANES + filling.count) as u32;
             filling.bodies[filling.count] = bodies;
             filling.count += 1;
@@ -289,13 +288,12 @@ impl Share<'_> {
         blocks: &mut [Batch<T>],
         rows: &mut [Sixteen<u32>],
     ) {
-        let still = (self.bodies.still - self.bodies.range.start) as u32;
         // Lanes without a contact have any.
         rows.fill(Sixteen::default());
         for block in &mut *blocks {
             (block.count, block.resisted) = (0, false);
             (block.levers, block.heavy) = (PLAIN, PLAIN);
-            block.bodies = [[still; LANES]; 2];
+            block.bodies = [[self.bodies.still; LANES]; 2];
         }
         for (&k, &slot) in self.rows.iter().zip(&*self.slots) {
             let (at, lane) = (slot as usize / LANES, slot as usize % LANES);

@@ -215,16 +215,14 @@ impl Solved<'_> {
         let rate = 1.0 / (mobility * self.prediction().step);
         let (velocity, free) = (&self.solution.velocity, &self.assembly.problem.free);
         let external = &self.prediction().external;
-        let of_bodies = |first: usize, acceleration: &mut [SpatialVector]| {
-            for (i, own) in (first..).zip(acceleration) {
-                // Driven bodies keep their own account.
-                let external = external.get(i).unwrap_or(&SpatialVector::ZERO);
-                *own = external.plus(&velocity[i].plus(&free[i], -1.0), rate);
-            }
+        let of_body = |i: usize| {
+            // Driven bodies keep their own account.
+            let external = external.get(i).unwrap_or(&SpatialVector::ZERO);
+            external.plus(&velocity[i].plus(&free[i], -1.0), rate)
         };
         acceleration.resize(velocity.len(), SpatialVector::ZERO);
         let pool = &self.prediction().pool;
-        pool.pieces(&mut acceleration[..], of_bodies, |(), ()| ());
+        pool.fill(&mut acceleration[..], of_body);
         for (k, impulse) in self.solution.impulses.iter().enumerate() {
             if *impulse != Vec3::zeros() && self.assembly.is_impact(k) {
                 let row = self.assembly.problem.rows.get(k);

@@ -423,10 +423,4 @@ impl Kernel {
 /// Radius of a body that does not move alike in all directions.
 const NO_SPHERE: f64 = -1.0;
 
-/// `items` as so many copies of `value`.
-pub(super) fn refill<T: Clone>(items: &mut Vec<T>, count: usize, value: T) {
-    items.clear();
-    items.resize(count, value);
-}
-
 mod tests;
