@@ -86,6 +86,7 @@ pub mod formats;
 pub mod geometry;
 pub mod integrator;
 pub mod linalg;
+mod memory;
 pub mod observe;
 mod parallel;
 pub mod problem;

@@ -14,6 +14,8 @@ use std::thread::{Builder, JoinHandle};
 use rayon::slice::ParallelSliceMut;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
+use crate::memory::make_room;
+
 /// Blocks of contacts from which handing out, which takes as long as a dozen of them, costs less than it gains.
 const WORTH: usize = 24;
 /// Items of a piece where each is little work.
@@ -156,7 +158,8 @@ impl Pool {
             LinkedList::from([own])
         };
         let all = self.pieces(0..count, here, chained);
-        found.reserve(all.iter().map(Vec::len).sum());
+        let count = found.len() + all.iter().map(Vec::len).sum::<usize>();
+        make_room(found, count);
         found.extend(all.into_iter().flatten());
     }
 

@@ -1,5 +1,7 @@
 //! Counting sort: items whose keys are small whole numbers, in time that grows with both.
 
+use crate::memory::{make_room, resize};
+
 /// Into `first` where the items of each key begin when they are sorted by their `keys`, and the end of the last; keys are below
 /// `count`.
 pub(crate) fn first_places(keys: impl Iterator<Item = u32>, count: usize, first: &mut Vec<u32>) {
@@ -16,6 +18,7 @@ pub(crate) fn first_places(keys: impl Iterator<Item = u32>, count: usize, first:
 /// Puts `new` items into a list: each before that which is at its place in `places`, which ascend.
 pub(crate) fn insert_all<T>(items: &mut Vec<T>, places: &[usize], new: Vec<T>) {
     let mut end = items.len();
+    make_room(items, end + new.len());
     items.extend(new);
     for (before, &place) in places.iter().enumerate().rev() {
         items[place..end + before + 1].rotate_right(before + 1);
@@ -34,7 +37,8 @@ pub(crate) fn counting_sort<T: Copy + Default>(
     let keys = items.clone().map(|item| key(&item));
     first_places(keys, count, ends);
     sorted.clear();
-    sorted.resize(ends.last().map_or(0, |&all| all as usize), T::default());
+    let count = ends.last().map_or(0, |&all| all as usize);
+    resize(sorted, count, T::default());
     for item in items {
         let next = &mut ends[key(&item) as usize];
         sorted[*next as usize] = item;

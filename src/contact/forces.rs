@@ -8,6 +8,7 @@ use serde::{Deserialize, Serialize};
 use super::cohesion::Hold;
 use super::{ContactForce, ContactId};
 use crate::Vec3;
+use crate::memory;
 use crate::spatial::Wrench;
 
 /// Loads in canonical order, `[C]`, as which this reads, and what goes with them.
@@ -102,15 +103,15 @@ impl ContactForces {
     /// Adds a contact, the last in canonical order.
     #[inline]
     pub(crate) fn push(&mut self, load: ContactForce, beside: Beside) {
-        self.loads.push(load);
+        memory::push(&mut self.loads, load);
         if let Some(torque) = beside.torque {
-            self.torques.push(torque);
+            memory::push(&mut self.torques, torque);
         }
         if let Some(spring) = beside.spring {
-            self.springs.push(spring);
+            memory::push(&mut self.springs, spring);
         }
         if let Some(hold) = beside.hold {
-            self.holds.push(hold);
+            memory::push(&mut self.holds, hold);
         }
     }
 
@@ -210,10 +211,10 @@ impl Clone for ContactForces {
 
     /// In the memory that there is.
     fn clone_from(&mut self, other: &Self) {
-        self.loads.clone_from(&other.loads);
-        self.torques.clone_from(&other.torques);
-        self.springs.clone_from(&other.springs);
-        self.holds.clone_from(&other.holds);
+        memory::copy(&mut self.loads, &other.loads);
+        memory::copy(&mut self.torques, &other.torques);
+        memory::copy(&mut self.springs, &other.springs);
+        memory::copy(&mut self.holds, &other.holds);
     }
 }
 

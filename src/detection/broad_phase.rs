@@ -18,6 +18,7 @@ use super::near_boundaries::{NearBoundaries, NearBoundary};
 use super::periodic::periodic_pairs;
 use crate::Vec3;
 use crate::detection::detection_distance::{DetectionDistance, SKIN, SOON, STEPS};
+use crate::memory::make_room;
 use crate::parallel::Pool;
 use crate::spatial::cell::Image;
 
@@ -237,9 +238,7 @@ impl NeighborList {
 fn merge(pairs: &mut Vec<(u32, u32)>, found: &[(u32, u32)]) {
     let (mut old, mut new) = (pairs.len(), found.len());
     let mut all = old + new;
-    if all > pairs.capacity() {
-        pairs.reserve_exact(new + all / 8);
-    }
+    make_room(pairs, all);
     pairs.resize(all, (0, 0));
     // From the end, where there is room.
     while new > 0 {

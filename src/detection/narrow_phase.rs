@@ -6,6 +6,7 @@ use super::broad_phase::NeighborList;
 use super::near_boundaries::NearBoundary;
 use crate::detection::configuration::{Candidate, Configuration};
 use crate::geometry::ClosestPoint;
+use crate::memory;
 use crate::spatial::cell::HERE;
 use crate::spatial::extent::larger;
 
@@ -37,7 +38,7 @@ impl Configuration<'_> {
                 if self.within(i, j, reach) {
                     let pair = self.pair(i, j, HERE);
                     if pair.gap <= reach {
-                        found.push(pair);
+                        memory::push(found, pair);
                     }
                 }
             }
@@ -49,7 +50,7 @@ impl Configuration<'_> {
         for &(i, j, image) in &list.images {
             let pair = self.pair(i, j, image);
             if pair.gap <= reach_pair(i, j) {
-                found.push(pair);
+                memory::push(found, pair);
             }
         }
         if !list.images.is_empty() {

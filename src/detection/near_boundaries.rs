@@ -9,6 +9,7 @@ use super::configuration::Configuration;
 use super::detection_distance::{DetectionDistance, SKIN, SOON, STEPS};
 use crate::Vec3;
 use crate::geometry::{Ball, ClosestPoint, Vicinity};
+use crate::memory::make_room;
 use crate::parallel::Pool;
 use crate::spatial::Pose;
 use crate::spatial::extent::{around, corners, larger};
@@ -132,8 +133,8 @@ impl NearBoundaries {
             std::mem::take(&mut self.near),
             std::mem::take(&mut self.facets),
         );
-        self.near.reserve_exact(near.len() + near.len() / 8);
-        self.facets.reserve_exact(facets.len() + facets.len() / 8);
+        make_room(&mut self.near, near.len());
+        make_room(&mut self.facets, facets.len());
         let mut others = near.iter().peekable();
         let boxes = boxes(now);
         let mut closest_points = Vec::new();

@@ -11,6 +11,7 @@ use crate::contact::cohesion::Hold;
 use crate::contact::history::{self, HistoryIndex};
 use crate::contact::{ContactId, Partner};
 use crate::detection::configuration::{Candidate, Configuration};
+use crate::memory;
 use crate::parallel::{Pieces, chained};
 use crate::problem::{Law, Problem, Row, RowWriter};
 use crate::state::State;
@@ -136,9 +137,9 @@ impl Assembly<'_> {
         let count = candidates.len();
         let rewritten = rows.rewrite(&prediction.scene.particles.radius, count);
         self.elastic.clear();
-        self.past.resize(count, HistoryIndex::NONE);
-        self.impact.resize(count, false);
-        impulses.resize(count, Vec3::zeros());
+        memory::resize(&mut self.past, count, HistoryIndex::NONE);
+        memory::resize(&mut self.impact, count, false);
+        memory::resize(impulses, count, Vec3::zeros());
         let known_impact = |k: usize| known_impact.map(|known| known[k]);
         let write = |first: usize, (mut rows, others): (RowWriter, Others)| {
             let (past, (impact, impulses)) = others;

@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{GROUND, Law, Row};
 use crate::Vec3;
+use crate::memory;
 use crate::parallel::Pieces;
 use crate::sorting::insert_all;
 use crate::spatial::SpatialVector;
@@ -318,8 +319,8 @@ impl Rows {
         self.radial.clear();
         self.radius.clear();
         self.radius.extend_from_slice(radii);
-        self.bodies.resize(count, [GROUND; 2]);
-        self.compact.resize(count, SphereContact([0.0; 8]));
+        memory::resize(&mut self.bodies, count, [GROUND; 2]);
+        memory::resize(&mut self.compact, count, SphereContact([0.0; 8]));
         RowWriter {
             bodies: &mut self.bodies,
             compact: &mut self.compact,

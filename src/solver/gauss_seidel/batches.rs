@@ -14,6 +14,7 @@ use super::levers::Levers;
 use super::partition::PARTS;
 use super::resistance::Resistances;
 use crate::Vec3;
+use crate::memory;
 use crate::parallel::Pool;
 use crate::solver::params::Registers;
 use crate::solver::residual::Residual;
@@ -103,7 +104,7 @@ impl<T: Precision> Batches<T> {
         let rest = turns[0].last().map_or(0, |group| group.bodies.end);
         let (parts, others) = self.before.split_at_mut(rest);
         move_on(&mut self.bodies[rest..], others);
-        self.unsettled.resize(self.blocks.len(), 0);
+        memory::resize(&mut self.unsettled, self.blocks.len(), 0);
         let mut before = split(parts, turns[0].iter().map(|group| group.bodies.clone()));
         for turn in turns.iter().filter(|turn| !turn.is_empty()) {
             let blocks = split(&mut self.blocks, turn.iter().map(|g| g.blocks.clone()));

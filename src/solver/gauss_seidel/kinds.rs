@@ -2,6 +2,7 @@
 
 use super::lanes::LANES;
 use super::sharing::Sharing;
+use crate::memory;
 use crate::parallel::Pool;
 use crate::problem::{GROUND, Law, Problem, Row};
 
@@ -76,14 +77,14 @@ impl Kinds {
             _ if rows.is_of_spheres(k) && rows.bodies(k).into_iter().all(is_sphere) => Kind::Plain,
             _ => Kind::Levered,
         };
-        self.kinds.resize(rows.len(), Kind::Plain);
+        memory::resize(&mut self.kinds, rows.len(), Kind::Plain);
         pool.fill(&mut self.kinds[..], kind_of);
         for k in 0..rows.len() {
             let Kind::Resistance(contact) = self.kinds[k] else {
                 continue;
             };
             if self.resistance.is_empty() {
-                self.resistance.resize(rows.len(), NONE);
+                memory::resize(&mut self.resistance, rows.len(), NONE);
             }
             let contact = contact as usize;
             if rows.general(k).is_some_and(Row::is_rigid_resistance) {

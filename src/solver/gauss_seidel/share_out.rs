@@ -17,6 +17,7 @@ use super::lanes::{LANES, Real, Sixteen};
 use super::levers::Levers;
 use super::resistance::Source;
 use super::sharing::Sharing;
+use crate::memory;
 use crate::problem::{GROUND, Problem};
 use crate::sorting::counting_sort;
 
@@ -40,7 +41,7 @@ impl Kernel {
         let (who, places) = (problem.rows.all_bodies(), self.seats.places());
         let mut grouped = take(&mut self.grouped);
         let (size, sorts) = (grouped.order.len() / LANES, self.layout.parts() > 1);
-        grouped.slots.resize(grouped.order.len(), 0);
+        memory::resize(&mut grouped.slots, grouped.order.len(), 0);
         let (mut order, mut slots) = (&mut grouped.order[..], &mut grouped.slots[..]);
         let mut start = 0;
         let groups = grouped.ends.iter().enumerate().map(|(group, &end)| {
@@ -62,11 +63,9 @@ impl Kernel {
         });
         let counts: Vec<usize> = groups.iter().map(|group| group.blocks).collect();
         let (count, rows) = (counts.iter().sum(), &mut self.contents.rows);
-        if count > blocks.capacity() {
-            blocks.reserve_exact(count + count / 8 - blocks.len());
-        }
+        memory::make_room(blocks, count);
         blocks.resize_with(count, Batch::default);
-        rows.resize(count, Sixteen::default());
+        memory::resize(rows, count, Sixteen::default());
         let (mut own, mut rows) = (&mut blocks[..], &mut rows[..]);
         let groups = groups.into_iter().map(|group| {
             let count = group.blocks;
@@ -92,6 +91,7 @@ impl Kernel {
             ends.clear();
             ends.extend([all.end; 2]);
             order.clear();
+            memory::make_room(order, rows.len());
             order.extend(all);
             return;
         }
@@ -111,7 +111,7 @@ impl Kernel {
             };
             group as u32
         };
-        group.resize(rows.len(), NONE);
+        memory::resize(group, rows.len(), NONE);
         self.pool.fill(&mut group[..], group_of);
         let contacts = all.filter(|&k| group[k as usize] != NONE);
         let groups = 2 * parts + problem.operators.len();

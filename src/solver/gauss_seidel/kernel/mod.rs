@@ -20,6 +20,7 @@ use super::resistance;
 use super::seats::Seats;
 use super::sharing::Sharing;
 use crate::Vec3;
+use crate::memory;
 use crate::parallel::Pool;
 use crate::problem::Problem;
 use crate::solver::Tolerance;
@@ -223,9 +224,7 @@ impl Kernel {
         self.share_out(problem, blocks);
         let counts = self.counts(problem);
         let shared_out = &mut self.shared_out;
-        shared_out.bodies.clear();
-        let bodies = problem.rows.all_bodies();
-        shared_out.bodies.extend_from_slice(bodies);
+        memory::copy(&mut shared_out.bodies, problem.rows.all_bodies());
         shared_out.kinds.clone_from(&self.kinds);
         shared_out.sharing.clone_from(&self.sharing);
         shared_out.counts = counts;
