@@ -1,6 +1,7 @@
 //! Contacts of spheres in blocks, and how a sweep over them goes.
 
 use std::ops::Range;
+use std::sync::atomic::AtomicU32;
 
 use super::lanes::{Real, Sixteen};
 use crate::solver::Tolerance;
@@ -70,6 +71,8 @@ pub(super) struct Grouped {
     pub(super) ends: Vec<u32>,
     /// Where each of `order` is among the lanes of its group's blocks.
     pub(super) slots: Vec<u32>,
+    /// Where each row is among the lanes of all blocks, `[C]`, or [`NONE`](super::kinds::NONE): groups write theirs side by side.
+    pub(super) lanes: Vec<AtomicU32>,
 }
 
 /// What contacts the blocks of a group have.

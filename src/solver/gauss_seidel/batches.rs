@@ -3,13 +3,15 @@
 use std::iter::repeat_with;
 use std::mem::take;
 use std::ops::Range;
+use std::sync::atomic::{AtomicU32, Ordering};
 
 use arrayvec::ArrayVec;
 
 use super::batch::{Batch, Extra, Group, Progress, SweepParams};
 use super::dispatch::{Drift, Exact, Fill, Judge, Precision, Push, Sweep};
 use super::heavy::Heavy;
-use super::lanes::{Body, Real};
+use super::kinds::NONE;
+use super::lanes::{Body, LANES, Real};
 use super::levers::Levers;
 use super::partition::PARTS;
 use super::resistance::Resistances;
@@ -236,18 +238,30 @@ impl<T: Real> Batches<T> {
         (blocks, &self.resistances[group.resistances.clone()])
     }
 
-    /// Writes the impulses \[N s\] of the blocks' rows.
-    pub(super) fn store(&self, exact: Exact, impulses: &mut [Vec3]) {
+    /// Writes the impulses \[N s\] of the blocks' rows, which are in these `lanes`.
+    pub(super) fn store(
+        &self,
+        exact: Exact,
+        lanes: &[AtomicU32],
+        pool: &Pool,
+        impulses: &mut [Vec3],
+    ) {
+        let share = 1.0 / exact.source.unit;
+        let store = |first: usize, impulses: &mut [Vec3]| {
+            for (impulse, lane) in impulses.iter_mut().zip(&lanes[first..]) {
+                let lane = lane.load(Ordering::Relaxed);
+                if lane != NONE {
+                    let (block, lane) = (lane as usize / LANES, lane as usize % LANES);
+                    let own = &self.blocks[block].impulse[self.latest];
+                    *impulse = Vec3::from_fn(|axis, _| own[axis][lane].exact() * share);
+                }
+            }
+        };
+        pool.pieces(&mut *impulses, store, |(), ()| ());
         for (own, source) in self.resistances.iter().zip(exact.resistances) {
             let [x, y, z] = own.exact(self.latest, exact.source.unit);
             for (lane, row) in source.lanes() {
                 impulses[row] = Vec3::new(x[lane], y[lane], z[lane]);
-            }
-        }
-        for (block, rows) in self.blocks.iter().zip(exact.rows) {
-            let [x, y, z] = block.exact(self.latest, exact.source.unit);
-            for (lane, &row) in rows[..block.count as usize].iter().enumerate() {
-                impulses[row as usize] = Vec3::new(x[lane], y[lane], z[lane]);
             }
         }
     }

@@ -6,6 +6,7 @@
 
 use std::mem::take;
 use std::ops::Range;
+use std::sync::atomic::{AtomicU32, Ordering};
 
 use arrayvec::ArrayVec;
 
@@ -66,15 +67,22 @@ impl Kernel {
         memory::make_room(blocks, count);
         blocks.resize_with(count, Batch::default);
         memory::resize(rows, count, Sixteen::default());
-        let (mut own, mut rows) = (&mut blocks[..], &mut rows[..]);
+        let lanes = &mut grouped.lanes;
+        lanes.clear();
+        memory::make_room(lanes, who.len());
+        lanes.resize_with(who.len(), || AtomicU32::new(NONE));
+        let (mut own, mut rows, mut first) = (&mut blocks[..], &mut rows[..], 0);
         let groups = groups.into_iter().map(|group| {
-            let count = group.blocks;
-            (group, cut(&mut own, count), cut(&mut rows, count))
+            let (count, before) = (group.blocks, first);
+            first += count;
+            (group, before, cut(&mut own, count), cut(&mut rows, count))
         });
         let mut groups: Vec<_> = groups.collect();
-        self.pool.each(size, &mut groups, |(group, blocks, rows)| {
-            group.write((who, places), &self.kinds, blocks, rows);
-        });
+        self.pool
+            .each(size, &mut groups, |(group, first, blocks, rows)| {
+                group.write((who, places), &self.kinds, blocks, rows);
+                group.tell((*first * LANES) as u32, lanes);
+            });
         self.line_up(blocks, &counts);
         self.grouped = grouped;
     }
@@ -308,6 +316,13 @@ impl Share<'_> {
             if kinds.of(k) == Kind::Levered {
                 block.levers = 0;
             }
+        }
+    }
+
+    /// Tells in which of all `lanes` the rows are, of which those of the group begin at `first`.
+    fn tell(&self, first: u32, lanes: &[AtomicU32]) {
+        for (&k, &slot) in self.rows.iter().zip(&*self.slots) {
+            lanes[k as usize].store(first + slot, Ordering::Relaxed);
         }
     }
 }

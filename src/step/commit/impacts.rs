@@ -151,16 +151,17 @@ impl Balance {
     /// Sums up the contacts of `assembly`.
     fn take(&mut self, assembly: &Assembly, solution: &Solution) {
         let rows = &assembly.problem.rows;
-        self.sums.clear();
+        let pool = &assembly.prediction.pool;
         self.sums
             .resize(solution.velocity.len(), [SpatialVector::ZERO; 2]);
+        pool.fill(&mut self.sums[..], |_| [SpatialVector::ZERO; 2]);
         for k in (0..solution.impulses.len()).filter(|&k| solution.loads(k)) {
             self.add(rows, (k, solution.impulses[k]), assembly.is_impact(k));
         }
         self.limits.resize(self.sums.len(), 0.0);
         let sums = &self.sums;
         let of = |body: usize| limit(assembly, body, &sums[body]);
-        assembly.prediction.pool.fill(&mut self.limits[..], of);
+        pool.fill(&mut self.limits[..], of);
         self.resistances.clear();
         self.resistances
             .extend(rows.resistances().map(|(row, contact)| (contact, row)));

@@ -411,9 +411,10 @@ impl Kernel {
     /// Writes the impulses of all rows \[N s\], `[C]`: those that were judged last.
     pub(super) fn store(&self, problem: &Problem, impulses: &mut [Vec3]) {
         let exact = self.contents.exact(problem, self.unit);
+        let (lanes, pool) = (&self.grouped.lanes[..], &self.pool);
         match self.single {
-            true => self.quick.store(exact, impulses),
-            false => self.exact.store(exact, impulses),
+            true => self.quick.store(exact, lanes, pool, impulses),
+            false => self.exact.store(exact, lanes, pool, impulses),
         }
         self.others.store(impulses);
     }
