@@ -1,6 +1,7 @@
 //! How lists that grow with a scene take memory: an eighth more than they need, where those that double take up to twice as much.
 
 /// Lets `list` hold `count` items.
+#[inline]
 pub(crate) fn make_room<T>(list: &mut Vec<T>, count: usize) {
     if count > list.capacity() {
         list.reserve_exact(count + (count / 8).max(LEAST) - list.len());
@@ -22,9 +23,7 @@ pub(crate) fn copy<T: Clone>(list: &mut Vec<T>, other: &[T]) {
 /// Appends an item.
 #[inline]
 pub(crate) fn push<T>(list: &mut Vec<T>, item: T) {
-    if list.len() == list.capacity() {
-        make_room(list, list.len() + 1);
-    }
+    make_room(list, list.len() + 1);
     list.push(item);
 }
 

@@ -18,7 +18,7 @@ use super::near_boundaries::{NearBoundaries, NearBoundary};
 use super::periodic::periodic_pairs;
 use crate::Vec3;
 use crate::detection::detection_distance::{DetectionDistance, SKIN, SOON, STEPS};
-use crate::memory::make_room;
+use crate::memory;
 use crate::parallel::Pool;
 use crate::spatial::cell::Image;
 
@@ -238,8 +238,7 @@ impl NeighborList {
 fn merge(pairs: &mut Vec<(u32, u32)>, found: &[(u32, u32)]) {
     let (mut old, mut new) = (pairs.len(), found.len());
     let mut all = old + new;
-    make_room(pairs, all);
-    pairs.resize(all, (0, 0));
+    memory::resize(pairs, all, (0, 0));
     // From the end, where there is room.
     while new > 0 {
         let older = old > 0 && pairs[old - 1] > found[new - 1];

@@ -246,20 +246,19 @@ impl<T: Real> Batches<T> {
         pool: &Pool,
         impulses: &mut [Vec3],
     ) {
-        let share = 1.0 / exact.source.unit;
+        let unit = exact.source.unit;
         let store = |first: usize, impulses: &mut [Vec3]| {
             for (impulse, lane) in impulses.iter_mut().zip(&lanes[first..]) {
                 let lane = lane.load(Ordering::Relaxed);
                 if lane != NONE {
                     let (block, lane) = (lane as usize / LANES, lane as usize % LANES);
-                    let own = &self.blocks[block].impulse[self.latest];
-                    *impulse = Vec3::from_fn(|axis, _| own[axis][lane].exact() * share);
+                    *impulse = self.blocks[block].exact_of(lane, self.latest, unit);
                 }
             }
         };
         pool.pieces(&mut *impulses, store, |(), ()| ());
         for (own, source) in self.resistances.iter().zip(exact.resistances) {
-            let [x, y, z] = own.exact(self.latest, exact.source.unit);
+            let [x, y, z] = own.exact(self.latest, unit);
             for (lane, row) in source.lanes() {
                 impulses[row] = Vec3::new(x[lane], y[lane], z[lane]);
             }

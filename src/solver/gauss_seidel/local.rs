@@ -17,6 +17,7 @@ use std::ops::Range;
 
 use super::batch::{Batch, Extra, PLAIN, SweepParams, Vector};
 use super::lanes::{Body, Columns, Lanes, Pack, Real, Sixteen, changed};
+use crate::Vec3;
 use crate::problem::law::onto_cone;
 use crate::problem::{BIAS, FRICTION, RADIUS, SCALE, SphereContact};
 
@@ -473,6 +474,13 @@ impl<T: Real> Batch<T> {
     #[inline(always)]
     pub(super) fn exact(&self, latest: usize, unit: f64) -> Vector<f64> {
         exact(&self.impulse[latest], unit)
+    }
+
+    /// That of the contact in `lane`.
+    #[inline]
+    pub(super) fn exact_of(&self, lane: usize, latest: usize, unit: f64) -> Vec3 {
+        let (impulse, share) = (&self.impulse[latest], 1.0 / unit);
+        Vec3::from_fn(|axis, _| impulse[axis][lane].exact() * share)
     }
 
     /// Takes all but the impulses from `rows`.
