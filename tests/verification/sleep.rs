@@ -69,7 +69,8 @@ fn what_lies_far_from_a_blade_sleeps() {
             }
         }
     }
-    assert!(asleep(&sleeping) > 240, "{} sleep", asleep(&sleeping));
+    // Of six runs that differ in the ninth digit of gravity 186 to 281 spheres sleep by then.
+    assert!(asleep(&sleeping) > 160, "{} sleep", asleep(&sleeping));
     assert!(
         asleep(&sleeping) < 470,
         "what the blade moves does not sleep"
@@ -77,6 +78,61 @@ fn what_lies_far_from_a_blade_sleeps() {
     assert!(asleep(&awake) == 0);
     // Two runs of a bed differ by so much.
     close(means[0], means[1], 0.25, 0.0);
+}
+
+/// Balls in a row along x on a floor, at first as fast as `speed`, with a plate behind them that moves at `plate` \[m/s\]. Gravity
+/// has a share `slope` along x.
+fn row(balls: u32, [slope, friction]: [f64; 2], [speed, plate]: [f64; 2]) -> Run {
+    let g = [slope * G, 0.0, -G];
+    let place = |k: u32| format!("[{}, 0.0, {R}],", R * f64::from(2 * k + 1));
+    let positions: String = (0..balls).map(place).collect();
+    let text = format!(
+        r#"
+[simulation]
+duration = 2.0
+communication_step = 0.01
+gravity = {g:?}
+rest_speed = 0.01
+[[spheres]]
+name = "row"
+material = "grain"
+radius = {R}
+positions = [{positions}]
+velocity = [{speed:?}, 0.0, 0.0]
+[[boundary]]
+name = "floor"
+material = "grain"
+faces = [{{ plane = {{ point = [0.0, 0.0, 0.0], normal = [0.0, 0.0, 1.0] }} }}]
+[[boundary]]
+name = "plate"
+material = "grain"
+faces = [{{ plane = {{ point = [0.0, 0.0, 0.0], normal = [1.0, 0.0, 0.0] }} }}]
+motion = {{ constant = {{ velocity = [{plate:?}, 0.0, 0.0] }} }}
+[pair_default]
+friction = {friction:?}
+"#
+    );
+    start(&scene(&text))
+}
+
+/// A ball that rolls at half of the rest speed stops, though nothing brakes it. One that starts to roll on a slope has its
+/// `v = 5/7 slope g t`, and the balls of a row that a plate pushes up a slope have its velocity.
+#[test]
+fn what_rolls_slowly_stops_and_what_is_pushed_does_not() {
+    let mut alone = row(1, [0.0, 0.5], [0.005, -0.1]);
+    let mut sloped = row(1, [0.004, 0.5], [0.0, -0.1]);
+    let mut pushed = row(5, [-0.05, 0.0], [0.005, 0.005]);
+    for _ in 0..100 {
+        for run in [&mut alone, &mut sloped, &mut pushed] {
+            run.advance(0.002);
+        }
+        assert_eq!(asleep(&pushed), 0);
+    }
+    assert_eq!(asleep(&alone), 1);
+    close(sloped.velocity(0).x, 5.0 / 7.0 * 0.004 * G * 0.2, 1e-3, 0.0);
+    for i in 0..5 {
+        close(pushed.velocity(i).x, 0.005, 0.02, 0.0);
+    }
 }
 
 /// A pile asleep, on whose top ball a force pulls with a tenth of its weight: nothing else wakes, and the floor feels it.

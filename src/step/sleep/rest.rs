@@ -6,7 +6,9 @@
 //! - islands, that is spheres that hang together by loaded contacts or in one clump, where no sphere has gathered more than
 //!   a thousandth of the speed that gravity would have brought since it is calm: forces balance;
 //! - of other islands the parts that stand still: as slow as gravity would make them in ten thousandths of a step, with forces that
-//!   balance within the tolerance, and with neighbours that do.
+//!   balance within the tolerance, and with neighbours that do;
+//! - spheres that drift: they keep their velocity, to a thousandth of gravity, and all that they touch stands still. They roll to and
+//!   fro in gaps of a heap, or along a floor. What is pushed slowly drifts as well, but beside others that do, and stays awake.
 
 use petgraph::unionfind::UnionFind;
 
@@ -20,7 +22,8 @@ use crate::step::solution::Solved;
 
 /// Steps without motion after which spheres may fall asleep.
 const CALM: u32 = 10;
-/// Largest share of gravity that may be without balance: the speed over what gravity would have brought since motion ended.
+/// Largest share of gravity that may be without balance: the speed over what gravity would have brought since motion ended, or the
+/// acceleration of what drifts.
 const BALANCE: f64 = 1e-3;
 /// Surface speed of a spin that no contact feels, over that of all other motion.
 const SPIN: f64 = 10.0;
@@ -185,15 +188,18 @@ impl Solved<'_> {
         }
     }
 
-    /// Whether each sphere stands still, or sleeps, and all do that it has contacts with.
+    /// Whether each sphere stands still or drifts, or sleeps, and all stand still or sleep that it has contacts with.
     fn still_spheres(&self, state: &State) -> Vec<bool> {
         let scene = self.prediction().scene;
         let of = |i| state.calm[i] >= FALLEN || self.stands(state, i);
+        let stands: Vec<bool> = (0..state.calm.len()).map(of).collect();
+        let of = |i| stands[i] || self.drifts(state, i);
         let mut still: Vec<bool> = (0..state.calm.len()).map(of).collect();
-        let before = still.clone();
         for load in state.contacts.iter() {
-            if load.key.spheres().any(|i| !before[i]) {
-                load.key.spheres().for_each(|i| still[i] = false);
+            if let Partner::Sphere { index, .. } = load.key.partner {
+                let (a, b) = (load.key.sphere as usize, index as usize);
+                still[a] &= stands[b];
+                still[b] &= stands[a];
             }
         }
         for members in scene.clumps.iter().map(|clump| clump.members.clone()) {
@@ -205,15 +211,22 @@ impl Solved<'_> {
 
     /// Whether sphere `i` is slower than forces without balance make it in a few steps, and its forces balance.
     fn stands(&self, state: &State, i: usize) -> bool {
-        let prediction = self.prediction();
-        let settings = &prediction.scene.settings;
-        let pull = self.pull();
-        let radius = prediction.scene.particles.radius[i];
+        let tolerance = self.prediction().scene.settings.tolerance.force;
+        let time = f64::from(CALM) * self.prediction().step;
+        self.keeps_velocity(state, i, FALLING * tolerance)
+            && self.reported(state, i).linear.norm() <= BALANCE * self.pull() * time
+    }
+
+    /// Whether sphere `i`, though slow, hardly changes its velocity: it rolls in a gap or on a floor.
+    fn drifts(&self, state: &State, i: usize) -> bool {
+        self.keeps_velocity(state, i, BALANCE)
+    }
+
+    /// Whether sphere `i` is calm and its acceleration within a `share` of gravity.
+    fn keeps_velocity(&self, state: &State, i: usize, share: f64) -> bool {
+        let radius = self.prediction().scene.particles.radius[i];
         let size = |v: &SpatialVector| v.linear.norm().max(v.angular.norm() * radius);
-        let time = f64::from(CALM) * prediction.step;
-        state.calm[i] >= CALM
-            && self.reported(state, i).linear.norm() <= BALANCE * pull * time
-            && size(&state.smooth[i]) <= FALLING * settings.tolerance.force * pull
+        state.calm[i] >= CALM && size(&state.smooth[i]) <= share * self.pull()
     }
 
     /// Stops sphere `i`. The boundary on the `ground` takes its momentum, the ledger its kinetic energy. Those of a clump go with
