@@ -1,5 +1,7 @@
 //! How lists that grow with a scene take memory: an eighth more than they need, where those that double take up to twice as much.
 
+use std::ops::Range;
+
 /// Lets `list` hold `count` items.
 #[inline]
 pub(crate) fn make_room<T>(list: &mut Vec<T>, count: usize) {
@@ -25,6 +27,14 @@ pub(crate) fn copy<T: Clone>(list: &mut Vec<T>, other: &[T]) {
 pub(crate) fn push<T>(list: &mut Vec<T>, item: T) {
     make_room(list, list.len() + 1);
     list.push(item);
+}
+
+/// Appends the items of a `run` of `other`, if it has any.
+pub(crate) fn append<T: Clone>(list: &mut Vec<T>, other: &[T], run: &Range<usize>) {
+    if let Some(run) = other.get(run.clone()) {
+        make_room(list, list.len() + run.len());
+        list.extend_from_slice(run);
+    }
 }
 
 /// Items to spare in a short list.

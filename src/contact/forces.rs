@@ -1,7 +1,7 @@
 //! What the contacts of a step carried: forces, couples where materials resist rolling or twisting, and the energy of their shear
 //! springs where they give way.
 
-use std::ops::Deref;
+use std::ops::{Deref, Range};
 
 use serde::{Deserialize, Serialize};
 
@@ -163,17 +163,33 @@ impl ContactForces {
             (load, from.beside(k))
         };
         let mut next = from.iter().enumerate().map(numbered).peekable();
+        // What takes no part stays in runs.
+        let mut first = 0;
         for (k, load) in self.loads.iter().enumerate() {
-            if load.key.spheres().all(|i| rank[i] != u32::MAX) {
+            let taken = load.key.spheres().all(|i| rank[i] != u32::MAX);
+            let due = |(own, _): &(ContactForce, Beside)| own.key < load.key;
+            if !taken && !next.peek().is_some_and(due) {
                 continue;
             }
-            while let Some((own, beside)) = next.next_if(|(own, _)| own.key < load.key) {
-                spare.push(own, beside);
+            spare.append(self, first..k);
+            first = k + usize::from(taken);
+            if !taken {
+                while let Some((own, beside)) = next.next_if(due) {
+                    spare.push(own, beside);
+                }
             }
-            spare.push(*load, self.beside(k));
         }
+        spare.append(self, first..self.loads.len());
         next.for_each(|(own, beside)| spare.push(own, beside));
         std::mem::swap(self, spare);
+    }
+
+    /// Adds the contacts of a `run` in `from`, the last in canonical order.
+    fn append(&mut self, from: &Self, run: Range<usize>) {
+        memory::append(&mut self.loads, &from.loads, &run);
+        memory::append(&mut self.torques, &from.torques, &run);
+        memory::append(&mut self.springs, &from.springs, &run);
+        memory::append(&mut self.holds, &from.holds, &run);
     }
 
     /// Lets `change` change force and couple of each contact.

@@ -88,46 +88,56 @@ impl<F: Fn(usize) -> bool, G: Fn(usize) -> bool> Sums<'_, F, G> {
     fn weights(&self, wrenches: &mut [Wrench]) -> Vec3 {
         let (state, particles) = (self.state, &self.scene.particles);
         let gravity = state.gravity_at(self.scene, state.time);
-        let mut sum = Vec3::zeros();
+        let mut absent = Vec3::zeros();
+        // Of spheres that move freely, mass [kg] and its moment [kg m] on each boundary.
+        let mut on = vec![(0.0, Vec3::zeros()); wrenches.len()];
         for i in (0..particles.len()).filter(|&i| state.kinematics.present[i] && (self.settled)(i))
         {
             // The members of a clump share its mass such that their weights are its own.
-            let linear = particles.free(i)[0].component_mul(&gravity) * particles.mass[i];
-            let weight = SpatialVector {
-                linear,
-                ..SpatialVector::ZERO
-            };
-            self.add(wrenches, i, (state.kinematics.position[i], &weight));
+            let (x, mass) = (state.kinematics.position[i], particles.mass[i]);
+            let felt = particles.free(i)[0].component_mul(&gravity) * mass;
             if (self.absent)(i) {
-                sum += linear;
+                absent += felt;
+            }
+            if self.is_free(i) {
+                let (total, moment) = &mut on[usize::from(state.ground[i])];
+                *total += mass;
+                *moment += x * mass;
+            } else {
+                let weight = SpatialVector {
+                    linear: felt,
+                    ..SpatialVector::ZERO
+                };
+                self.add(wrenches, i, (x, &weight));
             }
         }
-        sum
+        for (b, (mass, moment)) in on.into_iter().enumerate() {
+            let weight = Wrench {
+                force: gravity * mass,
+                torque: (moment - self.pivot(b) * mass).cross(&gravity),
+            };
+            wrenches[b].add(&weight, 1.0);
+        }
+        absent
     }
 
     /// Adds what contacts do to boundaries, and to spheres and so to the boundaries on which these sleep.
     fn contacts(&self, wrenches: &mut [Wrench]) {
         let (state, particles) = (self.state, &self.scene.particles);
         for (k, load) in state.contacts.iter().enumerate() {
-            if !load.key.spheres().any(&self.settled) {
+            let a = load.key.sphere as usize;
+            let acts = match load.key.partner {
+                Partner::Sphere { index, .. } => self.acts_outside(a, index as usize),
+                Partner::Boundary { .. } => (self.settled)(a),
+            };
+            if !acts {
                 continue;
             }
-            let a = load.key.sphere as usize;
             let beside = state.contacts.beside(k);
-            match load.key.partner {
-                Partner::Boundary { boundary, .. } if (self.absent)(a) => {
-                    self.bear(wrenches, usize::from(boundary), (load, &beside));
-                }
-                // What two spheres do to each other is nothing in all where they sleep on the same boundary.
-                Partner::Sphere { index, .. } => {
-                    let b = index as usize;
-                    let both = (self.settled)(a) && (self.settled)(b);
-                    let free = [a, b].map(|i| particles.locks[i] == Locks::default());
-                    if both && free == [true; 2] && state.ground[a] == state.ground[b] {
-                        continue;
-                    }
-                }
-                Partner::Boundary { .. } => {}
+            if let Partner::Boundary { boundary, .. } = load.key.partner
+                && (self.absent)(a)
+            {
+                self.bear(wrenches, usize::from(boundary), (load, &beside));
             }
             let mut give = |i: usize, side: f64| {
                 let arm = load.normal * (-side * particles.radius[i]);
@@ -145,6 +155,22 @@ impl<F: Fn(usize) -> bool, G: Fn(usize) -> bool> Sums<'_, F, G> {
                 give(index as usize, -1.0);
             }
         }
+    }
+
+    /// Whether what two spheres do to each other is of these sums: it is nothing in all where they sleep on the same boundary.
+    fn acts_outside(&self, a: usize, b: usize) -> bool {
+        match ((self.settled)(a), (self.settled)(b)) {
+            (true, true) => {
+                let ground = &self.state.ground;
+                ground[a] != ground[b] || !self.is_free(a) || !self.is_free(b)
+            }
+            (a, b) => a || b,
+        }
+    }
+
+    /// Whether sphere `i` has no locked degrees of freedom.
+    fn is_free(&self, i: usize) -> bool {
+        self.scene.particles.locks[i] == Locks::default()
     }
 
     /// Adds what a contact does to its boundary.

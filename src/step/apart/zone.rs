@@ -19,8 +19,8 @@ type Cells = [[i64; 3]; 2];
 /// The cells about what moves.
 #[derive(Debug, Default)]
 pub(crate) struct Zone {
-    /// Edge of a cell \[m\].
-    edge: f64,
+    /// Cells a length \[1/m\].
+    per_edge: f64,
     /// After how many cells they repeat along each axis: powers of two.
     counts: [i64; 3],
     /// Ring of every cell.
@@ -42,7 +42,7 @@ impl Zone {
             let longest = counts.iter_mut().max();
             longest.into_iter().for_each(|count| *count /= 2);
         }
-        (self.edge, self.counts, self.depth) = (edge, counts, 0);
+        (self.per_edge, self.counts, self.depth) = (1.0 / edge, counts, 0);
         self.last.clear();
         self.ring.clear();
         let all = counts.iter().product::<i64>();
@@ -108,11 +108,18 @@ impl Zone {
     fn cell(&self, x: Vec3) -> [i64; 3] {
         // What is very far away is in the last of all cells.
         const FAR: f64 = 1e12;
-        [x.x, x.y, x.z].map(|x| (x / self.edge).floor().clamp(-FAR, FAR) as i64)
+        // Down, without a call: processors of the baseline have no instruction for `floor`.
+        let along = |x: f64| {
+            let x = (x * self.per_edge).clamp(-FAR, FAR);
+            let towards_zero = x as i64;
+            towards_zero - i64::from(x < towards_zero as f64)
+        };
+        [along(x.x), along(x.y), along(x.z)]
     }
 
     fn place(&self, cell: [i64; 3]) -> usize {
-        let [x, y, z] = std::array::from_fn(|k| cell[k] & (self.counts[k] - 1));
+        let along = |k: usize| cell[k] & (self.counts[k] - 1);
+        let [x, y, z] = [along(0), along(1), along(2)];
         ((z * self.counts[1] + y) * self.counts[0] + x) as usize
     }
 }
