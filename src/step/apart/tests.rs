@@ -167,6 +167,7 @@ positions = {positions:?}
 name = "floor"
 material = "stone"
 faces = [{{ plane = {{ point = [0, 0, 0], normal = [0, 0, 1] }} }}]
+point_of_action = [0.3, -0.2, 0.1]
 "#
     );
     start(&text)
