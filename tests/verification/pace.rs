@@ -113,7 +113,7 @@ fn a_spin_that_no_contact_feels_does_not_keep_a_scene_awake() {
     assert!(!rests(zero, rolling * 4.0));
 }
 
-/// Steady rolling is a balance of forces: it ends once gravity would have brought a thousand times its speed, however short the steps are.
+/// Steady rolling is a balance of forces: it ends once gravity would have brought a hundred times its speed, however short the steps are.
 #[test]
 fn a_sphere_that_rolls_more_slowly_than_at_rest_falls_asleep() {
     let (step, speed) = (5e-4, 5e-3);
@@ -122,12 +122,14 @@ fn a_sphere_that_rolls_more_slowly_than_at_rest_falls_asleep() {
     case.scene.initial.spin[0] = Vec3::y() * (speed / RADIUS);
     case.scene.settings.rest_speed = 2.0 * speed;
     let mut simulation = Simulation::new(Arc::new(case.scene)).expect("a start");
-    let wanted = speed / (1e-3 * G);
+    let wanted = speed / (1e-2 * G);
     while simulation.velocity(0).linear != Vec3::zeros() {
         assert!(simulation.time() < 2.0 * wanted, "it rolls on");
         simulation.advance(step).expect("a step");
     }
-    assert!((simulation.time() - wanted).abs() < 2.0 * step);
+    // Every tenth step it is asked.
+    let late = simulation.time() - wanted;
+    assert!((0.0..11.0 * step).contains(&late), "{late} s");
 }
 
 /// A clump glides and turns on a smooth floor more slowly than at rest, until it sleeps. The floor is booked with what it had:

@@ -7,8 +7,9 @@
 //!   a thousandth of the speed that gravity would have brought since it is calm: forces balance;
 //! - of other islands the parts that stand still: as slow as gravity would make them in ten thousandths of a step, with forces that
 //!   balance within the tolerance, and with neighbours that do;
-//! - spheres that drift: they keep their velocity, to a thousandth of gravity, and all that they touch stands still. They roll to and
-//!   fro in gaps of a heap, or along a floor. What is pushed slowly drifts as well, but beside others that do, and stays awake.
+//! - spheres that drift: slower than a hundredth of gravity would have made them, they keep their velocity to a thousandth of it, and
+//!   all that they touch stands still. They roll to and fro in gaps of a heap, or along a floor. What is pushed slowly drifts as well,
+//!   but beside others that do, and stays awake.
 
 use petgraph::unionfind::UnionFind;
 
@@ -25,6 +26,8 @@ const CALM: u32 = 10;
 /// Largest share of gravity that may be without balance: the speed over what gravity would have brought since motion ended, or the
 /// acceleration of what drifts.
 const BALANCE: f64 = 1e-3;
+/// Largest share of gravity that would have brought what drifts its speed.
+const DRIFT: f64 = 1e-2;
 /// Surface speed of a spin that no contact feels, over that of all other motion.
 const SPIN: f64 = 10.0;
 /// Shares of the tolerance of forces by which a body may be out of balance: to fall asleep, and, beside what is awake, to sleep on.
@@ -106,10 +109,14 @@ impl Solved<'_> {
 
     /// Whether sphere `i` has been slow for long enough, and is slower than forces without balance would make it.
     fn balances(&self, state: &State, i: usize) -> bool {
-        let prediction = self.prediction();
-        let time = f64::from(state.calm[i]) * prediction.step;
+        self.has_gathered(state, i, BALANCE)
+    }
+
+    /// Whether sphere `i` has been slow for long enough, and is slower than a `share` of gravity would make it in this time.
+    fn has_gathered(&self, state: &State, i: usize, share: f64) -> bool {
+        let time = f64::from(state.calm[i]) * self.prediction().step;
         let speed = self.reported(state, i).linear.norm();
-        state.calm[i] >= CALM && speed <= BALANCE * self.pull() * time
+        state.calm[i] >= CALM && speed <= share * self.pull() * time
     }
 
     /// Gravity \[m/s^2\], or what loads would accelerate all by.
@@ -217,9 +224,9 @@ impl Solved<'_> {
             && self.reported(state, i).linear.norm() <= BALANCE * self.pull() * time
     }
 
-    /// Whether sphere `i`, though slow, hardly changes its velocity: it rolls in a gap or on a floor.
+    /// Whether sphere `i`, slow for long enough, hardly changes its velocity: it rolls in a gap or on a floor.
     fn drifts(&self, state: &State, i: usize) -> bool {
-        self.keeps_velocity(state, i, BALANCE)
+        self.has_gathered(state, i, DRIFT) && self.keeps_velocity(state, i, BALANCE)
     }
 
     /// Whether sphere `i` is calm and its acceleration within a `share` of gravity.
