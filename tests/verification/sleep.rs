@@ -59,18 +59,22 @@ friction = 0.5
 #[test]
 fn what_lies_far_from_a_blade_sleeps() {
     let [mut sleeping, mut awake] = [0.01, 0.0].map(trough);
-    let mut means = [0.0; 2];
-    for (run, mean) in [&mut sleeping, &mut awake].into_iter().zip(&mut means) {
+    let (mut means, mut sleep) = ([0.0; 2], [0.0; 2]);
+    let runs = [&mut sleeping, &mut awake].into_iter();
+    for ((run, mean), sleep) in runs.zip(&mut means).zip(&mut sleep) {
         while run.simulation.time() < 1.4 - 1e-9 {
             run.advance(0.01);
             assert_eq!(run.simulation.report().unconverged_steps, 0);
             if run.simulation.time() > 1.1 {
                 *mean += run.simulation.mean_wrench(1).force.x / 30.0;
             }
+            if run.simulation.time() > 0.8 {
+                *sleep += asleep(run) as f64 / 60.0;
+            }
         }
     }
-    // Of six runs that differ in the ninth digit of gravity 186 to 281 spheres sleep by then.
-    assert!(asleep(&sleeping) > 160, "{} sleep", asleep(&sleeping));
+    // On average: how many sleep at one time changes by half with the last bits.
+    assert!(sleep[0] > 240.0, "{} sleep", sleep[0]);
     assert!(
         asleep(&sleeping) < 470,
         "what the blade moves does not sleep"

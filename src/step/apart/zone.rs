@@ -19,7 +19,7 @@ type Cells = [[i64; 3]; 2];
 /// The cells about what moves.
 #[derive(Debug, Default)]
 pub(crate) struct Zone {
-    /// Cells a length \[1/m\].
+    /// One over the edge of a cell \[1/m\].
     per_edge: f64,
     /// After how many cells they repeat along each axis: powers of two.
     counts: [i64; 3],

@@ -109,12 +109,12 @@ impl Solved<'_> {
 
     /// Whether sphere `i` has been slow for long enough, and is slower than forces without balance would make it.
     fn balances(&self, state: &State, i: usize) -> bool {
-        self.has_gathered(state, i, BALANCE)
+        self.has_gathered(state, i, (BALANCE, state.calm[i]))
     }
 
-    /// Whether sphere `i` has been slow for long enough, and is slower than a `share` of gravity would make it in this time.
-    fn has_gathered(&self, state: &State, i: usize, share: f64) -> bool {
-        let time = f64::from(state.calm[i]) * self.prediction().step;
+    /// Whether sphere `i` has been slow for long enough, and is no faster than a share of gravity would make it in so many `steps`.
+    fn has_gathered(&self, state: &State, i: usize, (share, steps): (f64, u32)) -> bool {
+        let time = f64::from(steps) * self.prediction().step;
         let speed = self.reported(state, i).linear.norm();
         state.calm[i] >= CALM && speed <= share * self.pull() * time
     }
@@ -219,21 +219,21 @@ impl Solved<'_> {
     /// Whether sphere `i` is slower than forces without balance make it in a few steps, and its forces balance.
     fn stands(&self, state: &State, i: usize) -> bool {
         let tolerance = self.prediction().scene.settings.tolerance.force;
-        let time = f64::from(CALM) * self.prediction().step;
-        self.keeps_velocity(state, i, FALLING * tolerance)
-            && self.reported(state, i).linear.norm() <= BALANCE * self.pull() * time
+        self.has_gathered(state, i, (BALANCE, CALM))
+            && self.keeps_velocity(state, i, FALLING * tolerance)
     }
 
     /// Whether sphere `i`, slow for long enough, hardly changes its velocity: it rolls in a gap or on a floor.
     fn drifts(&self, state: &State, i: usize) -> bool {
-        self.has_gathered(state, i, DRIFT) && self.keeps_velocity(state, i, BALANCE)
+        self.has_gathered(state, i, (DRIFT, state.calm[i]))
+            && self.keeps_velocity(state, i, BALANCE)
     }
 
-    /// Whether sphere `i` is calm and its acceleration within a `share` of gravity.
+    /// Whether the acceleration of sphere `i` is within a `share` of gravity.
     fn keeps_velocity(&self, state: &State, i: usize, share: f64) -> bool {
         let radius = self.prediction().scene.particles.radius[i];
         let size = |v: &SpatialVector| v.linear.norm().max(v.angular.norm() * radius);
-        state.calm[i] >= CALM && size(&state.smooth[i]) <= share * self.pull()
+        size(&state.smooth[i]) <= share * self.pull()
     }
 
     /// Stops sphere `i`. The boundary on the `ground` takes its momentum, the ledger its kinetic energy. Those of a clump go with
