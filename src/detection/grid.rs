@@ -78,20 +78,18 @@ pub(super) fn pairs_of(
             .iter()
             .for_each(|own| search.test(own, 0, &mut pairs));
     } else {
-        // All others look around for the chosen ones: no grid of all is made.
-        let grids = Grids::new(chosen.into_iter(), DOUBLINGS);
-        let around = |spheres: Range<usize>, pairs: &mut Vec<_>| {
+        let grids = Grids::new(all, DOUBLINGS);
+        let around = |own: Range<usize>, pairs: &mut Vec<_>| {
             let mut search = Search::default();
-            for j in spheres.filter(|&j| present[j]) {
-                let own = Member::new(j as u32, position, size);
+            for own in &chosen[own] {
                 search.others.clear();
                 for grid in &grids.0 {
-                    grid.around(&own, &mut search.others);
+                    grid.around(own, &mut search.others);
                 }
-                search.test(&own, 0, pairs);
+                search.test(own, 0, pairs);
             }
         };
-        pool.collect(position.len(), around, &mut pairs);
+        pool.collect(chosen.len(), around, &mut pairs);
     }
     pool.sort(&mut pairs);
     pairs.dedup();

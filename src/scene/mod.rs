@@ -154,14 +154,19 @@ const CURVATURE: f64 = 10.0;
 const OPENED: f64 = 0.01;
 
 impl Settings {
-    /// Gap \[m\] at which a contact is to carry load that a step of `dt` \[s\] finds at `gap` \[m\], `radius` \[m\] being the smaller
-    /// one: its own between one and two reserves, so that what rests keeps its place and its forces. A narrower one opens
+    /// Length \[m\] by which a contact that is to carry load may open within a step of `dt` \[s\].
+    pub(crate) fn opened(&self, dt: f64) -> f64 {
+        OPENED * self.gravity.norm() * dt * dt
+    }
+
+    /// Gap \[m\] at which a contact is to carry load that a step with this [`Self::opened`] finds at `gap` \[m\], `radius` \[m\] being
+    /// the smaller one: its own between one and two reserves, so that what rests keeps its place and its forces. A narrower one opens
     /// little by little, which presses like a hundredth of the weight.
     #[inline]
-    pub(crate) fn carried(&self, gap: f64, radius: f64, dt: f64) -> f64 {
+    pub(crate) fn carried(&self, gap: f64, radius: f64, opened: f64) -> f64 {
         let reserve = self.reserve() * radius;
         let touching = gap.max(0.0);
-        let opened = touching + OPENED * self.gravity.norm() * dt * dt;
+        let opened = touching + opened;
         opened.min(reserve).max(touching).min(2.0 * reserve)
     }
 
@@ -170,7 +175,10 @@ impl Settings {
     #[inline]
     pub(crate) fn left(&self, gap: f64, radius: f64, dt: f64) -> f64 {
         let beyond = -gap - self.tolerance.gap * radius;
-        beyond.max(0.0) * (1.0 - dt / self.step).max(0.0)
+        match beyond > 0.0 {
+            true => beyond * (1.0 - dt / self.step).max(0.0),
+            false => 0.0,
+        }
     }
 
     /// Largest gap over the smaller radius at which surfaces touch \[-\]: what a step may leave open, and its own error.

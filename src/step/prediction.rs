@@ -59,6 +59,8 @@ pub(super) struct Prediction<'a> {
     pub(super) gravity: Vec3,
     /// Its size.
     pub(super) gravity_size: f64,
+    /// What contacts that carry load may open in the step \[m\].
+    pub(super) opened: f64,
     /// Spring targets at the end of the step \[m\], `[S]`.
     pub(super) targets: Vec<Vec3>,
     /// [`mean_acceleration`] \[m/s^2\].
@@ -123,6 +125,7 @@ pub(super) fn predict<'a>(
         step: dt,
         gravity,
         gravity_size: gravity.norm(),
+        opened: scene.settings.opened(dt),
         mean_acceleration: mean_acceleration(scene, &external, &bodies),
         steady: state.last_step >= STEADY * dt,
         gives_way: gives_way(scene),
@@ -191,6 +194,7 @@ impl<'a> Prediction<'a> {
             step: dt,
             gravity,
             gravity_size: gravity.norm(),
+            opened: scene.settings.opened(dt),
             mean_acceleration: mean_acceleration(scene, &external, &bodies),
             steady: false,
             gives_way: gives_way(scene),
@@ -234,6 +238,7 @@ impl<'a> Prediction<'a> {
             step: scene.settings.step,
             gravity: Vec3::zeros(),
             gravity_size: 0.0,
+            opened: scene.settings.opened(scene.settings.step),
             mean_acceleration: mean_acceleration(scene, &external, &[]),
             steady: false,
             gives_way: gives_way(scene),

@@ -23,8 +23,8 @@ pub(super) struct Lost {
     pub(super) impact: f64,
     /// Impulse along its normal \[N s\]; none of a couple.
     pub(super) impulse: f64,
-    /// Speed across it \[m/s\].
-    pub(super) slip: f64,
+    /// Velocity across it \[m/s\].
+    pub(super) slip: Vec3,
 }
 
 impl Lost {
@@ -36,7 +36,7 @@ impl Lost {
             friction: -(p - n * p_n).dot(&u),
             impact: if impact { -p_n * along } else { 0.0 },
             impulse: p_n,
-            slip: (u - n * along).norm(),
+            slip: u - n * along,
         }
     }
 
@@ -225,7 +225,7 @@ impl Solved<'_> {
         match held.is_some_and(|held| held.bond().is_some()) {
             true => Lost {
                 friction: 0.0,
-                slip: 0.0,
+                slip: Vec3::zeros(),
                 ..lost
             },
             false => lost,

@@ -103,35 +103,38 @@ pub(crate) fn spread_impacts(
 /// Which bodies only hold against their impacts; its memory serves from step to step.
 #[derive(Debug, Default)]
 pub(crate) struct Balance {
-    /// Impulses \[N s\], \[N m s\] of smooth contacts and of impacts on each body, `[N + M]`.
+    /// Whether a body has its sums, `[N + M]`: those that impacts touch do, for no other can hold against them.
+    summed: Vec<bool>,
+    /// Impulses \[N s\], \[N m s\] of smooth contacts and of impacts on such bodies, `[N + M]`.
     sums: Vec<[SpatialVector; 2]>,
-    /// Radius \[m\] of a contact below which they cancel: each is much more than what both together change of the motion.
+    /// Radius \[m\] of a contact below which they cancel: each is much more than what both together change of the motion. Zero where
+    /// there are no sums.
     limits: Vec<f64>,
     /// Rows of resistances by their contacts, in order.
     resistances: Vec<(usize, usize)>,
-    contacts: ContactsOfBodies,
+    rows: RowsOfBodies,
 }
 
-/// The contacts of each body: made when asked for first.
+/// The rows of each body: made when asked for first.
 #[derive(Debug, Default)]
-struct ContactsOfBodies {
+struct RowsOfBodies {
     /// Where those of each body end in `sides`, `[N + M]`; empty until they are asked for.
     ends: Vec<u32>,
-    /// By body: twice the contact, and one more where the body is its second.
+    /// By body: twice the row, and one more where the body is its second.
     sides: Vec<u32>,
 }
 
-impl ContactsOfBodies {
+impl RowsOfBodies {
     fn forget(&mut self) {
         self.ends.clear();
     }
 
-    /// Looks at the first `count` of the rows, of `bodies` bodies, unless it has.
-    fn find(&mut self, rows: &Rows, (count, bodies): (usize, usize)) {
+    /// Looks at the rows, of `bodies` bodies, unless it has.
+    fn find(&mut self, rows: &Rows, bodies: usize) {
         if !self.ends.is_empty() {
             return;
         }
-        let held = rows.all_bodies()[..count].as_flattened();
+        let held = rows.all_bodies().as_flattened();
         let body = |side: &u32| held[*side as usize];
         let sides = (0..held.len() as u32).filter(|side| (body(side) as usize) < bodies);
         counting_sort(sides, (body, bodies), &mut self.ends, &mut self.sides);
@@ -148,35 +151,81 @@ impl ContactsOfBodies {
 }
 
 impl Balance {
-    /// Sums up the contacts of `assembly`.
+    /// Sums up the rows of `assembly` on the bodies that impacts touch.
     fn take(&mut self, assembly: &Assembly, solution: &Solution) {
         let rows = &assembly.problem.rows;
         let pool = &assembly.prediction.pool;
-        self.sums
-            .resize(solution.velocity.len(), [SpatialVector::ZERO; 2]);
-        pool.fill(&mut self.sums[..], |_| [SpatialVector::ZERO; 2]);
-        for k in (0..solution.impulses.len()).filter(|&k| solution.loads(k)) {
-            self.add(rows, (k, solution.impulses[k]), assembly.is_impact(k));
+        let bodies = solution.velocity.len();
+        self.summed.clear();
+        self.summed.resize(bodies, false);
+        self.sums.resize(bodies, [SpatialVector::ZERO; 2]);
+        self.rows.forget();
+        let loaded = |k: &usize| solution.loads(*k);
+        let all = 0..solution.impulses.len();
+        for k in all.clone().filter(loaded) {
+            if assembly.is_impact(k) {
+                for body in rows.bodies(k).map(|body| body as usize) {
+                    if self.summed.get(body) == Some(&false) {
+                        self.summed[body] = true;
+                        self.sums[body] = [SpatialVector::ZERO; 2];
+                    }
+                }
+            }
         }
-        self.limits.resize(self.sums.len(), 0.0);
-        let sums = &self.sums;
-        let of = |body: usize| limit(assembly, body, &sums[body]);
+        for k in all.filter(loaded) {
+            if rows.bodies(k).into_iter().any(|body| self.has(body)) {
+                self.add(rows, (k, solution.impulses[k]), assembly.is_impact(k));
+            }
+        }
+        self.limits.resize(bodies, 0.0);
+        let (sums, summed) = (&self.sums, &self.summed);
+        let of = |body: usize| match summed[body] {
+            true => limit(assembly, body, &sums[body]),
+            false => 0.0,
+        };
         pool.fill(&mut self.limits[..], of);
         self.resistances.clear();
         self.resistances
             .extend(rows.resistances().map(|(row, contact)| (contact, row)));
         self.resistances.sort_unstable();
-        self.contacts.forget();
     }
 
-    /// Adds the impulse \[N s\] of row `k` to the smooth ones of its bodies, or to the impacts.
+    /// Whether `body` has its sums; the ground has none.
+    fn has(&self, body: u32) -> bool {
+        self.summed.get(body as usize) == Some(&true)
+    }
+
+    /// Adds the impulse \[N s\] of row `k` to the smooth ones of its bodies that have sums, or to the impacts.
     fn add(&mut self, rows: &Rows, (k, impulse): (usize, Vec3), impact: bool) {
         for (body, push) in rows.bodies(k).into_iter().zip(&rows.momenta(k, impulse)) {
-            if let Some(sums) = self.sums.get_mut(body as usize) {
-                let sum = &mut sums[usize::from(impact)];
+            if self.has(body) {
+                let sum = &mut self.sums[body as usize][usize::from(impact)];
                 *sum = sum.plus(push, 1.0);
             }
         }
+    }
+
+    /// Sums up the rows of `body`, unless it has its sums or is the ground.
+    fn sum_up(&mut self, assembly: &Assembly, solution: &Solution, body: u32) {
+        if self.summed.get(body as usize) != Some(&false) {
+            return;
+        }
+        let rows = &assembly.problem.rows;
+        self.rows.find(rows, self.summed.len());
+        let mut sums = [SpatialVector::ZERO; 2];
+        for k in self.rows.of(body).filter(|&k| solution.loads(k)) {
+            let pushes = rows.momenta(k, solution.impulses[k]);
+            let sum = &mut sums[usize::from(assembly.is_impact(k))];
+            for (_, push) in rows
+                .bodies(k)
+                .iter()
+                .zip(&pushes)
+                .filter(|(own, _)| **own == body)
+            {
+                *sum = sum.plus(push, 1.0);
+            }
+        }
+        (self.summed[body as usize], self.sums[body as usize]) = (true, sums);
     }
 
     /// The loaded contacts of bodies whose smooth forces and impacts cancel.
@@ -205,15 +254,14 @@ impl Balance {
         changed: &[usize],
     ) -> Vec<usize> {
         let rows = &assembly.problem.rows;
-        let all = (assembly.impact.len(), self.sums.len());
-        self.contacts.find(rows, all);
+        self.rows.find(rows, self.sums.len());
         let bodies = changed.iter().flat_map(|&k| rows.bodies(k));
         let mut bodies: Vec<u32> = bodies.collect();
         bodies.sort_unstable();
         bodies.dedup();
-        let beside = bodies.iter().flat_map(|&body| self.contacts.of(body));
+        let beside = bodies.iter().flat_map(|&body| self.rows.of(body));
         let mut found: Vec<usize> = beside
-            .filter(|&k| self.cancels(assembly, solution, k))
+            .filter(|&k| k < assembly.impact.len() && self.cancels(assembly, solution, k))
             .collect();
         found.sort_unstable();
         found.dedup();
@@ -234,6 +282,9 @@ impl Balance {
     fn change(&mut self, assembly: &mut Assembly, solution: &Solution, (k, impact): (usize, bool)) {
         if assembly.impact[k] == impact {
             return;
+        }
+        for body in assembly.problem.rows.bodies(k) {
+            self.sum_up(assembly, solution, body);
         }
         assembly.impact[k] = impact;
         let rows = &assembly.problem.rows;
@@ -340,14 +391,17 @@ faces = [{ plane = { point = [0.0, 0.0, 0.0], normal = [0.0, 0.0, 1.0] } }]
                 own.retain(|k| of(k).any(|body| body != GROUND && [a, b].contains(&body)));
                 assert_eq!(kept.held_beside(assembly, &solution, &[k]), own, "{k}");
                 most = most.max(held.len());
-                let sums = kept.sums.as_flattened().iter();
-                for (kept, anew) in sums.zip(anew.sums.as_flattened()) {
-                    let apart = kept.plus(anew, -1.0);
-                    assert!(apart.dot(&apart) < 1e-16, "{k}: {kept:?}, {anew:?}");
-                }
-                let limits = kept.limits.iter().zip(&anew.limits);
-                for (kept, anew) in limits.filter(|(kept, anew)| kept != anew) {
-                    assert!((kept - anew).abs() < 1e-9, "{k}: {kept}, {anew}");
+                for body in (0..anew.summed.len()).filter(|&body| anew.summed[body]) {
+                    assert!(kept.summed[body]);
+                    for (kept, anew) in kept.sums[body].iter().zip(&anew.sums[body]) {
+                        let apart = kept.plus(anew, -1.0);
+                        assert!(apart.dot(&apart) < 1e-16, "{k}: {kept:?}, {anew:?}");
+                    }
+                    let [kept, anew] = [&kept, &anew].map(|own| own.limits[body]);
+                    assert!(
+                        kept == anew || (kept - anew).abs() < 1e-9,
+                        "{k}: {kept}, {anew}"
+                    );
                 }
             }
             assert!(most > 0);
@@ -366,11 +420,17 @@ faces = [{ plane = { point = [0.0, 0.0, 0.0], normal = [0.0, 0.0, 1.0] } }]
             let count = assembly.problem.rows.len();
             assert_eq!((assembly.impact.len(), count), (600, 1200));
             let impulses = (1..=count).map(|k| Vec3::new(0.1 * k as f64, 1.0, k as f64));
+            assembly.impact.fill(true);
+            assembly.impact[7] = false;
             let solution = Solution::of(assembly, impulses.collect());
             let mut balance = Balance::default();
             balance.take(assembly, &solution);
             assert_eq!(balance.limits.len(), 600);
             for (body, found) in balance.limits.iter().enumerate() {
+                if body == 7 {
+                    assert_eq!(*found, 0.0);
+                    continue;
+                }
                 assert_eq!(*found, limit(assembly, body, &balance.sums[body]), "{body}");
             }
             assert!(balance.limits.windows(2).all(|pair| pair[0] != pair[1]));

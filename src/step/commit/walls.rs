@@ -88,7 +88,7 @@ impl Solved<'_> {
                 let sums = &mut state.walls.list[b].triangles[triangle as usize];
                 sums.friction += (lost.friction + returned) * share;
                 sums.impact += (lost.impact + damped) * share;
-                sums.wear += wear * lost.impulse * lost.slip * share;
+                sums.wear += wear * lost.impulse * lost.slip.norm() * share;
             }
         }
     }

@@ -175,7 +175,7 @@ impl Prediction<'_> {
             None => {
                 let settings = &self.scene.settings;
                 let gap = candidate.gap - hold.rest();
-                gap - settings.carried(gap, contact.radius, self.step)
+                gap - settings.carried(gap, contact.radius, self.opened)
                     + settings.left(gap, contact.radius, self.step)
             }
         };
