@@ -26,6 +26,8 @@ const FEWEST: usize = 1024;
 const MARGIN: f64 = 1.0 + 1e-5;
 /// How often the cells around chosen spheres may be doubled in length sooner than they are scattered.
 const DOUBLINGS: u32 = 4;
+/// From one of so many spheres on they look around in a grid of all.
+const RARE: usize = 16;
 /// So many spheres look at all others sooner than a grid is made.
 pub(super) const FEW: usize = 4;
 
@@ -77,19 +79,33 @@ pub(super) fn pairs_of(
         chosen
             .iter()
             .for_each(|own| search.test(own, 0, &mut pairs));
-    } else {
+    } else if chosen.len() * RARE > position.len() {
         let grids = Grids::new(all, DOUBLINGS);
         let around = |own: Range<usize>, pairs: &mut Vec<_>| {
             let mut search = Search::default();
             for own in &chosen[own] {
-                search.others.clear();
-                for grid in &grids.0 {
-                    grid.around(own, &mut search.others);
-                }
-                search.test(own, 0, pairs);
+                search.around(own, &grids.0, pairs);
             }
         };
         pool.collect(chosen.len(), around, &mut pairs);
+    } else {
+        // All others look whether one is near: no grid of all is made.
+        let grids = Grids::new(chosen.into_iter(), DOUBLINGS);
+        let beside: Vec<Vec<bool>> = grids.0.iter().map(Grid::beside).collect();
+        let is_near = |own: &Member| {
+            let mut grids = grids.0.iter().zip(&beside);
+            grids.any(|(grid, beside)| grid.may_be_near(own, beside))
+        };
+        let around = |others: Range<usize>, pairs: &mut Vec<_>| {
+            let mut search = Search::default();
+            for j in others.filter(|&j| present[j]) {
+                let own = Member::new(j as u32, position, size);
+                if is_near(&own) {
+                    search.around(&own, &grids.0, pairs);
+                }
+            }
+        };
+        pool.collect(position.len(), around, &mut pairs);
     }
     pool.sort(&mut pairs);
     pairs.dedup();
@@ -133,6 +149,15 @@ struct Search {
 }
 
 impl Search {
+    /// Adds the pairs of `own` with the spheres of the `grids`.
+    fn around(&mut self, own: &Member, grids: &[Grid], pairs: &mut Vec<(u32, u32)>) {
+        self.others.clear();
+        for grid in grids {
+            grid.around(own, &mut self.others);
+        }
+        self.test(own, 0, pairs);
+    }
+
     /// Adds the pairs of `own` with those of the others from `first` on that are near.
     fn test(&mut self, own: &Member, first: usize, pairs: &mut Vec<(u32, u32)>) {
         let others = &self.others[first..];
@@ -318,6 +343,33 @@ impl Grid {
         }
     }
 
+    /// Whether each cell or one beside it has members.
+    fn beside(&self) -> Vec<bool> {
+        let mut beside = vec![false; self.cells()];
+        for own in &self.members {
+            let middle = self.key(self.place(own.position));
+            for layer in [self.stride[1].wrapping_neg(), 0, self.stride[1]] {
+                for row in [self.stride[0].wrapping_neg(), 0, self.stride[0]] {
+                    for step in [u32::MAX, 0, 1] {
+                        let key = middle.wrapping_add(layer).wrapping_add(row);
+                        beside[(key.wrapping_add(step) & self.mask) as usize] = true;
+                    }
+                }
+            }
+        }
+        beside
+    }
+
+    /// Whether `own` may be near a member, by what cells are [`Self::beside`] some.
+    fn may_be_near(&self, own: &Member, beside: &[bool]) -> bool {
+        if own.size > self.largest {
+            return true;
+        }
+        let place = self.place(own.position);
+        let outside = |count: [i32; 3]| (0..3).any(|k| place[k] >= count[k]);
+        !self.count.is_some_and(outside) && beside[self.key(place) as usize]
+    }
+
     /// Appends the members that may be near `own`.
     fn around(&self, own: &Member, others: &mut Vec<Member>) {
         let reach = Vec3::repeat((own.size + self.largest) * MARGIN);
@@ -403,7 +455,7 @@ mod tests {
             }
             prop_assert_eq!(&sphere_pairs(&position, &present, &size, &Pool::default()), &expected);
             // Of some of the spheres, few or many.
-            for every in [3, 12, 30] {
+            for every in [3, 12, 30, 40, 55] {
                 prop_assert_eq!(pairs_of(&chosen(every, &position), &position, &present, &size, &Pool::default()), theirs(every, &expected));
             }
         }
@@ -427,7 +479,7 @@ mod tests {
             }
             let present = vec![true; position.len()];
             prop_assert_eq!(&sphere_pairs(&position, &present, &size, &Pool::default()), &expected);
-            for every in [3, 12, 30] {
+            for every in [3, 12, 30, 40, 55] {
                 prop_assert_eq!(pairs_of(&chosen(every, &position), &position, &present, &size, &Pool::default()), theirs(every, &expected));
             }
         }

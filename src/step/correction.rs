@@ -156,7 +156,8 @@ fn bias_of(assembly: &Assembly, solution: &Solution, end: &Configuration, k: usi
         c => solution.impulses[k].dot(&rows.normal(k)) * c * step,
     };
     let start = assembly.candidates[k].gap - assembly.rest(k);
-    let carried = settings.carried(start, rows.radius(k), assembly.prediction.opened) - left_of(assembly, k);
+    let carried =
+        settings.carried(start, rows.radius(k), assembly.prediction.opened) - left_of(assembly, k);
     let linear = linear_change(assembly, solution, k);
     let wanted = (gap - carried - compression - linear) / step;
     match assembly.impact[k] {
