@@ -83,6 +83,20 @@ impl Residual {
         self.gap <= tolerance.gap && self.slip <= tolerance.slip && self.force <= tolerance.force
     }
 
+    /// The rows of the residuals that are not within `tolerance`.
+    pub(crate) fn unsolved(&self, tolerance: &Tolerance) -> impl Iterator<Item = usize> {
+        let within = [
+            self.gap <= tolerance.gap,
+            self.slip <= tolerance.slip,
+            self.force <= tolerance.force,
+        ];
+        self.worst
+            .into_iter()
+            .zip(within)
+            .filter(|(_, within)| !within)
+            .map(|(row, _)| row)
+    }
+
     /// Largest of the three over its tolerance \[-\]; infinite where one is no number.
     #[must_use]
     pub fn excess(&self, tolerance: &Tolerance) -> f64 {

@@ -14,7 +14,7 @@ use crate::sorting::insert_all;
 use crate::state::State;
 
 /// What is corrected in a problem: gaps as the true geometry has them, normals and arms keep the start of the step, as in SHAKE;
-/// rebounds where they make energy, bonds whose attraction does not hold what they carry.
+/// rebounds where they make energy or have no solution, bonds whose attraction does not hold what they carry.
 #[derive(Default)]
 pub(super) struct Correction {
     /// Of the candidates, whether their gap is re-linearised.
@@ -23,6 +23,8 @@ pub(super) struct Correction {
     pub(super) late: Vec<Candidate>,
     /// Impacts that rebound with this share of Newton's law.
     pub(super) rebounds: Vec<(usize, f64)>,
+    /// Impacts of contacts that give way, which are no longer rigid.
+    pub(super) sprung: Vec<usize>,
     /// Bonds that attract with so much \[N\] from now on.
     pub(super) filled: Vec<(usize, f64)>,
 }
@@ -94,6 +96,14 @@ impl Correction {
         };
         relinearise(assembly, solution, &end, &self.yields);
         solution.position = position;
+        for &k in &self.sprung {
+            let carried = assembly.past[k].carried(&state.contacts);
+            let (free, found) = (&assembly.problem.free, &assembly.candidates[k]);
+            let contact = prediction.contact_row(free, found, carried, Some(false));
+            assembly.problem.rows.update(k, |row| *row = contact.row);
+            assembly.elastic[k] = contact.elastic;
+            assembly.impact[k] = false;
+        }
         for &(k, share) in &self.rebounds {
             let carried = assembly.past[k].carried(&state.contacts);
             let (free, found) = (&assembly.problem.free, &assembly.candidates[k]);

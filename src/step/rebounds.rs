@@ -11,6 +11,9 @@
 //!
 //! is not positive. At `theta = 0` it never is. As long as the same contacts stick, slip and part, `D` is a square function.
 //!
+//! Nor do impacts rebound that hang together with what no solver solves, after the step has been cut: in a chain of bodies between two
+//! boundaries they may demand more than there is between these, and then no solution exists.
+//!
 //! Nor does a body rebound that a boundary wedges: where the line between two of its contacts lies in both cones of friction, they
 //! hold each other with any force. If it cannot part from one as far as the other's gap lets it, Newton's law has no solution.
 
@@ -101,9 +104,55 @@ impl Rebounds {
             ..Correction::default()
         })
     }
+
+    /// Whether some impacts are left that [`Self::give_up`] would give up.
+    pub(super) fn are_left(&self, assembly: &Assembly) -> bool {
+        let mut all = 0..assembly.candidates.len();
+        !self.are_given_up() && all.any(|k| assembly.demands(k))
+    }
+
+    /// Whether rebounds of some island are given up.
+    pub(super) fn are_given_up(&self) -> bool {
+        self.0
+            .values()
+            .any(|search| search.share == 0.0 && search.ended)
+    }
+
+    /// Gives up what impacts demand in the islands of `rows` that no solver solves: none rebounds, and those of contacts that give way
+    /// do so. `None` where nothing is left to give up.
+    pub(super) fn give_up(&mut self, assembly: &Assembly, rows: &[usize]) -> Option<Correction> {
+        let islands = islands(assembly);
+        let island = |k: usize| islands.find(assembly.problem.rows.bodies(k)[0] as usize);
+        let unsolved: BTreeSet<usize> = rows.iter().map(|&k| island(k)).collect();
+        let is_left = |k: usize| {
+            let search = self.0.get(&island(k));
+            unsolved.contains(&island(k)) && search.is_none_or(|search| search.share > 0.0)
+        };
+        let impacts = (0..assembly.candidates.len()).filter(|&k| assembly.demands(k) && is_left(k));
+        let (sprung, rigid): (Vec<usize>, Vec<usize>) =
+            impacts.partition(|&k| assembly.elastic(k).is_some());
+        for &k in sprung.iter().chain(&rigid) {
+            self.0.insert(island(k), Search::GIVEN_UP);
+        }
+        (!sprung.is_empty() || !rigid.is_empty()).then(|| Correction {
+            rebounds: rigid.into_iter().map(|k| (k, 0.0)).collect(),
+            sprung,
+            ..Correction::default()
+        })
+    }
 }
 
 impl Search {
+    /// No rebounds, whatever is found.
+    const GIVEN_UP: Self = Self {
+        share: 0.0,
+        makes: [0.0; 2],
+        loses: None,
+        made: true,
+        solves: SOLVES,
+        ended: true,
+    };
+
     /// After a solve with the whole rebounds: none shows how much there is to lose.
     fn new(work: &Work) -> Self {
         Self {
@@ -195,6 +244,15 @@ impl Assembly<'_> {
         self.impact[k]
             && self.prediction.pair(self.candidates[k].key).restitution > 0.0
             && !self.is_wedged(k)
+    }
+
+    /// Whether contact `k` is an impact that demands what other contacts may leave no room for: to rebound, or that what gives way is
+    /// rigid.
+    fn demands(&self, k: usize) -> bool {
+        let settings = &self.prediction.scene.settings;
+        let by_impulses =
+            settings.integrator == Integrator::Moreau && settings.method != Method::Penalty;
+        by_impulses && self.impact[k] && (self.rebounds(k) || self.elastic(k).is_some())
     }
 
     fn is_wedged(&self, k: usize) -> bool {

@@ -11,7 +11,7 @@ use super::verify::verify;
 use super::workspace::Workspace;
 use super::{Effort, StepFailure, StepOutput};
 use crate::scene::Method;
-use crate::solver::Report;
+use crate::solver::{Report, SolverKind};
 use crate::state::{Squeezed, State};
 
 /// Passes of re-linearisation and late contacts before the step is cut.
@@ -20,8 +20,10 @@ const PASSES: usize = 30;
 const LOOSE_PASSES: usize = 2;
 /// How often what is squeezed gives way in a pass.
 const SOFTENINGS: usize = 4;
-/// A solve in which something gives way may take so many times the sweeps of one that can be cut.
+/// A solve in which something gives way, or rebounds were given up, may take so many times the sweeps of one that can be cut.
 const GIVING_WAY: usize = 4;
+/// Sweeps that show whether rebounds have a solution.
+const TRIAL_SWEEPS: usize = 1000;
 
 /// Solves until the true geometry agrees: gaps are re-linearised, late contacts join.
 ///
@@ -93,6 +95,24 @@ impl Passes {
         &self.total
     }
 
+    /// Whether a solve without limits, which takes long where there is no solution, is to come after one that shows whether rebounds
+    /// have one.
+    fn tries_rebounds(&self, assembly: &Assembly) -> bool {
+        let solver = assembly.prediction.scene.settings.solver;
+        solver != SolverKind::Direct && self.rebounds.are_left(assembly)
+    }
+
+    /// Gives up what impacts demand where the last solve, with this `share` of the reserve, left rows unsolved; `None` where nothing
+    /// is left to give up.
+    fn give_up(&mut self, assembly: &Assembly, share: f64) -> Option<Correction> {
+        if self.count >= PASSES {
+            return None;
+        }
+        let tolerance = assembly.prediction.scene.settings.linear_tolerance(share);
+        let unsolved: Vec<usize> = self.total.residual.unsolved(&tolerance).collect();
+        self.rebounds.give_up(assembly, &unsolved)
+    }
+
     /// Solves and verifies once more.
     ///
     /// # Errors
@@ -103,20 +123,39 @@ impl Passes {
         solution: &mut Solution,
         workspace: &mut Workspace,
     ) -> Result<Pass, StepFailure> {
+        let settings = &assembly.prediction.scene.settings;
         let accept = self.effort.accept;
         self.count += 1;
         let limit = self.budget.map(|budget| budget - self.total.sweeps);
-        let limit = limit.or(self.sweep_limit);
+        let patience = match self.rebounds.are_given_up() {
+            true => GIVING_WAY,
+            false => 1,
+        };
+        let limit = limit.or(self.sweep_limit.map(|sweeps| patience * sweeps));
+        let tries = limit.is_none() && self.tries_rebounds(assembly);
         let share = match self.count <= LOOSE_PASSES {
             true => self.share,
             false => 0.0,
         };
         let how = (self.penalty, self.effort, share);
-        let start = accept.then(|| solution.impulses.clone());
-        let report = solve(assembly, solution, how, &mut workspace.solver, limit);
+        let start = (accept || tries).then(|| solution.impulses.clone());
+        let first = limit.or(tries.then_some(TRIAL_SWEEPS.min(settings.max_iterations)));
+        let report = solve(assembly, solution, how, &mut workspace.solver, first);
         self.total = self.total.then(report);
         let budget = self.budget;
         let spent = |total: &Report| budget.is_some_and(|most| total.sweeps >= most);
+        let unsolved = !self.total.converged && !spent(&self.total);
+        if let Some(start) = start.as_ref().filter(|_| unsolved) {
+            if let Some(correction) = self.give_up(assembly, share) {
+                solution.impulses.clone_from(start);
+                return Ok(Pass::Corrected(correction));
+            }
+            if tries {
+                let report = solve(assembly, solution, how, &mut workspace.solver, None);
+                self.total = self.total.then(report);
+            }
+        }
+        let start = start.filter(|_| accept);
         for start in start.iter().cycle().take(SOFTENINGS) {
             if self.total.converged || spent(&self.total) {
                 break;
@@ -150,7 +189,6 @@ impl Passes {
             ..failed(assembly, solution, &self.total)
         })?;
         let gaps = (verdict.max_overlap, verdict.max_opening);
-        let settings = &assembly.prediction.scene.settings;
         let alm = settings.method == Method::Alm;
         let overlaps = alm && assembly.moves && gaps.0 > settings.tolerance.gap;
         let compression = verdict.max_compression;

@@ -226,3 +226,40 @@ fn a_jammed_chain_is_named() {
         assert!(error.contains(part), "{error}");
     }
 }
+
+/// A sphere that falls meets floor and lid in one step, and the lid comes after it faster. Of contacts that give way, impacts which a step
+/// does not resolve are rigid: both together have no answer. They are springs then, and each carries its compression.
+#[test]
+fn two_impacts_that_leave_no_room_are_springs() {
+    let (stiffness, dt, fall) = (1e6, 1e-2, 1.0);
+    let mut case = Case::new(dt, 0.0, 0.5)
+        .without_gravity()
+        .floor()
+        .plane(Vec3::new(0.0, 0.0, 2.0 * RADIUS + 2e-3), -Vec3::z())
+        .sphere(
+            RADIUS,
+            Vec3::new(0.0, 0.0, RADIUS + 1e-3),
+            Vec3::z() * -fall,
+        );
+    for wall in &mut case.scene.boundaries {
+        wall.stiffness = Some(stiffness);
+    }
+    case.scene.boundaries[1].motion = Motion::Constant(Twist {
+        linear: Vec3::z() * -2.0 * fall,
+        angular: Vec3::zeros(),
+    });
+    let mut run = case.start();
+    run.steps(1);
+    let contacts = run.simulation.contacts();
+    assert_eq!(contacts.len(), 2);
+    let closed: f64 = contacts.iter().map(|contact| -contact.gap).sum();
+    close(closed, 2.0 * fall * dt - 2e-3, 1e-9, 1.0);
+    for contact in &contacts {
+        close(
+            contact.force.norm(),
+            stiffness * -contact.gap,
+            1e-3,
+            stiffness * closed,
+        );
+    }
+}

@@ -148,3 +148,29 @@ fn a_gas_keeps_its_energy() {
     assert!(impacts > 500, "{impacts}");
     assert!(multiple < 50, "{multiple}");
 }
+
+/// Two spheres that touch fill the room between two walls, and one comes towards the other with `v0`: by Newton's law they part with
+/// `e v0`, for which there is no room. Their rebound is given up, and both stand still. One that hits a wall beside them rebounds with
+/// `e v0` all the same.
+#[test]
+fn rebounds_without_room_are_given_up() {
+    let (v0, e) = (2.0, 0.8);
+    let [low, high] = [-RADIUS, 3.0 * RADIUS].map(|x| Vec3::new(x, 0.0, 0.0));
+    for solver in [SolverKind::Auto, SolverKind::GaussSeidel] {
+        let case = Case::new(1e-3, 0.3, e)
+            .without_gravity()
+            .tolerance(1e-10, 1e-10, 1e-6)
+            .settings(|s| s.solver = solver)
+            .plane(low, Vec3::x())
+            .plane(high, -Vec3::x())
+            .sphere(RADIUS, Vec3::zeros(), Vec3::x() * v0)
+            .sphere(RADIUS, Vec3::x() * (2.0 * RADIUS), Vec3::zeros())
+            .sphere(RADIUS, Vec3::y(), Vec3::x() * -v0);
+        let mut run = case.start();
+        run.steps(1);
+        for k in 0..2 {
+            close(run.velocity(k).norm(), 0.0, 1e-6, v0);
+        }
+        close(run.velocity(2).x, e * v0, 1e-9, v0);
+    }
+}
