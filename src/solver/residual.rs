@@ -80,19 +80,22 @@ impl Residual {
     /// Whether each kind is within its tolerance. NaN is not.
     #[must_use]
     pub fn within(&self, tolerance: &Tolerance) -> bool {
-        self.gap <= tolerance.gap && self.slip <= tolerance.slip && self.force <= tolerance.force
+        self.each_within(tolerance) == [true; 3]
+    }
+
+    fn each_within(&self, tolerance: &Tolerance) -> [bool; 3] {
+        [
+            self.gap <= tolerance.gap,
+            self.slip <= tolerance.slip,
+            self.force <= tolerance.force,
+        ]
     }
 
     /// The rows of the residuals that are not within `tolerance`.
     pub(crate) fn unsolved(&self, tolerance: &Tolerance) -> impl Iterator<Item = usize> {
-        let within = [
-            self.gap <= tolerance.gap,
-            self.slip <= tolerance.slip,
-            self.force <= tolerance.force,
-        ];
         self.worst
             .into_iter()
-            .zip(within)
+            .zip(self.each_within(tolerance))
             .filter(|(_, within)| !within)
             .map(|(row, _)| row)
     }

@@ -96,18 +96,19 @@ impl Correction {
         };
         relinearise(assembly, solution, &end, &self.yields);
         solution.position = position;
-        for &k in &self.sprung {
+        let anew = |assembly: &Assembly, k: usize, impact| {
             let carried = assembly.past[k].carried(&state.contacts);
             let (free, found) = (&assembly.problem.free, &assembly.candidates[k]);
-            let contact = prediction.contact_row(free, found, carried, Some(false));
+            prediction.contact_row(free, found, carried, Some(impact))
+        };
+        for &k in &self.sprung {
+            let contact = anew(assembly, k, false);
             assembly.problem.rows.update(k, |row| *row = contact.row);
             assembly.elastic[k] = contact.elastic;
             assembly.impact[k] = false;
         }
         for &(k, share) in &self.rebounds {
-            let carried = assembly.past[k].carried(&state.contacts);
-            let (free, found) = (&assembly.problem.free, &assembly.candidates[k]);
-            let newton = prediction.contact_row(free, found, carried, Some(true)).row;
+            let newton = anew(assembly, k, true).row;
             let now = assembly.problem.rows.bias(k);
             let wanted = share * newton.bias.dot(&newton.normal);
             assembly.problem.rows.shift(k, wanted - now);

@@ -232,11 +232,13 @@ fn work(assembly: &Assembly, solution: &Solution, k: usize, p: Vec3) -> [f64; 2]
 impl Assembly<'_> {
     /// Whether impacts of the scene rebound by Newton's law.
     fn has_rebounds(&self) -> bool {
-        let scene = self.prediction.scene;
-        let settings = &scene.settings;
-        settings.integrator == Integrator::Moreau
-            && settings.method != Method::Penalty
-            && scene.pairs.rebounds()
+        self.has_rigid_impacts() && self.prediction.scene.pairs.rebounds()
+    }
+
+    /// Whether impacts of the scene are rigid where steps do not resolve them.
+    fn has_rigid_impacts(&self) -> bool {
+        let settings = &self.prediction.scene.settings;
+        settings.integrator == Integrator::Moreau && settings.method != Method::Penalty
     }
 
     /// Whether contact `k` is an impact that rebounds.
@@ -249,10 +251,9 @@ impl Assembly<'_> {
     /// Whether contact `k` is an impact that demands what other contacts may leave no room for: to rebound, or that what gives way is
     /// rigid.
     fn demands(&self, k: usize) -> bool {
-        let settings = &self.prediction.scene.settings;
-        let by_impulses =
-            settings.integrator == Integrator::Moreau && settings.method != Method::Penalty;
-        by_impulses && self.impact[k] && (self.rebounds(k) || self.elastic(k).is_some())
+        self.has_rigid_impacts()
+            && self.impact[k]
+            && (self.rebounds(k) || self.elastic(k).is_some())
     }
 
     fn is_wedged(&self, k: usize) -> bool {
